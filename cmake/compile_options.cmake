@@ -1,0 +1,43 @@
+# One place for what every file is compiled with.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "" FORCE)
+endif()
+# RelWithDebInfo keeps asserts armed (no NDEBUG) and light debug information.
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1")
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+
+option(FULCRUM_WERROR "treat warnings as errors" OFF)
+set(FULCRUM_SANITIZE "" CACHE STRING "sanitizers, as for -fsanitize=")
+option(FULCRUM_PORTABLE "build for any x86-64 processor instead of this one's level" OFF)
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}
+      CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
+endif()
+
+add_library(fulcrum_options INTERFACE)
+# The same numbers on every machine: no contraction of a*b+c, no fast math.
+target_compile_options(fulcrum_options INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
+                                                 -Wshadow $<$<BOOL:${FULCRUM_WERROR}>:-Werror>)
+if(CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(fulcrum_options INTERFACE -fpch-preprocess)
+endif()
+if(NOT FULCRUM_PORTABLE)
+  include(CheckCXXSourceRuns)
+  check_cxx_source_runs("int main(){return __builtin_cpu_supports(\"avx2\")&&__builtin_cpu_supports(\"fma\")&&__builtin_cpu_supports(\"bmi2\")?0:1;}" FULCRUM_CPU_HAS_V3)
+  if(FULCRUM_CPU_HAS_V3)
+    target_compile_options(fulcrum_options INTERFACE -march=x86-64-v3)
+  endif()
+endif()
+if(FULCRUM_SANITIZE)
+  target_compile_options(fulcrum_options INTERFACE -fsanitize=${FULCRUM_SANITIZE} -fno-omit-frame-pointer
+                                                   -fno-sanitize-recover=all)
+  target_link_options(fulcrum_options INTERFACE -fsanitize=${FULCRUM_SANITIZE})
+  target_compile_definitions(fulcrum_options INTERFACE FULCRUM_SANITIZED=1)
+endif()
+target_include_directories(fulcrum_options INTERFACE ${CMAKE_SOURCE_DIR})

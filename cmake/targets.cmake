@@ -1,0 +1,42 @@
+# fulcrum_library(NAME folder [DEPENDS ...]): one static library from every .cpp under folder (tests live elsewhere),
+# with the alias fulcrum::NAME. Subfolders named in EXCLUDE belong to other libraries.
+function(fulcrum_library name folder)
+  cmake_parse_arguments(arg "" "" "DEPENDS;EXCLUDE;PRIVATE" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
+  foreach(pattern IN LISTS arg_EXCLUDE)
+    list(FILTER sources EXCLUDE REGEX "/${folder}/${pattern}")
+  endforeach()
+  if(sources)
+    add_library(fulcrum_${name} STATIC ${sources})
+    target_link_libraries(fulcrum_${name} PUBLIC fulcrum_options ${arg_DEPENDS} PRIVATE ${arg_PRIVATE})
+  else()
+    add_library(fulcrum_${name} INTERFACE)
+    target_link_libraries(fulcrum_${name} INTERFACE fulcrum_options ${arg_DEPENDS})
+  endif()
+  add_library(fulcrum::${name} ALIAS fulcrum_${name})
+endfunction()
+
+# fulcrum_tests(NAME folder LABEL label DEPENDS ...): one test program from every .cpp under folder; each TEST_CASE is a
+# ctest of its own, carrying the label.
+function(fulcrum_tests name folder)
+  cmake_parse_arguments(arg "" "LABEL;TIMEOUT" "DEPENDS;ENVIRONMENT" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*_test.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif()
+  add_executable(test_${name} ${sources})
+  target_link_libraries(test_${name} PRIVATE ${arg_DEPENDS} fulcrum::test_support Catch2::Catch2WithMain)
+  target_precompile_headers(test_${name} REUSE_FROM fulcrum_test_pch)
+  catch_discover_tests(test_${name} TEST_PREFIX "${name}: "
+                       PROPERTIES LABELS "${arg_LABEL}" TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "${arg_ENVIRONMENT}")
+endfunction()
+
+# fulcrum_bench(NAME file DEPENDS ...): a program that prints CSV; never run as a test.
+function(fulcrum_bench name file)
+  cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
+  add_executable(bench_${name} ${file})
+  target_link_libraries(bench_${name} PRIVATE ${arg_DEPENDS} fulcrum::test_support)
+endfunction()

@@ -1,0 +1,77 @@
+// What one haptic loop is built from: only the stages that a scene calls for are in it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/handover/messages.h"
+#include "haptics/math/spatial.h"
+
+namespace fulcrum {
+
+class CollisionMesh;  // haptics/collision/collision_mesh.h
+
+/// A body that can be touched.
+struct SolidPlan {
+  std::int32_t body = kNoBody;  ///< its index in the scene
+  std::shared_ptr<const CollisionMesh> mesh;
+  Pose initial_pose_W{};
+};
+
+enum class FieldKind : std::uint8_t { spring, viscosity, magnet };
+
+/// A force field declared by the scene. See haptics/field/ for each law.
+struct FieldPlan {
+  FieldKind kind = FieldKind::spring;
+  Vector3 anchor_W{Vector3::Zero()};   ///< spring, magnet: metres
+  double stiffness_N_per_m = 0.0;      ///< spring: 0 to 2000
+  double damping_Ns_per_m = 0.0;       ///< spring, viscosity: 0 to 50
+  double peak_force_N = 0.0;           ///< magnet: largest pull, 0 to the force limit
+  double range_m = 0.1;                ///< magnet: distance of the largest pull
+};
+
+/// Limits of the last gate; checked by `validate`, never above the hard caps.
+struct SafetySettings {
+  double max_force_N = 5.0;              ///< 0.5 to 10
+  double max_torque_Nm = 0.3;            ///< 0 to 1
+  double max_slew_N_per_s = 500.0;       ///< 10 to 5000
+  double engage_below_N = 0.2;           ///< commanded force must stay below this ...
+  int engage_cycles = 5;                 ///< ... for this many cycles before any force is given
+  double soft_start_N_per_s = 5.0;       ///< the rise allowed ...
+  double soft_start_s = 2.0;             ///< ... for this long after that
+  double fade_s = 0.1;                   ///< any fault: to zero within this time, 0.01 to 0.5
+  double command_timeout_s = 0.1;        ///< a lesson or world older than this is stale
+  double device_timeout_s = 0.02;        ///< a pose older than this is stale
+  double max_hand_speed_m_per_s = 10.0;  ///< a faster change of pose is an invalid jump
+};
+
+/// Spring and damper between hand and proxy.
+struct CouplingSettings {
+  double stiffness_N_per_m = 500.0;
+  double damping_Ns_per_m = 1.0;
+};
+
+/// How the device's own frame lies in the world: p_W = position + R (scale p_D). Forces turn back by R^T, unscaled.
+struct Workspace {
+  Pose pose_WD{};
+  double scale = 1.0;  ///< world metres a device metre
+};
+
+struct HapticPlan {
+  double rate_hz = 1000.0;  ///< 1000 to 4000
+  Workspace workspace{};
+  SafetySettings safety{};
+  CouplingSettings coupling{};
+  double velocity_cutoff_hz = 80.0;  ///< of the velocity estimator
+  bool carries_weight = false;       ///< a weight stage: something can lie in the tool
+  double weight_onset_s = 0.3;       ///< how softly a weight arrives and leaves
+  bool lesson_force = false;         ///< a linearised Lua force
+  bool expects_lesson = true;        ///< commands come from a lesson and must stay fresh
+  bool expects_world = false;        ///< a world loop runs and must stay fresh
+  std::vector<SolidPlan> solids;     ///< at most kMaxSolids; empty means no proxy stage
+  std::vector<FieldPlan> fields;     ///< at most kMaxFields
+};
+
+}  // namespace fulcrum
