@@ -43,6 +43,7 @@ struct BucketDescription {
   std::string model = "bucket";
   double opening_radius_m = 0.11;
   double depth_m = 0.14;
+  int holds = 1;  ///< bodies at once, 1 to 8; felt weights are scaled so that this many fit under the force limit
   SourceLine line = 0;
 };
 
@@ -56,6 +57,7 @@ struct CameraDescription {
 struct HandDescription {
   Vector3 centre_W{0.0, 0.3, 0.0};
   double scale = 1.0;          ///< 0.01 to 100
+  double rate_hz = 1000.0;     ///< of the haptic loop, 1000 to 4000
   bool lesson_force = false;   ///< hand:force(function …) was called
   SourceLine force_line = 0;
 };
