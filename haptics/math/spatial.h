@@ -17,6 +17,8 @@ struct Pose {
   Vector3 position{Vector3::Zero()};
   Quaternion orientation{Quaternion::Identity()};
 
+  /// A pose that is moved but not turned. (`Pose{p, {}}` would leave the quaternion unset: Eigen's default is garbage.)
+  [[nodiscard]] static Pose at(const Vector3& position) { return {position, Quaternion::Identity()}; }
   /// p_A from p_B.
   [[nodiscard]] Vector3 operator*(const Vector3& point) const { return orientation * point + position; }
   /// X_AC = X_AB * X_BC.

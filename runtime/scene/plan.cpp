@@ -1,0 +1,238 @@
+#include "runtime/scene/plan.h"
+
+#include <algorithm>
+
+#include <cmath>
+#include <functional>
+#include <set>
+
+namespace fulcrum::runtime {
+namespace {
+
+std::string at_line(SourceLine line) {
+    return "lesson.lua:" + std::to_string(line);
+}
+
+Expected<void> check_counts(const LessonDescription& lesson) {
+    if (lesson.bodies.size() > static_cast<std::size_t>(kMaxBodies)) {
+        return fail("the lesson has " + std::to_string(lesson.bodies.size()) + " bodies",
+                    at_line(lesson.bodies[kMaxBodies].line),
+                    "use at most " + std::to_string(kMaxBodies));
+    }
+    if (lesson.forces.size() > static_cast<std::size_t>(kMaxFields)) {
+        return fail("the lesson has " + std::to_string(lesson.forces.size()) + " forces",
+                    at_line(lesson.forces[kMaxFields].line),
+                    "use at most " + std::to_string(kMaxFields));
+    }
+    std::set<std::string> names;
+    for (const BodyDescription& body : lesson.bodies) {
+        if (!names.insert(body.name).second) {
+            return fail("two bodies are called \"" + body.name + "\"", at_line(body.line),
+                        "give each a name of its own");
+        }
+    }
+    return {};
+}
+
+// The simulated physics is the answer key, so a hand must never feel two things the other way
+// round.
+Expected<void> check_felt_order(const std::vector<BodyDescription>& bodies) {
+    for (const BodyDescription& a : bodies) {
+        for (const BodyDescription& b : bodies) {
+            const bool felt_heavier = a.mass_kg * a.exaggeration >= b.mass_kg * b.exaggeration;
+            if (a.movable && b.movable && a.mass_kg < b.mass_kg && felt_heavier) {
+                return fail("the " + a.noun + " is lighter than the " + b.noun +
+                                " but would not feel lighter",
+                            at_line(a.line), "change one of their exaggerations");
+            }
+        }
+    }
+    return {};
+}
+
+Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& load_solid,
+                          HapticPlan& plan) {
+    for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
+        const BodyDescription& body = lesson.bodies[i];
+        if (!body.solid) {
+            continue;
+        }
+        if (plan.solids.size() == static_cast<std::size_t>(kMaxSolids)) {
+            return fail("the lesson has more than " + std::to_string(kMaxSolids) + " solid bodies",
+                        at_line(body.line), "make fewer bodies solid");
+        }
+        auto mesh = load_solid(body);
+        if (!mesh) {
+            return tl::unexpected(mesh.error());
+        }
+        plan.solids.push_back({static_cast<std::int32_t>(i), *mesh, Pose::at(body.position_W)});
+    }
+    return {};
+}
+
+HapticPlan haptic_plan(const LessonDescription& lesson, const PlanOptions& options) {
+    HapticPlan plan;
+    plan.rate_hz = lesson.hand.rate_hz;
+    plan.workspace.pose_WD.position = lesson.hand.centre_W;
+    plan.workspace.scale = lesson.hand.scale;
+    plan.safety.max_force_N = options.force_limit_N;
+    plan.lesson_force = lesson.hand.lesson_force;
+    plan.expects_lesson = true;
+    for (const ForceDescription& force : lesson.forces) {
+        plan.fields.push_back(force.field);
+    }
+    return plan;
+}
+
+WorldPlan world_plan(const LessonDescription& lesson, const FeltWeights& felt) {
+    WorldPlan plan;
+    plan.gravity_W = lesson.gravity_W;
+    plan.ground_height_m = lesson.ground_height_m;
+    const double gravity = lesson.gravity_W.norm();
+    for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
+        const BodyDescription& body = lesson.bodies[i];
+        const double felt_mass_kg = gravity > 0.0 ? felt.newtons[i] / gravity : 0.0;
+        plan.bodies.push_back({body.mass_kg, felt_mass_kg, body.radius_m, body.drag_area_m2});
+    }
+    plan.catcher.present = lesson.bucket.present;
+    plan.catcher.opening_radius_m = lesson.bucket.opening_radius_m;
+    plan.catcher.depth_m = lesson.bucket.depth_m;
+    plan.catcher.capacity = lesson.bucket.holds;
+    return plan;
+}
+
+const BodyDescription* first_movable(const LessonDescription& lesson) {
+    const auto found = std::find_if(lesson.bodies.begin(), lesson.bodies.end(),
+                                    [](const BodyDescription& body) { return body.movable; });
+    return found == lesson.bodies.end() ? nullptr : &*found;
+}
+
+void list_other_loops(const LessonDescription& lesson, Plan& plan) {
+    const auto add = [&plan](std::string loop, std::string name, double rate_hz,
+                             std::string because, SourceLine line) {
+        plan.stages.push_back(
+            {std::move(loop), std::move(name), rate_hz, 0, std::move(because), line});
+    };
+    if (plan.world) {
+        const BodyDescription* movable = first_movable(lesson);
+        add("world", "falling bodies", plan.world->rate_hz, "bodies may fall", movable->line);
+        if (lesson.bucket.present) {
+            add("world", "bucket", plan.world->rate_hz, "the tool catches", lesson.bucket.line);
+        }
+    }
+    add("lesson", "lua", plan.lesson_rate_hz, "every lesson is a Lua file", 0);
+    if (plan.dialogue) {
+        add("lesson", "dialogue", 0.0, "it asks questions", lesson.questions.front().line);
+    }
+    if (plan.recogniser) {
+        add("speech", "recogniser", 0.0, "answers are spoken", lesson.questions.front().line);
+    }
+    if (plan.picture) {
+        add("picture", "scene", 60.0, "there is somebody to see it", 0);
+    }
+    if (plan.sound) {
+        add("sound", "mixer", 100.0, "there is somebody to hear it", 0);
+    }
+    if (plan.record) {
+        add("record", "writer", plan.haptic.rate_hz, "--record was given", 0);
+    }
+}
+
+void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
+    const auto add = [&plan](std::string name, std::string because, SourceLine line) {
+        plan.stages.push_back(
+            {"haptic", std::move(name), plan.haptic.rate_hz, 0, std::move(because), line});
+    };
+    add("read", "a hand holds the device", 0);
+    add("velocity", "dampers and the lesson need it", 0);
+    if (!plan.haptic.solids.empty()) {
+        const auto body = static_cast<std::size_t>(plan.haptic.solids.front().body);
+        add("proxy", "a body can be touched", lesson.bodies[body].line);
+    }
+    if (plan.haptic.carries_weight) {
+        add("weight", "a body can be carried", lesson.bucket.line);
+    }
+    for (std::size_t i = 0; i < lesson.forces.size(); ++i) {
+        static constexpr const char* kNames[] = {"spring", "viscosity", "magnet"};
+        add(kNames[static_cast<std::size_t>(lesson.forces[i].field.kind)],
+            "the lesson declares \"" + lesson.forces[i].name + "\"", lesson.forces[i].line);
+    }
+    if (plan.haptic.lesson_force) {
+        add("lesson force", "the lesson computes a force", lesson.hand.force_line);
+    }
+    add("limits", "a hand is near", 0);
+    add("publish", "the other loops read it", 0);
+}
+
+}  // namespace
+
+bool Plan::has(const std::string& loop, const std::string& name) const {
+    return std::any_of(stages.begin(), stages.end(), [&](const PlanStage& stage) {
+        return stage.loop == loop && stage.name == name;
+    });
+}
+
+FeltWeights fit_felt_weights(const std::vector<BodyDescription>& bodies, double gravity_m_per_s2,
+                             int holds, double force_limit_N) {
+    FeltWeights felt;
+    for (const BodyDescription& body : bodies) {
+        felt.newtons.push_back(body.movable ? body.mass_kg * gravity_m_per_s2 * body.exaggeration
+                                            : 0.0);
+    }
+    // The heaviest load: as many of the heaviest bodies as the bucket holds.
+    std::vector<double> heaviest_first = felt.newtons;
+    std::sort(heaviest_first.begin(), heaviest_first.end(), std::greater<>());
+    double load_N = 0.0;
+    for (std::size_t i = 0;
+         i < heaviest_first.size() && i < static_cast<std::size_t>(std::max(holds, 0)); ++i) {
+        load_N += heaviest_first[i];
+    }
+    // One factor for all keeps order and ratios.
+    const double allowed_N = kWeightShareOfLimit * force_limit_N;
+    if (load_N > allowed_N) {
+        felt.scale = allowed_N / load_N;
+        for (double& newtons : felt.newtons) {
+            newtons *= felt.scale;
+        }
+    }
+    return felt;
+}
+
+Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& options,
+                            const SolidLoader& load_solid) {
+    if (auto counts = check_counts(lesson); !counts) {
+        return tl::unexpected(counts.error());
+    }
+    if (auto order = check_felt_order(lesson.bodies); !order) {
+        return tl::unexpected(order.error());
+    }
+
+    Plan plan;
+    plan.haptic = haptic_plan(lesson, options);
+    if (auto solids = add_solids(lesson, load_solid, plan.haptic); !solids) {
+        return tl::unexpected(solids.error());
+    }
+
+    // Weights fit under the limit; a world exists only when something may move in it.
+    const int holds = lesson.bucket.present ? lesson.bucket.holds : 1;
+    const FeltWeights felt =
+        fit_felt_weights(lesson.bodies, lesson.gravity_W.norm(), holds, options.force_limit_N);
+    plan.felt_weight_N = felt.newtons;
+    plan.felt_scale = felt.scale;
+    if (first_movable(lesson) != nullptr) {
+        plan.world = world_plan(lesson, felt);
+        plan.haptic.expects_world = true;
+        plan.haptic.carries_weight = true;
+    }
+
+    plan.picture = options.picture;
+    plan.sound = options.sound;
+    plan.record = options.record;
+    plan.dialogue = !lesson.questions.empty();
+    plan.recogniser = plan.dialogue && options.speech != SpeechInput::text;
+    list_haptic_stages(lesson, plan);
+    list_other_loops(lesson, plan);
+    return plan;
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,88 @@
+// The plan: what a scene calls for, and nothing else. Compiled once from a lesson's description
+// before anything runs; the runners build exactly the loops and stages that stand in it.
+//
+// Thread: load path. Cost: linear in the number of bodies and forces.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/dynamics/world_plan.h"
+#include "haptics/loop/haptic_plan.h"
+#include "runtime/scene/description.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// The share of the force limit that the heaviest load may use; the rest is left for springs and
+/// for the arm's own friction, so that a weight is never clipped by the last gate.
+inline constexpr double kWeightShareOfLimit = 0.9;
+
+/// How a learner's words arrive.
+enum class SpeechInput : std::uint8_t { text };
+
+/// What the person at the keyboard chose; the rest follows from the lesson.
+struct PlanOptions {
+    double force_limit_N = 5.0;  ///< of this site, 0.5 to 10
+    bool picture = true;         ///< a window or a screenshot is wanted
+    bool sound = true;           ///< false under --mute and --headless
+    bool record = false;         ///< --record was given
+    SpeechInput speech = SpeechInput::text;
+};
+
+/// One line of `fulcrum explain`: a stage that will run, and who asked for it.
+struct PlanStage {
+    std::string loop;      ///< "haptic", "world", "lesson", "picture", "sound" or "record"
+    std::string name;      ///< e.g. "weight"
+    double rate_hz = 0.0;  ///< 0: only when something happens
+    std::size_t memory_bytes = 0;
+    std::string because;  ///< e.g. "a body can be carried", for people
+    SourceLine line = 0;  ///< line of the lesson that asked; 0 when every lesson has it
+};
+
+struct Plan {
+    HapticPlan haptic{};
+    std::optional<WorldPlan> world;  ///< absent when nothing moves by itself
+    double lesson_rate_hz = 60.0;
+    bool picture = false;
+    bool sound = false;
+    bool record = false;
+    bool dialogue = false;    ///< the lesson asks questions
+    bool recogniser = false;  ///< a speech recogniser listens; never with SpeechInput::text
+    std::vector<double> felt_weight_N;  ///< one a body, 0 when it can't be carried
+    double felt_scale =
+        1.0;  ///< the factor that fitted the felt weights under the limit, at most 1
+    std::vector<PlanStage>
+        stages;  ///< everything above, in the order of the data, for people and for tests
+
+    /// True when a stage of that loop and name is in the plan.
+    [[nodiscard]] bool has(const std::string& loop, const std::string& name) const;
+};
+
+/// Gives the touchable mesh of a solid body (from its model); called for solid bodies only.
+using SolidLoader =
+    std::function<Expected<std::shared_ptr<const CollisionMesh>>(const BodyDescription&)>;
+
+/// Compiles `lesson` for this machine. Refuses with one sentence a scene that cannot be rendered
+/// safely or truthfully: two bodies of one name, felt weights whose order contradicts the true one,
+/// too many bodies, solids or forces.
+[[nodiscard]] Expected<Plan> compile_plan(const LessonDescription& lesson,
+                                          const PlanOptions& options,
+                                          const SolidLoader& load_solid);
+
+/// Felt weights in newtons: true weight times exaggeration, all times one factor so that the
+/// `holds` heaviest together stay within kWeightShareOfLimit of the limit. Order and ratios are
+/// kept; nothing is clipped.
+struct FeltWeights {
+    std::vector<double> newtons;
+    double scale = 1.0;
+};
+[[nodiscard]] FeltWeights fit_felt_weights(const std::vector<BodyDescription>& bodies,
+                                           double gravity_m_per_s2, int holds,
+                                           double force_limit_N);
+
+}  // namespace fulcrum::runtime
