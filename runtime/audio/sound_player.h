@@ -1,0 +1,70 @@
+// Sounds, behind one interface: a sound card (openal/), nothing (null/), or a buffer for tests
+// (openal/ by loopback). All sounds are made by our own code (synthesis.h); there are no sound
+// files.
+//
+//   play("catch_egg") starts a short sound; set_force_sound(F) moves a continuous hum that lets a
+//   mouse user hear the force that an arm would feel: silent at 0 N, louder and higher with every
+//   newton.
+//
+// Thread: one thread, the one that opened the player (the picture's or the audio's), never the
+// haptic loop. Cost: update about 10 µs; open synthesises each named sound once (about 2 ms a
+// sound).
+#pragma once
+
+#include "haptics/base/error.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// Fixed when the player is opened.
+struct SoundSettings {
+    std::vector<std::string>
+        names;                 ///< sounds that will be played, all of sound_names() when empty
+    bool force_sound = true;   ///< make the continuous force sound ready
+    double master_gain = 1.0;  ///< 0 to 1, multiplies everything
+};
+
+/// Something that plays sounds.
+class SoundPlayer {
+  public:
+    virtual ~SoundPlayer() = default;
+    SoundPlayer() = default;
+    SoundPlayer(const SoundPlayer&) = delete;
+    SoundPlayer& operator=(const SoundPlayer&) = delete;
+
+    /// Starts a sound. `gain` 0 to 1 (linear amplitude), `pitch` 0.25 to 4 (1 is as made). An
+    /// unknown or unopened name and a number out of range are errors; nothing is played then. When
+    /// all voices are busy the oldest gives way.
+    virtual Expected<void> play(std::string_view name, double gain, double pitch) = 0;
+
+    /// Starts a sound as it was made.
+    Expected<void> play(std::string_view name) { return play(name, 1.0, 1.0); }
+
+    /// The force that should be heard, newtons; 0 is silence. Not finite or negative counts as 0.
+    virtual void set_force_sound(double force_N) = 0;
+
+    /// Advances ramps by `dt_s` seconds; call it 60 to 100 times a second.
+    virtual void update(double dt_s) = 0;
+
+    /// Lets everything fade out (20 ms of updates) and sets the force sound to silence.
+    virtual void stop() = 0;
+
+    /// False when nothing can be heard: the null player.
+    [[nodiscard]] virtual bool audible() const = 0;
+};
+
+/// A player, and one sentence for the user when it is a silent one (empty otherwise).
+struct OpenedSound {
+    std::unique_ptr<SoundPlayer> player;  ///< never null
+    std::string notice;
+};
+
+/// Opens the default sound card; without one the player is the null player and `notice` says so.
+/// Never throws, never writes to the terminal. An unknown name in the settings is an error.
+[[nodiscard]] Expected<OpenedSound> open_sound_player(const SoundSettings& settings);
+
+}  // namespace fulcrum::runtime
