@@ -1,0 +1,165 @@
+#include "runtime/scene/plan.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+
+constexpr double kGravity = 9.81;
+
+BodyDescription fruit(const std::string& name, double mass_kg, double exaggeration,
+                      SourceLine line = 1) {
+    BodyDescription body;
+    body.name = name;
+    body.noun = name;
+    body.model = name;
+    body.mass_kg = mass_kg;
+    body.exaggeration = exaggeration;
+    body.movable = true;
+    body.line = line;
+    return body;
+}
+
+// The thesis' weights: an apple felt at 6 N, an egg at 3 N.
+LessonDescription gravity_like() {
+    LessonDescription lesson;
+    lesson.bodies = {fruit("watermelon", 3.0, 0.3, 10),
+                     fruit("apple", 6.0 / kGravity / 3.0, 3.0, 11), fruit("banana", 0.12, 3.5, 12),
+                     fruit("egg", 3.0 / kGravity / 5.0, 5.0, 13)};
+    lesson.bucket.present = true;
+    lesson.bucket.line = 14;
+    QuestionDescription question;
+    question.id = "heaviest";
+    question.line = 20;
+    lesson.questions = {question};
+    return lesson;
+}
+
+Expected<std::shared_ptr<const CollisionMesh>> no_mesh(const BodyDescription& body) {
+    return fail("no mesh for " + body.name);
+}
+
+std::shared_ptr<const CollisionMesh> some_mesh() {
+    static const int anything = 0;  // the plan never looks into a mesh
+    return {std::shared_ptr<const void>{}, reinterpret_cast<const CollisionMesh*>(&anything)};
+}
+
+}  // namespace
+
+TEST_CASE("plan: with a limit of 10 N the thesis' apple weighs 6 N and its egg 3 N") {
+    const FeltWeights felt = fit_felt_weights(gravity_like().bodies, kGravity, 1, 10.0);
+    CHECK(felt.scale == 1.0);
+    CHECK(felt.newtons[1] == Approx(6.0).epsilon(1e-12));
+    CHECK(felt.newtons[3] == Approx(3.0).epsilon(1e-12));
+    CHECK(felt.newtons[0] <= kWeightShareOfLimit * 10.0);
+}
+
+TEST_CASE("plan: felt weights shrink by one factor, so that ratios stay and nothing is clipped") {
+    const auto bodies = gravity_like().bodies;
+    const FeltWeights wide = fit_felt_weights(bodies, kGravity, 1, 10.0);
+    for (const double limit_N : {0.5, 2.0, 5.0}) {
+        const FeltWeights felt = fit_felt_weights(bodies, kGravity, 1, limit_N);
+        CHECK(felt.newtons[0] == Approx(kWeightShareOfLimit * limit_N).epsilon(1e-12));
+        for (std::size_t i = 1; i < bodies.size(); ++i) {
+            CHECK(felt.newtons[i] / felt.newtons[0] ==
+                  Approx(wide.newtons[i] / wide.newtons[0]).epsilon(1e-12));
+        }
+    }
+}
+
+TEST_CASE("plan: a bucket that holds two fits the two heaviest together under the limit") {
+    const auto bodies = gravity_like().bodies;
+    const FeltWeights felt = fit_felt_weights(bodies, kGravity, 2, 5.0);
+    CHECK(felt.newtons[0] + felt.newtons[1] == Approx(kWeightShareOfLimit * 5.0).epsilon(1e-12));
+}
+
+TEST_CASE("plan: without gravity or bodies nothing is felt and nothing breaks") {
+    CHECK(fit_felt_weights({}, kGravity, 1, 5.0).newtons.empty());
+    const FeltWeights felt = fit_felt_weights(gravity_like().bodies, 0.0, 1, 5.0);
+    CHECK(felt.newtons[0] == 0.0);
+    CHECK(felt.scale == 1.0);
+}
+
+TEST_CASE("plan: gravity has no proxy when nothing solid can be touched") {
+    const auto plan = compile_plan(gravity_like(), {}, no_mesh);
+    REQUIRE(plan);
+    CHECK_FALSE(plan->has("haptic", "proxy"));
+    CHECK(plan->haptic.solids.empty());
+    CHECK(plan->has("haptic", "weight"));
+    CHECK(plan->has("world", "falling bodies"));
+    CHECK(plan->has("world", "bucket"));
+    CHECK_FALSE(plan->has("haptic", "lesson force"));
+}
+
+TEST_CASE("plan: a solid body brings the proxy, and names the line that asked") {
+    LessonDescription lesson;
+    BodyDescription ball = fruit("ball", 1.0, 1.0, 7);
+    ball.movable = false;
+    ball.solid = true;
+    lesson.bodies = {ball};
+    const auto plan = compile_plan(lesson, {}, [](const BodyDescription&) {
+        return Expected<std::shared_ptr<const CollisionMesh>>(some_mesh());
+    });
+    REQUIRE(plan);
+    CHECK(plan->has("haptic", "proxy"));
+    CHECK_FALSE(plan->world.has_value());
+    CHECK_FALSE(plan->has("haptic", "weight"));
+    for (const PlanStage& stage : plan->stages) {
+        if (stage.name == "proxy") {
+            CHECK(stage.line == 7);
+        }
+    }
+}
+
+TEST_CASE(
+    "plan: muted there is no sound, typed there is no recogniser, unseen there is no picture") {
+    PlanOptions options;
+    options.sound = false;
+    options.picture = false;
+    const auto plan = compile_plan(gravity_like(), options, no_mesh);
+    REQUIRE(plan);
+    CHECK_FALSE(plan->sound);
+    CHECK_FALSE(plan->has("sound", "mixer"));
+    CHECK_FALSE(plan->recogniser);
+    CHECK_FALSE(plan->has("speech", "recogniser"));
+    CHECK_FALSE(plan->has("picture", "scene"));
+    CHECK_FALSE(plan->has("record", "writer"));
+    CHECK(plan->has("lesson", "dialogue"));
+}
+
+TEST_CASE("plan: a lesson in which the lighter thing feels heavier is refused with its line") {
+    LessonDescription lesson = gravity_like();
+    lesson.bodies[3].exaggeration = 50.0;
+    const auto plan = compile_plan(lesson, {}, no_mesh);
+    REQUIRE_FALSE(plan);
+    CHECK(plan.error().where == "lesson.lua:13");
+    CHECK(plan.error().message.find("egg") != std::string::npos);
+}
+
+TEST_CASE("plan: two bodies of one name, too many bodies, solids or forces are refused") {
+    LessonDescription lesson = gravity_like();
+    lesson.bodies[1].name = "watermelon";
+    CHECK_FALSE(compile_plan(lesson, {}, no_mesh));
+
+    lesson = LessonDescription{};
+    for (int i = 0; i <= kMaxBodies; ++i) {
+        lesson.bodies.push_back(fruit("f" + std::to_string(i), 1.0, 1.0, i));
+    }
+    CHECK(compile_plan(lesson, {}, no_mesh).error().where == "lesson.lua:64");
+
+    lesson = LessonDescription{};
+    lesson.forces.resize(kMaxFields + 1);
+    CHECK_FALSE(compile_plan(lesson, {}, no_mesh));
+
+    lesson = LessonDescription{};
+    for (int i = 0; i <= kMaxSolids; ++i) {
+        BodyDescription body = fruit("s" + std::to_string(i), 1.0, 1.0, i);
+        body.solid = true;
+        lesson.bodies.push_back(body);
+    }
+    CHECK_FALSE(compile_plan(lesson, {}, [](const BodyDescription&) {
+        return Expected<std::shared_ptr<const CollisionMesh>>(some_mesh());
+    }));
+}
