@@ -1,36 +1,15 @@
 // What one haptic loop is built from: only the stages that a scene calls for are in it.
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <string>
 #include <vector>
 
+#include "haptics/coupling/coupling_settings.h"
+#include "haptics/field/field_plan.h"
 #include "haptics/handover/messages.h"
 #include "haptics/math/spatial.h"
+#include "haptics/point/solid_plan.h"
 
 namespace fulcrum {
-
-class CollisionMesh;  // haptics/collision/collision_mesh.h
-
-/// A body that can be touched.
-struct SolidPlan {
-  std::int32_t body = kNoBody;  ///< its index in the scene
-  std::shared_ptr<const CollisionMesh> mesh;
-  Pose initial_pose_W{};
-};
-
-enum class FieldKind : std::uint8_t { spring, viscosity, magnet };
-
-/// A force field declared by the scene. See haptics/field/ for each law.
-struct FieldPlan {
-  FieldKind kind = FieldKind::spring;
-  Vector3 anchor_W{Vector3::Zero()};   ///< spring, magnet: metres
-  double stiffness_N_per_m = 0.0;      ///< spring: 0 to 2000
-  double damping_Ns_per_m = 0.0;       ///< spring, viscosity: 0 to 50
-  double peak_force_N = 0.0;           ///< magnet: largest pull, 0 to the force limit
-  double range_m = 0.1;                ///< magnet: distance of the largest pull
-};
 
 /// Limits of the last gate; checked by `validate`, never above the hard caps.
 struct SafetySettings {
@@ -45,12 +24,6 @@ struct SafetySettings {
   double command_timeout_s = 0.1;        ///< a lesson or world older than this is stale
   double device_timeout_s = 0.02;        ///< a pose older than this is stale
   double max_hand_speed_m_per_s = 10.0;  ///< a faster change of pose is an invalid jump
-};
-
-/// Spring and damper between hand and proxy.
-struct CouplingSettings {
-  double stiffness_N_per_m = 500.0;
-  double damping_Ns_per_m = 1.0;
 };
 
 /// How the device's own frame lies in the world: p_W = position + R (scale p_D). Forces turn back by R^T, unscaled.
