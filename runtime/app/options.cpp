@@ -1,0 +1,221 @@
+#include "runtime/app/options.h"
+
+#include <algorithm>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace fulcrum::runtime {
+namespace {
+
+struct CommandWord {
+    std::string_view word;
+    Command command;
+    bool takes_lesson;
+    std::string_view flags;  // the flags it understands, each between spaces
+};
+
+constexpr std::array<CommandWord, 9> kCommands{{
+    {"run", Command::run, true,
+     " --headless --seconds --hand --say --learner --db --record --screenshot --screenshot-at "
+     "--speech --watch"
+     " --mute --force-limit "},
+    {"list", Command::list, false, " "},
+    {"check", Command::check, true, " --force-limit "},
+    {"test", Command::test, true, " --force-limit "},
+    {"explain", Command::explain, true, " --mute --headless --speech --record --force-limit "},
+    {"report", Command::report, false, " --learner --lesson --db --format --out "},
+    {"help", Command::help, false, " "},
+    {"--help", Command::help, false, " "},
+    {"--version", Command::version, false, " "},
+}};
+
+Expected<double> number_in(const std::string& flag, const std::string& text, double low,
+                           double high) {
+    double value = 0.0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() ||
+        !(value >= low && value <= high)) {
+        const auto shown = [](double x) {
+            std::string s = std::to_string(x);
+            s.erase(s.find_last_not_of('0') + 1);
+            return s.back() == '.' ? s.substr(0, s.size() - 1) : s;
+        };
+        return fail(flag + " is \"" + text + "\"", "",
+                    "give a number from " + shown(low) + " to " + shown(high));
+    }
+    return value;
+}
+
+// Each flag that takes a value, and where the value goes.
+Expected<void> set_value(Options& options, const std::string& flag, const std::string& value) {
+    const auto into_number = [&](auto& target, double low, double high) -> Expected<void> {
+        const auto number = number_in(flag, value, low, high);
+        if (!number) {
+            return tl::unexpected(number.error());
+        }
+        target = *number;
+        return {};
+    };
+    if (flag == "--seconds") {
+        return into_number(options.seconds, 0.0, 86400.0);
+    }
+    if (flag == "--screenshot-at") {
+        return into_number(options.screenshot_at_s, 0.0, 86400.0);
+    }
+    if (flag == "--force-limit") {
+        return into_number(options.force_limit_N, 0.5, 10.0);
+    }
+    if (flag == "--speech") {
+        if (value != "text") {
+            return fail("--speech " + value + " is not known", "", "use --speech text");
+        }
+        return {};
+    }
+    if (flag == "--format") {
+        if (value != "text" && value != "csv") {
+            return fail("--format " + value + " is not known", "", "use text or csv");
+        }
+        options.format = value;
+        return {};
+    }
+    struct Target {
+        std::string_view flag;
+        std::string Options::*member;
+    };
+    static constexpr std::array<Target, 8> kTargets{{{"--hand", &Options::hand},
+                                                     {"--say", &Options::say},
+                                                     {"--learner", &Options::learner},
+                                                     {"--db", &Options::database},
+                                                     {"--record", &Options::record},
+                                                     {"--screenshot", &Options::screenshot},
+                                                     {"--lesson", &Options::lesson},
+                                                     {"--out", &Options::out}}};
+    const auto target = std::find_if(kTargets.begin(), kTargets.end(),
+                                     [&](const Target& t) { return t.flag == flag; });
+    options.*(target->member) = value;
+    return {};
+}
+
+bool takes_value(std::string_view flag) {
+    return flag != "--headless" && flag != "--watch" && flag != "--mute";
+}
+
+void set_switch(Options& options, std::string_view flag) {
+    options.headless |= flag == "--headless";
+    options.watch |= flag == "--watch";
+    options.mute |= flag == "--mute";
+}
+
+std::string nearest(const std::string& word, const std::vector<std::string>& known) {
+    const auto best =
+        std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
+            return edit_distance(word, a) < edit_distance(word, b);
+        });
+    return best != known.end() && edit_distance(word, *best) <= 3 ? *best : std::string{};
+}
+
+tl::unexpected<Error> unknown(const std::string& what, const std::string& word,
+                              const std::vector<std::string>& known) {
+    const std::string guess = nearest(word, known);
+    return fail(
+        what + " \"" + word + "\" is not known", "",
+        guess.empty() ? "see fulcrum help" : "did you mean " + guess + "?  See fulcrum help");
+}
+
+std::vector<std::string> flags_of(const CommandWord& command) {
+    std::vector<std::string> flags;
+    std::size_t start = command.flags.find("--");
+    while (start != std::string_view::npos) {
+        const std::size_t end = command.flags.find(' ', start);
+        flags.emplace_back(command.flags.substr(start, end - start));
+        start = command.flags.find("--", end);
+    }
+    return flags;
+}
+
+}  // namespace
+
+int edit_distance(std::string_view a, std::string_view b) {
+    std::vector<int> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        int diagonal = row[0];
+        row[0] = static_cast<int>(i) + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const int substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+Expected<Options> parse_options(std::span<const std::string> words) {
+    Options options;
+    if (words.empty()) {
+        return options;
+    }
+    const auto command = std::find_if(kCommands.begin(), kCommands.end(),
+                                      [&](const CommandWord& c) { return c.word == words[0]; });
+    if (command == kCommands.end()) {
+        std::vector<std::string> known;
+        for (const CommandWord& c : kCommands) {
+            known.emplace_back(c.word);
+        }
+        return unknown("the command", words[0], known);
+    }
+    options.command = command->command;
+
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        if (word.rfind("--", 0) != 0) {
+            if (!command->takes_lesson || !options.lesson.empty()) {
+                return fail("\"" + word + "\" is one word too many", "", "see fulcrum help");
+            }
+            options.lesson = word;
+        } else if (command->flags.find(" " + word + " ") == std::string_view::npos) {
+            return unknown("for " + words[0] + ", the option", word, flags_of(*command));
+        } else if (!takes_value(word)) {
+            set_switch(options, word);
+        } else if (i + 1 == words.size()) {
+            return fail(word + " needs a value", "", "see fulcrum help");
+        } else if (auto set = set_value(options, word, words[++i]); !set) {
+            return tl::unexpected(set.error());
+        }
+    }
+    if (command->takes_lesson && options.lesson.empty()) {
+        return fail(words[0] + " needs a lesson", "", "name one; fulcrum list shows them");
+    }
+    return options;
+}
+
+std::string usage() {
+    return R"(Fulcrum: lessons that are felt.
+
+  fulcrum                    the list of lessons, in a window
+  fulcrum run LESSON         play a lesson
+      --headless             without a window, faster than real time, repeatable to the byte
+      --hand FILE.lua|mouse|replay:FILE
+      --say FILE             one answer a line, given to the questions in turn
+      --learner NAME         whose progress this is
+      --db FILE              where progress is kept
+      --record FILE          write poses, forces and events
+      --screenshot FILE      write the picture when the run ends  (--screenshot-at S: at that second)
+      --seconds N            end early
+      --force-limit N        newtons this site allows, 0.5 to 10 (5)
+      --mute   --watch   --speech text
+  fulcrum list               the lessons
+  fulcrum check LESSON       look for mistakes without playing
+  fulcrum test LESSON        play the lesson's own tests
+  fulcrum explain LESSON     what runs for it, how often, and which line asked for it
+  fulcrum report             what learners did  (--learner NAME --lesson ID --format text|csv --out FILE)
+
+Exit codes: 0 done, 1 the lesson or a test failed, 2 wrong usage or unreadable input.
+)";
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,45 @@
+// The command line: what was asked for, or one sentence on what is wrong with it.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "runtime/scene/plan.h"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace fulcrum::runtime {
+
+enum class Command : std::uint8_t { menu, run, list, check, test, explain, report, help, version };
+
+/// Everything the command line can say. Fields that a command does not use are refused for it.
+struct Options {
+    Command command = Command::menu;
+    std::string lesson;             ///< a name under scenarios/ or a folder
+    bool headless = false;          ///< no window: virtual clock, faster than real time
+    std::optional<double> seconds;  ///< end the run after this long, 0 to 86 400
+    std::string hand;        ///< FILE.lua, mouse or replay:FILE; empty: chosen by what is there
+    std::string say;         ///< file with one answer a line
+    std::string learner;     ///< nickname
+    std::string database;    ///< file; empty: the default place
+    std::string record;      ///< file to write the run to
+    std::string screenshot;  ///< PNG to write when the run ends
+    double screenshot_at_s = -1.0;  ///< or at this time of the run; negative: at its end
+    SpeechInput speech = SpeechInput::text;
+    bool watch = false;  ///< start again whenever the lesson's files change
+    bool mute = false;
+    double force_limit_N = 5.0;   ///< of this site, 0.5 to 10
+    std::string format = "text";  ///< report: text or csv
+    std::string out;              ///< report: file instead of the screen
+};
+
+/// Parses the words after the program's name. Unknown words name the nearest known one.
+[[nodiscard]] Expected<Options> parse_options(std::span<const std::string> words);
+
+/// What `fulcrum help` prints.
+[[nodiscard]] std::string usage();
+
+/// Smallest number of single-letter edits between two words (Levenshtein 1966), for "did you mean".
+[[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
+
+}  // namespace fulcrum::runtime

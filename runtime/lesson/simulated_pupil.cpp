@@ -1,0 +1,37 @@
+#include "runtime/lesson/simulated_pupil.h"
+
+#include <fstream>
+
+namespace fulcrum::runtime {
+
+SimulatedPupil::SimulatedPupil(std::vector<std::string> lines, double thinking_s)
+    : lines_(lines.begin(), lines.end()), thinking_s_(thinking_s) {}
+
+Expected<std::vector<std::string>> SimulatedPupil::read_lines(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) {
+        return fail("the answers cannot be read", path,
+                    "give --say a text file with one answer a line");
+    }
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);) {
+        const std::size_t first = line.find_first_not_of(" \t\r");
+        if (first != std::string::npos && line[first] != '#') {
+            lines.push_back(line.substr(first, line.find_last_not_of(" \t\r") - first + 1));
+        }
+    }
+    return lines;
+}
+
+std::optional<std::string> SimulatedPupil::answer(double asked_at_s, double now_s) {
+    const bool already_answered = asked_at_s == answered_question_asked_at_s_;
+    if (already_answered || lines_.empty() || now_s - asked_at_s < thinking_s_) {
+        return std::nullopt;
+    }
+    answered_question_asked_at_s_ = asked_at_s;
+    std::string line = std::move(lines_.front());
+    lines_.pop_front();
+    return line;
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,73 @@
+#include "runtime/app/options.h"
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+Expected<Options> parse(std::vector<std::string> words) {
+    return parse_options(words);
+}
+}  // namespace
+
+TEST_CASE("options: no words open the list of lessons") {
+    CHECK(parse({})->command == Command::menu);
+}
+
+TEST_CASE("options: run takes a lesson and every documented flag") {
+    const auto options =
+        parse({"run",   "gravity",  "--headless", "--seconds",    "2.5",    "--hand",
+               "h.lua", "--say",    "s.txt",      "--learner",    "Mina",   "--db",
+               "d.db",  "--record", "r.rec",      "--screenshot", "p.png",  "--screenshot-at",
+               "1",     "--speech", "text",       "--watch",      "--mute", "--force-limit",
+               "10"});
+    REQUIRE(options);
+    CHECK(options->command == Command::run);
+    CHECK(options->lesson == "gravity");
+    CHECK(options->headless);
+    CHECK(options->seconds == 2.5);
+    CHECK(options->hand == "h.lua");
+    CHECK(options->say == "s.txt");
+    CHECK(options->learner == "Mina");
+    CHECK(options->database == "d.db");
+    CHECK(options->record == "r.rec");
+    CHECK(options->screenshot == "p.png");
+    CHECK(options->screenshot_at_s == 1.0);
+    CHECK(options->watch);
+    CHECK(options->mute);
+    CHECK(options->force_limit_N == 10.0);
+}
+
+TEST_CASE("options: a wrong word names the nearest right one") {
+    CHECK(to_sentence(parse({"rnu"}).error()).find("did you mean run") != std::string::npos);
+    CHECK(to_sentence(parse({"run", "gravity", "--headles"}).error())
+              .find("did you mean --headless") != std::string::npos);
+    CHECK(to_sentence(parse({"xylophone"}).error()).find("did you mean") == std::string::npos);
+}
+
+TEST_CASE("options: no force limit above ten newtons can be asked for") {
+    for (const char* value : {"10.01", "0", "-5", "nan", "inf", "1e9", "5N", ""}) {
+        CAPTURE(value);
+        CHECK_FALSE(parse({"run", "gravity", "--force-limit", value}));
+    }
+}
+
+TEST_CASE(
+    "options: a missing lesson, a missing value and a word too many are said in one sentence") {
+    CHECK_FALSE(parse({"run"}));
+    CHECK_FALSE(parse({"run", "gravity", "--hand"}));
+    CHECK_FALSE(parse({"run", "gravity", "apples"}));
+    CHECK_FALSE(parse({"list", "gravity"}));
+    CHECK_FALSE(parse({"report", "--headless"}));
+    CHECK_FALSE(parse({"report", "--format", "docx"}));
+    CHECK_FALSE(parse({"run", "gravity", "--speech", "telepathy"}));
+}
+
+TEST_CASE("options: edit distance counts letters") {
+    CHECK(edit_distance("", "abc") == 3);
+    CHECK(edit_distance("kitten", "sitting") == 3);
+    CHECK(edit_distance("same", "same") == 0);
+}
