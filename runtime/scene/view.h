@@ -36,6 +36,7 @@ struct ViewMenuItem {
 struct View {
   double time_s = 0.0;
   CameraDescription camera{};
+  double ground_height_m = 0.0;  ///< height of the floor, where things land and cast their shadow
   std::vector<ViewBody> bodies;
   bool tool_visible = true;
   ViewBody tool{};              ///< where the tool is (the proxy)
