@@ -1,0 +1,62 @@
+#include "runtime/app/places.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <fstream>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+namespace fs = std::filesystem;
+
+namespace {
+
+// A small installation in a folder of its own.
+struct Installation {
+    fs::path root;
+    Installation() {
+        std::string pattern = (fs::temp_directory_path() / "fulcrum_places_XXXXXX").string();
+        root = mkdtemp(pattern.data());
+        fs::create_directories(root / "scenarios" / "gravity");
+        fs::create_directories(root / "scenarios" / "empty");
+        fs::create_directories(root / "build" / "dev" / "assets" / "models");
+        std::ofstream(root / "scenarios" / "gravity" / "lesson.lua") << "return nil";
+        std::ofstream(root / "build" / "dev" / "assets" / "models" / "apple.glb") << "x";
+    }
+    ~Installation() { fs::remove_all(root); }
+    [[nodiscard]] Places places() const {
+        return find_places_from(root / "build" / "dev" / "fulcrum").value();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("places: the folder above the program that holds scenarios is the installation") {
+    const Installation installation;
+    const Places places = installation.places();
+    CHECK(places.scenarios == installation.root / "scenarios");
+    CHECK(places.models == installation.root / "build" / "dev" / "assets" / "models");
+    CHECK_FALSE(find_places_from("/nowhere/at/all/fulcrum"));
+}
+
+TEST_CASE("places: a lesson is found by name and by folder; a slip gets the nearest name") {
+    const Installation installation;
+    const Places places = installation.places();
+    CHECK(find_lesson(places, "gravity") == installation.root / "scenarios" / "gravity");
+    CHECK(find_lesson(places, (installation.root / "scenarios" / "gravity").string()));
+    CHECK(list_lesson_names(places) == std::vector<std::string>{"gravity"});
+    const auto slip = find_lesson(places, "gravty");
+    REQUIRE_FALSE(slip);
+    CHECK(to_sentence(slip.error()).find("did you mean gravity") != std::string::npos);
+    CHECK_FALSE(find_lesson(places, "empty"));
+}
+
+TEST_CASE("places: a model's name cannot leave its folder") {
+    const Installation installation;
+    const Places places = installation.places();
+    const fs::path lesson = places.scenarios / "gravity";
+    CHECK(find_model(places, lesson, "apple") == places.models / "apple.glb");
+    CHECK(find_model(places, lesson, "pear").empty());
+    CHECK(find_model(places, lesson, "../models/apple").empty());
+    CHECK(find_model(places, lesson, "").empty());
+}
