@@ -1,3 +1,5 @@
+include(discover_tests)
+
 # fulcrum_library(NAME folder [DEPENDS ...]): one static library from every .cpp under folder (tests live elsewhere),
 # with the alias fulcrum::NAME. Subfolders named in EXCLUDE belong to other libraries.
 function(fulcrum_library name folder)
@@ -30,8 +32,8 @@ function(fulcrum_tests name folder)
   add_executable(test_${name} ${sources})
   target_link_libraries(test_${name} PRIVATE ${arg_DEPENDS} fulcrum::test_support Catch2::Catch2WithMain)
   target_precompile_headers(test_${name} REUSE_FROM fulcrum_test_pch)
-  catch_discover_tests(test_${name} TEST_PREFIX "${name}: "
-                       PROPERTIES LABELS "${arg_LABEL}" TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "${arg_ENVIRONMENT}")
+  fulcrum_discover_tests(test_${name} PREFIX "${name}: " LABELS ${arg_LABEL} TIMEOUT ${arg_TIMEOUT}
+                         ENVIRONMENT ${arg_ENVIRONMENT})
 endfunction()
 
 # fulcrum_bench(NAME file DEPENDS ...): a program that prints CSV; never run as a test.
