@@ -1,0 +1,178 @@
+#include "haptics/loop/safety.h"
+
+#include <algorithm>
+
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+// Scaling to a limit rounds; staying this much below it keeps the rounded norm under the limit
+// itself.
+constexpr double kBelowLimit = 1.0 - 1.0e-12;
+
+// `value` pulled into [low, high]; NaN becomes `strictest`.
+double clamped(double value, double low, double high, double strictest) noexcept {
+    return value >= low && value <= high ? value
+           : value < low                 ? low
+           : value > high                ? high
+                                         : strictest;
+}
+
+SafetySettings clamped(const SafetySettings& asked) noexcept {
+    SafetySettings s = asked;
+    s.max_force_N = clamped(asked.max_force_N, 0.0, kHardForceCap_N, 0.0);
+    s.max_torque_Nm = clamped(asked.max_torque_Nm, 0.0, kHardTorqueCap_Nm, 0.0);
+    s.max_slew_N_per_s = clamped(asked.max_slew_N_per_s, 0.0, 5000.0, 0.0);
+    s.engage_below_N = clamped(asked.engage_below_N, 0.0, 1.0, 0.0);
+    s.engage_cycles = std::max(asked.engage_cycles, 1);
+    s.soft_start_N_per_s = clamped(asked.soft_start_N_per_s, 0.0, 50.0, 0.0);
+    s.soft_start_s = clamped(asked.soft_start_s, 0.0, 60.0, 60.0);
+    s.fade_s = clamped(asked.fade_s, 0.0, 0.5, 0.0);
+    return s;
+}
+
+// `v` shortened to `limit`, its direction kept. The norm of a finite v below kInsaneForce_N cannot
+// overflow.
+Vector3 shortened(const Vector3& v, double limit) noexcept {
+    const double length = v.norm();
+    return length > limit ? Vector3(v * (limit / length * kBelowLimit)) : v;
+}
+
+bool is_sane(const Wrench& wrench) noexcept {
+    return wrench.force.cwiseAbs().maxCoeff() < kInsaneForce_N &&
+           wrench.torque.cwiseAbs().maxCoeff() < kInsaneForce_N && is_finite(wrench);
+}
+
+// One step from `from` towards `target`: at most `reach` far, and growing by at most `growth`.
+Vector3 approached(const Vector3& from, const Vector3& target, double reach,
+                   double growth) noexcept {
+    const Vector3 next = from + shortened(target - from, reach);
+    return shortened(next, from.norm() + growth);
+}
+
+}  // namespace
+
+SafetyGate::SafetyGate(const SafetySettings& settings) noexcept : settings_(clamped(settings)) {
+    if (settings_.max_force_N > 0.0) {
+        torque_per_force_m_ = settings_.max_torque_Nm / settings_.max_force_N;
+    }
+}
+
+void SafetyGate::reset() noexcept {
+    output_D_ = Wrench{};
+    enter(GatePhase::waiting);
+}
+
+void SafetyGate::enter(GatePhase phase) noexcept {
+    phase_ = phase;
+    calm_cycles_ = 0;
+    rise_age_s_ = 0.0;
+    fade_age_s_ = 0.0;
+    fade_from_D_ = output_D_;
+}
+
+Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s) noexcept {
+    // What cannot be trusted is a fault, and a time that cannot be trusted ends a fade at once.
+    faults_ = faults;
+    const bool time_is_good = dt_s >= 0.0 && std::isfinite(dt_s);
+    if (!time_is_good || !is_sane(commanded_D)) {
+        faults_ |= Fault::command_invalid;
+    }
+    const double fade_dt_s = time_is_good ? dt_s : settings_.fade_s;
+    const double rise_dt_s = time_is_good ? std::min(dt_s, kLongestStep_s) : 0.0;
+
+    Wrench limited{};
+    if (!any(faults_)) {
+        limited = {shortened(commanded_D.force, settings_.max_force_N),
+                   shortened(commanded_D.torque, settings_.max_torque_Nm)};
+    }
+    judge(limited, rise_dt_s);
+    switch (phase_) {
+        case GatePhase::waiting:
+            output_D_ = Wrench{};
+            break;
+        case GatePhase::rising:
+        case GatePhase::open:
+            follow(limited, rise_dt_s);
+            break;
+        case GatePhase::fading:
+        case GatePhase::stopped:
+            fade(fade_dt_s);
+            break;
+    }
+    output_D_ = within_limits(output_D_);
+    return output_D_;
+}
+
+// Chooses the phase of this call.
+void SafetyGate::judge(const Wrench& limited, double dt_s) noexcept {
+    // An emergency stop wins over everything and stays; a fade under way goes on from where it is.
+    if (any(faults_ & Fault::emergency_stop) && phase_ != GatePhase::stopped) {
+        if (phase_ == GatePhase::fading) {
+            phase_ = GatePhase::stopped;
+        } else {
+            enter(GatePhase::stopped);
+        }
+    }
+    if (phase_ == GatePhase::stopped || phase_ == GatePhase::fading) {
+        return;
+    }
+    if (any(faults_)) {
+        if (phase_ == GatePhase::waiting) {
+            calm_cycles_ = 0;
+        } else {
+            enter(GatePhase::fading);
+        }
+        return;
+    }
+    if (phase_ == GatePhase::waiting) {
+        const bool calm = limited.force.norm() < settings_.engage_below_N &&
+                          limited.torque.norm() <= settings_.engage_below_N * torque_per_force_m_;
+        calm_cycles_ = calm ? calm_cycles_ + 1 : 0;
+        if (calm_cycles_ >= settings_.engage_cycles) {
+            enter(GatePhase::rising);
+        }
+        return;
+    }
+    rise_age_s_ += dt_s;
+    if (phase_ == GatePhase::rising && rise_age_s_ > settings_.soft_start_s) {
+        phase_ = GatePhase::open;
+    }
+}
+
+// rising and open: towards the limited command, no faster than the slew and soft-start laws allow.
+void SafetyGate::follow(const Wrench& limited, double dt_s) noexcept {
+    const double reach_N = settings_.max_slew_N_per_s * dt_s;
+    const double growth_N =
+        phase_ == GatePhase::rising ? settings_.soft_start_N_per_s * dt_s : reach_N;
+    output_D_.force = approached(output_D_.force, limited.force, reach_N, growth_N);
+    output_D_.torque = approached(output_D_.torque, limited.torque, reach_N * torque_per_force_m_,
+                                  growth_N * torque_per_force_m_);
+}
+
+// fading and stopped: a straight line from the force at the fault to zero.
+void SafetyGate::fade(double dt_s) noexcept {
+    fade_age_s_ += dt_s;
+    if (!(fade_age_s_ < settings_.fade_s)) {
+        output_D_ = Wrench{};
+        if (phase_ == GatePhase::fading) {
+            enter(GatePhase::waiting);
+        }
+        return;
+    }
+    const double left = 1.0 - fade_age_s_ / settings_.fade_s;
+    output_D_ = {fade_from_D_.force * left, fade_from_D_.torque * left};
+}
+
+// The last line of defence: a comparison that NaN fails, against both the site's limits and the
+// hard caps.
+Wrench SafetyGate::within_limits(const Wrench& wrench) const noexcept {
+    const double force_N = std::min(settings_.max_force_N, kHardForceCap_N);
+    const double torque_Nm = std::min(settings_.max_torque_Nm, kHardTorqueCap_Nm);
+    const bool holds = wrench.force.squaredNorm() <= force_N * force_N &&
+                       wrench.torque.squaredNorm() <= torque_Nm * torque_Nm;
+    return holds ? wrench : Wrench{};
+}
+
+}  // namespace fulcrum

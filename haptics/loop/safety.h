@@ -1,0 +1,78 @@
+// The last gate before the device: whatever the stages computed, what leaves here is small, slow to
+// change and finite.
+//
+//   waiting   output 0; commanded |f| < engage_below for engage_cycles faultless calls in a row ->
+//   rising rising    |f_k| <= |f_(k-1)| + soft_start_rate dt, for soft_start_s of summed dt -> open
+//   open      |f_k - f_(k-1)| <= max_slew dt (rising keeps this law too)
+//   fading    any fault: f(t) = f_0 (1 - t / fade_s), whatever is commanded, then waiting
+//   stopped   emergency stop: the same fade, then 0 until `reset`
+//
+// Limits scale the whole vector, so that its direction stays: f <- f min(1, max_force / |f|).
+// Torque obeys the same laws with every rate multiplied by max_torque / max_force. A call longer
+// than kLongestStep_s rises no further than one of that length. The last instruction compares with
+// the limits again and gives zero if they do not hold. Thread: haptic loop. Cost: about 30 ns, no
+// branch depends on history longer than the state below. Source: engagement below 0.2 N and a rise
+// over two seconds are CHAI3D's practice; the numbers are in SafetySettings.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/base/fault.h"
+#include "haptics/handover/messages.h"
+#include "haptics/loop/haptic_plan.h"
+#include "haptics/math/spatial.h"
+
+namespace fulcrum {
+
+inline constexpr double kHardForceCap_N = 10.0;   ///< no setting, plan or bug passes this
+inline constexpr double kHardTorqueCap_Nm = 1.0;  ///< likewise
+inline constexpr double kInsaneForce_N =
+    1.0e6;  ///< a stage that asks for more than this has failed
+inline constexpr double kLongestStep_s =
+    0.01;  ///< a longer call does not rise further than this one
+
+/// Refuses settings outside the ranges named at each field of SafetySettings, NaN included.
+[[nodiscard]] Expected<void> validate(const SafetySettings& settings);
+
+/// One gate stands before one device. See the head of this file for its laws.
+class SafetyGate {
+  public:
+    /// Takes settings that `validate` accepted; others are pulled to the nearest safe value (NaN to
+    /// the strictest).
+    explicit SafetyGate(const SafetySettings& settings) noexcept;
+
+    /// What may be sent to the device now. `commanded_D` newtons and newton metres; `dt_s` since
+    /// the last call: NaN, negative or infinite counts as Fault::command_invalid, and so does a
+    /// commanded wrench that is not finite.
+    [[nodiscard]] Wrench pass(const Wrench& commanded_D, Fault faults, double dt_s) noexcept;
+
+    /// Leaves `stopped` (or any other phase) for `waiting` with zero force: a person has said that
+    /// it is safe.
+    void reset() noexcept;
+
+    /// How far forces are let through now.
+    [[nodiscard]] GatePhase phase() const noexcept { return phase_; }
+    /// Faults that the last `pass` saw: those handed in and those it found itself.
+    [[nodiscard]] Fault faults() const noexcept { return faults_; }
+    /// The force limit in newtons that holds in this gate, never above kHardForceCap_N.
+    [[nodiscard]] double max_force_N() const noexcept { return settings_.max_force_N; }
+
+  private:
+    void enter(GatePhase phase) noexcept;
+    void judge(const Wrench& limited, double dt_s) noexcept;
+    void follow(const Wrench& limited, double dt_s) noexcept;
+    void fade(double dt_s) noexcept;
+    [[nodiscard]] Wrench within_limits(const Wrench& wrench) const noexcept;
+
+    SafetySettings settings_;
+    double torque_per_force_m_ =
+        0.0;  // max_torque / max_force: the torque law in the force law's units
+    GatePhase phase_ = GatePhase::waiting;
+    Fault faults_ = Fault::none;
+    Wrench output_D_{};     // what the last call gave
+    Wrench fade_from_D_{};  // output when the fade began
+    double fade_age_s_ = 0.0;
+    double rise_age_s_ = 0.0;
+    int calm_cycles_ = 0;
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,44 @@
+// The load-path half of safety.h: it speaks to people and so allocates.
+#include "haptics/loop/safety.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace fulcrum {
+namespace {
+
+struct Range {
+    const char* name;
+    double value;
+    double low;
+    double high;
+};
+
+}  // namespace
+
+Expected<void> validate(const SafetySettings& s) {
+    const Range ranges[] = {
+        {"max_force_N", s.max_force_N, 0.5, kHardForceCap_N},
+        {"max_torque_Nm", s.max_torque_Nm, 0.0, kHardTorqueCap_Nm},
+        {"max_slew_N_per_s", s.max_slew_N_per_s, 10.0, 5000.0},
+        {"engage_below_N", s.engage_below_N, 0.01, 1.0},
+        {"engage_cycles", static_cast<double>(s.engage_cycles), 1.0, 1000.0},
+        {"soft_start_N_per_s", s.soft_start_N_per_s, 0.5, 50.0},
+        {"soft_start_s", s.soft_start_s, 0.0, 10.0},
+        {"fade_s", s.fade_s, 0.01, 0.5},
+        {"command_timeout_s", s.command_timeout_s, 0.02, 1.0},
+        {"device_timeout_s", s.device_timeout_s, 0.002, 0.1},
+        {"max_hand_speed_m_per_s", s.max_hand_speed_m_per_s, 0.1, 100.0},
+    };
+    for (const Range& range : ranges) {
+        if (!(range.value >= range.low && range.value <= range.high)) {
+            std::ostringstream message;
+            message << "the safety setting " << range.name << " is " << range.value
+                    << ", outside the range " << range.low << " to " << range.high;
+            return fail(message.str(), {}, "set it within that range");
+        }
+    }
+    return {};
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,332 @@
+#include "haptics/loop/safety.h"
+
+#include <catch2/catch.hpp>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kDt_s = 0.001;
+constexpr double kRounding = 1e-9;  // sums of a few thousand doubles near 1
+
+Wrench along_x(double force_N) {
+    return {Vector3(force_N, 0, 0), Vector3::Zero()};
+}
+
+// A gate with the soft start behind it, holding `force_N` along x.
+SafetyGate open_gate(const SafetySettings& settings, double force_N) {
+    SafetyGate gate(settings);
+    for (int i = 0; i < 3000; ++i) {
+        (void)gate.pass(along_x(0.0), Fault::none, kDt_s);
+    }
+    for (int i = 0; i < 3000; ++i) {
+        (void)gate.pass(along_x(force_N), Fault::none, kDt_s);
+    }
+    REQUIRE(gate.phase() == GatePhase::open);
+    return gate;
+}
+
+double any_bits(std::mt19937_64& random) {
+    return std::bit_cast<double>(random());
+}
+
+// Random bits hold few special values; this mixes them in, and sane ones that open the gate.
+double any_value(std::mt19937_64& random) {
+    constexpr double kSpecial[] = {0.0,
+                                   -0.0,
+                                   1e-310,
+                                   5e-324,
+                                   1e308,
+                                   -1e308,
+                                   9.99,
+                                   1e6,
+                                   1e154,
+                                   1.3e154,
+                                   0.001,
+                                   -10.0,
+                                   std::numeric_limits<double>::infinity(),
+                                   -std::numeric_limits<double>::infinity(),
+                                   std::numeric_limits<double>::quiet_NaN()};
+    switch (random() % 4) {
+        case 0:
+            return any_bits(random);
+        case 1:
+            return kSpecial[random() % std::size(kSpecial)];
+        default:
+            return static_cast<double>(random() % 2000) * 0.01 - 10.0;
+    }
+}
+
+Vector3 any_vector(std::mt19937_64& random) {
+    return {any_value(random), any_value(random), any_value(random)};
+}
+
+}  // namespace
+
+TEST_CASE("safety: ten million random bit patterns never pass the cap") {
+    std::mt19937_64 random(20240607);
+    constexpr int kCalls = 10'000'000;
+    SafetyGate gate{SafetySettings{}};
+    double largest_N = 0.0;
+    double largest_Nm = 0.0;
+    std::int64_t bad = 0;
+    std::int64_t moving = 0;
+    Wrench commanded{};
+    for (int i = 0; i < kCalls; ++i) {
+        // Now and then a gate with settings of random bits; calm stretches let it engage and rise.
+        if (i % 5000 == 0) {
+            SafetySettings settings;
+            if (i % 10000 == 0) {
+                settings = {any_value(random), any_value(random),          any_value(random),
+                            any_value(random), static_cast<int>(random()), any_value(random),
+                            any_value(random), any_value(random)};
+            } else {
+                settings.max_force_N = 10.0;
+                settings.max_torque_Nm = 1.0;
+                settings.soft_start_N_per_s = 50.0;
+            }
+            gate = SafetyGate(settings);
+        }
+        const bool calm = i % 5000 < 10;
+        const bool wild = i % 5000 > 4000 && random() % 8 == 0;
+        double dt_s = 0.001;
+        Fault faults = Fault::none;
+        if (calm) {
+            commanded = Wrench{};
+        } else if (wild) {
+            commanded = {any_vector(random), any_vector(random)};
+            dt_s = any_value(random);
+            faults = static_cast<Fault>(random() % 3 == 0 ? random() : 0);
+        } else if (i % 64 == 0) {
+            commanded = {Vector3(1e3, -1e2, 5.0) * (static_cast<double>(random() % 100) * 0.01),
+                         Vector3(0.5, 3.0, -9.0)};
+            if (random() % 200 == 0) {
+                gate.reset();
+            }
+        }
+        const Wrench out = gate.pass(commanded, faults, dt_s);
+        const double force_N = out.force.norm();
+        const double torque_Nm = out.torque.norm();
+        bad += !(force_N <= kHardForceCap_N && force_N <= gate.max_force_N() &&
+                 torque_Nm <= kHardTorqueCap_Nm);
+        moving += force_N > 0.0;
+        largest_N = std::max(largest_N, force_N);
+        largest_Nm = std::max(largest_Nm, torque_Nm);
+    }
+    CHECK(bad == 0);
+    // The run was no idle one: forces came through, up to the caps.
+    CHECK(moving > kCalls / 20);
+    CHECK(largest_N > 0.999 * kHardForceCap_N);
+    CHECK(largest_Nm > 0.999 * kHardTorqueCap_Nm);
+}
+
+TEST_CASE("safety: a gate fed with random bits alone, and settings of random bits, stays capped") {
+    std::mt19937_64 random(7);
+    std::int64_t bad = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        SafetyGate gate{SafetySettings{any_bits(random), any_bits(random), any_bits(random),
+                                       any_bits(random), static_cast<int>(random()),
+                                       any_bits(random), any_bits(random), any_bits(random)}};
+        CHECK_FALSE(gate.max_force_N() > kHardForceCap_N);
+        for (int k = 0; k < 10; ++k) {
+            const Wrench out =
+                gate.pass({Vector3(any_bits(random), any_bits(random), any_bits(random)),
+                           Vector3(any_bits(random), any_bits(random), any_bits(random))},
+                          Fault::none, any_bits(random));
+            bad += !(out.force.norm() <= kHardForceCap_N && out.torque.norm() <= kHardTorqueCap_Nm);
+        }
+    }
+    CHECK(bad == 0);
+}
+
+TEST_CASE("safety: no force before five calm cycles, then 5 N/s in closed form, then open") {
+    SafetyGate gate{SafetySettings{}};
+    // Started inside a body: 3 N are asked for and never given.
+    for (int i = 0; i < 1000; ++i) {
+        REQUIRE(gate.pass(along_x(3.0), Fault::none, kDt_s).force.norm() == 0.0);
+    }
+    CHECK(gate.phase() == GatePhase::waiting);
+    // Four calm cycles are not enough, and one loud cycle starts the count again.
+    for (int i = 0; i < 4; ++i) {
+        (void)gate.pass(along_x(0.19), Fault::none, kDt_s);
+    }
+    (void)gate.pass(along_x(0.2), Fault::none, kDt_s);
+    for (int i = 0; i < 4; ++i) {
+        (void)gate.pass(along_x(0.0), Fault::none, kDt_s);
+        REQUIRE(gate.phase() == GatePhase::waiting);
+    }
+    CHECK(gate.pass(along_x(0.0), Fault::none, kDt_s).force.norm() == 0.0);
+    CHECK(gate.phase() == GatePhase::rising);
+    // Then |f| = 5 t up to the commanded 4.5 N.
+    for (int i = 1; i <= 2000; ++i) {
+        const double expected_N = std::min(5.0 * i * kDt_s, 4.5);
+        const Wrench out = gate.pass(along_x(4.5), Fault::none, kDt_s);
+        REQUIRE(out.force.x() == Approx(expected_N).margin(kRounding));
+        REQUIRE(out.force.tail<2>().norm() == 0.0);
+    }
+    (void)gate.pass(along_x(4.5), Fault::none, kDt_s);
+    CHECK(gate.phase() == GatePhase::open);
+}
+
+TEST_CASE("safety: a calm hand does not use up the soft start's limit on a sudden wall") {
+    SafetyGate gate{SafetySettings{}};
+    for (int i = 0; i < 1000; ++i) {
+        (void)gate.pass(along_x(0.0), Fault::none, kDt_s);
+    }
+    REQUIRE(gate.phase() == GatePhase::rising);
+    CHECK(gate.pass(along_x(5.0), Fault::none, kDt_s).force.x() == Approx(0.005));
+}
+
+TEST_CASE("safety: the slew law in closed form, in both directions and through zero") {
+    const SafetySettings settings;
+    SafetyGate gate = open_gate(settings, 0.0);
+    for (int i = 1; i <= 20; ++i) {
+        const double expected_N = std::min(500.0 * i * kDt_s, 5.0);
+        REQUIRE(gate.pass(along_x(5.0), Fault::none, kDt_s).force.x() ==
+                Approx(expected_N).margin(kRounding));
+    }
+    for (int i = 1; i <= 30; ++i) {
+        const double expected_N = std::max(5.0 - 500.0 * i * kDt_s, -5.0);
+        REQUIRE(gate.pass(along_x(-5.0), Fault::none, kDt_s).force.x() ==
+                Approx(expected_N).margin(kRounding));
+    }
+}
+
+TEST_CASE("safety: a long pause between two calls allows no long jump") {
+    SafetyGate gate = open_gate(SafetySettings{}, 0.0);
+    CHECK(gate.pass(along_x(5.0), Fault::none, 3.0).force.x() == Approx(500.0 * kLongestStep_s));
+    SafetySettings slow;
+    slow.max_slew_N_per_s = 10.0;
+    SafetyGate slow_gate = open_gate(slow, 0.0);
+    CHECK(slow_gate.pass(along_x(5.0), Fault::none, 3.0).force.x() ==
+          Approx(10.0 * kLongestStep_s));
+}
+
+TEST_CASE("safety: limits scale the vector and keep its direction") {
+    SafetyGate gate = open_gate(SafetySettings{}, 0.0);
+    const Wrench asked{Vector3(30.0, -40.0, 12.0), Vector3(0.0, 2.0, -1.5)};
+    Wrench out{};
+    for (int i = 0; i < 1000; ++i) {
+        out = gate.pass(asked, Fault::none, kDt_s);
+    }
+    CHECK(out.force.norm() == Approx(5.0));
+    CHECK(out.force.normalized().dot(asked.force.normalized()) == Approx(1.0));
+    CHECK(out.torque.norm() == Approx(0.3));
+    CHECK(out.torque.normalized().dot(asked.torque.normalized()) == Approx(1.0));
+    // Each component alone is within the limit here: clipping by component would have let it pass.
+    const Vector3 small_components(4.0, 4.0, 4.0);
+    for (int i = 0; i < 1000; ++i) {
+        out = gate.pass({small_components, Vector3::Zero()}, Fault::none, kDt_s);
+    }
+    CHECK(out.force.norm() == Approx(5.0));
+}
+
+TEST_CASE("safety: any fault fades in a straight line to zero, then engagement is needed again") {
+    const Fault each[] = {Fault::device_read,   Fault::device_stale,    Fault::device_invalid,
+                          Fault::command_stale, Fault::command_invalid, Fault::lesson_failed,
+                          Fault::record_full,   Fault::device_write};
+    for (const Fault fault : each) {
+        const SafetySettings settings;
+        SafetyGate gate = open_gate(settings, 4.0);
+        for (int i = 1; i <= 99; ++i) {
+            // The fault is over after one call; the fade goes on, whatever is commanded.
+            const Fault now = i == 1 ? fault : Fault::none;
+            const Wrench out = gate.pass(along_x(5.0), now, kDt_s);
+            REQUIRE(out.force.x() ==
+                    Approx(4.0 * (1.0 - i * kDt_s / settings.fade_s)).margin(kRounding));
+            REQUIRE(gate.phase() == GatePhase::fading);
+        }
+        (void)gate.pass(along_x(5.0), Fault::none, kDt_s);
+        (void)gate.pass(along_x(5.0), Fault::none, kDt_s);
+        CHECK(gate.phase() == GatePhase::waiting);
+        for (int i = 0; i < 1000; ++i) {
+            REQUIRE(gate.pass(along_x(5.0), Fault::none, kDt_s).force.norm() == 0.0);
+        }
+    }
+}
+
+TEST_CASE("safety: NaN, infinity and absurd commands fade, and none of them comes out") {
+    const double bad[] = {std::numeric_limits<double>::quiet_NaN(),
+                          std::numeric_limits<double>::infinity(), 1e200, -1e7};
+    for (const double value : bad) {
+        SafetyGate gate = open_gate(SafetySettings{}, 4.0);
+        const Wrench out =
+            gate.pass({Vector3(0.0, value, 0.0), Vector3::Zero()}, Fault::none, kDt_s);
+        CHECK(out.force.x() == Approx(4.0 * 0.99));
+        CHECK(any(gate.faults() & Fault::command_invalid));
+        CHECK(gate.phase() == GatePhase::fading);
+        SafetyGate torque_gate = open_gate(SafetySettings{}, 4.0);
+        (void)torque_gate.pass({Vector3::Zero(), Vector3(value, 0.0, 0.0)}, Fault::none, kDt_s);
+        CHECK(torque_gate.phase() == GatePhase::fading);
+    }
+}
+
+TEST_CASE(
+    "safety: a clock that cannot be trusted gives zero at once; no time passing changes nothing") {
+    for (const double dt_s : {std::numeric_limits<double>::quiet_NaN(), -0.001,
+                              std::numeric_limits<double>::infinity()}) {
+        SafetyGate gate = open_gate(SafetySettings{}, 4.0);
+        CHECK(gate.pass(along_x(4.0), Fault::none, dt_s).force.norm() == 0.0);
+        CHECK(gate.phase() == GatePhase::waiting);
+    }
+    SafetyGate gate = open_gate(SafetySettings{}, 4.0);
+    CHECK(gate.pass(along_x(0.0), Fault::none, 0.0).force.x() == 4.0);
+}
+
+TEST_CASE(
+    "safety: the emergency stop fades, latches, and ends only by reset and a new engagement") {
+    SafetyGate gate = open_gate(SafetySettings{}, 4.0);
+    CHECK(gate.pass(along_x(4.0), Fault::emergency_stop, kDt_s).force.x() == Approx(4.0 * 0.99));
+    CHECK(gate.phase() == GatePhase::stopped);
+    for (int i = 0; i < 100; ++i) {
+        (void)gate.pass(along_x(4.0), Fault::none, kDt_s);
+    }
+    for (int i = 0; i < 5000; ++i) {
+        REQUIRE(gate.pass(along_x(0.0), Fault::none, kDt_s).force.norm() == 0.0);
+        REQUIRE(gate.phase() == GatePhase::stopped);
+    }
+    gate.reset();
+    CHECK(gate.phase() == GatePhase::waiting);
+    CHECK(gate.pass(along_x(4.0), Fault::none, kDt_s).force.norm() == 0.0);
+    // A stop in the middle of a fade goes on fading from there and latches too.
+    SafetyGate fading = open_gate(SafetySettings{}, 4.0);
+    for (int i = 0; i < 50; ++i) {
+        (void)fading.pass(along_x(4.0), Fault::device_read, kDt_s);
+    }
+    CHECK(fading.pass(along_x(4.0), Fault::emergency_stop, kDt_s).force.x() ==
+          Approx(4.0 * (1.0 - 0.051 / 0.1)));
+    CHECK(fading.phase() == GatePhase::stopped);
+}
+
+TEST_CASE("safety: settings outside their ranges are refused with the name and the range") {
+    CHECK(validate(SafetySettings{}));
+    SafetySettings strong;
+    strong.max_force_N = 10.1;
+    const auto refused = validate(strong);
+    REQUIRE_FALSE(refused);
+    CHECK(to_sentence(refused.error()).find("max_force_N is 10.1") != std::string::npos);
+    CHECK(to_sentence(refused.error()).find("0.5 to 10") != std::string::npos);
+    // The gate itself does not believe them either.
+    CHECK(SafetyGate(strong).max_force_N() == kHardForceCap_N);
+    for (double SafetySettings::*field :
+         {&SafetySettings::max_force_N, &SafetySettings::max_torque_Nm,
+          &SafetySettings::max_slew_N_per_s, &SafetySettings::engage_below_N,
+          &SafetySettings::soft_start_N_per_s, &SafetySettings::soft_start_s,
+          &SafetySettings::fade_s, &SafetySettings::command_timeout_s,
+          &SafetySettings::device_timeout_s, &SafetySettings::max_hand_speed_m_per_s}) {
+        for (const double bad : {std::numeric_limits<double>::quiet_NaN(), -1.0, 1e9}) {
+            SafetySettings settings;
+            settings.*field = bad;
+            CHECK_FALSE(validate(settings));
+        }
+    }
+    SafetySettings eager;
+    eager.engage_cycles = 0;
+    CHECK_FALSE(validate(eager));
+}
