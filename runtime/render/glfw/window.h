@@ -1,0 +1,81 @@
+// A window on the desktop, with keyboard and mouse. The only place that knows GLFW.
+//
+// Thread: the main thread only, as GLFW demands. Cost: `swap` waits for the screen's refresh.
+#pragma once
+
+#include "haptics/base/error.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// One press of a key (also each repetition while it is held).
+struct KeyPress {
+    /// "space" "return" "escape" "backspace" "delete" "tab" "left" "right" "up" "down" "home" "end"
+    /// "page_up" "page_down" "insert" "f1" to "f25", "shift" "control" "alt" "super", or what
+    /// stands on the key in small letters: "a", "ö", "1".
+    std::string key;
+    bool repeat = false;
+    bool shift = false;
+    bool control = false;
+    bool alt = false;
+};
+
+/// What happened since the last poll, and how things stand.
+struct WindowEvents {
+    std::vector<KeyPress> pressed;       ///< in order
+    std::vector<std::string> released;   ///< names as in KeyPress
+    std::string text;                    ///< what was typed, UTF-8, keyboard layout applied
+    double pointer_x_px = 0.0;           ///< from the left of the framebuffer
+    double pointer_y_px = 0.0;           ///< from the top of the framebuffer
+    bool pointer_moved = false;          ///< since the last poll
+    std::array<bool, 3> button_down{};   ///< left, right, middle are held now
+    std::array<bool, 3> button_press{};  ///< went down since the last poll
+    double wheel = 0.0;                  ///< notches since the last poll, away from the user is +
+    bool close = false;                  ///< the user wants to leave
+    bool resized = false;                ///< the framebuffer has another size
+    bool focused = true;
+    bool lost_focus = false;  ///< since the last poll: let go of everything that is held
+};
+
+/// Whether a window can be opened here. Prints nothing.
+[[nodiscard]] bool display_available();
+
+/// A window with a current OpenGL 3.3 core context. One at a time.
+class Window {
+  public:
+    /// Opens a window; sizes in screen coordinates, at least 1. One sentence when there is no
+    /// display or no OpenGL 3.3.
+    [[nodiscard]] static Expected<std::unique_ptr<Window>> create(const std::string& title,
+                                                                  int width, int height);
+
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+    ~Window();
+
+    /// Takes in what the user did; returns at once.
+    [[nodiscard]] const WindowEvents& poll();
+
+    /// Shows the frame that was drawn and waits for the screen's refresh.
+    void swap();
+
+    /// The whole screen, or the window as it was.
+    void set_fullscreen(bool fullscreen);
+    [[nodiscard]] bool fullscreen() const;
+    void set_title(const std::string& title);
+
+    [[nodiscard]] int width_px() const;     ///< of the framebuffer, 0 while minimised
+    [[nodiscard]] int height_px() const;    ///< of the framebuffer, 0 while minimised
+    [[nodiscard]] double ui_scale() const;  ///< framebuffer pixels a screen coordinate
+
+  private:
+    struct Parts;
+    explicit Window(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace fulcrum::runtime
