@@ -39,4 +39,8 @@ if(FULCRUM_SANITIZE)
   target_link_options(fulcrum_options INTERFACE -fsanitize=${FULCRUM_SANITIZE})
   target_compile_definitions(fulcrum_options INTERFACE FULCRUM_SANITIZED=1)
 endif()
+if(FULCRUM_FUZZ)
+  # Every library tells libFuzzer where an input led; the targets themselves link its driver.
+  target_compile_options(fulcrum_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 target_include_directories(fulcrum_options INTERFACE ${CMAKE_SOURCE_DIR})
