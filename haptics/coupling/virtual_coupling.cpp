@@ -1,0 +1,88 @@
+#include "haptics/coupling/virtual_coupling.h"
+
+#include <cmath>
+
+namespace fulcrum {
+
+namespace {
+
+constexpr double kMaxStiffness_N_per_m = 1.0e5;  // twenty times the stiffest arm
+constexpr double kMaxDamping_Ns_per_m = 1.0e3;
+constexpr double kSteepestStart = 3.0;  // times the secant, Fritsch and Carlson
+
+// NaN fails every comparison, so it is refused with the rest.
+bool is_within(double value, double low, double high) {
+    return value >= low && value <= high;
+}
+
+bool saturates(const CouplingSettings& settings) {
+    return settings.saturation_range_m > 0.0;
+}
+
+Expected<void> validate_saturation(const CouplingSettings& settings) {
+    const double rise_N =
+        settings.saturation_force_N - settings.stiffness_N_per_m * settings.linear_range_m;
+    const double width_m = settings.saturation_range_m - settings.linear_range_m;
+    if (!(settings.linear_range_m >= 0.0) || !(width_m > 0.0) ||
+        !std::isfinite(settings.saturation_range_m)) {
+        return fail("the coupling's saturation range does not lie above its linear range", {},
+                    "give 0 <= linear_range_m < saturation_range_m");
+    }
+    if (!(kSteepestStart * rise_N >= settings.stiffness_N_per_m * width_m) ||
+        !std::isfinite(rise_N)) {
+        return fail("the coupling's force would fall before it saturates", {},
+                    "raise saturation_force_N or narrow the range of the blend");
+    }
+    return {};
+}
+
+}  // namespace
+
+Expected<void> validate(const CouplingSettings& settings) {
+    if (!is_within(settings.stiffness_N_per_m, 0.0, kMaxStiffness_N_per_m)) {
+        return fail("the coupling's stiffness is out of range", {}, "choose 0 to 1e5 N/m");
+    }
+    if (!is_within(settings.damping_Ns_per_m, 0.0, kMaxDamping_Ns_per_m)) {
+        return fail("the coupling's damping is out of range", {}, "choose 0 to 1e3 Ns/m");
+    }
+    if (settings.linear_range_m == 0.0 && settings.saturation_range_m == 0.0 &&
+        settings.saturation_force_N == 0.0) {
+        return {};
+    }
+    return validate_saturation(settings);
+}
+
+double compute_spring_force_N(const CouplingSettings& settings, double stretch_m) noexcept {
+    if (!saturates(settings) || stretch_m <= settings.linear_range_m) {
+        return settings.stiffness_N_per_m * stretch_m;
+    }
+    if (stretch_m >= settings.saturation_range_m) {
+        return settings.saturation_force_N;
+    }
+    // Hermite on u in [0, 1]: f = f1 + g u + (3 D - 2 g) u^2 + (g - 2 D) u^3 with D the rise, g = k
+    // (s2 - s1).
+    const double width_m = settings.saturation_range_m - settings.linear_range_m;
+    const double u = (stretch_m - settings.linear_range_m) / width_m;
+    const double start_N = settings.stiffness_N_per_m * settings.linear_range_m;
+    const double rise_N = settings.saturation_force_N - start_N;
+    const double slope_N = settings.stiffness_N_per_m * width_m;
+    return start_N +
+           u * (slope_N + u * ((3.0 * rise_N - 2.0 * slope_N) + u * (slope_N - 2.0 * rise_N)));
+}
+
+Vector3 compute_coupling_force(const CouplingSettings& settings, const Vector3& proxy_W,
+                               const Vector3& hand_W, const Vector3& relative_velocity_W) noexcept {
+    const Vector3 stretch_W = proxy_W - hand_W;
+    const Vector3 damper_W = -settings.damping_Ns_per_m * relative_velocity_W;
+    const double stretch_m = stretch_W.stableNorm();
+    if (!(stretch_m > 0.0)) {
+        return damper_W;
+    }
+    return stretch_W * (compute_spring_force_N(settings, stretch_m) / stretch_m) + damper_W;
+}
+
+double compute_critical_damping_Ns_per_m(double mass_kg, double stiffness_N_per_m) noexcept {
+    return 2.0 * std::sqrt(mass_kg * stiffness_N_per_m);
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,41 @@
+// The link between hand and proxy: a spring that may saturate, and a damper.
+//
+//   F = f(|d|) d/|d| - b (v_hand - v_proxy),   d = x_proxy - x_hand: the force on the hand.
+//   f(s) = k s                                for s <= s1 (linear)
+//          cubic Hermite from (s1, k s1), slope k, to (s2, F_max), slope 0
+//          F_max                              for s >= s2 (constant);   f is C1 and never falls.
+// The damper sees the velocity against the proxy, so in free space, where the proxy is the hand,
+// there is no drag. The cubic rises everywhere if and only if its first slope is at most three
+// times its secant (F. N. Fritsch, R. E. Carlson 1980, Monotone piecewise cubic interpolation, SIAM
+// J. Numer. Anal. 17(2)).
+//
+// Thread: haptic loop. Cost: some 20 operations, no allocation.
+// Source: M. Otaduy, M. Lin 2005/2006 (virtual coupling with a force that saturates); M. Wan, W.
+// McNeely 2003, Quasi-static approximation for 6 degrees-of-freedom haptic rendering.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/coupling/coupling_settings.h"
+#include "haptics/math/spatial.h"
+
+namespace fulcrum {
+
+/// Refuses settings outside the ranges named at each field, NaN included, and a saturating part
+/// that would fall.
+[[nodiscard]] Expected<void> validate(const CouplingSettings& settings);
+
+/// The spring's force in newtons at a stretch of `stretch_m` >= 0.
+[[nodiscard]] double compute_spring_force_N(const CouplingSettings& settings,
+                                            double stretch_m) noexcept;
+
+/// The force on the hand, world frame, newtons. `relative_velocity_W` is the hand's velocity less
+/// the proxy's.
+[[nodiscard]] Vector3 compute_coupling_force(const CouplingSettings& settings,
+                                             const Vector3& proxy_W, const Vector3& hand_W,
+                                             const Vector3& relative_velocity_W) noexcept;
+
+/// b = 2 sqrt(m k): the damping with which a mass on this spring returns fastest without overshoot.
+[[nodiscard]] double compute_critical_damping_Ns_per_m(double mass_kg,
+                                                       double stiffness_N_per_m) noexcept;
+
+}  // namespace fulcrum

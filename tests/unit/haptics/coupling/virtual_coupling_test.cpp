@@ -1,0 +1,129 @@
+#include "haptics/coupling/virtual_coupling.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace fulcrum {
+namespace {
+
+const CouplingSettings kLinear{.stiffness_N_per_m = 800.0, .damping_Ns_per_m = 2.0};
+// k s1 = 2 N; the blend ends at 5 N.
+const CouplingSettings kSaturating{.stiffness_N_per_m = 800.0,
+                                   .damping_Ns_per_m = 2.0,
+                                   .linear_range_m = 0.0025,
+                                   .saturation_range_m = 0.012,
+                                   .saturation_force_N = 5.0};
+
+double slope(const CouplingSettings& settings, double stretch_m) {
+    const double step_m = 1.0e-8;
+    return (compute_spring_force_N(settings, stretch_m + step_m) -
+            compute_spring_force_N(settings, stretch_m - step_m)) /
+           (2.0 * step_m);
+}
+
+TEST_CASE(
+    "virtual coupling: F = k (proxy - hand) - b v, towards the proxy and against the motion") {
+    const Vector3 proxy(0.0, 0.01, 0.0);
+    const Vector3 hand(0.003, 0.006, 0.0);
+    const Vector3 velocity(0.1, 0.0, -0.2);
+    const Vector3 force = compute_coupling_force(kLinear, proxy, hand, velocity);
+    CHECK(force.x() == Approx(800.0 * -0.003 - 2.0 * 0.1).epsilon(1e-12));
+    CHECK(force.y() == Approx(800.0 * 0.004).epsilon(1e-12));
+    CHECK(force.z() == Approx(2.0 * 0.2).epsilon(1e-12));
+}
+
+TEST_CASE("virtual coupling: no drag in free space, where the proxy moves with the hand") {
+    const Vector3 hand(0.3, -0.2, 0.1);
+    const Vector3 hand_velocity(3.0, 1.0, -2.0);
+    const Vector3 proxy_velocity = hand_velocity;
+    const Vector3 force =
+        compute_coupling_force(kLinear, hand, hand, hand_velocity - proxy_velocity);
+    CHECK(force.norm() == 0.0);
+}
+
+TEST_CASE("virtual coupling: linear, then a cubic, then constant, with a continuous slope") {
+    CHECK(compute_spring_force_N(kSaturating, 0.0) == 0.0);
+    CHECK(compute_spring_force_N(kSaturating, 0.001) == Approx(0.8).epsilon(1e-12));
+    CHECK(compute_spring_force_N(kSaturating, 0.0025) == Approx(2.0).epsilon(1e-12));
+    CHECK(compute_spring_force_N(kSaturating, 0.012) == Approx(5.0).epsilon(1e-12));
+    CHECK(compute_spring_force_N(kSaturating, 1.0e6) == 5.0);
+    // Continuity from both sides of each seam; a difference of 1e-9 m is at most k 1e-9 = 1e-6 N.
+    for (const double seam_m : {0.0025, 0.012}) {
+        CHECK(std::abs(compute_spring_force_N(kSaturating, seam_m + 1e-9) -
+                       compute_spring_force_N(kSaturating, seam_m - 1e-9)) < 2.0e-6);
+        CHECK(std::abs(slope(kSaturating, seam_m + 2e-8) - slope(kSaturating, seam_m - 2e-8)) <
+              0.02);
+    }
+    CHECK(slope(kSaturating, 0.0025 + 2e-8) == Approx(800.0).epsilon(1e-4));
+    CHECK(std::abs(slope(kSaturating, 0.012 - 2e-8)) < 0.02);
+    // The middle of a Hermite cubic: mean of the ends plus an eighth of width times slope
+    // difference.
+    CHECK(compute_spring_force_N(kSaturating, 0.00725) ==
+          Approx(0.5 * (2.0 + 5.0) + 0.125 * 0.0095 * (800.0 - 0.0)).epsilon(1e-12));
+}
+
+TEST_CASE(
+    "virtual coupling: the force never falls with the stretch, at the steepest blend allowed") {
+    CouplingSettings steepest = kSaturating;
+    steepest.saturation_force_N = 2.0 + 800.0 * 0.0095 / 3.0;
+    steepest.saturation_force_N *= 1.0 + 1e-12;
+    REQUIRE(validate(steepest));
+    double before_N = 0.0;
+    for (int i = 1; i <= 20000; ++i) {
+        const double force_N = compute_spring_force_N(steepest, 0.02 * i / 20000.0);
+        REQUIRE(force_N >= before_N - 1e-12);
+        before_N = force_N;
+    }
+}
+
+TEST_CASE("virtual coupling: the direction is the stretch's and survives extreme lengths") {
+    const Vector3 direction = Vector3(1.0, -2.0, 2.0) / 3.0;
+    for (const double stretch_m : {1e-300, 1e-12, 1e-3, 1.0, 1e200}) {
+        const Vector3 force = compute_coupling_force(kSaturating, direction * stretch_m,
+                                                     Vector3::Zero(), Vector3::Zero());
+        REQUIRE(is_finite(force));
+        const double expected_N = compute_spring_force_N(kSaturating, stretch_m);
+        CHECK((force - direction * expected_N).norm() <= 1e-12 * expected_N + 1e-300);
+    }
+}
+
+TEST_CASE("virtual coupling: critical damping just does not overshoot") {
+    const double mass_kg = 0.045;
+    const double damping = compute_critical_damping_Ns_per_m(mass_kg, 800.0);
+    CHECK(damping == Approx(12.0).epsilon(1e-12));
+    // m x'' + b x' + k x = 0 has a double root exactly when b^2 = 4 m k.
+    CHECK(damping * damping == Approx(4.0 * mass_kg * 800.0).epsilon(1e-12));
+}
+
+TEST_CASE("virtual coupling: bad settings are refused") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(validate(kLinear));
+    CHECK(validate(kSaturating));
+    CHECK(validate(CouplingSettings{}));
+    const auto refused = [](CouplingSettings settings) { return !validate(settings).has_value(); };
+    CHECK(refused({.stiffness_N_per_m = nan}));
+    CHECK(refused({.stiffness_N_per_m = -1.0}));
+    CHECK(refused({.stiffness_N_per_m = 1.1e5}));
+    CHECK(refused({.damping_Ns_per_m = nan}));
+    CHECK(refused({.damping_Ns_per_m = -0.1}));
+    for (double CouplingSettings::*field :
+         {&CouplingSettings::linear_range_m, &CouplingSettings::saturation_range_m,
+          &CouplingSettings::saturation_force_N}) {
+        CouplingSettings settings = kSaturating;
+        settings.*field = nan;
+        CHECK(refused(settings));
+        settings.*field = -1.0;
+        CHECK(refused(settings));
+    }
+    CouplingSettings falling = kSaturating;
+    falling.saturation_force_N = 2.1;
+    CHECK(refused(falling));
+    CouplingSettings half = kSaturating;
+    half.saturation_range_m = 0.0;
+    CHECK(refused(half));
+}
+
+}  // namespace
+}  // namespace fulcrum
