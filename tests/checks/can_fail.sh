@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# can_fail.sh: proves that each check beside it passes on a good tree and fails on each bad one, with the right words.
+# shellcheck disable=SC2016 # quotes inside the trees' files are Markdown's
+set -euo pipefail
+checks=$(cd -- "$(dirname -- "$0")" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+failed=0
+
+# put FILE TEXT: writes a file of the tree.
+put() {
+    mkdir -p "$tree/$(dirname -- "$1")"
+    printf '%b\n' "$2" >"$tree/$1"
+}
+
+good_tree() {
+    tree="$scratch/a tree"
+    rm -rf -- "$tree"
+    mkdir -p "$tree"/{haptics/{base,math,loop},dialogue/english,runtime/{app,scene/gltf},scripts,scenarios,assets,cmake,tests/{unit,checks}}
+    put LICENSE "MIT"
+    put packages.txt "cmake # builds"
+    put README.md "| folder | what |\n|---|---|\n$(cd "$tree" && printf '| `%s` | x |\\n' */)"
+    put haptics/base/error.h '#include <string>'
+    put haptics/math/spatial.h '#include "haptics/base/error.h"\n#include <Eigen/Core>'
+    put haptics/loop/step.h '#include "haptics/math/spatial.h"\n#include <sys/mman.h>'
+    put dialogue/english/noun.h '#include <tl/expected.hpp>'
+    put runtime/scene/gltf/model.h '#include "haptics/base/error.h"\n#include <tiny_gltf.h>'
+    put runtime/app/main.cpp '#include "runtime/scene/gltf/model.h"\n#include "dialogue/english/noun.h"'
+    put tests/unit/main_test.cpp ''
+    put tests/checks/untested.txt '# none'
+    cp "$checks/../../.clang-format" "$tree"
+}
+
+# passes CHECK: on the tree as it stands.
+passes() {
+    local output
+    output=$("$checks/$1.sh" "$tree" 2>&1) || { echo "$1: should pass, but: $output"; failed=1; }
+}
+
+# spoilt CHECK WORDS FILE TEXT: with this one file the check fails, and says these words; then the tree is good again.
+spoilt() {
+    local output
+    put "$3" "$4"
+    if output=$("$checks/$1.sh" "$tree" 2>&1); then
+        echo "$1: should fail on $3 with \"$4\""
+        failed=1
+    elif [[ $output != *"$2"* ]]; then
+        echo "$1: should say \"$2\", but says: $output"
+        failed=1
+    fi
+    good_tree
+}
+
+good_tree
+for check in include_direction vendor_headers unfinished file_length sources_have_tests project_files; do
+    passes "$check"
+done
+
+spoilt include_direction 'haptics must not know runtime' haptics/loop/bad.h '#include "runtime/scene/gltf/model.h"'
+spoilt include_direction 'haptics must not know dialogue' haptics/loop/bad.h '#include "dialogue/english/noun.h"'
+spoilt include_direction 'dialogue must not know haptics' dialogue/english/bad.h '#include "haptics/base/error.h"'
+spoilt include_direction 'haptics/base must not use haptics/loop' haptics/base/bad.h '#include "haptics/loop/step.h"'
+spoilt include_direction 'haptics/math must not use haptics/loop' haptics/math/bad.cpp '  #  include "haptics/loop/step.h"'
+spoilt include_direction 'runtime/scene must not use runtime/app' runtime/scene/bad.h '#include "runtime/app/app.h"'
+spoilt include_direction 'not written from the root' haptics/math/bad.h '#include "spatial.h"'
+spoilt include_direction 'not written from the root' haptics/math/bad.h '#include "../base/error.h"'
+spoilt include_direction 'haptics/attic has no place' haptics/attic/bad.h '#include "haptics/base/error.h"'
+spoilt include_direction 'a file outside the rooms uses haptics/loop' haptics/bad.h '#include "haptics/loop/step.h"'
+spoilt vendor_headers '<GLFW/glfw3.h> belongs' runtime/app/bad.h '#include <GLFW/glfw3.h>'
+spoilt vendor_headers '<tiny_gltf.h> belongs' runtime/scene/bad.h '#include <tiny_gltf.h>'
+spoilt vendor_headers '<sqlite3.h> belongs' runtime/progress/bad.h '# include <sqlite3.h>'
+spoilt vendor_headers '<lua.hpp> belongs' runtime/scene/bad.h '#include <lua.hpp>'
+spoilt vendor_headers '<Eigen/Core> belongs' dialogue/english/bad.h '#include <Eigen/Core>'
+spoilt vendor_headers '<nlohmann/json.hpp> belongs' haptics/loop/bad.h '#include <nlohmann/json.hpp>'
+spoilt vendor_headers 'from no library that the house knows' haptics/loop/bad.h '#include <boost/any.hpp>'
+spoilt unfinished 'later' runtime/app/bad.h '// TO''DO: later'
+spoilt unfinished 'bad.lua' scenarios/bad.lua '-- not yet imple''mented'
+spoilt file_length 'long.cpp: 401 lines' haptics/math/long.cpp "$(printf 'x\\n%.0s' {1..400})"
+spoilt sources_have_tests 'runtime/app/lonely.cpp: no test' runtime/app/lonely.cpp ''
+spoilt sources_have_tests 'has its test' tests/checks/untested.txt 'runtime/app/main.cpp # tested elsewhere'
+spoilt sources_have_tests 'does not exist' tests/checks/untested.txt 'runtime/app/gone.cpp # tested elsewhere'
+rm -- "$tree/LICENSE"
+spoilt project_files 'LICENSE: missing' scripts/good.lua ''
+spoilt project_files 'no row of the folder table for attic/' attic/bad.h ''
+spoilt project_files 'which is not there' README.md '| folder |\n|---|\n| `attic/` | x |'
+spoilt project_files 'fixed paths' scripts/bad.lua 'open("/''tmp/x")'
+if command -v clang-format >/dev/null; then
+    spoilt format 'bad.h' runtime/app/bad.h 'int   x ;'
+fi
+exit "$failed"

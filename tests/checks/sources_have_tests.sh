@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# sources_have_tests.sh [ROOT]: fails on a .cpp of haptics, dialogue or runtime without a test of the same name under
+# tests/unit. untested.txt lists those that are tested elsewhere, each with the place and the reason; an entry that is
+# no longer needed fails too.
+set -euo pipefail
+cd "${1:-$(dirname -- "$0")/../..}"
+
+exceptions=tests/checks/untested.txt
+bad=0
+while read -r source; do
+    has_test=$(find tests/unit -name "$(basename "$source" .cpp)_test.cpp" -print -quit)
+    excepted=$(awk -v source="$source" '$1 == source' "$exceptions")
+    if [[ -z $has_test && -z $excepted ]]; then
+        echo "$source: no test of this name under tests/unit"
+        bad=1
+    elif [[ -n $has_test && -n $excepted ]]; then
+        echo "$exceptions: $source has its test $has_test"
+        bad=1
+    fi
+done < <(find haptics dialogue runtime -name '*.cpp' | LC_ALL=C sort)
+while read -r source hash reason; do
+    [[ -n $source && $source != '#' ]] || continue
+    [[ -f $source ]] || { echo "$exceptions: $source does not exist"; bad=1; }
+    [[ $hash == '#' && -n $reason ]] || { echo "$exceptions: $source gives no reason"; bad=1; }
+done <"$exceptions"
+exit "$bad"

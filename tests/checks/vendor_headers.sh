@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# vendor_headers.sh [ROOT]: fails on a vendor's header outside the one folder that may know it. haptics and dialogue
+# build on the standard library, Linux, tl::expected and (haptics) Eigen alone.
+set -euo pipefail
+cd "${1:-$(dirname -- "$0")/../..}"
+
+find haptics dialogue runtime -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs -r grep -nHE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' | awk -F: '
+BEGIN {
+    # header, as a regular expression -> folder that may include it, likewise
+    home["^GLFW/"] = "^runtime/render/glfw/"
+    home["^epoxy/"] = "^runtime/render/"
+    home["^(EGL|GL)/"] = "^runtime/render/"
+    home["^(ft2build|freetype)"] = "^runtime/render/text/"
+    home["^AL/"] = "^runtime/audio/openal/"
+    home["^(lua|lauxlib|lualib)"] = "^runtime/lua/"
+    home["^sqlite3"] = "^runtime/progress/sqlite/"
+    home["^(libpq|pqxx)"] = "^runtime/progress/postgres/"
+    home["^(tiny_gltf|stb_)"] = "^runtime/scene/gltf/"
+    home["^nlohmann/"] = "^runtime/"
+    home["^(hidapi|libusb)"] = "^haptics/device/hid/"
+    home["^(pocketsphinx|sphinxbase|flite|onnxruntime)"] = "^dialogue/speech/"
+    home["^Eigen/"] = "^(haptics|runtime)/"
+    home["^tl/expected[.]hpp$"] = "."
+    home["^catch2/"] = "^$"
+    # Linux, glibc and the processor; the standard library has neither slash nor dot.
+    home["^(sys|linux|arpa|netinet|net)/"] = "."
+    home["^(pthread|sched|unistd|fcntl|poll|signal|time|pwd|grp|dlfcn|malloc|termios|immintrin|xmmintrin|emmintrin|x86intrin|cpuid)[.]h$"] = "."
+    home["^[a-z_]+$"] = "."
+}
+{
+    header = $0
+    sub(/^[^<]*</, "", header)
+    sub(/>.*/, "", header)
+    known = 0
+    for (pattern in home) {
+        if (header ~ pattern) {
+            known = 1
+            if ($1 !~ home[pattern]) { print $1 ":" $2 ": <" header "> belongs behind an interface, in a folder of its own"; bad = 1 }
+        }
+    }
+    if (!known) { print $1 ":" $2 ": <" header "> is from no library that the house knows"; bad = 1 }
+}
+END { exit bad }'
