@@ -1,9 +1,10 @@
-// A force field as a scene declares it. The law of each kind stands in the header of the same name beside this file.
+// A force field as a scene declares it. The law of each kind stands in the header of the same name
+// beside this file.
 #pragma once
 
-#include <cstdint>
-
 #include "haptics/math/spatial.h"
+
+#include <cstdint>
 
 namespace fulcrum {
 

@@ -1,0 +1,52 @@
+// One declared field: the plan fixes its law and coefficients, the lesson switches it, moves its
+// anchor and weakens it.
+//
+//   F = strength * law(x - anchor, v)            laws: spring.h, viscosity.h, magnet.h
+//   strength  follows the commanded one (0 when off) at no more than kStrengthRate_per_s
+//   anchor    a <- a + (a_commanded - a) (1 - exp(-dt / kAnchorTime_s))
+// A lesson speaks 60 times a second; both rules hide its steps from the hand.
+// Thread: haptic loop. Cost: about 20 ns.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/field/field_plan.h"
+#include "haptics/handover/messages.h"
+#include "haptics/math/spatial.h"
+
+namespace fulcrum {
+
+inline constexpr double kStrengthRate_per_s =
+    10.0;  ///< a field switches on or off within a tenth of a second
+inline constexpr double kAnchorTime_s = 0.02;  ///< one answer of the lesson and a bit
+
+/// Refuses coefficients outside the ranges named at FieldPlan, and a magnet stiffer than 2000 N/m
+/// at its centre.
+[[nodiscard]] Expected<void> validate(const FieldPlan& plan);
+
+/// The plain law, without the smoothing: newtons on a tool at `position_W` with `velocity_W`.
+[[nodiscard]] Vector3 compute_field_force(const FieldPlan& plan, const Vector3& anchor_W,
+                                          const Vector3& position_W,
+                                          const Vector3& velocity_W) noexcept;
+
+/// A field while it runs.
+class FieldStage {
+  public:
+    /// Takes a plan that `validate` accepted. It starts switched off at the declared anchor.
+    explicit FieldStage(const FieldPlan& plan) noexcept : plan_(plan), anchor_W_(plan.anchor_W) {}
+
+    /// Off, at the declared anchor.
+    void reset() noexcept;
+    /// Force in newtons after `dt_s`. A command that is not finite keeps the former anchor and
+    /// weakens to zero.
+    [[nodiscard]] Vector3 step(const FieldCommand& command, const Vector3& position_W,
+                               const Vector3& velocity_W, double dt_s) noexcept;
+    /// The factor on the force now, 0 to 1.
+    [[nodiscard]] double strength() const noexcept { return strength_; }
+
+  private:
+    FieldPlan plan_;
+    Vector3 anchor_W_;
+    double strength_ = 0.0;
+};
+
+}  // namespace fulcrum
