@@ -1,0 +1,57 @@
+#include "runtime/scene/explain.h"
+
+#include <array>
+#include <cstdio>
+
+namespace fulcrum::runtime {
+namespace {
+
+std::string rate_text(double rate_hz) {
+    if (rate_hz <= 0.0) {
+        return "when needed";
+    }
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.0f Hz", rate_hz);
+    return text.data();
+}
+
+std::string line_text(SourceLine line) {
+    return line > 0 ? "lesson.lua:" + std::to_string(line) : "every lesson";
+}
+
+std::string row(const std::string& loop, const std::string& stage, const std::string& rate,
+                const std::string& memory, const std::string& asked_by,
+                const std::string& because) {
+    std::array<char, 256> text{};
+    std::snprintf(text.data(), text.size(), "%-8s %-15s %-12s %9s  %-15s %s\n", loop.c_str(),
+                  stage.c_str(), rate.c_str(), memory.c_str(), asked_by.c_str(), because.c_str());
+    return text.data();
+}
+
+}  // namespace
+
+std::string bytes_text(std::size_t bytes) {
+    std::array<char, 32> text{};
+    if (bytes < 1000) {
+        std::snprintf(text.data(), text.size(), "%zu B", bytes);
+    } else if (bytes < 1000000) {
+        std::snprintf(text.data(), text.size(), "%.1f kB", static_cast<double>(bytes) / 1e3);
+    } else {
+        std::snprintf(text.data(), text.size(), "%.1f MB", static_cast<double>(bytes) / 1e6);
+    }
+    return text.data();
+}
+
+std::string explain(const LessonDescription& lesson, const Plan& plan) {
+    std::string text = lesson.title + " (" + lesson.id + ")\n\n";
+    text += row("loop", "stage", "rate", "memory", "asked by", "because");
+    for (const PlanStage& stage : plan.stages) {
+        const std::string memory = stage.memory_bytes > 0 ? bytes_text(stage.memory_bytes) : "-";
+        text += row(stage.loop, stage.name, rate_text(stage.rate_hz), memory, line_text(stage.line),
+                    stage.because);
+    }
+    text += "\nWhat is not in this list is not built.\n";
+    return text;
+}
+
+}  // namespace fulcrum::runtime
