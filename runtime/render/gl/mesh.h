@@ -1,0 +1,42 @@
+// A model's triangles and pictures in the graphics card's memory.
+//
+// Thread: the one that holds the context. Cost: 32 bytes a corner, 4 bytes an index, 5.3 bytes a
+// pixel.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "runtime/render/gl/handle.h"
+#include "runtime/scene/model.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace fulcrum::runtime::gl {
+
+/// Triangles of one material.
+struct MeshPart {
+    VertexArray vertex_array;
+    Buffer vertices;
+    Buffer indices;
+    GLsizei index_count = 0;
+    std::array<float, 4> base_colour{1.0F, 1.0F, 1.0F, 1.0F};  ///< linear
+    float roughness = 0.6F;
+    int texture = -1;  ///< index into Mesh::textures
+};
+
+/// A model ready to draw.
+struct Mesh {
+    std::vector<MeshPart> parts;
+    std::vector<Texture> textures;
+    Eigen::Vector3f lowest{Eigen::Vector3f::Zero()};   ///< corner of the bounding box, metres
+    Eigen::Vector3f highest{Eigen::Vector3f::Zero()};  ///< corner of the bounding box, metres
+};
+
+/// Checks a model and copies it to the card. Missing normals are computed, missing uvs are zero.
+[[nodiscard]] Expected<Mesh> upload(const LoadedModel& model);
+
+/// Draws a part's triangles with the current program.
+void draw(const MeshPart& part);
+
+}  // namespace fulcrum::runtime::gl

@@ -1,0 +1,278 @@
+#include "runtime/render/glfw/window.h"
+
+#include "runtime/render/glfw/key_names.h"
+
+#include <epoxy/gl.h>
+// clang-format off
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+// clang-format on
+
+#include <algorithm>
+
+#include <cstdlib>
+
+namespace fulcrum::runtime {
+
+namespace {
+
+bool names_display(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value != '\0';
+}
+
+/// What GLFW said last, as a clause; GLFW itself prints nothing.
+std::string last_complaint() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text != nullptr ? std::string(" (") + text + ")" : std::string();
+}
+
+/// Window's parts are where GLFW's user pointer points.
+WindowEvents& events_of(GLFWwindow* window) {
+    return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window));
+}
+
+void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+    const bool printable = key >= GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2;
+    const std::string name = key_name(
+        key, printable || key == GLFW_KEY_UNKNOWN ? glfwGetKeyName(key, scancode) : nullptr);
+    if (name.empty()) {
+        return;
+    }
+    if (action == GLFW_RELEASE) {
+        events_of(window).released.push_back(name);
+        return;
+    }
+    KeyPress press;
+    press.key = name;
+    press.repeat = action == GLFW_REPEAT;
+    press.shift = (modifiers & GLFW_MOD_SHIFT) != 0;
+    press.control = (modifiers & GLFW_MOD_CONTROL) != 0;
+    press.alt = (modifiers & GLFW_MOD_ALT) != 0;
+    events_of(window).pressed.push_back(std::move(press));
+}
+
+void on_text(GLFWwindow* window, unsigned int code_point) {
+    events_of(window).text += utf8_of(code_point);
+}
+
+void on_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
+    WindowEvents& events = events_of(window);
+    if (button < 0 || button >= static_cast<int>(events.button_down.size())) {
+        return;
+    }
+    const auto index = static_cast<std::size_t>(button);
+    events.button_down[index] = action == GLFW_PRESS;
+    events.button_press[index] = events.button_press[index] || action == GLFW_PRESS;
+}
+
+void on_pointer(GLFWwindow* window, double x, double y) {
+    // GLFW speaks in screen coordinates; the picture is measured in the framebuffer's pixels.
+    int window_width = 0;
+    int window_height = 0;
+    int width_px = 0;
+    int height_px = 0;
+    glfwGetWindowSize(window, &window_width, &window_height);
+    glfwGetFramebufferSize(window, &width_px, &height_px);
+    WindowEvents& events = events_of(window);
+    events.pointer_x_px = x * width_px / std::max(window_width, 1);
+    events.pointer_y_px = y * height_px / std::max(window_height, 1);
+    events.pointer_moved = true;
+}
+
+void on_wheel(GLFWwindow* window, double /*sideways*/, double notches) {
+    events_of(window).wheel += notches;
+}
+
+void on_resize(GLFWwindow* window, int /*width*/, int /*height*/) {
+    events_of(window).resized = true;
+}
+
+void on_focus(GLFWwindow* window, int focused) {
+    WindowEvents& events = events_of(window);
+    events.focused = focused == GLFW_TRUE;
+    events.lost_focus = events.lost_focus || !events.focused;
+}
+
+void forget_last_poll(WindowEvents& events) {
+    events.pressed.clear();
+    events.released.clear();
+    events.text.clear();
+    events.button_press = {};
+    events.pointer_moved = false;
+    events.wheel = 0.0;
+    events.resized = false;
+    events.lost_focus = false;
+}
+
+void listen(GLFWwindow* window) {
+    glfwSetKeyCallback(window, on_key);
+    glfwSetCharCallback(window, on_text);
+    glfwSetMouseButtonCallback(window, on_button);
+    glfwSetCursorPosCallback(window, on_pointer);
+    glfwSetScrollCallback(window, on_wheel);
+    glfwSetFramebufferSizeCallback(window, on_resize);
+    glfwSetWindowFocusCallback(window, on_focus);
+}
+
+void ask_for_context() {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    // The renderer has its own samples, depth and stencil.
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_SAMPLES, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+}
+
+/// The monitor that holds most of the window.
+GLFWmonitor* monitor_under(GLFWwindow* window) {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    glfwGetWindowPos(window, &x, &y);
+    glfwGetWindowSize(window, &width, &height);
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    GLFWmonitor* best = glfwGetPrimaryMonitor();
+    int most = 0;
+    for (int i = 0; i < count; ++i) {
+        int left = 0;
+        int top = 0;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode == nullptr) {
+            continue;
+        }
+        const int across = std::min(x + width, left + mode->width) - std::max(x, left);
+        const int down = std::min(y + height, top + mode->height) - std::max(y, top);
+        if (std::max(across, 0) * std::max(down, 0) > most) {
+            most = across * down;
+            best = monitors[i];
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+struct Window::Parts {
+    GLFWwindow* window = nullptr;
+    WindowEvents events;
+    int x = 0;  ///< place and size before the whole screen was taken
+    int y = 0;
+    int width = 0;
+    int height = 0;
+
+    ~Parts() {
+        if (window != nullptr) {
+            glfwDestroyWindow(window);
+        }
+        glfwTerminate();
+    }
+};
+
+bool display_available() {
+    if (!names_display("DISPLAY") && !names_display("WAYLAND_DISPLAY")) {
+        return false;
+    }
+    const bool available = glfwInit() == GLFW_TRUE;
+    glfwGetError(nullptr);
+    // A window that is open keeps GLFW going; only a bare trial is taken back.
+    if (available && glfwGetCurrentContext() == nullptr) {
+        glfwTerminate();
+    }
+    return available;
+}
+
+Window::Window(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Window::~Window() = default;
+
+Expected<std::unique_ptr<Window>> Window::create(const std::string& title, int width, int height) {
+    if (!display_available()) {
+        return fail("there is no display to open a window on", {},
+                    "log in at a screen or run with --headless");
+    }
+    if (glfwInit() != GLFW_TRUE) {
+        return fail("no window can be opened" + last_complaint(), {}, "run with --headless");
+    }
+    auto parts = std::make_unique<Parts>();
+    ask_for_context();
+    parts->window =
+        glfwCreateWindow(std::max(width, 1), std::max(height, 1), title.c_str(), nullptr, nullptr);
+    if (parts->window == nullptr) {
+        return fail("no window with OpenGL 3.3 can be opened" + last_complaint(), {},
+                    "update the graphics driver or run with --headless");
+    }
+    glfwMakeContextCurrent(parts->window);
+    glfwSwapInterval(1);
+    glfwSetWindowUserPointer(parts->window, &parts->events);
+    listen(parts->window);
+    parts->events.focused = glfwGetWindowAttrib(parts->window, GLFW_FOCUSED) == GLFW_TRUE;
+    return std::unique_ptr<Window>(new Window(std::move(parts)));
+}
+
+const WindowEvents& Window::poll() {
+    forget_last_poll(parts_->events);
+    glfwPollEvents();
+    parts_->events.close = glfwWindowShouldClose(parts_->window) == GLFW_TRUE;
+    return parts_->events;
+}
+
+void Window::swap() {
+    glfwSwapBuffers(parts_->window);
+}
+
+void Window::set_fullscreen(bool wanted) {
+    if (wanted == fullscreen()) {
+        return;
+    }
+    GLFWwindow* window = parts_->window;
+    GLFWmonitor* monitor = monitor_under(window);
+    const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    if (wanted && mode != nullptr) {
+        glfwGetWindowPos(window, &parts_->x, &parts_->y);
+        glfwGetWindowSize(window, &parts_->width, &parts_->height);
+        glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    } else if (!wanted) {
+        glfwSetWindowMonitor(window, nullptr, parts_->x, parts_->y, parts_->width, parts_->height,
+                             GLFW_DONT_CARE);
+    }
+    glfwSwapInterval(1);
+}
+
+bool Window::fullscreen() const {
+    return glfwGetWindowMonitor(parts_->window) != nullptr;
+}
+
+void Window::set_title(const std::string& title) {
+    glfwSetWindowTitle(parts_->window, title.c_str());
+}
+
+int Window::width_px() const {
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(parts_->window, &width, &height);
+    return width;
+}
+
+int Window::height_px() const {
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(parts_->window, &width, &height);
+    return height;
+}
+
+double Window::ui_scale() const {
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(parts_->window, &width, &height);
+    return width > 0 ? static_cast<double>(width_px()) / width : 1.0;
+}
+
+}  // namespace fulcrum::runtime
