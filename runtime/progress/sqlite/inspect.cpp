@@ -1,0 +1,91 @@
+#include "runtime/progress/sqlite/inspect.h"
+
+#include "runtime/progress/sqlite/schema.h"
+
+#include <sys/stat.h>
+#include <tuple>
+
+namespace fulcrum::runtime::sqlite {
+namespace {
+
+constexpr const char* kElsewhere = "choose another file with --db or move this one away";
+
+// Changes whenever somebody else writes to the file.
+auto fingerprint(const std::string& path) {
+    struct stat status {};
+    const bool there = stat(path.c_str(), &status) == 0;
+    return std::make_tuple(there, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
+}
+
+bool exists_beside(const std::string& path, const char* suffix, const std::string& vfs) {
+    sqlite3_vfs* layer = sqlite3_vfs_find(vfs.empty() ? nullptr : vfs.c_str());
+    int there = 0;
+    return layer != nullptr &&
+           layer->xAccess(layer, (path + suffix).c_str(), SQLITE_ACCESS_EXISTS, &there) ==
+               SQLITE_OK &&
+           there != 0;
+}
+
+void check_owner_and_version(Database& database) {
+    const std::int64_t owner = database.number("PRAGMA application_id");
+    const std::int64_t version = database.number("PRAGMA user_version");
+    const bool empty = database.number("SELECT count(*) FROM sqlite_schema") == 0;
+    if (empty && owner == 0 && version == 0) {
+        return;
+    }
+    if (owner != kApplicationId || version < 1) {
+        throw Refused({"this database belongs to another program", database.path(), kElsewhere});
+    }
+    if (version > kSchemaVersion) {
+        throw Refused({"this database is of version " + std::to_string(version) +
+                           ", newer than this program knows (" + std::to_string(kSchemaVersion) +
+                           ")",
+                       database.path(), "update Fulcrum or choose another file with --db"});
+    }
+}
+
+void check_pages(Database& database) {
+    Statement check(database, "PRAGMA quick_check(1)");
+    const std::string verdict = check.step() ? check.text() : "no answer";
+    if (verdict != "ok") {
+        // Only the first line, so that the sentence stays one.
+        const std::string first = verdict.substr(0, verdict.find('\n'));
+        throw Refused(error_for(SQLITE_CORRUPT, database.path(), first), SQLITE_CORRUPT);
+    }
+}
+
+void look(const std::string& path, const std::string& vfs, const char* parameters,
+          int busy_timeout_ms) {
+    Database database(path, SQLITE_OPEN_READONLY, vfs, parameters);
+    sqlite3_busy_timeout(database.handle(), busy_timeout_ms);
+    sqlite3_db_config(database.handle(), SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    database.run("PRAGMA cell_size_check = ON");
+    Transaction snapshot(database, Transaction::Kind::read);
+    check_owner_and_version(database);
+    check_pages(database);
+}
+
+}  // namespace
+
+void inspect(const std::string& path, const std::string& vfs, int busy_timeout_ms) {
+    // With a rollback journal beside it the file is half-written by intent; opening it mends it.
+    if (exists_beside(path, "-journal", vfs)) {
+        return;
+    }
+    // Without a log nobody is writing: an immutable look takes no locks and leaves nothing beside
+    // the file.
+    if (!exists_beside(path, "-wal", vfs)) {
+        const auto before = fingerprint(path);
+        const auto outcome = guarded([&] { look(path, vfs, "immutable=1", busy_timeout_ms); });
+        if (outcome || (before == fingerprint(path) && !exists_beside(path, "-wal", vfs))) {
+            if (!outcome) {
+                throw Refused(outcome.error());
+            }
+            return;
+        }
+        // Somebody began to write meanwhile, so that look may have been torn.
+    }
+    look(path, vfs, "", busy_timeout_ms);
+}
+
+}  // namespace fulcrum::runtime::sqlite

@@ -1,0 +1,208 @@
+#include "runtime/progress/sqlite/queries.h"
+
+#include "runtime/progress/sqlite/rows.h"
+#include "runtime/progress/text_rules.h"
+
+#include <optional>
+
+namespace fulcrum::runtime::sqlite {
+namespace {
+
+// ---- what is kept of a record's texts
+// ----------------------------------------------------------------------------
+
+SessionRecord as_kept(SessionRecord session) {
+    for (std::string* text : {&session.lesson, &session.lesson_version, &session.level}) {
+        *text = kept_text(*text);
+    }
+    for (auto& [name, value] : session.settings) {
+        name = kept_text(name);
+        value = kept_text(value);
+    }
+    return session;
+}
+
+AttemptRecord as_kept(AttemptRecord attempt) {
+    for (std::string* text : {&attempt.question, &attempt.said, &attempt.slots}) {
+        *text = kept_text(*text);
+    }
+    for (ErrorRecord& error : attempt.errors) {
+        for (std::string* text : {&error.code, &error.span, &error.correction}) {
+            *text = kept_text(*text);
+        }
+    }
+    return attempt;
+}
+
+// ---- one record by its id, for repeated writes
+// -------------------------------------------------------------------
+
+std::optional<Learner> find_learner(Database& database, const RecordId& id) {
+    Statement row(database, (std::string(kSelectLearner) + " WHERE learner.id = ?").c_str());
+    return row.bind(id).step() ? std::optional(learner_of(row)) : std::nullopt;
+}
+
+std::optional<SessionRecord> find_session(Database& database, const RecordId& id) {
+    Statement row(database, (std::string(kSelectSession) + " WHERE session.id = ?").c_str());
+    if (!row.bind(id).step()) {
+        return std::nullopt;
+    }
+    SessionRecord session = session_of(row);
+    Statement setting(
+        database, "SELECT name, value FROM session_setting WHERE session = ? ORDER BY position");
+    setting.bind(id);
+    while (setting.step()) {
+        session.settings.push_back(setting_of(setting));
+    }
+    return session;
+}
+
+std::optional<SessionEnd> find_end(Database& database, const RecordId& session) {
+    Statement row(database, (std::string(kSelectEnd) + " WHERE session_end.session = ?").c_str());
+    return row.bind(session).step() ? std::optional(end_of(row)) : std::nullopt;
+}
+
+std::optional<AttemptRecord> find_attempt(Database& database, const RecordId& id) {
+    Statement row(database, (std::string(kSelectAttempt) + " WHERE attempt.id = ?").c_str());
+    if (!row.bind(id).step()) {
+        return std::nullopt;
+    }
+    AttemptRecord attempt = attempt_of(row);
+    Statement error(database,
+                    "SELECT code, span, correction FROM attempt_error WHERE attempt = ?"
+                    " ORDER BY position");
+    error.bind(id);
+    while (error.step()) {
+        attempt.errors.push_back(error_of(error));
+    }
+    return attempt;
+}
+
+// True when the record is there already, so that there is nothing to add.
+template <class Record>
+bool is_repeat(Database& database, const std::optional<Record>& kept, const Record& record,
+               const char* what) {
+    if (kept && *kept != record) {
+        throw Refused({std::string("another ") + what + " is kept under this id", database.path(),
+                       "give each one an id of its own"});
+    }
+    return kept.has_value();
+}
+
+void require(Database& database, const char* sql, const RecordId& id, const char* what) {
+    Statement row(database, sql);
+    if (!row.bind(id).step()) {
+        throw Refused({std::string("the ") + what + " " + id + " is not known", database.path(),
+                       "keep it before what belongs to it"});
+    }
+}
+
+}  // namespace
+
+Learner enrol(Database& database, const std::string& nickname) {
+    Statement row(database, (std::string(kSelectLearner) + " WHERE nickname = ?").c_str());
+    if (row.bind(nickname).step()) {
+        return learner_of(row);
+    }
+    Learner learner{random_record_id(), nickname, utc_now_ms()};
+    keep(database, learner);
+    return learner;
+}
+
+void keep(Database& database, const Learner& learner) {
+    if (is_repeat(database, find_learner(database, learner.id), learner, "learner")) {
+        return;
+    }
+    Statement taken(database, "SELECT 1 FROM learner WHERE nickname = ?");
+    if (taken.bind(learner.nickname).step()) {
+        throw Refused({"another learner has the nickname \"" + learner.nickname + "\"",
+                       database.path(), "choose another nickname"});
+    }
+    Statement(database, "INSERT INTO learner(id, nickname, enrolled_utc_ms) VALUES(?, ?, ?)")
+        .bind(learner.id)
+        .bind(learner.nickname)
+        .bind(learner.enrolled_utc_ms)
+        .run();
+}
+
+void keep(Database& database, const SessionRecord& given) {
+    const SessionRecord session = as_kept(given);
+    if (is_repeat(database, find_session(database, session.id), session, "session")) {
+        return;
+    }
+    require(database, "SELECT 1 FROM learner WHERE id = ?", session.learner, "learner");
+    Statement(database,
+              "INSERT INTO session(id, learner, lesson, lesson_version, level, started_utc_ms)"
+              " VALUES(?, ?, ?, ?, ?, ?)")
+        .bind(session.id)
+        .bind(session.learner)
+        .bind(session.lesson)
+        .bind(session.lesson_version)
+        .bind(session.level)
+        .bind(session.started_utc_ms)
+        .run();
+    std::int64_t position = 0;
+    for (const auto& [name, value] : session.settings) {
+        Statement(database,
+                  "INSERT INTO session_setting(session, position, name, value) VALUES(?, ?, ?, ?)")
+            .bind(session.id)
+            .bind(position++)
+            .bind(name)
+            .bind(value)
+            .run();
+    }
+}
+
+void keep(Database& database, const SessionEnd& end) {
+    if (is_repeat(database, find_end(database, end.session), end, "end of the session")) {
+        return;
+    }
+    require(database, "SELECT 1 FROM session WHERE id = ?", end.session, "session");
+    Statement(database,
+              "INSERT INTO session_end(session, ended_utc_ms, reason, stars, score, level_reached)"
+              " VALUES(?, ?, ?, ?, ?, ?)")
+        .bind(end.session)
+        .bind(end.ended_utc_ms)
+        .bind(static_cast<std::int64_t>(end.reason))
+        .bind(end.stars)
+        .bind(end.score)
+        .bind(end.level_reached)
+        .run();
+}
+
+void keep(Database& database, const AttemptRecord& given) {
+    const AttemptRecord attempt = as_kept(given);
+    if (is_repeat(database, find_attempt(database, attempt.id), attempt, "attempt")) {
+        return;
+    }
+    require(database, "SELECT 1 FROM session WHERE id = ?", attempt.session, "session");
+    Statement(database,
+              "INSERT INTO attempt(id, session, question, attempt, said, understood, meaning_right,"
+              " form_right, slots, answer_s, said_utc_ms) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        .bind(attempt.id)
+        .bind(attempt.session)
+        .bind(attempt.question)
+        .bind(attempt.attempt)
+        .bind(attempt.said)
+        .bind(attempt.understood)
+        .bind(attempt.meaning_right)
+        .bind(attempt.form_right)
+        .bind(attempt.slots)
+        .bind(attempt.answer_s)
+        .bind(attempt.said_utc_ms)
+        .run();
+    std::int64_t position = 0;
+    for (const ErrorRecord& error : attempt.errors) {
+        Statement(database,
+                  "INSERT INTO attempt_error(attempt, position, code, span, correction)"
+                  " VALUES(?, ?, ?, ?, ?)")
+            .bind(attempt.id)
+            .bind(position++)
+            .bind(error.code)
+            .bind(error.span)
+            .bind(error.correction)
+            .run();
+    }
+}
+
+}  // namespace fulcrum::runtime::sqlite

@@ -1,0 +1,105 @@
+#include "runtime/progress/sqlite/schema.h"
+
+#include "runtime/progress/records.h"
+
+#include <string>
+
+namespace fulcrum::runtime::sqlite {
+namespace {
+
+// Learners, sessions, attempts and errors. Facts can be added and, with their learner, erased, but
+// not changed.
+constexpr const char* kStep0 = R"sql(
+CREATE TABLE learner(
+  row INTEGER PRIMARY KEY,
+  id TEXT NOT NULL UNIQUE CHECK(length(id) = 32),
+  nickname TEXT NOT NULL UNIQUE COLLATE NOCASE CHECK(length(nickname) BETWEEN 1 AND 40),
+  enrolled_utc_ms INTEGER NOT NULL) STRICT;
+CREATE TABLE session(
+  row INTEGER PRIMARY KEY,
+  id TEXT NOT NULL UNIQUE CHECK(length(id) = 32),
+  learner TEXT NOT NULL REFERENCES learner(id) ON DELETE CASCADE,
+  lesson TEXT NOT NULL,
+  lesson_version TEXT NOT NULL,
+  level TEXT NOT NULL,
+  started_utc_ms INTEGER NOT NULL) STRICT;
+CREATE INDEX session_of_learner ON session(learner);
+CREATE TABLE session_end(
+  row INTEGER PRIMARY KEY,
+  session TEXT NOT NULL UNIQUE REFERENCES session(id) ON DELETE CASCADE,
+  ended_utc_ms INTEGER NOT NULL,
+  reason INTEGER NOT NULL CHECK(reason BETWEEN 0 AND 2),
+  stars INTEGER NOT NULL CHECK(stars BETWEEN 0 AND 3),
+  score INTEGER NOT NULL,
+  level_reached INTEGER NOT NULL CHECK(level_reached >= 1)) STRICT;
+CREATE TABLE attempt(
+  row INTEGER PRIMARY KEY,
+  id TEXT NOT NULL UNIQUE CHECK(length(id) = 32),
+  session TEXT NOT NULL REFERENCES session(id) ON DELETE CASCADE,
+  question TEXT NOT NULL,
+  attempt INTEGER NOT NULL CHECK(attempt >= 1),
+  said TEXT NOT NULL,
+  meaning_right INTEGER NOT NULL CHECK(meaning_right IN (0, 1)),
+  form_right INTEGER NOT NULL CHECK(form_right IN (0, 1)),
+  slots TEXT NOT NULL,
+  answer_s REAL NOT NULL CHECK(answer_s >= 0),
+  said_utc_ms INTEGER NOT NULL) STRICT;
+CREATE INDEX attempt_of_session ON attempt(session);
+CREATE TABLE attempt_error(
+  attempt TEXT NOT NULL REFERENCES attempt(id) ON DELETE CASCADE,
+  position INTEGER NOT NULL,
+  code TEXT NOT NULL,
+  span TEXT NOT NULL,
+  correction TEXT NOT NULL,
+  PRIMARY KEY(attempt, position)) STRICT, WITHOUT ROWID;
+CREATE TABLE opening(row INTEGER PRIMARY KEY, opened_utc_ms INTEGER NOT NULL) STRICT;
+CREATE TRIGGER learner_is_fact BEFORE UPDATE ON learner
+  BEGIN SELECT RAISE(ABORT, 'a kept fact is never changed'); END;
+CREATE TRIGGER session_is_fact BEFORE UPDATE ON session
+  BEGIN SELECT RAISE(ABORT, 'a kept fact is never changed'); END;
+CREATE TRIGGER session_end_is_fact BEFORE UPDATE ON session_end
+  BEGIN SELECT RAISE(ABORT, 'a kept fact is never changed'); END;
+CREATE TRIGGER attempt_is_fact BEFORE UPDATE ON attempt
+  BEGIN SELECT RAISE(ABORT, 'a kept fact is never changed'); END;
+CREATE TRIGGER attempt_error_is_fact BEFORE UPDATE ON attempt_error
+  BEGIN SELECT RAISE(ABORT, 'a kept fact is never changed'); END;
+)sql";
+
+// Answers that no template fitted are told from wrong ones (before, all counted as understood), and
+// a session keeps the settings that it was played with.
+constexpr const char* kStep1 = R"sql(
+ALTER TABLE attempt ADD COLUMN understood INTEGER NOT NULL DEFAULT 1 CHECK(understood IN (0, 1));
+CREATE TABLE session_setting(
+  session TEXT NOT NULL REFERENCES session(id) ON DELETE CASCADE,
+  position INTEGER NOT NULL,
+  name TEXT NOT NULL,
+  value TEXT NOT NULL,
+  PRIMARY KEY(session, position),
+  UNIQUE(session, name)) STRICT, WITHOUT ROWID;
+CREATE TRIGGER session_setting_is_fact BEFORE UPDATE ON session_setting
+  BEGIN SELECT RAISE(ABORT, 'a kept fact is never changed'); END;
+)sql";
+
+}  // namespace
+
+const std::array<const char*, kSchemaVersion>& migrations() noexcept {
+    static constexpr std::array<const char*, kSchemaVersion> kSteps{kStep0, kStep1};
+    return kSteps;
+}
+
+void migrate(Database& database) {
+    Transaction transaction(database, Transaction::Kind::write);
+    // Read under the write lock: another program may have brought it up a moment ago.
+    const std::int64_t found = database.number("PRAGMA user_version");
+    for (auto version = static_cast<std::size_t>(found); version < migrations().size(); ++version) {
+        database.run(migrations()[version]);
+    }
+    if (found < kSchemaVersion) {
+        database.run(("PRAGMA application_id = " + std::to_string(kApplicationId)).c_str());
+        database.run(("PRAGMA user_version = " + std::to_string(kSchemaVersion)).c_str());
+    }
+    Statement(database, "INSERT INTO opening(opened_utc_ms) VALUES(?)").bind(utc_now_ms()).run();
+    transaction.commit();
+}
+
+}  // namespace fulcrum::runtime::sqlite

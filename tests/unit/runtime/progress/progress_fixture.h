@@ -1,0 +1,53 @@
+// What tests of progress share: a folder that goes away, a class with one learner in one session,
+// raw SQL.
+#pragma once
+
+#include "runtime/progress/store.h"
+
+#include <memory>
+#include <string>
+
+namespace fulcrum::runtime::test {
+
+/// A new folder, removed with all that is in it.
+class TemporaryFolder {
+  public:
+    TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    ~TemporaryFolder();
+    [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
+    [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+  private:
+    std::string path_;
+};
+
+/// A database with the learner "Mina", who has begun the lesson "gravity".
+struct Classroom {
+    explicit Classroom(const std::string& database_path);
+    std::string path;
+    std::unique_ptr<ProgressStore> store;
+    Learner learner;
+    SessionRecord session;
+};
+
+/// An attempt with a new id and form as right as its meaning.
+[[nodiscard]] AttemptRecord attempt_for(const RecordId& session, const std::string& question,
+                                        int attempt, bool right);
+
+/// The error as its sentence; "" when there is none.
+[[nodiscard]] std::string error_text(const Expected<void>& result);
+
+/// Runs SQL on a connection of its own; sqlite's message, "" when it went well.
+std::string run_sql(const std::string& path, const std::string& sql);
+
+/// The first column of the first row, as text.
+[[nodiscard]] std::string query(const std::string& path, const std::string& sql);
+
+/// All bytes of a file; "" when there is none.
+[[nodiscard]] std::string bytes_of(const std::string& path);
+
+void write_bytes(const std::string& path, const std::string& bytes);
+
+}  // namespace fulcrum::runtime::test
