@@ -1,0 +1,39 @@
+// What is right or wrong with a mesh, and that in one sentence a teacher can use.
+//
+// An edge is open when one triangle has it, non-manifold when three or more have it, and wound
+// inconsistently when two triangles run along it in the same direction. A closed, consistent mesh
+// is inside out when its signed volume V = sum a . (b x c) / 6 is negative.
+//
+// Thread: load. Cost: O(n log n) in triangles.
+#pragma once
+
+#include "haptics/geometry/triangle_mesh.h"
+
+#include <cstdint>
+#include <string>
+
+namespace fulcrum {
+
+struct MeshReport {
+    std::int64_t n_triangles = 0;
+    std::int64_t n_vertices = 0;
+    std::int64_t open_edges = 0;
+    std::int64_t non_manifold_edges = 0;
+    std::int64_t inconsistent_edges = 0;    ///< neighbours of which one is inverted
+    std::int64_t degenerate_triangles = 0;  ///< dropped when the mesh was built
+    bool inside_out = false;                ///< closed and consistent, but all fronts look inwards
+    Vector3 size_m{Vector3::Zero()};        ///< of the box around the mesh
+    double volume_m3 = 0.0;                 ///< enclosed, positive; 0 unless closed and consistent
+
+    /// No open and no non-manifold edge: a point cannot slip in.
+    [[nodiscard]] bool is_closed() const noexcept {
+        return open_edges == 0 && non_manifold_edges == 0;
+    }
+};
+
+[[nodiscard]] MeshReport compute_mesh_report(const TriangleMesh& mesh);
+
+/// One sentence: how large the mesh is, what is wrong with it, and what that means for the touch.
+[[nodiscard]] std::string to_sentence(const MeshReport& report);
+
+}  // namespace fulcrum

@@ -1,0 +1,67 @@
+// A surface of triangles: vertices in metres in the body's frame, and three indices a triangle.
+// Once built it is valid.
+//
+// Thread: load. Cost of a build: O(vertices + triangles).
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/math/spatial.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fulcrum {
+
+/// Indices of a triangle's corners; seen from its front they run counter-clockwise.
+using TriangleCorners = std::array<std::int32_t, 3>;
+
+struct MeshBuildSettings {
+    /// Vertices nearer than this times the mesh's diagonal become one; 0 leaves all as they are. 0
+    /// to 0.01. The default closes what rounding to single precision opens.
+    double weld_relative = 1.0e-6;
+};
+
+/// What a build changed.
+struct MeshBuildCounts {
+    std::int64_t welded_vertices = 0;       ///< vertices that became another
+    std::int64_t degenerate_triangles = 0;  ///< triangles without area, dropped
+};
+
+class TriangleMesh {
+  public:
+    /// Largest coordinate accepted, metres: products of nine of them still fit a double.
+    static constexpr double kLargestCoordinate_m = 1.0e30;
+    /// A triangle thinner than this times its longest edge has no direction and is dropped.
+    static constexpr double kThinnest = 1.0e-14;
+
+    /// Checks and builds. Refuses coordinates that are not finite or too large, indices out of
+    /// range, and a mesh of which no triangle remains. `where` names the file in the error.
+    [[nodiscard]] static Expected<TriangleMesh> build(std::vector<Vector3> vertices_B,
+                                                      std::vector<TriangleCorners> triangles,
+                                                      const MeshBuildSettings& settings = {},
+                                                      const std::string& where = {});
+
+    [[nodiscard]] const std::vector<Vector3>& vertices_B() const noexcept { return vertices_B_; }
+    [[nodiscard]] const std::vector<TriangleCorners>& triangles() const noexcept {
+        return triangles_;
+    }
+    [[nodiscard]] const MeshBuildCounts& counts() const noexcept { return counts_; }
+    /// Least and greatest corner of the box around all triangles.
+    [[nodiscard]] const Vector3& lower_B() const noexcept { return lower_B_; }
+    [[nodiscard]] const Vector3& upper_B() const noexcept { return upper_B_; }
+    /// Length of that box's diagonal: the mesh's measure of size. Above zero.
+    [[nodiscard]] double diagonal_m() const noexcept { return (upper_B_ - lower_B_).norm(); }
+
+  private:
+    TriangleMesh() = default;
+
+    std::vector<Vector3> vertices_B_;
+    std::vector<TriangleCorners> triangles_;
+    MeshBuildCounts counts_;
+    Vector3 lower_B_{Vector3::Zero()};
+    Vector3 upper_B_{Vector3::Zero()};
+};
+
+}  // namespace fulcrum
