@@ -1,0 +1,34 @@
+// A player that makes no sound and counts what it was asked for: for --mute, for machines without a
+// sound card, for tests. It refuses the same calls as a real one.
+#pragma once
+
+#include "runtime/audio/sound_player.h"
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace fulcrum::runtime {
+
+class NullPlayer final : public SoundPlayer {
+  public:
+    /// Knows the names in the settings; an unknown name there is an error.
+    [[nodiscard]] static Expected<std::unique_ptr<NullPlayer>> open(const SoundSettings& settings);
+
+    Expected<void> play(std::string_view name, double gain, double pitch) override;
+    void set_force_sound(double force_N) override;
+    void update(double dt_s) override;
+    void stop() override;
+    [[nodiscard]] bool audible() const override { return false; }
+
+    /// How often a sound was played.
+    [[nodiscard]] std::size_t plays(std::string_view name) const;
+    /// The force that would be heard now, newtons.
+    [[nodiscard]] double force_N() const { return force_N_; }
+
+  private:
+    std::map<std::string, std::size_t, std::less<>> plays_;
+    double force_N_ = 0.0;
+};
+
+}  // namespace fulcrum::runtime

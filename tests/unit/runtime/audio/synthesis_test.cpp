@@ -1,0 +1,184 @@
+#include "runtime/audio/synthesis.h"
+
+#include "runtime/audio/force_sound.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+
+/// Sum of f |X(f)|^2 over sum of |X(f)|^2, from 20 Hz to 12 kHz in steps of 20 Hz, by a plain
+/// Fourier sum.
+double spectral_centroid_Hz(const std::vector<float>& x) {
+    double weighted = 0.0;
+    double power = 0.0;
+    for (double f_Hz = 20.0; f_Hz < 12'000.0; f_Hz += 20.0) {
+        // Goertzel's recurrence gives the magnitude at one frequency.
+        const double turn = 2.0 * std::numbers::pi * f_Hz / kSampleRate_Hz;
+        const double c = 2.0 * std::cos(turn);
+        double s1 = 0.0;
+        double s2 = 0.0;
+        for (const float sample : x) {
+            const double s0 = static_cast<double>(sample) + c * s1 - s2;
+            s2 = s1;
+            s1 = s0;
+        }
+        const double magnitude2 = s1 * s1 + s2 * s2 - c * s1 * s2;
+        weighted += f_Hz * magnitude2;
+        power += magnitude2;
+    }
+    return weighted / power;
+}
+
+std::vector<float> sound(std::string_view name) {
+    auto made = synthesise(name);
+    REQUIRE(made.has_value());
+    return *made;
+}
+
+double energy(const std::vector<float>& x, double from_s, double to_s) {
+    const auto at = [&](double t) { return static_cast<std::size_t>(t * kSampleRate_Hz); };
+    double sum = 0.0;
+    for (std::size_t i = at(from_s); i < std::min(at(to_s), x.size()); ++i) {
+        sum += static_cast<double>(x[i]) * static_cast<double>(x[i]);
+    }
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("synthesis: every sound is finite, loud enough, at most 3 dB below full scale") {
+    const std::string name(
+        GENERATE(from_range(std::vector<std::string>(sound_names().begin(), sound_names().end()))));
+    CAPTURE(name);
+    const auto x = sound(name);
+    float highest = 0.0F;
+    for (const float sample : x) {
+        REQUIRE(std::isfinite(sample));
+        highest = std::max(highest, std::abs(sample));
+    }
+    // -3 dBFS is 10^(-3/20).
+    CHECK(static_cast<double>(highest) <= std::pow(10.0, -3.0 / 20.0));
+    CHECK(highest > 0.2F);
+    CHECK(x.size() >= kSampleRate_Hz / 20);  // 50 ms
+    CHECK(x.size() <= 3U * kSampleRate_Hz);  // 3 s
+}
+
+TEST_CASE("synthesis: no sound begins or ends with a click") {
+    const std::string name(
+        GENERATE(from_range(std::vector<std::string>(sound_names().begin(), sound_names().end()))));
+    CAPTURE(name);
+    const auto x = sound(name);
+    CHECK(x.front() == 0.0F);
+    CHECK(x.back() == 0.0F);
+    // The last millisecond stays below -60 dBFS.
+    for (std::size_t i = x.size() - kSampleRate_Hz / 1000; i < x.size(); ++i) {
+        REQUIRE(std::abs(x[i]) < 1e-3F);
+    }
+}
+
+TEST_CASE("synthesis: the same name gives the same samples, different names do not") {
+    std::set<std::vector<float>> all;
+    for (const std::string_view name : sound_names()) {
+        CHECK(sound(name) == sound(name));
+        all.insert(sound(name));
+    }
+    CHECK(all.size() == sound_names().size());
+}
+
+TEST_CASE("synthesis: a caught melon sounds low, an egg bright, an apple and a banana between") {
+    const double melon_Hz = spectral_centroid_Hz(sound("catch_watermelon"));
+    const double apple_Hz = spectral_centroid_Hz(sound("catch_apple"));
+    const double banana_Hz = spectral_centroid_Hz(sound("catch_banana"));
+    const double egg_Hz = spectral_centroid_Hz(sound("catch_egg"));
+    CAPTURE(melon_Hz, apple_Hz, banana_Hz, egg_Hz);
+    CHECK(melon_Hz < 250.0);
+    CHECK(egg_Hz > 2000.0);
+    CHECK(egg_Hz > 8.0 * melon_Hz);
+    CHECK(apple_Hz > 1.5 * melon_Hz);
+    CHECK(banana_Hz > 1.5 * melon_Hz);
+    CHECK(egg_Hz > 2.0 * apple_Hz);
+    CHECK(egg_Hz > 2.0 * banana_Hz);
+}
+
+TEST_CASE("synthesis: the melon rings on in its hollow, the egg is over at once") {
+    const auto melon = sound("catch_watermelon");
+    const auto egg = sound("catch_egg");
+    CHECK(energy(melon, 0.15, 0.8) > 0.1 * energy(melon, 0.0, 0.8));
+    CHECK(energy(egg, 0.15, 0.8) < 0.01 * energy(egg, 0.0, 0.8));
+}
+
+TEST_CASE("synthesis: right rises, try again falls and is the softer one") {
+    const auto first_and_second = [](const std::vector<float>& x, double second_s) {
+        const auto at = static_cast<std::ptrdiff_t>(second_s * kSampleRate_Hz);
+        const auto length = static_cast<std::ptrdiff_t>(0.12 * kSampleRate_Hz);
+        return std::pair{spectral_centroid_Hz({x.begin(), x.begin() + length}),
+                         spectral_centroid_Hz({x.begin() + at, x.begin() + at + length})};
+    };
+    const auto right = first_and_second(sound("right"), 0.2);
+    const auto again = first_and_second(sound("try_again"), 0.35);
+    CHECK(right.second > 1.1 * right.first);
+    CHECK(again.second < 0.95 * again.first);
+    const auto peak = [](const std::vector<float>& x) {
+        return *std::max_element(x.begin(), x.end());
+    };
+    CHECK(peak(sound("try_again")) < peak(sound("right")));
+}
+
+TEST_CASE("synthesis: an unknown name is an error that lists the names") {
+    const auto made = synthesise("moo");
+    REQUIRE_FALSE(made.has_value());
+    CHECK(made.error().message.find("moo") != std::string::npos);
+    CHECK(made.error().what_to_do.find("catch_egg") != std::string::npos);
+}
+
+TEST_CASE("force sound: its loop has no seam and no louder peak than other sounds") {
+    const auto loop = synthesise_force_loop();
+    REQUIRE(loop.size() == kSampleRate_Hz);
+    float largest_step = 0.0F;
+    float highest = 0.0F;
+    for (std::size_t i = 1; i < loop.size(); ++i) {
+        largest_step = std::max(largest_step, std::abs(loop[i] - loop[i - 1]));
+        highest = std::max(highest, std::abs(loop[i]));
+    }
+    CHECK(std::abs(loop.front() - loop.back()) <= largest_step);
+    CHECK(static_cast<double>(highest) <= kPeak);
+}
+
+TEST_CASE("force sound: louder and higher with every newton, silent at none, bounded") {
+    CHECK(force_gain(0.0) == 0.0);
+    CHECK(force_gain(kForceHalf_N) == Approx(0.5));
+    CHECK(force_pitch(0.0) == 1.0);
+    CHECK(force_pitch(kForceOctave_N) == Approx(2.0));
+    CHECK(force_pitch(1000.0) == Approx(4.0));
+    for (double F = 0.0; F < 10.0; F += 0.5) {
+        CHECK(force_gain(F + 0.5) > force_gain(F));
+        CHECK(force_pitch(F + 0.5) > force_pitch(F));
+        CHECK(force_gain(F) < 1.0);
+    }
+    CHECK(force_gain(-3.0) == 0.0);
+    CHECK(force_gain(std::nan("")) == 0.0);
+    CHECK(force_pitch(std::numeric_limits<double>::infinity()) == 1.0);
+}
+
+TEST_CASE("force sound: following is exact for a held target, whatever the step") {
+    const double once = follow(1.0, 5.0, 0.1);
+    double stepped = 1.0;
+    for (int i = 0; i < 10; ++i) {
+        stepped = follow(stepped, 5.0, 0.01);
+    }
+    CHECK(stepped == Approx(once).epsilon(1e-12));
+    CHECK(once == Approx(5.0 - 4.0 * std::exp(-0.1 / kForceFollow_s)));
+    CHECK(follow(1.0, 5.0, 0.0) == 1.0);
+    CHECK(follow(1.0, 5.0, -1.0) == 1.0);
+    CHECK(follow(1.0, 5.0, std::nan("")) == 1.0);
+}
