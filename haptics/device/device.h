@@ -24,6 +24,7 @@ struct DeviceTraits {
   bool renders_force = false;                ///< false for a mouse: its forces are shown and heard instead
   double max_force_N = 0.0;                  ///< the most it can give continuously; 0 when it renders none
   double max_torque_Nm = 0.0;
+  double position_resolution_m = 0.0;        ///< encoder step; 0 when it is finer than 1e-5 m or unknown
   Vector3 workspace_half_extent_D{0.1, 0.1, 0.1};  ///< metres either side of the centre
 };
 

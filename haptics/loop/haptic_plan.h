@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "haptics/coupling/coupling_settings.h"
+#include "haptics/coupling/velocity_estimator.h"
 #include "haptics/field/field_plan.h"
 #include "haptics/handover/messages.h"
 #include "haptics/math/spatial.h"
@@ -37,7 +38,8 @@ struct HapticPlan {
   Workspace workspace{};
   SafetySettings safety{};
   CouplingSettings coupling{};
-  double velocity_cutoff_hz = 80.0;  ///< of the velocity estimator
+  double velocity_cutoff_hz = 80.0;  ///< of the velocity estimator's low pass, where it has one
+  VelocityMethod velocity_method = VelocityMethod::adaptive_window;
   bool carries_weight = false;       ///< a weight stage: something can lie in the tool
   double weight_onset_s = 0.3;       ///< how softly a weight arrives and leaves
   bool lesson_force = false;         ///< a linearised Lua force

@@ -1,0 +1,238 @@
+// The step path of haptic_loop.h. What builds and describes the loop stands in
+// haptic_loop_build.cpp, so that the object made of this file can be checked for calls that a
+// real-time thread must not make.
+#include "haptics/loop/haptic_loop.h"
+
+#include "haptics/coupling/virtual_coupling.h"
+#include "haptics/loop/workspace.h"
+
+#include <algorithm>
+
+#include <cmath>
+#include <span>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kUnitTolerance =
+    1.0e-3;  // a quaternion further from length one was garbled on its way
+
+// True when `stamp_s` lies within `timeout_s` of now; NaN and the far future do not.
+bool is_fresh(double stamp_s, double now_s, double timeout_s) noexcept {
+    return std::abs(now_s - stamp_s) <= timeout_s;
+}
+
+}  // namespace
+
+void HapticLoop::step(double now_s) noexcept {
+    begin_round(now_s);
+    take_inputs();
+    read_device();
+    estimate_motion();
+    move_proxy();
+    compute_forces();
+    limit_forces();
+    write_device();
+    publish_state();
+}
+
+void HapticLoop::begin_round(double now_s) noexcept {
+    // The first round has no predecessor; it is taken to be one period long.
+    dt_s_ = started_ ? now_s - now_s_ : 1.0 / plan_.rate_hz;
+    started_ = true;
+    now_s_ = now_s;
+    state_.faults = late_faults_;
+    late_faults_ = Fault::none;
+}
+
+void HapticLoop::take_inputs() noexcept {
+    heard_lesson_ = channels_.command.take() || heard_lesson_;
+    heard_world_ = channels_.world.take() || heard_world_;
+    const ForceCommand& command = channels_.command.value();
+    const WorldFrame& world = channels_.world.value();
+    const double timeout_s = plan_.safety.command_timeout_s;
+    // Who should be speaking and is not?
+    if (plan_.expects_lesson) {
+        if (!heard_lesson_ || !is_fresh(command.stamp_s, now_s_, timeout_s)) {
+            state_.faults |= Fault::command_stale;
+        } else if (!command.lesson_alive) {
+            state_.faults |= Fault::lesson_failed;
+        }
+    }
+    if (plan_.expects_world && (!heard_world_ || !is_fresh(world.stamp_s, now_s_, timeout_s))) {
+        state_.faults |= Fault::command_stale;
+    }
+    // Has somebody asked for silence, or for its end?
+    if (channels_.lesson_failed.load(std::memory_order_acquire)) {
+        state_.faults |= Fault::lesson_failed;
+    }
+    if (channels_.emergency_stop.load(std::memory_order_acquire)) {
+        state_.faults |= Fault::emergency_stop;
+    } else if (channels_.rearm.exchange(false, std::memory_order_acq_rel)) {
+        gate_.reset();
+    }
+}
+
+void HapticLoop::read_device() noexcept {
+    DeviceReading reading{};
+    if (!device_.read(now_s_, reading)) {
+        state_.faults |= Fault::device_read;
+        return;
+    }
+    if (!is_fresh(reading.stamp_s, now_s_, plan_.safety.device_timeout_s)) {
+        state_.faults |= Fault::device_stale;
+    }
+    if (!accept(reading)) {
+        state_.faults |= Fault::device_invalid;
+    }
+}
+
+// Takes a reading over when it is a pose at all; false when it is none or an impossible jump from
+// the last one.
+bool HapticLoop::accept(const DeviceReading& reading) noexcept {
+    const double length = reading.pose_D.orientation.coeffs().norm();
+    if (!is_finite(reading.pose_D) || !(std::abs(length - 1.0) <= kUnitTolerance)) {
+        return false;
+    }
+    const double since_s = std::max(reading.stamp_s - reading_.stamp_s, 1.0 / plan_.rate_hz);
+    const double way_m = (reading.pose_D.position - reading_.pose_D.position).norm();
+    const bool jumped = has_pose_ && !(way_m <= plan_.safety.max_hand_speed_m_per_s * since_s);
+    reading_ = reading;
+    reading_.pose_D.orientation.coeffs() /= length;
+    state_.tool_pose_W = compute_world_pose(plan_.workspace, reading_.pose_D);
+    state_.buttons = reading.buttons;
+    // A new beginning has no velocity and no proxy yet.
+    if (!has_pose_ || jumped) {
+        forget_motion();
+    }
+    has_pose_ = true;
+    return !jumped;
+}
+
+void HapticLoop::estimate_motion() noexcept {
+    if (!has_pose_) {
+        return;
+    }
+    state_.tool_twist_W.linear = velocity_.step(state_.tool_pose_W.position, reading_.stamp_s);
+    state_.tool_twist_W.angular =
+        angular_velocity_.step(state_.tool_pose_W.orientation, reading_.stamp_s);
+}
+
+void HapticLoop::move_proxy() noexcept {
+    state_.proxy_position_W = state_.tool_pose_W.position;
+    state_.touched_body = kNoBody;
+    if (!touch_ || !has_pose_) {
+        return;
+    }
+    const std::size_t n_solids = touch_->initial_poses_W.size();
+    const std::span<const Pose> poses_W =
+        plan_.expects_world && heard_world_
+            ? std::span<const Pose>(channels_.world.value().solid_poses_W.data(), n_solids)
+            : std::span<const Pose>(touch_->initial_poses_W);
+    if (!std::ranges::all_of(poses_W, [](const Pose& pose) { return is_finite(pose); })) {
+        state_.faults |= Fault::command_invalid;
+        return;
+    }
+    touch_->contact = touch_->proxy->step(state_.tool_pose_W.position, poses_W);
+    state_.proxy_position_W = touch_->contact.position_W;
+    touch_->proxy_velocity.step(state_.proxy_position_W, reading_.stamp_s);
+    if (touch_->contact.solid >= 0 && static_cast<std::size_t>(touch_->contact.solid) < n_solids) {
+        state_.touched_body = touch_->bodies[static_cast<std::size_t>(touch_->contact.solid)];
+    }
+}
+
+void HapticLoop::compute_forces() noexcept {
+    Vector3 force_W = Vector3::Zero();
+    const Vector3& position_W = state_.tool_pose_W.position;
+    const Vector3& velocity_W = state_.tool_twist_W.linear;
+    const ForceCommand& command = channels_.command.value();
+    if (touch_ && state_.touched_body != kNoBody) {
+        force_W += compute_coupling_force(touch_->coupling, state_.proxy_position_W, position_W,
+                                          velocity_W - touch_->proxy_velocity.velocity());
+    }
+    if (weight_) {
+        if (!is_finite(channels_.world.value().carried_force_W)) {
+            state_.faults |= Fault::command_invalid;
+        }
+        force_W += weight_->step(channels_.world.value().carried_force_W, dt_s_);
+    }
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        force_W += fields_[i].step(command.fields[i], position_W, velocity_W, dt_s_);
+    }
+    if (lesson_force_) {
+        force_W += lesson_force_->step(command.linearised, position_W, velocity_W, now_s_);
+        if (has(lesson_force_->notes(), LinearisationNote::refused_not_finite)) {
+            state_.faults |= Fault::command_invalid;
+        }
+    }
+    state_.commanded_W = {has_pose_ ? force_W : Vector3(Vector3::Zero()), Vector3::Zero()};
+}
+
+void HapticLoop::limit_forces() noexcept {
+    const Wrench commanded_D = compute_device_wrench(plan_.workspace, state_.commanded_W);
+    applied_D_ = gate_.pass(commanded_D, state_.faults, dt_s_);
+    state_.faults |= gate_.faults();
+    state_.gate = gate_.phase();
+}
+
+void HapticLoop::write_device() noexcept {
+    // What this finds comes after the gate, and so fades the force from the next round on.
+    if (!device_.write(now_s_, applied_D_)) {
+        late_faults_ |= Fault::device_write;
+    }
+    state_.applied_W = compute_world_wrench(plan_.workspace, applied_D_);
+}
+
+void HapticLoop::publish_state() noexcept {
+    state_.time_s = now_s_;
+    channels_.state_for_world.publish(state_);
+    channels_.state_for_lesson.publish(state_);
+    if (channels_.record != nullptr) {
+        const bool kept = channels_.record->push(
+            {state_.tick, now_s_, reading_.stamp_s, reading_.pose_D, state_.tool_twist_W,
+             state_.commanded_W, state_.applied_W, state_.buttons, state_.faults, state_.gate});
+        late_faults_ |= kept ? Fault::none : Fault::record_full;
+    }
+    ++state_.tick;
+}
+
+void HapticLoop::forget_motion() noexcept {
+    velocity_.reset();
+    angular_velocity_.reset();
+    state_.tool_twist_W = Twist{};
+    if (touch_) {
+        touch_->proxy->reset(state_.tool_pose_W.position);
+        touch_->proxy_velocity.reset();
+    }
+}
+
+void HapticLoop::silence(double now_s) noexcept {
+    if (gate_.phase() != GatePhase::stopped) {
+        gate_.reset();
+    }
+    applied_D_ = Wrench{};
+    (void)device_.write(now_s, applied_D_);
+}
+
+void HapticLoop::reset() noexcept {
+    forget_motion();
+    if (weight_) {
+        weight_->reset();
+    }
+    for (FieldStage& field : fields_) {
+        field.reset();
+    }
+    if (lesson_force_) {
+        lesson_force_->reset();
+    }
+    if (gate_.phase() != GatePhase::stopped) {
+        gate_.reset();
+    }
+    started_ = heard_lesson_ = heard_world_ = has_pose_ = false;
+    late_faults_ = Fault::none;
+    reading_ = DeviceReading{};
+    applied_D_ = Wrench{};
+    state_ = HapticState{};
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,120 @@
+// The haptic loop: reads the hand, computes the scene's forces, and writes what the last gate lets
+// through.
+//
+//   take inputs -> read -> estimate -> proxy -> forces -> limits -> write -> publish
+// Only the stages of the plan are built; a stage that is not in it takes no memory and no time.
+// Everything that is stale, missing or not a number becomes a Fault bit, and any fault fades the
+// force (safety.h). Thread: `step`, `silence` and `reset` on the one haptic thread (or a virtual
+// clock); the constructor before it starts. Cost: `step` neither allocates, locks, waits, logs nor
+// throws; well under a microsecond without a proxy.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/base/periodic_task.h"
+#include "haptics/coupling/velocity_estimator.h"
+#include "haptics/device/device.h"
+#include "haptics/field/field.h"
+#include "haptics/field/linearised_force.h"
+#include "haptics/field/weight.h"
+#include "haptics/handover/channels.h"
+#include "haptics/loop/haptic_plan.h"
+#include "haptics/loop/safety.h"
+#include "haptics/point/proxy.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fulcrum {
+
+/// Refuses a plan with anything out of its range: rate, workspace, safety, estimator, weight,
+/// fields, solids.
+[[nodiscard]] Expected<void> validate(const HapticPlan& plan);
+
+/// A stage that was built, for people to read.
+struct StageInfo {
+    std::string name;  ///< as in the head of this file, forces by their kind, e.g. "forces: weight"
+    double rate_Hz = 0.0;
+    std::size_t bytes = 0;  ///< of state that this stage alone needs
+};
+
+class HapticLoop final : public PeriodicTask {
+  public:
+    /// Builds the stages of a plan that `validate` accepted; the proxy is a god-object when the
+    /// plan has solids. Device and channels must outlive the loop.
+    HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels);
+    /// The same with a proxy of the caller's choice, or none.
+    HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels,
+               std::unique_ptr<Proxy> proxy);
+    ~HapticLoop() override;
+
+    /// One round. `now_s` is the run's clock; a time that is not later than the last one counts as
+    /// a fault.
+    void step(double now_s) noexcept override;
+    /// Zero force to the device; the next round must engage again. An emergency stop stays latched.
+    void silence(double now_s) noexcept override;
+    /// Everything as after construction, the tick count too; an emergency stop stays latched.
+    void reset() noexcept;
+
+    /// What was published last.
+    [[nodiscard]] const HapticState& state() const noexcept { return state_; }
+    /// The stages that exist, in the order of the step.
+    [[nodiscard]] std::vector<StageInfo> stages() const;
+
+  private:
+    // What happens between proxy and hand; there when the plan has solids.
+    struct TouchStage {
+        std::unique_ptr<Proxy> proxy;
+        CouplingSettings coupling{};
+        VelocityEstimator proxy_velocity;  // like the hand's, so that both lag alike
+        std::vector<Pose> initial_poses_W;
+        std::vector<std::int32_t> bodies;  // index of the scene of each solid
+        ProxyContact contact{};
+    };
+
+    void begin_round(double now_s) noexcept;
+    void take_inputs() noexcept;
+    void read_device() noexcept;
+    void estimate_motion() noexcept;
+    void move_proxy() noexcept;
+    void compute_forces() noexcept;
+    void limit_forces() noexcept;
+    void write_device() noexcept;
+    void publish_state() noexcept;
+
+    [[nodiscard]] bool accept(const DeviceReading& reading) noexcept;
+    void forget_motion() noexcept;
+
+    // Fixed by the plan.
+    HapticPlan plan_;
+    Device& device_;
+    HapticChannels& channels_;
+
+    // Stages; those not in the plan are empty.
+    VelocityEstimator velocity_;
+    AngularVelocityEstimator angular_velocity_;
+    std::unique_ptr<TouchStage> touch_;
+    std::unique_ptr<WeightRamp> weight_;
+    std::vector<FieldStage> fields_;
+    std::unique_ptr<LinearisedForceStage> lesson_force_;
+    SafetyGate gate_;
+
+    // Begin: time of this round.
+    double now_s_ = 0.0;
+    double dt_s_ = 0.0;
+    bool started_ = false;
+    // Take inputs: what was heard last.
+    bool heard_lesson_ = false;
+    bool heard_world_ = false;
+    Fault late_faults_ = Fault::none;  // found after the gate of the last round
+    // Read: the newest good pose.
+    DeviceReading reading_{};
+    bool has_pose_ = false;
+    // Forces, limits.
+    Wrench applied_D_{};
+    HapticState state_{};
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,174 @@
+// The load path of haptic_loop.h: checks a plan, builds its stages, describes them.
+#include "haptics/coupling/virtual_coupling.h"
+#include "haptics/loop/haptic_loop.h"
+#if __has_include("haptics/point/god_object.h")
+#include "haptics/point/god_object.h"
+#endif
+
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kFineResolution_m = 1.0e-5;  // of a device that names none
+
+VelocitySettings choose_velocity_settings(const HapticPlan& plan, const DeviceTraits& traits) {
+    VelocitySettings settings;
+    settings.method = plan.velocity_method;
+    settings.cutoff_Hz = plan.velocity_cutoff_hz;
+    const double resolution_m =
+        traits.position_resolution_m > 0.0 ? traits.position_resolution_m : kFineResolution_m;
+    settings.noise_bound_m = resolution_m * plan.workspace.scale;
+    return settings;
+}
+
+// The scene's limits, and no more than the device can give.
+SafetySettings choose_safety_settings(const HapticPlan& plan, const DeviceTraits& traits) {
+    SafetySettings settings = plan.safety;
+    if (traits.renders_force) {
+        settings.max_force_N = std::min(settings.max_force_N, traits.max_force_N);
+        settings.max_torque_Nm = std::min(settings.max_torque_Nm, traits.max_torque_Nm);
+    }
+    return settings;
+}
+
+Expected<void> check_range(const char* what, double value, double low, double high) {
+    if (value >= low && value <= high) {
+        return {};
+    }
+    std::ostringstream message;
+    message << "the haptic plan's " << what << " is " << value << ", outside the range " << low
+            << " to " << high;
+    return fail(message.str(), {}, "set it within that range");
+}
+
+// A plan without anything solid has no proxy.
+std::unique_ptr<Proxy> make_proxy(const HapticPlan& plan) {
+    if (plan.solids.empty()) {
+        return nullptr;
+    }
+#if __has_include("haptics/point/god_object.h")
+    return std::make_unique<GodObject>(plan.solids);
+#else
+    return nullptr;
+#endif
+}
+
+const char* name_of(FieldKind kind) {
+    switch (kind) {
+        case FieldKind::spring:
+            return "forces: spring";
+        case FieldKind::viscosity:
+            return "forces: viscosity";
+        case FieldKind::magnet:
+            return "forces: magnet";
+    }
+    return "forces: unknown";
+}
+
+}  // namespace
+
+Expected<void> validate(const HapticPlan& plan) {
+    const Expected<void> checks[] = {
+        check_range("rate in hertz", plan.rate_hz, 1000.0, 4000.0),
+        check_range("workspace scale", plan.workspace.scale, 0.01, 100.0),
+        check_range("onset of a weight in seconds", plan.weight_onset_s, 0.02, 5.0),
+        check_range("number of touchable bodies", static_cast<double>(plan.solids.size()), 0.0,
+                    kMaxSolids),
+        check_range("number of force fields", static_cast<double>(plan.fields.size()), 0.0,
+                    kMaxFields),
+        validate(plan.safety),
+        validate(plan.coupling),
+        validate(
+            VelocitySettings{plan.velocity_method, plan.velocity_cutoff_hz, kFineResolution_m}),
+    };
+    for (const Expected<void>& check : checks) {
+        if (!check) {
+            return check;
+        }
+    }
+    for (const FieldPlan& field : plan.fields) {
+        if (const Expected<void> check = validate(field); !check) {
+            return check;
+        }
+    }
+    const Quaternion& turn = plan.workspace.pose_WD.orientation;
+    if (!is_finite(plan.workspace.pose_WD) || std::abs(turn.coeffs().norm() - 1.0) > 1e-9) {
+        return fail("the workspace's pose is not a position and a unit quaternion", {},
+                    "give it a finite position and a normalised orientation");
+    }
+    return {};
+}
+
+HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels)
+    : HapticLoop(plan, device, channels, make_proxy(plan)) {}
+
+HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels,
+                       std::unique_ptr<Proxy> proxy)
+    : plan_(plan),
+      device_(device),
+      channels_(channels),
+      velocity_(choose_velocity_settings(plan, device.traits())),
+      angular_velocity_(plan.velocity_cutoff_hz),
+      gate_(choose_safety_settings(plan, device.traits())) {
+    if (proxy) {
+        touch_ = std::make_unique<TouchStage>(
+            TouchStage{std::move(proxy),
+                       plan.coupling,
+                       VelocityEstimator(choose_velocity_settings(plan, device.traits())),
+                       {},
+                       {},
+                       {}});
+        for (const SolidPlan& solid : plan.solids) {
+            touch_->initial_poses_W.push_back(solid.initial_pose_W);
+            touch_->bodies.push_back(solid.body);
+        }
+    }
+    if (plan.carries_weight) {
+        weight_ = std::make_unique<WeightRamp>(plan.weight_onset_s);
+    }
+    fields_.reserve(plan.fields.size());
+    for (const FieldPlan& field : plan.fields) {
+        fields_.emplace_back(field);
+    }
+    if (plan.lesson_force) {
+        lesson_force_ = std::make_unique<LinearisedForceStage>(plan.safety.command_timeout_s);
+    }
+}
+
+HapticLoop::~HapticLoop() = default;
+
+std::vector<StageInfo> HapticLoop::stages() const {
+    std::vector<StageInfo> list;
+    const auto add = [&](std::string name, std::size_t bytes) {
+        list.push_back({std::move(name), plan_.rate_hz, bytes});
+    };
+    add("take inputs", sizeof(channels_.command) + sizeof(channels_.world));
+    add("read", sizeof(reading_));
+    add("estimate", sizeof(velocity_) + sizeof(angular_velocity_));
+    if (touch_) {
+        add("proxy", sizeof(TouchStage) + touch_->initial_poses_W.capacity() * sizeof(Pose) +
+                         touch_->bodies.capacity() * sizeof(std::int32_t));
+    }
+    if (weight_) {
+        add("forces: weight", sizeof(WeightRamp));
+    }
+    for (const FieldPlan& field : plan_.fields) {
+        add(name_of(field.kind), sizeof(FieldStage));
+    }
+    if (lesson_force_) {
+        add("forces: lesson", sizeof(LinearisedForceStage));
+    }
+    add("limits", sizeof(gate_));
+    add("write", sizeof(applied_D_));
+    add("publish",
+        sizeof(state_) + sizeof(channels_.state_for_world) + sizeof(channels_.state_for_lesson));
+    if (channels_.record != nullptr) {
+        add("record", sizeof(RecordRing));
+    }
+    return list;
+}
+
+}  // namespace fulcrum
