@@ -1,0 +1,165 @@
+#include "runtime/progress/report.h"
+
+#include <algorithm>
+
+#include <cctype>
+#include <map>
+#include <unordered_map>
+
+namespace fulcrum::runtime {
+namespace {
+
+bool is_right(const AttemptRecord& attempt) noexcept {
+    return attempt.understood && attempt.meaning_right;
+}
+
+// One question's attempts, taken in the order of their writing.
+class QuestionTally {
+  public:
+    void add(const AttemptRecord& attempt) {
+        const bool right = is_right(attempt);
+        // A new session, or a number that does not go on counting: the question was put anew.
+        if (attempt.session != session_ || attempt.attempt <= number_) {
+            close_asking();
+            ++report_.asked;
+            report_.right_first_time += right ? 1 : 0;
+        }
+        session_ = attempt.session;
+        number_ = attempt.attempt;
+        last_right_ = right;
+
+        ++report_.attempts;
+        report_.not_understood += attempt.understood ? 0 : 1;
+        report_.form_wrong += attempt.understood && !attempt.form_right ? 1 : 0;
+        wrong_run_ = right ? 0 : wrong_run_ + 1;
+        report_.wrong_in_a_row = std::max(report_.wrong_in_a_row, wrong_run_);
+        for (const ErrorRecord& error : attempt.errors) {
+            FormErrorReport& kind = errors_[error.code];
+            kind = {error.code, kind.count + 1, error.span, error.correction};
+        }
+    }
+
+    [[nodiscard]] QuestionReport finish(const std::string& question) {
+        close_asking();
+        report_.question = question;
+        if (report_.wrong_in_a_row >= kStuckAfter) {
+            report_.stuck = wrong_run_ >= kStuckAfter ? Stuck::now : Stuck::before;
+        }
+        for (auto& [code, kind] : errors_) {
+            report_.form_errors.push_back(std::move(kind));
+        }
+        std::stable_sort(report_.form_errors.begin(), report_.form_errors.end(),
+                         [](const auto& a, const auto& b) { return a.count > b.count; });
+        return std::move(report_);
+    }
+
+  private:
+    void close_asking() {
+        report_.right_in_the_end += last_right_ ? 1 : 0;
+        last_right_ = false;
+    }
+
+    QuestionReport report_;
+    std::map<std::string, FormErrorReport>
+        errors_;  // by code, so that equal counts come in a fixed order
+    RecordId session_;
+    std::int32_t number_ = 0;
+    std::int64_t wrong_run_ = 0;
+    bool last_right_ = false;
+};
+
+// Things by name in the order of their first appearance.
+template <class Value>
+class InOrder {
+  public:
+    Value& operator[](const std::string& name) {
+        const auto [place, is_new] = places_.try_emplace(name, values_.size());
+        if (is_new) {
+            values_.emplace_back(name, Value{});
+        }
+        return values_[place->second].second;
+    }
+    [[nodiscard]] auto begin() { return values_.begin(); }
+    [[nodiscard]] auto end() { return values_.end(); }
+
+  private:
+    std::unordered_map<std::string, std::size_t> places_;
+    std::vector<std::pair<std::string, Value>> values_;
+};
+
+struct LessonTally {
+    LessonReport report;
+    InOrder<QuestionTally> questions;
+};
+using LearnerTally = InOrder<LessonTally>;
+
+void add_end(LessonReport& report, const SessionEnd& end) {
+    report.finished += end.reason == EndReason::finished ? 1 : 0;
+    report.best_stars = std::max(report.best_stars.value_or(end.stars), end.stars);
+    report.best_score = std::max(report.best_score.value_or(end.score), end.score);
+}
+
+std::unordered_map<LearnerId, LearnerTally> tally(const ProgressData& data) {
+    std::unordered_map<LearnerId, LearnerTally> learners;
+    std::unordered_map<RecordId, const SessionRecord*> sessions;
+    for (const SessionRecord& session : data.sessions) {
+        sessions[session.id] = &session;
+        LessonReport& report = learners[session.learner][session.lesson].report;
+        ++report.played;
+        report.last_played_utc_ms = std::max(report.last_played_utc_ms, session.started_utc_ms);
+    }
+    const auto lesson_of = [&](const RecordId& session) -> LessonTally* {
+        const auto found = sessions.find(session);
+        return found == sessions.end() ? nullptr
+                                       : &learners[found->second->learner][found->second->lesson];
+    };
+    for (const SessionEnd& end : data.ends) {
+        if (LessonTally* lesson = lesson_of(end.session)) {
+            add_end(lesson->report, end);
+        }
+    }
+    for (const AttemptRecord& attempt : data.attempts) {
+        if (LessonTally* lesson = lesson_of(attempt.session)) {
+            lesson->questions[attempt.question].add(attempt);
+        }
+    }
+    return learners;
+}
+
+std::string lower_ascii(std::string text) {
+    for (char& c : text) {
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return text;
+}
+
+}  // namespace
+
+Report compute_report(const ProgressData& data, const ProgressFilter& filter) {
+    auto tallies = tally(data);
+    Report report{filter, {}};
+    for (const Learner& learner : data.learners) {
+        LearnerReport of_learner{learner, {}};
+        for (auto& [lesson, lesson_tally] : tallies[learner.id]) {
+            LessonReport of_lesson = std::move(lesson_tally.report);
+            of_lesson.lesson = lesson;
+            for (auto& [question, question_tally] : lesson_tally.questions) {
+                of_lesson.questions.push_back(question_tally.finish(question));
+            }
+            of_learner.lessons.push_back(std::move(of_lesson));
+        }
+        report.learners.push_back(std::move(of_learner));
+    }
+    std::sort(report.learners.begin(), report.learners.end(), [](const auto& a, const auto& b) {
+        return std::pair(lower_ascii(a.learner.nickname), a.learner.id) <
+               std::pair(lower_ascii(b.learner.nickname), b.learner.id);
+    });
+    return report;
+}
+
+Expected<Report> make_report(ProgressStore& store, const ProgressFilter& filter) {
+    return store.read(filter).map(
+        [&](const ProgressData& data) { return compute_report(data, filter); });
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,95 @@
+// What a teacher wants to know of the learners' progress: who played what, what went well, who is
+// stuck. One struct, computed once; the text and the CSV are written from it, so that they show the
+// same numbers.
+//
+//   asked             times the question was put (a new session, or attempt numbers that begin
+//   again) right             the meaning was right; a wrong form is counted apart right_first_time
+//   of `asked`, those whose first attempt was right;   right_in_the_end: whose last attempt was
+//   wrong_in_a_row    longest run of attempts that were not right, over all sessions, in the order
+//   of their writing stuck             wrong_in_a_row ≥ 3: `now` while the last three attempts are
+//   not right, else `before`
+//
+// Thread: any. Cost: in proportion to the attempts.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "runtime/progress/store.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// So many attempts in a row that are not right make a learner stuck on a question.
+inline constexpr std::int64_t kStuckAfter = 3;
+
+enum class Stuck : std::uint8_t { no, before, now };
+
+/// One kind of error of form in the answers to one question.
+struct FormErrorReport {
+    std::string code;        ///< e.g. "R:ADJ:FORM"
+    std::int64_t count = 0;  ///< how often it was found
+    std::string span;        ///< the newest example, the learner's words
+    std::string correction;  ///< what belongs there
+};
+
+struct QuestionReport {
+    std::string question;
+    std::int64_t asked = 0;
+    std::int64_t attempts = 0;
+    std::int64_t right_first_time = 0;
+    std::int64_t right_in_the_end = 0;
+    std::int64_t not_understood = 0;  ///< attempts that no template fitted; they are not right
+    std::int64_t form_wrong = 0;      ///< attempts that were understood and had an error of form
+    std::int64_t wrong_in_a_row = 0;
+    Stuck stuck = Stuck::no;
+    std::vector<FormErrorReport> form_errors;  ///< the most frequent first
+};
+
+struct LessonReport {
+    std::string lesson;
+    std::int64_t played = 0;                 ///< sessions begun
+    std::int64_t finished = 0;               ///< sessions that came to their end
+    std::int64_t last_played_utc_ms = 0;     ///< beginning of the newest session
+    std::optional<std::int32_t> best_stars;  ///< of all ends; none when no session has an end
+    std::optional<std::int32_t> best_score;
+    std::vector<QuestionReport> questions;  ///< in the order in which they were first answered
+};
+
+struct LearnerReport {
+    Learner learner;
+    std::vector<LessonReport>
+        lessons;  ///< in the order in which they were first played; empty: has not played
+};
+
+struct Report {
+    ProgressFilter filter;
+    std::vector<LearnerReport> learners;  ///< by nickname
+};
+
+/// How times are shown and files begin.
+struct ReportStyle {
+    bool utc =
+        false;  ///< times in UTC; otherwise in the computer's time zone. Both say their offset
+    bool byte_order_mark =
+        false;  ///< begin the CSV with one: spreadsheets then read Korean names rightly
+};
+
+/// Pure: the same data give the same report.
+[[nodiscard]] Report compute_report(const ProgressData& data, const ProgressFilter& filter = {});
+
+/// Reads what the filter matches and computes the report.
+[[nodiscard]] Expected<Report> make_report(ProgressStore& store, const ProgressFilter& filter = {});
+
+/// For a terminal or paper, 80 columns; an empty report is one friendly sentence. Ends with a
+/// newline.
+[[nodiscard]] std::string to_text(const Report& report, const ReportStyle& style = {});
+
+/// RFC 4180: a header, then a row for each learner, lesson and question (fewer cells filled when
+/// there is no lesson or question yet). Cells that a spreadsheet would take for a formula begin
+/// with an apostrophe.
+[[nodiscard]] std::string to_csv(const Report& report, const ReportStyle& style = {});
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,23 @@
+// How a report's values are written, in one place for the text and the CSV.
+#pragma once
+
+#include "runtime/progress/report.h"
+
+#include <cstdint>
+#include <string>
+
+namespace fulcrum::runtime {
+
+/// "2026-03-02 10:15 +0900", in the computer's time zone or in UTC.
+[[nodiscard]] std::string time_cell(std::int64_t utc_ms, const ReportStyle& style);
+
+/// "no", "before", "now".
+[[nodiscard]] const char* stuck_cell(Stuck stuck) noexcept;
+
+/// `R:ADJ:FORM 2`: a code and how often.
+[[nodiscard]] std::string error_cell(const FormErrorReport& error);
+
+/// `"most heavy" -> "the heaviest"`; a missing word is `"" -> "the"`.
+[[nodiscard]] std::string example_cell(const FormErrorReport& error);
+
+}  // namespace fulcrum::runtime
