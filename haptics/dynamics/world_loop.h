@@ -1,0 +1,51 @@
+// The world's round: takes commands and the hand, steps the world, publishes what came of it.
+//
+// Thread: `step` on the one world thread (or a virtual clock). Cost: that of World::step, and one
+// copy of the snapshot.
+#pragma once
+
+#include "haptics/base/periodic_task.h"
+#include "haptics/dynamics/world.h"
+#include "haptics/handover/channels.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace fulcrum {
+
+class WorldLoop final : public PeriodicTask {
+  public:
+    /// Builds the world of `plan`, which `validate` accepted. `solid_bodies` are the scene's
+    /// indices of the haptic plan's solids, in its order. The channels must outlive the loop.
+    WorldLoop(const WorldPlan& plan, std::vector<std::int32_t> solid_bodies,
+              WorldChannels& channels, HapticChannels& haptics);
+    ~WorldLoop() override;
+
+    /// One round at `now_s` of the run's clock. The world moves by the time since the last round,
+    /// at most kLongestWorldStep_s.
+    void step(double now_s) noexcept override;
+    /// Nothing is carried any more: the haptic loop is told so.
+    void silence(double now_s) noexcept override;
+    /// All bodies hidden, as at the start.
+    void reset() noexcept;
+
+    /// The world itself, for the world's own thread.
+    [[nodiscard]] const World& world() const noexcept { return world_; }
+
+  private:
+    void take_commands() noexcept;
+    void publish(double now_s) noexcept;
+
+    World world_;
+    double period_s_;
+    std::vector<std::int32_t> solid_bodies_;
+    WorldChannels& channels_;
+    HapticChannels& haptics_;
+    bool started_ = false;
+    double now_s_ = 0.0;
+};
+
+/// After a longer pause the world goes on from where it was instead of leaping.
+inline constexpr double kLongestWorldStep_s = 0.05;
+
+}  // namespace fulcrum
