@@ -1,5 +1,9 @@
 #include "runtime/progress/sqlite/database.h"
 
+#include "runtime/progress/text_rules.h"
+
+#include <algorithm>
+
 namespace fulcrum::runtime::sqlite {
 namespace {
 
@@ -18,6 +22,12 @@ std::string uri_for(const std::string& path, const char* parameters) {
     return *parameters == '\0' ? uri : uri + '?' + parameters;
 }
 
+// sqlite's text may quote a damaged file's bytes, over many lines.
+std::string one_line(const std::string& text) {
+    constexpr std::size_t kLongest = 120;
+    return kept_text(text.substr(0, std::min(text.find('\n'), kLongest)));
+}
+
 }  // namespace
 
 bool is_damage(int code) noexcept {
@@ -25,7 +35,8 @@ bool is_damage(int code) noexcept {
     return primary == SQLITE_CORRUPT || primary == SQLITE_NOTADB;
 }
 
-Error error_for(int code, const std::string& path, const std::string& detail) {
+Error error_for(int code, const std::string& path, const std::string& text) {
+    const std::string detail = one_line(text);
     constexpr const char* kElsewhere = "choose another file with --db or move this one away";
     switch (code & 0xFF) {
         case SQLITE_NOTADB:

@@ -30,8 +30,9 @@ class Refused final : public std::exception {
     int code_;
 };
 
-/// The sentence for one of sqlite's result codes; `detail` is sqlite's own text for it.
-[[nodiscard]] Error error_for(int code, const std::string& path, const std::string& detail);
+/// The sentence for one of sqlite's result codes; `text` is sqlite's own, of which one line is
+/// taken.
+[[nodiscard]] Error error_for(int code, const std::string& path, const std::string& text);
 
 /// True when the code says that the file is no sound database.
 [[nodiscard]] bool is_damage(int code) noexcept;

@@ -48,8 +48,10 @@ void check_pages(Database& database) {
     Statement check(database, "PRAGMA quick_check(1)");
     const std::string verdict = check.step() ? check.text() : "no answer";
     if (verdict != "ok") {
-        // Only the first line, so that the sentence stays one.
-        const std::string first = verdict.substr(0, verdict.find('\n'));
+        // sqlite's headline "*** in database main ***" says nothing, and more lines would be no
+        // sentence.
+        const std::size_t headline = verdict.rfind("***", 0) == 0 ? verdict.find('\n') + 1 : 0;
+        const std::string first = verdict.substr(headline, verdict.find('\n', headline) - headline);
         throw Refused(error_for(SQLITE_CORRUPT, database.path(), first), SQLITE_CORRUPT);
     }
 }

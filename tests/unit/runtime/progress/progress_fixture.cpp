@@ -65,6 +65,11 @@ std::string error_text(const Expected<void>& result) {
     return result ? "" : to_sentence(result.error());
 }
 
+bool is_sentence_about(const std::string& text, const std::string& place) {
+    return text.find(place) != std::string::npos && text.find('\n') == std::string::npos &&
+           text.back() == '.';
+}
+
 namespace {
 
 int first_cell(void* into, int columns, char** values, char** /*names*/) {

@@ -39,6 +39,9 @@ struct Classroom {
 /// The error as its sentence; "" when there is none.
 [[nodiscard]] std::string error_text(const Expected<void>& result);
 
+/// True for one sentence that names the place: it ends in a full stop and has one line.
+[[nodiscard]] bool is_sentence_about(const std::string& text, const std::string& place);
+
 /// Runs SQL on a connection of its own; sqlite's message, "" when it went well.
 std::string run_sql(const std::string& path, const std::string& sql);
 
