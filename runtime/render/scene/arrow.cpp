@@ -1,0 +1,46 @@
+#include "runtime/render/scene/arrow.h"
+
+#include <algorithm>
+
+namespace fulcrum::runtime {
+
+namespace {
+// As parts of the camera's distance.
+constexpr double kShaftRadius = 0.0105;
+constexpr double kHeadRadius = 0.027;
+constexpr double kHeadLength = 0.050;
+}  // namespace
+
+std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera) {
+    if (!force.visible || !force.at_W.allFinite() || !force.force_W.allFinite()) {
+        return std::nullopt;
+    }
+    const double newtons = force.force_W.stableNorm();
+    if (!(newtons >= kLeastForce_N)) {
+        return std::nullopt;
+    }
+    const double distance_m = camera.distance_m();
+    const double head_m = kHeadLength * distance_m;
+    const double length_m =
+        std::clamp(kLengthPerNewton * newtons, 1.25 * kHeadLength, kLongestArrow) * distance_m;
+    const Vector3 way = force.force_W.stableNormalized();
+    const Quaternion turn(Eigen::Quaterniond::FromTwoVectors(Vector3::UnitY(), way));
+
+    Arrow arrow;
+    const double shaft_m = length_m - 0.9 * head_m;
+    const auto shaft =
+        place({force.at_W, turn}, {kShaftRadius * distance_m, shaft_m, kShaftRadius * distance_m});
+    const auto head = place({force.at_W + (length_m - head_m) * way, turn},
+                            {kHeadRadius * distance_m, head_m, kHeadRadius * distance_m});
+    if (!shaft || !head) {
+        return std::nullopt;
+    }
+    arrow.shaft = *shaft;
+    arrow.head = *head;
+    arrow.tail_W = force.at_W;
+    arrow.tip_W = force.at_W + length_m * way;
+    arrow.radius_m = kHeadRadius * distance_m;
+    return arrow;
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,36 @@
+// A force as an arrow: its tail where the force acts, its length in step with its newtons.
+//
+//   length = kLengthPerNewton F D, D the camera's distance to its target, so that an arrow looks
+//   alike in a lesson about fruit and in one about planets; never shorter than its head.
+//
+// Thread: any; values. Cost: a few dozen multiplications.
+#pragma once
+
+#include "runtime/render/camera.h"
+#include "runtime/render/scene/placement.h"
+#include "runtime/scene/view.h"
+
+#include <optional>
+
+namespace fulcrum::runtime {
+
+/// Arrow length for 1 N seen from 1 m.
+inline constexpr double kLengthPerNewton = 0.055;
+/// The longest arrow, as a part of the camera's distance: about 6 N.
+inline constexpr double kLongestArrow = 0.33;
+/// Below this no arrow is drawn: the hand does not feel it.
+inline constexpr double kLeastForce_N = 0.05;
+
+/// The two parts of an arrow, to be drawn with make_arrow_shaft and make_arrow_head.
+struct Arrow {
+    Placement shaft;
+    Placement head;
+    Vector3 tail_W{Vector3::Zero()};
+    Vector3 tip_W{Vector3::Zero()};
+    double radius_m = 0.0;  ///< of the head
+};
+
+/// The arrow of a force. Nothing when it is not visible, too small, or not finite.
+[[nodiscard]] std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera);
+
+}  // namespace fulcrum::runtime

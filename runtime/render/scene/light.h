@@ -1,0 +1,25 @@
+// The one lamp: a warm key light from high above, and the window its shadows are seen through.
+//
+// Thread: any; values. Cost: a few dozen multiplications.
+#pragma once
+
+#include "runtime/render/camera.h"
+
+#include <Eigen/Core>
+
+namespace fulcrum::runtime {
+
+/// A light from infinitely far away, and the square on the floor that its shadow map covers.
+struct Light {
+    Eigen::Vector3f to_light{Eigen::Vector3f::UnitY()};              ///< unit length, world
+    Eigen::Matrix4f clip_from_world{Eigen::Matrix4f::Identity()};    ///< for drawing the map
+    Eigen::Matrix4f shadow_from_world{Eigen::Matrix4f::Identity()};  ///< 0 to 1 in x y z
+    Eigen::Vector3f centre_W{Eigen::Vector3f::Zero()};               ///< on the floor
+    float reach_m = 1.0F;  ///< the floor within this of the centre is covered
+    float texel_m = 0.0F;  ///< side of a shadow map texel
+};
+
+/// The light for what a camera looks at, over a floor at a height.
+[[nodiscard]] Light light_for(const Camera& camera, double ground_height_m, int shadow_map_size);
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,138 @@
+#include "runtime/render/scene/object_pass.h"
+
+#include "runtime/render/scene/scene_shaders.h"
+
+#include <array>
+#include <string>
+
+namespace fulcrum::runtime {
+
+namespace {
+
+constexpr float kShadowOffsetTexels = 1.5F;  // along the normal, against a surface shading itself
+
+void set_model(const gl::Program& program, const Placement& placement) {
+    program.set("u_world_from_model", placement.world_from_model);
+    program.set("u_normal_from_model", placement.normal_from_model);
+}
+
+void draw_parts(const gl::Mesh& mesh) {
+    for (const gl::MeshPart& part : mesh.parts) {
+        gl::draw(part);
+    }
+}
+
+}  // namespace
+
+Expected<ObjectPass> ObjectPass::create() {
+    ObjectPass pass;
+    const std::string lit_fragment = std::string(shaders::kLighting) + shaders::kObjectFragment;
+    auto lit = gl::Program::build("object", "", shaders::kObjectVertex, lit_fragment);
+    auto outline =
+        gl::Program::build("outline", "", shaders::kOutlineVertex, shaders::kFlatFragment);
+    auto ghost = gl::Program::build("ghost", "", shaders::kObjectVertex, shaders::kGhostFragment);
+    for (const auto* program : {&lit, &outline, &ghost}) {
+        if (!*program) {
+            return tl::make_unexpected(program->error());
+        }
+    }
+    pass.lit_ = std::move(*lit);
+    pass.outline_ = std::move(*outline);
+    pass.ghost_ = std::move(*ghost);
+
+    // What has no picture is white.
+    pass.white_ = gl::Texture::make();
+    glBindTexture(GL_TEXTURE_2D, pass.white_.name());
+    const std::array<std::uint8_t, 4> white{255, 255, 255, 255};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    return pass;
+}
+
+void ObjectPass::begin(const SceneFrame& frame, const ShadowPass& shadows) const {
+    shadows.bind_map(1);
+    lit_.use();
+    lit_.set("u_clip_from_world", frame.clip_from_world);
+    lit_.set("u_shadow_from_world", frame.light.shadow_from_world);
+    lit_.set("u_shadow_offset_m", kShadowOffsetTexels * frame.light.texel_m);
+    lit_.set("u_shadow_texel", 1.0F / static_cast<float>(shadows.size()));
+    lit_.set("u_shadow_map", 1);
+    lit_.set("u_picture", 0);
+    lit_.set("u_to_light", frame.light.to_light);
+    lit_.set("u_eye", frame.eye_W);
+    outline_.use();
+    outline_.set("u_clip_from_world", frame.clip_from_world);
+    outline_.set("u_pixel", Eigen::Vector2f(2.0F / static_cast<float>(frame.width_px),
+                                            2.0F / static_cast<float>(frame.height_px)));
+    ghost_.use();
+    ghost_.set("u_clip_from_world", frame.clip_from_world);
+    ghost_.set("u_eye", frame.eye_W);
+}
+
+void ObjectPass::draw_lit(const gl::Mesh& mesh, const Placement& placement) const {
+    lit_.use();
+    set_model(lit_, placement);
+    glActiveTexture(GL_TEXTURE0);
+    for (const gl::MeshPart& part : mesh.parts) {
+        const GLuint picture = part.texture >= 0
+                                   ? mesh.textures[static_cast<std::size_t>(part.texture)].name()
+                                   : white_.name();
+        glBindTexture(GL_TEXTURE_2D, picture);
+        const auto& c = part.base_colour;
+        lit_.set("u_base_colour", Eigen::Vector4f(c[0], c[1], c[2], c[3]));
+        lit_.set("u_roughness", part.roughness);
+        gl::draw(part);
+    }
+}
+
+void ObjectPass::draw_stencil(const gl::Mesh& mesh, const Placement& placement) const {
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 1, 0xFF);
+    glStencilOp(GL_KEEP, GL_REPLACE, GL_REPLACE);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    outline_.use();
+    set_model(outline_, placement);
+    outline_.set("u_width_px", 0.0F);
+    draw_parts(mesh);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_STENCIL_TEST);
+}
+
+void ObjectPass::draw_outline(const gl::Mesh& mesh, const Placement& placement,
+                              const Colour& colour, float width_px) const {
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_NOTEQUAL, 1, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    outline_.use();
+    set_model(outline_, placement);
+    outline_.set("u_width_px", width_px);
+    outline_.set("u_flat", Eigen::Vector4f(to_linear(colour.r), to_linear(colour.g),
+                                           to_linear(colour.b), colour.a));
+    draw_parts(mesh);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_STENCIL_TEST);
+}
+
+void ObjectPass::draw_ghost(const gl::Mesh& mesh, const Placement& placement,
+                            const Colour& colour) const {
+    ghost_.use();
+    set_model(ghost_, placement);
+    ghost_.set("u_flat", Eigen::Vector4f(to_linear(colour.r), to_linear(colour.g),
+                                         to_linear(colour.b), colour.a));
+    // First only the nearest depths, then colour where the depth is that one.
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_parts(mesh);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthFunc(GL_EQUAL);
+    glEnable(GL_BLEND);
+    draw_parts(mesh);
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LESS);
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,52 @@
+// Draws models: lit, outlined, or as ghosts.
+//
+// Thread: the one that holds the context. Cost: one pass over the triangles; an outline or a ghost
+// takes another.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "runtime/render/camera.h"
+#include "runtime/render/colour.h"
+#include "runtime/render/gl/mesh.h"
+#include "runtime/render/gl/program.h"
+#include "runtime/render/scene/light.h"
+#include "runtime/render/scene/placement.h"
+#include "runtime/render/scene/shadow_pass.h"
+
+namespace fulcrum::runtime {
+
+/// What every model in a frame is drawn with.
+struct SceneFrame {
+    Eigen::Matrix4f clip_from_world{Eigen::Matrix4f::Identity()};
+    Eigen::Vector3f eye_W{Eigen::Vector3f::Zero()};
+    Light light;
+    int width_px = 1;
+    int height_px = 1;
+};
+
+/// Draws models into the current framebuffer, which has depth and stencil.
+class ObjectPass {
+  public:
+    [[nodiscard]] static Expected<ObjectPass> create();
+
+    /// Sets up all programs for a frame; the shadow map stays on texture unit 1.
+    void begin(const SceneFrame& frame, const ShadowPass& shadows) const;
+
+    /// A lit model.
+    void draw_lit(const gl::Mesh& mesh, const Placement& placement) const;
+    /// Marks a model's pixels, so that an outline can go around them: before `draw_outline`.
+    void draw_stencil(const gl::Mesh& mesh, const Placement& placement) const;
+    /// A line around what was marked.
+    void draw_outline(const gl::Mesh& mesh, const Placement& placement, const Colour& colour,
+                      float width_px) const;
+    /// A see-through model: one layer, however often it folds over itself.
+    void draw_ghost(const gl::Mesh& mesh, const Placement& placement, const Colour& colour) const;
+
+  private:
+    gl::Program lit_;
+    gl::Program outline_;
+    gl::Program ghost_;
+    gl::Texture white_;
+};
+
+}  // namespace fulcrum::runtime

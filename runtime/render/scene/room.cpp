@@ -1,0 +1,216 @@
+#include "runtime/render/scene/room.h"
+
+#include "runtime/render/scene/scene_shaders.h"
+#include "runtime/render/theme.h"
+
+#include <algorithm>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace fulcrum::runtime {
+
+namespace {
+
+constexpr int kAround = 96;  // corners of the floor's circle
+constexpr std::size_t kNearCorners = 3UL * kAround;
+constexpr std::size_t kFarCorners = 6UL * kAround;
+constexpr float kFarFloor = 60.0F;   // radius of the floor, in reaches of the light
+constexpr float kFade = 9.0F;        // where floor has become wall, in reaches
+constexpr float kRugRadius = 0.62F;  // in reaches
+constexpr int kWallStrips = 24;
+constexpr std::size_t kFloatsPerMark = 9;  // position, place, look
+constexpr std::size_t kMostMarks = 256;
+constexpr float kMarkSize = 1.5F;     // half side of a mark's square, in radii
+constexpr double kMarkLift = 0.0015;  // above the floor, in camera distances
+
+/// Sets `count` floats a corner for each attribute in turn.
+void describe(std::initializer_list<int> counts) {
+    int stride = 0;
+    for (const int count : counts) {
+        stride += count;
+    }
+    std::size_t offset = 0;
+    GLuint index = 0;
+    for (const int count : counts) {
+        glEnableVertexAttribArray(index);
+        glVertexAttribPointer(index, count, GL_FLOAT, GL_FALSE,
+                              stride * static_cast<GLsizei>(sizeof(float)),
+                              reinterpret_cast<const void*>(offset));
+        offset += static_cast<std::size_t>(count) * sizeof(float);
+        ++index;
+    }
+}
+
+void fill(const gl::VertexArray& array, const gl::Buffer& buffer, const std::vector<float>& data,
+          GLenum usage) {
+    glBindVertexArray(array.name());
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(float)), data.data(),
+                 usage);
+}
+
+/// A disc of radius 1, then a ring from 1 to kFarFloor.
+std::vector<float> floor_corners() {
+    const auto at = [](int i, float radius) {
+        const float turn = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kAround;
+        return std::array<float, 2>{radius * std::cos(turn), radius * std::sin(turn)};
+    };
+    std::vector<float> corners;
+    const auto add = [&](const std::array<float, 2>& corner) {
+        corners.insert(corners.end(), corner.begin(), corner.end());
+    };
+    for (int i = 0; i < kAround; ++i) {
+        add({0.0F, 0.0F});
+        add(at(i, 1.0F));
+        add(at(i + 1, 1.0F));
+    }
+    for (int i = 0; i < kAround; ++i) {
+        for (const auto& corner : {at(i, 1.0F), at(i, kFarFloor), at(i + 1, 1.0F), at(i + 1, 1.0F),
+                                   at(i, kFarFloor), at(i + 1, kFarFloor)}) {
+            add(corner);
+        }
+    }
+    return corners;
+}
+
+/// Strips from the bottom to the top of the picture; light grows cooler above the horizon.
+std::vector<float> wall_corners(const Camera& camera) {
+    // The horizon's height in the picture, -1 bottom to 1 top.
+    const Eigen::Matrix4f clip = camera.clip_from_world();
+    const Vector3 level = Vector3(camera.forward_W().x(), 0.0, camera.forward_W().z());
+    float horizon = 1.0F;
+    if (level.norm() > 1e-6) {
+        const Vector3 far = camera.eye_W() + 1e4 * camera.distance_m() * level.normalized();
+        const Eigen::Vector4f seen =
+            clip * Eigen::Vector4f(static_cast<float>(far.x()), static_cast<float>(far.y()),
+                                   static_cast<float>(far.z()), 1.0F);
+        horizon = seen.w() > 0.0F ? std::clamp(seen.y() / seen.w(), -1.0F, 1.0F) : 1.0F;
+    }
+    std::vector<float> corners;
+    for (int i = 0; i <= kWallStrips; ++i) {
+        const float y = -1.0F + 2.0F * static_cast<float>(i) / kWallStrips;
+        const float up = std::clamp((y - horizon) / 1.1F, 0.0F, 1.0F);
+        const float part = up * up * (3.0F - 2.0F * up);
+        const auto mixed = [&](float low, float high) {
+            return to_linear(low) + part * (to_linear(high) - to_linear(low));
+        };
+        for (const float x : {-1.0F, 1.0F}) {
+            corners.insert(corners.end(), {x, y, mixed(theme::kWallBottom.r, theme::kWallTop.r),
+                                           mixed(theme::kWallBottom.g, theme::kWallTop.g),
+                                           mixed(theme::kWallBottom.b, theme::kWallTop.b)});
+        }
+    }
+    return corners;
+}
+
+/// The higher a thing, the wider and fainter its mark; the ring stays.
+void add_mark(std::vector<float>& corners, const FloorMark& mark, float floor_m, double unit_m) {
+    const double height = std::clamp(mark.height_m / unit_m, 0.0, 1.0);
+    const auto radius = static_cast<float>(mark.radius_m * (1.0 + 0.25 * height));
+    const auto disc = static_cast<float>(mark.dashed ? 0.16 : 0.34 * (1.0 - 0.65 * height));
+    const auto softness = static_cast<float>(0.55 + 0.4 * height);
+    const float ring = height > 0.02 ? 0.42F : 0.0F;
+    const float dashes = mark.dashed ? 14.0F : 0.0F;
+    const auto x = static_cast<float>(mark.centre_W.x());
+    const auto z = static_cast<float>(mark.centre_W.z());
+    constexpr std::array<std::array<float, 2>, 6> kSquare{
+        {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}}};
+    for (const auto& [u, v] : kSquare) {
+        corners.insert(corners.end(),
+                       {x + kMarkSize * radius * u, floor_m, z + kMarkSize * radius * v,
+                        kMarkSize * u, kMarkSize * v, disc, softness, ring, dashes});
+    }
+}
+
+}  // namespace
+
+Expected<Room> Room::create() {
+    const std::string floor = std::string(shaders::kLighting) + shaders::kGroundFragment;
+    auto near_floor = gl::Program::build("floor", "#define NEAR\n", shaders::kGroundVertex, floor);
+    auto far_floor = gl::Program::build("far floor", "", shaders::kGroundVertex, floor);
+    auto wall = gl::Program::build("wall", "", shaders::kWallVertex, shaders::kWallFragment);
+    auto mark = gl::Program::build("mark", "", shaders::kMarkVertex, shaders::kMarkFragment);
+    for (const auto* program : {&near_floor, &far_floor, &wall, &mark}) {
+        if (!*program) {
+            return tl::make_unexpected(program->error());
+        }
+    }
+    Room room;
+    room.near_floor_ = std::move(*near_floor);
+    room.far_floor_ = std::move(*far_floor);
+    room.wall_ = std::move(*wall);
+    room.mark_ = std::move(*mark);
+    for (auto* array : {&room.floor_array_, &room.wall_array_, &room.mark_array_}) {
+        *array = gl::VertexArray::make();
+    }
+    for (auto* buffer : {&room.floor_corners_, &room.wall_corners_, &room.mark_corners_}) {
+        *buffer = gl::Buffer::make();
+    }
+    fill(room.floor_array_, room.floor_corners_, floor_corners(), GL_STATIC_DRAW);
+    describe({2});
+    fill(room.wall_array_, room.wall_corners_, {}, GL_DYNAMIC_DRAW);
+    describe({2, 3});
+    fill(room.mark_array_, room.mark_corners_, {}, GL_DYNAMIC_DRAW);
+    describe({3, 2, 4});
+    return room;
+}
+
+void Room::draw_floor(const gl::Program& program, const SceneFrame& frame,
+                      const ShadowPass& shadows, std::size_t first, std::size_t count) const {
+    program.use();
+    program.set("u_clip_from_world", frame.clip_from_world);
+    program.set("u_shadow_from_world", frame.light.shadow_from_world);
+    program.set("u_shadow_texel", 1.0F / static_cast<float>(shadows.size()));
+    program.set("u_shadow_map", 1);
+    program.set("u_to_light", frame.light.to_light);
+    program.set("u_centre", frame.light.centre_W);
+    program.set("u_reach_m", frame.light.reach_m);
+    program.set("u_rug_m", kRugRadius * frame.light.reach_m);
+    program.set("u_fade_m", kFade * frame.light.reach_m);
+    program.set_linear("u_floor", theme::kFloor);
+    program.set_linear("u_rug", theme::kRug);
+    program.set_linear("u_rug_ring", theme::kRugRing);
+    program.set_linear("u_horizon", theme::kWallBottom);
+    glBindVertexArray(floor_array_.name());
+    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), static_cast<GLsizei>(count));
+}
+
+void Room::draw(const SceneFrame& frame, const Camera& camera, const ShadowPass& shadows) const {
+    draw_floor(near_floor_, frame, shadows, 0, kNearCorners);
+    draw_floor(far_floor_, frame, shadows, kNearCorners, kFarCorners);
+    draw_wall(camera);
+}
+
+void Room::draw_wall(const Camera& camera) const {
+    fill(wall_array_, wall_corners_, wall_corners(camera), GL_DYNAMIC_DRAW);
+    glDepthFunc(GL_LEQUAL);
+    wall_.use();
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kWallStrips + 1));
+    glDepthFunc(GL_LESS);
+}
+
+void Room::draw_marks(const SceneFrame& frame, const std::vector<FloorMark>& marks) const {
+    std::vector<float> corners;
+    corners.reserve(marks.size() * 6 * kFloatsPerMark);
+    const double unit_m = static_cast<double>(frame.light.reach_m);
+    const float floor_m = frame.light.centre_W.y() + static_cast<float>(kMarkLift * unit_m);
+    for (std::size_t i = 0; i < std::min(marks.size(), kMostMarks); ++i) {
+        add_mark(corners, marks[i], floor_m, unit_m);
+    }
+    if (corners.empty()) {
+        return;
+    }
+    fill(mark_array_, mark_corners_, corners, GL_DYNAMIC_DRAW);
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    mark_.use();
+    mark_.set("u_clip_from_world", frame.clip_from_world);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size() / kFloatsPerMark));
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+}  // namespace fulcrum::runtime

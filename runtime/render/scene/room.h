@@ -1,0 +1,52 @@
+// The room: a wall of even light, a floor with a round rug, and marks under things.
+//
+// Thread: the one that holds the context. Cost: each pixel of the floor looks up the shadow map.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "runtime/render/camera.h"
+#include "runtime/render/gl/handle.h"
+#include "runtime/render/gl/program.h"
+#include "runtime/render/scene/object_pass.h"
+
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// A mark on the floor straight below a thing: where it is, and where it will land.
+struct FloorMark {
+    Vector3 centre_W{Vector3::Zero()};  ///< of the thing
+    double radius_m = 0.05;             ///< of the thing
+    double height_m = 0.0;              ///< of the thing's lowest point above the floor
+    bool dashed = false;                ///< the hand's mark: a dashed ring
+};
+
+/// Wall, floor and marks.
+class Room {
+  public:
+    [[nodiscard]] static Expected<Room> create();
+
+    /// The floor, with shadows; then the wall wherever nothing was drawn.
+    void draw(const SceneFrame& frame, const Camera& camera, const ShadowPass& shadows) const;
+    /// Only the wall, over the whole picture.
+    void draw_wall(const Camera& camera) const;
+    /// Marks, over the floor and under things that stand before it.
+    void draw_marks(const SceneFrame& frame, const std::vector<FloorMark>& marks) const;
+
+  private:
+    void draw_floor(const gl::Program& program, const SceneFrame& frame, const ShadowPass& shadows,
+                    std::size_t first, std::size_t count) const;
+
+    gl::Program near_floor_;
+    gl::Program far_floor_;
+    gl::Program wall_;
+    gl::Program mark_;
+    gl::VertexArray floor_array_;
+    gl::Buffer floor_corners_;
+    gl::VertexArray wall_array_;
+    gl::Buffer wall_corners_;
+    gl::VertexArray mark_array_;
+    gl::Buffer mark_corners_;
+};
+
+}  // namespace fulcrum::runtime

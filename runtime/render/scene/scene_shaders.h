@@ -1,0 +1,242 @@
+// The shaders of the lit scene. All colours are light (linear); the framebuffer stores them as
+// sRGB.
+//
+//   light leaving = albedo (key max(n.l, 0) lit + ambient(n.y)) + highlight + rim
+//   ambient(n.y) = ground + (sky - ground)(1 + n.y)/2
+//   lit = mean of 9 comparisons of the shadow map, each over 2 x 2 texels
+//
+// Source: J. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977
+// (half vector); W. Reeves, D. Salesin, R. Cook, Rendering Antialiased Shadows with Depth Maps,
+// SIGGRAPH 1987 (percentage-closer filtering).
+#pragma once
+
+namespace fulcrum::runtime::shaders {
+
+inline constexpr const char* kObjectVertex = R"(
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+layout(location = 2) in vec2 a_uv;
+uniform mat4 u_clip_from_world;
+uniform mat4 u_world_from_model;
+uniform mat3 u_normal_from_model;
+uniform mat4 u_shadow_from_world;
+uniform float u_shadow_offset_m;
+out vec3 v_position;
+out vec3 v_normal;
+out vec2 v_uv;
+out vec3 v_shadow;
+void main() {
+  vec4 world = u_world_from_model * vec4(a_position, 1.0);
+  vec3 normal = u_normal_from_model * a_normal;
+  v_position = world.xyz;
+  v_normal = normal;
+  v_uv = a_uv;
+  float stretch = length(normal);
+  vec3 outwards = stretch > 0.0 ? normal / stretch : vec3(0.0);
+  v_shadow = (u_shadow_from_world * vec4(world.xyz + u_shadow_offset_m * outwards, 1.0)).xyz;
+  gl_Position = u_clip_from_world * world;
+}
+)";
+
+/// Shared by everything that is lit.
+inline constexpr const char* kLighting = R"(
+uniform sampler2DShadow u_shadow_map;
+uniform float u_shadow_texel;
+uniform vec3 u_to_light;
+uniform vec3 u_eye;
+const vec3 kKey = vec3(1.0, 0.94, 0.84) * 0.78;
+const vec3 kSky = vec3(0.50, 0.53, 0.58);
+const vec3 kBounce = vec3(0.33, 0.28, 0.23);
+float lit_part(vec3 at) {
+  float sum = 0.0;
+  for (int y = -1; y <= 1; ++y) {
+    for (int x = -1; x <= 1; ++x) {
+      sum += texture(u_shadow_map, vec3(at.xy + 1.7 * u_shadow_texel * vec2(x, y), at.z));
+    }
+  }
+  return sum / 9.0;
+}
+vec3 soft_shoulder(vec3 light) {
+  vec3 over = max(light - 0.8, 0.0);
+  return min(light, 0.8) + 0.2 * (over / (over + 0.2));
+}
+)";
+
+inline constexpr const char* kObjectFragment = R"(
+uniform vec4 u_base_colour;
+uniform sampler2D u_picture;
+uniform float u_roughness;
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_uv;
+in vec3 v_shadow;
+out vec4 o_colour;
+void main() {
+  vec3 to_eye = normalize(u_eye - v_position);
+  vec3 n = normalize(v_normal);
+  n = dot(n, to_eye) < 0.0 && !gl_FrontFacing ? -n : n;
+  vec3 albedo = u_base_colour.rgb * texture(u_picture, v_uv).rgb;
+  float facing = dot(n, u_to_light);
+  float lit = lit_part(v_shadow);
+  float wrapped = max((facing + 0.25) / 1.25, 0.0);
+  float sun = wrapped * mix(1.0, lit, smoothstep(-0.05, 0.25, facing));
+  vec3 light = albedo * (kKey * sun + mix(kBounce, kSky, 0.5 + 0.5 * n.y));
+  vec3 half_way = normalize(to_eye + u_to_light);
+  float a = max(u_roughness * u_roughness, 0.02);
+  float power = 2.0 / (a * a) - 2.0 + 4.0;
+  float gloss = 0.04 * (power + 8.0) / 8.0 * pow(max(dot(n, half_way), 0.0), power);
+  float edge = pow(1.0 - max(dot(n, to_eye), 0.0), 4.0);
+  light += kKey * min(gloss, 1.2) * lit * max(facing, 0.0);
+  light += (0.22 - 0.12 * u_roughness) * edge * (0.6 + 0.4 * n.y) * vec3(0.85, 0.95, 1.0);
+  o_colour = vec4(soft_shoulder(light), 1.0);
+}
+)";
+
+/// The floor: u_ring_m is the rug's radius. kNear parts receive shadows.
+inline constexpr const char* kGroundVertex = R"(
+layout(location = 0) in vec2 a_position;
+uniform mat4 u_clip_from_world;
+uniform mat4 u_shadow_from_world;
+uniform vec3 u_centre;
+uniform float u_reach_m;
+out vec2 v_from_centre;
+out vec3 v_shadow;
+void main() {
+  vec2 along = u_reach_m * a_position;
+  vec3 world = u_centre + vec3(along.x, 0.0, along.y);
+  v_from_centre = along;
+  v_shadow = (u_shadow_from_world * vec4(world, 1.0)).xyz;
+  gl_Position = u_clip_from_world * vec4(world, 1.0);
+}
+)";
+
+inline constexpr const char* kGroundFragment = R"(
+uniform vec3 u_floor;
+uniform vec3 u_rug;
+uniform vec3 u_rug_ring;
+uniform vec3 u_horizon;
+uniform float u_rug_m;
+uniform float u_fade_m;
+in vec2 v_from_centre;
+in vec3 v_shadow;
+out vec4 o_colour;
+void main() {
+  float r = length(v_from_centre);
+  vec3 albedo = u_floor;
+#ifdef NEAR
+  float soft = fwidth(r);
+  float inner = 0.86 * u_rug_m;
+  float on_rug = 1.0 - smoothstep(u_rug_m - soft, u_rug_m + soft, r);
+  float on_ring = smoothstep(inner - soft, inner + soft, r)
+                * (1.0 - smoothstep(0.94 * u_rug_m - soft, 0.94 * u_rug_m + soft, r));
+  albedo = mix(mix(albedo, u_rug, on_rug), u_rug_ring, on_ring);
+  float lit = lit_part(v_shadow);
+#else
+  const float lit = 1.0;
+#endif
+  vec3 light = albedo * (kKey * u_to_light.y * lit + kSky);
+  light = soft_shoulder(light);
+  float far = smoothstep(0.15 * u_fade_m, u_fade_m, r);
+  o_colour = vec4(mix(light, u_horizon, far), 1.0);
+}
+)";
+
+/// The wall: colours are given at the corners.
+inline constexpr const char* kWallVertex = R"(
+layout(location = 0) in vec2 a_position;
+layout(location = 1) in vec3 a_light;
+out vec3 v_light;
+void main() {
+  v_light = a_light;
+  gl_Position = vec4(a_position, 1.0, 1.0);
+}
+)";
+inline constexpr const char* kWallFragment = R"(
+in vec3 v_light;
+out vec4 o_colour;
+void main() { o_colour = vec4(v_light, 1.0); }
+)";
+
+/// Marks on the floor under things: a soft dark disc and a ring.
+inline constexpr const char* kMarkVertex = R"(
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec2 a_place;
+layout(location = 2) in vec4 a_look;
+uniform mat4 u_clip_from_world;
+out vec2 v_place;
+out vec4 v_look;
+void main() {
+  v_place = a_place;
+  v_look = a_look;
+  gl_Position = u_clip_from_world * vec4(a_position, 1.0);
+}
+)";
+inline constexpr const char* kMarkFragment = R"(
+in vec2 v_place;
+in vec4 v_look;  // disc strength, disc softness, ring strength, dashes
+out vec4 o_colour;
+void main() {
+  float r = length(v_place);
+  float w = fwidth(r);
+  float disc = v_look.x * (1.0 - smoothstep(1.0 - v_look.y, 1.0 + 0.3 * v_look.y, r));
+  float line = 1.0 - smoothstep(0.045, 0.045 + w, abs(r - 1.0));
+  float turn = atan(v_place.y, v_place.x) / 6.2831853;
+  float dash = v_look.w > 0.0 ? step(0.5, fract(turn * v_look.w)) : 1.0;
+  float ring = v_look.z * line * dash;
+  o_colour = vec4(0.09, 0.10, 0.13, max(disc, ring));
+}
+)";
+
+/// A shape grown along its normals by u_width pixels, in one colour: outlines.
+inline constexpr const char* kOutlineVertex = R"(
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+uniform mat4 u_clip_from_world;
+uniform mat4 u_world_from_model;
+uniform mat3 u_normal_from_model;
+uniform vec2 u_pixel;
+uniform float u_width_px;
+void main() {
+  vec4 clip = u_clip_from_world * (u_world_from_model * vec4(a_position, 1.0));
+  vec4 ahead = u_clip_from_world * vec4(u_normal_from_model * a_normal, 0.0);
+  vec2 way = (ahead.xy * clip.w - clip.xy * ahead.w) / u_pixel;
+  float size = length(way);
+  clip.xy += size > 0.0 ? way / size * u_pixel * u_width_px * clip.w : vec2(0.0);
+  gl_Position = clip;
+}
+)";
+inline constexpr const char* kFlatFragment = R"(
+uniform vec4 u_flat;
+out vec4 o_colour;
+void main() { o_colour = u_flat; }
+)";
+
+/// The ghost: bright at its rim, nearly clear in its middle.
+inline constexpr const char* kGhostFragment = R"(
+uniform vec4 u_flat;
+uniform vec3 u_eye;
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_uv;
+in vec3 v_shadow;
+out vec4 o_colour;
+void main() {
+  vec3 to_eye = normalize(u_eye - v_position);
+  float facing = abs(dot(normalize(v_normal), to_eye));
+  float alpha = u_flat.a * mix(0.9, 0.30, facing);
+  o_colour = vec4(u_flat.rgb, alpha);
+}
+)";
+
+/// Depth as the light sees it.
+inline constexpr const char* kShadowVertex = R"(
+layout(location = 0) in vec3 a_position;
+uniform mat4 u_clip_from_world;
+uniform mat4 u_world_from_model;
+void main() { gl_Position = u_clip_from_world * (u_world_from_model * vec4(a_position, 1.0)); }
+)";
+inline constexpr const char* kShadowFragment = R"(
+void main() {}
+)";
+
+}  // namespace fulcrum::runtime::shaders
