@@ -1,0 +1,322 @@
+#include "runtime/lua/script_state.h"
+
+#include "runtime/lua/lua_seed.h"
+#include "runtime/lua/safe_library.h"
+
+#include <algorithm>
+
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr int kHookEvery = 1000;                 // instructions between two looks
+constexpr std::size_t kBytesAnInstruction = 64;  // what filling memory counts as
+constexpr std::size_t kLargeBlockBytes = 16U << 10U;
+constexpr std::string_view kLibraryFolder = "lib/";
+
+std::size_t sane_memory(std::size_t bytes) {
+    return std::clamp<std::size_t>(bytes, 1U << 20U, 256U << 20U);
+}
+
+void note_place(RunningLine& noted, std::string_view file, std::int32_t line) {
+    const std::size_t n = std::min(file.size(), noted.file.size() - 1);
+    std::copy_n(file.begin(), n, noted.file.begin());
+    noted.file[n] = '\0';
+    noted.line.store(line, std::memory_order_release);
+}
+
+/// Takes "file:12: " off the front of a message, if it is there.
+bool split_place(std::string_view text, ScriptError& error) {
+    const std::size_t first = text.find(':');
+    if (first == std::string_view::npos || first == 0) {
+        return false;
+    }
+    const std::size_t second = text.find(':', first + 1);
+    if (second == std::string_view::npos || second + 2 > text.size()) {
+        return false;
+    }
+    const std::string_view digits = text.substr(first + 1, second - first - 1);
+    std::int32_t line = 0;
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), line);
+    if (problem != std::errc{} || end != digits.data() + digits.size() || digits.empty()) {
+        return false;
+    }
+    error.file = clean_text(text.substr(0, first), kMaxNameBytes);
+    error.line = std::max(line, 0);
+    error.message = text.substr(second + (text[second + 1] == ' ' ? 2 : 1));
+    return true;
+}
+
+/// The last errors' words, as a teacher would say them.
+std::string in_plain_words(const std::string& message) {
+    if (message.find("stack overflow") != std::string::npos) {
+        return "this calls itself too deeply (a function that never stops calling itself?)";
+    }
+    return message;
+}
+
+}  // namespace
+
+// ---- making and unmaking
+// ------------------------------------------------------------------------------------------
+
+ScriptState::ScriptState(ScriptSettings settings)
+    : settings_(std::move(settings)), arena_(sane_memory(settings_.memory_bytes), settings_.slot) {
+    lua_ = lua_newstate(&ScriptState::allocate, this);
+    if (lua_ == nullptr) {
+        throw std::bad_alloc();
+    }
+    *static_cast<ScriptState**>(lua_getextraspace(lua_)) = this;
+    running = lua_;
+    if (protect([](lua_State* L) { open_safe_library(L); })) {
+        lua_close(lua_);
+        throw std::bad_alloc();
+    }
+    lua_sethook(lua_, &ScriptState::on_count, LUA_MASKCOUNT, kHookEvery);
+}
+
+ScriptState::~ScriptState() {
+    lua_close(lua_);
+}
+
+ScriptState& ScriptState::of(lua_State* L) noexcept {
+    return **static_cast<ScriptState**>(lua_getextraspace(L));
+}
+
+void* ScriptState::allocate(void* self, void* block, std::size_t old_bytes,
+                            std::size_t new_bytes) noexcept {
+    auto& state = *static_cast<ScriptState*>(self);
+    if (state.first_block_ != nullptr && !state.seed_tried_) {
+        state.seed_tried_ = true;
+        state.seed_fixed_ = fix_string_seed(state.first_block_, state.first_block_bytes_,
+                                            &ScriptState::allocate, self);
+    }
+    if (block == nullptr) {
+        old_bytes = 0;  // Lua passes a kind of object here
+    }
+    void* result = state.arena_.reallocate(block, old_bytes, new_bytes);
+    if (state.first_block_ == nullptr) {
+        state.first_block_ = static_cast<std::byte*>(result);
+        state.first_block_bytes_ = new_bytes;
+    }
+    if (result == nullptr && new_bytes != 0 && state.running != nullptr) {
+        state.memory_error_ = place_of(state.running, 0).line > 0 ? place_of(state.running, 0)
+                                                                  : place_of(state.running, 1);
+    } else if (new_bytes > old_bytes && new_bytes >= kLargeBlockBytes) {
+        // An allocator may not raise errors; the hook does, at the next instruction.
+        state.used_ += new_bytes / kBytesAnInstruction;
+        if (state.limit_ != 0 && state.used_ > state.limit_ && state.running != nullptr) {
+            lua_sethook(state.running, &ScriptState::on_count, LUA_MASKCOUNT, 1);
+        }
+    }
+    return result;
+}
+
+// ---- budget
+// -------------------------------------------------------------------------------------------------------
+
+void ScriptState::begin_budget(std::uint64_t instructions) noexcept {
+    used_ = 0;
+    limit_ = instructions;
+}
+
+void ScriptState::charge(lua_State* L, std::uint64_t work) {
+    used_ += work;
+    if (spent_ || (limit_ != 0 && used_ > limit_)) {
+        raise_spent(L);
+    }
+}
+
+void ScriptState::check_spent(lua_State* L) {
+    if (spent_) {
+        raise_spent(L);
+    }
+}
+
+void ScriptState::raise_spent(lua_State* L) {
+    if (!spent_) {
+        spent_ = true;
+        spent_error_ = place_in_lesson(L);
+        spent_error_.message = kTooLong;
+    }
+    lua_sethook(L, &ScriptState::on_count, LUA_MASKCOUNT, 1);
+    lua_sethook(lua_, &ScriptState::on_count, LUA_MASKCOUNT, 1);
+    lua_pushstring(L, kTooLong);
+    lua_error(L);
+    std::abort();  // lua_error does not return
+}
+
+void ScriptState::on_count(lua_State* L, lua_Debug* activation) {
+    ScriptState& state = of(L);
+    state.note_line(L, activation);
+    state.charge(L, static_cast<std::uint64_t>(lua_gethookcount(L)));
+}
+
+void ScriptState::note_line(lua_State* L, lua_Debug* activation) noexcept {
+    RunningLine* noted = settings_.running_line;
+    if (noted == nullptr || lua_getinfo(L, "Sl", activation) == 0 || activation->currentline <= 0 ||
+        std::string_view(activation->short_src).starts_with(kLibraryFolder)) {
+        return;
+    }
+    note_place(*noted, activation->short_src, activation->currentline);
+}
+
+// ---- running
+// ------------------------------------------------------------------------------------------------------
+
+namespace {
+struct ProtectedCall {
+    void (*body)(lua_State*, void*);
+    void* self;
+};
+int run_body(lua_State* L) {
+    const auto* call = static_cast<const ProtectedCall*>(lua_touserdata(L, 1));
+    lua_settop(L, 0);
+    call->body(L, call->self);
+    return 0;
+}
+}  // namespace
+
+std::optional<ScriptError> ScriptState::run_protected(RawBody body, void* self) {
+    ProtectedCall call{body, self};
+    lua_settop(lua_, 0);
+    lua_pushcfunction(lua_, &ScriptState::on_error);
+    lua_pushcfunction(lua_, &run_body);
+    lua_pushlightuserdata(lua_, &call);
+    raised_ = {};
+    running = lua_;
+    const int status = lua_pcall(lua_, 1, 0, 1);
+    running = lua_;
+    std::optional<ScriptError> failure;
+    if (status != LUA_OK) {
+        failure = describe_failure(status);
+    }
+    lua_settop(lua_, 0);
+    return failure;
+}
+
+int ScriptState::on_error(lua_State* L) {
+    ScriptState& state = of(L);
+    ScriptError error = place_in_lesson(L);
+    if (lua_type(L, 1) == LUA_TSTRING) {
+        std::size_t n = 0;
+        const char* text = lua_tolstring(L, 1, &n);
+        error.message.assign(text, n);
+        split_place(std::string_view(text, n), error);
+    } else {
+        error.message = std::string("the script raised an error that is a ") + luaL_typename(L, 1) +
+                        ", not a text";
+    }
+    state.raised_ = error;
+    return 1;
+}
+
+ScriptError ScriptState::describe_failure(int status) {
+    ScriptError error = raised_;
+    if (spent_) {
+        error = spent_error_;
+    } else if (status == LUA_ERRMEM) {
+        error = memory_error_;
+        error.message = "this needs more memory than the " +
+                        std::to_string(arena_.capacity_bytes() >> 20U) +
+                        " MB that a lesson may have";
+    } else if (error.message.empty()) {
+        const char* text = lua_type(lua_, -1) == LUA_TSTRING ? lua_tostring(lua_, -1) : nullptr;
+        error.message = text != nullptr ? text : "the script failed";
+    }
+    error.message = clean_text(in_plain_words(error.message), 400);
+    return error;
+}
+
+void ScriptState::load_text(lua_State* L, const LuaSource& source) {
+    // Compiling is work too: about an instruction a byte.
+    charge(L, source.text.size());
+    const std::string chunk_name = "@" + source.name;
+    const int status =
+        luaL_loadbufferx(L, source.text.data(), source.text.size(), chunk_name.c_str(), "t");
+    if (status != LUA_OK) {
+        lua_error(L);
+    }
+}
+
+void ScriptState::call(lua_State* L, int n_arguments, int n_results) {
+    // Until the hook first looks, the script is where the function begins.
+    lua_Debug activation{};
+    lua_pushvalue(L, -(n_arguments + 1));
+    const bool known = lua_getinfo(L, ">S", &activation) != 0 && activation.linedefined >= 0;
+    if (known && settings_.running_line != nullptr) {
+        note_place(*settings_.running_line, activation.short_src,
+                   std::max(activation.linedefined, 1));
+    }
+    lua_call(L, n_arguments, n_results);
+}
+
+// ---- places
+// -------------------------------------------------------------------------------------------------------
+
+ScriptError place_of(lua_State* L, int level) {
+    lua_Debug activation{};
+    ScriptError place;
+    if (lua_getstack(L, level, &activation) != 0 && lua_getinfo(L, "Sl", &activation) != 0 &&
+        activation.currentline > 0) {
+        place.file = activation.short_src;
+        place.line = activation.currentline;
+    }
+    return place;
+}
+
+ScriptError place_in_lesson(lua_State* L) {
+    constexpr int kMostLevels = 64;
+    ScriptError nearest;
+    lua_Debug activation{};
+    for (int level = 0; level < kMostLevels && lua_getstack(L, level, &activation) != 0; ++level) {
+        const ScriptError place = place_of(L, level);
+        if (place.line > 0 && !place.file.starts_with(kLibraryFolder)) {
+            return place;
+        }
+        if (place.line > 0 && nearest.line == 0) {
+            nearest = place;
+        }
+    }
+    return nearest;
+}
+
+void raise_in_lesson(lua_State* L, const std::string& message) {
+    const ScriptError place = place_in_lesson(L);
+    if (place.line > 0) {
+        lua_pushfstring(L, "%s:%d: %s", place.file.c_str(), static_cast<int>(place.line),
+                        message.c_str());
+    } else {
+        lua_pushlstring(L, message.data(), message.size());
+    }
+    lua_error(L);
+    std::abort();  // lua_error does not return
+}
+
+std::string clean_text(std::string_view text, std::size_t max_bytes) {
+    std::string clean(text.substr(0, max_bytes));
+    // A cut may have split a character; then its bytes are dropped one by one.
+    while (!clean.empty() && text.size() > max_bytes &&
+           (static_cast<std::uint8_t>(clean.back()) & 0xC0U) == 0x80U) {
+        clean.pop_back();
+    }
+    if (text.size() > max_bytes && !clean.empty() &&
+        static_cast<std::uint8_t>(clean.back()) >= 0xC0U) {
+        clean.pop_back();
+    }
+    if (!is_clean_utf8(clean)) {
+        for (char& c : clean) {
+            const auto byte = static_cast<std::uint8_t>(c);
+            if (byte >= 0x7F || (byte < 0x20 && c != '\n' && c != '\t')) {
+                c = '?';
+            }
+        }
+    }
+    return clean;
+}
+
+}  // namespace fulcrum::runtime
