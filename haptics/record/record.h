@@ -9,7 +9,7 @@
 //   block   16 bytes  u32 "BLK1" | u32 kind (1 samples, 2 events, 3 end) | u32 payload bytes | u32
 //   CRC-32 of kind, length
 //                     and payload, then the payload
-//   sample 264 bytes  u64 tick | f64 time | f64 stamp | f64 pose (x y z, quaternion w x y z) | f64
+//   sample 240 bytes  u64 tick | f64 time | f64 stamp | f64 pose (x y z, quaternion w x y z) | f64
 //   twist (linear, angular) |
 //                     f64 commanded (force, torque) | f64 applied (force, torque) | u32 buttons |
 //                     u32 faults | u32 gate | u32 0
@@ -38,7 +38,7 @@ inline constexpr std::uint32_t kRecordVersion = 1;
 inline constexpr std::size_t kRecordLessonBytes = 60;
 inline constexpr std::size_t kRecordTextBytes = 48;
 inline constexpr std::size_t kRecordHeaderBytes = 88;
-inline constexpr std::size_t kRecordSampleBytes = 264;
+inline constexpr std::size_t kRecordSampleBytes = 240;
 inline constexpr std::size_t kRecordEventBytes = 64;
 inline constexpr std::size_t kRecordBlockSamples =
     256;  ///< samples in a full block; a reader accepts up to 65536

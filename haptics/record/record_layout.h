@@ -1,0 +1,111 @@
+// The bytes of a record's parts, shared by writer and reader: each field once, in the order of the
+// file.
+//
+// A `Sink` puts little-endian fields at the end of a vector, a `Source` takes them off a span;
+// `visit_fields` walks over a sample for either, so that the two cannot disagree. Private to
+// haptics/record.
+#pragma once
+
+#include "haptics/record/record.h"
+
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fulcrum::record_layout {
+
+inline constexpr std::array<std::uint8_t, 8> kMagic = {0x89, 0x46, 0x4C, 0x43,
+                                                       0x52, 0x0D, 0x0A, 0x1A};
+inline constexpr std::uint32_t kBlockMagic = 0x314B4C42;  // "BLK1"
+inline constexpr std::size_t kBlockHeadBytes = 16;
+inline constexpr std::size_t kEndBytes = 16;
+enum class BlockKind : std::uint32_t { samples = 1, events = 2, end = 3 };
+
+/// Appends fields to a vector.
+class Sink {
+  public:
+    explicit Sink(std::vector<std::byte>& bytes) : bytes_(bytes) {}
+
+    template <std::unsigned_integral T>
+    void field(const T& value) {
+        for (std::size_t i = 0; i < sizeof(T); ++i) {
+            bytes_.push_back(static_cast<std::byte>((value >> (8 * i)) & 0xFFU));
+        }
+    }
+    void field(const double& value) { field(std::bit_cast<std::uint64_t>(value)); }
+    void field(const std::int32_t& value) { field(static_cast<std::uint32_t>(value)); }
+    /// `text` cut to `size` bytes at a character's border and padded with zeros.
+    void text(std::string_view text, std::size_t size);
+
+  private:
+    std::vector<std::byte>& bytes_;
+};
+
+/// Takes fields off a span whose length the caller has checked.
+class Source {
+  public:
+    explicit Source(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+    template <std::unsigned_integral T>
+    void field(T& value) {
+        value = 0;
+        for (std::size_t i = 0; i < sizeof(T); ++i) {
+            value = static_cast<T>(value | static_cast<T>(static_cast<T>(bytes_[i]) << (8 * i)));
+        }
+        bytes_ = bytes_.subspan(sizeof(T));
+    }
+    void field(double& value) {
+        std::uint64_t bits = 0;
+        field(bits);
+        value = std::bit_cast<double>(bits);
+    }
+    void field(std::int32_t& value) {
+        std::uint32_t bits = 0;
+        field(bits);
+        value = static_cast<std::int32_t>(bits);
+    }
+    /// The `size` bytes up to the first zero.
+    [[nodiscard]] std::string text(std::size_t size);
+
+  private:
+    std::span<const std::byte> bytes_;
+};
+
+template <class Visitor, class Vector>
+void visit_vector(Visitor& visitor, Vector& v) {
+    visitor.field(v.x());
+    visitor.field(v.y());
+    visitor.field(v.z());
+}
+
+/// Every field of a sample in the order of the file; `Sample` is RecordSample, const for writing.
+template <class Visitor, class Sample>
+void visit_fields(Visitor& visitor, Sample& sample, std::uint32_t& faults, std::uint32_t& gate) {
+    std::uint32_t padding = 0;
+    visitor.field(sample.tick);
+    visitor.field(sample.time_s);
+    visitor.field(sample.stamp_s);
+    visit_vector(visitor, sample.pose_D.position);
+    visitor.field(sample.pose_D.orientation.w());
+    visitor.field(sample.pose_D.orientation.x());
+    visitor.field(sample.pose_D.orientation.y());
+    visitor.field(sample.pose_D.orientation.z());
+    visit_vector(visitor, sample.twist_W.linear);
+    visit_vector(visitor, sample.twist_W.angular);
+    visit_vector(visitor, sample.commanded_W.force);
+    visit_vector(visitor, sample.commanded_W.torque);
+    visit_vector(visitor, sample.applied_W.force);
+    visit_vector(visitor, sample.applied_W.torque);
+    visitor.field(sample.buttons);
+    visitor.field(faults);
+    visitor.field(gate);
+    visitor.field(padding);
+}
+
+}  // namespace fulcrum::record_layout
