@@ -28,7 +28,6 @@ struct RigidBody {
     // Held.
     Pose pose_T{};                             ///< in the tool's frame
     Vector3 resting_place_T{Vector3::Zero()};  ///< where it glides to
-    int place = 0;                             ///< 0 for the first caught, 1 for the next
 };
 
 /// The body of a plan, hidden.

@@ -42,15 +42,19 @@ class World {
     /// ignored and counted.
     void apply(const WorldCommand& command) noexcept;
     /// Moves everything on by `dt_s`, to where the tool is `tool`. A dt that is not positive and
-    /// finite, or a tool pose that is not finite, moves nothing that depends on it.
+    /// finite moves nothing; a tool pose that is not finite leaves the tool where it was. The tool
+    /// is turned like the hand and stands where the proxy is, as it is seen.
     void step(double dt_s, const HapticState& tool) noexcept;
+    /// Puts the world's clock to `time_s` of the run's clock; `step` adds its dt to it.
+    void set_time(double time_s) noexcept { snapshot_.time_s = time_s; }
     /// All bodies hidden, time zero.
     void reset() noexcept;
 
     /// What the picture and the lesson see; valid until the next call.
     [[nodiscard]] const WorldSnapshot& snapshot() const noexcept { return snapshot_; }
     /// What the haptic loop needs, stamped `stamp_s` seconds of the run's clock. Solids keep
-    /// `solid_bodies`' poses: entry i is the pose of the scene's body solid_bodies[i].
+    /// `solid_bodies`' poses: entry i is the pose of the scene's body solid_bodies[i], which a
+    /// `place` command has put there.
     [[nodiscard]] WorldFrame make_frame(double stamp_s,
                                         std::span<const std::int32_t> solid_bodies) const noexcept;
     /// What happened in the last `step`, in the order of the bodies.
@@ -61,17 +65,19 @@ class World {
     [[nodiscard]] std::uint64_t ignored_commands() const noexcept { return ignored_commands_; }
     /// True when nothing falls, glides or bounces: a step then costs next to nothing.
     [[nodiscard]] bool is_at_rest() const noexcept { return n_moving_ == 0; }
+    /// How many bodies lie in the tool.
+    [[nodiscard]] std::size_t n_held() const noexcept { return n_held_; }
 
   private:
-    void place_body(std::int32_t body, const WorldCommand& command) noexcept;
-    void hold_body(std::int32_t body, const Pose& pose_T) noexcept;
-    void move_falling(std::size_t body, double dt_s, const Pose& tool_before_WT,
-                      const Pose& tool_WT) noexcept;
-    void move_landed(std::size_t body, double dt_s) noexcept;
-    void move_held(std::size_t body, double dt_s, const Pose& tool_WT) noexcept;
-    void settle(std::size_t body, double impact_m_per_s) noexcept;
-    void add_event(WorldEvent::Kind kind, std::size_t body, double speed_m_per_s) noexcept;
-    void count_load() noexcept;
+    [[nodiscard]] bool is_usable(const WorldCommand& command) const noexcept;
+    void free_body(RigidBody& body, const WorldCommand& command) noexcept;
+    void hold_body(RigidBody& body, const Pose& pose_T) noexcept;
+    void move_falling(std::size_t index, double dt_s, const Pose& tool_before_WT) noexcept;
+    void move_landed(RigidBody& body, double dt_s) noexcept;
+    void move_held(RigidBody& body, double dt_s) noexcept;
+    void bounce(RigidBody& body) noexcept;
+    void add_event(WorldEvent::Kind kind, std::size_t index, double speed_m_per_s) noexcept;
+    void describe() noexcept;
 
     WorldPlan plan_;
     std::vector<RigidBody> bodies_;
@@ -79,9 +85,10 @@ class World {
     Pose tool_WT_{};  // of the last step
     bool has_tool_ = false;
     std::size_t n_moving_ = 0;
+    std::size_t n_held_ = 0;
     std::uint64_t ignored_commands_ = 0;
     std::uint32_t n_drops_ = 0;
-    std::array<WorldEvent, 2 * kMaxBodies> events_{};
+    std::array<WorldEvent, kMaxBodies> events_{};  // a body has at most one a step
     std::size_t n_events_ = 0;
     WorldSnapshot snapshot_{};
 };
