@@ -1,0 +1,89 @@
+// A thread that calls a task at a fixed rate: sleeps until shortly before the time, spins for the rest, keeps statistics.
+//
+//   t_k = t_0 + k / rate. After a round that ends past t_(k+1), the missed times are skipped and counted; none is made up.
+//   lateness = when a round began - t_k.   duration = how long the task took.
+// SCHED_FIFO and locked memory are asked for; a refusal leaves the thread running and is told by `status`. The thread
+// spins for kLongestSpin_s at most: the kernel takes the processor from a real-time thread that never sleeps. When it stops,
+// or the task throws, `PeriodicTask::silence` is called last.
+// Thread: made, started, stopped and destroyed by one thread; `status` and the histograms may be read by any.
+// Cost: a wake-up a round, and a core for the spin's share of the period.
+// Source: clock_nanosleep(2) with absolute times, sched(7), mlockall(2).
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/base/periodic_task.h"
+#include "haptics/loop/latency_histogram.h"
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <thread>
+
+namespace fulcrum {
+
+inline constexpr double kLongestSpin_s = 200.0e-6;
+
+/// Fixed at start.
+struct RealtimeSettings {
+    double rate_Hz = 1000.0;   ///< 1 to 10000
+    double spin_s = 100.0e-6;  ///< 0 to kLongestSpin_s, and at most a third of the period
+    int fifo_priority = 80;    ///< 1 to 99 asks for SCHED_FIFO; 0 does not
+    bool lock_memory = false;  ///< asks for mlockall: no page of this program is swapped out
+    double epoch_s = 0.0;      ///< monotonic_now_s() at the run's zero: tasks see time since then
+};
+
+/// Refuses settings outside the ranges named above, NaN included.
+[[nodiscard]] Expected<void> validate(const RealtimeSettings& settings);
+
+/// How the thread does, for people.
+struct RealtimeStatus {
+    bool running = false;
+    bool failed = false;    ///< the task threw; the thread has ended
+    bool has_fifo = false;  ///< runs under SCHED_FIFO
+    bool has_locked_memory = false;
+    std::uint64_t rounds = 0;
+    std::uint64_t misses = 0;  ///< times skipped because a round began or ended too late
+    std::string
+        sentence;  ///< e.g. "1000 Hz under SCHED_FIFO 80, memory locked"; names what was refused and why
+};
+
+class RealtimeThread {
+  public:
+    RealtimeThread() = default;
+    RealtimeThread(const RealtimeThread&) = delete;
+    RealtimeThread& operator=(const RealtimeThread&) = delete;
+    /// Stops first.
+    ~RealtimeThread();
+
+    /// Starts calling `task`, which must live until `stop` has returned. Fails with one sentence on bad settings, when it
+    /// already runs, or when the system gives no thread. A real-time privilege that is refused is no failure.
+    [[nodiscard]] Expected<void> start(PeriodicTask& task, const RealtimeSettings& settings);
+    /// Ends the thread after its round and waits for it. Nothing happens when it does not run.
+    void stop() noexcept;
+
+    [[nodiscard]] RealtimeStatus status() const;
+    /// How late rounds began.
+    [[nodiscard]] const LatencyHistogram& lateness() const noexcept { return lateness_; }
+    /// How long the task's rounds took.
+    [[nodiscard]] const LatencyHistogram& duration() const noexcept { return duration_; }
+
+  private:
+    void run(PeriodicTask& task) noexcept;
+    void run_rounds(PeriodicTask& task);
+    void ask_for_privileges() noexcept;
+    [[nodiscard]] double run_time_s() const noexcept;
+
+    RealtimeSettings settings_{};
+    std::thread thread_;
+    std::atomic<bool> stop_wanted_{false};
+    std::atomic<bool> running_{false};
+    std::atomic<bool> failed_{false};
+    std::atomic<int> fifo_errno_{-1};    // -1 not asked, 0 granted, else why not
+    std::atomic<int> memory_errno_{-1};  // likewise
+    std::atomic<std::uint64_t> rounds_{0};
+    std::atomic<std::uint64_t> misses_{0};
+    LatencyHistogram lateness_;
+    LatencyHistogram duration_;
+};
+
+}  // namespace fulcrum
