@@ -109,10 +109,10 @@ void write_notes(const QuestionReport& question, std::string& out) {
 void write_question(const QuestionReport& question, std::string& out) {
     const std::string name = printable(question.question);
     if (display_width(name) <= kNameWidth) {
-        out += std::string(kTableIndent, ' ') + padded(name, kNameWidth);
+        out.append(kTableIndent, ' ').append(padded(name, kNameWidth));
     } else {
         write_wrapped(name, kTableIndent, out);
-        out += std::string(kTableIndent + kNameWidth, ' ');
+        out.append(kTableIndent + kNameWidth, ' ');
     }
     const std::array<std::int64_t, kNumbers.size()> numbers{question.asked,
                                                             question.attempts,
@@ -130,11 +130,12 @@ void write_question(const QuestionReport& question, std::string& out) {
 
 void write_table(const LessonReport& lesson, std::string& out) {
     if (lesson.questions.empty()) {
-        out += std::string(kTableIndent, ' ') + "no question answered yet\n";
+        write_wrapped("no question answered yet", kTableIndent, out);
         return;
     }
     std::string above(kTableIndent + kNameWidth, ' ');
-    std::string head = std::string(kTableIndent, ' ') + padded("question", kNameWidth);
+    std::string head(kTableIndent, ' ');
+  head += padded("question", kNameWidth);
     for (const Column& column : kNumbers) {
         above += right_aligned(column.above, column.width);
         head += right_aligned(column.head, column.width);
