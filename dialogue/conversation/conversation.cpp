@@ -1,0 +1,208 @@
+#include "dialogue/conversation/conversation.h"
+
+#include <algorithm>
+
+namespace fulcrum::dialogue {
+
+Conversation::Conversation(const Catalogue& catalogue, ConversationSettings settings)
+    : catalogue_(catalogue), settings_(settings) {
+    settings_.prompt_from = std::max(settings_.prompt_from, 1);
+    settings_.rule_from = std::max(settings_.rule_from, settings_.prompt_from);
+}
+
+std::vector<std::string> Conversation::ask(const Question& question, int number, int of) {
+    question_ = question;
+    state_ = State::asked;
+    repeating_ = false;
+    attempt_ = wrong_ = unheard_ = 0;
+    std::vector<std::string> lines = sentences_of(question.prompt);
+    if (number > 0) {
+        const CatalogueSlots slots{{"n", std::to_string(number)},
+                                   {"of", std::to_string(std::max(of, number))}};
+        lines.insert(lines.begin(), catalogue_.say("question.number", slots));
+    }
+    return lines;
+}
+
+std::vector<std::string> Conversation::prompt_again() const {
+    return question_ ? sentences_of(question_->prompt) : std::vector<std::string>{};
+}
+
+Mark Conversation::hear(std::string_view text, double confidence) {
+    if (!question_ || state_ == State::idle) {
+        return {};
+    }
+    repeating_ = state_ == State::invited || (state_ == State::heard && repeating_);
+    state_ = State::heard;
+    return mark_answer(*question_, text, confidence);
+}
+
+Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
+    if (state_ != State::heard) {
+        return {};
+    }
+    ++attempt_;
+    if (repeating_) {
+        return respond_to_repeat(mark, meaning_right);
+    }
+    if (mark.confidence < settings_.least_confidence) {
+        Feedback feedback = say(FeedbackKind::heard_badly, "feedback.heard_badly");
+        feedback.ask_again = true;
+        state_ = State::asked;
+        return feedback;
+    }
+    if (!mark.understood) {
+        return not_understood();
+    }
+    return meaning_right ? respond_to_form(mark) : wrong_meaning();
+}
+
+Feedback Conversation::respond_to_form(const Mark& mark) {
+    state_ = State::done;
+    const FormError* error = mark.main_error();
+    const CatalogueSlots sentence{{"sentence", mark.emphasised}, {"gap", mark.gapped}};
+    if (error == nullptr) {
+        if (mark.short_answer) {
+            return say(FeedbackKind::praise, "feedback.praise_short", sentence);
+        }
+        seen_.clear();  // a whole right sentence: the ladder begins anew
+        const std::vector<std::string> praises = catalogue_.series("feedback.praise");
+        const std::string key =
+            praises.empty() ? "feedback.praise.1" : praises[praise_++ % praises.size()];
+        return say(FeedbackKind::praise, key, sentence);
+    }
+    const int seen = ++seen_[ladder_key(*error)];
+    if (seen >= settings_.rule_from) {
+        const std::string key = rule_key(*error);
+        const CatalogueSlots words{{"base", error->base},
+                                   {"right", error->right},
+                                   {"said", error->said},
+                                   {"phrase", "*" + error->phrase + "*"}};
+        Feedback feedback =
+            say(FeedbackKind::rule, "feedback.rule",
+                {{"sentence", mark.emphasised}, {"rule", catalogue_.say(key, words)}});
+        feedback.keys.push_back(key);
+        return feedback;
+    }
+    if (seen >= settings_.prompt_from) {
+        Feedback feedback = say(FeedbackKind::prompt, "feedback.prompt", sentence);
+        feedback.may_repeat = true;
+        accepted_ = mark;
+        state_ = State::invited;
+        return feedback;
+    }
+    return say(FeedbackKind::recast, "feedback.recast", sentence);
+}
+
+Feedback Conversation::respond_to_repeat(const Mark& mark, bool meaning_right) {
+    state_ = State::done;
+    repeating_ = false;
+    const bool repaired = mark.understood && meaning_right && mark.form_right();
+    // What was said only needs its own error away; a short answer shows nothing about it.
+    const bool shown = repaired && !mark.short_answer;
+    Feedback feedback =
+        shown ? say(FeedbackKind::praise, "feedback.repaired", {{"sentence", mark.corrected}})
+              : say(FeedbackKind::recast, "feedback.recast", {{"sentence", accepted_.emphasised}});
+    feedback.uptake = shown ? Uptake::repaired : Uptake::not_repaired;
+    if (shown) {
+        seen_.clear();
+    }
+    return feedback;
+}
+
+Feedback Conversation::not_understood() {
+    ++unheard_;
+    if (settings_.unheard_tries > 0 && unheard_ >= settings_.unheard_tries) {
+        return move_on();
+    }
+    state_ = State::asked;
+    // First only again, then how the sentence goes, then what can be said.
+    Feedback feedback;
+    if (unheard_ == 1) {
+        feedback = say(FeedbackKind::not_understood, "feedback.not_understood.1");
+    } else if (unheard_ == 2) {
+        feedback = say(FeedbackKind::not_understood, "feedback.not_understood.2",
+                       {{"frame", sentence_frame(*question_)}});
+    } else {
+        std::string list;
+        const std::vector<std::string> words = choices(*question_);
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            if (i > 0) {
+                list += catalogue_.say(i + 1 == words.size() ? "list.or" : "list.and_so_on") + " ";
+            }
+            list += words[i];
+        }
+        feedback =
+            say(FeedbackKind::not_understood, "feedback.not_understood.3", {{"choices", list}});
+    }
+    feedback.ask_again = true;
+    return feedback;
+}
+
+Feedback Conversation::wrong_meaning() {
+    ++wrong_;
+    if (settings_.tries > 0 && wrong_ >= settings_.tries) {
+        return move_on();
+    }
+    state_ = State::asked;
+    Feedback feedback =
+        say(FeedbackKind::wrong_meaning,
+            question_->compares_two ? "feedback.wrong_meaning.two" : "feedback.wrong_meaning.many");
+    if (!question_->hint.empty()) {
+        feedback.text = question_->hint;
+        feedback.keys.clear();
+    }
+    feedback.ask_again = true;
+    feedback.replay = true;
+    return feedback;
+}
+
+Feedback Conversation::move_on() {
+    state_ = State::done;
+    return say(FeedbackKind::moved_on, "feedback.moved_on");
+}
+
+Feedback Conversation::say(FeedbackKind kind, std::string key, const CatalogueSlots& slots) {
+    Feedback feedback;
+    feedback.kind = kind;
+    feedback.text = catalogue_.say(key, slots);
+    feedback.keys.push_back(std::move(key));
+    feedback.attempt = attempt_;
+    return feedback;
+}
+
+std::string Conversation::ladder_key(const FormError& error) const {
+    return std::string(error.errant()) + "/" + rule_key(error);
+}
+
+int Conversation::sightings(const FormError& error) const {
+    const auto found = seen_.find(ladder_key(error));
+    return found == seen_.end() ? 0 : found->second;
+}
+
+std::vector<std::string> sentences_of(std::string_view text) {
+    std::vector<std::string> lines;
+    std::string line;
+    const auto flush = [&] {
+        const std::size_t first = line.find_first_not_of(' ');
+        if (first != std::string::npos) {
+            lines.push_back(line.substr(first));
+        }
+        line.clear();
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\n') {
+            flush();
+            continue;
+        }
+        line.push_back(text[i]);
+        const bool ends = text[i] == '.' || text[i] == '?' || text[i] == '!';
+        if (ends && (i + 1 == text.size() || text[i + 1] == ' ')) {
+            flush();
+        }
+    }
+    flush();
+    return lines;
+}
+
+}  // namespace fulcrum::dialogue

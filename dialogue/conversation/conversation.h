@@ -1,0 +1,124 @@
+// Asks, hears, answers: one question at a time.
+//
+//          ask               hear                respond
+//   idle ------> asked ---------------> heard ------------> done       right meaning (whatever the form)
+//                  ^                      |---------------> asked      wrong meaning, not understood, heard badly: asked again
+//                  |                      |---------------> invited    right meaning, and the form may be said once more
+//                  +-- after `tries` ---> done               invited --hear--> heard --> done, always
+//
+// Feedback on form climbs a ladder by how often the same error has been made: a recast ("Yes. A watermelon is *the
+// heaviest*."), then a prompt ("A watermelon is …?"), then a rule in one line. Nobody is held back for form alone.
+// A wrong meaning never tells the right one. The same marks give the same feedback: praise goes round in turn.
+//
+// Thread: one.  Cost: one match an answer.
+// Source: recast, prompt (elicitation) and uptake after Lyster and Ranta 1997, "Corrective feedback and learner uptake",
+//   Studies in Second Language Acquisition 19(1).
+#pragma once
+
+#include "dialogue/catalogue.h"
+#include "dialogue/marking/mark.h"
+#include "dialogue/marking/question.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fulcrum::dialogue {
+
+/// How a conversation goes; fixed at its start.
+struct ConversationSettings {
+    int prompt_from = 2;  ///< sighting of the same error from which a prompt is given, 1 or more
+    int rule_from = 3;    ///< sighting from which the rule is told, at least `prompt_from`
+    int tries =
+        4;  ///< answers of wrong meaning after which the question is left, 1 or more; 0: never
+    int unheard_tries = 6;  ///< answers not understood after which it is left, 1 or more; 0: never
+    double least_confidence = 0.4;  ///< below it "say it again", never "wrong"; 0 to 1
+};
+
+/// What kind of answer the learner gets.
+enum class FeedbackKind : std::uint8_t {
+    praise,          ///< meaning and form are right
+    recast,          ///< meaning right; the right sentence is said back
+    prompt,          ///< meaning right; the learner may say it once more
+    rule,            ///< meaning right; the right sentence and its rule
+    wrong_meaning,   ///< weigh again, asked again
+    not_understood,  ///< no sentence fits; asked again
+    heard_badly,     ///< the recogniser isn't sure; asked again
+    moved_on         ///< left for now
+};
+
+/// What was made of an invitation to say it once more.
+enum class Uptake : std::uint8_t { none, repaired, not_repaired };
+
+/// The program's answer to an answer.
+struct Feedback {
+    FeedbackKind kind = FeedbackKind::praise;
+    std::string text;               ///< shown and read aloud; *asterisks* around what is emphasised
+    std::vector<std::string> keys;  ///< the catalogue's keys it is made of
+    bool ask_again = false;         ///< the question stays open
+    bool may_repeat = false;  ///< one more `hear` is welcome; the question is done even without it
+    bool replay = false;      ///< let the hand feel the contrast again
+    Uptake uptake = Uptake::none;
+    int attempt = 0;  ///< the number of this answer to the question, from 1
+};
+
+/// One learner's conversation. Keeps a reference to the catalogue: it must live longer.
+class Conversation {
+  public:
+    enum class State : std::uint8_t { idle, asked, heard, invited, done };
+
+    explicit Conversation(const Catalogue& catalogue, ConversationSettings settings = {});
+
+    /// Asks; returns the prompt's sentences, a line each. `number` of `of` adds "Question 2 of 5." before them; 0 doesn't.
+    std::vector<std::string> ask(const Question& question, int number = 0, int of = 0);
+
+    /// Marks an answer; pure but for the state. Before any question an empty mark.
+    [[nodiscard]] Mark hear(std::string_view text, double confidence = 1.0);
+
+    /// Answers; `meaning_right` is the simulation's verdict and doesn't matter for a mark that isn't understood.
+    [[nodiscard]] Feedback respond(const Mark& mark, bool meaning_right);
+
+    /// The prompt again, e.g. for a "say that again" button.
+    [[nodiscard]] std::vector<std::string> prompt_again() const;
+
+    [[nodiscard]] State state() const { return state_; }
+    [[nodiscard]] int attempt() const { return attempt_; }
+    /// How often the error has been made since its form was last right.
+    [[nodiscard]] int sightings(const FormError& error) const;
+
+  private:
+    Feedback respond_to_form(const Mark& mark);
+    Feedback respond_to_repeat(const Mark& mark, bool meaning_right);
+    Feedback not_understood();
+    Feedback wrong_meaning();
+    Feedback move_on();
+    Feedback say(FeedbackKind kind, std::string key, const CatalogueSlots& slots = {});
+    std::string ladder_key(const FormError& error) const;
+
+    const Catalogue& catalogue_;
+    ConversationSettings settings_;
+    std::optional<Question> question_;
+    State state_ = State::idle;
+    bool repeating_ = false;           ///< the answer heard follows an invitation
+    int attempt_ = 0;                  ///< answers to this question
+    int wrong_ = 0;                    ///< of wrong meaning
+    int unheard_ = 0;                  ///< not understood
+    std::size_t praise_ = 0;           ///< next praise in turn
+    Mark accepted_{};                  ///< the answer whose repetition was invited
+    std::map<std::string, int> seen_;  ///< sightings by error
+};
+
+/// The catalogue's keys that a conversation uses, for `Catalogue::check`.
+[[nodiscard]] std::span<const CatalogueNeed> conversation_needs();
+
+/// The key of the one-line rule for an error, "rule.superlative.ending".
+[[nodiscard]] std::string rule_key(const FormError& error);
+
+/// A text's sentences, each with its own mark: "Look. Which one is it?" -> 2.
+[[nodiscard]] std::vector<std::string> sentences_of(std::string_view text);
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,100 @@
+// Which of the catalogue's rules belongs to an error, and all keys that a conversation needs.
+#include "dialogue/conversation/conversation.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace fulcrum::dialogue {
+namespace {
+
+/// rule.superlative.ending, rule.comparative.more_most, …
+std::string degree_rule(const FormError& error) {
+    const std::string degree = error.degree == Degree::comparative ? "comparative" : "superlative";
+    switch (comparison_of(error.base)) {
+        case Comparison::ending:
+        case Comparison::both:
+            return "rule." + degree + ".ending";
+        case Comparison::more_most:
+            return "rule." + degree + ".more_most";
+        case Comparison::irregular:
+            break;
+    }
+    return "rule." + degree + ".irregular";
+}
+
+/// Rules that hold for one code, whatever the word.
+constexpr std::array<std::pair<ErrorCode, std::string_view>, 12> kRules = {{
+    {ErrorCode::missing_determiner, "rule.article.missing"},
+    {ErrorCode::wrong_determiner, "rule.article.sound"},
+    {ErrorCode::extra_determiner, "rule.article.extra"},
+    {ErrorCode::agreement, "rule.verb.agreement"},
+    {ErrorCode::missing_verb, "rule.verb.missing"},
+    {ErrorCode::verb_form, "rule.verb.form"},
+    {ErrorCode::verb_tense, "rule.verb.form"},
+    {ErrorCode::extra_pronoun, "rule.pronoun.extra"},
+    {ErrorCode::wrong_adverb, "rule.adverb"},
+    {ErrorCode::noun_number, "rule.noun.number"},
+    {ErrorCode::noun_inflection, "rule.noun.plural"},
+    {ErrorCode::orthography, "rule.spelling"},
+}};
+
+std::vector<CatalogueNeed> make_needs() {
+    std::vector<CatalogueNeed> needs{{"question.number", {"n", "of"}},
+                                     {"list.or", {}},
+                                     {"list.and_so_on", {}},
+                                     {"feedback.praise.1", {"sentence"}},
+                                     {"feedback.praise.2", {"sentence"}},
+                                     {"feedback.praise_short", {"sentence"}},
+                                     {"feedback.repaired", {"sentence"}},
+                                     {"feedback.recast", {"sentence"}},
+                                     {"feedback.prompt", {"sentence", "gap"}},
+                                     {"feedback.rule", {"sentence", "rule"}},
+                                     {"feedback.wrong_meaning.two", {}},
+                                     {"feedback.wrong_meaning.many", {}},
+                                     {"feedback.not_understood.1", {}},
+                                     {"feedback.not_understood.2", {"frame"}},
+                                     {"feedback.not_understood.3", {"choices"}},
+                                     {"feedback.heard_badly", {}},
+                                     {"feedback.moved_on", {}}};
+    const std::vector<std::string_view> words{"base", "right", "said", "phrase"};
+    for (const auto& [code, key] : kRules) {
+        needs.push_back({key, words});
+    }
+    for (const std::string_view key :
+         {"rule.superlative.ending", "rule.superlative.more_most", "rule.superlative.irregular",
+          "rule.superlative.the", "rule.comparative.ending", "rule.comparative.more_most",
+          "rule.comparative.irregular", "rule.than", "rule.preposition", "rule.spelling"}) {
+        needs.push_back({key, words});
+    }
+    return needs;
+}
+
+}  // namespace
+
+std::string rule_key(const FormError& error) {
+    if (error.role == Role::adjective) {
+        return degree_rule(error);
+    }
+    if (error.role == Role::determiner && error.target &&
+        error.code != ErrorCode::extra_determiner) {
+        return "rule.superlative.the";
+    }
+    if (error.code == ErrorCode::wrong_preposition ||
+        error.code == ErrorCode::missing_preposition) {
+        return error.right == "than" ? "rule.than" : "rule.preposition";
+    }
+    for (const auto& [code, key] : kRules) {
+        if (code == error.code) {
+            return std::string(key);
+        }
+    }
+    return "rule.spelling";
+}
+
+std::span<const CatalogueNeed> conversation_needs() {
+    static const std::vector<CatalogueNeed> needs = make_needs();
+    return needs;
+}
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,56 @@
+#include "dialogue/english/letters.h"
+
+#include <algorithm>
+
+#include <array>
+
+namespace fulcrum::dialogue {
+namespace {
+constexpr std::size_t kLongestWord = 32;
+}
+
+std::string lower_case(std::string_view text) {
+    std::string result(text);
+    for (char& letter : result) {
+        if (letter >= 'A' && letter <= 'Z') {
+            letter = static_cast<char>(letter - 'A' + 'a');
+        }
+    }
+    return result;
+}
+
+std::string sentence_case(std::string_view text) {
+    std::string result(text);
+    if (!result.empty() && result[0] >= 'a' && result[0] <= 'z') {
+        result[0] = static_cast<char>(result[0] - 'a' + 'A');
+    }
+    return result;
+}
+
+int edit_distance(std::string_view a, std::string_view b) {
+    if (a.size() > kLongestWord || b.size() > kLongestWord) {
+        return static_cast<int>(kLongestWord) + 1;
+    }
+    using Row = std::array<int, kLongestWord + 1>;
+    Row before{};  // row i-2
+    Row last{};    // row i-1
+    Row row{};     // row i
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+        last[j] = static_cast<int>(j);
+    }
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = static_cast<int>(i);
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const int replace = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            row[j] = std::min({replace, last[j] + 1, row[j - 1] + 1});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                row[j] = std::min(row[j], before[j - 2] + 1);
+            }
+        }
+        before = last;
+        last = row;
+    }
+    return last[b.size()];
+}
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,219 @@
+#include "dialogue/english/noun.h"
+
+#include "dialogue/english/letters.h"
+
+#include <algorithm>
+
+#include <array>
+
+namespace fulcrum::dialogue {
+namespace {
+
+struct PluralPair {
+    std::string_view singular, plural;
+};
+constexpr std::array kIrregularPlurals = {
+    PluralPair{"man", "men"},
+    PluralPair{"woman", "women"},
+    PluralPair{"child", "children"},
+    PluralPair{"foot", "feet"},
+    PluralPair{"tooth", "teeth"},
+    PluralPair{"goose", "geese"},
+    PluralPair{"mouse", "mice"},
+    PluralPair{"louse", "lice"},
+    PluralPair{"ox", "oxen"},
+    PluralPair{"person", "people"},
+    PluralPair{"die", "dice"},
+    PluralPair{"sheep", "sheep"},
+    PluralPair{"fish", "fish"},
+    PluralPair{"deer", "deer"},
+    PluralPair{"moose", "moose"},
+    PluralPair{"salmon", "salmon"},
+    PluralPair{"series", "series"},
+    PluralPair{"species", "species"},
+    PluralPair{"aircraft", "aircraft"},
+    PluralPair{"spacecraft", "spacecraft"},
+    PluralPair{"swine", "swine"},
+    PluralPair{"leaf", "leaves"},
+    PluralPair{"knife", "knives"},
+    PluralPair{"life", "lives"},
+    PluralPair{"wife", "wives"},
+    PluralPair{"half", "halves"},
+    PluralPair{"loaf", "loaves"},
+    PluralPair{"shelf", "shelves"},
+    PluralPair{"wolf", "wolves"},
+    PluralPair{"calf", "calves"},
+    PluralPair{"elf", "elves"},
+    PluralPair{"self", "selves"},
+    PluralPair{"thief", "thieves"},
+    PluralPair{"scarf", "scarves"},
+    PluralPair{"hoof", "hooves"},
+    PluralPair{"potato", "potatoes"},
+    PluralPair{"tomato", "tomatoes"},
+    PluralPair{"hero", "heroes"},
+    PluralPair{"echo", "echoes"},
+    PluralPair{"torpedo", "torpedoes"},
+    PluralPair{"volcano", "volcanoes"},
+    PluralPair{"mango", "mangoes"},
+    PluralPair{"mosquito", "mosquitoes"},
+    PluralPair{"cactus", "cacti"},
+    PluralPair{"fungus", "fungi"},
+    PluralPair{"nucleus", "nuclei"},
+    PluralPair{"radius", "radii"},
+    PluralPair{"analysis", "analyses"},
+    PluralPair{"crisis", "crises"},
+    PluralPair{"axis", "axes"},
+    PluralPair{"basis", "bases"},
+    PluralPair{"phenomenon", "phenomena"},
+    PluralPair{"bacterium", "bacteria"},
+    PluralPair{"quiz", "quizzes"},
+    PluralPair{"snowman", "snowmen"},
+    PluralPair{"fireman", "firemen"},
+    PluralPair{"policeman", "policemen"},
+    PluralPair{"stomach", "stomachs"},
+    PluralPair{"monarch", "monarchs"},
+    PluralPair{"grandchild", "grandchildren"},
+};
+
+constexpr std::array<std::string_view, 73> kMass = {
+    "water",   "air",       "wood",      "metal",   "iron",      "steel",    "gold",
+    "silver",  "copper",    "plastic",   "paper",   "rubber",    "cotton",   "wool",
+    "leather", "glass",     "sand",      "oil",     "milk",      "juice",    "tea",
+    "coffee",  "rice",      "bread",     "butter",  "cheese",    "meat",     "sugar",
+    "salt",    "flour",     "soup",      "honey",   "snow",      "ice",      "rain",
+    "wind",    "weather",   "gravity",   "energy",  "light",     "heat",     "electricity",
+    "music",   "homework",  "furniture", "luggage", "money",     "advice",   "information",
+    "news",    "knowledge", "equipment", "traffic", "software",  "clothing", "jewellery",
+    "jewelry", "concrete",  "granite",   "marble",  "sandpaper", "clay",     "dust",
+    "grass",   "hair",      "lava",      "mud",     "oxygen",    "hydrogen", "helium",
+    "silk",    "foam",      "aluminium"};
+
+constexpr std::array<std::string_view, 14> kPluralOnly = {
+    "scissors", "glasses", "trousers", "jeans",    "shorts",     "pants",      "pyjamas",
+    "clothes",  "goggles", "pliers",   "tweezers", "binoculars", "headphones", "tongs"};
+
+/// End in s, yet singular.
+constexpr std::array<std::string_view, 22> kSingularInS = {
+    "bus",        "gas",    "lens",    "plus",      "virus",  "octopus",  "walrus",  "hippopotamus",
+    "rhinoceros", "cactus", "compass", "atlas",     "canvas", "pancreas", "physics", "mathematics",
+    "tennis",     "series", "species", "christmas", "iris",   "news"};
+
+/// "the" belongs to the name.
+constexpr std::array<std::string_view, 2> kNamedThe = {"moon", "sun"};
+
+std::string_view last_word(std::string_view phrase) {
+    const std::size_t space = phrase.find_last_of(" -");
+    return space == std::string_view::npos ? phrase : phrase.substr(space + 1);
+}
+
+bool ends_with(std::string_view word, std::string_view end) {
+    return word.size() >= end.size() && word.substr(word.size() - end.size()) == end;
+}
+
+template <class Table>
+bool contains(const Table& table, std::string_view word) {
+    return std::find(table.begin(), table.end(), word) != table.end();
+}
+
+std::string plural_of_word(std::string_view word) {
+    const std::string lower = lower_case(word);
+    for (const PluralPair& pair : kIrregularPlurals) {
+        if (pair.singular == lower) {
+            // Keep the first letter as it was written: Man -> Men.
+            return word[0] == lower[0] ? std::string(pair.plural) : sentence_case(pair.plural);
+        }
+    }
+    const std::size_t n = lower.size();
+    const std::string text(word);
+    if (ends_with(lower, "s") || ends_with(lower, "x") || ends_with(lower, "z") ||
+        ends_with(lower, "ch") || ends_with(lower, "sh")) {
+        return text + "es";
+    }
+    if (n > 1 && lower[n - 1] == 'y' && !is_vowel_letter(lower[n - 2])) {
+        return text.substr(0, n - 1) + "ies";
+    }
+    return text + "s";
+}
+
+}  // namespace
+
+std::string plural_of(std::string_view noun) {
+    if (noun.empty()) {
+        return {};
+    }
+    const std::string_view last = last_word(noun);
+    if (last.empty() || contains(kPluralOnly, lower_case(last))) {
+        return std::string(noun);
+    }
+    return std::string(noun.substr(0, noun.size() - last.size())) + plural_of_word(last);
+}
+
+bool looks_plural(std::string_view noun) {
+    const std::string word = lower_case(last_word(noun));
+    const bool irregular = std::any_of(
+        kIrregularPlurals.begin(), kIrregularPlurals.end(),
+        [&](const PluralPair& pair) { return pair.plural == word && pair.singular != word; });
+    if (irregular || contains(kPluralOnly, word)) {
+        return true;
+    }
+    return word.size() > 2 && ends_with(word, "s") && !ends_with(word, "ss") &&
+           !ends_with(word, "us") && !ends_with(word, "is") && !contains(kSingularInS, word);
+}
+
+bool is_mass_noun(std::string_view noun) {
+    return contains(kMass, lower_case(last_word(noun)));
+}
+
+Noun understand_noun(std::string_view entry) {
+    Noun noun;
+    bool with_the = false;
+    bool with_indefinite = false;
+    for (const std::string_view article : {"the ", "a ", "an "}) {
+        if (lower_case(entry.substr(0, article.size())) == article &&
+            entry.size() > article.size()) {
+            with_the = article == "the ";
+            with_indefinite = !with_the;
+            entry.remove_prefix(article.size());
+            break;
+        }
+    }
+    noun.text = std::string(entry);
+    const bool capital = !entry.empty() && entry[0] >= 'A' && entry[0] <= 'Z';
+    const bool initials = entry.size() > 1 && entry[1] >= 'A' && entry[1] <= 'Z';
+    const std::string lower = lower_case(entry);
+    if (with_indefinite) {
+        noun.noun_class = NounClass::count;
+    } else if (lower == "earth" && (capital || with_the)) {
+        noun.noun_class = NounClass::name_or_the;
+    } else if (with_the || (capital && contains(kNamedThe, lower))) {
+        noun.noun_class = NounClass::named_the;
+    } else if (capital && !initials) {
+        noun.noun_class = NounClass::name;
+    } else if (is_mass_noun(entry)) {
+        noun.noun_class = NounClass::mass;
+    } else if (looks_plural(entry)) {
+        noun.noun_class = NounClass::plural;
+    }
+    return noun;
+}
+
+std::vector<std::string> learner_plurals(std::string_view noun) {
+    const std::string right = plural_of(noun);
+    const std::string base(noun);
+    std::vector<std::string> result;
+    const auto add = [&](std::string text) {
+        if (text != right && text != base &&
+            std::find(result.begin(), result.end(), text) == result.end()) {
+            result.push_back(std::move(text));
+        }
+    };
+    if (base.empty()) {
+        return result;
+    }
+    add(base + "s");
+    add(base + "es");
+    add(right + "s");
+    return result;
+}
+
+}  // namespace fulcrum::dialogue

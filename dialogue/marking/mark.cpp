@@ -1,0 +1,165 @@
+#include "dialogue/marking/mark.h"
+
+#include "dialogue/template/matcher.h"
+#include "dialogue/template/sentences.h"
+
+#include <algorithm>
+
+namespace fulcrum::dialogue {
+namespace {
+
+/// Which of several errors matters most to a learner: the smaller the number, the more.
+int importance(const FormError& error) {
+    if (error.target) {
+        return 0;
+    }
+    switch (error.code) {
+        case ErrorCode::missing_determiner:
+        case ErrorCode::wrong_determiner:
+        case ErrorCode::extra_determiner:
+            return 2;
+        case ErrorCode::spelling:
+        case ErrorCode::orthography:
+            return 3;
+        default:
+            return 1;
+    }
+}
+
+/// The article of a taught form belongs to it: "watermelon is heaviest" misses the superlative's "the".
+bool belongs_to_target(const std::vector<Piece>& pieces, int at) {
+    const PieceRange phrase = phrase_around(pieces, at);
+    return std::any_of(pieces.begin() + phrase.first, pieces.begin() + phrase.last,
+                       [](const Piece& piece) { return piece.element.target; });
+}
+
+FormError error_of(const std::vector<Piece>& pieces, int at) {
+    const Piece& piece = pieces[static_cast<std::size_t>(at)];
+    FormError error;
+    error.code = piece.code;
+    error.said = piece.said;
+    error.begin = piece.begin;
+    error.end = piece.end;
+    error.right = piece.right;
+    error.phrase = render_phrase(pieces, phrase_around(pieces, at));
+    error.base = piece.element.base;
+    error.role = piece.element.role;
+    error.degree = piece.element.degree;
+    error.target = belongs_to_target(pieces, at);
+    return error;
+}
+
+/// The phrase of a short answer, found again in its whole sentence: the one with the same slot.
+PieceRange same_phrase(const std::vector<Piece>& whole, int slot) {
+    for (int i = 0; i < static_cast<int>(whole.size()); ++i) {
+        if (whole[static_cast<std::size_t>(i)].element.slot == slot) {
+            return phrase_around(whole, i);
+        }
+    }
+    return {};
+}
+
+/// The whole right sentence; a short answer is completed.
+void write_sentences(const TemplateSet& set, const Parse& parse, int main_piece, Mark& mark) {
+    const Graph& graph = set.graphs[static_cast<std::size_t>(parse.graph)];
+    std::vector<Piece> pieces = parse.pieces;
+    PieceRange range = main_piece == kNone ? PieceRange{} : phrase_around(pieces, main_piece);
+    if (graph.short_answer && graph.full_sentence != parse.graph) {
+        pieces = canonical_pieces(set, graph.full_sentence, parse.slots);
+        const int slot = parse.pieces.back().element.slot;
+        range = main_piece == kNone ? PieceRange{} : same_phrase(pieces, slot);
+    }
+    mark.corrected = render(pieces);
+    mark.emphasised = main_piece == kNone ? mark.corrected : render(pieces, range);
+    mark.gapped = main_piece == kNone ? mark.corrected : render(pieces, range, true);
+    mark.emphasis = render_phrase(pieces, range);
+}
+
+}  // namespace
+
+bool Mark::target_right() const {
+    return std::none_of(form_errors.begin(), form_errors.end(),
+                        [](const FormError& error) { return error.target; });
+}
+
+int Mark::other_errors() const {
+    return static_cast<int>(std::count_if(form_errors.begin(), form_errors.end(),
+                                          [](const FormError& error) { return !error.target; }));
+}
+
+const FormError* Mark::main_error() const {
+    // An adjective's own form before its article.
+    const auto rank = [](const FormError& error) {
+        return importance(error) * 2 + (error.role == Role::determiner ? 1 : 0);
+    };
+    const auto found =
+        std::min_element(form_errors.begin(), form_errors.end(),
+                         [&](const FormError& a, const FormError& b) { return rank(a) < rank(b); });
+    return found == form_errors.end() ? nullptr : &*found;
+}
+
+std::string_view Mark::slot(std::string_view name) const {
+    const auto found = std::find_if(slots.begin(), slots.end(),
+                                    [&](const auto& slot) { return slot.first == name; });
+    return found == slots.end() ? std::string_view{} : std::string_view(found->second);
+}
+
+Mark mark_answer(const Question& question, std::string_view text, double confidence) {
+    Mark mark;
+    mark.said = std::string(text.substr(0, kLongestUtterance_bytes));
+    mark.confidence = confidence;
+    const TemplateSet& set = *question.templates;
+    const auto parse = match(set, text);
+    if (!parse) {
+        return mark;
+    }
+    mark.understood = true;
+    mark.short_answer = set.graphs[static_cast<std::size_t>(parse->graph)].short_answer;
+    mark.slots = parse->slots;
+    std::vector<int> places;
+    for (int i = 0; i < static_cast<int>(parse->pieces.size()); ++i) {
+        if (parse->pieces[static_cast<std::size_t>(i)].code != ErrorCode::none) {
+            mark.form_errors.push_back(error_of(parse->pieces, i));
+            places.push_back(i);
+        }
+    }
+    const FormError* main = mark.main_error();
+    const int main_piece =
+        main == nullptr ? kNone : places[static_cast<std::size_t>(main - mark.form_errors.data())];
+    write_sentences(set, *parse, main_piece, mark);
+    return mark;
+}
+
+std::string sentence_frame(const Question& question) {
+    std::vector<Piece> pieces = canonical_pieces(*question.templates, 0, {});
+    for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
+        if (pieces[static_cast<std::size_t>(i)].element.slot != kNone) {
+            const PieceRange phrase = phrase_around(pieces, i);
+            for (int j = phrase.first; j < phrase.last; ++j) {
+                pieces[static_cast<std::size_t>(j)].right = j + 1 == phrase.last ? "…" : "";
+            }
+        }
+    }
+    return render(pieces);
+}
+
+std::vector<std::string> choices(const Question& question) {
+    const TemplateSet& set = *question.templates;
+    std::vector<std::string> result;
+    for (std::size_t slot = 0; slot < set.slots.size(); ++slot) {
+        const auto& items = set.lists[static_cast<std::size_t>(set.slot_lists[slot])].items;
+        for (const ListItem& item : items) {
+            const std::vector<Piece> pieces =
+                canonical_pieces(set, 0, {{set.slots[slot], item.value}});
+            const std::string phrase =
+                render_phrase(pieces, same_phrase(pieces, static_cast<int>(slot)));
+            if (!phrase.empty() &&
+                std::find(result.begin(), result.end(), phrase) == result.end()) {
+                result.push_back(phrase);
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace fulcrum::dialogue

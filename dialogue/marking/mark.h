@@ -1,0 +1,75 @@
+// What an answer meant, and how it was formed: two things that are kept apart. Whether the meaning is right is not known
+// here; the simulation decides.
+//
+// Thread: pure.  Cost: one match (template/matcher.h).
+// Source: the codes are ERRANT's (english/error_code.h). One part is emphasised, for a recast works when the learner can
+//   see what was changed: Lyster and Ranta 1997, "Corrective feedback and learner uptake", Studies in Second Language
+//   Acquisition 19(1).
+#pragma once
+
+#include "dialogue/english/adjective.h"
+#include "dialogue/english/error_code.h"
+#include "dialogue/marking/question.h"
+#include "dialogue/template/graph.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fulcrum::dialogue {
+
+/// One error of form.
+struct FormError {
+    ErrorCode code = ErrorCode::none;
+    std::string said;       ///< the learner's letters; empty when something is missing
+    std::size_t begin = 0;  ///< bytes of the utterance, [begin, end)
+    std::size_t end = 0;
+    std::string right;   ///< the words that belong there; empty when nothing does
+    std::string phrase;  ///< the right phrase around it: "the heaviest", "an apple"
+    std::string base;    ///< an adjective's or counted noun's own word: "heavy"; empty for others
+    Role role = Role::word;
+    Degree degree = Degree::positive;
+    bool target = false;  ///< in the form that the question teaches
+
+    /// The code as ERRANT writes it, "R:ADJ:FORM".
+    [[nodiscard]] std::string_view errant() const { return errant_code(code); }
+};
+
+/// An answer, marked.
+struct Mark {
+    std::string said;
+    bool understood = false;    ///< false: no template fits; all below is empty
+    bool short_answer = false;  ///< "The watermelon.": fine
+    double confidence = 1.0;    ///< the recogniser's, 0 to 1; 1 for typed answers
+    std::vector<std::pair<std::string, std::string>> slots;  ///< thing -> watermelon
+    std::vector<FormError> form_errors;                      ///< in the order said
+    std::string corrected;  ///< the whole right sentence: "A watermelon is the heaviest."
+    std::string
+        emphasised;  ///< the same with what was wrong in *asterisks*; without errors as `corrected`
+    std::string gapped;    ///< the same with "…" in that place
+    std::string emphasis;  ///< that part alone: "the heaviest"; empty without errors
+
+    [[nodiscard]] bool form_right() const { return form_errors.empty(); }
+    /// The form that the question teaches is right, whatever else is wrong.
+    [[nodiscard]] bool target_right() const;
+    /// Errors outside that form.
+    [[nodiscard]] int other_errors() const;
+    /// The error that feedback speaks of: the taught form first, then by order of importance; null without errors.
+    [[nodiscard]] const FormError* main_error() const;
+    /// The value of a slot, empty when it isn't filled.
+    [[nodiscard]] std::string_view slot(std::string_view name) const;
+};
+
+/// Marks `text` as an answer to `question`.
+[[nodiscard]] Mark mark_answer(const Question& question, std::string_view text,
+                               double confidence = 1.0);
+
+/// The whole right sentence of the question's first answer with every slot as "…": "… is the heaviest."
+[[nodiscard]] std::string sentence_frame(const Question& question);
+
+/// What may be said for the slots, each once, with its article: "a watermelon", "an apple".
+[[nodiscard]] std::vector<std::string> choices(const Question& question);
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,42 @@
+// A question with the answers it understands, ready to be asked.
+//
+//   auto set = compile_question({"heaviest", "Which one is the heaviest?",
+//                                {"[a|an|the] {thing} is the <superlative:heavy> [one|object]"},
+//                                {{"thing", {"watermelon", "apple", "banana", "egg"}}}});
+//
+// Thread: immutable, may be copied and shared.  Cost: compiled once, at load.
+#pragma once
+
+#include "dialogue/result.h"
+#include "dialogue/template/compile.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace fulcrum::dialogue {
+
+/// What an author writes for one question.
+struct QuestionSource {
+    std::string id;                    ///< unique in its lesson
+    std::string prompt;                ///< what is asked; sentences part the lines
+    std::vector<std::string> answers;  ///< templates
+    NamedLists lists{};                ///< {name} -> its words
+    NamedTexts rules{};                ///< <name> -> a template
+    std::string
+        hint{};  ///< said after a wrong meaning instead of the catalogue's line; may be empty
+};
+
+/// A compiled question.
+struct Question {
+    std::string id;
+    std::string prompt;
+    std::string hint;
+    std::shared_ptr<const TemplateSet> templates;
+    bool compares_two = false;  ///< its answers hold a comparative and no superlative
+};
+
+/// Compiles a question; an error names the question, the answer or rule, and its column.
+[[nodiscard]] Expected<Question> compile_question(const QuestionSource& source);
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,40 @@
+// Compiles the sentence templates of one question into graphs.
+//
+//   sentences  "[a|an|the] {thing} is the <superlative:heavy> [one|object]"
+//   lists      thing = watermelon, apple, an hour, the Moon, Jupiter, "bike|bicycle" (the first is what a recast says)
+//   rules      name = a template used as <name>
+//
+// Grammar-aware: an article or a bracket of articles before a {list} asks for the article that the noun needs; verbs agree
+// with the noun before them; <superlative:…>, <comparative:…>, <plural:…> and <article> know their right forms and the
+// wrong ones that learners say. A question that a single word answers is given short answers too ("The watermelon.").
+//
+// Bounded: depth, length, words and arcs; a rule that uses itself is refused.
+//
+// Thread: pure.  Cost: linear in the arcs, at most kLargestGraph_arcs; at load.
+#pragma once
+
+#include "dialogue/result.h"
+#include "dialogue/template/graph.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fulcrum::dialogue {
+
+/// Names with their texts, in the author's order.
+using NamedTexts = std::vector<std::pair<std::string, std::string>>;
+/// Names with several texts each.
+using NamedLists = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+/// What an author wrote.
+struct TemplateSource {
+    std::vector<std::string> sentences;
+    NamedLists lists;
+    NamedTexts rules;
+};
+
+/// Compiles; an error names the sentence or rule, and its column.
+[[nodiscard]] Expected<TemplateSet> compile_templates(const TemplateSource& source);
+
+}  // namespace fulcrum::dialogue

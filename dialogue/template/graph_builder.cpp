@@ -1,0 +1,268 @@
+#include "dialogue/template/graph_builder.h"
+
+#include <algorithm>
+
+#include <optional>
+
+namespace fulcrum::dialogue {
+namespace {
+
+using Kind = SyntaxNode::Kind;
+constexpr std::size_t kMostSteps = 16 * kLargestGraph_arcs;
+constexpr std::size_t kDeepestRules = 24;
+
+const SyntaxNode& at(const Syntax& syntax, int index) {
+    return syntax[static_cast<std::size_t>(index)];
+}
+
+/// The part itself, without brackets and sequences that hold nothing else.
+const SyntaxNode& unwrapped(const Syntax& syntax, int index) {
+    const SyntaxNode* part = &at(syntax, index);
+    while ((part->kind == Kind::sequence || part->kind == Kind::alternatives) &&
+           part->children.size() == 1) {
+        part = &at(syntax, part->children[0]);
+    }
+    return *part;
+}
+
+/// The article that a part asks for when it consists of articles only: "the", "[a|an|the]", "(a|an)", <article>.
+std::optional<ArticlePolicy> article_policy(const Syntax& syntax, int index) {
+    const SyntaxNode& part = unwrapped(syntax, index);
+    if (part.kind == Kind::word && is_article(part.text)) {
+        return part.text == "the" ? ArticlePolicy::definite : ArticlePolicy::indefinite;
+    }
+    if (part.kind == Kind::rule && part.text == "article") {
+        return ArticlePolicy::indefinite;
+    }
+    if (part.kind == Kind::optional) {
+        return article_policy(syntax, part.children[0]);
+    }
+    if (part.kind != Kind::alternatives) {
+        return std::nullopt;
+    }
+    auto policy = ArticlePolicy::definite;
+    for (const int child : part.children) {
+        const auto inner = article_policy(syntax, child);
+        if (!inner) {
+            return std::nullopt;
+        }
+        policy = *inner == ArticlePolicy::indefinite ? *inner : policy;
+    }
+    return policy;
+}
+
+std::string names_of(const std::vector<WordList>& lists) {
+    std::string names;
+    for (const WordList& list : lists) {
+        names += (names.empty() ? "" : ", ") + list.name;
+    }
+    return names.empty() ? "none" : names;
+}
+
+}  // namespace
+
+Expected<Built> GraphBuilder::build(const Syntax& syntax, int from) {
+    return node(syntax, 0, from, {});
+}
+
+Expected<bool> GraphBuilder::step(const SyntaxNode& part) {
+    if (writer_.full() || ++steps_ > kMostSteps) {
+        return fail(concat({"the templates grow beyond ", std::to_string(kLargestGraph_arcs),
+                            " arcs here; use fewer rules within rules, or shorter lists"}),
+                    part.column);
+    }
+    return true;
+}
+
+Expected<Built> GraphBuilder::node(const Syntax& syntax, int index, int from,
+                                   Neighbours neighbours) {
+    const SyntaxNode& part = at(syntax, index);
+    if (const auto within = step(part); !within) {
+        return tl::unexpected(within.error());
+    }
+    switch (part.kind) {
+        case Kind::sequence:
+            return sequence(syntax, part, from, neighbours);
+        case Kind::alternatives:
+            return alternatives(syntax, part, false, from, neighbours);
+        case Kind::optional:
+            return alternatives(syntax, part, true, from, neighbours);
+        case Kind::permutation:
+            return permutation(syntax, part, from);
+        case Kind::list:
+            return list(part, ArticlePolicy::bare, from);
+        case Kind::rule:
+            return rule(part, from, neighbours);
+        case Kind::word:
+            break;
+    }
+    Built built{writer_.add_node()};
+    const std::string& shown = part.argument.empty() ? part.text : part.argument;
+    add_word(writer_, part.text, shown, neighbours.after_list, from, built.to);
+    return built;
+}
+
+Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& part, int from,
+                                       Neighbours neighbours) {
+    Built built{from};
+    for (std::size_t i = 0; i < part.children.size(); ++i) {
+        const int child = part.children[i];
+        const auto policy = article_policy(syntax, child);
+        const SyntaxNode* next =
+            i + 1 < part.children.size() ? &unwrapped(syntax, part.children[i + 1]) : nullptr;
+        const bool noun_phrase = policy && next != nullptr && next->kind == Kind::list;
+        const auto made = noun_phrase ? list(*next, *policy, built.to)
+                                      : node(syntax, child, built.to, neighbours);
+        if (!made) {
+            return made;
+        }
+        i += noun_phrase ? 1 : 0;
+        if ((built.slots & made->slots) != 0) {
+            return fail(
+                "a slot is filled twice in one sentence; give one of them a name of its own, as "
+                "{thing:other}",
+                at(syntax, part.children[i]).column);
+        }
+        built = {made->to, built.slots | made->slots, built.required | made->required};
+        neighbours.after_article = policy.has_value() && !noun_phrase;
+        neighbours.after_list = noun_phrase || unwrapped(syntax, child).kind == Kind::list;
+    }
+    return built;
+}
+
+Expected<Built> GraphBuilder::alternatives(const Syntax& syntax, const SyntaxNode& part,
+                                           bool optional, int from, Neighbours neighbours) {
+    Built built{writer_.add_node()};
+    bool first = true;
+    if (optional) {
+        writer_.join(from, built.to);
+        first = false;
+    }
+    for (const int child : part.children) {
+        const auto made = node(syntax, child, from, neighbours);
+        if (!made) {
+            return made;
+        }
+        writer_.join(made->to, built.to);
+        built.slots |= made->slots;
+        built.required = first ? made->required : (built.required & made->required);
+        first = false;
+    }
+    return built;
+}
+
+Expected<Built> GraphBuilder::permutation(const Syntax& syntax, const SyntaxNode& part, int from) {
+    // A node for each set of parts already said; a part leads from each set without it to the set with it.
+    const std::size_t count = part.children.size();
+    const std::size_t sets = std::size_t{1} << count;
+    std::vector<int> nodes(sets);
+    for (std::size_t set = 0; set < sets; ++set) {
+        nodes[set] = set == 0 ? from : writer_.add_node();
+    }
+    Built built{nodes.back()};
+    for (std::size_t set = 0; set < sets; ++set) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t bit = std::size_t{1} << i;
+            if ((set & bit) != 0) {
+                continue;
+            }
+            const auto made = node(syntax, part.children[i], nodes[set], {});
+            if (!made) {
+                return made;
+            }
+            writer_.join(made->to, nodes[set | bit]);
+            built.slots |= made->slots;
+            built.required |= made->required;
+        }
+    }
+    return built;
+}
+
+Expected<int> GraphBuilder::slot_number(const SyntaxNode& part, int list) {
+    const std::string& name = part.argument.empty() ? part.text : part.argument;
+    const auto found = std::find(set_.slots.begin(), set_.slots.end(), name);
+    const auto number = static_cast<std::size_t>(found - set_.slots.begin());
+    if (found == set_.slots.end()) {
+        if (set_.slots.size() >= kMostSlots) {
+            return fail(concat({"more than ", std::to_string(kMostSlots), " slots; use fewer"}),
+                        part.column);
+        }
+        set_.slots.push_back(name);
+        set_.slot_lists.push_back(list);
+    } else if (set_.slot_lists[number] != list) {
+        return fail("the slot \"" + name + "\" is filled from two lists; give one another name",
+                    part.column);
+    }
+    return static_cast<int>(number);
+}
+
+Expected<Built> GraphBuilder::list(const SyntaxNode& part, ArticlePolicy policy, int from) {
+    if (const auto within = step(part); !within) {
+        return tl::unexpected(within.error());
+    }
+    const auto found =
+        std::find_if(set_.lists.begin(), set_.lists.end(),
+                     [&](const WordList& candidate) { return candidate.name == part.text; });
+    if (found == set_.lists.end()) {
+        return fail(
+            "there is no list \"" + part.text + "\"; the lists are: " + names_of(set_.lists),
+            part.column);
+    }
+    const auto slot = slot_number(part, static_cast<int>(found - set_.lists.begin()));
+    if (!slot) {
+        return tl::unexpected(slot.error());
+    }
+    const std::uint32_t bit = 1U << static_cast<unsigned>(*slot);
+    Built built{writer_.add_node(), bit, bit};
+    add_noun_phrase(writer_, *found, *slot, policy, from, built.to);
+    return built;
+}
+
+Expected<Built> GraphBuilder::rule(const SyntaxNode& part, int from, Neighbours neighbours) {
+    const auto found = rules_.find(part.text);
+    if (!part.argument.empty() || found == rules_.end()) {
+        return form(part, from, neighbours);
+    }
+    if (std::find(open_rules_.begin(), open_rules_.end(), part.text) != open_rules_.end()) {
+        return fail("the rule <" + part.text + "> uses itself; take one use out", part.column);
+    }
+    if (open_rules_.size() >= kDeepestRules) {
+        return fail(concat({"rules are nested deeper than ", std::to_string(kDeepestRules),
+                            "; make them flatter"}),
+                    part.column);
+    }
+    open_rules_.push_back(part.text);
+    const auto made = node(found->second, 0, from, neighbours);
+    open_rules_.pop_back();
+    if (!made) {
+        return fail("in <" + part.text + ">: " + made.error().message, part.column);
+    }
+    return made;
+}
+
+Expected<Built> GraphBuilder::form(const SyntaxNode& part, int from, Neighbours neighbours) {
+    Built built{writer_.add_node()};
+    if (part.text == "article" && part.argument.empty()) {
+        add_article(writer_, {}, from, built.to);
+    } else if (part.text == "superlative" && !part.argument.empty()) {
+        add_degree(writer_, part.argument, Degree::superlative, neighbours.after_article, from,
+                   built.to);
+    } else if (part.text == "comparative" && !part.argument.empty()) {
+        add_degree(writer_, part.argument, Degree::comparative, neighbours.after_article, from,
+                   built.to);
+    } else if (part.text == "plural" && !part.argument.empty()) {
+        add_plural(writer_, part.argument, from, built.to);
+    } else if (part.argument.empty()) {
+        return fail(
+            "there is no rule <" + part.text +
+                ">; forms are <superlative:word>, <comparative:word>, <plural:word>, <article>",
+            part.column);
+    } else {
+        return fail(
+            "there is no form <" + part.text + ":…>; forms are superlative, comparative and plural",
+            part.column);
+    }
+    return built;
+}
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,60 @@
+// Walks a parsed template and writes its graph.
+//
+// Thread: one.  Cost: linear in what is written; at most kLargestGraph_arcs arcs and as many steps times 16.
+#pragma once
+
+#include "dialogue/template/arc_writer.h"
+#include "dialogue/template/compile.h"
+#include "dialogue/template/phrases.h"
+#include "dialogue/template/syntax.h"
+
+#include <map>
+#include <string>
+
+namespace fulcrum::dialogue {
+
+/// A part of a graph under construction.
+struct Built {
+    int to = 0;                  ///< the node after it
+    std::uint32_t slots = 0;     ///< those it can fill
+    std::uint32_t required = 0;  ///< those it always fills
+};
+
+/// The rules of a question, parsed.
+using ParsedRules = std::map<std::string, Syntax, std::less<>>;
+
+/// Builds one graph.
+class GraphBuilder {
+  public:
+    GraphBuilder(TemplateSet& set, ArcWriter& writer, const ParsedRules& rules)
+        : set_(set), writer_(writer), rules_(rules) {}
+
+    /// Writes `syntax` from `from` on.
+    [[nodiscard]] Expected<Built> build(const Syntax& syntax, int from);
+
+  private:
+    /// What stands around a part in its sequence.
+    struct Neighbours {
+        bool after_article = false;
+        bool after_list = false;
+    };
+    Expected<Built> node(const Syntax& syntax, int index, int from, Neighbours neighbours);
+    Expected<Built> sequence(const Syntax& syntax, const SyntaxNode& part, int from,
+                             Neighbours neighbours);
+    Expected<Built> alternatives(const Syntax& syntax, const SyntaxNode& part, bool optional,
+                                 int from, Neighbours neighbours);
+    Expected<Built> permutation(const Syntax& syntax, const SyntaxNode& part, int from);
+    Expected<Built> list(const SyntaxNode& part, ArticlePolicy policy, int from);
+    Expected<Built> rule(const SyntaxNode& part, int from, Neighbours neighbours);
+    Expected<Built> form(const SyntaxNode& part, int from, Neighbours neighbours);
+    Expected<int> slot_number(const SyntaxNode& part, int list);
+    Expected<bool> step(const SyntaxNode& part);
+
+    TemplateSet& set_;
+    ArcWriter& writer_;
+    const ParsedRules& rules_;
+    std::vector<std::string> open_rules_;
+    std::size_t steps_ = 0;
+};
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,161 @@
+#include "dialogue/template/hearing.h"
+
+#include "dialogue/english/letters.h"
+#include "dialogue/template/tokens.h"
+
+#include <algorithm>
+
+#include <array>
+
+namespace fulcrum::dialogue {
+namespace {
+
+/// Words that carry no meaning here.
+constexpr std::array<std::string_view, 24> kFillers = {
+    "um",    "uh",   "er",         "erm",    "hm",      "hmm",  "mm",     "well",
+    "ok",    "okay", "oh",         "ah",     "yes",     "yeah", "please", "so",
+    "maybe", "like", "definitely", "really", "teacher", "miss", "sir",    "actually"};
+
+/// Openings and endings of the same kind.
+constexpr std::array<std::string_view, 12> kPhrases = {
+    "i think that", "i think",      "i believe that", "i believe",      "i guess",   "i know",
+    "of course",    "my answer is", "the answer is",  "i am sure that", "i am sure", "let me see"};
+
+/// Contractions without their apostrophe.
+struct Contraction {
+    std::string_view typed, first, second;
+};
+constexpr std::array kContractions = {
+    Contraction{"its", "it", "is"}, Contraction{"thats", "that", "is"},
+    Contraction{"theyre", "they", "are"}, Contraction{"im", "i", "am"}};
+
+/// Real words that are never taken for a slip of another: a pear is no bear.
+constexpr std::array<std::string_view, 96> kRealWords = {
+    "pear",    "bear",   "bean",   "beans",  "peach",  "plum",   "lemon",  "melon",  "mango",
+    "grape",   "grapes", "lime",   "cherry", "berry",  "onion",  "carrot", "corn",   "nut",
+    "nuts",    "egg",    "leg",    "ham",    "fish",   "dish",   "cat",    "hat",    "bat",
+    "rat",     "dog",    "cow",    "pig",    "hen",    "duck",   "goose",  "horse",  "house",
+    "mouse",   "ball",   "bell",   "box",    "book",   "rock",   "sock",   "clock",  "lock",
+    "stone",   "store",  "wood",   "food",   "wool",   "wheel",  "steel",  "paper",  "pepper",
+    "water",   "waiter", "winter", "metal",  "medal",  "sand",   "hand",   "band",   "land",
+    "stand",   "star",   "stair",  "car",    "cart",   "card",   "chair",  "hair",   "table",
+    "cable",   "light",  "right",  "night",  "weight", "height", "eight",  "heavy",  "heaven",
+    "lighter", "later",  "letter", "bigger", "better", "bitter", "butter", "longer", "larger",
+    "less",    "least",  "last",   "not",    "now",    "none"};
+
+template <class Table>
+bool contains(const Table& table, std::string_view word) {
+    return std::find(table.begin(), table.end(), word) != table.end();
+}
+
+/// The one word of the templates that `text` is a slip of, or kNone.
+int nearest_word(const TemplateSet& set, const std::string& text, std::size_t& comparisons) {
+    const int allowed = allowed_slip(text.size());
+    if (allowed == 0 || contains(kRealWords, text)) {
+        return kNone;
+    }
+    int best = kNone;
+    int best_distance = allowed + 1;
+    int best_standing = 0;
+    bool unique = false;
+    for (int number = 0; number < set.words.size(); ++number) {
+        const std::string& word = set.words.text(number);
+        const int standing = set.standing[static_cast<std::size_t>(number)];
+        const auto longer = static_cast<int>(std::max(word.size(), text.size()));
+        const auto shorter = static_cast<int>(std::min(word.size(), text.size()));
+        // Slips rarely touch the first letter, except by swapping it with the next.
+        const bool same_start =
+            word[0] == text[0] || (word.size() > 1 && word[0] == text[1] && word[1] == text[0]);
+        if (standing == 0 || word.size() < 3 || longer - shorter > allowed || !same_start) {
+            continue;
+        }
+        ++comparisons;
+        const int distance = edit_distance(word, text);
+        if (distance < best_distance || (distance == best_distance && standing > best_standing)) {
+            best = number;
+            best_distance = distance;
+            best_standing = standing;
+            unique = true;
+        } else if (distance == best_distance && standing == best_standing) {
+            unique = false;
+        }
+    }
+    return unique && best_distance <= allowed ? best : kNone;
+}
+
+/// Marks the words of known phrases at the beginning and the end as fillers.
+void mark_phrases(const std::vector<Token>& tokens, std::vector<HeardWord>& heard) {
+    const auto matches = [&](const std::vector<std::string>& words, std::size_t at) {
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            if (tokens[at + i].text != words[i]) {
+                return false;
+            }
+        }
+        return true;
+    };
+    for (const std::string_view phrase : kPhrases) {
+        const std::vector<std::string> words = words_of(phrase);
+        if (words.size() >= tokens.size()) {
+            continue;
+        }
+        std::size_t first = 0;
+        while (first < heard.size() && heard[first].filler) {
+            ++first;  // "well, I think …"
+        }
+        for (const std::size_t at : {first, tokens.size() - words.size()}) {
+            if (at + words.size() <= tokens.size() && matches(words, at)) {
+                for (std::size_t i = 0; i < words.size(); ++i) {
+                    heard[at + i].filler = true;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<HeardWord> hear_words(const TemplateSet& set, std::string_view utterance,
+                                  std::size_t& comparisons) {
+    std::vector<Token> tokens = tokenise(utterance);
+
+    // "its the watermelon": the apostrophe is missing. "water melon": one word was written as two.
+    std::vector<ErrorCode> slips(tokens.size(), ErrorCode::none);
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        if (set.words.find(tokens[i].text) != kNone) {
+            continue;
+        }
+        for (const Contraction& contraction : kContractions) {
+            if (contraction.typed == tokens[i].text && set.words.find(contraction.first) != kNone) {
+                tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                              {std::string(contraction.second), tokens[i].end, tokens[i].end});
+                tokens[i].text = std::string(contraction.first);
+                slips[i] = ErrorCode::orthography;
+                slips.insert(slips.begin() + static_cast<std::ptrdiff_t>(i) + 1, ErrorCode::none);
+                break;
+            }
+        }
+        if (i + 1 < tokens.size() && set.words.find(tokens[i].text + tokens[i + 1].text) != kNone) {
+            tokens[i].text += tokens[i + 1].text;
+            tokens[i].end = tokens[i + 1].end;
+            tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+            slips[i] = ErrorCode::orthography;
+            slips.erase(slips.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        }
+    }
+
+    std::vector<HeardWord> heard;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        HeardWord word{set.words.find(tokens[i].text), tokens[i].begin, tokens[i].end, slips[i],
+                       false};
+        if (word.word == kNone) {
+            word.filler = contains(kFillers, tokens[i].text);
+            word.word = word.filler ? kNone : nearest_word(set, tokens[i].text, comparisons);
+            word.slip = word.word == kNone ? word.slip : ErrorCode::spelling;
+        }
+        heard.push_back(word);
+    }
+    mark_phrases(tokens, heard);
+    return heard;
+}
+
+}  // namespace fulcrum::dialogue

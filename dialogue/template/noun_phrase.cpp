@@ -1,0 +1,199 @@
+// The article before a list, and the list: the article depends on the noun's class and sound, so each class of noun has
+// a branch of its own.
+#include "dialogue/english/letters.h"
+#include "dialogue/template/phrases.h"
+
+#include <array>
+#include <map>
+
+namespace fulcrum::dialogue {
+namespace {
+
+/// Nouns that take the same articles.
+enum class Branch : std::uint8_t {
+    with_a,           // a watermelon
+    with_an,          // an apple
+    with_both,        // a herb, an herb
+    bare_or_the,      // water
+    bare_plural,      // scissors
+    made_plural,      // watermelons, where the list has watermelon
+    name,             // Jupiter
+    the_name,         // the Moon
+    name_or_the,      // Earth, the Earth
+    plural_after_a,   // "a watermelons"
+    plural_after_an,  // "an apples"
+};
+
+/// Writes the articles of one branch between two nodes.
+class ArticleWriter {
+  public:
+    ArticleWriter(ArcWriter& writer, ArticlePolicy policy, int element, int from, int to)
+        : writer_(writer), policy_(policy), element_(element), from_(from), to_(to) {}
+
+    void write(Branch branch) {
+        switch (branch) {
+            case Branch::with_a:
+                return count_noun("a", "an");
+            case Branch::with_an:
+                return count_noun("an", "a");
+            case Branch::with_both:
+                return count_noun("a", "");
+            case Branch::bare_or_the:
+                return without({"some", "this", "that"}, true);
+            case Branch::bare_plural:
+                return without({"some", "these", "those"}, true);
+            case Branch::made_plural:
+                return without({"some", "these", "those"}, false);
+            case Branch::name:
+                return only_name();
+            case Branch::the_name:
+                return with_the(ErrorCode::missing_determiner);
+            case Branch::name_or_the:
+                return with_the(ErrorCode::none);
+            case Branch::plural_after_a:
+                return miscounted("a", "an");
+            case Branch::plural_after_an:
+                return miscounted("an", "a");
+        }
+    }
+
+  private:
+    void right(std::string_view said, bool canonical) {
+        writer_.add_arc(from_, to_, element_, {said, said, ErrorCode::none, 0, canonical});
+    }
+    void wrong(std::string_view said, std::string_view belongs, ErrorCode code) {
+        writer_.add_arc(from_, to_, element_, {said, belongs, code, kSlipCost});
+    }
+
+    void count_noun(std::string_view own, std::string_view other) {
+        const bool definite = policy_ == ArticlePolicy::definite;
+        const bool bare = policy_ == ArticlePolicy::bare;
+        right(own, !definite && !bare);
+        right("the", definite);
+        for (const std::string_view said : {"this", "that", "my", "your", "our"}) {
+            right(said, false);
+        }
+        if (other.empty()) {
+            right("an", false);
+        } else {
+            wrong(other, own, ErrorCode::wrong_determiner);
+        }
+        if (bare || policy_ == ArticlePolicy::short_answer) {
+            right("", bare);
+        } else {
+            wrong("", definite ? "the" : own, ErrorCode::missing_determiner);
+        }
+        for (const std::string_view article : {"a", "an"}) {
+            wrong("the " + std::string(article), "the", ErrorCode::extra_determiner);
+        }
+    }
+
+    void without(const std::array<std::string_view, 3>& determiners, bool indefinite_is_wrong) {
+        const bool definite = policy_ == ArticlePolicy::definite;
+        right("", !definite);
+        right("the", definite);
+        for (const std::string_view said : determiners) {
+            right(said, false);
+        }
+        if (indefinite_is_wrong) {
+            wrong("a", "", ErrorCode::extra_determiner);
+            wrong("an", "", ErrorCode::extra_determiner);
+        }
+    }
+
+    void only_name() {
+        right("", true);
+        for (const std::string_view said : {"a", "an", "the"}) {
+            wrong(said, "", ErrorCode::extra_determiner);
+        }
+    }
+
+    void with_the(ErrorCode without_it) {
+        const bool free = without_it == ErrorCode::none || policy_ == ArticlePolicy::short_answer;
+        right("the", true);
+        if (free) {
+            right("", false);
+        } else {
+            wrong("", "the", without_it);
+        }
+        wrong("a", "the", ErrorCode::wrong_determiner);
+        wrong("an", "the", ErrorCode::wrong_determiner);
+    }
+
+    void miscounted(std::string_view own, std::string_view other) {
+        right(own, false);
+        wrong(other, own, ErrorCode::wrong_determiner);
+    }
+
+    ArcWriter& writer_;
+    ArticlePolicy policy_;
+    int element_, from_, to_;
+};
+
+Branch branch_of(const Noun& noun) {
+    switch (noun.noun_class) {
+        case NounClass::mass:
+            return Branch::bare_or_the;
+        case NounClass::plural:
+            return Branch::bare_plural;
+        case NounClass::name:
+            return Branch::name;
+        case NounClass::named_the:
+            return Branch::the_name;
+        case NounClass::name_or_the:
+            return Branch::name_or_the;
+        case NounClass::count:
+            break;
+    }
+    if (both_articles(noun.text)) {
+        return Branch::with_both;
+    }
+    return indefinite_article(noun.text) == "an" ? Branch::with_an : Branch::with_a;
+}
+
+}  // namespace
+
+void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticlePolicy policy,
+                     int from, int to) {
+    Element noun_element{Role::noun};
+    noun_element.slot = slot;
+    const int determiner = writer.add_element({Role::determiner});
+    const int place = writer.add_element(std::move(noun_element));
+
+    // A node for each branch that some entry needs; its articles are written when it is first asked for.
+    std::map<Branch, int> nodes;
+    const auto node_of = [&](Branch branch) {
+        const auto [entry, is_new] = nodes.try_emplace(branch, kNone);
+        if (is_new) {
+            entry->second = writer.add_node();
+            ArticleWriter(writer, policy, determiner, from, entry->second).write(branch);
+        }
+        return entry->second;
+    };
+
+    for (std::size_t i = 0; i < list.items.size() && !writer.full(); ++i) {
+        const std::vector<Noun>& spoken = list.items[i].spoken;
+        for (const Noun& noun : spoken) {
+            ArcText arc{noun.text, noun.text, ErrorCode::none, 0, &noun == spoken.data()};
+            arc.item = static_cast<int>(i);
+            arc.number = noun.number();
+            const Branch branch = branch_of(noun);
+            writer.add_arc(node_of(branch), to, place, arc);
+            const std::string plural = plural_of(noun.text);
+            if (noun.noun_class != NounClass::count ||
+                lower_case(plural) == lower_case(noun.text)) {
+                continue;
+            }
+            // The plural: right by itself, wrong after a or an.
+            const bool with_an = branch == Branch::with_an;
+            arc = {plural,    noun.text, ErrorCode::noun_number,
+                   kSlipCost, false,     static_cast<int>(i)};
+            writer.add_arc(node_of(with_an ? Branch::plural_after_an : Branch::plural_after_a), to,
+                           place, arc);
+            arc = {plural, plural, ErrorCode::none, 0, false, static_cast<int>(i), Number::plural};
+            writer.add_arc(node_of(Branch::made_plural), to, place, arc);
+        }
+    }
+}
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,51 @@
+// The grammar-aware parts of a template: what may be said at a noun, an adjective, a verb, a preposition, an article,
+// right and wrong, as arcs of the graph.
+//
+// Errors are only what English is certain about: "the watermelon" is right where the template says "a {thing}";
+// "a apple" and "watermelon is" are not.
+//
+// Thread: one.  Cost: arcs proportional to the list or to the forms of the word.
+#pragma once
+
+#include "dialogue/template/arc_writer.h"
+
+#include <string_view>
+
+namespace fulcrum::dialogue {
+
+/// What costs how much; a path with the least sum is how an utterance is understood. A slip is 10.
+inline constexpr int kSlipCost = 10;
+inline constexpr int kPatternCost = 20;
+inline constexpr int kOtherDegreeCost = 30;
+
+/// The article that a template asks for before a list.
+enum class ArticlePolicy : std::uint8_t {
+    bare,          ///< {thing}: none asked for, any accepted
+    indefinite,    ///< [a|an|the], <article>, a: a or an by sound where the noun needs one
+    definite,      ///< the
+    short_answer,  ///< the noun alone is a whole answer: it may go without
+};
+
+/// "a watermelon": the article by the noun's class and sound, then the noun, in singular or plural.
+void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticlePolicy policy,
+                     int from, int to);
+
+/// <superlative:heavy>, <comparative:heavy>; `after_article` when the template has "the" before it.
+void add_degree(ArcWriter& writer, std::string_view adjective, Degree degree, bool after_article,
+                int from, int to);
+
+/// <plural:moon>.
+void add_plural(ArcWriter& writer, std::string_view noun, int from, int to);
+
+/// <article> or a literal article before plain words; `word` is empty for <article>.
+void add_article(ArcWriter& writer, std::string_view word, int from, int to);
+
+/// A literal word: a verb that agrees, a preposition, or any other; `shown` is how a recast writes it. `after_noun`: a
+/// pronoun that repeats the subject is looked for ("a watermelon it is").
+void add_word(ArcWriter& writer, std::string_view word, std::string_view shown, bool after_noun,
+              int from, int to);
+
+/// True for a, an, the.
+[[nodiscard]] bool is_article(std::string_view word);
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,128 @@
+#include "dialogue/template/resolve.h"
+
+#include "dialogue/english/letters.h"
+#include "dialogue/template/phrases.h"
+
+#include <optional>
+
+namespace fulcrum::dialogue {
+namespace {
+
+/// The piece before `at` that belongs in the sentence, or kNone.
+int before(const std::vector<Piece>& pieces, int at) {
+    for (int i = at - 1; i >= 0; --i) {
+        if (!pieces[static_cast<std::size_t>(i)].right.empty()) {
+            return i;
+        }
+    }
+    return kNone;
+}
+
+/// The piece after `at` that belongs in the sentence, or kNone.
+int after(const std::vector<Piece>& pieces, int at) {
+    for (int i = at + 1; i < static_cast<int>(pieces.size()); ++i) {
+        if (!pieces[static_cast<std::size_t>(i)].right.empty()) {
+            return i;
+        }
+    }
+    return kNone;
+}
+
+/// The number of the subject that ends just before `verb`; none when the template's own verb is to be trusted.
+std::optional<Number> subject_number(const std::vector<Piece>& pieces, int verb) {
+    const int noun = before(pieces, verb);
+    if (noun == kNone || pieces[static_cast<std::size_t>(noun)].element.role != Role::noun) {
+        return std::nullopt;
+    }
+    int start = before(pieces, noun);
+    while (start != kNone &&
+           pieces[static_cast<std::size_t>(start)].element.role == Role::determiner) {
+        start = before(pieces, start);
+    }
+    if (start == kNone) {
+        return pieces[static_cast<std::size_t>(noun)].number;
+    }
+    // "The weight of {thing} is", "{thing} and {thing:other} are": the noun alone doesn't tell.
+    const Piece& head = pieces[static_cast<std::size_t>(start)];
+    const bool inside = head.element.role == Role::preposition || head.element.role == Role::noun ||
+                        head.right == "and" || head.right == "or" || head.right == "for" ||
+                        head.right == "like";
+    return inside ? std::nullopt
+                  : std::optional<Number>(pieces[static_cast<std::size_t>(noun)].number);
+}
+
+void agree(Piece& verb, Number number) {
+    verb.right = verb.element.verb.with(number);
+    if (verb.code != ErrorCode::none && verb.code != ErrorCode::agreement) {
+        return;  // missing, or another form: only what belongs there changes
+    }
+    const std::string said = lower_case(verb.said);
+    const bool same = said == verb.right || (said == "'s" && verb.right == "is") ||
+                      (said == "'re" && verb.right == "are") || said.empty();
+    verb.code = same ? ErrorCode::none : ErrorCode::agreement;
+    verb.cost = same ? 0 : kSlipCost;
+}
+
+/// "the heavier than": without "than" it is right.
+void drop_the_before_than(std::vector<Piece>& pieces, int adjective) {
+    const int the = before(pieces, adjective);
+    const int than = after(pieces, adjective);
+    if (the == kNone || than == kNone || pieces[static_cast<std::size_t>(than)].right != "than") {
+        return;
+    }
+    Piece& article = pieces[static_cast<std::size_t>(the)];
+    const bool optional =
+        article.element.role == Role::determiner && article.code == ErrorCode::none;
+    if (optional && article.right == "the" && article.element.target) {
+        article.right.clear();
+        article.code = ErrorCode::extra_determiner;
+        article.cost = kSlipCost;
+    }
+}
+
+/// A literal a or an, by the sound of the next word.
+void sound(std::vector<Piece>& pieces, int at) {
+    Piece& article = pieces[static_cast<std::size_t>(at)];
+    const int next = after(pieces, at);
+    if ((article.right != "a" && article.right != "an") || next == kNone) {
+        return;
+    }
+    const Piece& word = pieces[static_cast<std::size_t>(next)];
+    if (word.element.role == Role::noun || both_articles(word.right)) {
+        return;  // settled by the noun's own branch
+    }
+    article.right = std::string(indefinite_article(word.right));
+    const std::string said = lower_case(article.said);
+    if (said == "a" || said == "an") {
+        article.code = said == article.right ? ErrorCode::none : ErrorCode::wrong_determiner;
+        article.cost = said == article.right ? 0 : kSlipCost;
+    }
+}
+
+}  // namespace
+
+void resolve(std::vector<Piece>& pieces) {
+    for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
+        Piece& piece = pieces[static_cast<std::size_t>(i)];
+        if (piece.element.role == Role::verb) {
+            if (const auto number = subject_number(pieces, i)) {
+                agree(piece, *number);
+            }
+        } else if (piece.element.role == Role::adjective &&
+                   piece.element.degree == Degree::comparative) {
+            drop_the_before_than(pieces, i);
+        } else if (piece.element.role == Role::determiner) {
+            sound(pieces, i);
+        }
+    }
+}
+
+int total_cost(const std::vector<Piece>& pieces) {
+    int sum = 0;
+    for (const Piece& piece : pieces) {
+        sum += piece.cost;
+    }
+    return sum;
+}
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,205 @@
+#include "dialogue/template/sentences.h"
+
+#include "dialogue/english/letters.h"
+#include "dialogue/template/resolve.h"
+
+#include <algorithm>
+
+#include <limits>
+
+namespace fulcrum::dialogue {
+namespace {
+
+const WordList& list_of(const TemplateSet& set, int slot) {
+    return set.lists[static_cast<std::size_t>(set.slot_lists[static_cast<std::size_t>(slot)])];
+}
+
+/// The entry that each slot asks for.
+std::vector<int> wanted_items(const TemplateSet& set,
+                              const std::vector<std::pair<std::string, std::string>>& slots) {
+    std::vector<int> wanted(set.slots.size(), 0);
+    for (const auto& [name, value] : slots) {
+        const auto slot = std::find(set.slots.begin(), set.slots.end(), name);
+        if (slot == set.slots.end()) {
+            continue;
+        }
+        const auto number = static_cast<std::size_t>(slot - set.slots.begin());
+        const auto& items = list_of(set, static_cast<int>(number)).items;
+        const auto found =
+            std::find_if(items.begin(), items.end(),
+                         [&, &text = value](const ListItem& item) { return item.value == text; });
+        wanted[number] = found == items.end() ? 0 : static_cast<int>(found - items.begin());
+    }
+    return wanted;
+}
+
+/// The nodes from which the end can be reached, over right arcs only or over all.
+std::vector<bool> leads_to_end(const Graph& graph, bool errors) {
+    std::vector<bool> leads(static_cast<std::size_t>(graph.nodes()), false);
+    leads.back() = true;
+    for (auto arc = graph.arcs.rbegin(); arc != graph.arcs.rend(); ++arc) {
+        if ((errors || arc->code == ErrorCode::none) && leads[static_cast<std::size_t>(arc->to)]) {
+            leads[static_cast<std::size_t>(arc->from)] = true;
+        }
+    }
+    return leads;
+}
+
+Piece right_piece(const TemplateSet& set, const Graph& graph, const Arc& arc) {
+    Piece piece;
+    piece.element = graph.elements[static_cast<std::size_t>(arc.element)];
+    piece.code = arc.code;
+    piece.cost = arc.cost;
+    piece.right = arc.right == kNone ? std::string{} : set.texts.text(arc.right);
+    piece.item = arc.item;
+    piece.number = arc.number;
+    return piece;
+}
+
+}  // namespace
+
+std::vector<Piece> canonical_pieces(const TemplateSet& set, int number,
+                                    const std::vector<std::pair<std::string, std::string>>& slots) {
+    const Graph& graph = set.graphs[static_cast<std::size_t>(number)];
+    const std::vector<int> wanted = wanted_items(set, slots);
+    const auto allowed = [&](const Arc& arc) {
+        if (!arc.canonical) {
+            return false;
+        }
+        const int slot = arc.element == kNone
+                             ? kNone
+                             : graph.elements[static_cast<std::size_t>(arc.element)].slot;
+        return slot == kNone || wanted[static_cast<std::size_t>(slot)] == arc.item;
+    };
+
+    // The named slots must be in it; besides that, the fewest words: a slot is worth more than any sentence is long.
+    constexpr int kSlotWorth = 1000;
+    constexpr int kFar = std::numeric_limits<int>::max() / 2;
+    const auto is_named = [&](int slot) {
+        return std::any_of(slots.begin(), slots.end(), [&](const auto& named) {
+            return named.first == set.slots[static_cast<std::size_t>(slot)];
+        });
+    };
+    const auto price = [&](const Arc& arc) {
+        const int slot = arc.element == kNone
+                             ? kNone
+                             : graph.elements[static_cast<std::size_t>(arc.element)].slot;
+        return arc.word_count - (slot != kNone && is_named(slot) ? kSlotWorth : 0);
+    };
+    std::vector<int> to_end(static_cast<std::size_t>(graph.nodes()), kFar);
+    std::vector<const Arc*> next(static_cast<std::size_t>(graph.nodes()), nullptr);
+    to_end.back() = 0;
+    for (int node = graph.end() - 1; node >= 0; --node) {
+        for (const Arc& arc : graph.arcs_from(node)) {
+            const int rest = to_end[static_cast<std::size_t>(arc.to)];
+            if (allowed(arc) && rest < kFar &&
+                price(arc) + rest < to_end[static_cast<std::size_t>(node)]) {
+                to_end[static_cast<std::size_t>(node)] = price(arc) + rest;
+                next[static_cast<std::size_t>(node)] = &arc;
+            }
+        }
+    }
+    std::vector<Piece> pieces;
+    for (int node = graph.start(); next[static_cast<std::size_t>(node)] != nullptr;
+         node = next[static_cast<std::size_t>(node)]->to) {
+        const Arc& arc = *next[static_cast<std::size_t>(node)];
+        if (arc.element != kNone) {
+            pieces.push_back(right_piece(set, graph, arc));
+        }
+    }
+    resolve(pieces);
+    return pieces;
+}
+
+PieceRange phrase_around(const std::vector<Piece>& pieces, int at) {
+    const auto role = [&](int i) { return pieces[static_cast<std::size_t>(i)].element.role; };
+    const auto opens = [&](int i) {
+        return role(i) == Role::determiner || role(i) == Role::modifier;
+    };
+    const int count = static_cast<int>(pieces.size());
+    PieceRange range{at, at + 1};
+    // Forwards from an article to its noun or adjective.
+    while (range.last < count && opens(range.last - 1) &&
+           (opens(range.last) || role(range.last) == Role::adjective ||
+            role(range.last) == Role::noun || role(range.last) == Role::word)) {
+        ++range.last;
+    }
+    // Backwards from a noun or adjective to its article.
+    while (range.first > 0 && opens(range.first - 1) && role(at) != Role::verb &&
+           role(at) != Role::preposition) {
+        --range.first;
+    }
+    return range;
+}
+
+std::string render_phrase(const std::vector<Piece>& pieces, PieceRange range) {
+    std::string text;
+    for (int i = range.first; i < range.last; ++i) {
+        const std::string& right = pieces[static_cast<std::size_t>(i)].right;
+        if (!right.empty()) {
+            text += (text.empty() ? "" : " ") + right;
+        }
+    }
+    return text;
+}
+
+std::string render(const std::vector<Piece>& pieces, PieceRange mark, bool blank) {
+    const int count = static_cast<int>(pieces.size());
+    std::string head = render_phrase(pieces, {0, mark.first});
+    std::string middle = render_phrase(pieces, mark);
+    const std::string tail = render_phrase(pieces, {mark.last, count});
+    // The capital goes inside the asterisks.
+    (head.empty() ? middle : head) = sentence_case(head.empty() ? middle : head);
+    if (!middle.empty()) {
+        middle = blank ? "…" : "*" + middle + "*";
+    }
+    std::string text;
+    for (const std::string& part : {head, middle, tail}) {
+        if (!part.empty()) {
+            text += (text.empty() ? "" : " ") + part;
+        }
+    }
+    return sentence_case(text) + ".";
+}
+
+Sample walk(const TemplateSet& set, int number, bool errors,
+            const std::function<std::size_t(std::size_t)>& choose) {
+    const Graph& graph = set.graphs[static_cast<std::size_t>(number)];
+    const std::vector<bool> leads = leads_to_end(graph, errors);
+    Sample sample;
+    int node = graph.start();
+    while (node != graph.end()) {
+        std::vector<const Arc*> ways;
+        for (const Arc& arc : graph.arcs_from(node)) {
+            if ((errors || arc.code == ErrorCode::none) &&
+                leads[static_cast<std::size_t>(arc.to)]) {
+                ways.push_back(&arc);
+            }
+        }
+        const Arc& arc = *ways[choose(ways.size()) % ways.size()];
+        node = arc.to;
+        if (arc.element == kNone) {
+            continue;
+        }
+        Piece piece = right_piece(set, graph, arc);
+        for (const int word : graph.said_by(arc)) {
+            piece.said += (piece.said.empty() ? "" : " ") + set.words.text(word);
+        }
+        sample.pieces.push_back(std::move(piece));
+    }
+    resolve(sample.pieces);
+    for (const Piece& piece : sample.pieces) {
+        const std::string& text = errors ? piece.said : piece.right;
+        if (!text.empty()) {
+            sample.said += (sample.said.empty() ? "" : " ") + text;
+        }
+        if (piece.element.slot != kNone) {
+            sample.slots.emplace_back(
+                set.slots[static_cast<std::size_t>(piece.element.slot)],
+                list_of(set, piece.element.slot).items[static_cast<std::size_t>(piece.item)].value);
+        }
+    }
+    return sample;
+}
+
+}  // namespace fulcrum::dialogue

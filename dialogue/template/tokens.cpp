@@ -1,0 +1,164 @@
+#include "dialogue/template/tokens.h"
+
+#include "dialogue/english/number.h"
+
+#include <algorithm>
+
+#include <array>
+#include <cstdint>
+
+namespace fulcrum::dialogue {
+namespace {
+
+/// One character of UTF-8; a broken byte is a space of length 1.
+struct Character {
+    std::uint32_t code = ' ';
+    std::size_t length = 1;
+};
+
+Character decode(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+    const std::uint8_t lead = byte(at);
+    if (lead < 0x80) {
+        return {lead, 1};
+    }
+    const std::size_t length = lead >= 0xF0 ? 4 : (lead >= 0xE0 ? 3 : 2);
+    if (lead < 0xC2 || lead > 0xF4 || at + length > text.size()) {
+        return {};
+    }
+    std::uint32_t code = lead & (0xFFU >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(at + i) & 0xC0U) != 0x80U) {
+            return {};
+        }
+        code = (code << 6U) | (byte(at + i) & 0x3FU);
+    }
+    return {code, length};
+}
+
+bool is_digit(std::uint32_t code) {
+    return code >= '0' && code <= '9';
+}
+
+bool is_apostrophe(std::uint32_t code) {
+    return code == '\'' || code == '`' || code == 0x2018 || code == 0x2019 || code == 0x02BC ||
+           code == 0x00B4;
+}
+
+/// Letters and digits; beyond ASCII everything but known punctuation, spaces and private characters.
+bool is_word_character(std::uint32_t code) {
+    if (code < 0x80) {
+        return is_digit(code) || (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z');
+    }
+    const bool latin_letter = code >= 0xC0 && code != 0xD7 && code != 0xF7;
+    const bool punctuation =
+        (code >= 0x2000 && code <= 0x206F) || (code >= 0x3000 && code <= 0x303F) || code >= 0xE000;
+    return latin_letter && !punctuation;
+}
+
+/// Adds `code` in lower case (ASCII and Latin-1), as UTF-8.
+void append_lower(std::string& word, std::string_view bytes, std::uint32_t code) {
+    if (code >= 'A' && code <= 'Z') {
+        word.push_back(static_cast<char>(code - 'A' + 'a'));
+    } else if (code >= 0xC0 && code <= 0xDE) {
+        word.push_back(bytes[0]);
+        word.push_back(static_cast<char>(static_cast<std::uint8_t>(bytes[1]) + 0x20));
+    } else {
+        word.append(bytes);
+    }
+}
+
+struct Ending {
+    std::string_view short_form, word;
+};
+constexpr std::array kEndings = {Ending{"n't", "not"}, Ending{"'s", "is"},    Ending{"'re", "are"},
+                                 Ending{"'m", "am"},   Ending{"'ve", "have"}, Ending{"'ll", "will"},
+                                 Ending{"'d", "would"}};
+
+/// Adds the word, parted when it is a contraction: it's, can't, they're. Other apostrophes are dropped.
+void push_word(std::vector<Token>& tokens, const Token& raw) {
+    for (const Ending& ending : kEndings) {
+        const std::size_t stem_size =
+            raw.text.size() - std::min(raw.text.size(), ending.short_form.size());
+        if (stem_size == 0 || raw.text.substr(stem_size) != ending.short_form) {
+            continue;
+        }
+        std::string stem = raw.text.substr(0, stem_size);
+        if (stem == "ca") {
+            stem = "can";
+        } else if (stem == "wo") {
+            stem = "will";
+        }
+        const std::string_view word = stem == "let" ? "us" : ending.word;
+        const std::size_t middle =
+            raw.end - std::min(raw.end - raw.begin, ending.short_form.size());
+        tokens.push_back({std::move(stem), raw.begin, middle});
+        tokens.push_back({std::string(word), middle, raw.end});
+        return;
+    }
+    Token plain{"", raw.begin, raw.end};
+    for (const char letter : raw.text) {
+        if (letter != '\'') {
+            plain.text.push_back(letter);
+        }
+    }
+    if (!plain.text.empty()) {
+        tokens.push_back(std::move(plain));
+    }
+}
+
+/// Adds a run of digits as words; long ones stay digits.
+void push_number(std::vector<Token>& tokens, const Token& raw) {
+    if (raw.text.size() <= 6) {
+        for (std::string& word : number_words(std::stol(raw.text))) {
+            tokens.push_back({std::move(word), raw.begin, raw.end});
+        }
+        return;
+    }
+    tokens.push_back(raw);
+}
+
+}  // namespace
+
+std::vector<Token> tokenise(std::string_view text) {
+    std::vector<Token> tokens;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        // One run of digits, or of letters with apostrophes inside.
+        Token raw{"", at, at};
+        const bool number = is_digit(decode(text, at).code);
+        while (at < text.size()) {
+            const Character character = decode(text, at);
+            const bool inside =
+                number ? is_digit(character.code)
+                       : is_word_character(character.code) && !is_digit(character.code);
+            if (inside) {
+                append_lower(raw.text, text.substr(at, character.length), character.code);
+            } else if (!number && is_apostrophe(character.code) && !raw.text.empty()) {
+                raw.text.push_back('\'');
+            } else {
+                break;
+            }
+            at += character.length;
+            raw.end = at;
+        }
+        if (raw.text.empty()) {
+            at += decode(text, at).length;
+        } else if (number) {
+            push_number(tokens, raw);
+        } else {
+            push_word(tokens, raw);
+        }
+    }
+    return tokens;
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+    std::vector<std::string> words;
+    for (Token& token : tokenise(text)) {
+        words.push_back(std::move(token.text));
+    }
+    return words;
+}
+
+}  // namespace fulcrum::dialogue
