@@ -128,7 +128,9 @@ Feedback Conversation::not_understood() {
         const std::vector<std::string> words = choices(*question_);
         for (std::size_t i = 0; i < words.size(); ++i) {
             if (i > 0) {
-                list += catalogue_.say(i + 1 == words.size() ? "list.or" : "list.and_so_on") + " ";
+                list += i + 1 == words.size() ? " " + catalogue_.say("list.or")
+                                              : catalogue_.say("list.comma");
+                list += " ";
             }
             list += words[i];
         }

@@ -42,7 +42,7 @@ constexpr std::array<std::pair<ErrorCode, std::string_view>, 12> kRules = {{
 std::vector<CatalogueNeed> make_needs() {
     std::vector<CatalogueNeed> needs{{"question.number", {"n", "of"}},
                                      {"list.or", {}},
-                                     {"list.and_so_on", {}},
+                                     {"list.comma", {}},
                                      {"feedback.praise.1", {"sentence"}},
                                      {"feedback.praise.2", {"sentence"}},
                                      {"feedback.praise_short", {"sentence"}},

@@ -187,7 +187,7 @@ Noun understand_noun(std::string_view entry) {
         noun.noun_class = NounClass::name_or_the;
     } else if (with_the || (capital && contains(kNamedThe, lower))) {
         noun.noun_class = NounClass::named_the;
-    } else if (capital && !initials) {
+    } else if ((capital && !initials) || (!entry.empty() && entry[0] >= '0' && entry[0] <= '9')) {
         noun.noun_class = NounClass::name;
     } else if (is_mass_noun(entry)) {
         noun.noun_class = NounClass::mass;

@@ -41,7 +41,7 @@ struct Noun {
     }
 };
 
-/// Understands a list's entry: "watermelon", "an egg", "the Moon", "Jupiter" (a capital makes a name), "water", "scissors".
+/// Understands a list's entry: "watermelon", "an egg", "the Moon", "Jupiter" (a capital makes a name, as digits do), "water", "scissors".
 [[nodiscard]] Noun understand_noun(std::string_view entry);
 
 /// "a" or "an" before `phrase` by the sound of its first word; empty for an empty phrase. Capital letters matter: "an SUV".

@@ -64,8 +64,8 @@ void write_sentences(const TemplateSet& set, const Parse& parse, int main_piece,
     const Graph& graph = set.graphs[static_cast<std::size_t>(parse.graph)];
     std::vector<Piece> pieces = parse.pieces;
     PieceRange range = main_piece == kNone ? PieceRange{} : phrase_around(pieces, main_piece);
-    if (graph.short_answer && graph.full_sentence != parse.graph) {
-        pieces = canonical_pieces(set, graph.full_sentence, parse.slots);
+    if (!graph.whole_sentence) {
+        pieces = canonical_pieces(set, graph.answer, parse.slots);
         const int slot = parse.pieces.back().element.slot;
         range = main_piece == kNone ? PieceRange{} : same_phrase(pieces, slot);
     }
@@ -114,7 +114,9 @@ Mark mark_answer(const Question& question, std::string_view text, double confide
         return mark;
     }
     mark.understood = true;
-    mark.short_answer = set.graphs[static_cast<std::size_t>(parse->graph)].short_answer;
+    const Graph& graph = set.graphs[static_cast<std::size_t>(parse->graph)];
+    mark.short_answer = graph.short_answer;
+    mark.answer = graph.answer;
     mark.slots = parse->slots;
     std::vector<int> places;
     for (int i = 0; i < static_cast<int>(parse->pieces.size()); ++i) {

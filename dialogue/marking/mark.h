@@ -41,6 +41,7 @@ struct FormError {
 struct Mark {
     std::string said;
     bool understood = false;    ///< false: no template fits; all below is empty
+    int answer = kNone;         ///< which of the question's answers it is, from 0
     bool short_answer = false;  ///< "The watermelon.": fine
     double confidence = 1.0;    ///< the recogniser's, 0 to 1; 1 for typed answers
     std::vector<std::pair<std::string, std::string>> slots;  ///< thing -> watermelon

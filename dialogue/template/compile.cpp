@@ -160,7 +160,8 @@ Expected<bool> add_short_answers(TemplateSet& set, const ParsedRules& rules, int
     Graph bare = writer.finish(start, end);
     bare.slots = bare.required = bit;
     bare.short_answer = true;
-    bare.full_sentence = sentence;
+    bare.whole_sentence = false;
+    bare.answer = sentence;
     set.graphs.push_back(std::move(bare));
 
     const std::string name = set.slots[static_cast<std::size_t>(slot)];
@@ -170,7 +171,7 @@ Expected<bool> add_short_answers(TemplateSet& set, const ParsedRules& rules, int
         return tl::unexpected(it_is.error());
     }
     it_is->short_answer = true;
-    it_is->full_sentence = static_cast<int>(set.graphs.size());
+    it_is->answer = sentence;
     set.graphs.push_back(std::move(*it_is));
     return true;
 }
@@ -197,6 +198,7 @@ Expected<TemplateSet> compile_templates(const TemplateSource& source) {
         if (!graph) {
             return within("answer " + std::to_string(i + 1), graph.error());
         }
+        graph->answer = static_cast<int>(i);
         set.graphs.push_back(std::move(*graph));
     }
     set.answers = static_cast<int>(set.graphs.size());

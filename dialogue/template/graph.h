@@ -94,7 +94,8 @@ struct Graph {
     std::uint32_t slots = 0;     ///< bit i: slot i can be filled
     std::uint32_t required = 0;  ///< bit i: slot i is filled in every sentence
     bool short_answer = false;   ///< "The watermelon."
-    int full_sentence = kNone;   ///< short answer: the graph of its whole sentence
+    bool whole_sentence = true;  ///< false for a noun alone: a recast completes it
+    int answer = kNone;          ///< the answer that this is, or is short for
 
     [[nodiscard]] int nodes() const { return static_cast<int>(first_arc.size()) - 1; }
     [[nodiscard]] int start() const { return 0; }

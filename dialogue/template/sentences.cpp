@@ -10,6 +10,8 @@
 namespace fulcrum::dialogue {
 namespace {
 
+constexpr std::string_view kGap = "…";
+
 const WordList& list_of(const TemplateSet& set, int slot) {
     return set.lists[static_cast<std::size_t>(set.slot_lists[static_cast<std::size_t>(slot)])];
 }
@@ -151,7 +153,7 @@ std::string render(const std::vector<Piece>& pieces, PieceRange mark, bool blank
     // The capital goes inside the asterisks.
     (head.empty() ? middle : head) = sentence_case(head.empty() ? middle : head);
     if (!middle.empty()) {
-        middle = blank ? "…" : "*" + middle + "*";
+        middle = blank ? std::string(kGap) : "*" + middle + "*";
     }
     std::string text;
     for (const std::string& part : {head, middle, tail}) {
@@ -159,7 +161,8 @@ std::string render(const std::vector<Piece>& pieces, PieceRange mark, bool blank
             text += (text.empty() ? "" : " ") + part;
         }
     }
-    return sentence_case(text) + ".";
+    const bool open = text.size() >= kGap.size() && text.substr(text.size() - kGap.size()) == kGap;
+    return sentence_case(text) + (open ? "" : ".");
 }
 
 Sample walk(const TemplateSet& set, int number, bool errors,

@@ -146,6 +146,12 @@ std::vector<Token> tokenise(std::string_view text) {
             at += decode(text, at).length;
         } else if (number) {
             push_number(tokens, raw);
+            const bool decimal = text.substr(at, 1) == "." && at + 1 < text.size() &&
+                                 is_digit(decode(text, at + 1).code);
+            if (decimal) {
+                tokens.push_back({"point", at, at + 1});
+                ++at;
+            }
         } else {
             push_word(tokens, raw);
         }

@@ -1,7 +1,7 @@
 // What was said or written, as words: case, punctuation, odd apostrophes, double spaces, contractions and digits no
 // longer matter.
 //
-//   "It's  the WATERMELON!" -> it is the watermelon      "don’t" -> do not      "8" -> eight
+//   "It's  the WATERMELON!" -> it is the watermelon      "don’t" -> do not      "3.5" -> three point five
 //
 // Every word knows the bytes it came from. Bytes that are not UTF-8 and control characters part words; letters beyond
 // ASCII stay as they are, so other alphabets are words too.
