@@ -1,0 +1,50 @@
+// fulcrum_make_assets OUTDIR: makes every model of the toy box as OUTDIR/<name>.glb. Same program,
+// same bytes.
+#include "assets/make/glb_writer.h"
+#include "assets/make/models.h"
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace {
+
+using namespace fulcrum::assets;
+
+constexpr Model (*kModels[])() = {
+    make_watermelon, make_apple,  make_banana, make_egg,  make_bucket, make_cursor, make_ghost,
+    make_star,       make_ground, make_hill,   make_tree, make_cloud,  make_flower, make_plank};
+
+void write(const std::filesystem::path& folder, const Model& model) {
+    const auto bytes = encode_glb(model);
+    const auto path = folder / (model.name + ".glb");
+    std::ofstream out(path, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out) {
+        throw std::runtime_error(path.string() + ": cannot be written");
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: fulcrum_make_assets OUTDIR\n");
+        return 2;
+    }
+    try {
+        const std::filesystem::path folder(argv[1]);
+        std::filesystem::create_directories(folder);
+        for (const auto make : kModels) {
+            write(folder, make());
+        }
+    } catch (const std::exception& problem) {
+        std::fprintf(stderr, "%s\n", problem.what());
+        return 1;
+    }
+    return 0;
+}

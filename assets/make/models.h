@@ -1,0 +1,25 @@
+// The models of the toy box, each a function. Real sizes in metres; fruit have their origin at the
+// centre of mass.
+#pragma once
+
+#include "assets/make/mesh.h"
+
+namespace fulcrum::assets {
+
+[[nodiscard]] Model make_watermelon();  ///< toy melon, 0.19 m long along x
+[[nodiscard]] Model make_apple();       ///< 0.08 m across, stem up
+[[nodiscard]] Model make_banana();      ///< 0.18 m along its bend, ends up
+[[nodiscard]] Model make_egg();         ///< 0.057 m tall, blunt end down
+[[nodiscard]] Model
+make_bucket();  ///< origin at the rim's centre, opening up; 0.11 m radius inside, 0.14 m deep
+[[nodiscard]] Model make_cursor();  ///< where the hand is: a soft ball, 0.02 m radius
+[[nodiscard]] Model make_ghost();   ///< where the arm really is: the same, seen through
+[[nodiscard]] Model make_star();    ///< puffy, 0.05 m radius, facing +z
+[[nodiscard]] Model make_ground();  ///< meadow, disc of 4 m radius, its top at y = 0 in the middle
+[[nodiscard]] Model make_tree();    ///< 1.2 m tall, origin at its foot
+[[nodiscard]] Model make_cloud();   ///< 0.5 m wide
+[[nodiscard]] Model make_hill();    ///< 3 m wide, origin at the middle of its foot
+[[nodiscard]] Model make_flower();  ///< 0.09 m tall, origin at its foot
+[[nodiscard]] Model make_plank();   ///< shelf board, 0.9 m by 0.2 m, its top at y = 0
+
+}  // namespace fulcrum::assets

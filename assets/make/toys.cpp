@@ -1,0 +1,100 @@
+// Cursor, ghost, star, plank.
+#include "assets/make/models.h"
+#include "assets/make/noise.h"
+#include "assets/make/parts.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace fulcrum::assets {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kCursorRadius_m = 0.02;
+
+/// A soft ball.
+std::vector<MeshPart> cursor_parts() {
+    MeshPart ball = outward(tessellate(ellipsoid(Vector3d::Constant(kCursorRadius_m)), 72, 40));
+    ball.colour = srgb(0xE8743B);
+    ball.roughness = 0.4;
+    return {std::move(ball)};
+}
+
+/// Distance from the middle to the star's outline, at an angle from its top point: straight edges between points (R)
+/// and corners (R/2), r = R c sin b / (R sin a + c sin(b - a)); the points are rounded by keeping a off 0.
+double star_outline(double angle) {
+    constexpr double kPoint_m = 0.0525;
+    constexpr double kCorner_m = 0.5 * kPoint_m;
+    constexpr double kHalfPoint_rad = kPi / 5.0;
+    constexpr double kRounding_rad = 0.05;
+    const double turn = angle / (2.0 * kHalfPoint_rad);
+    const double off = std::abs(turn - std::floor(turn + 0.5)) * 2.0 * kHalfPoint_rad;
+    const double a = std::min(std::hypot(off, kRounding_rad), kHalfPoint_rad);
+    return kPoint_m * kCorner_m * std::sin(kHalfPoint_rad) /
+           (kPoint_m * std::sin(a) + kCorner_m * std::sin(kHalfPoint_rad - a));
+}
+
+}  // namespace
+
+Model make_cursor() {
+    return {"cursor", cursor_parts(), {}};
+}
+
+Model make_ghost() {
+    Model model{"ghost", cursor_parts(), {}};
+    for (MeshPart& part : model.parts) {
+        part.colour = blend(part.colour, srgb(0xDDE6F2), 0.6);
+        part.alpha = 0.40;
+    }
+    return model;
+}
+
+Model make_star() {
+    // v runs from the middle of the front over the rim to the middle of the back; puffy like a
+    // cushion.
+    const auto surface = [](double u, double v) {
+        const double angle = 2.0 * kPi * (u == 1.0 ? 0.0 : u);
+        const double reach = v == 1.0 ? 0.0 : std::sin(kPi * v);
+        const double puff = 0.017 * std::cos(kPi * v);
+        // Near the middle it is round, towards the rim a star.
+        const double r =
+            reach * (0.034 + (star_outline(angle) - 0.034) * smooth_step(0.1, 1.0, reach));
+        return Vector3d(r * std::sin(angle), r * std::cos(angle), puff);
+    };
+    MeshPart star = outward(tessellate(surface, 160, 36));
+    star.colour = srgb(0xF6B914);
+    star.roughness = 0.35;
+    return {"star", {std::move(star)}, {}};
+}
+
+Model make_plank() {
+    // A rounded box: each direction u, v pushed towards the box by a high power.
+    const Vector3d half(0.45, 0.0125, 0.10);
+    const auto surface = [half](double u, double v) {
+        const Vector3d unit = ellipsoid(Vector3d::Ones())(u, v);
+        const double longest = std::pow(unit.array().abs().pow(14.0).sum(), 1.0 / 14.0);
+        return Vector3d((unit / longest).cwiseProduct(half) - Vector3d(0.0, half.y(), 0.0));
+    };
+    const auto wood = [](const Vector3d& p) {
+        const double rings =
+            26.0 * p.z() + 1.1 * fractal_noise({2.5 * p.x(), 8.0 * p.y(), 9.0 * p.z()}, 3);
+        const double grain = 0.5 + 0.5 * std::sin(2.0 * kPi * rings);
+        const double fibre = fractal_noise({12.0 * p.x(), 120.0 * p.y(), 220.0 * p.z()}, 2);
+        return blend(srgb(0xD9A25F), srgb(0xB77B3E), 0.65 * grain + 0.35 * fibre);
+    };
+    Model model{"plank", {}, {}};
+    MeshPart board = outward(tessellate(surface, 96, 48));
+    // Laid on from above: x along u, z along v.
+    for (std::size_t i = 0; i < board.uvs.size(); ++i) {
+        board.uvs[i] = {0.5 + board.positions[i].x() / 0.92, 0.5 + board.positions[i].z() / 0.22};
+    }
+    board.picture = 0;
+    board.roughness = 0.7;
+    model.pictures.push_back(paint(512, 128, [&](double u, double v) {
+        return wood({0.92 * (u - 0.5), 0.0, 0.22 * (v - 0.5)});
+    }));
+    model.parts = {std::move(board)};
+    return model;
+}
+
+}  // namespace fulcrum::assets
