@@ -34,6 +34,15 @@ class BitReader {
         held_ -= held_ % 8;
     }
 
+    /// Skips whole bytes; to be called at a byte's beginning.
+    void skip_bytes(std::size_t n) {
+        for (; n > 0 && held_ > 0; --n) {
+            bits(8);
+        }
+        overrun_ = overrun_ || n > bytes_.size() - at_;
+        at_ = std::min(bytes_.size(), at_ + n);
+    }
+
     [[nodiscard]] bool overrun() const { return overrun_; }
 
   private:
@@ -205,9 +214,7 @@ bool add_stored(BitReader& reader, std::size_t limit, std::size_t& total) {
         return false;
     }
     total += length;
-    for (std::uint32_t i = 0; i < length && !reader.overrun(); ++i) {
-        reader.bits(8);
-    }
+    reader.skip_bytes(length);
     return total <= limit && !reader.overrun();
 }
 
