@@ -33,6 +33,20 @@ inline constexpr Colour kFieldPaper = from_hex(0xFFFFFF);
 inline constexpr Colour kErrorPaper = from_hex(0xFFEBDC);
 inline constexpr Colour kSelectedPaper = from_hex(0xFFF6D9);
 
+// The room. Base colours as sRGB; light falls on the floor.
+inline constexpr Colour kWallTop = from_hex(0xBFDDE8);
+inline constexpr Colour kWallBottom = from_hex(0xFBF3E4);
+inline constexpr Colour kFloor = from_hex(0xF0DDC0);
+inline constexpr Colour kRug = from_hex(0x9CCFC4);
+inline constexpr Colour kRugRing = from_hex(0xF7EBD5);
+
+// Signs.
+inline constexpr Colour kStar = from_hex(0xF7C948);
+inline constexpr Colour kForceArrow = kBlue;
+inline constexpr Colour kForceOutline = from_hex(0xFFFFFF);
+inline constexpr Colour kHighlight = kOrange;
+inline constexpr Colour kGhost = kSkyBlue;
+
 /// An ink and the paper that it is read on.
 struct InkOnPaper {
     const char* where;
@@ -41,7 +55,7 @@ struct InkOnPaper {
 };
 
 /// Every pair in which words are set.
-inline constexpr std::array<InkOnPaper, 8> kWords{{
+inline constexpr std::array<InkOnPaper, 11> kWords{{
     {"caption, score, level, labels, cards", kInk, kPaper},
     {"a card's second line", kSoftInk, kPaper},
     {"feedback", kInk, kFeedbackPaper},
@@ -50,22 +64,12 @@ inline constexpr std::array<InkOnPaper, 8> kWords{{
     {"what the learner types", kInk, kFieldPaper},
     {"an error", kErrorInk, kErrorPaper},
     {"the chosen card", kInk, kSelectedPaper},
+    {"the chosen card's second line", kSoftInk, kSelectedPaper},
+    {"the level's number", kPaper, kEmphasisInk},
+    {"the menu's headline", kInk, kWallTop},
 }};
 
 /// The least contrast of words.
 inline constexpr double kLeastContrast = 4.5;
-
-// The room. Base colours as sRGB; light falls on the floor.
-inline constexpr Colour kWallTop = from_hex(0xBFDDE8);
-inline constexpr Colour kWallBottom = from_hex(0xFBF3E4);
-inline constexpr Colour kFloor = from_hex(0xF0DDC0);
-inline constexpr Colour kRug = from_hex(0x9CCFC4);
-inline constexpr Colour kRugRing = from_hex(0xF7EBD5);
-
-// Signs in the scene.
-inline constexpr Colour kForceArrow = kBlue;
-inline constexpr Colour kForceOutline = from_hex(0xFFFFFF);
-inline constexpr Colour kHighlight = kOrange;
-inline constexpr Colour kGhost = kSkyBlue;
 
 }  // namespace fulcrum::runtime::theme

@@ -1,0 +1,108 @@
+#include "runtime/render/overlay/icons.h"
+
+#include "runtime/render/theme.h"
+
+namespace fulcrum::runtime {
+
+namespace {
+
+constexpr Colour kWhite = from_hex(0xFFFFFF);
+
+Point2 offset(const Point2& middle, float dx, float dy) {
+    return {middle[0] + dx, middle[1] + dy};
+}
+
+}  // namespace
+
+void draw_star_icon(DrawList& list, const Point2& middle, float radius_px, bool earned) {
+    const Colour rim = earned ? theme::kInk : theme::kSoftInk;
+    list.fill_star(middle, radius_px, rim);
+    const float inner = radius_px * (earned ? 0.82F : 0.80F);
+    list.fill_star(middle, inner, earned ? theme::kStar : theme::kPaper);
+    if (earned) {
+        list.fill_star(offset(middle, -0.05F * radius_px, -0.07F * radius_px), 0.52F * radius_px,
+                       with_alpha(kWhite, 0.35F));
+    }
+}
+
+void draw_warning_icon(DrawList& list, const Point2& middle, float radius_px) {
+    const auto triangle = [&](float r) -> std::vector<Point2> {
+        return {offset(middle, 0.0F, -r),
+                offset(middle, 0.08F * r, -0.97F * r),
+                offset(middle, 0.98F * r, 0.68F * r),
+                offset(middle, 0.90F * r, 0.80F * r),
+                offset(middle, -0.90F * r, 0.80F * r),
+                offset(middle, -0.98F * r, 0.68F * r),
+                offset(middle, -0.08F * r, -0.97F * r)};
+    };
+    list.fill(offset(middle, 0.0F, 0.2F * radius_px), triangle(radius_px), theme::kVermillion);
+    const float thick = 0.20F * radius_px;
+    list.line(offset(middle, 0.0F, -0.36F * radius_px), offset(middle, 0.0F, 0.22F * radius_px),
+              thick, kWhite);
+    list.fill_disc(offset(middle, 0.0F, 0.54F * radius_px), 0.62F * thick, kWhite);
+}
+
+void draw_notice_icon(DrawList& list, const Point2& middle, float radius_px) {
+    list.fill_disc(middle, radius_px, theme::kBlue);
+    const float thick = 0.22F * radius_px;
+    list.fill_disc(offset(middle, 0.0F, -0.5F * radius_px), 0.62F * thick, kWhite);
+    list.line(offset(middle, 0.0F, -0.12F * radius_px), offset(middle, 0.0F, 0.5F * radius_px),
+              thick, kWhite);
+}
+
+void draw_speech_icon(DrawList& list, const Point2& middle, float radius_px) {
+    const float r = radius_px;
+    list.fill(offset(middle, -0.35F * r, 0.62F * r),
+              {offset(middle, -0.62F * r, 0.40F * r), offset(middle, 0.0F, 0.55F * r),
+               offset(middle, -0.60F * r, 1.0F * r)},
+              theme::kEmphasisInk);
+    list.fill_box({middle[0] - r, middle[1] - 0.80F * r, 2.0F * r, 1.45F * r}, 0.5F * r,
+                  theme::kEmphasisInk);
+    for (const float dx : {-0.45F, 0.0F, 0.45F}) {
+        list.fill_disc(offset(middle, dx * r, -0.08F * r), 0.14F * r, kWhite);
+    }
+}
+
+void draw_pencil_icon(DrawList& list, const Point2& middle, float radius_px) {
+    const float r = radius_px;
+    list.line(offset(middle, -0.25F * r, 0.25F * r), offset(middle, 0.60F * r, -0.60F * r),
+              0.46F * r, theme::kEmphasisInk);
+    list.fill(offset(middle, -0.50F * r, 0.50F * r),
+              {offset(middle, -0.85F * r, 0.85F * r), offset(middle, -0.47F * r, 0.02F * r),
+               offset(middle, -0.02F * r, 0.47F * r)},
+              theme::kEmphasisInk);
+    list.line(offset(middle, 0.24F * r, -0.58F * r), offset(middle, 0.58F * r, -0.24F * r),
+              0.10F * r, kWhite);
+}
+
+void draw_tick_icon(DrawList& list, const Point2& middle, float radius_px) {
+    const float r = radius_px;
+    list.fill_disc(middle, r, theme::kEmphasisInk);
+    list.line(offset(middle, -0.45F * r, 0.02F * r), offset(middle, -0.12F * r, 0.38F * r),
+              0.24F * r, kWhite);
+    list.line(offset(middle, -0.12F * r, 0.38F * r), offset(middle, 0.48F * r, -0.34F * r),
+              0.24F * r, kWhite);
+}
+
+void draw_more_icon(DrawList& list, const Point2& middle, float radius_px, bool up) {
+    const float way = up ? -1.0F : 1.0F;
+    list.fill(middle,
+              {offset(middle, -radius_px, -0.5F * way * radius_px),
+               offset(middle, radius_px, -0.5F * way * radius_px),
+               offset(middle, 0.0F, 0.6F * way * radius_px)},
+              theme::kInk);
+}
+
+void draw_arrow_icon(DrawList& list, const Point2& middle, float radius_px,
+                     const Point2& direction) {
+    const float r = radius_px;
+    const auto at = [&](float along, float across) -> Point2 {
+        return {middle[0] + r * (along * direction[0] - across * direction[1]),
+                middle[1] + r * (along * direction[1] + across * direction[0])};
+    };
+    list.line(at(-0.85F, 0.0F), at(0.2F, 0.0F), 0.34F * r, theme::kForceArrow);
+    list.fill(at(0.35F, 0.0F), {at(1.0F, 0.0F), at(0.0F, 0.62F), at(0.0F, -0.62F)},
+              theme::kForceArrow);
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,103 @@
+#include "runtime/render/overlay/labels.h"
+
+#include "runtime/render/overlay/icons.h"
+#include "runtime/render/overlay/panels.h"
+#include "runtime/render/theme.h"
+
+#include <algorithm>
+
+#include <array>
+
+namespace fulcrum::runtime {
+
+namespace {
+
+constexpr float kPadX = 14.0F;
+constexpr float kPadY = 3.0F;
+constexpr float kAway = 10.0F;  // between a thing and its label
+constexpr float kIconRoom = 30.0F;
+constexpr float kIcon = 14.0F;
+constexpr float kWidest = 420.0F;
+
+bool overlap(const Box& a, const Box& b) {
+    return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+
+bool inside(const Box& box, const Measure& m) {
+    return box.x >= 0.0F && box.y >= 0.0F && box.right() <= m.width_px &&
+           box.bottom() <= m.height_px;
+}
+
+/// Places around a circle, the best first. A force's words stand left of its arrow.
+std::array<Box, 6> candidates(const SceneLabel& label, float width, float height, float away) {
+    const float x = label.middle_px[0];
+    const float y = label.middle_px[1];
+    const float off = label.radius_px + away;
+    const Box right{x + off, y - 0.5F * height, width, height};
+    const Box left{x - off - width, y - 0.5F * height, width, height};
+    const Box below{x - 0.5F * width, y + off, width, height};
+    const Box above{x - 0.5F * width, y - off - height, width, height};
+    const Box lower_right{x + 0.7F * off, y + 0.7F * off, width, height};
+    const Box upper_right{x + 0.7F * off, y - 0.7F * off - height, width, height};
+    if (label.is_force) {
+        return {left, right, below, above, lower_right, upper_right};
+    }
+    return {right, left, below, above, lower_right, upper_right};
+}
+
+}  // namespace
+
+std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, std::vector<Box> taken,
+                                      Font& font, const Measure& measure) {
+    std::vector<PlacedLabel> placed;
+    const auto try_to_place = [&](const SceneLabel& label) {
+        ParagraphSettings settings;
+        settings.size_px = measure.text_px(kSmallText);
+        settings.width_px = measure.px(kWidest);
+        settings.most_lines = 2;
+        PlacedLabel result;
+        result.words = set_text(font, plain_text(label.text), settings);
+        result.label = &label;
+        const float width =
+            result.words.width_px + measure.px(2.0F * kPadX + (label.is_force ? kIconRoom : 0.0F));
+        const float height = result.words.height_px + measure.px(2.0F * kPadY);
+        for (const Box& box : candidates(label, width, height, measure.px(kAway))) {
+            const bool free = std::none_of(taken.begin(), taken.end(),
+                                           [&](const Box& other) { return overlap(box, other); });
+            if (free && inside(box, measure)) {
+                result.box = box;
+                taken.push_back(box);
+                placed.push_back(std::move(result));
+                return;
+            }
+        }
+    };
+    for (const bool forces : {true, false}) {
+        for (std::size_t i = 0; i < std::min(labels.size(), kMostLabels); ++i) {
+            if (labels[i].is_force == forces && !labels[i].text.empty()) {
+                try_to_place(labels[i]);
+            }
+        }
+    }
+    return placed;
+}
+
+void draw_labels(const std::vector<PlacedLabel>& labels, const Measure& measure, DrawList& list) {
+    for (const PlacedLabel& placed : labels) {
+        const Box& box = placed.box;
+        const float radius = measure.px(0.5F * kSmallText);
+        list.shadow_box({box.x, box.y + measure.px(2.0F), box.width, box.height}, radius,
+                        measure.px(8.0F), with_alpha(theme::kInk, 0.20F));
+        list.fill_box(box, radius, theme::kPaper);
+        float x = box.x + measure.px(kPadX);
+        if (placed.label->is_force) {
+            draw_arrow_icon(list, {x + measure.px(kIcon - 4.0F), box.middle_y()}, measure.px(kIcon),
+                            placed.label->direction);
+            x += measure.px(kIconRoom);
+        }
+        list.text(placed.words, x, box.middle_y() - 0.5F * placed.words.height_px, 0.0F, 0.0F,
+                  theme::kInk, theme::kEmphasisInk);
+    }
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,40 @@
+// Words beside things in the scene, where they hide neither panels nor each other.
+//
+// Thread: one (it asks the font). Cost: quadratic in the number of labels, at most kMostLabels.
+#pragma once
+
+#include "runtime/render/overlay/draw_list.h"
+#include "runtime/render/overlay/measure.h"
+
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// Words, and the circle in the picture that they belong to.
+struct SceneLabel {
+    Point2 middle_px{};
+    float radius_px = 0.0F;
+    std::string text;
+    bool is_force = false;   ///< gets the sign of an arrow
+    Point2 direction{0, 1};  ///< of that arrow in the picture, unit length
+};
+
+inline constexpr std::size_t kMostLabels = 64;
+
+/// A label and where it found room.
+struct PlacedLabel {
+    Box box;
+    Paragraph words;
+    const SceneLabel* label = nullptr;
+};
+
+/// Finds room right of, left of, below or above each thing, inside the picture and outside the
+/// boxes that are taken; a label without room is left out. Forces come first, then in order.
+[[nodiscard]] std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels,
+                                                    std::vector<Box> taken, Font& font,
+                                                    const Measure& measure);
+
+void draw_labels(const std::vector<PlacedLabel>& labels, const Measure& measure, DrawList& list);
+
+}  // namespace fulcrum::runtime

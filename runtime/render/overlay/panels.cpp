@@ -1,0 +1,278 @@
+#include "runtime/render/overlay/panels.h"
+
+#include "runtime/render/overlay/icons.h"
+#include "runtime/render/theme.h"
+
+#include <algorithm>
+
+#include <string>
+
+namespace fulcrum::runtime {
+
+namespace {
+
+// At 720; see Measure.
+constexpr float kMargin = 24.0F;
+constexpr float kGap = 12.0F;
+constexpr float kPadX = 26.0F;
+constexpr float kPadY = 12.0F;
+constexpr float kRadius = 22.0F;
+constexpr float kIcon = 19.0F;      // radius of an icon in a line of words
+constexpr float kIconRoom = 54.0F;  // from a panel's padding to the words behind an icon
+constexpr float kWidestWords = 1000.0F;
+constexpr float kInputWidth = 760.0F;
+constexpr float kCursor = 3.0F;
+constexpr float kEndStar = 62.0F;
+constexpr int kMostSpokenLines = 3;
+
+struct WordSettings {
+    float size = kSpokenText;
+    float width = kWidestWords;  ///< in pixels
+    int lines = kMostSpokenLines;
+    Face face = Face::regular;
+};
+
+Paragraph set_words(const Font& font, const Measure& m, const MarkedText& text,
+                    const WordSettings& settings) {
+    ParagraphSettings p;
+    p.size_px = m.text_px(settings.size);
+    p.face = settings.face;
+    p.width_px = settings.width;
+    p.most_lines = settings.lines;
+    return set_text(font, text, p);
+}
+
+/// Room for words between the screen's margins, less `taken`, at most kWidestWords.
+float word_width(const Measure& m, float taken_at_720) {
+    return std::max(std::min(m.px(kWidestWords), m.width_px - 2.0F * m.px(kMargin + kPadX)) -
+                        m.px(taken_at_720),
+                    m.px(kSpokenText));
+}
+
+void lay_out_banner(const View& view, const Font& font, const Measure& m, Panel& panel) {
+    const float width = m.width_px - 2.0F * m.px(kMargin);
+    const float words = width - 2.0F * m.px(kPadX) - m.px(kIconRoom);
+    panel.words = set_words(font, m, plain_text(view.banner), {kBodyText, words, 3});
+    panel.box = {m.px(kMargin), m.px(kMargin), width, panel.words.height_px + 2.0F * m.px(kPadY)};
+}
+
+/// Lesson's and level's names behind a badge with the level's number.
+void lay_out_level(const View& view, const Font& font, const Measure& m, float top, Panel& panel) {
+    const float badge = view.level > 0 ? kIconRoom : 0.0F;
+    const float words = 0.5F * m.width_px - m.px(badge);
+    const std::string& first = view.title.empty() ? view.level_title : view.title;
+    const std::string& second = view.title.empty() ? std::string() : view.level_title;
+    panel.words = set_words(font, m, plain_text(first), {kSmallText, words, 1, Face::bold});
+    float height = panel.words.height_px;
+    float width = panel.words.width_px;
+    if (!second.empty()) {
+        panel.second = set_words(font, m, plain_text(second), {kSmallText, words, 1});
+        height += panel.second.height_px;
+        width = std::max(width, panel.second.width_px);
+    }
+    const float pad = first.empty() ? m.px(10.0F) : m.px(kPadX);
+    panel.box = {m.px(kMargin), top, width + m.px(badge) + m.px(14.0F) + pad,
+                 std::max(height, m.px(2.0F * kIcon)) + 2.0F * m.px(10.0F)};
+}
+
+void lay_out_score(const View& view, const Font& font, const Measure& m, float top, Panel& panel) {
+    panel.words = set_words(font, m, plain_text(std::to_string(view.score)),
+                            {36.0F, m.width_px, 1, Face::bold});
+    const float width = panel.words.width_px + m.px(kIconRoom + 16.0F + kPadX);
+    panel.box = {m.width_px - m.px(kMargin) - width, top, width,
+                 panel.words.height_px + 2.0F * m.px(7.0F)};
+}
+
+/// The panels at the bottom, stacked upwards from the screen's lower edge.
+void lay_out_bottom(const View& view, const Font& font, const Measure& m, PanelLayout& layout) {
+    float bottom = m.height_px - m.px(kMargin);
+    const auto stack = [&](Panel& panel, float width) {
+        const float height = panel.words.height_px + 2.0F * m.px(kPadY);
+        panel.box = {0.5F * (m.width_px - width), bottom - height, width, height};
+        bottom -= height + m.px(kGap);
+    };
+    if (view.input_visible) {
+        // What was typed last stays in sight: the line is set from its end.
+        const float width = std::min(m.px(kInputWidth), m.width_px - 2.0F * m.px(kMargin));
+        const float words = width - 2.0F * m.px(kPadX) - m.px(kIconRoom) - m.px(2.0F * kCursor);
+        MarkedText text = plain_text(view.input);
+        layout.input.words = set_words(font, m, text, {kSpokenText, 1e9F, 1});
+        const auto& letters = layout.input.words.lines.front().letters;
+        std::size_t first = 0;
+        while (first < letters.size() &&
+               layout.input.words.width_px - letters[first].x_px > words) {
+            ++first;
+        }
+        if (first > 0) {
+            text.characters.erase(0, first);
+            text.emphasised.assign(text.characters.size(), false);
+            layout.input.words = set_words(font, m, text, {kSpokenText, 1e9F, 1});
+        }
+        stack(layout.input, width);
+    }
+    if (!view.caption.empty()) {
+        layout.caption.words =
+            set_words(font, m, read_emphasis(view.caption), {kSpokenText, word_width(m, 0.0F)});
+        stack(layout.caption, layout.caption.words.width_px + 2.0F * m.px(kPadX));
+    }
+    if (!view.feedback.empty()) {
+        layout.feedback.words = set_words(font, m, read_emphasis(view.feedback),
+                                          {kSpokenText, word_width(m, kIconRoom)});
+        stack(layout.feedback,
+              layout.feedback.words.width_px + 2.0F * m.px(kPadX) + m.px(kIconRoom));
+    }
+}
+
+void lay_out_stars(const Measure& m, Panel& panel) {
+    const float width = m.px(7.4F * kEndStar);
+    const float height = m.px(3.0F * kEndStar);
+    panel.box = {0.5F * (m.width_px - width), 0.40F * m.height_px - 0.5F * height, width, height};
+}
+
+/// Words in a panel, behind `indent` at 720.
+void draw_words(DrawList& list, const Panel& panel, const Measure& m, float indent, float align,
+                const Colour& ink) {
+    const float room = panel.box.width - 2.0F * m.px(kPadX) - m.px(indent);
+    list.text(panel.words, panel.box.x + m.px(kPadX + indent),
+              panel.box.middle_y() - 0.5F * panel.words.height_px, room, align, ink,
+              theme::kEmphasisInk);
+}
+
+Point2 icon_place(const Panel& panel, const Measure& m) {
+    return {panel.box.x + m.px(kPadX + kIcon), panel.box.middle_y()};
+}
+
+void draw_banner(const View& view, const Panel& panel, const Measure& m, DrawList& list) {
+    const bool error = view.banner_is_error;
+    draw_paper(list, panel.box, m, error ? theme::kErrorPaper : theme::kFeedbackPaper);
+    list.frame_box(panel.box, m.px(kRadius), m.px(4.0F), error ? theme::kVermillion : theme::kBlue);
+    if (error) {
+        draw_warning_icon(list, icon_place(panel, m), m.px(1.15F * kIcon));
+    } else {
+        draw_notice_icon(list, icon_place(panel, m), m.px(kIcon));
+    }
+    draw_words(list, panel, m, kIconRoom, 0.0F, error ? theme::kErrorInk : theme::kInk);
+}
+
+void draw_level(const View& view, const Panel& panel, const Measure& m, DrawList& list) {
+    draw_paper(list, panel.box, m, theme::kPaper);
+    float x = panel.box.x + m.px(14.0F);
+    if (view.level > 0) {
+        const float radius = m.px(1.2F * kIcon);
+        list.fill_disc({x + radius, panel.box.middle_y()}, radius, theme::kEmphasisInk);
+        const Paragraph number = set_words(list.font(), m, plain_text(std::to_string(view.level)),
+                                           {kSmallText, 4.0F * radius, 1, Face::bold});
+        list.text(number, x, panel.box.middle_y() - 0.5F * number.height_px, 2.0F * radius, 0.5F,
+                  theme::kPaper, theme::kPaper);
+        x += m.px(kIconRoom);
+    } else {
+        x += m.px(kPadX - 14.0F);
+    }
+    const float height = panel.words.height_px + panel.second.height_px;
+    const float top = panel.box.middle_y() - 0.5F * height;
+    list.text(panel.words, x, top, 0.0F, 0.0F, theme::kInk, theme::kEmphasisInk);
+    list.text(panel.second, x, top + panel.words.height_px, 0.0F, 0.0F, theme::kSoftInk,
+              theme::kEmphasisInk);
+}
+
+void draw_score(const Panel& panel, const Measure& m, DrawList& list) {
+    draw_paper(list, panel.box, m, theme::kPaper);
+    draw_star_icon(list, {panel.box.x + m.px(16.0F + 1.15F * kIcon), panel.box.middle_y()},
+                   m.px(1.25F * kIcon), true);
+    list.text(panel.words, panel.box.x + m.px(16.0F + kIconRoom),
+              panel.box.middle_y() - 0.5F * panel.words.height_px, 0.0F, 0.0F, theme::kInk,
+              theme::kInk);
+}
+
+void draw_input(const Panel& panel, const Measure& m, DrawList& list) {
+    draw_paper(list, panel.box, m, theme::kFieldPaper);
+    list.frame_box(panel.box, m.px(kRadius), m.px(4.0F), theme::kBlue);
+    draw_pencil_icon(list, icon_place(panel, m), m.px(kIcon));
+    draw_words(list, panel, m, kIconRoom, 0.0F, theme::kInk);
+    const float x = panel.box.x + m.px(kPadX + kIconRoom) + panel.words.width_px + m.px(kCursor);
+    const float height = 0.62F * panel.box.height;
+    list.fill_box({x, panel.box.middle_y() - 0.5F * height, std::max(m.px(kCursor), 1.0F), height},
+                  0.0F, theme::kBlue);
+}
+
+void draw_stars(int stars, const Panel& panel, const Measure& m, DrawList& list) {
+    draw_paper(list, panel.box, m, theme::kPaper);
+    for (int i = 0; i < 3; ++i) {
+        const float dx = m.px(2.2F * kEndStar * static_cast<float>(i - 1));
+        const bool in_middle = i == 1;
+        draw_star_icon(
+            list,
+            {panel.box.middle_x() + dx, panel.box.middle_y() + m.px(in_middle ? -4.0F : 6.0F)},
+            m.px(in_middle ? 1.22F * kEndStar : kEndStar), i < stars);
+    }
+}
+
+}  // namespace
+
+std::vector<Box> PanelLayout::shown() const {
+    std::vector<Box> boxes;
+    for (const Panel* panel : {&banner, &level, &score, &feedback, &caption, &input, &stars}) {
+        if (panel->box.width > 0.0F) {
+            boxes.push_back(panel->box);
+        }
+    }
+    return boxes;
+}
+
+PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure) {
+    PanelLayout layout;
+    float top = measure.px(kMargin);
+    if (!view.banner.empty()) {
+        lay_out_banner(view, font, measure, layout.banner);
+        top = layout.banner.box.bottom() + measure.px(kGap);
+    }
+    lay_out_bottom(view, font, measure, layout);
+    if (!view.menu.empty()) {
+        return layout;
+    }
+    if (view.level > 0 || !view.title.empty() || !view.level_title.empty()) {
+        lay_out_level(view, font, measure, top, layout.level);
+    }
+    lay_out_score(view, font, measure, top, layout.score);
+    if (view.stars >= 0) {
+        lay_out_stars(measure, layout.stars);
+    }
+    return layout;
+}
+
+void draw_paper(DrawList& list, const Box& box, const Measure& measure, const Colour& paper) {
+    Box below = box;
+    below.y += measure.px(3.0F);
+    list.shadow_box(below, measure.px(kRadius), measure.px(16.0F), with_alpha(theme::kInk, 0.22F));
+    list.fill_box(box, measure.px(kRadius), paper);
+}
+
+void draw_panels(const View& view, const PanelLayout& layout, const Measure& measure,
+                 DrawList& list) {
+    if (layout.level.box.width > 0.0F) {
+        draw_level(view, layout.level, measure, list);
+    }
+    if (layout.score.box.width > 0.0F) {
+        draw_score(layout.score, measure, list);
+    }
+    if (layout.stars.box.width > 0.0F) {
+        draw_stars(view.stars, layout.stars, measure, list);
+    }
+    if (layout.feedback.box.width > 0.0F) {
+        draw_paper(list, layout.feedback.box, measure, theme::kFeedbackPaper);
+        draw_speech_icon(list, icon_place(layout.feedback, measure), measure.px(kIcon));
+        draw_words(list, layout.feedback, measure, kIconRoom, 0.0F, theme::kInk);
+    }
+    if (layout.caption.box.width > 0.0F) {
+        draw_paper(list, layout.caption.box, measure, theme::kPaper);
+        draw_words(list, layout.caption, measure, 0.0F, 0.5F, theme::kInk);
+    }
+    if (layout.input.box.width > 0.0F) {
+        draw_input(layout.input, measure, list);
+    }
+    if (layout.banner.box.width > 0.0F) {
+        draw_banner(view, layout.banner, measure, list);
+    }
+}
+
+}  // namespace fulcrum::runtime

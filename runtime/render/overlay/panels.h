@@ -1,0 +1,51 @@
+// The panels over the scene: lesson and level, score, caption, feedback, input, stars, banner.
+//
+//   top     [banner across]
+//           [level, title]                         [star, score]
+//   middle            [stars at the end]
+//   bottom            [feedback] / [caption] / [input]
+//
+// Thread: one (it asks the font). Cost: setting the words, each frame.
+#pragma once
+
+#include "runtime/render/overlay/draw_list.h"
+#include "runtime/render/overlay/measure.h"
+#include "runtime/scene/view.h"
+
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// One panel and the words in it.
+struct Panel {
+    Box box;
+    Paragraph words;
+    Paragraph second;  ///< a line below, may be empty
+};
+
+/// Where the panels are; those that are not shown have no width.
+struct PanelLayout {
+    Panel banner;
+    Panel level;
+    Panel score;
+    Panel feedback;
+    Panel caption;
+    Panel input;
+    Panel stars;
+
+    /// The boxes of all that are shown.
+    [[nodiscard]] std::vector<Box> shown() const;
+};
+
+/// Sets all words and finds room for each panel. In the menu there are only banner, caption and
+/// feedback.
+[[nodiscard]] PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure);
+
+/// Draws what was laid out.
+void draw_panels(const View& view, const PanelLayout& layout, const Measure& measure,
+                 DrawList& list);
+
+/// A sheet of paper with a soft shadow, on which everything else lies.
+void draw_paper(DrawList& list, const Box& box, const Measure& measure, const Colour& paper);
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,163 @@
+#include "runtime/render/renderer.h"
+
+#include "runtime/render/camera.h"
+#include "runtime/render/gl/frame_target.h"
+#include "runtime/render/overlay/labels.h"
+#include "runtime/render/overlay/menu.h"
+#include "runtime/render/overlay/overlay_pass.h"
+#include "runtime/render/overlay/panels.h"
+#include "runtime/render/scene/arrow.h"
+#include "runtime/render/scene/scene_content.h"
+#include "runtime/render/scene/scene_painter.h"
+#include "runtime/render/text/font.h"
+
+#include <epoxy/gl.h>
+#include <utility>
+
+namespace fulcrum::runtime {
+
+namespace {
+
+constexpr int kLeastGl = 33;
+
+Expected<void> check(const RendererSettings& settings) {
+    if (settings.samples < 1 || settings.samples > 16) {
+        return fail("the samples a pixel are " + std::to_string(settings.samples),
+                    "RendererSettings::samples", "choose 1 to 16");
+    }
+    if (settings.shadow_map_size < 64 || settings.shadow_map_size > 4096) {
+        return fail("the shadow map's side is " + std::to_string(settings.shadow_map_size),
+                    "RendererSettings::shadow_map_size", "choose 64 to 4096");
+    }
+    if (epoxy_gl_version() < kLeastGl) {
+        return fail("OpenGL 3.3 is needed and not there", {},
+                    "update the graphics driver or install libgl1-mesa-dri");
+    }
+    return {};
+}
+
+/// Whatever others left switched on goes off.
+void start_from_known_state() {
+    for (const GLenum on : {GL_SCISSOR_TEST, GL_CULL_FACE, GL_STENCIL_TEST, GL_BLEND,
+                            GL_POLYGON_OFFSET_FILL, GL_DEPTH_CLAMP}) {
+        glDisable(on);
+    }
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glBlendEquation(GL_FUNC_ADD);
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+    Parts(const RendererSettings& given, ScenePainter scene_painter, OverlayPass overlay_pass)
+        : settings(given),
+          painter(std::move(scene_painter)),
+          overlay(std::move(overlay_pass)),
+          font(given.font_folder),
+          list(font) {
+        if (!font.notice().empty()) {
+            notices.push_back(font.notice());
+        }
+    }
+
+    RendererSettings settings;
+    ScenePainter painter;
+    OverlayPass overlay;
+    gl::FrameTarget target;
+    Font font;
+    DrawList list;
+    std::vector<std::string> notices;
+
+    /// Composes flat shapes and words; once more when the letters' atlas ran full meanwhile.
+    template <class Compose>
+    void draw_overlay(const Compose& compose, int width, int height, bool as_light) {
+        list.clear();
+        compose();
+        if (font.is_full()) {
+            font.clear();
+            list.clear();
+            compose();
+        }
+        overlay.draw(list, font, width, height, as_light);
+    }
+};
+
+Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Renderer::~Renderer() = default;
+
+Expected<std::unique_ptr<Renderer>> Renderer::create(const RendererSettings& settings) {
+    if (auto fine = check(settings); !fine) {
+        return tl::make_unexpected(fine.error());
+    }
+    auto painter = ScenePainter::create(settings.shadow_map_size);
+    if (!painter) {
+        return tl::make_unexpected(painter.error());
+    }
+    auto overlay = OverlayPass::create();
+    if (!overlay) {
+        return tl::make_unexpected(overlay.error());
+    }
+    return std::unique_ptr<Renderer>(
+        new Renderer(std::make_unique<Parts>(settings, std::move(*painter), std::move(*overlay))));
+}
+
+Expected<void> Renderer::add_model(const LoadedModel& model) {
+    return parts_->painter.add_model(model);
+}
+
+bool Renderer::has_model(const std::string& name) const {
+    return parts_->painter.has_model(name);
+}
+
+const std::vector<std::string>& Renderer::notices() const {
+    return parts_->notices;
+}
+
+void Renderer::draw(const View& view, int width, int height) {
+    if (width <= 0 || height <= 0) {
+        return;
+    }
+    GLint screen = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &screen);
+    start_from_known_state();
+    if (!parts_->target.resize(width, height, parts_->settings.samples)) {
+        glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(screen));
+        return;
+    }
+
+    // Words decide how much room is left for cards and labels.
+    const Measure measure(width, height);
+    const Camera camera(view.camera, width, height);
+    const PanelLayout panels = lay_out_panels(view, parts_->font, measure);
+    const MenuLayout menu = lay_out_menu(view, measure, panels.shown());
+    std::vector<SceneLabel> labels;
+
+    if (view.menu.empty()) {
+        labels = parts_->painter.draw_scene(view, camera, parts_->target, width, height);
+    } else {
+        parts_->painter.draw_wall(camera, parts_->target);
+        parts_->draw_overlay([&] { draw_menu_papers(menu, measure, parts_->list); }, width, height,
+                             true);
+        for (const MenuCard& card : menu.cards) {
+            parts_->painter.draw_icon(view.menu[card.index].icon, card.icon, width, height);
+        }
+    }
+
+    parts_->target.resolve_to(static_cast<GLuint>(screen));
+    glViewport(0, 0, width, height);
+    const auto words = [&] {
+        draw_labels(place_labels(labels, panels.shown(), parts_->font, measure), measure,
+                    parts_->list);
+        if (!view.menu.empty()) {
+            draw_menu_words(view, menu, measure, parts_->list);
+        }
+        draw_panels(view, panels, measure, parts_->list);
+    };
+    parts_->draw_overlay(words, width, height, false);
+    glBindVertexArray(0);
+    glUseProgram(0);
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,109 @@
+#include "runtime/render/scene/scene_content.h"
+
+#include <algorithm>
+
+#include <cmath>
+
+namespace fulcrum::runtime {
+
+namespace {
+
+constexpr double kBelowFloor = 0.25;  // of its radius: deeper things have no mark
+
+std::optional<SceneItem> item_of(const ViewBody& body, const FindMesh& find_mesh) {
+    const auto placement = place(body.pose_W, body.scale);
+    if (!placement) {
+        return std::nullopt;
+    }
+    SceneItem item;
+    item.mesh = &find_mesh(body.model);
+    item.placement = *placement;
+    item.bounds = bounds_of(*placement, item.mesh->lowest, item.mesh->highest);
+    item.highlight = std::isfinite(body.highlight)
+                         ? static_cast<float>(std::clamp(body.highlight, 0.0, 1.0))
+                         : 0.0F;
+    return item;
+}
+
+void add_mark(SceneContent& content, const SceneItem& item, double floor_m, bool is_hand) {
+    const double height_m = item.bounds.lowest_m - floor_m;
+    if (height_m > -kBelowFloor * item.bounds.radius_m) {
+        content.marks.push_back(
+            {item.bounds.centre_W, item.bounds.half_width_m, std::max(height_m, 0.0), is_hand});
+    }
+}
+
+void add_label(SceneContent& content, const Camera& camera, const ViewBody& body,
+               const SceneItem& item) {
+    if (body.label.empty()) {
+        return;
+    }
+    if (const auto seen = camera.project(item.bounds.centre_W)) {
+        SceneLabel label;
+        label.middle_px = {static_cast<float>(seen->position_px.x()),
+                           static_cast<float>(seen->position_px.y())};
+        label.radius_px =
+            static_cast<float>(item.bounds.half_width_m * camera.px_per_m(seen->depth_m));
+        label.text = body.label;
+        content.labels.push_back(std::move(label));
+    }
+}
+
+void add_force_label(SceneContent& content, const Camera& camera, const ViewForce& force) {
+    const auto middle = camera.project(0.5 * (content.arrow->tail_W + content.arrow->tip_W));
+    const auto tail = camera.project(content.arrow->tail_W);
+    const auto tip = camera.project(content.arrow->tip_W);
+    if (force.text.empty() || !middle || !tail || !tip) {
+        return;
+    }
+    SceneLabel label;
+    label.is_force = true;
+    label.text = force.text;
+    label.middle_px = {static_cast<float>(middle->position_px.x()),
+                       static_cast<float>(middle->position_px.y())};
+    label.radius_px =
+        static_cast<float>(1.3 * content.arrow->radius_m * camera.px_per_m(middle->depth_m));
+    // An arrow along the line of sight has no direction in the picture.
+    const Eigen::Vector2d way = tip->position_px - tail->position_px;
+    if (way.norm() > 1.0) {
+        const Eigen::Vector2d unit = way.normalized();
+        label.direction = {static_cast<float>(unit.x()), static_cast<float>(unit.y())};
+        // The words stand beside the arrow, also when it lies across.
+        label.radius_px = std::max(
+            label.radius_px, static_cast<float>(0.5 * std::abs(way.x())) + 0.5F * label.radius_px);
+    }
+    content.labels.push_back(std::move(label));
+}
+
+}  // namespace
+
+SceneContent content_of(const View& view, const Camera& camera, const FindMesh& find_mesh) {
+    SceneContent content;
+    const double floor_m = std::isfinite(view.ground_height_m) ? view.ground_height_m : 0.0;
+    for (std::size_t i = 0; i < std::min(view.bodies.size(), kMostBodies); ++i) {
+        if (const auto item = item_of(view.bodies[i], find_mesh)) {
+            content.items.push_back(*item);
+            add_mark(content, *item, floor_m, false);
+            add_label(content, camera, view.bodies[i], *item);
+        }
+    }
+    if (view.tool_visible) {
+        if (const auto item = item_of(view.tool, find_mesh)) {
+            content.items.push_back(*item);
+            add_mark(content, *item, floor_m, true);
+            add_label(content, camera, view.tool, *item);
+        }
+    }
+    if (view.ghost_visible) {
+        ViewBody ghost = view.tool;
+        ghost.pose_W = view.ghost_pose_W;
+        content.ghost = item_of(ghost, find_mesh);
+    }
+    content.arrow = arrow_for(view.force, camera);
+    if (content.arrow) {
+        add_force_label(content, camera, view.force);
+    }
+    return content;
+}
+
+}  // namespace fulcrum::runtime

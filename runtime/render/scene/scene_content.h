@@ -1,0 +1,49 @@
+// What a View puts into the scene: models placed and checked, the ghost, the arrow, marks on the
+// floor, and words beside things.
+//
+// Thread: any; values. Cost: linear in the bodies.
+#pragma once
+
+#include "runtime/render/camera.h"
+#include "runtime/render/gl/mesh.h"
+#include "runtime/render/overlay/labels.h"
+#include "runtime/render/scene/arrow.h"
+#include "runtime/render/scene/placement.h"
+#include "runtime/render/scene/room.h"
+#include "runtime/scene/view.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// A model in the scene.
+struct SceneItem {
+    const gl::Mesh* mesh = nullptr;
+    Placement placement;
+    Bounds bounds;
+    float highlight = 0.0F;  ///< 0 to 1
+};
+
+/// Everything in one frame's scene.
+struct SceneContent {
+    std::vector<SceneItem> items;
+    std::optional<SceneItem> ghost;
+    std::optional<Arrow> arrow;
+    std::vector<FloorMark> marks;
+    std::vector<SceneLabel> labels;
+};
+
+/// Finds a model by name; never fails, a plain ball stands for what is missing.
+using FindMesh = std::function<const gl::Mesh&(const std::string&)>;
+
+/// More bodies than this are left out.
+inline constexpr std::size_t kMostBodies = 10'000;
+
+/// Reads a View; whatever has a number that is not finite is left out.
+[[nodiscard]] SceneContent content_of(const View& view, const Camera& camera,
+                                      const FindMesh& find_mesh);
+
+}  // namespace fulcrum::runtime

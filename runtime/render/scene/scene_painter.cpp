@@ -1,0 +1,211 @@
+#include "runtime/render/scene/scene_painter.h"
+
+#include "runtime/render/overlay/measure.h"
+#include "runtime/render/scene/shapes.h"
+#include "runtime/render/theme.h"
+
+#include <algorithm>
+
+#include <cmath>
+#include <numbers>
+
+namespace fulcrum::runtime {
+
+namespace {
+
+constexpr float kBallRadius_m = 0.05F;
+constexpr std::array<float, 4> kBallColour{0.55F, 0.55F, 0.58F, 1.0F};
+constexpr float kHighlight_px = 7.0F;  // at 720
+constexpr float kArrowRim_px = 4.0F;   // at 720
+constexpr float kHiddenArrow = 0.55F;  // alpha of the part behind other things
+constexpr float kGhostAlpha = 0.75F;
+constexpr double kIconAngle_deg = 24.0;
+
+std::array<float, 4> linear_of(const Colour& c) {
+    return {to_linear(c.r), to_linear(c.g), to_linear(c.b), 1.0F};
+}
+
+SceneFrame frame_for(const Camera& camera, double floor_m, int map_size, int width, int height) {
+    SceneFrame frame;
+    frame.clip_from_world = camera.clip_from_world();
+    frame.eye_W = camera.eye_W().cast<float>();
+    frame.light = light_for(camera, floor_m, map_size);
+    frame.width_px = width;
+    frame.height_px = height;
+    return frame;
+}
+
+void start_picture(const gl::FrameTarget& target) {
+    target.bind();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+    glClearStencil(0);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+}
+
+}  // namespace
+
+Expected<ScenePainter> ScenePainter::create(int shadow_map_size) {
+    auto shadows = ShadowPass::create(shadow_map_size);
+    if (!shadows) {
+        return tl::make_unexpected(shadows.error());
+    }
+    auto objects = ObjectPass::create();
+    if (!objects) {
+        return tl::make_unexpected(objects.error());
+    }
+    auto room = Room::create();
+    if (!room) {
+        return tl::make_unexpected(room.error());
+    }
+    auto ball = gl::upload(make_ball(kBallRadius_m, kBallColour));
+    auto shaft = gl::upload(make_arrow_shaft(linear_of(theme::kForceArrow)));
+    auto head = gl::upload(make_arrow_head(linear_of(theme::kForceArrow)));
+    for (const auto* mesh : {&ball, &shaft, &head}) {
+        if (!*mesh) {
+            return tl::make_unexpected(mesh->error());
+        }
+    }
+    ScenePainter painter;
+    painter.shadows_ = std::move(*shadows);
+    painter.objects_ = std::move(*objects);
+    painter.room_ = std::move(*room);
+    painter.ball_ = std::move(*ball);
+    painter.arrow_shaft_ = std::move(*shaft);
+    painter.arrow_head_ = std::move(*head);
+    return painter;
+}
+
+Expected<void> ScenePainter::add_model(const LoadedModel& model) {
+    auto mesh = gl::upload(model);
+    if (!mesh) {
+        return tl::make_unexpected(mesh.error());
+    }
+    meshes_.insert_or_assign(model.name, std::move(*mesh));
+    return {};
+}
+
+bool ScenePainter::has_model(const std::string& name) const {
+    return meshes_.contains(name);
+}
+
+const gl::Mesh& ScenePainter::find(const std::string& model) const {
+    const auto found = meshes_.find(model);
+    return found == meshes_.end() ? ball_ : found->second;
+}
+
+void ScenePainter::draw_shadows(const SceneContent& content, const Light& light) const {
+    shadows_.begin(light);
+    for (const SceneItem& item : content.items) {
+        shadows_.draw(*item.mesh, item.placement);
+    }
+    shadows_.end();
+}
+
+std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera& camera,
+                                                 const gl::FrameTarget& target, int width_px,
+                                                 int height_px) const {
+    SceneContent content = content_of(
+        view, camera, [this](const std::string& name) -> const gl::Mesh& { return find(name); });
+    const SceneFrame frame =
+        frame_for(camera, view.ground_height_m, shadows_.size(), width_px, height_px);
+    draw_shadows(content, frame.light);
+
+    start_picture(target);
+    objects_.begin(frame, shadows_);
+    for (const SceneItem& item : content.items) {
+        objects_.draw_lit(*item.mesh, item.placement);
+    }
+    room_.draw(frame, camera, shadows_);
+    room_.draw_marks(frame, content.marks);
+    const float scale = Measure(width_px, height_px).scale;
+    draw_highlights(content, scale);
+    if (content.ghost) {
+        objects_.draw_ghost(*content.ghost->mesh, content.ghost->placement,
+                            with_alpha(theme::kGhost, kGhostAlpha));
+    }
+    if (content.arrow) {
+        draw_arrow(*content.arrow, scale);
+    }
+    return std::move(content.labels);
+}
+
+void ScenePainter::draw_highlights(const SceneContent& content, float scale) const {
+    for (const SceneItem& item : content.items) {
+        if (item.highlight > 0.0F) {
+            objects_.draw_stencil(*item.mesh, item.placement);
+        }
+    }
+    for (const SceneItem& item : content.items) {
+        if (item.highlight > 0.0F) {
+            objects_.draw_outline(*item.mesh, item.placement,
+                                  with_alpha(theme::kHighlight, item.highlight),
+                                  kHighlight_px * scale);
+        }
+    }
+    glClear(GL_STENCIL_BUFFER_BIT);
+}
+
+void ScenePainter::draw_arrow(const Arrow& arrow, float scale) const {
+    const std::array<std::pair<const gl::Mesh*, const Placement*>, 2> parts{
+        {{&arrow_shaft_, &arrow.shaft}, {&arrow_head_, &arrow.head}}};
+    for (const auto& [mesh, placement] : parts) {
+        objects_.draw_lit(*mesh, *placement);
+        objects_.draw_stencil(*mesh, *placement);
+    }
+    // The force is never hidden: its rim shows through, and its inside faintly.
+    glDisable(GL_DEPTH_TEST);
+    for (const auto& [mesh, placement] : parts) {
+        objects_.draw_outline(*mesh, *placement, theme::kForceOutline, kArrowRim_px * scale);
+    }
+    glEnable(GL_DEPTH_TEST);
+    glClear(GL_STENCIL_BUFFER_BIT);
+    glDepthFunc(GL_GREATER);
+    for (const auto& [mesh, placement] : parts) {
+        objects_.draw_outline(*mesh, *placement, with_alpha(theme::kForceArrow, kHiddenArrow),
+                              0.0F);
+    }
+    glDepthFunc(GL_LESS);
+}
+
+void ScenePainter::draw_wall(const Camera& camera, const gl::FrameTarget& target) const {
+    start_picture(target);
+    room_.draw_wall(camera);
+}
+
+void ScenePainter::draw_icon(const std::string& model, const Box& box, int width_px,
+                             int height_px) const {
+    const int width = static_cast<int>(box.width);
+    const int height = static_cast<int>(box.height);
+    if (width < 1 || height < 1) {
+        return;
+    }
+    // From a little above, so far away that the model's ball fits.
+    const gl::Mesh& mesh = find(model);
+    const Vector3 middle = 0.5 * (mesh.lowest + mesh.highest).cast<double>();
+    const double radius_m = 0.5 * static_cast<double>((mesh.highest - mesh.lowest).norm());
+    const double away = 1.02 * radius_m / std::sin(0.5 * kIconAngle_deg * std::numbers::pi / 180.0);
+    CameraDescription view;
+    view.target_W = middle;
+    view.eye_W = middle + away * Vector3(0.25, 0.40, 1.0).normalized();
+    view.vertical_angle_deg = kIconAngle_deg;
+    const Camera camera(view, width, height);
+    const SceneFrame frame = frame_for(camera, 0.0, shadows_.size(), width, height);
+
+    GLint picture = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &picture);
+    shadows_.begin(frame.light);
+    shadows_.draw(mesh, Placement{});
+    shadows_.end();
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(picture));
+    glViewport(static_cast<GLint>(box.x), height_px - static_cast<GLint>(box.y) - height, width,
+               height);
+    glEnable(GL_DEPTH_TEST);
+    objects_.begin(frame, shadows_);
+    objects_.draw_lit(mesh, Placement{});
+    glViewport(0, 0, width_px, height_px);
+}
+
+}  // namespace fulcrum::runtime
