@@ -1,0 +1,56 @@
+// The first triangle that a segment meets.
+//
+// `find_nearest_hit` goes down the bounding tree and `find_nearest_hit_brute_force` through all triangles; both ask
+// the same question of each triangle, so their answers are the same to the bit.
+//
+// Thread: any. Cost: O(log n) and O(n); no allocation.
+#pragma once
+
+#include "haptics/collision/collision_mesh.h"
+#include "haptics/collision/segment_triangle.h"
+
+#include <array>
+
+namespace fulcrum {
+
+[[nodiscard]] inline PreparedTriangle prepare_triangle(const CollisionMesh& mesh,
+                                                       std::int32_t triangle) noexcept {
+    const TriangleCorners& corners = mesh.corners(triangle);
+    return prepare_triangle(mesh.vertex_B(corners[0]), mesh.vertex_B(corners[1]),
+                            mesh.vertex_B(corners[2]), triangle);
+}
+
+/// The nearest meeting with the mesh; body frame, `from` and `to` finite.
+[[nodiscard]] SegmentHit find_nearest_hit(const CollisionMesh& mesh, const Vector3& from_B,
+                                          const Vector3& to_B) noexcept;
+
+/// The same by asking every triangle: what the tree is tested against.
+[[nodiscard]] SegmentHit find_nearest_hit_brute_force(const CollisionMesh& mesh,
+                                                      const Vector3& from_B,
+                                                      const Vector3& to_B) noexcept;
+
+/// The triangles that meet a box, prepared: short segments within the box are answered from them alone.
+class NearbyTriangles {
+  public:
+    static constexpr std::size_t kCapacity = 96;
+
+    /// Collects the triangles near `box_B`. When there are too many nothing is covered, and the tree answers.
+    void collect(const CollisionMesh& mesh, const Box& box_B) noexcept;
+    /// Forgets all.
+    void clear() noexcept { covers_ = false; }
+    [[nodiscard]] bool covers(const Vector3& point_B) const noexcept {
+        return covers_ && box_B_.contains(point_B);
+    }
+    /// As the free function. Needs `covers(from_B)`.
+    [[nodiscard]] SegmentHit find_nearest_hit(const CollisionMesh& mesh, const Vector3& from_B,
+                                              const Vector3& to_B) const noexcept;
+    [[nodiscard]] std::size_t count() const noexcept { return count_; }
+
+  private:
+    std::array<PreparedTriangle, kCapacity> triangles_{};
+    std::size_t count_ = 0;
+    Box box_B_;
+    bool covers_ = false;
+};
+
+}  // namespace fulcrum

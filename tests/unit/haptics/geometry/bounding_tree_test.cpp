@@ -1,0 +1,143 @@
+#include "haptics/geometry/bounding_tree.h"
+
+#include "haptics/geometry/shape.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace fulcrum {
+namespace {
+
+Box box_of(const TriangleMesh& mesh, std::int32_t triangle) {
+    const TriangleCorners& t = mesh.triangles()[static_cast<std::size_t>(triangle)];
+    const Vector3& a = mesh.vertices_B()[static_cast<std::size_t>(t[0])];
+    const Vector3& b = mesh.vertices_B()[static_cast<std::size_t>(t[1])];
+    const Vector3& c = mesh.vertices_B()[static_cast<std::size_t>(t[2])];
+    return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+
+std::set<std::int32_t> find_in_box(const BoundingTree& tree, const Box& box) {
+    std::set<std::int32_t> found;
+    tree.for_each_in_box(box, [&](std::int32_t slot) {
+        const bool is_new = found.insert(tree.order()[static_cast<std::size_t>(slot)]).second;
+        REQUIRE(is_new);
+    });
+    return found;
+}
+
+TEST_CASE("bounding tree: every triangle has one slot, for counts around the powers of eight") {
+    for (const int n : {1, 2, 3, 5, 16, 17, 40}) {
+        const auto mesh = make_plate(1.0, 2.0, n);
+        const BoundingTree tree(*mesh);
+        std::vector<std::int32_t> order(tree.order().begin(), tree.order().end());
+        std::sort(order.begin(), order.end());
+        REQUIRE(order.size() == mesh->triangles().size());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            REQUIRE(order[i] == static_cast<std::int32_t>(i));
+        }
+        const Box everything{mesh->lower_B(), mesh->upper_B()};
+        REQUIRE(find_in_box(tree, everything).size() == order.size());
+    }
+}
+
+TEST_CASE("bounding tree: a box query misses no triangle and finds few others, at any scale") {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    for (const double scale : {1e-4, 1.0, 1e4}) {
+        const auto mesh = make_bumpy_sphere(scale, 12, 0.1, 7.0);
+        const BoundingTree tree(*mesh);
+        std::size_t n_expected = 0;
+        std::size_t n_found = 0;
+        for (int round = 0; round < 300; ++round) {
+            const Vector3 centre = 1.2 * scale * Vector3(unit(random), unit(random), unit(random));
+            const Vector3 half =
+                0.2 * scale * Vector3(unit(random), unit(random), unit(random)).cwiseAbs();
+            const Box box{centre - half, centre + half};
+            const std::set<std::int32_t> found = find_in_box(tree, box);
+            n_found += found.size();
+            for (std::int32_t i = 0; i < static_cast<std::int32_t>(mesh->triangles().size()); ++i) {
+                if (box_of(*mesh, i).overlaps(box)) {
+                    ++n_expected;
+                    REQUIRE(found.count(i) == 1);
+                }
+            }
+        }
+        CHECK(n_found >= n_expected);
+        CHECK(n_found <=
+              n_expected +
+                  n_expected / 100);  // 16-bit steps are a hundredth of a triangle or finer
+    }
+}
+
+TEST_CASE("bounding tree: points on a box's very edge are found") {
+    const auto mesh = make_plate(1.0, 1.0, 8);
+    const BoundingTree tree(*mesh);
+    for (const Vector3& vertex : mesh->vertices_B()) {
+        std::size_t n_at_vertex = 0;
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(mesh->triangles().size()); ++i) {
+            n_at_vertex += box_of(*mesh, i).contains(vertex) ? 1 : 0;
+        }
+        REQUIRE(find_in_box(tree, {vertex, vertex}).size() >= n_at_vertex);
+    }
+}
+
+TEST_CASE(
+    "bounding tree: along a segment no box that it meets is missed, from near and from very far") {
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const auto mesh = make_bumpy_sphere(1.0, 10, 0.1, 7.0);
+    const BoundingTree tree(*mesh);
+    for (int round = 0; round < 1000; ++round) {
+        const double far = std::pow(10.0, 4.0 + 4.0 * unit(random));
+        const Vector3 direction = Vector3(unit(random), unit(random), unit(random)).normalized();
+        const Vector3 through = 1.1 * Vector3(unit(random), unit(random), unit(random));
+        const Vector3 from = through - far * direction;
+        const Vector3 to = through + far * direction;
+        std::set<std::int32_t> found;
+        tree.for_each_along(from, to, [&](std::int32_t slot, double t_end) {
+            found.insert(tree.order()[static_cast<std::size_t>(slot)]);
+            return t_end;
+        });
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(mesh->triangles().size()); ++i) {
+            const Box box = box_of(*mesh, i);
+            // The centre of each box that holds a point of the segment near `through`.
+            const double t = (0.5 * (box.lower + box.upper) - through).dot(direction);
+            if (std::abs(t) < far && box.contains(through + t * direction)) {
+                REQUIRE(found.count(i) == 1);
+            }
+        }
+    }
+}
+
+TEST_CASE("bounding tree: a visitor that shortens the segment is spared what lies beyond") {
+    const auto mesh = make_bumpy_sphere(1.0, 30, 0.05, 7.0);
+    const BoundingTree tree(*mesh);
+    const Vector3 from(0.1, 0.2, 3.0);
+    const Vector3 to(0.1, 0.2, -3.0);
+    int n_all = 0;
+    int n_near = 0;
+    tree.for_each_along(from, to, [&](std::int32_t, double t_end) {
+        ++n_all;
+        return t_end;
+    });
+    tree.for_each_along(from, to, [&](std::int32_t, double) {
+        ++n_near;
+        return 0.4;  // the near face lies at 1/3, the far one at 2/3
+    });
+    CHECK(n_near > 0);
+    CHECK(2 * n_near <= n_all + 2);
+}
+
+TEST_CASE("bounding tree: memory is what the layout says") {
+    const auto mesh =
+        make_sphere(1.0, 40);  // 32000 triangles: 4000 + 500 + 63 + 8 + 1 nodes of 96 bytes
+    const BoundingTree tree(*mesh);
+    CHECK(tree.memory_bytes() == (4000 + 500 + 63 + 8 + 1) * 96 + 32000 * 4);
+}
+
+}  // namespace
+}  // namespace fulcrum
