@@ -81,6 +81,32 @@ std::string joined(std::string_view a, std::string_view b) {
     return std::string(a) + " " + std::string(b);
 }
 
+/// Vowels that meet at `i` but belong to two syllables: gi-ant, vi-olet, cru-el, qui-et.
+bool said_apart(std::string_view word, std::size_t i) {
+    const std::string_view pair = word.substr(i - 1, 2);
+    const char before = i > 1 ? word[i - 2] : ' ';
+    const bool soft = std::string_view("ctsg").find(before) != std::string_view::npos;
+    const std::string_view end = word.substr(i - 1);
+    return (pair == "ia" && (!soft || i == 2)) || (pair == "io" && !soft && before != 'n') ||
+           pair == "uo" || end == "uel" || end == "iet";
+}
+
+/// One vowel letter in the whole word, then one consonant letter that can be doubled: big, thin, quit; not cheap, slow, tired.
+bool doubles_last_letter(std::string_view word) {
+    const std::size_t n = word.size();
+    if (n < 3 || !is_vowel_letter(word[n - 2]) || is_vowel_letter(word[n - 1]) ||
+        std::string_view("wxy").find(word[n - 1]) != std::string_view::npos) {
+        return false;
+    }
+    for (std::size_t i = 0; i + 2 < n; ++i) {
+        const bool mute_u = word[i] == 'u' && i > 0 && word[i - 1] == 'q';
+        if ((is_vowel_letter(word[i]) && !mute_u) || (word[i] == 'y' && i > 0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 int syllables(std::string_view word) {
@@ -92,17 +118,7 @@ int syllables(std::string_view word) {
         if (vowel && !mute_u && !in_vowels) {
             ++count;
         }
-        // Vowels that meet but are said apart: gi-ant, cru-el, qui-et, the-atre stays one short of right.
-        if (vowel && in_vowels && i > 0) {
-            const std::string_view pair = word.substr(i - 1, 2);
-            const char before = i > 1 ? word[i - 2] : ' ';
-            const bool soft = before == 'c' || before == 't' || before == 's' || before == 'g';
-            count += (pair == "ia" && (!soft || i == 2)) ||
-                             (pair == "io" && !soft && before != 'n') || pair == "uo" ||
-                             word.substr(i - 1) == "el"
-                         ? 1
-                         : 0;
-        }
+        count += vowel && in_vowels && said_apart(word, i) ? 1 : 0;
         in_vowels = vowel && !mute_u;
     }
     // A final e is silent, unless it is the only vowel or makes "-le" after a consonant.
@@ -129,11 +145,7 @@ std::string with_ending(std::string_view adjective, std::string_view ending) {
         stem.pop_back();  // large -> larg + er
     } else if (n > 1 && stem.back() == 'y' && !is_vowel_letter(stem[n - 2])) {
         stem.back() = 'i';  // heavy -> heavi + er
-    } else if (n > 2 && syllables(adjective) == 1 && !is_vowel_letter(stem[n - 1]) &&
-               std::string_view("wxy").find(stem[n - 1]) == std::string_view::npos &&
-               is_vowel_letter(stem[n - 2]) &&
-               (!is_vowel_letter(stem[n - 3]) ||
-                (n > 3 && stem[n - 3] == 'u' && stem[n - 4] == 'q'))) {
+    } else if (doubles_last_letter(adjective)) {
         stem.push_back(stem.back());  // big -> bigg + er
     }
     return stem + std::string(ending);

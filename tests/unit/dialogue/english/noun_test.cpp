@@ -1,0 +1,71 @@
+#include "dialogue/english/noun.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+using namespace fulcrum::dialogue;
+
+TEST_CASE("noun: a table of plurals") {
+    const std::pair<const char*, const char*> rows[] = {
+        {"apple", "apples"},    {"egg", "eggs"},          {"box", "boxes"},
+        {"bus", "buses"},       {"glass", "glasses"},     {"peach", "peaches"},
+        {"brush", "brushes"},   {"buzz", "buzzes"},       {"cherry", "cherries"},
+        {"baby", "babies"},     {"toy", "toys"},          {"key", "keys"},
+        {"leaf", "leaves"},     {"knife", "knives"},      {"roof", "roofs"},
+        {"potato", "potatoes"}, {"photo", "photos"},      {"piano", "pianos"},
+        {"man", "men"},         {"child", "children"},    {"foot", "feet"},
+        {"tooth", "teeth"},     {"mouse", "mice"},        {"sheep", "sheep"},
+        {"fish", "fish"},       {"person", "people"},     {"big foot", "big feet"},
+        {"snowman", "snowmen"}, {"scissors", "scissors"}, {"planet", "planets"},
+        {"axis", "axes"},       {"stomach", "stomachs"},  {"Child", "Children"},
+        {"day", "days"}};
+    for (const auto& [one, many] : rows) {
+        INFO(one);
+        CHECK(plural_of(one) == many);
+    }
+    CHECK(plural_of("").empty());
+}
+
+TEST_CASE("noun: what looks plural") {
+    for (const char* word : {"apples", "feet", "children", "scissors", "boxes", "red apples"}) {
+        INFO(word);
+        CHECK(looks_plural(word));
+    }
+    for (const char* word :
+         {"apple", "bus", "glass", "lens", "virus", "tennis", "sheep", "is", "gas", "watermelon"}) {
+        INFO(word);
+        CHECK_FALSE(looks_plural(word));
+    }
+}
+
+TEST_CASE("noun: a list's entry tells its class") {
+    const std::pair<const char*, NounClass> rows[] = {
+        {"watermelon", NounClass::count},   {"an egg", NounClass::count},
+        {"A ball", NounClass::count},       {"water", NounClass::mass},
+        {"sandpaper", NounClass::mass},     {"a glass", NounClass::count},
+        {"scissors", NounClass::plural},    {"apples", NounClass::plural},
+        {"Jupiter", NounClass::name},       {"Moon", NounClass::named_the},
+        {"the Moon", NounClass::named_the}, {"moon", NounClass::count},
+        {"Earth", NounClass::name_or_the},  {"the Earth", NounClass::name_or_the},
+        {"SUV", NounClass::count},          {"8", NounClass::name},
+        {"the", NounClass::count}};
+    for (const auto& [entry, noun_class] : rows) {
+        INFO(entry);
+        CHECK(understand_noun(entry).noun_class == noun_class);
+    }
+    CHECK(understand_noun("an egg").text == "egg");
+    CHECK(understand_noun("the Moon").text == "Moon");
+    CHECK(understand_noun("scissors").number() == Number::plural);
+    CHECK(understand_noun("water").number() == Number::singular);
+}
+
+TEST_CASE("noun: wrong plurals that learners make are none of the right ones") {
+    const auto wrong = [](const char* noun) { return learner_plurals(noun); };
+    CHECK(wrong("foot") == std::vector<std::string>{"foots", "footes", "feets"});
+    CHECK(wrong("city") == std::vector<std::string>{"citys", "cityes", "citiess"});
+    for (const char* noun : {"man", "box", "moon", "sheep", "scissors", ""}) {
+        INFO(noun);
+        const auto forms = wrong(noun);
+        CHECK(std::find(forms.begin(), forms.end(), plural_of(noun)) == forms.end());
+    }
+}
