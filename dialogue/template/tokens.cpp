@@ -75,8 +75,8 @@ constexpr std::array kEndings = {Ending{"n't", "not"}, Ending{"'s", "is"},    En
                                  Ending{"'m", "am"},   Ending{"'ve", "have"}, Ending{"'ll", "will"},
                                  Ending{"'d", "would"}};
 
-/// Adds the word, parted when it is a contraction: it's, can't, they're. Other apostrophes are dropped.
-void push_word(std::vector<Token>& tokens, const Token& raw) {
+/// Adds the word (its last apostrophe is at byte `apostrophe` of the text), parted when it is a contraction: it's, can't, they're. Other apostrophes are dropped.
+void push_word(std::vector<Token>& tokens, const Token& raw, std::size_t apostrophe) {
     for (const Ending& ending : kEndings) {
         const std::size_t stem_size =
             raw.text.size() - std::min(raw.text.size(), ending.short_form.size());
@@ -90,8 +90,7 @@ void push_word(std::vector<Token>& tokens, const Token& raw) {
             stem = "will";
         }
         const std::string_view word = stem == "let" ? "us" : ending.word;
-        const std::size_t middle =
-            raw.end - std::min(raw.end - raw.begin, ending.short_form.size());
+        const std::size_t middle = apostrophe - (ending.short_form == "n't" ? 1 : 0);
         tokens.push_back({std::move(stem), raw.begin, middle});
         tokens.push_back({std::string(word), middle, raw.end});
         return;
@@ -126,6 +125,7 @@ std::vector<Token> tokenise(std::string_view text) {
     while (at < text.size()) {
         // One run of digits, or of letters with apostrophes inside.
         Token raw{"", at, at};
+        std::size_t apostrophe = at;
         const bool number = is_digit(decode(text, at).code);
         while (at < text.size()) {
             const Character character = decode(text, at);
@@ -136,6 +136,7 @@ std::vector<Token> tokenise(std::string_view text) {
                 append_lower(raw.text, text.substr(at, character.length), character.code);
             } else if (!number && is_apostrophe(character.code) && !raw.text.empty()) {
                 raw.text.push_back('\'');
+                apostrophe = at;
             } else {
                 break;
             }
@@ -153,7 +154,7 @@ std::vector<Token> tokenise(std::string_view text) {
                 ++at;
             }
         } else {
-            push_word(tokens, raw);
+            push_word(tokens, raw, apostrophe);
         }
     }
     return tokens;

@@ -1,0 +1,25 @@
+#include "dialogue/marking/question.h"
+
+#include "tests/unit/dialogue/questions.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum::dialogue;
+
+TEST_CASE("question: compiles, and knows whether it compares two") {
+    CHECK(heavier().compares_two);
+    CHECK_FALSE(heaviest().compares_two);
+    CHECK_FALSE(moons().compares_two);
+    CHECK(heaviest().templates->answers == 2);
+}
+
+TEST_CASE("question: errors name the question, the answer and the column") {
+    const auto no_list = compile_question({"q", "What?", {"it is big", "the {thing} is big"}});
+    REQUIRE_FALSE(no_list);
+    CHECK(no_list.error().message ==
+          "question \"q\", answer 2: there is no list \"thing\"; the lists are: none");
+    CHECK(no_list.error().column == 5);
+    CHECK_FALSE(compile_question({"", "What?", {"it"}}));
+    CHECK_FALSE(compile_question({"q", "", {"it"}}));
+    CHECK_FALSE(compile_question({"q", "What?", {}}));
+}
