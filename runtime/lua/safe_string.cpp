@@ -284,16 +284,15 @@ int string_rep(lua_State* L) {
     if (static_cast<std::uint64_t>(n) > kMaxStringBytes / unit) {
         raise_in_lesson(L, "string.rep would make a text of more than 1 MB");
     }
-    ScriptState::of(L).charge(L, 1 + unit * static_cast<std::size_t>(n) / 16);
-    std::string out;
-    out.reserve(unit * static_cast<std::size_t>(n));
+    ScriptState::of(L).charge(L, 1 + unit * static_cast<std::size_t>(n) / 64);
+    luaL_Buffer buffer;
+    const std::size_t bytes = unit * static_cast<std::size_t>(n) - separator.size();
+    char* out = luaL_buffinitsize(L, &buffer, bytes);
     for (lua_Integer i = 0; i < n; ++i) {
-        out.append(text);
-        if (i + 1 < n) {
-            out.append(separator);
-        }
+        out = std::copy(text.begin(), text.end(), out);
+        out = i + 1 < n ? std::copy(separator.begin(), separator.end(), out) : out;
     }
-    lua_pushlstring(L, out.data(), out.size());
+    luaL_pushresultsize(&buffer, bytes);
     return 1;
 }
 

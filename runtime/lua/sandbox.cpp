@@ -113,9 +113,8 @@ Filter make_filter(int socket) {
     // The one socket.
     if (kSanitized) {
         allow(filter, SYS_write);  // a sanitizer's findings go to standard error
-    } else {
-        allow_if_equal(filter, SYS_write, 0, static_cast<std::uint32_t>(socket));
     }
+    allow_if_equal(filter, SYS_sendto, 0, static_cast<std::uint32_t>(socket));
     allow_if_equal(filter, SYS_read, 0, static_cast<std::uint32_t>(socket));
     // Memory, never executable, never a file.
     allow_plain_mmap(filter);

@@ -13,8 +13,8 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr int kHookEvery = 1000;                 // instructions between two looks
-constexpr std::size_t kBytesAnInstruction = 64;  // what filling memory counts as
+constexpr int kHookEvery = 1000;                  // instructions between two looks
+constexpr std::size_t kBytesAnInstruction = 128;  // what filling memory counts as
 constexpr std::size_t kLargeBlockBytes = 16U << 10U;
 constexpr std::string_view kLibraryFolder = "lib/";
 
@@ -51,10 +51,13 @@ bool split_place(std::string_view text, ScriptError& error) {
     return true;
 }
 
+constexpr const char* kTooDeep =
+    "this calls itself too deeply (a function that never stops calling itself?)";
+
 /// The last errors' words, as a teacher would say them.
 std::string in_plain_words(const std::string& message) {
     if (message.find("stack overflow") != std::string::npos) {
-        return "this calls itself too deeply (a function that never stops calling itself?)";
+        return kTooDeep;
     }
     return message;
 }
@@ -104,20 +107,44 @@ void* ScriptState::allocate(void* self, void* block, std::size_t old_bytes,
         state.first_block_bytes_ = new_bytes;
     }
     if (result == nullptr && new_bytes != 0 && state.running != nullptr) {
-        state.memory_error_ = place_of(state.running, 0).line > 0 ? place_of(state.running, 0)
-                                                                  : place_of(state.running, 1);
+        state.note_memory_error();
     } else if (new_bytes > old_bytes && new_bytes >= kLargeBlockBytes) {
-        // An allocator may not raise errors; the hook does, at the next instruction.
-        state.used_ += new_bytes / kBytesAnInstruction;
-        if (state.limit_ != 0 && state.used_ > state.limit_ && state.running != nullptr) {
-            lua_sethook(state.running, &ScriptState::on_count, LUA_MASKCOUNT, 1);
-        }
+        state.count_large_block(new_bytes);
     }
     return result;
 }
 
 // ---- budget
 // -------------------------------------------------------------------------------------------------------
+
+void ScriptState::count_large_block(std::size_t bytes) noexcept {
+    if (running == nullptr) {
+        return;
+    }
+    lua_Debug activation{};
+    for (int level = 0; level < 2 && lua_getstack(running, level, &activation) != 0; ++level) {
+        note_line(running, &activation);
+    }
+    // An allocator may not raise errors; the hook does, at the next instruction.
+    used_ += bytes / kBytesAnInstruction;
+    if (limit_ != 0 && used_ > limit_) {
+        lua_sethook(running, &ScriptState::on_count, LUA_MASKCOUNT, 1);
+    }
+}
+
+void ScriptState::note_memory_error() {
+    constexpr int kDeep = 20'000;
+    memory_error_ = place_of(running, 0);
+    if (memory_error_.line == 0) {
+        memory_error_ = place_of(running, 1);
+    }
+    lua_Debug activation{};
+    memory_error_.message = lua_getstack(running, kDeep, &activation) != 0
+                                ? kTooDeep
+                                : "this needs more memory than the " +
+                                      std::to_string(arena_.capacity_bytes() >> 20U) +
+                                      " MB that a lesson may have";
+}
 
 void ScriptState::begin_budget(std::uint64_t instructions) noexcept {
     used_ = 0;
@@ -221,9 +248,6 @@ ScriptError ScriptState::describe_failure(int status) {
         error = spent_error_;
     } else if (status == LUA_ERRMEM) {
         error = memory_error_;
-        error.message = "this needs more memory than the " +
-                        std::to_string(arena_.capacity_bytes() >> 20U) +
-                        " MB that a lesson may have";
     } else if (error.message.empty()) {
         const char* text = lua_type(lua_, -1) == LUA_TSTRING ? lua_tostring(lua_, -1) : nullptr;
         error.message = text != nullptr ? text : "the script failed";

@@ -95,6 +95,8 @@ class ScriptState {
     [[nodiscard]] ScriptError describe_failure(int status);
     static void* allocate(void* self, void* block, std::size_t old_bytes,
                           std::size_t new_bytes) noexcept;
+    void note_memory_error();
+    void count_large_block(std::size_t bytes) noexcept;
     static void on_count(lua_State* L, lua_Debug* activation);
     static int on_error(lua_State* L);
     void note_line(lua_State* L, lua_Debug* activation) noexcept;

@@ -165,6 +165,7 @@ void event(Archive& a, Event& e) {
         a.flag("understood", e.understood);
         a.flag("right", e.right);
         a.flag("form right", e.form_right);
+        a.flag("over", e.over);
         a.integer("the attempt", e.attempt, 0, 1'000'000);
     } else {
         static_assert(std::is_same_v<Kind, ReadyEvent>);

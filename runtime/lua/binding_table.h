@@ -1,0 +1,150 @@
+// The one table of what a lesson can call: from it come registration, checks of arguments, editor annotations and the
+// reference page. A row names a function, its parameters with type, unit, range and default, and one line of text.
+//
+// Thread: built once, then read only.
+#pragma once
+
+#include "haptics/math/spatial.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+struct lua_State;
+
+namespace fulcrum::runtime {
+
+struct LessonContext;
+
+/// What a parameter may be in Lua.
+enum class ParameterType : std::uint8_t {
+    number,   ///< within [low, high]
+    integer,  ///< a whole number within [low, high]
+    flag,     ///< true or false
+    text,     ///< UTF-8, at most `high` bytes
+    name,     ///< a-z, 0-9, _ and -
+    vector,   ///< {x, y, z}, {x=, y=, z=} or anything with x, y, z; each within [low, high]
+    function,
+    texts,   ///< a list of texts
+    lists,   ///< a table: name -> list of texts
+    values,  ///< a table: name -> number, text or boolean
+};
+
+/// A default that says "this must be given".
+inline constexpr const char* kRequired = nullptr;
+
+struct Parameter {
+    const char* name;
+    ParameterType type;
+    const char* unit;  ///< "kilograms"; empty for a pure number or none
+    double low = 0.0;
+    double high = 0.0;
+    const char* fallback = kRequired;  ///< as Lua text, e.g. "0.05", "{0, 0, 0}", "nil"
+    const char* text = "";
+};
+
+/// How a function is written in Lua.
+enum class CallShape : std::uint8_t {
+    positional,    ///< world:gravity(9.81)
+    record,        ///< world:body { name = "apple" }
+    named_record,  ///< L:question "heaviest" { … }: the first parameter, then the record
+};
+
+/// When a function may be called.
+enum class CallTime : std::uint8_t {
+    loading,    ///< while the file is read
+    declaring,  ///< in L:start only
+    acting,     ///< in L:start and after
+    looking,    ///< always, in simulated hands too
+};
+
+/// What a parameter was given as, checked.
+struct Argument {
+    bool given = false;
+    double number = 0.0;
+    bool flag = false;
+    std::string text;
+    Vector3 vector{Vector3::Zero()};
+    std::vector<std::string> texts;
+    std::vector<std::pair<std::string, std::vector<std::string>>> lists;  ///< sorted by name
+    std::vector<std::pair<std::string, std::string>> values;              ///< sorted by name
+    int stack_index = 0;                                                  ///< of a function
+};
+
+struct Binding;
+
+/// The checked arguments of one call, found by the parameter's name.
+class Arguments {
+  public:
+    Arguments(const Binding& binding, std::vector<Argument> values)
+        : binding_(binding), values_(std::move(values)) {}
+    /// The argument of that name; the name is one of the binding's (asserted).
+    [[nodiscard]] const Argument& operator[](std::string_view name) const;
+
+  private:
+    const Binding& binding_;
+    std::vector<Argument> values_;
+};
+
+/// Does the work: arguments are checked; pushes its results and returns their number.
+using BoundFunction = int (*)(lua_State* L, LessonContext& context, const Arguments& arguments);
+
+struct Binding {
+    const char* owner;  ///< "world", "body", "force", "lesson", or "" for a global
+    const char* name;
+    CallShape shape;
+    CallTime time;
+    std::vector<Parameter> parameters;
+    const char* result;  ///< type for the annotations, e.g. "Body"; empty for none
+    const char* text;
+    BoundFunction call;
+};
+
+/// A field that is read as body.mass. Pushes one value.
+struct Property {
+    const char* owner;  ///< "world", "body", "tool" or "force"
+    const char* name;
+    const char* type;  ///< for the annotations
+    const char* unit;
+    const char* text;
+    int (*get)(lua_State* L, LessonContext& context, std::int32_t index);
+};
+
+/// A function that a lesson may define.
+struct Callback {
+    const char* name;
+    std::vector<std::pair<const char*, const char*>> parameters;  ///< name, type
+    const char* text;
+};
+
+struct ApiTable {
+    std::vector<Binding> functions;
+    std::vector<Property> properties;
+    std::vector<Callback> callbacks;
+};
+
+/// The whole of it.
+[[nodiscard]] const ApiTable& api_table();
+
+// Its parts, one a wrap_*.cpp.
+void add_lesson_api(ApiTable& table);
+void add_declaration_api(ApiTable& table);
+void add_action_api(ApiTable& table);
+void add_body_api(ApiTable& table);
+void add_force_api(ApiTable& table);
+
+/// The LuaLS annotations (scripts/meta/fulcrum.lua).
+[[nodiscard]] std::string make_annotations(const ApiTable& table);
+/// The reference page (scripts/meta/reference.md).
+[[nodiscard]] std::string make_reference(const ApiTable& table);
+/// "kilograms, 0 to 10000", as errors and texts say it; empty when there is nothing to say.
+[[nodiscard]] std::string range_text(const Parameter& parameter);
+/// The candidate that `word` most likely stands for, at most `most_steps` letters away; empty when none is so near.
+[[nodiscard]] std::string nearest_word(std::string_view word,
+                                       const std::vector<std::string>& candidates,
+                                       std::size_t most_steps = 3);
+
+}  // namespace fulcrum::runtime

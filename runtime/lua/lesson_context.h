@@ -1,0 +1,64 @@
+// What the functions of a lesson work on, on the lesson's side: what it has declared, how things stand, what it wants.
+//
+// Thread: that of the lesson's process.
+#pragma once
+
+#include "runtime/lua/binding_table.h"
+#include "runtime/lua/script_state.h"
+#include "runtime/scene/description.h"
+#include "runtime/scene/lesson_messages.h"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// What a script is doing now: it decides what it may call.
+enum class LessonPhase : std::uint8_t { loading, starting, running };
+
+/// A thing in Lua: full userdata holding one of these. An old handle is refused by its generation.
+struct Handle {
+    enum class Kind : std::uint8_t { world, tool, body, force };
+    Kind kind = Kind::world;
+    std::int32_t index = 0;
+    std::uint32_t generation = 0;
+};
+
+struct LessonContext {
+    LessonPhase phase = LessonPhase::loading;
+    bool is_hand = false;          ///< a simulated hand: it looks and does nothing
+    std::uint32_t generation = 1;  ///< of every handle of this scene
+    LessonDescription description{};
+    LessonFrame frame{};                ///< the newest; its bodies are as many as the description's
+    std::vector<double> felt_weight_N;  ///< empty before ReadyEvent
+    LessonReply reply{};                ///< being filled
+    int n_prints = 0;                   ///< in this frame
+    std::vector<FieldCommand> fields;   ///< how each declared force stands
+    int lesson_ref = LUA_NOREF;         ///< the table that lesson{} gave
+    int force_function_ref = LUA_NOREF;
+    std::vector<std::pair<std::string, int>> judges;  ///< question -> its `right`
+    std::vector<int> listeners;                       ///< L:listen
+};
+
+/// The context of the script that runs.
+[[nodiscard]] LessonContext& context_of(lua_State* L) noexcept;
+/// Adds a command to the reply; raises when there are too many.
+void add_command(lua_State* L, LessonCommand command);
+
+/// Pushes the one object that stands for a thing; the same each time, so that == and table keys work.
+void push_handle(lua_State* L, Handle::Kind kind, std::int32_t index);
+/// The handle at `index` if it is of this kind and of this scene; raises otherwise, naming the function called.
+[[nodiscard]] Handle check_handle(lua_State* L, int index, Handle::Kind kind, const char* called);
+/// Is it a handle of that kind? (of whatever generation)
+[[nodiscard]] const Handle* to_handle(lua_State* L, int index);
+/// Pushes {x, y, z} that also has fields x, y and z.
+void push_vector(lua_State* L, const Vector3& v);
+
+/// Puts metatables of all handles and the global functions into the state.
+void register_api(lua_State* L);
+/// Checks the arguments of `binding` from stack index `first` on; raises the sentence that says what is wrong.
+[[nodiscard]] Arguments check_arguments(lua_State* L, int first, const Binding& binding);
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,291 @@
+#include "runtime/lua/lesson_host.h"
+
+#include <cmath>
+#include <type_traits>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr int kLessonSlot = 0;
+constexpr int kHandSlot = 1;
+
+/// Pushes the lesson's function `name` and the lesson itself; false, and nothing pushed, when there is none.
+bool push_callback(lua_State* L, const LessonContext& context, const char* name) {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, context.lesson_ref);
+    lua_pushstring(L, name);
+    const int kind = lua_rawget(L, -2);
+    if (kind == LUA_TFUNCTION) {
+        lua_insert(L, -2);
+        return true;
+    }
+    lua_pop(L, 2);
+    if (kind != LUA_TNIL) {
+        raise_in_lesson(L, std::string("L.") + name + " is no function; write function L:" + name +
+                               "(…) … end");
+    }
+    return false;
+}
+
+/// The file must end with `return L`.
+void check_returned_lesson(lua_State* L, const LessonContext& context, const std::string& file) {
+    if (context.lesson_ref == LUA_NOREF) {
+        lua_pushfstring(
+            L, "%s:1: this file makes no lesson; begin with local L = lesson { id = …, title = … }",
+            file.c_str());
+        lua_error(L);
+    }
+    lua_rawgeti(L, LUA_REGISTRYINDEX, context.lesson_ref);
+    if (lua_rawequal(L, -1, -2) == 0) {
+        lua_pushfstring(L,
+                        "%s:1: the file must end with return L, the lesson that lesson { … } gave",
+                        file.c_str());
+        lua_error(L);
+    }
+    lua_pop(L, 1);
+}
+
+/// A coordinate of the hand's target.
+double check_target(lua_State* L, int index) {
+    const double value = lua_tonumber(L, index);
+    if (lua_type(L, index) != LUA_TNUMBER || !(std::abs(value) <= kMaxCoordinate_m)) {
+        raise_in_lesson(L,
+                        "a simulated hand gives x, y and z in metres, -10000 to 10000, and buttons "
+                        "if it presses any");
+    }
+    return value;
+}
+
+}  // namespace
+
+LessonHost::LessonHost(const LoadMessage& message, HostServices services)
+    : message_(message), services_(std::move(services)) {
+    lesson_script_ = std::make_unique<ScriptState>(settings_for(kLessonSlot, lesson_));
+    lesson_script_->context = &lesson_;
+    if (!message_.hand.name.empty()) {
+        hand_.is_hand = true;
+        hand_.generation = 2;
+        hand_script_ = std::make_unique<ScriptState>(settings_for(kHandSlot, hand_));
+        hand_script_->context = &hand_;
+    }
+}
+
+ScriptSettings LessonHost::settings_for(int slot, LessonContext& context) {
+    ScriptSettings settings;
+    settings.slot = slot;
+    settings.memory_bytes = message_.memory_bytes;
+    settings.seed = message_.seed;
+    settings.running_line = services_.running_line;
+    settings.find_module = services_.find_module;
+    settings.print = [this, &context](std::string text) { print(context, std::move(text)); };
+    return settings;
+}
+
+void LessonHost::print(LessonContext& context, std::string text) {
+    if (++context.n_prints > kMaxPrintsAFrame) {
+        return;
+    }
+    if (context.n_prints == kMaxPrintsAFrame) {
+        text = "… (this prints too much; the rest of this frame is left out)";
+    }
+    if (!loaded_) {
+        services_.print_while_loading(text);
+    } else if (lesson_.reply.commands.size() + 2 < kMaxCommands) {
+        lesson_.reply.commands.emplace_back(PrintCommand{std::move(text)});
+    }
+}
+
+// ---- loading ------------------------------------------------------------------------------------------------------
+
+std::optional<ScriptError> LessonHost::load() {
+    if (auto error = load_lesson()) {
+        return error;
+    }
+    if (hand_script_ != nullptr) {
+        if (auto error = load_hand()) {
+            return error;
+        }
+    }
+    loaded_ = true;
+    lesson_.phase = LessonPhase::running;
+    return std::nullopt;
+}
+
+std::optional<ScriptError> LessonHost::load_lesson() {
+    ScriptState& script = *lesson_script_;
+    script.begin_budget(message_.load_instructions);
+    return script.protect([&](lua_State* L) {
+        register_api(L);
+        script.load_text(L, message_.lesson);
+        script.call(L, 0, 1);
+        check_returned_lesson(L, lesson_, message_.lesson.name);
+        lesson_.phase = LessonPhase::starting;
+        if (push_callback(L, lesson_, "start")) {
+            push_handle(L, Handle::Kind::world, 0);
+            script.call(L, 2, 0);
+        }
+        lesson_.description.sounds = find_sounds(message_.lesson.text);
+    });
+}
+
+std::optional<ScriptError> LessonHost::load_hand() {
+    ScriptState& script = *hand_script_;
+    hand_.description = lesson_.description;
+    hand_.phase = LessonPhase::running;
+    script.begin_budget(message_.load_instructions);
+    return script.protect([&](lua_State* L) {
+        register_api(L);
+        script.load_text(L, message_.hand);
+        script.call(L, 0, 1);
+        if (!lua_isfunction(L, -1) && !lua_istable(L, -1)) {
+            lua_pushfstring(
+                L, "%s:1: a simulated hand ends with return function(hand, t, world) … end",
+                message_.hand.name.c_str());
+            lua_error(L);
+        }
+        hand_ref_ = luaL_ref(L, LUA_REGISTRYINDEX);
+    });
+}
+
+// ---- a frame ------------------------------------------------------------------------------------------------------
+
+bool LessonHost::frame_fits(const LessonFrame& frame) const {
+    const auto n_bodies = static_cast<std::int32_t>(description().bodies.size());
+    for (const LessonEvent& event : frame.events) {
+        const auto* about_body = std::get_if<BodyEvent>(&event);
+        if (about_body != nullptr && (about_body->body < 0 || about_body->body >= n_bodies)) {
+            return false;
+        }
+    }
+    return std::cmp_equal(frame.bodies.size(), n_bodies);
+}
+
+std::optional<ScriptError> LessonHost::run_frame(const LessonFrame& frame, LessonReply& reply) {
+    if (!frame_fits(frame)) {
+        return ScriptError{"the program sent a frame of another scene", "", 0};
+    }
+    lesson_.frame = frame;
+    lesson_.reply = {};
+    lesson_.n_prints = 0;
+    lesson_script_->begin_budget(message_.frame_instructions);
+    if (auto error = lesson_script_->protect([&](lua_State* L) { run_callbacks(L); })) {
+        return error;
+    }
+    reply = std::move(lesson_.reply);
+    if (hand_script_ == nullptr) {
+        return std::nullopt;
+    }
+    hand_.frame = frame;
+    hand_.felt_weight_N = lesson_.felt_weight_N;
+    hand_.n_prints = 0;
+    lesson_.reply = {};
+    hand_script_->begin_budget(message_.frame_instructions);
+    auto error = hand_script_->protect([&](lua_State* L) { run_hand(L, reply); });
+    for (LessonCommand& print : lesson_.reply.commands) {  // the hand's prints join the lesson's
+        if (reply.commands.size() < kMaxCommands) {
+            reply.commands.push_back(std::move(print));
+        }
+    }
+    return error;
+}
+
+void LessonHost::run_callbacks(lua_State* L) {
+    ScriptState& script = *lesson_script_;
+    for (const LessonEvent& event : lesson_.frame.events) {
+        deliver(L, event);
+    }
+    if (push_callback(L, lesson_, "update")) {
+        push_handle(L, Handle::Kind::world, 0);
+        lua_pushnumber(L, lesson_.frame.dt_s);
+        script.call(L, 3, 0);
+    }
+    for (std::size_t i = 0; i < lesson_.listeners.size(); ++i) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, lesson_.listeners[i]);
+        lua_newtable(L);
+        lua_pushstring(L, "update");
+        lua_setfield(L, -2, "name");
+        lua_pushnumber(L, lesson_.frame.dt_s);
+        lua_setfield(L, -2, "dt");
+        script.call(L, 1, 0);
+    }
+    if (lesson_.force_function_ref != LUA_NOREF) {
+        lesson_.reply.commands.emplace_back(
+            LessonForceCommand{linearise_force(L, lesson_, lesson_.force_function_ref)});
+    }
+}
+
+void LessonHost::deliver(lua_State* L, const LessonEvent& event) {
+    ScriptState& script = *lesson_script_;
+    if (const auto* ready = std::get_if<ReadyEvent>(&event)) {
+        lesson_.felt_weight_N = ready->felt_weight_N;
+        lesson_.felt_weight_N.resize(description().bodies.size(), 0.0);
+        return;
+    }
+    if (const auto* judge = std::get_if<JudgeEvent>(&event)) {
+        for (const auto& [question, right_ref] : lesson_.judges) {
+            if (question == judge->question) {
+                lua_rawgeti(L, LUA_REGISTRYINDEX, right_ref);
+                push_event(L, lesson_, event);
+                script.call(L, 1, 1);
+                const bool right = lua_toboolean(L, -1) != 0;
+                lua_pop(L, 1);
+                add_command(L, VerdictCommand{question, right});
+            }
+        }
+        return;
+    }
+    // The lesson's own function first, in its own words; then whoever listens.
+    push_event(L, lesson_, event);
+    lua_getfield(L, -1, "name");
+    const std::string name = lua_tostring(L, -1);
+    lua_pop(L, 1);
+    if (push_callback(L, lesson_, name.c_str())) {
+        int n_arguments = 2;
+        if (name == "key" || name == "answered") {
+            lua_pushvalue(L, -3);
+            if (name == "key") {
+                lua_getfield(L, -1, "key");
+                lua_remove(L, -2);
+            }
+        } else {
+            lua_getfield(L, -3, "body");
+            lua_getfield(L, -4, "speed");
+            ++n_arguments;
+        }
+        script.call(L, n_arguments, 0);
+    }
+    for (std::size_t i = 0; i < lesson_.listeners.size(); ++i) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, lesson_.listeners[i]);
+        lua_pushvalue(L, -2);
+        script.call(L, 1, 0);
+    }
+    lua_pop(L, 1);
+}
+
+void LessonHost::run_hand(lua_State* L, LessonReply& reply) {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, hand_ref_);
+    int n_arguments = 3;
+    if (lua_istable(L, -1)) {
+        lua_getfield(L, -1, "update");
+        lua_insert(L, -2);
+        ++n_arguments;
+    }
+    push_handle(L, Handle::Kind::tool, 0);
+    lua_pushnumber(L, hand_.frame.time_s);
+    push_handle(L, Handle::Kind::world, 0);
+    hand_script_->call(L, n_arguments, 4);
+    if (lua_isnil(L, -4)) {
+        return;  // no target: the hand stays where it was
+    }
+    reply.has_hand_target = true;
+    reply.hand_target_W = Pose{};
+    reply.hand_target_W.position =
+        Vector3(check_target(L, -4), check_target(L, -3), check_target(L, -2));
+    if (lua_type(L, -1) == LUA_TBOOLEAN) {
+        reply.hand_buttons = lua_toboolean(L, -1) != 0 ? 1U : 0U;
+    } else if (!lua_isnil(L, -1)) {
+        const double buttons = check_target(L, -1);
+        reply.hand_buttons = buttons >= 0.0 ? static_cast<std::uint32_t>(buttons) : 0U;
+    }
+}
+
+}  // namespace fulcrum::runtime

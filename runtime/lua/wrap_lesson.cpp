@@ -1,0 +1,133 @@
+// lesson{…} and what hangs on the lesson itself: questions, tests, listeners.
+#include "runtime/lua/binding_table.h"
+#include "runtime/lua/lesson_context.h"
+
+#include <algorithm>
+
+#include <cctype>
+
+namespace fulcrum::runtime {
+namespace {
+
+int make_lesson(lua_State* L, LessonContext& context, const Arguments& arguments) {
+    if (context.lesson_ref != LUA_NOREF) {
+        raise_in_lesson(L, "a file makes one lesson; this is the second lesson{…}");
+    }
+    context.description.id = arguments["id"].text;
+    context.description.title = arguments["title"].text;
+    context.description.level = arguments["level"].text;
+    context.description.minutes = arguments["minutes"].number;
+    lua_newtable(L);
+    luaL_setmetatable(L, "fulcrum.lesson");
+    lua_pushvalue(L, -1);
+    context.lesson_ref = luaL_ref(L, LUA_REGISTRYINDEX);
+    return 1;
+}
+
+int add_question(lua_State* L, LessonContext& context, const Arguments& arguments) {
+    QuestionDescription question;
+    question.id = arguments["id"].text;
+    question.prompt = arguments["prompt"].text;
+    question.answers = arguments["answers"].texts;
+    question.lists = arguments["lists"].lists;
+    question.line = place_in_lesson(L).line;
+    auto& known = context.description.questions;
+    if (std::any_of(known.begin(), known.end(),
+                    [&](const auto& q) { return q.id == question.id; })) {
+        raise_in_lesson(L, "there is already a question \"" + question.id + '"');
+    }
+    if (known.size() >= kMaxQuestions) {
+        raise_in_lesson(L, "a lesson has at most " + std::to_string(kMaxQuestions) + " questions");
+    }
+    if (question.answers.empty()) {
+        raise_in_lesson(
+            L,
+            "question.answers is empty; give at least one sentence that a learner may answer with");
+    }
+    lua_pushvalue(L, arguments["right"].stack_index);
+    context.judges.emplace_back(question.id, luaL_ref(L, LUA_REGISTRYINDEX));
+    known.push_back(std::move(question));
+    return 0;
+}
+
+int add_test(lua_State* L, LessonContext& context, const Arguments& arguments) {
+    LessonTestDescription test;
+    test.hand = arguments["hand"].text;
+    test.say = arguments["say"].texts;
+    test.expect = arguments["expect"].values;
+    test.line = place_in_lesson(L).line;
+    const std::string_view file = test.hand;
+    if (!file.empty() && !(file.ends_with(".lua") && is_name(file.substr(0, file.size() - 4)))) {
+        raise_in_lesson(
+            L,
+            "test.hand is the name of a Lua file beside the lesson, such as \"sweep.lua\"; got \"" +
+                clean_text(file, 40) + '"');
+    }
+    context.description.tests.push_back(std::move(test));
+    return 0;
+}
+
+int add_listener(lua_State* L, LessonContext& context, const Arguments& arguments) {
+    if (context.listeners.size() >= 32) {
+        raise_in_lesson(L, "a lesson has at most 32 listeners");
+    }
+    lua_pushvalue(L, arguments["listener"].stack_index);
+    context.listeners.push_back(luaL_ref(L, LUA_REGISTRYINDEX));
+    return 0;
+}
+
+}  // namespace
+
+void add_lesson_api(ApiTable& table) {
+    using enum ParameterType;
+    table.functions.push_back(
+        {"",
+         "lesson",
+         CallShape::record,
+         CallTime::loading,
+         {{"id", name, "", 0, 0, kRequired, "short name, used in reports"},
+          {"title", text, "", 0, 200, kRequired, "what the list of lessons shows"},
+          {"level", text, "", 0, 16, "A1", "level of English: A1, A2 …"},
+          {"minutes", number, "minutes", 0, 1000, "10", "how long it takes"}},
+         "Lesson",
+         "Begins a lesson. The file ends with `return` of what this gives.",
+         &make_lesson});
+    table.functions.push_back(
+        {"lesson",
+         "question",
+         CallShape::named_record,
+         CallTime::loading,
+         {{"id", name, "", 0, 0, kRequired, "what world:ask calls it"},
+          {"prompt", text, "", 0, 1000, kRequired, "what the learner is asked"},
+          {"answers", texts, "", 0, 0, kRequired, "templates of the sentences that answer it"},
+          {"lists", lists, "", 0, 0, "nil",
+           "words that {name} in a template may stand for; {thing} is the bodies' nouns by "
+           "default"},
+          {"right", function, "", 0, 0, kRequired, "function(answer): is the meaning right?"}},
+         "",
+         "Declares a question.",
+         &add_question});
+    table.functions.push_back(
+        {"lesson",
+         "test",
+         CallShape::record,
+         CallTime::loading,
+         {{"hand", text, "", 0, 48, "", "simulated hand: a Lua file beside the lesson"},
+          {"say", texts, "", 0, 0, "nil", "what the simulated learner answers, in turn"},
+          {"expect", values, "", 0, 0, "nil", "how the lesson must end, e.g. { score = 7 }"}},
+         "",
+         "Declares how the lesson is played in tests.",
+         &add_test});
+    table.functions.push_back({"lesson",
+                               "listen",
+                               CallShape::positional,
+                               CallTime::acting,
+                               {{"listener", function, "", 0, 0, kRequired,
+                                 "function(event): event.name says what happened"}},
+                               "",
+                               "Calls a function with every event, after the lesson's own; "
+                               "\"update\" comes each frame with event.dt.",
+                               &add_listener});
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,268 @@
+---@meta fulcrum
+-- Generated from the binding table in runtime/lua; do not edit.
+-- Names, types, units and ranges of everything a lesson can call, for the Lua language server.
+
+---@alias Vector number[]|{x: number, y: number, z: number}
+
+---@class Answer
+---@field question string
+---@field said string the learner's words
+---@field understood boolean false: no template fitted
+---@field right boolean the meaning is right
+---@field form_right boolean no error of form was found
+---@field over boolean the question is done: right, or left after many tries
+---@field attempt integer
+---@field [string] any the slots of the template
+
+---A lesson: what lesson { … } gives. Define functions on it; they are looked up on every call.
+---@class Lesson
+---@field start? fun(self: Lesson, world: World) Once, before the first frame: declares bodies, forces and the view.
+---@field update? fun(self: Lesson, world: World, dt: number) 60 times a second; dt is in seconds.
+---@field caught? fun(self: Lesson, body: Body, speed: number) A body fell into the bucket, at so many metres per second.
+---@field landed? fun(self: Lesson, body: Body, speed: number) A body hit the ground, at so many metres per second.
+---@field touched? fun(self: Lesson, body: Body) The tool began to touch a solid body.
+---@field released? fun(self: Lesson, body: Body) The tool no longer touches a solid body.
+---@field key? fun(self: Lesson, name: string) A key was pressed: "space", "return", "left", a letter …
+---@field answered? fun(self: Lesson, answer: Answer) The learner's answer has been marked and answered to.
+local Lesson = {}
+
+---The scene of a lesson.
+---@class World
+---@field time number seconds; since the lesson began
+local World = {}
+
+---A thing in the scene.
+---@class Body
+---@field name string 
+---@field noun string the English noun
+---@field mass number kilograms; the true mass
+---@field weight number newtons; the true weight: mass × gravity
+---@field felt_weight number newtons; what the hand feels of it
+---@field position Vector metres; {x, y, z}
+---@field where "hidden"|"placed"|"falling"|"held"|"landed" 
+---@field x number metres; to the right
+---@field y number metres; up
+---@field z number metres; towards the viewer
+local Body = {}
+
+---What the hand holds.
+---@class Tool
+---@field x number metres; to the right
+---@field y number metres; up
+---@field z number metres; towards the viewer
+---@field vx number metres per second
+---@field vy number metres per second
+---@field vz number metres per second
+---@field position Vector metres; {x, y, z}
+---@field force number newtons; how strongly the hand is pushed or pulled
+local Tool = {}
+
+---A force on the hand.
+---@class Force
+---@field name string 
+local Force = {}
+
+---@class LessonOptions
+---@field id string short name, used in reports
+---@field title string what the list of lessons shows; of at most 200 bytes
+---@field level? string level of English: A1, A2 …; of at most 16 bytes; default A1
+---@field minutes? number how long it takes; in minutes, 0 to 1000; default 10
+
+---Begins a lesson. The file ends with `return` of what this gives.
+---@param options LessonOptions
+---@return Lesson
+function lesson(options) end
+
+---@class QuestionOptions
+---@field prompt string what the learner is asked; of at most 1000 bytes
+---@field answers string[] templates of the sentences that answer it
+---@field lists? table<string, string[]> words that {name} in a template may stand for; {thing} is the bodies' nouns by default
+---@field right function function(answer): is the meaning right?
+
+---Declares a question.
+---@param id string what world:ask calls it
+---@return fun(options: QuestionOptions)
+function Lesson:question(id) end
+
+---@class TestOptions
+---@field hand? string simulated hand: a Lua file beside the lesson; of at most 48 bytes
+---@field say? string[] what the simulated learner answers, in turn
+---@field expect? table<string, string|number|boolean> how the lesson must end, e.g. { score = 7 }
+
+---Declares how the lesson is played in tests.
+---@param options TestOptions
+function Lesson:test(options) end
+
+---Calls a function with every event, after the lesson's own; "update" comes each frame with event.dt.
+---@param listener function function(event): event.name says what happened
+function Lesson:listen(listener) end
+
+---Sets how strongly things fall.
+---@param acceleration number downwards; 9.81 on Earth, 1.62 on the Moon; in metres per second squared, 0 to 100
+function World:gravity(acceleration) end
+
+---Sets the height of the ground.
+---@param height number where bodies land; in metres, -100 to 100
+function World:ground(height) end
+
+---@class CameraOptions
+---@field eye? Vector|Body|Tool where the camera is; in metres, -10000 to 10000; default {0, 0.55, 1.5}
+---@field target? Vector|Body|Tool what it looks at; in metres, -10000 to 10000; default {0, 0.35, 0}
+---@field angle? number how much it sees, from top to bottom; in degrees, 5 to 120; default 40
+
+---Places the camera.
+---@param options CameraOptions
+function World:camera(options) end
+
+---@class HandOptions
+---@field centre? Vector|Body|Tool where the middle of the arm's reach lies; in metres, -10000 to 10000; default {0, 0.3, 0}
+---@field scale? number metres in the scene for one metre of the hand; 0.01 to 100; default 1
+
+---Says where the hand works in the scene.
+---@param options HandOptions
+function World:hand(options) end
+
+---@class BodyOptions
+---@field name string unique; how the lesson calls it
+---@field noun? string English noun; the name by default; of at most 64 bytes
+---@field model? string model to draw; the name by default
+---@field radius? number in metres, 0.001 to 10; default 0.05
+---@field mass? number the true mass; in kilograms, 0 to 10000; default 1
+---@field exaggeration? number felt weight / true weight, before all are made to fit the arm; 0 to 100; default 1
+---@field movable? boolean may fall, be caught and be held; default false
+---@field solid? boolean can be touched; default false
+---@field visible? boolean is seen from the start; default false
+---@field at? Vector|Body|Tool where it is at first; in metres, -10000 to 10000; default {0, 0, 0}
+---@field drag_area? number drag coefficient × cross-section, for falling in air; in square metres, 0 to 10; default 0
+
+---Declares a thing.
+---@param options BodyOptions
+---@return Body
+function World:body(options) end
+
+---@class BucketOptions
+---@field model? string model to draw; default bucket
+---@field radius? number of the opening; in metres, 0.001 to 10; default 0.11
+---@field depth? number in metres, 0.001 to 10; default 0.14
+
+---Puts a bucket on the tool; movable bodies that fall into it are caught.
+---@param options BucketOptions
+function World:bucket(options) end
+
+---@class SpringOptions
+---@field name? string "spring1" and so on by default
+---@field at Vector|Body|Tool where it pulls to; in metres, -10000 to 10000
+---@field stiffness number in newtons per metre, 0 to 2000
+---@field damping? number in newton seconds per metre, 0 to 50; default 0
+
+---Declares a spring that pulls the hand.
+---@param options SpringOptions
+---@return Force
+function World:spring(options) end
+
+---@class ViscosityOptions
+---@field name? string "viscosity1" and so on by default
+---@field damping number honey is about 20; in newton seconds per metre, 0 to 50
+
+---Declares a thickness of the air that brakes the hand.
+---@param options ViscosityOptions
+---@return Force
+function World:viscosity(options) end
+
+---@class MagnetOptions
+---@field name? string "magnet1" and so on by default
+---@field at Vector|Body|Tool where it pulls to; in metres, -10000 to 10000
+---@field force number the strongest pull; in newtons, 0 to 10
+---@field range? number distance of the strongest pull; in metres, 0.001 to 10; default 0.1
+
+---Declares a magnet that pulls the hand.
+---@param options MagnetOptions
+---@return Force
+function World:magnet(options) end
+
+---Declares the lesson's own force on the hand, computed 60 times a second and carried on in between by its slope.
+---@param compute function function(tool): gives three newtons from tool.x, .y, .z, .vx, .vy, .vz
+function World:force(compute) end
+
+---Takes everything out of the bucket.
+function World:release() end
+
+---Shows an instruction and reads it aloud.
+---@param text string one instruction; "" clears it; of at most 1000 bytes
+function World:caption(text) end
+
+---Asks a question that L:question declared; L:answered tells the answer.
+---@param question string the name of a question; of at most 1000 bytes
+function World:ask(question) end
+
+---Sets the score that is shown.
+---@param score integer -1000000 to 1000000
+function World:score(score) end
+
+---Begins a level.
+---@param level integer 0 to 99
+---@param title? string what the level is called; of at most 200 bytes
+function World:level(level, title) end
+
+---Plays a sound.
+---@param name string e.g. "pop"
+function World:sound(name) end
+
+---@class FinishOptions
+---@field stars integer how well it went; 0 to 3
+
+---Ends the lesson.
+---@param options FinishOptions
+function World:finish(options) end
+
+---All bodies, in the order they were declared.
+---@return Body[]
+function World:bodies() end
+
+---The body of that name.
+---@param name string the body's name; of at most 1000 bytes
+---@return Body
+function World:find(name) end
+
+---What the hand holds.
+---@return Tool
+function World:tool() end
+
+---@class DropOptions
+---@field at? Vector|Body|Tool where it is now by default; in metres, -10000 to 10000
+---@field velocity? Vector|Body|Tool at first; in metres per second, -1000 to 1000; default {0, 0, 0}
+
+---Lets it fall.
+---@param options DropOptions
+function Body:drop(options) end
+
+---@class PlaceOptions
+---@field at? Vector|Body|Tool where it is now by default; in metres, -10000 to 10000
+
+---Puts it somewhere, where it stays.
+---@param options PlaceOptions
+function Body:place(options) end
+
+---Takes it out of the scene.
+function Body:hide() end
+
+---Lays it into the tool, so that its weight is felt.
+function Body:hold() end
+
+---Switches it on.
+function Force:on() end
+
+---Switches it off; it fades.
+function Force:off() end
+
+---@class MoveOptions
+---@field at Vector|Body|Tool where it pulls to from now on; in metres, -10000 to 10000
+
+---Moves a spring or a magnet.
+---@param options MoveOptions
+function Force:move(options) end
+
+---Weakens it.
+---@param factor number 1 as declared, 0 nothing; 0 to 1
+function Force:strength(factor) end
+
