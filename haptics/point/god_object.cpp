@@ -1,0 +1,272 @@
+#include "haptics/point/god_object.h"
+
+#include <algorithm>
+
+#include <limits>
+
+namespace fulcrum {
+
+namespace {
+
+// Less than this part of the clearance is no motion.
+constexpr double kNoMotion = 0.01;
+// A plane counts as respected up to this part of the clearance.
+constexpr double kSlack = 0.25;
+
+bool is_usable(const Vector3& hand_W) noexcept {
+    return hand_W.allFinite() && largest_component(hand_W) <= GodObject::kFarthest_m;
+}
+
+}  // namespace
+
+Expected<void> validate(const std::vector<SolidPlan>& solids) {
+    if (solids.size() > static_cast<std::size_t>(kMaxSolids)) {
+        return fail("more than " + std::to_string(kMaxSolids) + " bodies can be touched", {},
+                    "make some of them untouchable");
+    }
+    for (const SolidPlan& solid : solids) {
+        if (solid.mesh == nullptr || !is_finite(solid.initial_pose_W)) {
+            return fail("body " + std::to_string(solid.body) +
+                            " cannot be touched: it has no mesh or no finite pose",
+                        {}, "give it both");
+        }
+    }
+    return {};
+}
+
+GodObject::GodObject(const std::vector<SolidPlan>& solids) {
+    solids_.reserve(solids.size());
+    near_.reserve(solids.size());
+    for (const SolidPlan& solid : solids) {
+        solids_.emplace_back(solid, static_cast<std::int32_t>(solids_.size()));
+    }
+    reset(Vector3::Zero());
+}
+
+void GodObject::reset(const Vector3& hand_W) noexcept {
+    if (!is_usable(hand_W)) {
+        return;
+    }
+    planes_.count = 0;
+    n_known_ = 0;
+    accept(hand_W);
+    leave_surface();
+    publish(proxy_W_);
+}
+
+const ProxyContact& GodObject::step(const Vector3& hand_W,
+                                    std::span<const Pose> solid_poses_W) noexcept {
+    if (!is_usable(hand_W)) {
+        return contact_;
+    }
+    n_known_ = 0;
+    n_sweeps_ = 0;
+    follow_solids(solid_poses_W);
+    find_near_solids(hand_W);
+    follow_hand(hand_W);
+    publish(hand_W);
+    return contact_;
+}
+
+void GodObject::find_near_solids(const Vector3& hand_W) noexcept {
+    // The distance to the hand never grows, so all that follows happens in this ball.
+    const double radius_m = (proxy_W_ - hand_W).norm();
+    near_.clear();
+    for (std::size_t i = 0; i < solids_.size(); ++i) {
+        if (solids_[i].is_near(hand_W, radius_m)) {
+            near_.push_back(static_cast<std::int32_t>(i));
+        }
+    }
+}
+
+void GodObject::follow_hand(const Vector3& hand_W) noexcept {
+    while (n_sweeps_ < kMaxSweeps) {
+        const Vector3 way = constrain(hand_W - proxy_W_, proxy_W_, planes_);
+        const Advance advanced = advance(planes_.count == 0 ? hand_W : proxy_W_ + way);
+        if (advanced.blocked && !planes_.contain(advanced.plane)) {
+            planes_.plane[planes_.count++] = advanced.plane;
+            remember(advanced.plane);
+            continue;
+        }
+        if (!find_way_on(hand_W)) {
+            return;
+        }
+    }
+}
+
+// Where to go from `from_W` to be as near to the wish as the planes allow; keeps the planes that push.
+Vector3 GodObject::constrain(const Vector3& wish, const Vector3& from_W,
+                             Planes& planes) const noexcept {
+    if (planes.count == 0) {
+        return wish;
+    }
+    std::array<PlaneConstraint, kMaxPlanes> constraints;
+    double clearance_m = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < planes.count; ++i) {
+        const TouchedPlane& plane = planes.plane[i];
+        constraints[i] = {plane.normal_W, plane.clearance_m - plane.height_m(from_W)};
+        clearance_m = std::min(clearance_m, plane.clearance_m);
+    }
+    const std::span<PlaneConstraint> given(constraints.data(), planes.count);
+    ConstrainedPoint found = compute_constrained_point(wish, given, kSlack * clearance_m);
+    if (!found.feasible) {
+        // In a gap too narrow for the clearance: no nearer to any plane than now.
+        for (PlaneConstraint& constraint : given) {
+            constraint.gap_m = std::min(constraint.gap_m, 0.0);
+        }
+        found = compute_constrained_point(wish, given, kSlack * clearance_m);
+    }
+    if (!found.feasible) {
+        planes.count = std::min<std::size_t>(planes.count, 3);
+        return Vector3::Zero();
+    }
+    Planes pushing;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(found.n_active); ++i) {
+        pushing.plane[i] = planes.plane[static_cast<std::size_t>(found.active[i])];
+        pushing.push_m[i] = found.multiplier[i];
+    }
+    pushing.count = static_cast<std::size_t>(found.n_active);
+    planes = pushing;
+    return found.position;
+}
+
+// Moves towards the target, up to the first triangle.
+GodObject::Advance GodObject::advance(const Vector3& target_W) noexcept {
+    const double least_m = planes_.count == 0 ? 0.0 : kNoMotion * planes_.plane[0].clearance_m;
+    const Vector3 way = target_W - proxy_W_;
+    if (largest_component(way) <= least_m) {
+        return {};
+    }
+    const Blocker blocker = sweep_all(target_W);
+    if (blocker.solid == kNoBody) {
+        move_to(target_W);
+        return {.blocked = false, .moved_m = way.norm(), .plane = {}};
+    }
+    Advance result{.blocked = true, .moved_m = 0.0, .plane = {}};
+    result.plane = solids_[static_cast<std::size_t>(blocker.solid)].find_plane(blocker.hit.triangle,
+                                                                               blocker.hit.side);
+    // Back along the segment to the height of the clearance; the segment up to there is free, but for rounding.
+    const double height_m = result.plane.height_m(proxy_W_);
+    const double fall_m = height_m - result.plane.height_m(target_W);
+    const double t = fall_m > 0.0
+                         ? std::min((height_m - result.plane.clearance_m) / fall_m, blocker.hit.t)
+                         : 0.0;
+    const Vector3 stop_W = proxy_W_ + t * way;
+    if (t > 0.0 && sweep_all(stop_W).solid == kNoBody) {
+        result.moved_m = (stop_W - proxy_W_).norm();
+        move_to(stop_W);
+    }
+    return result;
+}
+
+GodObject::Blocker GodObject::sweep_all(const Vector3& to_W) noexcept {
+    Blocker nearest;
+    ++n_sweeps_;
+    for (const std::int32_t index : near_) {
+        MovingSolid& solid = solids_[static_cast<std::size_t>(index)];
+        const SegmentHit hit = planes_.count > 0 ? solid.sweep_nearby(to_W) : solid.sweep(to_W);
+        if (hit.found() && hit.t < nearest.hit.t) {
+            nearest = {index, hit};
+        }
+    }
+    return nearest;
+}
+
+void GodObject::move_to(const Vector3& proxy_W) noexcept {
+    proxy_W_ = proxy_W;
+    for (const std::int32_t index : near_) {
+        solids_[static_cast<std::size_t>(index)].put_proxy(proxy_W);
+    }
+}
+
+// At rest: does each plane that pushes belong to a triangle right under the proxy? Otherwise try without it.
+bool GodObject::find_way_on(const Vector3& hand_W) noexcept {
+    const unsigned all = (1U << planes_.count) - 1U;
+    unsigned under = 0;
+    for (std::size_t i = 0; i < planes_.count; ++i) {
+        const TouchedPlane& plane = planes_.plane[i];
+        under |=
+            solids_[static_cast<std::size_t>(plane.solid)].is_over(plane.triangle) ? 1U << i : 0U;
+    }
+    if (under == all) {
+        return false;
+    }
+    if (try_without(hand_W, under)) {
+        return true;
+    }
+    for (unsigned kept = 0; kept < all; ++kept) {
+        if (kept != under && try_without(hand_W, kept)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Moves as far as the kept planes alone allow. True when that gained something: a way, or a triangle not yet known.
+bool GodObject::try_without(const Vector3& hand_W, unsigned kept) noexcept {
+    if (n_sweeps_ >= kMaxSweeps) {
+        return false;
+    }
+    const double gain_m = planes_.plane[0].clearance_m;
+    Planes fewer;
+    for (std::size_t i = 0; i < planes_.count; ++i) {
+        if ((kept & (1U << i)) != 0) {
+            fewer.plane[fewer.count++] = planes_.plane[i];
+        }
+    }
+    const Vector3 way = constrain(hand_W - proxy_W_, proxy_W_, fewer);
+    const Advance advanced = advance(fewer.count == 0 ? hand_W : proxy_W_ + way);
+    const bool is_new = advanced.blocked && !is_known(advanced.plane);
+    if (!is_new && !(advanced.moved_m > gain_m)) {
+        return false;
+    }
+    if (advanced.blocked && !fewer.contain(advanced.plane)) {
+        fewer.plane[fewer.count++] = advanced.plane;
+        remember(advanced.plane);
+    }
+    planes_ = fewer;
+    return true;
+}
+
+bool GodObject::Planes::contain(const TouchedPlane& other) const noexcept {
+    return std::any_of(plane.begin(), plane.begin() + static_cast<std::ptrdiff_t>(count),
+                       [&other](const TouchedPlane& mine) {
+                           return mine.solid == other.solid && mine.triangle == other.triangle;
+                       });
+}
+
+bool GodObject::is_known(const TouchedPlane& plane) const noexcept {
+    return std::any_of(known_.begin(), known_.begin() + static_cast<std::ptrdiff_t>(n_known_),
+                       [&plane](const KnownTriangle& known) {
+                           return known.solid == plane.solid && known.triangle == plane.triangle;
+                       });
+}
+
+void GodObject::remember(const TouchedPlane& plane) noexcept {
+    if (n_known_ < kMaxKnown && !is_known(plane)) {
+        known_[n_known_++] = {plane.solid, plane.triangle};
+    }
+}
+
+void GodObject::publish(const Vector3& hand_W) noexcept {
+    for (MovingSolid& solid : solids_) {
+        solid.put_proxy(proxy_W_);
+    }
+    contact_ = {
+        .position_W = proxy_W_, .solid = kNoBody, .n_constraints = 0, .normal_W = Vector3::Zero()};
+    if (planes_.count == 0) {
+        return;
+    }
+    const auto strongest =
+        std::max_element(planes_.push_m.begin(),
+                         planes_.push_m.begin() + static_cast<std::ptrdiff_t>(planes_.count));
+    const TouchedPlane& plane =
+        planes_.plane[static_cast<std::size_t>(strongest - planes_.push_m.begin())];
+    contact_.solid = plane.solid;
+    contact_.n_constraints = static_cast<std::int32_t>(std::min<std::size_t>(planes_.count, 3));
+    const Vector3 push = proxy_W_ - hand_W;
+    contact_.normal_W =
+        push.squaredNorm() > 0.0 ? Vector3(push.stableNormalized()) : plane.normal_W;
+}
+
+}  // namespace fulcrum

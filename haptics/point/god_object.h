@@ -1,0 +1,114 @@
+// A point that never enters a solid: it goes as near to the hand as the surfaces allow.
+//
+// Law: of all positions in front of the touched planes the proxy takes the nearest to the hand (plane_constraints.h).
+// How it gets there makes it neither leak nor stick:
+//  - It moves only along segments that, by exact signs, meet no triangle (segment_triangle.h), in the frame of each
+//    solid. So in each solid's frame its path is a chain that no triangle cuts, whatever moved.
+//  - On a hit it stops a hair (1e-10 of the solid's radius) in front, backing off along the segment, and the triangle's plane
+//    joins the constraints. Planes that do not push are left.
+//  - Where it comes to rest it asks whether it really stands over each touched triangle. If not, it tries to move on without
+//    some of them: an edge that falls away must not hold it, nor convex neighbours pin it on their ridge.
+//  - A solid that moves carries the proxy that touches it, and takes along one that it meets; between two solids
+//    that close on it the proxy is pushed out sideways. If there is no way out it lets one solid pass and counts that.
+// Both faces of a triangle are solid. A proxy that starts inside a body is held inside. A pose that jumps is a motion too:
+// call `reset` to forgive it. All lengths are relative to the solid's size.
+//
+// Thread: haptic loop. Cost: bounded sweeps a step, each O(log n) at worst; no allocation, noexcept.
+// Source: C. B. Zilles, J. K. Salisbury 1995, A constraint-based god-object method for haptic display, IROS.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/point/moving_solid.h"
+#include "haptics/point/plane_constraints.h"
+#include "haptics/point/proxy.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace fulcrum {
+
+/// Refuses a list of solids longer than kMaxSolids, one without a mesh or with a pose that is not finite.
+[[nodiscard]] Expected<void> validate(const std::vector<SolidPlan>& solids);
+
+class GodObject final : public Proxy {
+  public:
+    /// Farthest coordinate of a hand that is followed, metres; one beyond is ignored like NaN.
+    static constexpr double kFarthest_m = 1.0e30;
+
+    /// Takes solids that `validate` accepted; the proxy starts at the origin, `reset` puts it on the hand.
+    explicit GodObject(const std::vector<SolidPlan>& solids);
+
+    void reset(const Vector3& hand_W) noexcept override;
+    /// A hand that is not finite leaves all as it was. Poses beyond the number of solids are ignored, missing ones unchanged.
+    const ProxyContact& step(const Vector3& hand_W,
+                             std::span<const Pose> solid_poses_W) noexcept override;
+
+    [[nodiscard]] const ProxyContact& contact() const noexcept { return contact_; }
+    /// How often a solid had to be let through, squeezed between two.
+    [[nodiscard]] std::uint64_t n_squeezed() const noexcept { return n_squeezed_; }
+    /// Sweeps of the last step: what it cost.
+    [[nodiscard]] int n_sweeps() const noexcept { return n_sweeps_; }
+
+  private:
+    // The triangles whose planes were used in this step, so that no two take turns for ever.
+    struct KnownTriangle {
+        std::int32_t solid;
+        std::int32_t triangle;
+    };
+    struct Advance {
+        bool blocked = false;
+        double moved_m = 0.0;
+        TouchedPlane plane;  // that blocked
+    };
+    struct Blocker {
+        std::int32_t solid = kNoBody;
+        SegmentHit hit;
+    };
+    // Planes that act together, with how much each pushes.
+    struct Planes {
+        std::array<TouchedPlane, kMaxPlanes> plane;
+        std::array<double, kMaxPlanes> push_m{};
+        std::size_t count = 0;
+
+        [[nodiscard]] bool contain(const TouchedPlane& other) const noexcept;
+    };
+
+    static constexpr int kMaxSweeps = 64;  ///< in a step; a smooth surface takes about 2
+    static constexpr std::size_t kMaxKnown = 32;
+
+    // Motion of the solids (god_object_solids.cpp).
+    void follow_solids(std::span<const Pose> solid_poses_W) noexcept;
+    [[nodiscard]] bool place_carried(const Vector3& wish_W, Blocker& blocker) noexcept;
+    [[nodiscard]] bool place_between(const Vector3& wish_W, const Blocker& first) noexcept;
+    [[nodiscard]] Blocker find_blocker(const Vector3& to_W) const noexcept;
+    void accept(const Vector3& proxy_W) noexcept;
+    void leave_surface() noexcept;
+
+    // Motion of the hand.
+    void find_near_solids(const Vector3& hand_W) noexcept;
+    void follow_hand(const Vector3& hand_W) noexcept;
+    [[nodiscard]] bool find_way_on(const Vector3& hand_W) noexcept;
+    [[nodiscard]] bool try_without(const Vector3& hand_W, unsigned kept) noexcept;
+    [[nodiscard]] Vector3 constrain(const Vector3& wish, const Vector3& from_W,
+                                    Planes& planes) const noexcept;
+    [[nodiscard]] Advance advance(const Vector3& target_W) noexcept;
+    [[nodiscard]] Blocker sweep_all(const Vector3& to_W) noexcept;
+    void move_to(const Vector3& proxy_W) noexcept;
+    [[nodiscard]] bool is_known(const TouchedPlane& plane) const noexcept;
+    void remember(const TouchedPlane& plane) noexcept;
+    void publish(const Vector3& hand_W) noexcept;
+
+    std::vector<MovingSolid> solids_;
+    std::vector<std::int32_t> near_;  // solids that the hand's motion can reach in this step
+    Vector3 proxy_W_{Vector3::Zero()};
+    Planes planes_;
+    std::array<KnownTriangle, kMaxKnown> known_{};
+    std::size_t n_known_ = 0;
+    int n_sweeps_ = 0;
+    std::uint64_t n_squeezed_ = 0;
+    ProxyContact contact_;
+};
+
+}  // namespace fulcrum

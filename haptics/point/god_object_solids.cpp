@@ -1,0 +1,122 @@
+// How the proxy keeps its side of solids that move.
+#include "haptics/point/god_object.h"
+
+#include <algorithm>
+
+namespace fulcrum {
+
+namespace {
+
+constexpr int kMaxPushes = 8;  // planes met on the way out from between solids
+
+}  // namespace
+
+void GodObject::follow_solids(std::span<const Pose> solid_poses_W) noexcept {
+    bool any_moved = false;
+    for (std::size_t i = 0; i < std::min(solids_.size(), solid_poses_W.size()); ++i) {
+        any_moved = solids_[i].take_pose(solid_poses_W[i]) || any_moved;
+    }
+    if (!any_moved) {
+        return;
+    }
+    for (std::size_t i = 0; i < planes_.count; ++i) {
+        TouchedPlane& plane = planes_.plane[i];
+        plane =
+            solids_[static_cast<std::size_t>(plane.solid)].find_plane(plane.triangle, plane.side);
+    }
+    // With the touched solid, or where it was.
+    const Vector3 wish_W =
+        contact_.solid == kNoBody
+            ? proxy_W_
+            : solids_[static_cast<std::size_t>(contact_.solid)].carried_proxy_W();
+    Blocker blocker;
+    if (!place_carried(wish_W, blocker) && !place_between(wish_W, blocker)) {
+        ++n_squeezed_;
+        accept(wish_W);
+    }
+}
+
+// Tries the wish, then standing still, then going with each solid that is in the way.
+bool GodObject::place_carried(const Vector3& wish_W, Blocker& blocker) noexcept {
+    blocker = find_blocker(wish_W);
+    Blocker next = blocker;
+    Vector3 candidate_W = wish_W;
+    if (next.solid != kNoBody && wish_W != proxy_W_) {
+        candidate_W = proxy_W_;
+        next = find_blocker(candidate_W);
+    }
+    unsigned tried = 0;
+    while (next.solid != kNoBody) {
+        const unsigned bit = 1U << static_cast<unsigned>(next.solid);
+        if ((tried & bit) != 0) {
+            return false;
+        }
+        tried |= bit;
+        candidate_W = solids_[static_cast<std::size_t>(next.solid)].carried_proxy_W();
+        next = find_blocker(candidate_W);
+    }
+    accept(candidate_W);
+    return true;
+}
+
+// Out of the way of all: the point nearest to the wish in front of every plane met so far, until nothing is met.
+bool GodObject::place_between(const Vector3& wish_W, const Blocker& first) noexcept {
+    Planes planes = planes_;
+    Blocker blocker = first;
+    for (int push = 0; push < kMaxPushes && planes.count < kMaxPlanes; ++push) {
+        planes.plane[planes.count++] = solids_[static_cast<std::size_t>(blocker.solid)].find_plane(
+            blocker.hit.triangle, blocker.hit.side);
+        const Vector3 candidate_W = wish_W + constrain(Vector3::Zero(), wish_W, planes);
+        blocker = find_blocker(candidate_W);
+        if (blocker.solid == kNoBody) {
+            accept(candidate_W);
+            return true;
+        }
+    }
+    return false;
+}
+
+GodObject::Blocker GodObject::find_blocker(const Vector3& to_W) const noexcept {
+    for (std::size_t i = 0; i < solids_.size(); ++i) {
+        const SegmentHit hit = solids_[i].sweep(to_W);
+        if (hit.found()) {
+            return {static_cast<std::int32_t>(i), hit};
+        }
+    }
+    return {};
+}
+
+void GodObject::accept(const Vector3& proxy_W) noexcept {
+    proxy_W_ = proxy_W;
+    for (MovingSolid& solid : solids_) {
+        solid.put_proxy(proxy_W);
+    }
+}
+
+// A start exactly in a surface has no side: it gets the front's, or whichever is free.
+void GodObject::leave_surface() noexcept {
+    const auto find_touching = [this]() noexcept -> Blocker {
+        for (std::size_t i = 0; i < solids_.size(); ++i) {
+            const SegmentHit hit = solids_[i].find_touching();
+            if (hit.found()) {
+                return {static_cast<std::int32_t>(i), hit};
+            }
+        }
+        return {};
+    };
+    const Blocker touching = find_touching();
+    if (touching.solid == kNoBody) {
+        return;
+    }
+    const TouchedPlane plane =
+        solids_[static_cast<std::size_t>(touching.solid)].find_plane(touching.hit.triangle, 1);
+    const Vector3 start_W = proxy_W_;
+    for (const double clearances : {1.0, -1.0, 16.0, -16.0}) {
+        accept(start_W + clearances * plane.clearance_m * plane.normal_W);
+        if (find_touching().solid == kNoBody) {
+            return;
+        }
+    }
+}
+
+}  // namespace fulcrum

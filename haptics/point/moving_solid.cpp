@@ -1,0 +1,86 @@
+#include "haptics/point/moving_solid.h"
+
+#include <limits>
+
+namespace fulcrum {
+
+namespace {
+
+// How high the proxy is held over a triangle, of the mesh's radius: far above rounding, far below what can be felt.
+constexpr double kClearance = 1.0e-10;
+// The same as a multiple of the rounding of the world's coordinates, for small solids far from the origin.
+constexpr double kRoundings = 64.0;
+// Foot and edge nearer than this, of the triangle's height over that edge, count as beside.
+constexpr double kEdgeMargin = 1.0e-13;
+// How far beyond a sweep triangles are collected, so that the next sweeps find them there; of the sweep's length.
+constexpr double kReach = 0.75;
+
+bool is_same(const Pose& a, const Pose& b) noexcept {
+    return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
+}  // namespace
+
+MovingSolid::MovingSolid(const SolidPlan& plan, std::int32_t index) : mesh_(plan.mesh), index_(index) {
+    take_pose(plan.initial_pose_W);
+}
+
+bool MovingSolid::take_pose(const Pose& pose_W) noexcept {
+    if (is_same(pose_W, pose_W_)) {
+        return false;
+    }
+    const double length = pose_W.orientation.norm();
+    if (!is_finite(pose_W) || !(length > 0.0) || !(length < std::numeric_limits<double>::infinity())) {
+        return false;
+    }
+    pose_W_ = pose_W;
+    origin_W_ = pose_W.position;
+    turn_ = Eigen::Quaterniond(pose_W.orientation.coeffs() / length).toRotationMatrix();
+    return true;
+}
+
+SegmentHit MovingSolid::sweep(const Vector3& to_W) const noexcept {
+    const Vector3 to_B = to_body(to_W);
+    return to_B == proxy_B_ ? SegmentHit{} : find_nearest_hit(*mesh_, proxy_B_, to_B);
+}
+
+SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W) noexcept {
+    const Vector3 to_B = to_body(to_W);
+    if (to_B == proxy_B_) {
+        return {};
+    }
+    if (!nearby_.covers(proxy_B_)) {
+        const Vector3 margin = Vector3::Constant(kReach * largest_component(to_B - proxy_B_));
+        nearby_.collect(*mesh_, {proxy_B_.cwiseMin(to_B) - margin, proxy_B_.cwiseMax(to_B) + margin});
+    }
+    return nearby_.covers(proxy_B_) ? nearby_.find_nearest_hit(*mesh_, proxy_B_, to_B)
+                                    : find_nearest_hit(*mesh_, proxy_B_, to_B);
+}
+
+TouchedPlane MovingSolid::find_plane(std::int32_t triangle, int side) const noexcept {
+    const PreparedTriangle prepared = prepare_triangle(*mesh_, triangle);
+    const double side_sign = side < 0 ? -1.0 : 1.0;
+    TouchedPlane plane{.solid = index_, .triangle = triangle, .side = side < 0 ? -1 : 1};
+    plane.normal_W = turn_ * (prepared.doubled_area.stableNormalized() * side_sign);
+    plane.point_W = to_world(prepared.a);
+    const double farthest_m = largest_component(plane.point_W) + largest_component(origin_W_);
+    plane.clearance_m = kClearance * mesh_->radius_m() +
+                        kRoundings * std::numeric_limits<double>::epsilon() * farthest_m;
+    return plane;
+}
+
+bool MovingSolid::is_over(std::int32_t triangle) const noexcept {
+    const PreparedTriangle t = prepare_triangle(*mesh_, triangle);
+    const double margin = kEdgeMargin * t.doubled_area.squaredNorm();
+    const auto inside = [&](const Vector3& u, const Vector3& v) noexcept {
+        return t.doubled_area.dot((v - u).cross(proxy_B_ - u)) > margin;
+    };
+    return inside(t.a, t.b) && inside(t.b, t.c) && inside(t.c, t.a);
+}
+
+bool MovingSolid::is_near(const Vector3& centre_W, double radius_m) const noexcept {
+    const double reach_m = (mesh_->radius_m() + radius_m) * (1.0 + 1.0e-9);
+    return (to_body(centre_W) - mesh_->centre_B()).squaredNorm() <= reach_m * reach_m;
+}
+
+}  // namespace fulcrum
