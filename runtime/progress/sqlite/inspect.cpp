@@ -2,7 +2,10 @@
 
 #include "runtime/progress/sqlite/schema.h"
 
+#include <chrono>
+#include <optional>
 #include <sys/stat.h>
+#include <thread>
 #include <tuple>
 
 namespace fulcrum::runtime::sqlite {
@@ -10,11 +13,16 @@ namespace {
 
 constexpr const char* kElsewhere = "choose another file with --db or move this one away";
 
-// Changes whenever somebody else writes to the file.
-auto fingerprint(const std::string& path) {
+// Longer than the clock tick by which file systems note a change (10 ms at most).
+constexpr std::chrono::milliseconds kRest{20};
+
+// Exists, size, seconds and nanoseconds of the last change.
+using Fingerprint = std::tuple<bool, off_t, time_t, long>;
+
+Fingerprint fingerprint(const std::string& path) {
     struct stat status {};
     const bool there = stat(path.c_str(), &status) == 0;
-    return std::make_tuple(there, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
+    return {there, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
 }
 
 bool exists_beside(const std::string& path, const char* suffix, const std::string& vfs) {
@@ -74,18 +82,20 @@ void inspect(const std::string& path, const std::string& vfs, int busy_timeout_m
     if (exists_beside(path, "-journal", vfs)) {
         return;
     }
-    // Without a log nobody is writing: an immutable look takes no locks and leaves nothing beside
-    // the file.
-    if (!exists_beside(path, "-wal", vfs)) {
-        const auto before = fingerprint(path);
+    // Without a log nobody is writing: an immutable look takes no locks and leaves nothing beside the file. But somebody
+    // may begin meanwhile and tear the look; so a refusal counts only when the file has rested since the look before.
+    std::optional<Fingerprint> rested;
+    while (!exists_beside(path, "-wal", vfs)) {
+        const Fingerprint now = fingerprint(path);
         const auto outcome = guarded([&] { look(path, vfs, "immutable=1", busy_timeout_ms); });
-        if (outcome || (before == fingerprint(path) && !exists_beside(path, "-wal", vfs))) {
-            if (!outcome) {
-                throw Refused(outcome.error());
-            }
+        if (outcome) {
             return;
         }
-        // Somebody began to write meanwhile, so that look may have been torn.
+        if (rested == now) {
+            throw Refused(outcome.error());
+        }
+        rested = now;
+        std::this_thread::sleep_for(kRest);
     }
     look(path, vfs, "", busy_timeout_ms);
 }

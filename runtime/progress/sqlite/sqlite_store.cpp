@@ -81,8 +81,13 @@ void configure(Database& database, const SqliteStoreOptions& options) {
     if (sqlite3_db_readonly(database.handle(), "main") == 1) {
         throw Refused(sqlite::error_for(SQLITE_READONLY, database.path(), "it is read-only"));
     }
+    // The switch to the log deletes a rollback journal. Unless its folder is synced too, a power cut may bring the
+    // journal back, and it would undo the file under the log.
+    database.run("PRAGMA synchronous = EXTRA");
     sqlite::Statement mode(database, "PRAGMA journal_mode = WAL");
-    if (!mode.step() || mode.text() != "wal") {
+    const bool logged = mode.step() && mode.text() == "wal";
+    mode.run();  // the switch is only done when the statement has ended
+    if (!logged) {
         throw Refused(sqlite::error_for(SQLITE_CANTOPEN, database.path(),
                                         "its file system has no write-ahead log"));
     }

@@ -9,12 +9,16 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <unistd.h>
 
 namespace fulcrum::runtime::test {
 
-TemporaryFolder::TemporaryFolder() {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "fulcrum-progress-XXXXXX").string();
+TemporaryFolder::TemporaryFolder(On on) {
+    std::filesystem::path above = "/dev/shm";
+    if (on == On::disk || access(above.c_str(), W_OK) != 0) {
+        above = std::filesystem::temp_directory_path();
+    }
+    std::string name = (above / "fulcrum-progress-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) {
         throw std::runtime_error("no temporary folder");
     }

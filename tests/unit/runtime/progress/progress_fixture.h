@@ -4,6 +4,8 @@
 
 #include "runtime/progress/store.h"
 
+#include <cstdint>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -12,7 +14,9 @@ namespace fulcrum::runtime::test {
 /// A new folder, removed with all that is in it.
 class TemporaryFolder {
   public:
-    TemporaryFolder();
+    /// In memory, where there is such a place, it is quick: for tests that play the disk themselves.
+    enum class On : std::uint8_t { disk, memory };
+    explicit TemporaryFolder(On on = On::disk);
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
     ~TemporaryFolder();
