@@ -5,7 +5,7 @@
 namespace fulcrum::dialogue {
 
 Conversation::Conversation(const Catalogue& catalogue, ConversationSettings settings)
-    : catalogue_(catalogue), settings_(settings) {
+    : catalogue_(&catalogue), settings_(settings) {
     settings_.prompt_from = std::max(settings_.prompt_from, 1);
     settings_.rule_from = std::max(settings_.rule_from, settings_.prompt_from);
 }
@@ -19,7 +19,7 @@ std::vector<std::string> Conversation::ask(const Question& question, int number,
     if (number > 0) {
         const CatalogueSlots slots{{"n", std::to_string(number)},
                                    {"of", std::to_string(std::max(of, number))}};
-        lines.insert(lines.begin(), catalogue_.say("question.number", slots));
+        lines.insert(lines.begin(), catalogue_->say("question.number", slots));
     }
     return lines;
 }
@@ -66,7 +66,7 @@ Feedback Conversation::respond_to_form(const Mark& mark) {
             return say(FeedbackKind::praise, "feedback.praise_short", sentence);
         }
         seen_.clear();  // a whole right sentence: the ladder begins anew
-        const std::vector<std::string> praises = catalogue_.series("feedback.praise");
+        const std::vector<std::string> praises = catalogue_->series("feedback.praise");
         const std::string key =
             praises.empty() ? "feedback.praise.1" : praises[praise_++ % praises.size()];
         return say(FeedbackKind::praise, key, sentence);
@@ -80,7 +80,7 @@ Feedback Conversation::respond_to_form(const Mark& mark) {
                                    {"phrase", "*" + error->phrase + "*"}};
         Feedback feedback =
             say(FeedbackKind::rule, "feedback.rule",
-                {{"sentence", mark.emphasised}, {"rule", catalogue_.say(key, words)}});
+                {{"sentence", mark.emphasised}, {"rule", catalogue_->say(key, words)}});
         feedback.keys.push_back(key);
         return feedback;
     }
@@ -128,8 +128,8 @@ Feedback Conversation::not_understood() {
         const std::vector<std::string> words = choices(*question_);
         for (std::size_t i = 0; i < words.size(); ++i) {
             if (i > 0) {
-                list += i + 1 == words.size() ? " " + catalogue_.say("list.or")
-                                              : catalogue_.say("list.comma");
+                list += i + 1 == words.size() ? " " + catalogue_->say("list.or")
+                                              : catalogue_->say("list.comma");
                 list += " ";
             }
             list += words[i];
@@ -167,7 +167,7 @@ Feedback Conversation::move_on() {
 Feedback Conversation::say(FeedbackKind kind, std::string key, const CatalogueSlots& slots) {
     Feedback feedback;
     feedback.kind = kind;
-    feedback.text = catalogue_.say(key, slots);
+    feedback.text = catalogue_->say(key, slots);
     feedback.keys.push_back(std::move(key));
     feedback.attempt = attempt_;
     return feedback;

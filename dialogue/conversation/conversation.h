@@ -99,7 +99,7 @@ class Conversation {
     Feedback say(FeedbackKind kind, std::string key, const CatalogueSlots& slots = {});
     std::string ladder_key(const FormError& error) const;
 
-    const Catalogue& catalogue_;
+    const Catalogue* catalogue_;
     ConversationSettings settings_;
     std::optional<Question> question_;
     State state_ = State::idle;

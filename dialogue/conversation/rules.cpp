@@ -59,12 +59,14 @@ std::vector<CatalogueNeed> make_needs() {
                                      {"feedback.moved_on", {}}};
     const std::vector<std::string_view> words{"base", "right", "said", "phrase"};
     for (const auto& [code, key] : kRules) {
-        needs.push_back({key, words});
+        if (needs.back().key != key) {  // neighbours may share one
+            needs.push_back({key, words});
+        }
     }
     for (const std::string_view key :
          {"rule.superlative.ending", "rule.superlative.more_most", "rule.superlative.irregular",
           "rule.superlative.the", "rule.comparative.ending", "rule.comparative.more_most",
-          "rule.comparative.irregular", "rule.than", "rule.preposition", "rule.spelling"}) {
+          "rule.comparative.irregular", "rule.than", "rule.preposition"}) {
         needs.push_back({key, words});
     }
     return needs;

@@ -1,0 +1,215 @@
+#include "dialogue/conversation/conversation.h"
+
+#include "tests/unit/dialogue/questions.h"
+#include "tests/unit/dialogue/words.h"
+
+#include <catch2/catch.hpp>
+
+#include <rapidcheck.h>
+
+using namespace fulcrum::dialogue;
+
+namespace {
+
+const Catalogue& words() {
+    static const Catalogue catalogue = english_words();
+    return catalogue;
+}
+
+/// Asks once and answers once.
+Feedback answer(Conversation& talk, const Question& question, std::string_view said,
+                bool right = true) {
+    talk.ask(question);
+    return talk.respond(talk.hear(said), right);
+}
+
+}  // namespace
+
+TEST_CASE("conversation: asks in lines") {
+    Conversation talk(words());
+    const Question question =
+        compiled({"q", "You felt four things. Which one is the heaviest?", {"it"}, {}});
+    CHECK(talk.ask(question) ==
+          std::vector<std::string>{"You felt four things.", "Which one is the heaviest?"});
+    CHECK(talk.ask(question, 2, 5)[0] == "Question 2 of 5.");
+    CHECK(talk.prompt_again().size() == 2);
+    CHECK(sentences_of("It weighs 3.5 N. Yes!") ==
+          std::vector<std::string>{"It weighs 3.5 N.", "Yes!"});
+    CHECK(sentences_of("one\ntwo\n\n").size() == 2);
+    CHECK(sentences_of("").empty());
+}
+
+TEST_CASE("conversation: right meaning with wrong form gets a recast and goes on") {
+    Conversation talk(words());
+    const Feedback feedback = answer(talk, heaviest(), "watermelon is most heavy");
+    CHECK(feedback.kind == FeedbackKind::recast);
+    CHECK(feedback.text == "Yes. A watermelon is *the heaviest*.");
+    CHECK(feedback.keys == std::vector<std::string>{"feedback.recast"});
+    CHECK_FALSE(feedback.ask_again);
+    CHECK(talk.state() == Conversation::State::done);
+}
+
+TEST_CASE("conversation: praise goes round in turn, not by chance") {
+    Conversation talk(words());
+    std::vector<std::string> heard;
+    for (int i = 0; i < 5; ++i) {
+        const Feedback feedback = answer(talk, heaviest(), "a watermelon is the heaviest");
+        CHECK(feedback.kind == FeedbackKind::praise);
+        heard.push_back(feedback.text);
+    }
+    CHECK(heard[0] != heard[1]);
+    CHECK(heard[4] == heard[0]);
+    CHECK(answer(talk, heaviest(), "the watermelon").text == "Yes! A watermelon is the heaviest.");
+}
+
+TEST_CASE("conversation: the ladder is recast, prompt, rule, and a right sentence begins it anew") {
+    Conversation talk(words());
+    CHECK(answer(talk, heaviest(), "a watermelon is the most heavy").kind == FeedbackKind::recast);
+    const Feedback prompt = answer(talk, heaviest(), "an apple is the most heavy");
+    CHECK(prompt.kind == FeedbackKind::prompt);
+    CHECK(prompt.may_repeat);
+    CHECK_FALSE(prompt.ask_again);
+    CHECK(prompt.text == "Yes, you are right. Say it once more: An apple is …");
+    const Feedback rule = answer(talk, heaviest(), "an egg is the most heavy");
+    CHECK(rule.kind == FeedbackKind::rule);
+    CHECK(rule.text ==
+          "Yes. An egg is *the heaviest*. A short word gets -est: heavy, *the heaviest*.");
+    CHECK(rule.keys == std::vector<std::string>{"feedback.rule", "rule.superlative.ending"});
+    // Another error starts its own ladder.
+    CHECK(answer(talk, heaviest(), "a apple is the heaviest").kind == FeedbackKind::recast);
+    CHECK(answer(talk, heaviest(), "an apple is the heaviest").kind == FeedbackKind::praise);
+    CHECK(answer(talk, heaviest(), "an egg is the most heavy").kind == FeedbackKind::recast);
+}
+
+TEST_CASE("conversation: the ladder can be set") {
+    ConversationSettings settings;
+    settings.prompt_from = 1;
+    settings.rule_from = 2;
+    Conversation talk(words(), settings);
+    CHECK(answer(talk, heaviest(), "watermelon is heaviest").kind == FeedbackKind::prompt);
+    const Feedback rule = answer(talk, heaviest(), "watermelon is heaviest");
+    CHECK(rule.kind == FeedbackKind::rule);
+    CHECK_THAT(rule.text, Catch::Contains("There is only one, so we say the: *the heaviest*."));
+    settings.prompt_from = -3;
+    settings.rule_from = -9;
+    Conversation strict(words(), settings);
+    CHECK(answer(strict, heaviest(), "watermelon is heaviest").kind == FeedbackKind::rule);
+}
+
+TEST_CASE("conversation: what is said after a prompt is taken up and never holds back") {
+    Conversation talk(words());
+    const auto invite = [&] {
+        (void)answer(talk, heaviest(), "a watermelon is the most heavy");
+        while (answer(talk, heaviest(), "a watermelon is the most heavy").kind !=
+               FeedbackKind::prompt) {
+        }
+        REQUIRE(talk.state() == Conversation::State::invited);
+    };
+    ConversationSettings settings;
+    settings.rule_from = 1000;
+    talk = Conversation(words(), settings);
+    invite();
+    Feedback feedback = talk.respond(talk.hear("A watermelon is the heaviest"), true);
+    CHECK(feedback.kind == FeedbackKind::praise);
+    CHECK(feedback.uptake == Uptake::repaired);
+    CHECK(feedback.attempt == 2);
+    CHECK(talk.state() == Conversation::State::done);
+    for (const char* said : {"a watermelon is the most heavy", "what?", "the watermelon"}) {
+        invite();
+        feedback = talk.respond(talk.hear(said), true);
+        CHECK(feedback.kind == FeedbackKind::recast);
+        CHECK(feedback.text == "Yes. A watermelon is *the heaviest*.");
+        CHECK(feedback.uptake == Uptake::not_repaired);
+        CHECK_FALSE(feedback.ask_again);
+        CHECK(talk.state() == Conversation::State::done);
+    }
+}
+
+TEST_CASE("conversation: a wrong meaning is asked again and tells nothing, whatever the form") {
+    Conversation talk(words());
+    for (const char* said : {"an egg is the heaviest", "egg is most heavy", "egg"}) {
+        const Feedback feedback = answer(talk, heaviest(), said, false);
+        CHECK(feedback.kind == FeedbackKind::wrong_meaning);
+        CHECK(feedback.text == "Not yet. Let's weigh them again.");
+        CHECK(feedback.ask_again);
+        CHECK(feedback.replay);
+        CHECK(talk.state() == Conversation::State::asked);
+    }
+    CHECK(answer(talk, heavier(), "an egg is heavier than an apple", false).text ==
+          "Not yet. Let's weigh both again.");
+    Question hinted = heaviest();
+    hinted.hint = "Lift the big green one.";
+    CHECK(answer(talk, hinted, "egg", false).text == "Lift the big green one.");
+}
+
+TEST_CASE("conversation: nobody stays at one question for ever") {
+    ConversationSettings settings;
+    settings.tries = 3;
+    settings.unheard_tries = 4;
+    Conversation talk(words(), settings);
+    talk.ask(heaviest());
+    CHECK(talk.respond(talk.hear("egg"), false).ask_again);
+    CHECK(talk.respond(talk.hear("apple"), false).ask_again);
+    const Feedback last = talk.respond(talk.hear("banana"), false);
+    CHECK(last.kind == FeedbackKind::moved_on);
+    CHECK_FALSE(last.ask_again);
+    CHECK(last.attempt == 3);
+    CHECK(talk.state() == Conversation::State::done);
+
+    talk.ask(heaviest());
+    CHECK(talk.respond(talk.hear("hm?"), true).text ==
+          "I did not understand. Please say it again.");
+    CHECK(talk.respond(talk.hear("hm?"), true).text ==
+          "Please say it like this: … is the heaviest.");
+    CHECK(talk.respond(talk.hear("hm?"), true).text ==
+          "You can say: a watermelon, an apple, a banana or an egg.");
+    CHECK(talk.respond(talk.hear("hm?"), true).kind == FeedbackKind::moved_on);
+}
+
+TEST_CASE("conversation: what is heard badly is never called wrong") {
+    Conversation talk(words());
+    talk.ask(heaviest());
+    const Feedback feedback = talk.respond(talk.hear("an egg is the heaviest", 0.2), false);
+    CHECK(feedback.kind == FeedbackKind::heard_badly);
+    CHECK(feedback.ask_again);
+    CHECK(talk.respond(talk.hear("a watermelon is the heaviest", 0.5), true).kind ==
+          FeedbackKind::praise);
+}
+
+TEST_CASE("conversation: out of turn nothing happens") {
+    Conversation talk(words());
+    const Mark mark = talk.hear("watermelon");
+    CHECK_FALSE(mark.understood);
+    CHECK(talk.respond(mark, true).text.empty());
+    CHECK(talk.state() == Conversation::State::idle);
+    talk.ask(heaviest());
+    CHECK(talk.respond(mark, true).text.empty());
+    CHECK(talk.state() == Conversation::State::asked);
+}
+
+TEST_CASE("conversation: any answers in any order keep it going and deterministic") {
+    const std::vector<std::string> said = {
+        "watermelon", "watermelon is most heavy", "a watermelon is the heaviest", "what",
+        "",           "a apple is heaviest",      "watermelons is the heaviest"};
+    CHECK(rc::check([&](const std::vector<unsigned>& choices) {
+        Conversation first(words());
+        Conversation second(words());
+        const Question question = heaviest();
+        for (const unsigned choice : choices) {
+            std::string texts[2];
+            for (Conversation* talk : {&first, &second}) {
+                if (talk->state() == Conversation::State::idle ||
+                    talk->state() == Conversation::State::done) {
+                    talk->ask(question);
+                }
+                const Mark mark = talk->hear(said[choice % said.size()]);
+                const Feedback feedback = talk->respond(mark, choice % 3 != 0);
+                RC_ASSERT(!feedback.text.empty());
+                RC_ASSERT(feedback.text.find('[') == std::string::npos);
+                RC_ASSERT(feedback.ask_again == (talk->state() == Conversation::State::asked));
+                texts[talk == &first ? 0 : 1] = feedback.text;
+            }
+            RC_ASSERT(texts[0] == texts[1]);
+        }
+    }));
+}

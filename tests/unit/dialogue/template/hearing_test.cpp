@@ -1,0 +1,49 @@
+#include "dialogue/template/hearing.h"
+
+#include "tests/unit/dialogue/questions.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum::dialogue;
+
+namespace {
+
+/// Each word as the templates know it: "word", "(filler)", "word~" when a slip was put right, "?" when unknown.
+std::string heard(std::string_view utterance) {
+    const Question question = heaviest();
+    std::size_t work = 0;
+    std::string result;
+    for (const HeardWord& word : hear_words(*question.templates, utterance, work)) {
+        const std::string text =
+            word.word == kNone ? "?" : question.templates->words.text(word.word);
+        result +=
+            (result.empty() ? "" : " ") +
+            (word.filler ? "(" + text + ")" : text + (word.slip == ErrorCode::none ? "" : "~"));
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("hearing: known words, slips, fillers and unknown words") {
+    CHECK(heard("a watermelon is heaviest") == "a watermelon is heaviest");
+    CHECK(heard("watermellon") == "watermelon~");
+    CHECK(heard("wtaermelon") == "watermelon~");
+    CHECK(heard("water melon") == "watermelon~");
+    CHECK(heard("its an egg") == "it~ is an egg");
+    CHECK(heard("um an egg please") == "(?) an egg (?)");
+    CHECK(heard("I think the egg") == "(?) (?) the egg");
+    CHECK(heard("well, I think that the egg") == "(?) (?) (?) (that) the egg");
+    CHECK(heard("the egg of course") == "the egg (?) (?)");
+    CHECK(heard("dinosaur") == "?");
+    CHECK(heard("ham leg") == "? ?");
+    CHECK(heard("").empty());
+}
+
+TEST_CASE("hearing: a slip needs the same first letter or its swap, and one best word") {
+    CHECK(heard("batermelon") == "?");
+    CHECK(heard("awtermelon") == "watermelon~");
+    CHECK(heard("eg") == "?");
+    CHECK(heard("appel") == "apple~");
+    CHECK(heard("bananna") == "banana~");
+}

@@ -1,0 +1,79 @@
+#include "dialogue/template/matcher.h"
+#include "tests/unit/dialogue/questions.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum::dialogue;
+
+namespace {
+
+/// The codes found in "it is <said>" by a template with `article` before the list; "?" when not understood.
+std::string codes_of(const std::string& article, const std::string& said) {
+    const TemplateSet set = compiled_templates(
+        {{"look at here " + article + " {thing}"},
+         {{"thing",
+           {"watermelon", "egg", "water", "scissors", "Jupiter", "the Moon", "Earth", "herb"}}},
+         {}});
+    const auto parse = match(set, "look at here " + said);
+    if (!parse) {
+        return "?";
+    }
+    std::string codes;
+    for (const Piece& piece : parse->pieces) {
+        if (piece.code != ErrorCode::none) {
+            codes += (codes.empty() ? "" : " ") + std::string(errant_code(piece.code)) + "->" +
+                     piece.right;
+        }
+    }
+    return codes;
+}
+
+}  // namespace
+
+TEST_CASE("noun phrase: each class of noun has its articles") {
+    const struct {
+        const char *article, *said, *codes;
+    } rows[] = {
+        {"<article>", "a watermelon", ""},
+        {"<article>", "an watermelon", "R:DET->a"},
+        {"<article>", "the watermelon", ""},
+        {"<article>", "watermelon", "M:DET->a"},
+        {"<article>", "egg", "M:DET->an"},
+        {"<article>", "a egg", "R:DET->an"},
+        {"<article>", "this egg", ""},
+        {"<article>", "the an egg", "U:DET->the"},
+        {"<article>", "eggs", ""},
+        {"<article>", "the eggs", ""},
+        {"<article>", "an eggs", "R:NOUN:NUM->egg"},
+        {"<article>", "a eggs", "R:DET->an R:NOUN:NUM->egg"},
+        {"<article>", "these watermelons", ""},
+        {"<article>", "water", ""},
+        {"<article>", "some water", ""},
+        {"<article>", "a water", "U:DET->"},
+        {"<article>", "scissors", ""},
+        {"<article>", "a scissors", "U:DET->"},
+        {"<article>", "Jupiter", ""},
+        {"<article>", "the Jupiter", "U:DET->"},
+        {"<article>", "the moon", ""},
+        {"<article>", "moon", "M:DET->the"},
+        {"<article>", "a moon", "R:DET->the"},
+        {"<article>", "the earth", ""},
+        {"<article>", "earth", ""},
+        {"<article>", "an earth", "R:DET->the"},
+        {"<article>", "a herb", ""},
+        {"<article>", "an herb", ""},
+        {"the", "watermelon", "M:DET->the"},
+        {"the", "a watermelon", ""},
+        {"the", "water", ""},
+        {"[a|an|the]", "egg", "M:DET->an"},
+        {"(a|an)", "egg", "M:DET->an"},
+        {"", "egg", ""},
+        {"", "an egg", ""},
+        {"", "a egg", "R:DET->an"},
+        {"", "a water", "U:DET->"},
+    };
+    for (const auto& row : rows) {
+        INFO(row.article << " | " << row.said);
+        CHECK(codes_of(row.article, row.said) == row.codes);
+    }
+}

@@ -1,0 +1,97 @@
+#include "dialogue/template/phrases.h"
+
+#include "tests/unit/dialogue/questions.h"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+
+using namespace fulcrum::dialogue;
+
+namespace {
+
+/// What each wording of a one-place graph is marked as.
+template <class Write>
+std::map<std::string, ErrorCode> codes(const Write& write) {
+    TemplateSet set;
+    ArcWriter writer(set, 1000);
+    const int start = writer.add_node();
+    const int end = writer.add_node();
+    write(writer, start, end);
+    const Graph graph = writer.finish(start, end);
+    std::map<std::string, ErrorCode> result;
+    for (const Arc& arc : graph.arcs) {
+        std::string said;
+        for (const int word : graph.said_by(arc)) {
+            said += (said.empty() ? "" : " ") + set.words.text(word);
+        }
+        if (arc.element != kNone) {
+            result[said] = arc.code;
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("phrases: a literal verb knows its other number, its absence and its wrong forms") {
+    const auto is =
+        codes([](ArcWriter& writer, int a, int b) { add_word(writer, "is", "is", false, a, b); });
+    CHECK(is.at("is") == ErrorCode::none);
+    CHECK(is.at("are") == ErrorCode::agreement);
+    CHECK(is.at("") == ErrorCode::missing_verb);
+    CHECK(is.at("be") == ErrorCode::verb_form);
+    CHECK(is.at("was") == ErrorCode::verb_tense);
+    const auto floats = codes(
+        [](ArcWriter& writer, int a, int b) { add_word(writer, "floats", "floats", true, a, b); });
+    CHECK(floats.at("float") == ErrorCode::agreement);
+    CHECK(floats.at("it") == ErrorCode::extra_pronoun);
+    CHECK(floats.count("") == 0);
+}
+
+TEST_CASE("phrases: a literal article may be wrong or missing, <article> may not") {
+    const auto the =
+        codes([](ArcWriter& writer, int a, int b) { add_word(writer, "the", "the", false, a, b); });
+    CHECK(the.at("the") == ErrorCode::none);
+    CHECK(the.at("a") == ErrorCode::wrong_determiner);
+    CHECK(the.at("") == ErrorCode::missing_determiner);
+    for (const auto& [said, code] :
+         codes([](ArcWriter&writer, int a, int b) { add_article(writer, "", a, b); })) {
+        CHECK(code == ErrorCode::none);
+    }
+    CHECK(is_article("an"));
+    CHECK_FALSE(is_article("one"));
+}
+
+TEST_CASE("phrases: prepositions are confused and left out, other words are as they are") {
+    const auto than = codes(
+        [](ArcWriter& writer, int a, int b) { add_word(writer, "than", "than", false, a, b); });
+    CHECK(than.at("then") == ErrorCode::wrong_preposition);
+    CHECK(than.at("") == ErrorCode::missing_preposition);
+    const auto fruit = codes(
+        [](ArcWriter& writer, int a, int b) { add_word(writer, "fruit", "fruit", false, a, b); });
+    CHECK(fruit.size() == 1);
+}
+
+TEST_CASE("phrases: degrees and plurals hold right and wrong forms") {
+    const auto heavier = codes([](ArcWriter& writer, int a, int b) {
+        add_degree(writer, "heavy", Degree::comparative, false, a, b);
+    });
+    CHECK(heavier.at("heavier") == ErrorCode::none);
+    CHECK(heavier.at("much") == ErrorCode::none);
+    CHECK(heavier.at("very") == ErrorCode::wrong_adverb);
+    CHECK(heavier.at("more heavy") == ErrorCode::adjective_form);
+    const auto heaviest = codes([](ArcWriter& writer, int a, int b) {
+        add_degree(writer, "heavy", Degree::superlative, true, a, b);
+    });
+    CHECK(heaviest.count("the") == 0);
+    CHECK(heaviest.count("much") == 0);
+    const auto feet =
+        codes([](ArcWriter& writer, int a, int b) { add_plural(writer, "foot", a, b); });
+    CHECK(feet.at("feet") == ErrorCode::none);
+    CHECK(feet.at("foot") == ErrorCode::noun_number);
+    CHECK(feet.at("foots") == ErrorCode::noun_inflection);
+    const auto sheep =
+        codes([](ArcWriter& writer, int a, int b) { add_plural(writer, "sheep", a, b); });
+    CHECK(sheep.at("sheep") == ErrorCode::none);
+}

@@ -1,0 +1,61 @@
+#include "dialogue/template/sentences.h"
+
+#include "tests/unit/dialogue/questions.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum::dialogue;
+
+namespace {
+
+std::string canonical(const Question& question,
+                      const std::vector<std::pair<std::string, std::string>>& slots,
+                      int graph = 0) {
+    return render(canonical_pieces(*question.templates, graph, slots));
+}
+
+}  // namespace
+
+TEST_CASE("sentences: the canonical one has the right article and verb, and nothing optional") {
+    CHECK(canonical(heaviest(), {{"thing", "egg"}}) == "An egg is the heaviest.");
+    CHECK(canonical(heaviest(), {{"thing", "watermelon"}}) == "A watermelon is the heaviest.");
+    CHECK(canonical(heaviest(), {{"thing", "apple"}}, 1) == "The heaviest is an apple.");
+    CHECK(canonical(heavier(), {{"thing", "egg"}}) == "An egg is heavier.");
+    CHECK(canonical(heavier(), {{"thing", "egg"}, {"other", "apple"}}) ==
+          "An egg is heavier than an apple.");
+    CHECK(canonical(made_of(), {{"thing", "scissors"}, {"material", "metal"}}) ==
+          "The scissors are made of metal.");
+    CHECK(canonical(biggest(), {{"body", "Moon"}}) == "The Moon is the biggest.");
+    CHECK(canonical(biggest(), {{"body", "Mars"}}) == "Mars is the biggest.");
+    // Unknown names and values fall back on the first entry.
+    CHECK(canonical(heaviest(), {{"thing", "pear"}, {"no slot", "x"}}) ==
+          "A watermelon is the heaviest.");
+}
+
+TEST_CASE("sentences: phrases, emphasis and gaps") {
+    const auto pieces = canonical_pieces(*heaviest().templates, 0, {{"thing", "egg"}});
+    REQUIRE(pieces.size() == 5);
+    const PieceRange noun = phrase_around(pieces, 1);
+    CHECK(render_phrase(pieces, noun) == "an egg");
+    CHECK(render_phrase(pieces, phrase_around(pieces, 0)) == "an egg");
+    const PieceRange verb = phrase_around(pieces, 2);
+    CHECK(render_phrase(pieces, verb) == "is");
+    const PieceRange adjective = phrase_around(pieces, 3);
+    CHECK(render_phrase(pieces, adjective) == "the heaviest");
+    CHECK(render_phrase(pieces, phrase_around(pieces, 4)) == "the heaviest");
+    CHECK(render(pieces, noun) == "*An egg* is the heaviest.");
+    CHECK(render(pieces, verb) == "An egg *is* the heaviest.");
+    CHECK(render(pieces, adjective) == "An egg is *the heaviest*.");
+    CHECK(render(pieces, adjective, true) == "An egg is …");
+    CHECK(render(pieces, noun, true) == "… is the heaviest.");
+}
+
+TEST_CASE("sentences: a walk takes the ways that are chosen") {
+    const Question question = heaviest();
+    const Sample first = walk(*question.templates, 0, false, [](std::size_t) { return 0; });
+    CHECK(first.slots.size() == 1);
+    CHECK(first.said.find("heaviest") != std::string::npos);
+    const Sample last =
+        walk(*question.templates, 0, true, [](std::size_t ways) { return ways - 1; });
+    CHECK(last.said != first.said);
+}
