@@ -50,7 +50,7 @@ Expected<Container> split_container(std::span<const std::byte> file) {
         return fail("the file is empty", {}, kExportAgain);
     }
     if (file.size() > kMaxFile_bytes) {
-        return fail("the file is larger than 64 MiB", {}, "reduce its triangles and pictures");
+        return fail("the file is larger than 64 MiB", {}, kReduce);
     }
     if (file.size() < 4 || read_u32(file, 0) != kMagic) {
         return Container{as_text(file), {}};

@@ -42,7 +42,6 @@ struct Shape {
 };
 
 // ---- what we read of each property
-// ------------------------------------------------------------------------
 
 constexpr bool kRequired = true;
 
@@ -105,7 +104,6 @@ constexpr Field kRootFields[] = {{"asset", Kind::object, kRequired, nullptr, 0, 
 constexpr Shape kRoot{kRootFields};
 
 // ---- copying it
-// ---------------------------------------------------------------------------------------------
 
 /// Copies by shape; the first fault is kept as a sentence with the place where it is.
 class Copier {

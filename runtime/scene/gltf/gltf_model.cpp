@@ -9,12 +9,14 @@
 #include "runtime/scene/gltf/primitive.h"
 #include "runtime/scene/gltf/resources.h"
 
+#include <algorithm>
 #include <tiny_gltf.h>
 
 #include <cstring>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace fulcrum::runtime {
@@ -26,11 +28,11 @@ using namespace gltf;
 struct LoaderContext {
     ResourceMap resources;
     MemoryBudget* budget = nullptr;
+    std::set<int> shown_images;  ///< the others (normal maps and so on) are not decoded
     std::optional<Error> picture_error;
 };
 
 // ---- callbacks: tinygltf sees our names and our bytes, never the disk
-// -----------------------------------
 
 bool resource_exists(const std::string& name, void* context) {
     return static_cast<LoaderContext*>(context)->resources.count(name) != 0;
@@ -62,22 +64,40 @@ bool load_picture(tinygltf::Image* image, const int index, std::string* err, std
                   int /*width*/, int /*height*/, const unsigned char* bytes, int size,
                   void* context_pointer) {
     auto& context = *static_cast<LoaderContext*>(context_pointer);
+    if (context.shown_images.count(index) == 0) {
+        image->width = image->height = 1;
+        image->component = 4;
+        image->bits = 8;
+        image->image = {255, 255, 255, 255};
+        return true;
+    }
     const auto header = read_picture_header({bytes, static_cast<std::size_t>(size)});
     if (!header) {
         context.picture_error = header.error();
         return false;
     }
     if (!context.budget->charge(header->decoding_bytes)) {
-        context.picture_error =
-            Error{"its pictures need more than 256 MiB of memory", {}, "make the pictures smaller"};
+        context.picture_error = Error{kTooMuchMemory, {}, kReduce};
         return false;
     }
     return tinygltf::LoadImageData(image, index, err, warn, static_cast<int>(header->width),
                                    static_cast<int>(header->height), bytes, size, nullptr);
 }
 
+/// Pictures that some material's base colour uses.
+std::set<int> find_shown_images(const nlohmann::json& document) {
+    const nlohmann::json::json_pointer index("/pbrMetallicRoughness/baseColorTexture/index");
+    std::set<int> shown;
+    for (const auto& material : document.value("materials", nlohmann::json::array())) {
+        if (material.contains(index)) {
+            const auto& texture = document["textures"][material[index].get<std::size_t>()];
+            shown.insert(texture.value("source", -1));
+        }
+    }
+    return shown;
+}
+
 // ---- steps
-// --------------------------------------------------------------------------------------------------
 
 /// The first line of a vendor's message, short enough to be part of a sentence.
 std::string first_line(const std::string& text) {
@@ -179,7 +199,8 @@ Expected<LoadedModel> read_checked(std::span<const std::byte> bytes,
     if (!resources) {
         return tl::unexpected(resources.error());
     }
-    LoaderContext context{std::move(*resources), &budget, std::nullopt};
+    LoaderContext context{std::move(*resources), &budget, find_shown_images(*document),
+                          std::nullopt};
     const auto model = parse(*document, context);
     if (!model) {
         return tl::unexpected(model.error());

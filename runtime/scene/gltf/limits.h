@@ -21,7 +21,7 @@ inline constexpr std::size_t kMaxCorners = 3'000'000;
 /// Width and height of a picture, pixels.
 inline constexpr std::uint32_t kMaxPictureSide_px = 4096;
 /// Buffers, pixels and flattened corners together.
-inline constexpr std::size_t kMaxModelMemory_bytes = std::size_t{256} << 20;
+inline constexpr std::size_t kMaxModelMemory_bytes = std::size_t{512} << 20;
 /// Distance of a corner from the model's origin; more is a wrong unit or an attack.
 inline constexpr double kMaxExtent_m = 10'000.0;
 
@@ -41,7 +41,9 @@ class MemoryBudget {
     std::size_t used_bytes_ = 0;  ///< never above kMaxModelMemory_bytes
 };
 
-/// What a user can do about a model that is malformed.
+/// What is wrong with, and what a user can do about, a model that is too much or malformed.
+inline constexpr const char* kTooMuchMemory = "it needs more than 512 MiB of memory";
+inline constexpr const char* kReduce = "reduce its triangles and pictures";
 inline constexpr const char* kExportAgain = "export the model again as glTF 2.0 (.glb)";
 
 }  // namespace fulcrum::runtime::gltf

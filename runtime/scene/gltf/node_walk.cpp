@@ -20,6 +20,15 @@ tl::unexpected<Error> refuse(std::size_t node, const char* why) {
     return fail("nodes[" + std::to_string(node) + "] " + why, {}, kExportAgain);
 }
 
+/// A rotation is a unit quaternion but for rounding; one outside this range is not meant as one.
+constexpr double kMinQuaternionLength = 1e-3;
+constexpr double kMaxQuaternionLength = 1e3;
+
+bool is_rotation(const std::vector<double>& q) {
+    const double length = q.size() == 4 ? Eigen::Vector4d(q.data()).stableNorm() : 1.0;
+    return length > kMinQuaternionLength && length < kMaxQuaternionLength;
+}
+
 /// X_PN from the node's matrix or from its translation, rotation and scale.
 Eigen::Matrix4d local_transform(const tinygltf::Node& node) {
     if (node.matrix.size() == 16) {
@@ -121,7 +130,7 @@ Expected<std::vector<PlacedMesh>> place_meshes(const tinygltf::Model& model) {
         }
         const auto& node = model.nodes[visit.node];
         const Eigen::Matrix4d X_MN = visit.X_MP * local_transform(node);
-        if (!usable(X_MN)) {
+        if (!is_rotation(node.rotation) || !usable(X_MN)) {
             return refuse(visit.node, "has a transform that flattens or blows up what it holds");
         }
         if (node.mesh >= 0) {

@@ -16,9 +16,10 @@ using Span = std::span<const std::uint8_t>;
 
 constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr std::size_t kMaxJpegScans = 8;
-/// A decoder holds the rows, the channels as planes and the result: at most this many bytes a
-/// pixel.
-constexpr std::size_t kDecoding_bytes_per_px = 20;
+/// Rows as decoded, converted to four channels, kept by the parser, and our copy; with 16 bits a
+/// channel all but the copy are twice as large.
+constexpr std::size_t kDecoding_bytes_per_px = 16;
+constexpr std::size_t kDecoding16_bytes_per_px = 28;
 
 tl::unexpected<Error> bad(const char* why) {
     return fail(why, {}, "save the picture again as PNG or as baseline JPEG");
@@ -42,13 +43,13 @@ Expected<PictureHeader> sized(std::uint32_t width, std::uint32_t height) {
 }
 
 // ---- PNG
-// ----------------------------------------------------------------------------------------------------
 
 struct PngLayout {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::size_t bits_per_px = 0;
     bool interlaced = false;
+    bool deep = false;  ///< 16 bits a channel
 };
 
 std::size_t rows_bytes(std::size_t width, std::size_t height, std::size_t bits_per_px) {
@@ -82,8 +83,8 @@ bool read_ihdr(Span data, PngLayout& png) {
         data[12] > 1) {
         return false;
     }
-    png = {big_endian(data, 0, 4), big_endian(data, 4, 4), depth * kChannels[colour],
-           data[12] == 1};
+    png = {big_endian(data, 0, 4), big_endian(data, 4, 4), depth * kChannels[colour], data[12] == 1,
+           depth == 16};
     return true;
 }
 
@@ -127,12 +128,14 @@ Expected<PictureHeader> read_png(Span file) {
     if (inflated_length(idat, expected) != expected) {
         return bad("the picture's data are not as long as its header says");
     }
+    if (png.deep) {
+        header->decoding_bytes = std::size_t{png.width} * png.height * kDecoding16_bytes_per_px;
+    }
     header->decoding_bytes += idat.size();
     return header;
 }
 
 // ---- JPEG
-// ---------------------------------------------------------------------------------------------------
 
 Expected<PictureHeader> read_jpeg_frame(Span file, std::size_t at) {
     if (file.size() - at < 10) {

@@ -107,7 +107,7 @@ class PrimitiveReader {
             return tl::unexpected(view.error());
         }
         if (!budget_.charge(view->count * kCorner_bytes)) {
-            return fail("it needs more than 256 MiB of memory", {}, "reduce its triangles");
+            return fail(kTooMuchMemory, {}, kReduce);
         }
         made_.positions.reserve(3 * view->count);
         for (std::size_t i = 0; i < view->count; ++i) {
@@ -137,7 +137,7 @@ class PrimitiveReader {
             return refuse("does not have three corners a triangle");
         }
         if (!budget_.charge(n * sizeof(std::uint32_t))) {
-            return fail("it needs more than 256 MiB of memory", {}, "reduce its triangles");
+            return fail(kTooMuchMemory, {}, kReduce);
         }
         made_.indices.reserve(n);
         for (std::size_t i = 0; i < n; ++i) {
@@ -201,7 +201,7 @@ class PrimitiveReader {
     /// Section 3.7.2.1: without normals, each triangle is flat.
     Expected<void> make_flat() {
         if (!budget_.charge(made_.indices.size() * kCorner_bytes)) {
-            return fail("it needs more than 256 MiB of memory", {}, "reduce its triangles");
+            return fail(kTooMuchMemory, {}, kReduce);
         }
         ModelPrimitive flat;
         flat.base_colour = made_.base_colour;

@@ -8,9 +8,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kTooMuch = "it needs more than 256 MiB of memory";
-constexpr const char* kReduce = "reduce its triangles and pictures";
-
 bool is_data_uri(const std::string& uri) {
     return uri.rfind("data:", 0) == 0;
 }
@@ -61,7 +58,7 @@ Expected<void> gather_buffers(json& document, const ResourceOrigin& origin, Memo
             return fail("buffers[" + std::to_string(i) + "] has no bytes", {}, kExportAgain);
         }
         if (!budget.charge(length)) {
-            return fail(kTooMuch, {}, kReduce);
+            return fail(kTooMuchMemory, {}, kReduce);
         }
         if (buffers[i].contains("uri") && is_data_uri(buffers[i]["uri"].get<std::string>())) {
             continue;  // decoded by tinygltf, which insists on this length
@@ -117,7 +114,7 @@ Expected<void> gather_images(json& document, const ResourceOrigin& origin, Memor
             return tl::unexpected(bytes.error());
         }
         if (bytes->empty() || !budget.charge(bytes->size())) {
-            return fail(bytes->empty() ? place + " is empty" : kTooMuch, {}, kReduce);
+            return fail(bytes->empty() ? place + " is empty" : kTooMuchMemory, {}, kReduce);
         }
         const std::string name = "image" + std::to_string(i);
         image["uri"] = name;
