@@ -14,7 +14,6 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // ---- watermelon: lies along x; v runs from its stalk (+x) to its flower end
-// ---------------------------------
 
 const Vector3d kMelonRadii_m{0.095, 0.083, 0.086};
 
@@ -65,7 +64,6 @@ MeshPart melon_stalk() {
 }
 
 // ---- apple: profile (radius, height) from the top dimple to the bottom one, in radii
-// -----------------------
 
 constexpr double kAppleRadius_m = 0.04;
 

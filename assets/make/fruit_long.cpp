@@ -14,7 +14,6 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // ---- banana: a bent tube in the plane z = 0, v from the stem to the flower end
-// ------------------------------
 
 constexpr double kBananaLength_m = 0.18;
 constexpr double kBananaBend_rad = 1.85;
@@ -66,7 +65,6 @@ Colour banana_colour(double u, double v) {
 }
 
 // ---- egg: Huegelschaeffer's curve about the y axis, v from the pointed end down
-// ------------------------------
 
 constexpr double kEggLength_m = 0.057;
 constexpr double kEggBreadth_m = 0.044;

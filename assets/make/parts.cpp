@@ -22,20 +22,22 @@ void centre_on_mass(Model& model) {
 }
 
 MeshPart make_leaf(double length_m, double width_m) {
-    // u: along the leaf on the upper side for v < 1/2, and back underneath; the rim is shared.
-    const auto surface = [=](double u, double v) {
-        const double outline = std::pow(std::sin(std::numbers::pi * std::pow(u, 0.8)), 1.0);
-        const double across = v <= 0.5 ? 4.0 * v - 1.0 : 3.0 - 4.0 * v;  // -1 to 1 and back
-        const double half_width = 0.5 * width_m * std::max(outline, 0.0);
-        const double thickness = 0.02 * length_m * (1.0 - across * across) * outline;
-        const double cup = 0.22 * width_m * across * across - 0.16 * length_m * u * u;
-        return Vector3d(length_m * u, cup + (v <= 0.5 ? thickness : -thickness),
-                        half_width * across);
+    // Two sheets that meet at the rim, each smooth in itself: u along the leaf, v across it.
+    const auto sheet = [=](double side) {
+        return [=](double u, double v) {
+            const double outline = std::sin(std::numbers::pi * std::pow(u, 0.8));
+            const double across = 2.0 * v - 1.0;
+            const double half_width = 0.5 * width_m * std::max(outline, 0.0);
+            const double thickness = 0.02 * length_m * (1.0 - across * across) * outline;
+            const double cup = 0.22 * width_m * across * across - 0.16 * length_m * u * u;
+            return Vector3d(length_m * u, cup + side * thickness, half_width * across);
+        };
     };
-    MeshPart leaf = outward(tessellate(surface, 24, 24));
-    for (Vector2d& uv : leaf.uvs) {
-        uv.y() = uv.y() <= 0.5 ? 2.0 * uv.y() : 2.0 - 2.0 * uv.y();
-    }
+    MeshPart leaf = tessellate(sheet(1.0), 24, 12);
+    MeshPart under = tessellate(sheet(-1.0), 24, 12);
+    const std::size_t middle = leaf.normals.size() / 2;
+    (leaf.normals[middle].y() < 0.0 ? leaf : under).turn_inside_out();
+    leaf.append(under);
     leaf.roughness = 0.55;
     return leaf;
 }
