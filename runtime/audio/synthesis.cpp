@@ -10,7 +10,6 @@ namespace fulcrum::runtime {
 namespace {
 
 // ---- things that are caught
-// -------------------------------------------------------------------------------
 
 std::vector<float> caught() {
     return Waveform(0.3)
@@ -68,7 +67,6 @@ std::vector<float> caught_egg() {
 }
 
 // ---- things that fell beside the bucket
-// ---------------------------------------------------------------------
 
 /// A soft thump on grass.
 std::vector<float> landed() {
@@ -91,7 +89,6 @@ std::vector<float> splat() {
 }
 
 // ---- what the program says
-// ----------------------------------------------------------------------------------
 
 // Equal temperament, A4 = 440 Hz.
 constexpr double kE4 = 329.63, kG4 = 392.00, kC5 = 523.25, kE5 = 659.26, kG5 = 783.99,
