@@ -57,6 +57,9 @@ double VelocityEstimator::compute_window_slope(int axis) const noexcept {
     double lowest = -std::numeric_limits<double>::infinity();
     double highest = std::numeric_limits<double>::infinity();
     double slope = 0.0;
+    // Encoder steps lie exactly d apart: rounding must not decide.
+    constexpr double kTie = 1.0 + 1.0e-6;
+    const double bound_m = settings_.noise_bound_m * kTie;
     for (int i = 1; i < count_; ++i) {
         const auto slot = static_cast<std::size_t>((newest_ + kCapacity - i) % kCapacity);
         const double tau_s = now_s - times_s_[slot];
@@ -67,8 +70,8 @@ double VelocityEstimator::compute_window_slope(int axis) const noexcept {
             break;
         }
         slope = candidate;
-        lowest = std::max(lowest, (rise_m - settings_.noise_bound_m) / tau_s);
-        highest = std::min(highest, (rise_m + settings_.noise_bound_m) / tau_s);
+        lowest = std::max(lowest, (rise_m - bound_m) / tau_s);
+        highest = std::min(highest, (rise_m + bound_m) / tau_s);
     }
     return slope;
 }

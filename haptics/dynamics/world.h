@@ -1,19 +1,19 @@
 // The bodies of a scene: they fall, are caught by the bucket in the hand, ride in it, and land.
 //
-//   v <- (v + dt g) / (1 + dt c |v|),  c = rho C_d A / 2m;  x <- x + dt v          (semi-implicit
-//   Euler) The drag -c |v| v is taken at the new velocity and the old speed, so any dt is stable
-//   and the terminal speed sqrt(|g| / c) is met exactly. R <- exp(omega dt) R, a gentle constant
-//   spin. Catching: in the rim's frame, which moves with the tool, the centre goes from a to b in
-//   one step. It is caught when a_y >= 0 > b_y and at a_y / (a_y - b_y) of the way it lies within
-//   the opening's radius less a margin. So neither a fast body nor a fast bucket is missed. A
-//   caught body glides to its place in the bucket, z <- z e^(-dt / T), and rides. Landing: where
-//   the centre would pass the ground plus its radius; it bounces weakly and comes to rest.
-//   carried_force_W = sum over held bodies of felt mass times gravity, from the moment of the
-//   catch.
-// Thread: the world loop. Cost: bounded by the bodies that move; nothing falling costs a few
-// nanoseconds a held body. No allocation after construction. Source: E. Hairer, C. Lubich, G.
-// Wanner 2006, Geometric Numerical Integration, chapter I.1 (symplectic Euler); the linearly
-// implicit drag and the swept test are derived above.
+//   v <- (v + dt g) / (1 + dt c |v|),  c = rho C_d A / 2m;   x <- x + dt v     (semi-implicit Euler)
+//     The drag -c |v| v is taken at the new velocity and the old speed, so any dt is stable and the
+//     terminal speed sqrt(|g| / c) is met exactly. R <- exp(omega dt) R, a gentle constant spin.
+//   Catching: in the rim's frame, which moves with the tool, the centre goes from a to b in one step.
+//     It is caught when a_y >= 0 > b_y and, a_y / (a_y - b_y) of the way, lies within the opening's
+//     radius less a margin: neither a fast body nor a fast bucket is missed. A caught body glides to
+//     its place in the bucket, z <- z e^(-dt / T), and rides.
+//   Landing: where the centre would pass the ground plus its radius; it bounces weakly, then rests.
+//   carried_force_W = sum over held bodies of felt mass times gravity, from the moment of the catch.
+//
+// Thread: the world loop. No allocation after construction.
+// Cost: bounded by the bodies that move; nothing falling and nothing held costs a comparison.
+// Source: E. Hairer, C. Lubich, G. Wanner 2006, Geometric Numerical Integration, chapter I (symplectic
+// Euler); the linearly implicit drag and the swept test are derived above.
 #pragma once
 
 #include "haptics/base/error.h"

@@ -1,10 +1,11 @@
-// One declared field: the plan fixes its law and coefficients, the lesson switches it, moves its
-// anchor and weakens it.
+// One declared field: the plan fixes its law and coefficients; the lesson switches it, moves its anchor
+// and weakens it.
 //
 //   F = strength * law(x - anchor, v)            laws: spring.h, viscosity.h, magnet.h
-//   strength  follows the commanded one (0 when off) at no more than kStrengthRate_per_s
+//   strength  follows the commanded one (0 when off) by at most kStrengthRate_per_s
 //   anchor    a <- a + (a_commanded - a) (1 - exp(-dt / kAnchorTime_s))
 // A lesson speaks 60 times a second; both rules hide its steps from the hand.
+//
 // Thread: haptic loop. Cost: about 20 ns.
 #pragma once
 

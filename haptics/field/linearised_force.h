@@ -1,18 +1,16 @@
 // A force that a lesson computed at its own slow rate, kept smooth and bounded at the haptic rate.
 //
-//   F(x, v) = F0 + K (x - x0) + B (v - v0)                                     of the newest
-//   accepted answer blend:  at a new answer the difference to the former model at this x, v is kept
-//   and taken away over kBlend_s:
-//           F <- F + (F_former - F_new) (1 - age / kBlend_s)                    so the force is
-//           continuous
-//   gains:  |K| <= kMaxStiffness (Frobenius norm, scaled as a whole), |B| <= kMaxDamping likewise,
-//   and the symmetric part
-//           of B loses its positive eigenvalues: v.B v > 0 would feed energy into the hand at every
-//           speed
-//   age:    1 up to the timeout, then falling in a straight line to 0 at twice the timeout
-// Thread: haptic loop. Cost: about 20 ns; about 0.3 us when a new answer comes (a 3 x 3
-// eigenproblem in closed form). Source: J. E. Colgate, G. Schenkel 1997, Passivity of a class of
-// sampled-data systems, for why active damping is taken out; blending and fading are ours.
+//   law     F(x, v) = F0 + K (x - x0) + B (v - v0)  of the newest accepted answer
+//   blend   at a new answer the difference to the former model at this x, v is kept and taken away
+//           over kBlend_s: F <- F + (F_former - F_new) (1 - age / kBlend_s): the force is continuous
+//   gains   |K| <= kMaxLinearStiffness, |B| <= kMaxLinearDamping (Frobenius norms, scaled as a whole);
+//           the symmetric part of B loses its positive eigenvalues: v.B v > 0 would feed energy into
+//           the hand
+//   age     factor 1 up to the timeout, then in a straight line to 0 at twice the timeout
+//
+// Thread: haptic loop. Cost: about 20 ns; about 0.3 us when a new answer comes (a 3 x 3 eigenproblem).
+// Source: J. E. Colgate, G. Schenkel 1997, Passivity of a class of sampled-data systems: application to
+// haptic interfaces, J. Robotic Systems 14(1), for why active damping is taken out; the rest is ours.
 #pragma once
 
 #include "haptics/handover/messages.h"

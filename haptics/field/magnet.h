@@ -1,10 +1,12 @@
 // A pull towards a point that is zero at the point, largest at `range` and gone far away.
 //
-//   F = -peak (r / range) exp((1 - |r|^2 / range^2) / 2) ,  r = x - x_anchor
-// The derivative of |F| vanishes at |r| = range, where |F| = peak. F = -grad U with U = -peak range
-// exp((1 - s^2) / 2), s = |r| / range: smooth everywhere and conservative. Its stiffness is largest
-// at the centre: peak sqrt(e) / range. Thread: any. Cost: one exponential. Source: a Gaussian well,
-// chosen for being smooth at both ends where 1/r^2 is not; this is its gradient.
+//   F = -peak (r / range) exp((1 - |r|^2 / range^2) / 2),   r = x - x_anchor
+// The derivative of |F| vanishes at |r| = range, where |F| = peak. F = -grad U with
+// U = -peak range exp((1 - s^2) / 2), s = |r| / range: smooth everywhere and conservative. Its
+// stiffness is largest at the centre: peak sqrt(e) / range.
+//
+// Thread: any. Cost: one exponential.
+// Source: a Gaussian well, chosen for being smooth at both ends where 1/r^2 is not; its gradient.
 #pragma once
 
 #include "haptics/math/spatial.h"

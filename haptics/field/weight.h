@@ -1,17 +1,18 @@
-// The weight of what lies in the tool: it arrives and leaves along the smoothest curve, so that
-// nothing jerks.
+// The weight of what lies in the tool: it arrives and leaves along the smoothest curve, without a jerk.
 //
 // A new target starts a quintic in s = t / T from the value, rate and acceleration of that moment
-// (p, v, a):
+// (p, v, a), with D = target - p:
 //   F(s) = p + v T s + a T^2 s^2 / 2 + c3 s^3 + c4 s^4 + c5 s^5
-//   c3 = 10 D - 6 v T - 3 a T^2 / 2    c4 = -15 D + 8 v T + 3 a T^2 / 2    c5 = 6 D - 3 v T - a T^2
-//   / 2    D = target - p
-// which reaches the target at s = 1 with rate and acceleration zero. From rest it is p + D (10 s^3
-// - 15 s^4 + 6 s^5): no overshoot, steepest slope 15/8 D / T. Value, rate and acceleration are
-// continuous even when the target changes midway. Thread: haptic loop. Cost: about 5 ns while it
-// ramps, a comparison when it rests. Source: T. Flash, N. Hogan 1985, The coordination of arm
-// movements: an experimentally confirmed mathematical model, J. Neuroscience 5(7) (the minimum-jerk
-// quintic between boundary states).
+//   c3 =  10 D - 6 v T - 3 a T^2 / 2
+//   c4 = -15 D + 8 v T + 3 a T^2 / 2
+//   c5 =   6 D - 3 v T -   a T^2 / 2
+// It reaches the target at s = 1 with rate and acceleration zero. From rest it is
+// p + D (10 s^3 - 15 s^4 + 6 s^5): no overshoot, steepest slope 15/8 D / T. Value, rate and
+// acceleration are continuous even when the target changes midway.
+//
+// Thread: haptic loop. Cost: about 10 ns while it ramps, a comparison when it rests.
+// Source: T. Flash, N. Hogan 1985, The coordination of arm movements: an experimentally confirmed
+// mathematical model, J. Neuroscience 5(7): the minimum-jerk quintic between boundary states.
 #pragma once
 
 #include "haptics/math/spatial.h"

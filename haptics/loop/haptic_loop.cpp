@@ -184,6 +184,7 @@ void HapticLoop::write_device() noexcept {
 }
 
 void HapticLoop::publish_state() noexcept {
+    state_.tick = tick_++;
     state_.time_s = now_s_;
     channels_.state_for_world.publish(state_);
     channels_.state_for_lesson.publish(state_);
@@ -193,7 +194,6 @@ void HapticLoop::publish_state() noexcept {
              state_.commanded_W, state_.applied_W, state_.buttons, state_.faults, state_.gate});
         late_faults_ |= kept ? Fault::none : Fault::record_full;
     }
-    ++state_.tick;
 }
 
 void HapticLoop::forget_motion() noexcept {
@@ -228,6 +228,7 @@ void HapticLoop::reset() noexcept {
     if (gate_.phase() != GatePhase::stopped) {
         gate_.reset();
     }
+    tick_ = 0;
     started_ = heard_lesson_ = heard_world_ = has_pose_ = false;
     late_faults_ = Fault::none;
     reading_ = DeviceReading{};

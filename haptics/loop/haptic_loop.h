@@ -1,12 +1,13 @@
-// The haptic loop: reads the hand, computes the scene's forces, and writes what the last gate lets
-// through.
+// The haptic loop: reads the hand, computes the scene's forces, writes what the last gate lets through.
 //
 //   take inputs -> read -> estimate -> proxy -> forces -> limits -> write -> publish
 // Only the stages of the plan are built; a stage that is not in it takes no memory and no time.
-// Everything that is stale, missing or not a number becomes a Fault bit, and any fault fades the
-// force (safety.h). Thread: `step`, `silence` and `reset` on the one haptic thread (or a virtual
-// clock); the constructor before it starts. Cost: `step` neither allocates, locks, waits, logs nor
-// throws; well under a microsecond without a proxy.
+// Everything that is stale, missing or not a number becomes a Fault bit, and any fault fades the force
+// (safety.h).
+//
+// Thread: `step`, `silence` and `reset` on the one haptic thread (or a virtual clock); the constructor
+// before it starts.
+// Cost: `step` neither allocates, locks, waits, logs nor throws; under a microsecond without a proxy.
 #pragma once
 
 #include "haptics/base/error.h"
@@ -22,6 +23,7 @@
 #include "haptics/point/proxy.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -101,7 +103,8 @@ class HapticLoop final : public PeriodicTask {
     std::unique_ptr<LinearisedForceStage> lesson_force_;
     SafetyGate gate_;
 
-    // Begin: time of this round.
+    // Begin: time of this round, and how many there were.
+    std::uint64_t tick_ = 0;
     double now_s_ = 0.0;
     double dt_s_ = 0.0;
     bool started_ = false;

@@ -1,9 +1,8 @@
 // The load path of haptic_loop.h: checks a plan, builds its stages, describes them.
+#include "haptics/collision/collision_mesh.h"
 #include "haptics/coupling/virtual_coupling.h"
 #include "haptics/loop/haptic_loop.h"
-#if __has_include("haptics/point/god_object.h")
 #include "haptics/point/god_object.h"
-#endif
 
 #include <cmath>
 #include <sstream>
@@ -49,11 +48,7 @@ std::unique_ptr<Proxy> make_proxy(const HapticPlan& plan) {
     if (plan.solids.empty()) {
         return nullptr;
     }
-#if __has_include("haptics/point/god_object.h")
     return std::make_unique<GodObject>(plan.solids);
-#else
-    return nullptr;
-#endif
 }
 
 const char* name_of(FieldKind kind) {
@@ -75,12 +70,11 @@ Expected<void> validate(const HapticPlan& plan) {
         check_range("rate in hertz", plan.rate_hz, 1000.0, 4000.0),
         check_range("workspace scale", plan.workspace.scale, 0.01, 100.0),
         check_range("onset of a weight in seconds", plan.weight_onset_s, 0.02, 5.0),
-        check_range("number of touchable bodies", static_cast<double>(plan.solids.size()), 0.0,
-                    kMaxSolids),
         check_range("number of force fields", static_cast<double>(plan.fields.size()), 0.0,
                     kMaxFields),
         validate(plan.safety),
         validate(plan.coupling),
+        validate(plan.solids),
         validate(
             VelocitySettings{plan.velocity_method, plan.velocity_cutoff_hz, kFineResolution_m}),
     };
@@ -149,8 +143,12 @@ std::vector<StageInfo> HapticLoop::stages() const {
     add("read", sizeof(reading_));
     add("estimate", sizeof(velocity_) + sizeof(angular_velocity_));
     if (touch_) {
-        add("proxy", sizeof(TouchStage) + touch_->initial_poses_W.capacity() * sizeof(Pose) +
-                         touch_->bodies.capacity() * sizeof(std::int32_t));
+        std::size_t mesh_bytes = 0;
+        for (const SolidPlan& solid : plan_.solids) {
+            mesh_bytes += solid.mesh ? solid.mesh->memory_bytes() : 0;
+        }
+        add("proxy", sizeof(TouchStage) + sizeof(GodObject) + mesh_bytes);
+        add("forces: coupling", sizeof(CouplingSettings));
     }
     if (weight_) {
         add("forces: weight", sizeof(WeightRamp));

@@ -1,8 +1,11 @@
-// Counts of times in bins of equal ratio: eight bins an octave, from a nanosecond to centuries, without a lock.
+// Counts of times in bins of equal ratio: eight bins an octave, from a nanosecond up, without a lock.
 //
-//   bin = 8 floor(log2 t) + the three bits after t's leading one,  t in nanoseconds        (so a bin is at most 12.5 % wide)
-// Thread: one thread calls `add`; any thread reads, and sees each count either before or after an `add`. Cost: about 3 ns.
-// Source: the binary logarithm's integer part and top mantissa bits, as in G. Tene's HdrHistogram.
+//   bin = 8 (floor(log2 t) - 2) + the three bits after t's leading one,  t in nanoseconds, t >= 8
+// A bin is at most 12.5 % wide; below 8 ns each nanosecond has one.
+//
+// Thread: one thread calls `add`; any thread reads, and sees each count before or after an `add`.
+// Cost: about 3 ns.
+// Source: the logarithm's integer part and top mantissa bits, as in G. Tene's HdrHistogram.
 #pragma once
 
 #include <array>

@@ -1,11 +1,14 @@
-// A thread that calls a task at a fixed rate: sleeps until shortly before the time, spins for the rest, keeps statistics.
+// A thread that calls a task at a fixed rate: sleeps until shortly before the time, spins for the rest,
+// keeps statistics.
 //
-//   t_k = t_0 + k / rate. After a round that ends past t_(k+1), the missed times are skipped and counted; none is made up.
-//   lateness = when a round began - t_k.   duration = how long the task took.
-// SCHED_FIFO and locked memory are asked for; a refusal leaves the thread running and is told by `status`. The thread
-// spins for kLongestSpin_s at most: the kernel takes the processor from a real-time thread that never sleeps. When it stops,
-// or the task throws, `PeriodicTask::silence` is called last.
-// Thread: made, started, stopped and destroyed by one thread; `status` and the histograms may be read by any.
+//   t_k = t_0 + k / rate; after a round that ends past t_(k+1) the missed times are skipped and counted
+//   lateness = when a round began - t_k;   duration = how long the task took
+// SCHED_FIFO and locked memory are asked for; a refusal leaves the thread running and is told by
+// `status`. The thread spins for kLongestSpin_s at most: the kernel takes the processor from a
+// real-time thread that never sleeps. When it stops, or the task throws, `PeriodicTask::silence` is
+// called last.
+//
+// Thread: made, started, stopped and destroyed by one thread; `status` and the histograms by any.
 // Cost: a wake-up a round, and a core for the spin's share of the period.
 // Source: clock_nanosleep(2) with absolute times, sched(7), mlockall(2).
 #pragma once

@@ -1,18 +1,18 @@
-// The last gate before the device: whatever the stages computed, what leaves here is small, slow to
-// change and finite.
+// The last gate before the device: whatever was computed, what leaves here is small, slow to change
+// and finite.
 //
-//   waiting   output 0; commanded |f| < engage_below for engage_cycles faultless calls in a row ->
-//   rising rising    |f_k| <= |f_(k-1)| + soft_start_rate dt, for soft_start_s of summed dt -> open
-//   open      |f_k - f_(k-1)| <= max_slew dt (rising keeps this law too)
+//   waiting   output 0; commanded |f| < engage_below for engage_cycles faultless calls in a row: rising
+//   rising    |f_k| <= |f_(k-1)| + soft_start_rate dt, for soft_start_s of summed dt: then open
+//   open      |f_k - f_(k-1)| <= max_slew dt  (rising keeps this law too)
 //   fading    any fault: f(t) = f_0 (1 - t / fade_s), whatever is commanded, then waiting
 //   stopped   emergency stop: the same fade, then 0 until `reset`
+// Limits scale the whole vector, so that its direction stays: f <- f min(1, max_force / |f|). Torque
+// obeys the same laws with every rate multiplied by max_torque / max_force. A call longer than
+// kLongestStep_s rises no further than one of that length. The last instruction compares with the
+// limits again and gives zero if they do not hold.
 //
-// Limits scale the whole vector, so that its direction stays: f <- f min(1, max_force / |f|).
-// Torque obeys the same laws with every rate multiplied by max_torque / max_force. A call longer
-// than kLongestStep_s rises no further than one of that length. The last instruction compares with
-// the limits again and gives zero if they do not hold. Thread: haptic loop. Cost: about 30 ns, no
-// branch depends on history longer than the state below. Source: engagement below 0.2 N and a rise
-// over two seconds are CHAI3D's practice; the numbers are in SafetySettings.
+// Thread: haptic loop. Cost: about 30 ns.
+// Source: engagement below 0.2 N and a rise over two seconds are CHAI3D's practice; the rest is ours.
 #pragma once
 
 #include "haptics/base/error.h"

@@ -1,24 +1,22 @@
-// A recorded run: who it was made with, every round of the haptic loop, and what happened
-// meanwhile.
+// A recorded run: what it was made with, every round of the haptic loop, and what happened meanwhile.
 //
 // File, little-endian throughout:
-//   header  88 bytes  magic 89 46 4C 43 52 0D 0A 1A ("\x89FLCR\r\n\x1a") | u32 version = 1 | u32
-//   header bytes = 88 |
-//                     f64 rate in hertz | lesson, UTF-8 padded with zeros to 60 bytes | u32 CRC-32
-//                     of the 84 before it
-//   block   16 bytes  u32 "BLK1" | u32 kind (1 samples, 2 events, 3 end) | u32 payload bytes | u32
-//   CRC-32 of kind, length
-//                     and payload, then the payload
-//   sample 240 bytes  u64 tick | f64 time | f64 stamp | f64 pose (x y z, quaternion w x y z) | f64
-//   twist (linear, angular) |
-//                     f64 commanded (force, torque) | f64 applied (force, torque) | u32 buttons |
-//                     u32 faults | u32 gate | u32 0
+//   header  88 bytes  magic 89 46 4C 43 52 0D 0A 1A | u32 version = 1 | u32 header bytes = 88 |
+//                     f64 rate in hertz | lesson, UTF-8 padded with zeros to 60 bytes |
+//                     u32 CRC-32 of the 84 bytes before it
+//   block   16 bytes  u32 "BLK1" | u32 kind (1 samples, 2 events, 3 end) | u32 payload bytes |
+//                     u32 CRC-32 of kind, length and payload; then the payload:
+//   sample 240 bytes  u64 tick | f64 time | f64 stamp | f64 pose (x y z, quaternion w x y z) |
+//                     f64 twist (linear, angular) | f64 commanded (force, torque) |
+//                     f64 applied (force, torque) | u32 buttons | u32 faults | u32 gate | u32 0
 //   event   64 bytes  f64 time | u32 kind | i32 body | text, UTF-8 padded with zeros to 48 bytes
 //   end     16 bytes  u64 number of samples | u64 number of events; always the last block
-// No clock of the day and no address is in it: the same run makes the same bytes. A file without
-// the end block was cut off; its whole blocks are good. Thread: load path. Cost: one pass. Source:
-// the checksum is CRC-32 as in ISO 3309 and PNG (polynomial 0xEDB88320, reflected); the magic
-// follows PNG's, whose control characters show a transfer that changed line ends.
+// No clock of the day and no address is in it: the same run makes the same bytes. A file without the
+// end block was cut off; its whole blocks are good.
+//
+// Thread: load path. Cost: one pass.
+// Source: CRC-32 as in ISO 3309 and PNG (polynomial 0xEDB88320, reflected); the magic follows PNG's,
+// whose control characters show a transfer that changed line ends.
 #pragma once
 
 #include "haptics/base/error.h"

@@ -1,8 +1,8 @@
-// Writes a record while the run goes on. Bytes only ever go to the end, a block at a time, so that
-// a cut-off file keeps all whole blocks.
+// Writes a record while the run goes on. Bytes only ever go to the end, a block at a time, so that a
+// cut-off file keeps all whole blocks.
 //
-// Thread: one that is not the haptic thread; it takes samples from the ring (`drain`) or is given
-// them. Cost: a copy a sample, a write every kRecordBlockSamples samples.
+// Thread: one that is not the haptic thread; it takes samples from the ring (`drain`) or is given them.
+// Cost: a copy a sample, a write every kRecordBlockSamples samples.
 #pragma once
 
 #include "haptics/base/error.h"

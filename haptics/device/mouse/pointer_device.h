@@ -1,13 +1,13 @@
-// A mouse as a hand: the pointer moves in a plane, the wheel moves in depth. It renders no force;
-// what would be felt is drawn and heard instead.
+// A mouse as a hand: the pointer moves in a plane, the wheel moves in depth. It renders no force; what
+// would be felt is drawn and heard instead.
 //
 //   none                 the pose is the newest target
-//   critically_damped    x'' = w^2 (x_target - x) - 2 w x', exact over each step with constant
-//   target:
-//                        y = x - x_target:  y(t) = e^(-wt) (y0 + (v0 + w y0) t),  v(t) = e^(-wt)
-//                        (v0 - w (v0 + w y0) t) and |v| held to max_speed. A window moves the
-//                        pointer 60 times a second; the loop reads it 1000 times, and would
-//                        otherwise see jumps.
+//   critically_damped    x'' = w^2 (x_target - x) - 2 w x', exact over each step with constant target;
+//                        with y = x - x_target:  y(t) = e^(-wt) (y0 + (v0 + w y0) t)
+//                                                v(t) = e^(-wt) (v0 - w (v0 + w y0) t)
+//                        and |v| held to max_speed
+// A window moves the pointer 60 times a second; the loop reads it 1000 times, and would see jumps.
+//
 // Thread: `read` and `write` on the haptic thread; the window publishes targets. Cost: about 20 ns.
 // Source: the critically damped oscillator in closed form.
 #pragma once

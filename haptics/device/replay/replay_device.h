@@ -1,9 +1,10 @@
-// A hand that was recorded: gives the poses of a record again, at the times at which they were
-// read.
+// A hand that was recorded: gives the poses of a record again, at the times at which they were read.
 //
-// A read at now gives the newest sample whose time is not after now, with its own stamp, buttons
-// and, where the device had failed, its failure. Under the virtual clock of the recorded run that
-// repeats the hand to the bit. Thread: `read` and `write` on the haptic thread, `finished` on any.
+// A read at now gives the newest sample whose time is not after now, with its own stamp, buttons and,
+// where the device had failed, its failure. Under the virtual clock of the recorded run that repeats
+// the hand to the bit.
+//
+// Thread: `read` and `write` on the haptic thread, `finished` on any.
 // Cost: one comparison a read; a binary search after a gap.
 #pragma once
 

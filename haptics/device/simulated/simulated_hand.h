@@ -1,22 +1,23 @@
-// A person's hand on an arm that does not exist: it follows a target and gives way to the force
-// that it is shown.
+// A person's hand on an arm that does not exist: it follows a target and gives way to the force that
+// it is shown.
 //
-//   m x'' = k (x_target - x) - b (x' - v_target) + f        per axis, f the wrench written last,
-//   frame D J e'' = -k_r e - b_r e' + tau                           e = log(q q_target^-1), the
-//   turn away from the target
+//   m x'' = k (x_target - x) - b (x' - v_target) + f     per axis, f the force written last, frame D
+//   J e'' = -k_r e - b_r e' + tau                        e = log(q q_target^-1), the turn from target
 // Between two reads target and force are constant, so each axis is a damped oscillator about
-// x_target + (f + b v_target)/k and is solved exactly, whatever the time step: with y = x -
-// x_equilibrium, alpha = b / 2m, w^2 = k/m - alpha^2
-//   y(t) = e^(-alpha t) (y0 c + (v0 + alpha y0) s),  v(t) = e^(-alpha t) (v0 c - (alpha v0 + y0
-//   k/m) s) c = cos wt, s = sin(wt)/w     (cosh, sinh over |w| when overdamped; 1, t when critical)
-// The turn uses the same solution for e; that is exact for turns about one axis and close for small
-// ones. Thread: `read` and `write` on the haptic thread. Cost: about 50 ns; exponentials again only
-// when the time step changes. Source: F. Mussa-Ivaldi, N. Hogan, E. Bizzi 1985, Neural, mechanical,
-// and geometric factors subserving arm posture in humans, J. Neuroscience 5(10) (the arm at rest as
-// a spring about a posture); T. Tsuji, P. Morasso, K. Goto, K. Ito 1995, Human hand impedance
-// characteristics during maintained posture, Biological Cybernetics 72 (mass, viscosity and
-// stiffness of the hand: order of 1 kg, 10 Ns/m, some 100 N/m). The defaults lie in that order and
-// are damped at 0.58.
+// x_target + (f + b v_target) / k and is solved exactly, whatever the time step. With
+// y = x - x_equilibrium, alpha = b / 2m, w^2 = k/m - alpha^2:
+//   y(t) = e^(-alpha t) (y0 c + (v0 + alpha y0) s)
+//   v(t) = e^(-alpha t) (v0 c - (alpha v0 + y0 k/m) s)
+//   c = cos wt, s = sin(wt)/w   (cosh, sinh over |w| when overdamped; 1, t when critical)
+// The turn uses the same solution for e: exact for turns about one axis, close for small ones.
+//
+// Thread: `read` and `write` on the haptic thread.
+// Cost: about 50 ns; exponentials again only when the time step changes.
+// Source: F. Mussa-Ivaldi, N. Hogan, E. Bizzi 1985, Neural, mechanical, and geometric factors subserving
+// arm posture in humans, J. Neuroscience 5(10): the arm at rest as a spring about a posture.
+// T. Tsuji, P. Morasso, K. Goto, K. Ito 1995, Human hand impedance characteristics during maintained
+// posture, Biological Cybernetics 72: mass, viscosity and stiffness of the hand, of the order of 1 kg,
+// 10 Ns/m and some 100 N/m. The defaults lie in that order and are damped at a ratio of 0.58.
 #pragma once
 
 #include "haptics/base/error.h"

@@ -303,30 +303,3 @@ TEST_CASE(
           Approx(4.0 * (1.0 - 0.051 / 0.1)));
     CHECK(fading.phase() == GatePhase::stopped);
 }
-
-TEST_CASE("safety: settings outside their ranges are refused with the name and the range") {
-    CHECK(validate(SafetySettings{}));
-    SafetySettings strong;
-    strong.max_force_N = 10.1;
-    const auto refused = validate(strong);
-    REQUIRE_FALSE(refused);
-    CHECK(to_sentence(refused.error()).find("max_force_N is 10.1") != std::string::npos);
-    CHECK(to_sentence(refused.error()).find("0.5 to 10") != std::string::npos);
-    // The gate itself does not believe them either.
-    CHECK(SafetyGate(strong).max_force_N() == kHardForceCap_N);
-    for (double SafetySettings::*field :
-         {&SafetySettings::max_force_N, &SafetySettings::max_torque_Nm,
-          &SafetySettings::max_slew_N_per_s, &SafetySettings::engage_below_N,
-          &SafetySettings::soft_start_N_per_s, &SafetySettings::soft_start_s,
-          &SafetySettings::fade_s, &SafetySettings::command_timeout_s,
-          &SafetySettings::device_timeout_s, &SafetySettings::max_hand_speed_m_per_s}) {
-        for (const double bad : {std::numeric_limits<double>::quiet_NaN(), -1.0, 1e9}) {
-            SafetySettings settings;
-            settings.*field = bad;
-            CHECK_FALSE(validate(settings));
-        }
-    }
-    SafetySettings eager;
-    eager.engage_cycles = 0;
-    CHECK_FALSE(validate(eager));
-}

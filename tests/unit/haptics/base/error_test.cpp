@@ -1,0 +1,15 @@
+#include "haptics/base/error.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum;
+
+TEST_CASE(
+    "error: one sentence says where, what and what to do; parts that are empty leave no trace") {
+    CHECK(to_sentence({"the mesh has no triangle", "apple.glb:3", "export it again"}) ==
+          "apple.glb:3: the mesh has no triangle; export it again.");
+    CHECK(to_sentence({"the mesh has no triangle", "", ""}) == "the mesh has no triangle.");
+    const Expected<int> failed = fail("a", "b", "c");
+    REQUIRE_FALSE(failed);
+    CHECK(to_sentence(failed.error()) == "b: a; c.");
+}

@@ -1,0 +1,164 @@
+#include "haptics/coupling/velocity_estimator.h"
+
+#include "haptics/math/rotation.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kDt_s = 0.001;
+constexpr double kEncoder_m = 5.5e-5;  // a Touch's nominal position resolution
+constexpr double kRounding = 1e-9;
+
+VelocitySettings with(VelocityMethod method) {
+    VelocitySettings settings;
+    settings.method = method;
+    settings.noise_bound_m = kEncoder_m;
+    return settings;
+}
+
+double counted(double position_m) {
+    return std::round(position_m / kEncoder_m) * kEncoder_m;
+}
+
+// Root mean square of (estimate - truth) over a hand that swings, read by an encoder.
+double measure_error(VelocityMethod method, double amplitude_m, double frequency_Hz) {
+    VelocityEstimator estimator(with(method));
+    const double w = 2.0 * std::numbers::pi * frequency_Hz;
+    double sum = 0.0;
+    int n = 0;
+    for (int k = 0; k < 4000; ++k) {
+        const double t_s = k * kDt_s;
+        const Vector3 y(counted(amplitude_m * std::sin(w * t_s)), 0, 0);
+        const double error = estimator.step(y, t_s).x() - amplitude_m * w * std::cos(w * t_s);
+        if (k > 100) {
+            sum += error * error;
+            ++n;
+        }
+    }
+    return std::sqrt(sum / n);
+}
+
+}  // namespace
+
+TEST_CASE("velocity: the low pass of a constant velocity in closed form") {
+    const VelocitySettings settings = with(VelocityMethod::filtered_difference);
+    VelocityEstimator estimator(settings);
+    const Vector3 velocity(0.3, -0.2, 0.1);
+    for (int k = 0; k < 50; ++k) {
+        const Vector3 v = estimator.step(velocity * (k * kDt_s), k * kDt_s);
+        // v_k = v (1 - exp(-2 pi f_c k T))
+        const double share =
+            1.0 - std::exp(-2.0 * std::numbers::pi * settings.cutoff_Hz * k * kDt_s);
+        REQUIRE((v - share * velocity).norm() < kRounding);
+    }
+}
+
+TEST_CASE("velocity: the window is exact for a straight line from the second sample on") {
+    VelocityEstimator estimator(with(VelocityMethod::adaptive_window));
+    const Vector3 velocity(0.3, -0.2, 0.1);
+    CHECK(estimator.step(Vector3::Zero(), 0.0).norm() == 0.0);
+    for (int k = 1; k < 50; ++k) {
+        REQUIRE((estimator.step(velocity * (k * kDt_s), k * kDt_s) - velocity).norm() < kRounding);
+    }
+}
+
+TEST_CASE("velocity: the window grows to its longest on a line and shrinks to one step at a kink") {
+    // One encoder step every 8 ms: the longest window sees exactly one step.
+    VelocityEstimator estimator(with(VelocityMethod::adaptive_window));
+    double v = 0.0;
+    for (int k = 0; k < 150; ++k) {
+        const double y = kEncoder_m * (k / VelocityEstimator::kLongestWindow);
+        v = estimator.step(Vector3(y, 0, 0), k * kDt_s).x();
+        if (k > 30) {
+            REQUIRE(v == Approx(kEncoder_m / (VelocityEstimator::kLongestWindow * kDt_s)));
+        }
+    }
+    // A stop within one sample after a fast run: two samples later the estimate is zero.
+    VelocityEstimator fast(with(VelocityMethod::adaptive_window));
+    for (int k = 0; k < 50; ++k) {
+        v = fast.step(Vector3(0.001 * k, 0, 0), k * kDt_s).x();
+    }
+    CHECK(v == Approx(1.0));
+    v = fast.step(Vector3(0.049, 0, 0), 0.050).x();
+    CHECK(v == Approx(0.0).margin(kRounding));
+}
+
+TEST_CASE("velocity: the window equals the rule written out, sample by sample") {
+    // Janabi-Sharifi et al.: the largest n for which every inner sample lies within d of the line through the ends.
+    const VelocitySettings settings = with(VelocityMethod::adaptive_window);
+    VelocityEstimator estimator(settings);
+    std::vector<double> y;
+    for (int k = 0; k < 500; ++k) {
+        const double t_s = k * kDt_s;
+        y.push_back(counted(0.01 * std::sin(20.0 * t_s) + 0.003 * std::sin(170.0 * t_s)));
+        const double v = estimator.step(Vector3(0, y.back(), 0), t_s).y();
+        double expected = 0.0;
+        for (int n = 1; n <= std::min(k, VelocityEstimator::kLongestWindow); ++n) {
+            const double b = (y[std::size_t(k)] - y[std::size_t(k - n)]) / (n * kDt_s);
+            bool holds = true;
+            for (int i = 1; i < n; ++i) {
+                holds =
+                    holds && std::abs(y[std::size_t(k)] - b * i * kDt_s - y[std::size_t(k - i)]) <=
+                                 settings.noise_bound_m * (1.0 + 1e-6);
+            }
+            if (!holds) {
+                break;
+            }
+            expected = b;
+        }
+        REQUIRE(v == Approx(expected).margin(1e-7));
+    }
+}
+
+TEST_CASE("velocity: over encoder steps the default beats the low pass, fast swings excepted") {
+    CHECK(VelocitySettings{}.method == VelocityMethod::adaptive_window);
+    const auto window = [](double amplitude_m, double frequency_Hz) {
+        return measure_error(VelocityMethod::adaptive_window, amplitude_m, frequency_Hz);
+    };
+    const auto low_pass = [](double amplitude_m, double frequency_Hz) {
+        return measure_error(VelocityMethod::filtered_difference, amplitude_m, frequency_Hz);
+    };
+    CHECK(window(0.002, 0.5) < 0.5 * low_pass(0.002, 0.5));
+    CHECK(window(0.01, 0.5) < 0.5 * low_pass(0.01, 0.5));
+    CHECK(window(0.02, 1.0) < 0.5 * low_pass(0.02, 1.0));
+    CHECK(window(0.05, 1.0) < low_pass(0.05, 1.0));
+    // The header says where it does not.
+    CHECK(window(0.05, 2.0) > low_pass(0.05, 2.0));
+}
+
+TEST_CASE("velocity: bad samples change nothing") {
+    for (const VelocityMethod method :
+         {VelocityMethod::filtered_difference, VelocityMethod::adaptive_window}) {
+        VelocityEstimator estimator(with(method));
+        for (int k = 0; k < 10; ++k) {
+            (void)estimator.step(Vector3(0.001 * k, 0, 0), k * kDt_s);
+        }
+        const Vector3 before = estimator.velocity();
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        CHECK(estimator.step(Vector3(nan, 0, 0), 0.010) == before);
+        CHECK(estimator.step(Vector3(9, 0, 0), 0.009) == before);
+        CHECK(estimator.step(Vector3(9, 0, 0), nan) == before);
+        estimator.reset();
+        CHECK(estimator.velocity().norm() == 0.0);
+        CHECK(estimator.step(Vector3(5, 0, 0), 0.0).norm() == 0.0);
+    }
+}
+
+TEST_CASE("velocity: a constant turn is found in closed form, through more than a half turn") {
+    AngularVelocityEstimator estimator(80.0);
+    const Vector3 omega(1.0, -2.0, 3.0);
+    const double share = 1.0 - std::exp(-2.0 * std::numbers::pi * 80.0 * kDt_s);
+    double left = 1.0;
+    for (int k = 0; k < 2000; ++k) {
+        const Vector3 v = estimator.step(compute_exp(omega * (k * kDt_s)), k * kDt_s);
+        REQUIRE((v - (1.0 - left) * omega).norm() < 1e-6);
+        left *= 1.0 - share;
+    }
+}

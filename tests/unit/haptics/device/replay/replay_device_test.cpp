@@ -1,0 +1,74 @@
+#include "haptics/device/replay/replay_device.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum;
+
+namespace {
+
+Record make_record(int n) {
+    Record record;
+    record.header.lesson = "gravity";
+    for (int i = 0; i < n; ++i) {
+        RecordSample sample;
+        sample.tick = static_cast<std::uint64_t>(i);
+        sample.time_s = 0.001 * i;
+        sample.stamp_s = 0.001 * i - 0.0003;
+        sample.pose_D.position = Vector3(0.001 * i, 0.1, 0.0);
+        sample.buttons = static_cast<std::uint32_t>(i % 4);
+        sample.faults = i == 5 ? Fault::device_read : Fault::none;
+        record.samples.push_back(sample);
+    }
+    return record;
+}
+
+}  // namespace
+
+TEST_CASE("replay: on the record's own clock every reading is the recorded one to the bit") {
+    const Record record = make_record(100);
+    ReplayDevice replay(record);
+    CHECK(replay.traits().name.find("gravity") != std::string::npos);
+    for (int i = 0; i < 100; ++i) {
+        DeviceReading reading;
+        REQUIRE(replay.read(0.001 * i, reading) == (i != 5));
+        REQUIRE(reading.pose_D.position == record.samples[std::size_t(i)].pose_D.position);
+        REQUIRE(reading.stamp_s == record.samples[std::size_t(i)].stamp_s);
+        REQUIRE(reading.buttons == record.samples[std::size_t(i)].buttons);
+        REQUIRE(replay.write(0.001 * i, {Vector3(9, 9, 9), Vector3::Zero()}));
+        REQUIRE_FALSE(replay.finished());
+    }
+    DeviceReading reading;
+    CHECK(replay.read(0.5, reading));
+    CHECK(replay.finished());
+    CHECK(reading.stamp_s == 0.5);
+    CHECK(reading.pose_D.position.x() == 0.001 * 99);
+    replay.reset();
+    CHECK_FALSE(replay.finished());
+    CHECK(replay.read(0.0, reading));
+    CHECK(reading.pose_D.position.x() == 0.0);
+}
+
+TEST_CASE(
+    "replay: another clock is moved to the record's, slower and faster reading find the newest "
+    "sample") {
+    ReplayDevice replay(make_record(100));
+    DeviceReading reading;
+    CHECK(replay.read(50.0, reading));
+    CHECK(reading.pose_D.position.x() == 0.0);
+    CHECK(reading.stamp_s == Approx(50.0 - 0.0003));
+    CHECK(replay.read(50.0005, reading));
+    CHECK(reading.pose_D.position.x() == 0.0);
+    CHECK(replay.read(50.0015, reading));
+    CHECK(reading.pose_D.position.x() == 0.001);
+    CHECK(replay.read(50.0425, reading));
+    CHECK(reading.pose_D.position.x() == 0.001 * 42);
+    CHECK(replay.read(50.0435, reading));
+    CHECK(reading.pose_D.position.x() == 0.001 * 43);
+}
+
+TEST_CASE("replay: an empty record gives no pose and is finished") {
+    ReplayDevice replay(Record{});
+    DeviceReading reading;
+    CHECK_FALSE(replay.read(0.0, reading));
+    CHECK(replay.finished());
+}

@@ -1,0 +1,196 @@
+#include "haptics/device/simulated/simulated_hand.h"
+
+#include "haptics/math/rotation.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <rapidcheck.h>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kDt_s = 0.001;
+constexpr double kRounding = 1e-9;
+
+// Reads the hand `n` times and gives where it ended.
+DeviceReading read_on(SimulatedHand& hand, double& now_s, int n, double dt_s = kDt_s) {
+    DeviceReading reading;
+    for (int i = 0; i < n; ++i) {
+        now_s += dt_s;
+        REQUIRE(hand.read(now_s, reading));
+    }
+    return reading;
+}
+
+HandTarget at(const Vector3& position_D) {
+    HandTarget target;
+    target.pose_D.position = position_D;
+    return target;
+}
+
+}  // namespace
+
+TEST_CASE("oscillator step: underdamped, critical and overdamped in closed form") {
+    // Underdamped: y = e^(-at) (cos wt + a/w sin wt) from y0 = 1, v0 = 0.
+    const double a = 10.0;
+    const double w = std::sqrt(300.0 - 100.0);
+    const OscillatorStep under = compute_oscillator_step(1.0, 300.0, 20.0, 0.03);
+    CHECK(under.yy ==
+          Approx(std::exp(-a * 0.03) * (std::cos(w * 0.03) + a / w * std::sin(w * 0.03))));
+    CHECK(under.yv == Approx(std::exp(-a * 0.03) * std::sin(w * 0.03) / w));
+    // Critical: y = e^(-at) (1 + at).
+    const OscillatorStep critical = compute_oscillator_step(1.0, 100.0, 20.0, 0.05);
+    CHECK(critical.yy == Approx(std::exp(-0.5) * 1.5));
+    CHECK(critical.vv == Approx(std::exp(-0.5) * 0.5));
+    // Overdamped, roots -5 and -20: y = (20 e^(-5t) - 5 e^(-20t)) / 15.
+    const OscillatorStep over = compute_oscillator_step(1.0, 100.0, 25.0, 0.1);
+    CHECK(over.yy == Approx((20.0 * std::exp(-0.5) - 5.0 * std::exp(-2.0)) / 15.0));
+    // No time, no change.
+    const OscillatorStep none = compute_oscillator_step(1.0, 300.0, 20.0, 0.0);
+    CHECK(none.yy == 1.0);
+    CHECK(none.yv == 0.0);
+    CHECK(none.vy == 0.0);
+    CHECK(none.vv == 1.0);
+}
+
+TEST_CASE("oscillator step: two halves make a whole, near critical damping too") {
+    CHECK(rc::check([] {
+        const double mass = 0.1 * *rc::gen::inRange(1, 50);
+        const double stiffness = 1.0 * *rc::gen::inRange(1, 3000);
+        const double ratio = 0.01 * *rc::gen::inRange(0, 300);
+        const double damping = 2.0 * ratio * std::sqrt(mass * stiffness);
+        const double dt_s = 0.0001 * *rc::gen::inRange(1, 200);
+        const OscillatorStep one = compute_oscillator_step(mass, stiffness, damping, dt_s);
+        const OscillatorStep half = compute_oscillator_step(mass, stiffness, damping, 0.5 * dt_s);
+        RC_ASSERT(std::abs(half.yy * half.yy + half.yv * half.vy - one.yy) < 1e-9);
+        RC_ASSERT(std::abs(half.yy * half.yv + half.yv * half.vv - one.yv) < 1e-9);
+        RC_ASSERT(std::abs(half.vy * half.yy + half.vv * half.vy - one.vy) <
+                  1e-9 * (1.0 + std::abs(one.vy)));
+        RC_ASSERT(std::abs(half.vy * half.yv + half.vv * half.vv - one.vv) < 1e-9);
+        // Energy k y^2 / 2 + m v^2 / 2 never grows: from any start on the unit circle of (sqrt k y, sqrt m v).
+        for (int i = 0; i < 8; ++i) {
+            const double angle = i * std::numbers::pi / 8.0;
+            const double y = std::cos(angle) / std::sqrt(stiffness);
+            const double v = std::sin(angle) / std::sqrt(mass);
+            const double y1 = one.yy * y + one.yv * v;
+            const double v1 = one.vy * y + one.vv * v;
+            RC_ASSERT(stiffness * y1 * y1 + mass * v1 * v1 <= 1.0 + 1e-9);
+        }
+    }));
+}
+
+TEST_CASE("simulated hand: goes to its target, and a force moves it by f / k") {
+    const SimulatedHandSettings settings;
+    LatestValue<HandTarget> target;
+    SimulatedHand hand(settings, target);
+    double now_s = 0.0;
+    target.publish(at(Vector3(0.1, 0.2, -0.05)));
+    CHECK((read_on(hand, now_s, 2000).pose_D.position - Vector3(0.1, 0.2, -0.05)).norm() < 1e-6);
+    CHECK(hand.write(now_s, {Vector3(0.0, -3.0, 0.0), Vector3::Zero()}));
+    const DeviceReading loaded = read_on(hand, now_s, 2000);
+    CHECK((loaded.pose_D.position - Vector3(0.1, 0.2 - 3.0 / 300.0, -0.05)).norm() < 1e-6);
+    CHECK(loaded.stamp_s == now_s);
+}
+
+TEST_CASE("simulated hand: the way there does not depend on the time step") {
+    const SimulatedHandSettings settings;
+    Vector3 ends[3];
+    int i = 0;
+    for (const int n : {1, 10, 1000}) {
+        LatestValue<HandTarget> target;
+        SimulatedHand hand(settings, target);
+        DeviceReading reading;
+        REQUIRE(hand.read(0.0, reading));
+        target.publish(at(Vector3(0.1, 0.0, 0.0)));
+        REQUIRE(hand.write(0.0, {Vector3(0.0, 2.0, 0.0), Vector3::Zero()}));
+        double now_s = 0.0;
+        ends[i++] = read_on(hand, now_s, n, 0.1 / n).pose_D.position;
+    }
+    CHECK((ends[0] - ends[1]).norm() < kRounding);
+    CHECK((ends[0] - ends[2]).norm() < kRounding);
+    CHECK(ends[0].norm() > 0.01);
+}
+
+TEST_CASE("simulated hand: follows a moving target without lag when told its velocity") {
+    const SimulatedHandSettings settings;
+    LatestValue<HandTarget> target;
+    SimulatedHand hand(settings, target);
+    double now_s = 0.0;
+    double lag_m = 0.0;
+    for (int k = 0; k < 3000; ++k) {
+        HandTarget moving = at(Vector3(0.1 * (now_s + kDt_s), 0.0, 0.0));
+        moving.velocity_D = Vector3(0.1, 0.0, 0.0);
+        target.publish(moving);
+        lag_m = moving.pose_D.position.x() - read_on(hand, now_s, 1).pose_D.position.x();
+    }
+    CHECK(std::abs(lag_m) <
+          0.1 * kDt_s);  // a step's way at most; without the velocity b v / k = 6.7 mm
+    CHECK(hand.velocity_D().x() == Approx(0.1).epsilon(1e-4));  // the target steps, so it ripples
+}
+
+TEST_CASE("simulated hand: turns to its target, and a torque turns it by tau / k") {
+    const SimulatedHandSettings settings;
+    LatestValue<HandTarget> target;
+    SimulatedHand hand(settings, target);
+    HandTarget turned;
+    const Vector3 turn(0.3, -0.5, 0.2);
+    turned.pose_D.orientation = compute_exp(turn);
+    target.publish(turned);
+    double now_s = 0.0;
+    const DeviceReading there = read_on(hand, now_s, 3000);
+    CHECK((compute_log(there.pose_D.orientation) - turn).norm() < 1e-6);
+    CHECK(hand.write(now_s, {Vector3::Zero(), Vector3(0.0, 0.0, 0.3)}));
+    const DeviceReading loaded = read_on(hand, now_s, 3000);
+    const Quaternion away = loaded.pose_D.orientation * turned.pose_D.orientation.conjugate();
+    CHECK((compute_log(away) - Vector3(0.0, 0.0, 0.1)).norm() < 1e-6);
+    CHECK(loaded.pose_D.orientation.coeffs().norm() == Approx(1.0).epsilon(1e-14));
+}
+
+TEST_CASE("simulated hand: an encoder shows whole steps only") {
+    SimulatedHandSettings settings;
+    settings.position_resolution_m = 0.001;
+    LatestValue<HandTarget> target;
+    SimulatedHand hand(settings, target);
+    target.publish(at(Vector3(0.02, 0.013, 0.0)));
+    double now_s = 0.0;
+    for (int k = 0; k < 500; ++k) {
+        const Vector3 steps = read_on(hand, now_s, 1).pose_D.position / 0.001;
+        REQUIRE((steps - Vector3(steps.array().round())).norm() < kRounding);
+    }
+    CHECK(hand.traits().position_resolution_m == 0.001);
+}
+
+TEST_CASE("simulated hand: what is not finite is refused and forgotten") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const SimulatedHandSettings settings;
+    LatestValue<HandTarget> target;
+    SimulatedHand hand(settings, target);
+    double now_s = 0.0;
+    CHECK_FALSE(hand.write(now_s, {Vector3(nan, 0.0, 0.0), Vector3::Zero()}));
+    target.publish(at(Vector3(nan, 0.0, 0.0)));
+    CHECK(read_on(hand, now_s, 100).pose_D.position.norm() == 0.0);
+    HandTarget no_turn;
+    no_turn.pose_D.orientation.coeffs().setZero();
+    target.publish(no_turn);
+    CHECK(is_finite(read_on(hand, now_s, 100).pose_D));
+    target.publish(at(Vector3(0.1, 0.0, 0.0)));
+    CHECK(read_on(hand, now_s, 3000).pose_D.position.x() == Approx(0.1));
+}
+
+TEST_CASE("simulated hand: reset puts it back, and the same input moves it to the same bits") {
+    const SimulatedHandSettings settings;
+    LatestValue<HandTarget> target;
+    SimulatedHand hand(settings, target);
+    target.publish(at(Vector3(0.03, -0.07, 0.11)));
+    double now_s = 0.0;
+    const Vector3 first = read_on(hand, now_s, 777).pose_D.position;
+    hand.reset();
+    now_s = 0.0;
+    const Vector3 again = read_on(hand, now_s, 777).pose_D.position;
+    CHECK(first == again);
+    CHECK(first.norm() > 0.05);
+}

@@ -1,0 +1,164 @@
+#include "haptics/field/field.h"
+
+#include "haptics/field/magnet.h"
+#include "haptics/field/spring.h"
+#include "haptics/field/viscosity.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <rapidcheck.h>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kDt_s = 0.001;
+constexpr double kRounding = 1e-12;
+
+FieldPlan make_spring() {
+    FieldPlan plan;
+    plan.kind = FieldKind::spring;
+    plan.anchor_W = Vector3(0.1, 0.0, 0.0);
+    plan.stiffness_N_per_m = 100.0;
+    plan.damping_Ns_per_m = 2.0;
+    return plan;
+}
+
+FieldPlan make_magnet() {
+    FieldPlan plan;
+    plan.kind = FieldKind::magnet;
+    plan.peak_force_N = 3.0;
+    plan.range_m = 0.05;
+    return plan;
+}
+
+}  // namespace
+
+TEST_CASE("spring: Hooke's law with a damper, in closed form") {
+    const Vector3 force = compute_spring_force(Vector3(0.02, 0.0, 0.0), Vector3(0.0, 0.5, 0.0),
+                                               Vector3(0.1, 0.0, 0.0), 100.0, 2.0);
+    CHECK((force - Vector3(8.0, -1.0, 0.0)).norm() < kRounding);
+}
+
+TEST_CASE("viscosity: the force opposes the motion and its power is never positive") {
+    CHECK(rc::check([](int x, int y, int z) {
+        const Vector3 velocity = 1e-6 * Vector3(x, y, z);
+        const Vector3 force = compute_viscous_force(velocity, 3.0);
+        RC_ASSERT((force + 3.0 * velocity).norm() == 0.0);
+        RC_ASSERT(force.dot(velocity) <= 0.0);
+    }));
+}
+
+TEST_CASE(
+    "magnet: zero at the centre, its peak at its range, nothing far away, never above the peak") {
+    const Vector3 anchor(0.3, -0.1, 0.2);
+    const Vector3 way = Vector3(2.0, -1.0, 2.0) / 3.0;
+    CHECK(compute_magnet_force(anchor, anchor, 3.0, 0.05).norm() == 0.0);
+    const Vector3 at_range = compute_magnet_force(anchor + 0.05 * way, anchor, 3.0, 0.05);
+    CHECK((at_range + 3.0 * way).norm() < 1e-9);
+    CHECK(compute_magnet_force(anchor + 0.5 * way, anchor, 3.0, 0.05).norm() < 1e-15);
+    for (int i = 0; i < 1000; ++i) {
+        const Vector3 force = compute_magnet_force(anchor + 0.0005 * i * way, anchor, 3.0, 0.05);
+        REQUIRE(force.norm() <= 3.0 * (1.0 + kRounding));
+        REQUIRE(force.dot(way) <= 0.0);
+    }
+}
+
+TEST_CASE(
+    "magnet: the force is the slope of its potential, and its stiffness at the centre is as "
+    "stated") {
+    const auto potential_J = [](double r_m) {
+        const double s = r_m / 0.05;
+        return -3.0 * 0.05 * std::exp(0.5 * (1.0 - s * s));
+    };
+    for (const double r_m : {0.001, 0.02, 0.05, 0.09, 0.15}) {
+        const double h = 1e-6;
+        const double slope = (potential_J(r_m + h) - potential_J(r_m - h)) / (2.0 * h);
+        const double force =
+            compute_magnet_force(Vector3(r_m, 0, 0), Vector3::Zero(), 3.0, 0.05).x();
+        CHECK(force == Approx(-slope).margin(1e-6));
+    }
+    const double near_N = compute_magnet_force(Vector3(1e-6, 0, 0), Vector3::Zero(), 3.0, 0.05).x();
+    CHECK(near_N / 1e-6 == Approx(-3.0 * std::sqrt(std::exp(1.0)) / 0.05).epsilon(1e-6));
+}
+
+TEST_CASE("field: it switches on along a ramp and then obeys its law") {
+    const FieldPlan plan = make_spring();
+    FieldStage field(plan);
+    FieldCommand command;
+    command.anchor_W = plan.anchor_W;
+    const Vector3 position(0.0, 0.0, 0.0);
+    const Vector3 velocity(0.0, 0.1, 0.0);
+    const Vector3 full = compute_field_force(plan, plan.anchor_W, position, velocity);
+    CHECK((full - Vector3(10.0, -0.2, 0.0)).norm() < kRounding);
+    for (int k = 1; k <= 200; ++k) {
+        const double strength = std::min(k * kDt_s * kStrengthRate_per_s, 1.0);
+        REQUIRE((field.step(command, position, velocity, kDt_s) - strength * full).norm() < 1e-9);
+    }
+    command.strength = 0.5;
+    for (int k = 0; k < 200; ++k) {
+        (void)field.step(command, position, velocity, kDt_s);
+    }
+    CHECK((field.step(command, position, velocity, kDt_s) - 0.5 * full).norm() < 1e-9);
+    command.on = false;
+    for (int k = 0; k < 60; ++k) {
+        (void)field.step(command, position, velocity, kDt_s);
+    }
+    CHECK(field.step(command, position, velocity, kDt_s).norm() == 0.0);
+}
+
+TEST_CASE("field: a strength outside 0 to 1 counts as the nearest") {
+    FieldStage field(make_spring());
+    FieldCommand command;
+    command.strength = 50.0;
+    for (int k = 0; k < 300; ++k) {
+        (void)field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s);
+    }
+    CHECK(field.strength() == 1.0);
+    command.strength = -3.0;
+    for (int k = 0; k < 300; ++k) {
+        (void)field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s);
+    }
+    CHECK(field.strength() == 0.0);
+}
+
+TEST_CASE(
+    "field: an anchor that jumps is followed in closed form, and a field that was off starts at "
+    "it") {
+    FieldPlan plan = make_spring();
+    plan.damping_Ns_per_m = 0.0;
+    FieldStage field(plan);
+    FieldCommand command;
+    command.anchor_W = Vector3(0.05, 0.0, 0.0);
+    for (int k = 0; k < 200; ++k) {
+        (void)field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s);
+    }
+    CHECK(field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s).x() == Approx(5.0));
+    command.anchor_W = Vector3(0.0, 0.02, 0.0);
+    for (int k = 1; k <= 50; ++k) {
+        const double left = std::exp(-k * kDt_s / kAnchorTime_s);
+        const Vector3 anchor =
+            command.anchor_W + left * (Vector3(0.05, 0.0, 0.0) - command.anchor_W);
+        REQUIRE(
+            (field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s) - 100.0 * anchor).norm() <
+            1e-9);
+    }
+}
+
+TEST_CASE("field: a command that is not finite lets the field go") {
+    FieldStage field(make_magnet());
+    FieldCommand command;
+    for (int k = 0; k < 200; ++k) {
+        (void)field.step(command, Vector3(0.05, 0, 0), Vector3::Zero(), kDt_s);
+    }
+    command.anchor_W.x() = std::numeric_limits<double>::quiet_NaN();
+    for (int k = 0; k < 200; ++k) {
+        REQUIRE(field.step(command, Vector3(0.05, 0, 0), Vector3::Zero(), kDt_s).allFinite());
+    }
+    CHECK(field.strength() == 0.0);
+    command = {};
+    command.strength = std::numeric_limits<double>::infinity();
+    CHECK(field.step(command, Vector3(0.05, 0, 0), Vector3::Zero(), kDt_s).norm() == 0.0);
+}

@@ -1,0 +1,190 @@
+#include "tests/unit/haptics/loop/haptic_loop_fixture.h"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+#include <memory>
+
+using namespace fulcrum;
+
+TEST_CASE("haptic loop: a device that gives no pose, an old one or a broken one fades the force") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (int kind = 0; kind < 5; ++kind) {
+        Bench bench(make_weight_plan());
+        hold(bench);
+        Fault expected = Fault::device_invalid;
+        switch (kind) {
+            case 0:
+                bench.device.gives_pose = false;
+                expected = Fault::device_read;
+                break;
+            case 1:
+                bench.device.age_s = 0.021;
+                expected = Fault::device_stale;
+                break;
+            case 2:
+                bench.device.pose_D.position.y() = nan;
+                break;
+            case 3:
+                bench.device.pose_D.orientation.coeffs().setZero();
+                break;
+            default:
+                bench.device.pose_D.position.y() = 0.011;  // 11 m/s
+        }
+        bench.run(1);
+        CHECK(saw(bench, expected));
+        CHECK(bench.loop.state().gate == GatePhase::fading);
+        CHECK(is_finite(bench.loop.state().tool_pose_W));
+        CHECK(bench.loop.state().tool_twist_W.linear.norm() == 0.0);
+        bench.run(100);
+        CHECK(bench.device.written_D.force.norm() == 0.0);
+    }
+    // A pose in time, and a fast hand, are none of that.
+    Bench bench(make_weight_plan());
+    hold(bench);
+    bench.device.age_s = 0.019;
+    bench.run(50);
+    CHECK(bench.loop.state().faults == Fault::none);
+}
+
+TEST_CASE("haptic loop: before the first pose there is no force and no proxy at the origin") {
+    HapticPlan plan;
+    plan.expects_lesson = false;
+    plan.fields = {FieldPlan{FieldKind::spring, Vector3(0.0, 1.0, 0.0), 1000.0}};
+    Bench bench(plan);
+    bench.device.gives_pose = false;
+    bench.run(100);
+    CHECK(bench.loop.state().commanded_W.force.norm() == 0.0);
+    CHECK(saw(bench, Fault::device_read));
+}
+
+TEST_CASE("haptic loop: a device that refuses the wrench fades the force from the next round on") {
+    Bench bench(make_weight_plan());
+    hold(bench);
+    bench.device.takes_wrench = false;
+    bench.run(1);
+    CHECK(bench.loop.state().gate == GatePhase::open);
+    bench.run(1);
+    CHECK(saw(bench, Fault::device_write));
+    CHECK(bench.loop.state().gate == GatePhase::fading);
+}
+
+TEST_CASE("haptic loop: a silent lesson, a dead one, a silent world: each fades the force") {
+    for (int kind = 0; kind < 5; ++kind) {
+        Bench bench(make_weight_plan());
+        hold(bench);
+        Fault expected = Fault::command_stale;
+        switch (kind) {
+            case 0:
+                bench.lesson_awake = false;
+                break;
+            case 1:
+                bench.world_awake = false;
+                break;
+            case 2:
+                bench.command.lesson_alive = false;
+                expected = Fault::lesson_failed;
+                break;
+            case 3:
+                bench.channels->lesson_failed.store(true);
+                expected = Fault::lesson_failed;
+                break;
+            default:
+                bench.world.carried_force_W.x() = std::numeric_limits<double>::infinity();
+                expected = Fault::command_invalid;
+        }
+        bench.run(99);
+        if (kind < 2) {
+            CHECK(bench.loop.state().gate == GatePhase::open);
+            bench.run(2);
+        }
+        CHECK(saw(bench, expected));
+        CHECK(bench.loop.state().gate != GatePhase::open);
+        bench.run(101);
+        CHECK(bench.device.written_D.force.norm() == 0.0);
+        // It comes back, softly, when all is well again and the hand is empty.
+        bench.lesson_awake = bench.world_awake = bench.command.lesson_alive = true;
+        bench.channels->lesson_failed.store(false);
+        bench.world.carried_force_W.setZero();
+        bench.run(1000);
+        CHECK(bench.loop.state().faults == Fault::none);
+        CHECK(bench.loop.state().gate == GatePhase::rising);
+    }
+}
+
+TEST_CASE("haptic loop: a plan without lesson and world does not wait for them") {
+    HapticPlan plan;
+    plan.expects_lesson = false;
+    Bench bench(plan);
+    bench.lesson_awake = bench.world_awake = false;
+    bench.run(100);
+    CHECK(bench.loop.state().faults == Fault::none);
+}
+
+TEST_CASE("haptic loop: the emergency stop latches until it is lifted and rearmed") {
+    Bench bench(make_weight_plan());
+    hold(bench);
+    bench.channels->emergency_stop.store(true);
+    bench.run(1);
+    CHECK(bench.loop.state().gate == GatePhase::stopped);
+    bench.run(100);
+    CHECK(bench.device.written_D.force.norm() == 0.0);
+    bench.channels->rearm.store(true);
+    bench.run(10);
+    CHECK(bench.loop.state().gate == GatePhase::stopped);
+    bench.channels->rearm.store(false);
+    bench.channels->emergency_stop.store(false);
+    bench.run(1000);
+    CHECK(bench.loop.state().gate == GatePhase::stopped);
+    // Neither silence nor a reset of the loop lifts it.
+    bench.loop.silence(bench.now_s);
+    bench.loop.reset();
+    bench.run(10);
+    CHECK(bench.loop.state().gate == GatePhase::stopped);
+    bench.channels->rearm.store(true);
+    bench.world.carried_force_W.setZero();
+    bench.run(400);
+    CHECK(bench.loop.state().gate == GatePhase::rising);
+    CHECK_FALSE(bench.channels->rearm.load());
+}
+
+TEST_CASE("haptic loop: silence writes zero and the force must engage again") {
+    Bench bench(make_weight_plan());
+    hold(bench);
+    bench.loop.silence(bench.now_s);
+    CHECK(bench.device.written_D.force.norm() == 0.0);
+    bench.run(10);
+    CHECK(bench.device.written_D.force.norm() == 0.0);
+    CHECK(bench.loop.state().gate == GatePhase::waiting);
+}
+
+TEST_CASE("haptic loop: a full recorder is a fault, an emptied one is none") {
+    Bench bench(make_weight_plan());
+    auto ring = std::make_unique<RecordRing>();
+    bench.channels->record = ring.get();
+    bench.run(static_cast<int>(kRecordRingCapacity));
+    CHECK(bench.loop.state().faults == Fault::none);
+    bench.run(2);
+    CHECK(saw(bench, Fault::record_full));
+    RecordSample sample;
+    REQUIRE(ring->pop(sample));
+    CHECK(sample.tick == 0);
+    CHECK(sample.time_s == kDt_s);
+    while (ring->pop(sample)) {
+    }
+    CHECK(sample.tick == kRecordRingCapacity - 1);
+    bench.run(2);
+    CHECK(bench.loop.state().faults == Fault::none);
+}
+
+TEST_CASE(
+    "haptic loop: time that stands still or runs back never gives a force that time would not") {
+    Bench bench(make_weight_plan());
+    hold(bench);
+    bench.loop.step(bench.now_s - 0.5);
+    CHECK(bench.device.written_D.force.norm() == 0.0);
+    Bench nan_clock(make_weight_plan());
+    hold(nan_clock);
+    nan_clock.loop.step(std::numeric_limits<double>::quiet_NaN());
+    CHECK(nan_clock.device.written_D.force.norm() == 0.0);
+}

@@ -1,0 +1,207 @@
+#include "haptics/math/rotation.h"
+#include "tests/unit/haptics/loop/haptic_loop_fixture.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+using namespace fulcrum;
+
+namespace {
+
+// A floor at height zero, frictionless.
+class FloorProxy final : public Proxy {
+  public:
+    void reset(const Vector3& hand_W) noexcept override {
+        contact_ = {};
+        contact_.position_W = hand_W;
+        ++n_resets;
+    }
+    const ProxyContact& step(const Vector3& hand_W,
+                             std::span<const Pose> poses_W) noexcept override {
+        const double height_m = poses_W[0].position.y();
+        const bool touches = hand_W.y() < height_m;
+        contact_ = {touches ? Vector3(hand_W.x(), height_m, hand_W.z()) : hand_W,
+                    touches ? 0 : kNoBody, touches ? 1 : 0,
+                    touches ? Vector3(0, 1, 0) : Vector3(Vector3::Zero())};
+        return contact_;
+    }
+    int n_resets = 0;
+
+  private:
+    ProxyContact contact_;
+};
+
+}  // namespace
+
+TEST_CASE("haptic loop: a carried weight arrives softly, in full, in the device's frame") {
+    HapticPlan plan = make_weight_plan();
+    plan.workspace.pose_WD.orientation = compute_exp(Vector3(0.0, 0.0, 1.5707963267948966));
+    plan.workspace.scale = 3.0;
+    Bench bench(plan);
+    bench.run(3000);
+    CHECK(bench.loop.state().gate == GatePhase::open);
+    bench.world.carried_force_W = Vector3(0.0, -3.0, 0.0);
+    double before_N = 0.0;
+    for (int k = 0; k < 301; ++k) {
+        bench.run(1);
+        const double now_N = bench.device.written_D.force.norm();
+        REQUIRE(now_N >= before_N - kRounding);
+        REQUIRE(now_N - before_N <= 1.875 * 3.0 / plan.weight_onset_s * kDt_s + kRounding);
+        before_N = now_N;
+    }
+    // World down is the device's -x: R^T (0, -3, 0) for a quarter turn about z.
+    CHECK((bench.device.written_D.force - Vector3(-3.0, 0.0, 0.0)).norm() < kRounding);
+    CHECK((bench.loop.state().applied_W.force - Vector3(0.0, -3.0, 0.0)).norm() < kRounding);
+    CHECK((bench.loop.state().commanded_W.force - Vector3(0.0, -3.0, 0.0)).norm() < kRounding);
+}
+
+TEST_CASE("haptic loop: poses and velocities are scaled and turned into the world") {
+    HapticPlan plan;
+    plan.workspace.pose_WD = {Vector3(1.0, 0.0, 0.0),
+                              compute_exp(Vector3(0.0, 0.0, 1.5707963267948966))};
+    plan.workspace.scale = 5.0;
+    Bench bench(plan);
+    for (int k = 0; k < 100; ++k) {
+        bench.device.pose_D.position = Vector3(0.0002 * k, 0.0, 0.0);
+        bench.device.buttons = 2;
+        bench.run(1);
+    }
+    const HapticState& state = bench.loop.state();
+    CHECK((state.tool_pose_W.position - Vector3(1.0, 5.0 * 0.0002 * 99, 0.0)).norm() < kRounding);
+    CHECK((state.tool_twist_W.linear - Vector3(0.0, 1.0, 0.0)).norm() < 1e-6);
+    CHECK(state.proxy_position_W == state.tool_pose_W.position);
+    CHECK(state.buttons == 2);
+    CHECK(state.tick == 99);
+    CHECK(state.time_s == bench.now_s);
+    REQUIRE(bench.channels->state_for_world.take());
+    CHECK(bench.channels->state_for_world.value().tick == 99);
+    REQUIRE(bench.channels->state_for_lesson.take());
+    CHECK(bench.channels->state_for_lesson.value().tool_pose_W.position ==
+          state.tool_pose_W.position);
+}
+
+TEST_CASE(
+    "haptic loop: a touched solid pushes with the coupling's spring; sliding along it is free") {
+    HapticPlan plan;
+    plan.coupling = {};
+    plan.coupling.stiffness_N_per_m = 400.0;
+    plan.coupling.damping_Ns_per_m = 2.0;
+    plan.solids.push_back({7, nullptr, {}});
+    auto proxy = std::make_unique<FloorProxy>();
+    Bench bench(plan, std::move(proxy));
+    bench.device.pose_D.position = Vector3(0.0, 0.01, 0.0);
+    bench.run(3000);
+    CHECK(bench.loop.state().touched_body == kNoBody);
+    CHECK(bench.device.written_D.force.norm() == 0.0);
+    for (int k = 0; k < 500; ++k) {
+        bench.device.pose_D.position.y() =
+            std::max(bench.device.pose_D.position.y() - 0.0001, -0.005);
+        bench.run(1);
+    }
+    CHECK(bench.loop.state().touched_body == 7);
+    CHECK((bench.device.written_D.force - Vector3(0.0, 2.0, 0.0)).norm() < kRounding);
+    for (int k = 0; k < 500; ++k) {
+        bench.device.pose_D.position.x() += 0.0001;
+        bench.run(1);
+    }
+    CHECK((bench.device.written_D.force - Vector3(0.0, 2.0, 0.0)).norm() < 1e-6);
+    // Pressing further in at 0.05 m/s adds b v.
+    for (int k = 0; k < 50; ++k) {
+        bench.device.pose_D.position.y() -= 0.00005;
+        bench.run(1);
+    }
+    CHECK(bench.loop.state().commanded_W.force.y() ==
+          Approx(400.0 * 0.0075 + 2.0 * 0.05).epsilon(1e-6));
+}
+
+TEST_CASE(
+    "haptic loop: with a world the solids stand where the world says, and NaN there is a fault") {
+    HapticPlan plan;
+    plan.expects_world = true;
+    plan.solids.push_back({0, nullptr, {}});
+    Bench bench(plan, std::make_unique<FloorProxy>());
+    bench.device.pose_D.position = Vector3(0.0, 0.01, 0.0);
+    bench.run(3000);
+    CHECK(bench.loop.state().touched_body == kNoBody);
+    bench.world.solid_poses_W[0].position.y() = 0.012;
+    bench.run(10);
+    CHECK(bench.loop.state().touched_body == 0);
+    CHECK(bench.loop.state().proxy_position_W.y() == 0.012);
+    bench.world.solid_poses_W[0].position.y() = std::numeric_limits<double>::quiet_NaN();
+    bench.run(1);
+    CHECK(saw(bench, Fault::command_invalid));
+    CHECK(is_finite(bench.device.written_D));
+}
+
+TEST_CASE("haptic loop: fields and a lesson's force add up") {
+    HapticPlan plan;
+    plan.lesson_force = true;
+    FieldPlan spring;
+    spring.kind = FieldKind::spring;
+    spring.stiffness_N_per_m = 100.0;
+    FieldPlan magnet;
+    magnet.kind = FieldKind::magnet;
+    magnet.peak_force_N = 1.0;
+    magnet.range_m = 0.02;
+    plan.fields = {spring, magnet};
+    Bench bench(plan);
+    bench.command.fields[0].anchor_W = Vector3(0.01, 0.0, 0.0);
+    bench.command.fields[1].anchor_W = Vector3(0.0, 0.02, 0.0);
+    bench.command.fields[0].on = bench.command.fields[1].on = false;
+    bench.run(3000);
+    bench.command.fields[0].on = bench.command.fields[1].on = true;
+    bench.command.linearised.stamp_s = bench.now_s;
+    bench.command.linearised.force_W = Vector3(0.0, 0.0, 0.5);
+    for (int k = 0; k < 1000; ++k) {
+        bench.command.linearised.stamp_s = bench.now_s;
+        bench.run(1);
+    }
+    CHECK((bench.device.written_D.force - Vector3(1.0, 1.0, 0.5)).norm() < 1e-6);
+    bench.command.linearised.stamp_s = bench.now_s + kDt_s;
+    bench.command.linearised.force_W.x() = std::numeric_limits<double>::quiet_NaN();
+    bench.run(1);
+    CHECK(saw(bench, Fault::command_invalid));
+}
+
+TEST_CASE("haptic loop: the device's own limit holds when it is the smaller one") {
+    ScriptedDevice device;
+    device.traits_.max_force_N = 2.0;
+    auto channels = std::make_unique<HapticChannels>();
+    HapticPlan plan;
+    plan.expects_lesson = false;
+    plan.carries_weight = true;
+    HapticLoop loop(plan, device, *channels);
+    for (int k = 1; k < 4000; ++k) {
+        WorldFrame world;
+        world.carried_force_W = k < 2500 ? Vector3(Vector3::Zero()) : Vector3(0.0, -4.0, 0.0);
+        channels->world.publish(world);
+        loop.step(k * kDt_s);
+    }
+    CHECK(device.written_D.force.norm() == Approx(2.0));
+    CHECK(loop.state().commanded_W.force.norm() == Approx(4.0));
+}
+
+TEST_CASE("haptic loop: after a reset the same input gives the same bits") {
+    Bench bench(make_weight_plan());
+    const auto play = [&] {
+        bench.now_s = 0.0;
+        std::vector<double> forces;
+        for (int k = 0; k < 4000; ++k) {
+            bench.device.pose_D.position.x() = 0.05 * std::sin(0.003 * k);
+            bench.world.carried_force_W.y() = k < 2500 ? 0.0 : -3.0 - 0.3 * (k % 500 == 0);
+            bench.run(1);
+            forces.push_back(bench.device.written_D.force.y());
+        }
+        return forces;
+    };
+    const std::vector<double> first = play();
+    bench.loop.reset();
+    CHECK(bench.loop.state().tick == 0);
+    CHECK(play() == first);
+    CHECK(first.back() < -2.9);
+}
