@@ -45,6 +45,7 @@ struct AnsweredEvent {
   bool understood = true;  ///< false: no template fitted, the program asked to say it again
   bool right = false;      ///< the meaning, by the lesson's own verdict
   bool form_right = false; ///< no error of form was found
+  bool over = true;        ///< the question is done: right, or left after many tries
   std::int32_t attempt = 1;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -143,25 +144,34 @@ void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
         plan.stages.push_back(
             {"haptic", std::move(name), plan.haptic.rate_hz, 0, std::move(because), line});
     };
+    // The names are those of HapticLoop::stages(), so that what is promised can be held against what was built.
+    add("take inputs", "the lesson and the world speak to it", 0);
     add("read", "a hand holds the device", 0);
-    add("velocity", "dampers and the lesson need it", 0);
+    add("estimate", "dampers and the lesson need a velocity", 0);
     if (!plan.haptic.solids.empty()) {
         const auto body = static_cast<std::size_t>(plan.haptic.solids.front().body);
         add("proxy", "a body can be touched", lesson.bodies[body].line);
     }
     if (plan.haptic.carries_weight) {
-        add("weight", "a body can be carried", lesson.bucket.line);
+        const SourceLine line =
+            lesson.bucket.present ? lesson.bucket.line : first_movable(lesson)->line;
+        add("forces: weight", "a body can be carried", line);
     }
-    for (std::size_t i = 0; i < lesson.forces.size(); ++i) {
-        static constexpr const char* kNames[] = {"spring", "viscosity", "magnet"};
-        add(kNames[static_cast<std::size_t>(lesson.forces[i].field.kind)],
-            "the lesson declares \"" + lesson.forces[i].name + "\"", lesson.forces[i].line);
+    for (const ForceDescription& force : lesson.forces) {
+        static constexpr std::array<const char*, 3> kNames{"forces: spring", "forces: viscosity",
+                                                           "forces: magnet"};
+        add(kNames[static_cast<std::size_t>(force.field.kind)],
+            "the lesson declares \"" + force.name + "\"", force.line);
     }
     if (plan.haptic.lesson_force) {
-        add("lesson force", "the lesson computes a force", lesson.hand.force_line);
+        add("forces: lesson", "the lesson computes a force", lesson.hand.force_line);
     }
-    add("limits", "a hand is near", 0);
+    add("limits", "a child's hand is near", 0);
+    add("write", "the device renders it", 0);
     add("publish", "the other loops read it", 0);
+    if (plan.record) {
+        add("record", "--record was given", 0);
+    }
 }
 
 }  // namespace

@@ -87,10 +87,10 @@ TEST_CASE("plan: gravity has no proxy when nothing solid can be touched") {
     REQUIRE(plan);
     CHECK_FALSE(plan->has("haptic", "proxy"));
     CHECK(plan->haptic.solids.empty());
-    CHECK(plan->has("haptic", "weight"));
+    CHECK(plan->has("haptic", "forces: weight"));
     CHECK(plan->has("world", "falling bodies"));
     CHECK(plan->has("world", "bucket"));
-    CHECK_FALSE(plan->has("haptic", "lesson force"));
+    CHECK_FALSE(plan->has("haptic", "forces: lesson"));
 }
 
 TEST_CASE("plan: a solid body brings the proxy, and names the line that asked") {
@@ -105,7 +105,7 @@ TEST_CASE("plan: a solid body brings the proxy, and names the line that asked") 
     REQUIRE(plan);
     CHECK(plan->has("haptic", "proxy"));
     CHECK_FALSE(plan->world.has_value());
-    CHECK_FALSE(plan->has("haptic", "weight"));
+    CHECK_FALSE(plan->has("haptic", "forces: weight"));
     for (const PlanStage& stage : plan->stages) {
         if (stage.name == "proxy") {
             CHECK(stage.line == 7);

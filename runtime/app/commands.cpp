@@ -1,0 +1,195 @@
+#include "runtime/app/commands.h"
+
+#include "runtime/app/headless.h"
+#include "runtime/app/lesson_run.h"
+#include "runtime/app/menu_screen.h"
+#include "runtime/app/open_store.h"
+#include "runtime/progress/database_path.h"
+#include "runtime/progress/report.h"
+#include "runtime/progress/sqlite/sqlite_store.h"
+#include "runtime/scene/explain.h"
+
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace fulcrum::runtime {
+namespace {
+
+RunRequest quiet_request(const std::filesystem::path& folder, const Options& options) {
+    RunRequest request;
+    request.folder = folder;
+    request.plan.force_limit_N = options.force_limit_N;
+    request.plan.picture = false;
+    request.plan.sound = false;
+    request.own_test = true;
+    return request;
+}
+
+// What L:test{ expect = … } may name, as text.
+std::map<std::string, std::string> facts_of(const SessionResult& result) {
+    return {{"finished", result.finished ? "true" : "false"},
+            {"stars", std::to_string(result.stars)},
+            {"score", std::to_string(result.score)},
+            {"level", std::to_string(result.level)},
+            {"attempts", std::to_string(result.attempts)},
+            {"caught", std::to_string(result.caught)},
+            {"form_errors", std::to_string(result.form_errors)}};
+}
+
+int count_unmet(const LessonTestDescription& test, const SessionResult& result) {
+    const auto facts = facts_of(result);
+    int unmet = 0;
+    for (const auto& [name, value] : test.expect) {
+        const auto fact = facts.find(name);
+        if (fact == facts.end()) {
+            std::fprintf(stderr,
+                         "lesson.lua:%d: expect knows no \"%s\"; it knows finished, stars, score, "
+                         "level, attempts, "
+                         "caught and form_errors.\n",
+                         test.line, name.c_str());
+            ++unmet;
+        } else if (fact->second != value) {
+            std::fprintf(stderr, "lesson.lua:%d: expected %s = %s, but it is %s.\n", test.line,
+                         name.c_str(), value.c_str(), fact->second.c_str());
+            ++unmet;
+        }
+    }
+    return unmet;
+}
+
+}  // namespace
+
+Expected<Installation> open_installation() {
+    auto places = find_places();
+    if (!places) {
+        return tl::unexpected(places.error());
+    }
+    const std::filesystem::path words = places->words / "en.txt";
+    std::ifstream file(words);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file) {
+        return fail("the program's words cannot be read", words.string(), "restore the file");
+    }
+    auto catalogue = dialogue::Catalogue::parse(text.str());
+    if (!catalogue) {
+        return fail(catalogue.error().message,
+                    words.string() + ":" + std::to_string(catalogue.error().line),
+                    "mend that line");
+    }
+    return Installation{std::move(*places), std::move(*catalogue)};
+}
+
+int complain(const Error& error, int exit_code) {
+    std::fprintf(stderr, "%s\n", to_sentence(error).c_str());
+    return exit_code;
+}
+
+int list_command(const Installation& installation) {
+    for (const LessonCard& card : read_lesson_cards(installation.places)) {
+        if (card.error.empty()) {
+            std::printf("%-16s %-44s %-3s %3.0f min\n", card.name.c_str(), card.title.c_str(),
+                        card.level.c_str(), card.minutes);
+        } else {
+            std::printf("%-16s %s\n", card.name.c_str(), card.error.c_str());
+        }
+    }
+    return 0;
+}
+
+int check_command(const Installation& installation, const Options& options) {
+    const auto folder = find_lesson(installation.places, options.lesson);
+    if (!folder) {
+        return complain(folder.error(), 2);
+    }
+    const auto store = make_null_store();
+    const auto run = LessonRun::create(installation.places, quiet_request(*folder, options), *store,
+                                       installation.catalogue);
+    if (!run) {
+        return complain(run.error(), 1);
+    }
+    std::printf("%s: no mistakes found.\n", (*run)->description().id.c_str());
+    return 0;
+}
+
+int test_command(const Installation& installation, const Options& options) {
+    const auto folder = find_lesson(installation.places, options.lesson);
+    if (!folder) {
+        return complain(folder.error(), 2);
+    }
+    const auto store = make_null_store();
+    const auto run = LessonRun::create(installation.places, quiet_request(*folder, options), *store,
+                                       installation.catalogue);
+    if (!run) {
+        return complain(run.error(), 1);
+    }
+    if ((*run)->description().tests.empty()) {
+        return complain(
+            {"the lesson has no test", (*folder / "lesson.lua").string(), "add L:test { … }"}, 1);
+    }
+    const auto outcome = run_headless(**run, {});
+    if (!outcome) {
+        return complain(outcome.error(), 1);
+    }
+    const int unmet = count_unmet((*run)->description().tests.front(), (*run)->session().result());
+    std::printf("%s: %s after %.1f s of play.\n", (*run)->description().id.c_str(),
+                unmet == 0 ? "passed" : "failed", outcome->simulated_s);
+    return unmet == 0 ? 0 : 1;
+}
+
+int explain_command(const Installation& installation, const Options& options) {
+    const auto folder = find_lesson(installation.places, options.lesson);
+    if (!folder) {
+        return complain(folder.error(), 2);
+    }
+    RunRequest request = quiet_request(*folder, options);
+    request.plan.picture = !options.headless;
+    request.plan.sound = !options.headless && !options.mute;
+    request.plan.record = !options.record.empty();
+    request.record_file = "/dev/null";
+    const auto store = make_null_store();
+    const auto run =
+        LessonRun::create(installation.places, request, *store, installation.catalogue);
+    if (!run) {
+        return complain(run.error(), 1);
+    }
+    std::fputs(explain((*run)->description(), (*run)->plan()).c_str(), stdout);
+    return 0;
+}
+
+int report_command(const Options& options) {
+    std::string path = options.database;
+    if (path.empty()) {
+        const auto standard = default_database_path();
+        if (!standard) {
+            return complain(standard.error(), 2);
+        }
+        path = *standard;
+    }
+    SqliteStoreOptions only_look;
+    only_look.create = false;
+    const auto store = open_sqlite_store(path, only_look);
+    if (!store) {
+        return complain(store.error(), 2);
+    }
+    const auto report = make_report(**store, {options.learner, options.lesson});
+    if (!report) {
+        return complain(report.error(), 2);
+    }
+    const std::string text = options.format == "csv" ? to_csv(*report) : to_text(*report);
+    if (options.out.empty()) {
+        std::fputs(text.c_str(), stdout);
+        return 0;
+    }
+    std::ofstream file(options.out, std::ios::binary);
+    file << text;
+    if (!file.flush()) {
+        return complain(
+            {"the report cannot be written", options.out, "choose another file with --out"}, 2);
+    }
+    return 0;
+}
+
+}  // namespace fulcrum::runtime

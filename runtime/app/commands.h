@@ -1,0 +1,31 @@
+// What each word of the command line does. Each returns the program's exit code: 0 done, 1 the lesson or a test failed, 2
+// wrong usage or unreadable input.
+#pragma once
+
+#include "dialogue/catalogue.h"
+#include "runtime/app/options.h"
+#include "runtime/app/places.h"
+
+namespace fulcrum::runtime {
+
+/// What every command may need.
+struct Installation {
+    Places places;
+    dialogue::Catalogue catalogue;
+};
+
+/// Finds the folders and reads the words.
+[[nodiscard]] Expected<Installation> open_installation();
+
+/// Says an error in one sentence on the terminal and gives the exit code.
+int complain(const Error& error, int exit_code);
+
+[[nodiscard]] int menu_command(const Installation& installation, const Options& options);
+[[nodiscard]] int run_command(const Installation& installation, const Options& options);
+[[nodiscard]] int list_command(const Installation& installation);
+[[nodiscard]] int check_command(const Installation& installation, const Options& options);
+[[nodiscard]] int test_command(const Installation& installation, const Options& options);
+[[nodiscard]] int explain_command(const Installation& installation, const Options& options);
+[[nodiscard]] int report_command(const Options& options);
+
+}  // namespace fulcrum::runtime

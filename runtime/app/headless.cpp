@@ -1,0 +1,100 @@
+#include "runtime/app/headless.h"
+
+#include "haptics/base/clock.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr double kFadeShown_s =
+    0.2;  // twice the gate's default fade: the record shows it to its end
+
+// The virtual clock: time is a count of haptic ticks, so that nothing drifts and nothing depends on the machine.
+class VirtualClock {
+  public:
+    VirtualClock(LessonRun& run)
+        : run_(run),
+          rate_hz_(run.plan().haptic.rate_hz),
+          world_every_(run.plan().world ? std::lround(rate_hz_ / run.plan().world->rate_hz) : 0),
+          frame_rate_hz_(run.plan().lesson_rate_hz) {}
+
+    [[nodiscard]] double now_s() const { return static_cast<double>(tick_) / rate_hz_; }
+    [[nodiscard]] bool frame_is_due() const {
+        return now_s() * frame_rate_hz_ >= static_cast<double>(frame_) - 1e-9;
+    }
+    void count_frame() { ++frame_; }
+
+    void tick() {
+        run_.haptic_loop().step(now_s());
+        if (run_.world_loop() != nullptr && tick_ % world_every_ == 0) {
+            run_.world_loop()->step(now_s());
+        }
+        ++tick_;
+    }
+
+  private:
+    LessonRun& run_;
+    double rate_hz_;
+    long world_every_;
+    double frame_rate_hz_;
+    long tick_ = 0;
+    long frame_ = 0;
+};
+
+void print_all(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+        std::puts(line.c_str());
+    }
+}
+
+}  // namespace
+
+Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& settings) {
+    HeadlessOutcome outcome;
+    VirtualClock clock(run);
+    const double began_s = monotonic_now_s();
+    double end_s = settings.end_s.value_or(1.0e9);
+
+    while (clock.now_s() < end_s) {
+        if (clock.frame_is_due()) {
+            FrameInput input;
+            input.time_s = clock.now_s();
+            const auto report = run.exchange_frame(input);
+            if (!report) {
+                // The force fades before anything is said.
+                run.fail_softly(to_sentence(report.error()));
+                for (const double until_s = clock.now_s() + kFadeShown_s;
+                     clock.now_s() < until_s;) {
+                    clock.tick();
+                }
+                return tl::unexpected(report.error());
+            }
+            print_all(report->printed);
+            clock.count_frame();
+            if (settings.after_frame) {
+                settings.after_frame(clock.now_s());
+            }
+
+            const LessonSession& session = run.session();
+            if (session.result().finished && !outcome.finished) {
+                outcome.finished = true;
+                end_s = std::min(end_s, clock.now_s() + settings.afterglow_s);
+            }
+            const SessionHud& hud = session.hud();
+            if (hud.question_open &&
+                clock.now_s() - hud.question_asked_at_s > settings.nobody_answers_s) {
+                outcome.nobody_answered = true;
+                break;
+            }
+        }
+        clock.tick();
+    }
+    run.haptic_loop().silence(clock.now_s());
+    outcome.simulated_s = clock.now_s();
+    outcome.wall_s = monotonic_now_s() - began_s;
+    return outcome;
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,34 @@
+// Plays a lesson under a virtual clock: the same stages as live, in one thread, as fast as they go. The same input gives
+// the same bytes.
+//
+//   for each tick of the haptic rate:  hand -> haptic loop;  when due: world loop;  when due: lesson frame
+#pragma once
+
+#include "runtime/app/lesson_run.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace fulcrum::runtime {
+
+struct HeadlessSettings {
+    std::optional<double> end_s;     ///< end then, finished or not
+    double afterglow_s = 1.0;        ///< goes on so long after the lesson has finished
+    double nobody_answers_s = 30.0;  ///< a question open for longer than this ends the run
+    /// Called after each frame with the run's time; for pictures on the way. May be empty.
+    std::function<void(double)> after_frame;
+};
+
+struct HeadlessOutcome {
+    bool finished = false;         ///< the lesson came to its end
+    bool nobody_answered = false;  ///< it waited in vain for an answer
+    double simulated_s = 0.0;
+    double wall_s = 0.0;
+};
+
+/// Plays to the end. An error is the lesson's failure: by then the force has faded and the record tells so.
+[[nodiscard]] Expected<HeadlessOutcome> run_headless(LessonRun& run,
+                                                     const HeadlessSettings& settings);
+
+}  // namespace fulcrum::runtime

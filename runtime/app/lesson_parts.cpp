@@ -1,0 +1,69 @@
+#include "runtime/app/lesson_parts.h"
+
+#include "haptics/collision/collision_mesh.h"
+#include "haptics/geometry/shape.h"
+#include "runtime/app/lesson_run.h"
+#include "runtime/scene/gltf/collision_from_model.h"
+#include "runtime/scene/gltf/gltf_model.h"
+
+namespace fulcrum::runtime {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kSphereFrequency = 24;  // 11 520 triangles: flat to 0.2 % of the radius
+
+Expected<std::shared_ptr<const CollisionMesh>> to_collision(Expected<TriangleMesh> mesh) {
+    if (!mesh) {
+        return tl::unexpected(mesh.error());
+    }
+    return CollisionMesh::create(std::move(*mesh));
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
+                                                      const RunRequest& request) {
+    LessonFiles files;
+    files.folder = request.folder;
+    files.library = places.scripts_lib;
+    if (request.hand == HandKind::scripted) {
+        files.hand = request.hand_file;
+    }
+    auto process = LessonProcess::start(files);
+    const bool wants_own_hand = process && request.own_test && request.hand == HandKind::scripted &&
+                                request.hand_file.empty() &&
+                                !(*process)->description().tests.empty();
+    if (!wants_own_hand) {
+        return process;
+    }
+    // The lesson names its hand only once it is loaded, so it is started a second time, with that hand.
+    files.hand = request.folder / (*process)->description().tests.front().hand;
+    process->reset();
+    return LessonProcess::start(files);
+}
+
+SolidLoader make_solid_loader(const Places& places, const fs::path& lesson_folder) {
+    return [places, lesson_folder](
+               const BodyDescription& body) -> Expected<std::shared_ptr<const CollisionMesh>> {
+        if (body.model == "sphere") {
+            return to_collision(make_sphere(body.radius_m, kSphereFrequency));
+        }
+        if (body.model == "box") {
+            return to_collision(make_box(Vector3::Constant(2.0 * body.radius_m)));
+        }
+        const fs::path file = find_model(places, lesson_folder, body.model);
+        if (file.empty()) {
+            return fail("there is no model \"" + body.model + "\" for " + body.name,
+                        "lesson.lua:" + std::to_string(body.line),
+                        "put " + body.model + ".glb beside the lesson, or use sphere or box");
+        }
+        const auto model = load_gltf(file);
+        if (!model) {
+            return tl::unexpected(model.error());
+        }
+        return to_collision(collision_from_model(*model));
+    };
+}
+
+}  // namespace fulcrum::runtime

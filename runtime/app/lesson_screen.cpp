@@ -1,0 +1,285 @@
+#include "runtime/app/lesson_screen.h"
+
+#include "haptics/base/clock.h"
+#include "runtime/render/camera.h"
+
+#include <algorithm>
+
+#include <array>
+#include <cstdio>
+#include <system_error>
+
+namespace fulcrum::runtime {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kWatchPeriod_s = 0.25;  // how often the lesson's files are looked at
+constexpr double kWheelStep_m = 0.02;    // depth of one notch
+constexpr double kWheelReach_m = 0.3;    // either way
+constexpr double kAnswerPatience_s =
+    0.004;  // a frame waits so long for Lua before it draws without it
+
+fs::file_time_type newest_of(const std::vector<fs::path>& files) {
+    fs::file_time_type newest{};
+    for (const fs::path& file : files) {
+        std::error_code error;
+        const auto written = fs::last_write_time(file, error);
+        newest = error ? newest : std::max(newest, written);
+    }
+    return newest;
+}
+
+}  // namespace
+
+LessonScreen::LessonScreen(const Places& places, Desktop& desktop, ProgressStore& store,
+                           const dialogue::Catalogue& catalogue, RunRequest request,
+                           const Options& options)
+    : places_(places),
+      desktop_(desktop),
+      store_(store),
+      catalogue_(catalogue),
+      request_(std::move(request)),
+      options_(options) {}
+
+LessonScreen::~LessonScreen() {
+    stop();
+}
+
+// Starts the lesson afresh: process, plan, loops. What was there before is gone first.
+void LessonScreen::begin() {
+    stop();
+    error_.clear();
+    stopped_ = false;
+    typing_.clear();
+    input_ = {};
+    files_ = {request_.folder / "lesson.lua"};
+    auto run = LessonRun::create(places_, request_, store_, catalogue_);
+    if (!run) {
+        newest_ = newest_of(files_);
+        fail_with(run.error());
+        return;
+    }
+    run_ = std::move(*run);
+    files_ = run_->process().files_read();
+    newest_ = newest_of(files_);
+    for (const std::string& notice :
+         desktop_.picture->load_models(run_->description(), request_.folder)) {
+        std::fprintf(stderr, "%s\n", notice.c_str());
+    }
+    epoch_s_ = monotonic_now_s();
+    next_frame_s_ = 0.0;
+    if (auto started = loops_.start(*run_, epoch_s_); !started) {
+        fail_with(started.error());
+    }
+}
+
+void LessonScreen::stop() {
+    loops_.stop();
+    if (run_) {
+        run_->session().end(EndReason::left);
+        if (auto kept = run_->finish_record(); !kept) {
+            std::fprintf(stderr, "%s\n", to_sentence(kept.error()).c_str());
+        }
+        run_.reset();
+    }
+}
+
+// The force fades first, on the haptic thread; only then is anything said.
+void LessonScreen::fail_with(const Error& error) {
+    error_ = to_sentence(error);
+    if (run_) {
+        run_->fail_softly(error_);
+    }
+    std::fprintf(stderr, "%s\n", error_.c_str());
+}
+
+Left LessonScreen::play() {
+    begin();
+    while (!left_) {
+        take_input(desktop_.window->poll());
+        exchange();
+        watch_files();
+        last_view_ = compose();
+        desktop_.draw(last_view_);
+        save_wanted_screenshot();
+        desktop_.window->swap();
+        if (desktop_.sound) {
+            const bool unfelt = run_ && !run_->device().traits().renders_force;
+            desktop_.sound->set_force_sound(
+                unfelt && error_.empty() ? last_view_.force.force_W.norm() : 0.0);
+            desktop_.sound->update(1.0 / 60.0);
+        }
+        if (options_.seconds && run_ && monotonic_now_s() - epoch_s_ >= *options_.seconds) {
+            left_ = Left::time_is_up;
+        }
+    }
+    if (desktop_.sound) {
+        desktop_.sound->stop();
+    }
+    return *left_;
+}
+
+void LessonScreen::take_input(const WindowEvents& events) {
+    if (events.close) {
+        left_ = Left::closed;
+    }
+    for (const KeyPress& press : events.pressed) {
+        take_key(press);
+    }
+    const bool question_open = run_ && error_.empty() && run_->session().hud().question_open;
+    if (question_open && !stopped_) {
+        typing_.add(events.text);
+    }
+    move_pointer(events);
+}
+
+// Escape stops the arm, and leaves when it is stopped already; return lets it go on.
+void LessonScreen::take_key(const KeyPress& press) {
+    const bool is_escape = press.key == "escape" && !press.repeat;
+    if (!run_ || !error_.empty()) {
+        if (is_escape) {
+            left_ = Left::to_menu;
+        } else if (press.key == "return") {
+            begin();
+        }
+        return;
+    }
+    if (is_escape && stopped_) {
+        left_ = Left::to_menu;
+    } else if (is_escape) {
+        stopped_ = true;
+        run_->channels().emergency_stop.store(true, std::memory_order_release);
+    } else if (stopped_) {
+        if (press.key == "return") {
+            stopped_ = false;
+            run_->channels().emergency_stop.store(false, std::memory_order_release);
+            run_->channels().rearm.store(true, std::memory_order_release);
+        }
+    } else if (press.key == "f11") {
+        desktop_.window->set_fullscreen(!desktop_.window->fullscreen());
+    } else if (press.key == "backspace") {
+        typing_.backspace();
+    } else if (press.key == "return" && run_->session().hud().question_open) {
+        input_.typed = typing_.take();
+    } else if (!press.repeat && !run_->session().hud().question_open) {
+        input_.keys.push_back(press.key);
+    }
+}
+
+void LessonScreen::move_pointer(const WindowEvents& events) {
+    wheel_m_ = std::clamp(wheel_m_ + kWheelStep_m * events.wheel, -kWheelReach_m, kWheelReach_m);
+    if (!run_ || request_.hand != HandKind::mouse) {
+        return;
+    }
+    const Camera camera(run_->description().camera, desktop_.window->width_px(),
+                        desktop_.window->height_px());
+    const auto place_W =
+        pointer_on_plane(camera, {events.pointer_x_px, events.pointer_y_px}, wheel_m_);
+    std::uint32_t buttons = 0;
+    for (std::size_t i = 0; i < events.button_down.size(); ++i) {
+        buttons |= events.button_down[i] ? 1U << i : 0U;
+    }
+    if (place_W) {
+        run_->point_at(*place_W, buttons);
+    }
+}
+
+// One frame of the lesson, without ever waiting long for it: the picture goes on even when Lua hangs.
+void LessonScreen::exchange() {
+    if (!run_ || !error_.empty()) {
+        return;
+    }
+    const double now_s = monotonic_now_s() - epoch_s_;
+    if (!run_->process().waits_for_reply() && now_s >= next_frame_s_) {
+        input_.time_s = now_s;
+        const auto sent = run_->begin_frame(input_);
+        input_ = {};
+        if (!sent) {
+            fail_with(sent.error());
+            return;
+        }
+        next_frame_s_ = std::max(next_frame_s_ + 1.0 / run_->plan().lesson_rate_hz, now_s - 0.1);
+    }
+    const double give_up_s = monotonic_now_s() + kAnswerPatience_s;
+    std::optional<Expected<FrameReport>> report;
+    while (run_->process().waits_for_reply() && !(report = run_->poll_frame()) &&
+           monotonic_now_s() < give_up_s) {
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
+    }
+    if (!report) {
+        return;
+    }
+    if (!*report) {
+        fail_with(report->error());
+        return;
+    }
+    desktop_.play((*report)->sounds);
+    for (const std::string& line : (*report)->printed) {
+        std::puts(line.c_str());
+    }
+}
+
+// A lesson that failed runs again as soon as one of its files is saved; with --watch a running one does too.
+void LessonScreen::watch_files() {
+    const double now_s = monotonic_now_s();
+    const bool looks = options_.watch || !error_.empty();
+    if (!looks || now_s < next_watch_s_) {
+        return;
+    }
+    next_watch_s_ = now_s + kWatchPeriod_s;
+    if (newest_of(files_) > newest_) {
+        begin();
+    }
+}
+
+View LessonScreen::compose() const {
+    View view = run_ ? run_->view(catalogue_) : last_view_;
+    view.input = typing_.text();
+    if (!error_.empty()) {
+        view.banner = catalogue_.say("banner.stopped") + " " +
+                      catalogue_.say("banner.teacher", {{"sentence", error_}});
+        view.banner_is_error = true;
+        view.caption = catalogue_.say("banner.retry");
+        view.feedback.clear();
+        view.input_visible = false;
+        view.force.visible = false;
+    } else if (stopped_) {
+        view.banner = catalogue_.say("hud.emergency", {{"key", "Enter"}});
+        view.banner_is_error = true;
+    } else if (run_ && !run_->session().store_trouble().empty()) {
+        view.banner = catalogue_.say("banner.not_saved");
+    }
+    return view;
+}
+
+void LessonScreen::save_wanted_screenshot() {
+    if (options_.screenshot.empty() || !run_) {
+        return;
+    }
+    const double now_s = monotonic_now_s() - epoch_s_;
+    const bool at_end =
+        options_.screenshot_at_s < 0.0 && options_.seconds && now_s >= *options_.seconds;
+    const bool at_time = options_.screenshot_at_s >= 0.0 && now_s >= options_.screenshot_at_s;
+    if ((at_end || at_time) && !screenshot_taken_) {
+        screenshot_taken_ = true;
+        if (auto kept = save_png(options_.screenshot, desktop_.window->read_back()); !kept) {
+            std::fprintf(stderr, "%s\n", to_sentence(kept.error()).c_str());
+        }
+    }
+}
+
+std::string LessonScreen::statistics() const {
+    const RealtimeStatus status = loops_.haptic_status();
+    std::array<char, 256> text{};
+    std::snprintf(text.data(), text.size(),
+                  "Haptic loop: %llu rounds, late by %.0f us (median) and %.0f us (99 %%), "
+                  "%llu missed; %s.",
+                  static_cast<unsigned long long>(status.rounds),
+                  1e6 * loops_.lateness().compute_quantile_s(0.5),
+                  1e6 * loops_.lateness().compute_quantile_s(0.99),
+                  static_cast<unsigned long long>(status.misses), status.sentence.c_str());
+    return text.data();
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,77 @@
+// A lesson in a window: hand and world on their threads, Lua, picture and sound here. A lesson that fails leaves the window
+// up: the force has faded, a banner says where, and saving a mended file runs it again.
+//
+//   poll window -> lesson frame -> picture -> sound, 60 times a second
+#pragma once
+
+#include "dialogue/catalogue.h"
+#include "runtime/app/desktop.h"
+#include "runtime/app/lesson_run.h"
+#include "runtime/app/live_loops.h"
+#include "runtime/app/options.h"
+#include "runtime/app/typing.h"
+#include "runtime/progress/store.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// How a screen was left.
+enum class Left : std::uint8_t { to_menu, closed, time_is_up };
+
+class LessonScreen {
+  public:
+    /// Everything given outlives the screen.
+    LessonScreen(const Places& places, Desktop& desktop, ProgressStore& store,
+                 const dialogue::Catalogue& catalogue, RunRequest request, const Options& options);
+    ~LessonScreen();
+
+    /// Plays until the learner leaves. Draws all the while, whatever the lesson does.
+    Left play();
+    /// True when the lesson failed and was not mended; then `play` has told why.
+    [[nodiscard]] bool failed() const { return !error_.empty(); }
+    /// How the haptic loop did, one sentence for the terminal.
+    [[nodiscard]] std::string statistics() const;
+
+  private:
+    void begin();
+    void stop();
+    void fail_with(const Error& error);
+    void take_input(const WindowEvents& events);
+    void take_key(const KeyPress& press);
+    void move_pointer(const WindowEvents& events);
+    void exchange();
+    void watch_files();
+    [[nodiscard]] View compose() const;
+    void save_wanted_screenshot();
+
+    const Places& places_;
+    Desktop& desktop_;
+    ProgressStore& store_;
+    const dialogue::Catalogue& catalogue_;
+    RunRequest request_;
+    const Options& options_;
+
+    std::unique_ptr<LessonRun> run_;
+    LiveLoops loops_;
+    double epoch_s_ = 0.0;
+    double next_frame_s_ = 0.0;
+    std::string error_;  // the sentence of the failure, empty while all is well
+    std::vector<std::filesystem::path> files_;
+    std::filesystem::file_time_type newest_{};
+    double next_watch_s_ = 0.0;
+
+    TypedLine typing_;
+    FrameInput input_{};
+    double wheel_m_ = 0.0;
+    bool stopped_ = false;  // the emergency stop holds
+    std::optional<Left> left_;
+    View last_view_{};
+    bool screenshot_taken_ = false;
+};
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,26 @@
+#include "runtime/app/live_loops.h"
+
+namespace fulcrum::runtime {
+
+Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
+    RealtimeSettings settings;
+    settings.epoch_s = epoch_s;
+    settings.rate_Hz = run.plan().haptic.rate_hz;
+    if (auto started = haptic_.start(run.haptic_loop(), settings); !started) {
+        return started;
+    }
+    if (run.world_loop() != nullptr) {
+        settings.rate_Hz = run.plan().world->rate_hz;
+        settings.spin_s = 0.0;  // a late world is felt as a held force; it needs no spinning
+        settings.fifo_priority = 0;
+        return world_.start(*run.world_loop(), settings);
+    }
+    return {};
+}
+
+void LiveLoops::stop() noexcept {
+    haptic_.stop();
+    world_.stop();
+}
+
+}  // namespace fulcrum::runtime

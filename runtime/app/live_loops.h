@@ -1,0 +1,33 @@
+// The threads of a lesson that is played in real time: hand and world. The lesson loop is the caller's own.
+#pragma once
+
+#include "haptics/loop/realtime_thread.h"
+#include "runtime/app/lesson_run.h"
+
+#include <string>
+
+namespace fulcrum::runtime {
+
+class LiveLoops {
+  public:
+    LiveLoops() = default;
+    LiveLoops(const LiveLoops&) = delete;
+    LiveLoops& operator=(const LiveLoops&) = delete;
+    /// Stops first.
+    ~LiveLoops() { stop(); }
+
+    /// Starts the loops that the run's plan has; time zero is `epoch_s` of the monotonic clock. The run outlives them.
+    [[nodiscard]] Expected<void> start(LessonRun& run, double epoch_s);
+    /// Ends both threads; the device is left without force.
+    void stop() noexcept;
+
+    [[nodiscard]] RealtimeStatus haptic_status() const { return haptic_.status(); }
+    [[nodiscard]] const LatencyHistogram& lateness() const { return haptic_.lateness(); }
+    [[nodiscard]] const LatencyHistogram& duration() const { return haptic_.duration(); }
+
+  private:
+    RealtimeThread haptic_;
+    RealtimeThread world_;
+};
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,51 @@
+// The program: a lesson's process when it was started as one, else what the command line asks for.
+#include "runtime/app/commands.h"
+#include "runtime/app/options.h"
+#include "runtime/lua/lesson_process.h"
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+int main(int argc, char** argv) {
+    using namespace fulcrum::runtime;
+    if (const auto socket = lesson_process_socket(argc, argv)) {
+        return lesson_process_main(*socket);
+    }
+
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const auto options = parse_options(words);
+    if (!options) {
+        return complain(options.error(), 2);
+    }
+    if (options->command == Command::help) {
+        std::fputs(usage().c_str(), stdout);
+        return 0;
+    }
+    if (options->command == Command::version) {
+        std::puts("Fulcrum 0.1.0");
+        return 0;
+    }
+    if (options->command == Command::report) {
+        return report_command(*options);
+    }
+
+    const auto installation = open_installation();
+    if (!installation) {
+        return complain(installation.error(), 2);
+    }
+    switch (options->command) {
+        case Command::run:
+            return run_command(*installation, *options);
+        case Command::list:
+            return list_command(*installation);
+        case Command::check:
+            return check_command(*installation, *options);
+        case Command::test:
+            return test_command(*installation, *options);
+        case Command::explain:
+            return explain_command(*installation, *options);
+        default:
+            return menu_command(*installation, *options);
+    }
+}

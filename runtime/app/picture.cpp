@@ -1,0 +1,74 @@
+#include "runtime/app/picture.h"
+
+#include "runtime/render/egl/offscreen.h"
+#include "runtime/render/image.h"
+#include "runtime/scene/gltf/gltf_model.h"
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr int kScreenshotWidth_px = 1280;
+constexpr int kScreenshotHeight_px = 720;
+
+}  // namespace
+
+Expected<std::unique_ptr<Picture>> Picture::create(const Places& places) {
+    std::unique_ptr<Picture> picture(new Picture(places));
+    auto renderer = Renderer::create();
+    if (!renderer) {
+        return tl::unexpected(renderer.error());
+    }
+    picture->renderer_ = std::move(*renderer);
+    return picture;
+}
+
+std::vector<std::string> Picture::load_models(const LessonDescription& lesson,
+                                              const std::filesystem::path& lesson_folder) {
+    std::vector<std::string> names{"pointer"};
+    if (lesson.bucket.present) {
+        names.push_back(lesson.bucket.model);
+    }
+    for (const BodyDescription& body : lesson.bodies) {
+        names.push_back(body.model);
+    }
+    return load_models(names, lesson_folder);
+}
+
+std::vector<std::string> Picture::load_models(const std::vector<std::string>& names,
+                                              const std::filesystem::path& lesson_folder) {
+    std::vector<std::string> notices;
+    for (const std::string& name : names) {
+        const std::filesystem::path file = find_model(places_, lesson_folder, name);
+        if (file.empty() || !loaded_.insert(file).second) {
+            continue;
+        }
+        auto model = load_gltf(file);
+        if (!model) {
+            notices.push_back(to_sentence(model.error()));
+            continue;
+        }
+        model->name = name;
+        if (auto added = renderer_->add_model(*model); !added) {
+            notices.push_back(to_sentence(added.error()));
+        }
+    }
+    return notices;
+}
+
+Expected<void> save_screenshot(const Places& places, const LessonDescription& lesson,
+                               const std::filesystem::path& lesson_folder, const View& view,
+                               const std::filesystem::path& file) {
+    auto offscreen = Offscreen::create(kScreenshotWidth_px, kScreenshotHeight_px);
+    if (!offscreen) {
+        return tl::unexpected(offscreen.error());
+    }
+    auto picture = Picture::create(places);
+    if (!picture) {
+        return tl::unexpected(picture.error());
+    }
+    (void)(*picture)->load_models(lesson, lesson_folder);
+    (*picture)->draw(view, kScreenshotWidth_px, kScreenshotHeight_px);
+    return save_png(file, (*offscreen)->read_back());
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,43 @@
+// Renderer and models for a lesson, in a window or without one.
+#pragma once
+
+#include "runtime/app/places.h"
+#include "runtime/render/renderer.h"
+#include "runtime/scene/description.h"
+#include "runtime/scene/view.h"
+
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// Draws views with the models that lessons name; needs a current OpenGL context.
+class Picture {
+  public:
+    [[nodiscard]] static Expected<std::unique_ptr<Picture>> create(const Places& places);
+
+    /// Loads the models that a lesson names and were not loaded yet. A model that cannot be used is drawn as a ball and
+    /// gives one sentence here.
+    [[nodiscard]] std::vector<std::string> load_models(const LessonDescription& lesson,
+                                                       const std::filesystem::path& lesson_folder);
+    /// The same for models that every lesson may show.
+    [[nodiscard]] std::vector<std::string> load_models(const std::vector<std::string>& names,
+                                                       const std::filesystem::path& lesson_folder);
+    void draw(const View& view, int width, int height) { renderer_->draw(view, width, height); }
+
+  private:
+    explicit Picture(const Places& places) : places_(places) {}
+    Places places_;
+    std::unique_ptr<Renderer> renderer_;
+    std::set<std::filesystem::path> loaded_;
+};
+
+/// Draws one view without a display and keeps it as PNG.
+[[nodiscard]] Expected<void> save_screenshot(const Places& places, const LessonDescription& lesson,
+                                             const std::filesystem::path& lesson_folder,
+                                             const View& view, const std::filesystem::path& file);
+
+}  // namespace fulcrum::runtime

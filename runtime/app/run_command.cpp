@@ -1,0 +1,203 @@
+#include "runtime/app/commands.h"
+#include "runtime/app/desktop.h"
+#include "runtime/app/headless.h"
+#include "runtime/app/lesson_run.h"
+#include "runtime/app/lesson_screen.h"
+#include "runtime/app/menu_screen.h"
+#include "runtime/app/open_store.h"
+#include "runtime/app/picture.h"
+
+#include <cstdio>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr const char* kSimulatedPupil = "simulated pupil";
+
+Expected<RunRequest> make_request(const Installation& installation, const Options& options,
+                                  bool in_window) {
+    RunRequest request;
+    const auto folder = find_lesson(installation.places, options.lesson);
+    if (!folder) {
+        return tl::unexpected(folder.error());
+    }
+    request.folder = *folder;
+    request.plan.force_limit_N = options.force_limit_N;
+    request.plan.picture = in_window || !options.screenshot.empty();
+    request.plan.sound = in_window && !options.mute;
+    request.plan.record = !options.record.empty();
+    request.record_file = options.record;
+    request.learner = options.learner;
+
+    // Whose hand: what was asked for, else the mouse in a window and the lesson's own simulated hand without.
+    constexpr std::string_view kReplay = "replay:";
+    if (options.hand.rfind(kReplay, 0) == 0) {
+        request.hand = HandKind::replay;
+        request.hand_file = options.hand.substr(kReplay.size());
+    } else if (options.hand == "mouse" || (options.hand.empty() && in_window)) {
+        request.hand = HandKind::mouse;
+    } else {
+        request.hand_file = options.hand;
+    }
+    if (!in_window && request.hand == HandKind::mouse) {
+        return fail("there is no mouse without a window", "",
+                    "leave --hand out, or give it a hand's file");
+    }
+
+    // Whose answers: a file's, the lesson's own when nobody could type, else the keyboard's.
+    if (!options.say.empty()) {
+        const auto lines = SimulatedPupil::read_lines(options.say);
+        if (!lines) {
+            return tl::unexpected(lines.error());
+        }
+        request.say = *lines;
+    }
+    request.own_test = !in_window;
+    if (!in_window && request.learner.empty()) {
+        request.learner = kSimulatedPupil;
+    }
+    return request;
+}
+
+int run_in_window(const Installation& installation, const Options& options, RunRequest request) {
+    auto desktop = Desktop::open(installation.places, options.mute);
+    if (!desktop) {
+        return complain(desktop.error(), 2);
+    }
+    const auto store = open_store_or_none(options.database);
+    LessonScreen screen(installation.places, *desktop, *store, installation.catalogue,
+                        std::move(request), options);
+    (void)screen.play();
+    std::fprintf(stderr, "%s\n", screen.statistics().c_str());
+    return screen.failed() ? 1 : 0;
+}
+
+// Writes the picture at the wanted time, or at the end.
+class ScreenshotTaker {
+  public:
+    ScreenshotTaker(const Installation& installation, const Options& options, LessonRun& run,
+                    const std::filesystem::path& folder)
+        : installation_(installation), options_(options), run_(run), folder_(folder) {}
+
+    void after_frame(double now_s) {
+        if (!taken_ && options_.screenshot_at_s >= 0.0 && now_s >= options_.screenshot_at_s) {
+            take();
+        }
+    }
+    void at_end() {
+        if (!taken_ && !options_.screenshot.empty()) {
+            take();
+        }
+    }
+    [[nodiscard]] bool failed() const { return failed_; }
+
+  private:
+    void take() {
+        taken_ = true;
+        const auto saved = save_screenshot(installation_.places, run_.description(), folder_,
+                                           run_.view(installation_.catalogue), options_.screenshot);
+        if (!saved) {
+            failed_ = true;
+            complain(saved.error(), 2);
+        }
+    }
+
+    const Installation& installation_;
+    const Options& options_;
+    LessonRun& run_;
+    std::filesystem::path folder_;
+    bool taken_ = false;
+    bool failed_ = false;
+};
+
+int run_without_window(const Installation& installation, const Options& options,
+                       const RunRequest& request) {
+    const auto store = open_store_or_none(options.database);
+    auto run = LessonRun::create(installation.places, request, *store, installation.catalogue);
+    if (!run) {
+        return complain(run.error(), 1);
+    }
+    ScreenshotTaker screenshot(installation, options, **run, request.folder);
+    HeadlessSettings settings;
+    settings.end_s = options.seconds;
+    if (!options.screenshot.empty()) {
+        settings.after_frame = [&](double now_s) { screenshot.after_frame(now_s); };
+    }
+    const auto outcome = run_headless(**run, settings);
+    const auto recorded = (*run)->finish_record();
+    if (!outcome) {
+        return complain(outcome.error(), 1);
+    }
+    if (!recorded) {
+        return complain(recorded.error(), 2);
+    }
+    screenshot.at_end();
+    if (!(*run)->session().store_trouble().empty()) {
+        std::fprintf(stderr, "%s\n", (*run)->session().store_trouble().c_str());
+    }
+    const SessionResult& result = (*run)->session().result();
+    (*run)->session().end(EndReason::left);
+    std::printf(
+        "%s: %s after %.1f s (%.0f times real time), score %d, %d of 3 stars, %d answers.\n",
+        (*run)->description().id.c_str(), outcome->finished ? "finished" : "ended",
+        outcome->simulated_s, outcome->wall_s > 0.0 ? outcome->simulated_s / outcome->wall_s : 0.0,
+        result.score, result.stars, result.attempts);
+    if (outcome->nobody_answered) {
+        std::fprintf(
+            stderr,
+            "The lesson asked and nobody answered; give --say a file with one answer a line.\n");
+        return 1;
+    }
+    return screenshot.failed() ? 2 : 0;
+}
+
+}  // namespace
+
+int run_command(const Installation& installation, const Options& options) {
+    const bool in_window = !options.headless && display_available();
+    if (!options.headless && !in_window) {
+        std::fprintf(
+            stderr,
+            "There is no display, so the lesson runs without a window, with the simulated hand.\n");
+    }
+    auto request = make_request(installation, options, in_window);
+    if (!request) {
+        return complain(request.error(), 2);
+    }
+    return in_window ? run_in_window(installation, options, std::move(*request))
+                     : run_without_window(installation, options, *request);
+}
+
+int menu_command(const Installation& installation, const Options& options) {
+    if (!display_available()) {
+        std::fprintf(stderr,
+                     "There is no display; here are the lessons, play one with: fulcrum run LESSON "
+                     "--headless\n");
+        return list_command(installation);
+    }
+    auto desktop = Desktop::open(installation.places, options.mute);
+    if (!desktop) {
+        return complain(desktop.error(), 2);
+    }
+    const auto store = open_store_or_none(options.database);
+    const auto cards = read_lesson_cards(installation.places);
+    for (const LessonCard& card : cards) {
+        (void)desktop->picture->load_models(std::vector<std::string>{card.icon}, card.folder);
+    }
+    while (const auto card = choose_lesson(*desktop, cards, installation.catalogue)) {
+        Options chosen = options;
+        chosen.lesson = card->name;
+        auto request = make_request(installation, chosen, true);
+        if (!request) {
+            return complain(request.error(), 2);
+        }
+        LessonScreen screen(installation.places, *desktop, *store, installation.catalogue,
+                            std::move(*request), chosen);
+        if (screen.play() == Left::closed) {
+            break;
+        }
+    }
+    return 0;
+}
+
+}  // namespace fulcrum::runtime

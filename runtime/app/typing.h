@@ -1,0 +1,26 @@
+// One line of text being typed: letters, backspace, return.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace fulcrum::runtime {
+
+class TypedLine {
+  public:
+    /// Adds typed UTF-8; what would make the line too long, and control characters, are left out.
+    void add(std::string_view utf8);
+    /// Takes the last character away, whole.
+    void backspace();
+    /// Gives the line and empties it; nothing when only blanks were typed.
+    [[nodiscard]] std::optional<std::string> take();
+    void clear() { text_.clear(); }
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+  private:
+    static constexpr std::size_t kLongest_bytes = 160;
+    std::string text_;
+};
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,111 @@
+#include "runtime/lesson/compose_view.h"
+
+#include <algorithm>
+
+#include <cmath>
+#include <cstdio>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr double kShownForce_N = 0.05;     // a smaller force is below what a hand notices: no arrow
+constexpr double kSquashPerNewton = 0.02;  // flattening of what lies in the bucket, felt by the eye
+constexpr double kStrongestSquash = 0.25;
+
+// Flatter and wider, with the same volume.
+Vector3 squash(double amount) {
+    const double wide = 1.0 / std::sqrt(1.0 - amount);
+    return {wide, 1.0 - amount, wide};
+}
+
+const BodyState* state_of(const Scenery& scenery, std::size_t body) {
+    return scenery.world != nullptr && body < static_cast<std::size_t>(scenery.world->n_bodies)
+               ? &scenery.world->bodies[body]
+               : nullptr;
+}
+
+void add_bodies(const LessonDescription& lesson, const Scenery& scenery, View& view) {
+    const double force_N = scenery.hand.applied_W.force.norm();
+    for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
+        const BodyDescription& body = lesson.bodies[i];
+        const BodyState* state = state_of(scenery, i);
+        const BodyWhere where = state != nullptr ? state->where
+                                : body.visible   ? BodyWhere::placed
+                                                 : BodyWhere::hidden;
+        if (where == BodyWhere::hidden) {
+            continue;
+        }
+        ViewBody shown;
+        shown.model = body.model;
+        shown.pose_W = state != nullptr ? state->pose_W : Pose::at(body.position_W);
+        if (where == BodyWhere::held && !scenery.renders_force) {
+            shown.scale = squash(std::min(kSquashPerNewton * force_N, kStrongestSquash));
+        }
+        if (where == BodyWhere::held || where == BodyWhere::placed) {
+            shown.label = body.movable ? body.noun : "";
+        }
+        view.bodies.push_back(std::move(shown));
+    }
+}
+
+// What lies in the bucket is named in both its weights: the one it has and the one that is felt.
+std::string weight_text(const LessonDescription& lesson, const Plan& plan, const Scenery& scenery,
+                        const dialogue::Catalogue& catalogue, double force_N) {
+    double true_N = 0.0;
+    double felt_N = 0.0;
+    for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
+        const BodyState* state = state_of(scenery, i);
+        if (state != nullptr && state->where == BodyWhere::held) {
+            true_N += lesson.bodies[i].mass_kg * lesson.gravity_W.norm();
+            felt_N += plan.felt_weight_N[i];
+        }
+    }
+    if (felt_N > 0.0) {
+        return catalogue.say("hud.weight",
+                             {{"felt", newtons_text(felt_N)}, {"true", newtons_text(true_N)}});
+    }
+    return catalogue.say("hud.force", {{"newtons", newtons_text(force_N)}});
+}
+
+}  // namespace
+
+std::string newtons_text(double newtons) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", newtons);
+    return text;
+}
+
+View compose_view(const LessonDescription& lesson, const Plan& plan, const SessionHud& hud,
+                  const Scenery& scenery, const dialogue::Catalogue& catalogue) {
+    View view;
+    view.time_s = scenery.time_s;
+    view.camera = lesson.camera;
+    view.ground_height_m = lesson.ground_height_m;
+    add_bodies(lesson, scenery, view);
+
+    // The tool is drawn where it may be; a ghost shows where the hand is.
+    view.tool.model = lesson.bucket.present ? lesson.bucket.model : "pointer";
+    view.tool.pose_W = scenery.hand.tool_pose_W;
+    view.tool.pose_W.position = scenery.hand.proxy_position_W;
+    view.ghost_visible = scenery.ghost;
+    view.ghost_pose_W = scenery.ghost_pose_W;
+
+    const Vector3 force_W = scenery.hand.applied_W.force;
+    const double force_N = force_W.norm();
+    if (force_N > kShownForce_N) {
+        view.force = {true, view.tool.pose_W.position, force_W,
+                      weight_text(lesson, plan, scenery, catalogue, force_N)};
+    }
+
+    view.title = lesson.title;
+    view.caption = hud.caption;
+    view.feedback = hud.feedback;
+    view.input_visible = hud.question_open;
+    view.score = hud.score;
+    view.level = hud.level;
+    view.level_title = hud.level_title;
+    view.stars = hud.stars;
+    return view;
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,36 @@
+// Puts one frame's picture together from what the loops and the session say. Pure: the same input,
+// the same view.
+//
+// Thread: lesson loop. Cost: a copy of the words and one entry a visible body.
+#pragma once
+
+#include "dialogue/catalogue.h"
+#include "haptics/handover/messages.h"
+#include "runtime/lesson/session.h"
+#include "runtime/scene/description.h"
+#include "runtime/scene/plan.h"
+#include "runtime/scene/view.h"
+
+#include <string>
+
+namespace fulcrum::runtime {
+
+/// Everything that a frame shows.
+struct Scenery {
+    double time_s = 0.0;
+    HapticState hand{};
+    const WorldSnapshot* world = nullptr;  ///< null when the plan has none
+    bool renders_force = true;  ///< false for a mouse: what can't be felt is shown more strongly
+    bool ghost = false;         ///< show where the hand itself is
+    Pose ghost_pose_W{};
+};
+
+/// The picture of a lesson that runs.
+[[nodiscard]] View compose_view(const LessonDescription& lesson, const Plan& plan,
+                                const SessionHud& hud, const Scenery& scenery,
+                                const dialogue::Catalogue& catalogue);
+
+/// Newtons as a child reads them: one decimal.
+[[nodiscard]] std::string newtons_text(double newtons);
+
+}  // namespace fulcrum::runtime

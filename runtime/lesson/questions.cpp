@@ -1,0 +1,70 @@
+#include "runtime/lesson/questions.h"
+
+#include <algorithm>
+
+namespace fulcrum::runtime {
+namespace {
+
+std::vector<std::string> nouns_of(const LessonDescription& lesson) {
+    std::vector<std::string> nouns;
+    for (const BodyDescription& body : lesson.bodies) {
+        if (!body.noun.empty() && std::find(nouns.begin(), nouns.end(), body.noun) == nouns.end()) {
+            nouns.push_back(body.noun);
+        }
+    }
+    return nouns;
+}
+
+// Every {name} that the templates use and the teacher did not list means a thing of the scene.
+dialogue::NamedLists lists_of(const QuestionDescription& question,
+                              const std::vector<std::string>& nouns) {
+    dialogue::NamedLists lists = question.lists;
+    for (const std::string& answer : question.answers) {
+        for (std::size_t open = answer.find('{'); open != std::string::npos;
+             open = answer.find('{', open + 1)) {
+            const std::size_t close = answer.find('}', open);
+            if (close == std::string::npos) {
+                break;
+            }
+            const std::string name = answer.substr(open + 1, close - open - 1);
+            const bool known = std::any_of(lists.begin(), lists.end(),
+                                           [&](const auto& list) { return list.first == name; });
+            if (!known) {
+                lists.emplace_back(name, nouns);
+            }
+        }
+    }
+    return lists;
+}
+
+}  // namespace
+
+Expected<std::map<std::string, dialogue::Question>> compile_questions(
+    const LessonDescription& lesson) {
+    std::map<std::string, dialogue::Question> compiled;
+    const std::vector<std::string> nouns = nouns_of(lesson);
+    for (const QuestionDescription& question : lesson.questions) {
+        dialogue::QuestionSource source;
+        source.id = question.id;
+        source.prompt = question.prompt;
+        source.answers = question.answers;
+        source.lists = lists_of(question, nouns);
+        auto result = dialogue::compile_question(source);
+        const std::string where = "lesson.lua:" + std::to_string(question.line);
+        if (!result) {
+            const std::string column =
+                result.error().column > 0
+                    ? " (column " + std::to_string(result.error().column) + ")"
+                    : "";
+            return fail(result.error().message + column, where,
+                        "mend the question \"" + question.id + "\"");
+        }
+        if (!compiled.emplace(question.id, std::move(*result)).second) {
+            return fail("two questions are called \"" + question.id + "\"", where,
+                        "give each a name of its own");
+        }
+    }
+    return compiled;
+}
+
+}  // namespace fulcrum::runtime

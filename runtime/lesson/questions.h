@@ -1,0 +1,18 @@
+// A lesson's questions, compiled for the conversation.
+#pragma once
+
+#include "dialogue/marking/question.h"
+#include "haptics/base/error.h"
+#include "runtime/scene/description.h"
+
+#include <map>
+#include <string>
+
+namespace fulcrum::runtime {
+
+/// Compiles every question; a {thing} that no list explains means the nouns of the lesson's bodies. An error names the
+/// line of the question and the column of the template.
+[[nodiscard]] Expected<std::map<std::string, dialogue::Question>> compile_questions(
+    const LessonDescription& lesson);
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,153 @@
+// One play of one lesson: turns what happened into a frame for the lesson's Lua, and the Lua's
+// commands into what the loops, the picture, the sound and the store do. Holds the questions, the
+// marks and the score.
+//
+//   begin_frame(what happened) -> LessonFrame -> lesson's process -> LessonReply -> finish_frame ->
+//   what to do
+//
+// Thread: lesson loop. Cost: microseconds; an attempt waits for the store's disk.
+#pragma once
+
+#include "dialogue/catalogue.h"
+#include "dialogue/conversation/conversation.h"
+#include "haptics/base/error.h"
+#include "haptics/handover/messages.h"
+#include "runtime/progress/store.h"
+#include "runtime/scene/description.h"
+#include "runtime/scene/lesson_messages.h"
+#include "runtime/scene/plan.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// What happened since the last frame.
+struct SessionInput {
+    double time_s = 0.0;
+    double dt_s = 0.0;
+    HapticState hand{};
+    const WorldSnapshot* world = nullptr;  ///< null when the plan has no world
+    std::vector<WorldEvent> world_events;
+    std::vector<std::string> keys;
+    std::optional<std::string> heard;  ///< the learner's words, typed or scripted
+};
+
+/// What is to be done before the next frame.
+struct SessionOutput {
+    std::vector<WorldCommand> world;
+    ForceCommand force{};
+    std::vector<std::string> sounds;
+    bool has_hand_target = false;  ///< the simulated hand's Lua gave one
+    Pose hand_target_W{};
+    std::uint32_t hand_buttons = 0;
+    std::vector<std::string> printed;
+};
+
+/// What a learner sees of the lesson, apart from the bodies.
+struct SessionHud {
+    std::string caption;   ///< the one instruction
+    std::string feedback;  ///< the last answer's answer, *emphasised* where it teaches
+    bool question_open = false;
+    double question_asked_at_s = 0.0;
+    int score = 0;
+    int level = 0;
+    std::string level_title;
+    int stars = -1;  ///< 0 to 3 once the lesson is over
+};
+
+/// How one play went; what `fulcrum test` compares with what the lesson expects.
+struct SessionResult {
+    bool finished = false;
+    int stars = 0;
+    int score = 0;
+    int level = 0;
+    int attempts = 0;
+    int caught = 0;
+    int form_errors = 0;
+};
+
+class LessonSession {
+  public:
+    /// Compiles the questions. The store and the catalogue outlive the session.
+    [[nodiscard]] static Expected<std::unique_ptr<LessonSession>> create(
+        LessonDescription description, const Plan& plan, const dialogue::Catalogue& catalogue,
+        ProgressStore& store, LearnerId learner, std::string lesson_version);
+
+    /// The message for the lesson's process; valid until the next call.
+    [[nodiscard]] const LessonFrame& begin_frame(const SessionInput& input);
+    /// Carries the reply out. A reply that names a body, force or question that isn't there is the
+    /// lesson's error.
+    [[nodiscard]] Expected<SessionOutput> finish_frame(const LessonReply& reply);
+
+    [[nodiscard]] const LessonDescription& description() const { return description_; }
+    [[nodiscard]] const SessionHud& hud() const { return hud_; }
+    [[nodiscard]] const SessionResult& result() const { return result_; }
+    /// Keeps the session's end, once; a session that is dropped without it counts as left.
+    void end(EndReason reason);
+    /// The sentence of the first write that the store refused, or empty; the lesson goes on without
+    /// it.
+    [[nodiscard]] const std::string& store_trouble() const { return store_trouble_; }
+
+  private:
+    LessonSession(LessonDescription description, const Plan& plan,
+                  const dialogue::Catalogue& catalogue, ProgressStore& store);
+
+    void hear(const std::string& words);
+    void queue_world_events(const std::vector<WorldEvent>& events);
+    void queue_touch_events(std::int32_t touched_body);
+    void answer(bool right);
+    void close_question();
+    void open_question(const std::string& id);
+    void end_invitation();
+    [[nodiscard]] AnsweredEvent answered_event(const dialogue::Mark& mark, bool right,
+                                               const dialogue::Feedback& feedback) const;
+    void keep_attempt(const dialogue::Mark& mark, int attempt_number, bool right);
+    void keep(const std::function<Expected<void>()>& write);
+
+    // One for each command a lesson can send; false when it names something that isn't there.
+    bool carry_out(const MoveCommand& command, SessionOutput& output);
+    bool carry_out(const FieldChangeCommand& command, SessionOutput& output);
+    bool carry_out(const LessonForceCommand& command, SessionOutput& output);
+    bool carry_out(const CaptionCommand& command, SessionOutput& output);
+    bool carry_out(const AskCommand& command, SessionOutput& output);
+    bool carry_out(const VerdictCommand& command, SessionOutput& output);
+    bool carry_out(const ScoreCommand& command, SessionOutput& output);
+    bool carry_out(const LevelCommand& command, SessionOutput& output);
+    bool carry_out(const SoundCommand& command, SessionOutput& output);
+    bool carry_out(const FinishCommand& command, SessionOutput& output);
+    bool carry_out(const PrintCommand& command, SessionOutput& output);
+
+    // What is fixed for the whole play.
+    LessonDescription description_;
+    std::map<std::string, dialogue::Question> questions_;
+    ProgressStore* store_;
+    SessionRecord record_;
+
+    // What the lesson has asked for so far.
+    ForceCommand force_{};
+    SessionHud hud_{};
+    SessionResult result_{};
+
+    // The question that is open, if any, and the answer that waits for the lesson's verdict.
+    dialogue::Conversation conversation_;
+    std::string open_question_;
+    std::optional<dialogue::Mark> awaiting_verdict_;
+    std::optional<AnsweredEvent> pending_answer_;  ///< right already, while it may be said once more
+    double repeat_until_s_ = 0.0;
+
+    // One frame.
+    LessonFrame frame_{};
+    std::vector<LessonEvent> queued_;
+    std::vector<std::string> sounds_;
+    std::int32_t touched_body_ = kNoBody;
+    double time_s_ = 0.0;
+    std::string store_trouble_;
+    bool ended_ = false;
+};
+
+}  // namespace fulcrum::runtime

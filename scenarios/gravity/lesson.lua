@@ -1,0 +1,175 @@
+-- The gravity game: catch what falls, feel what it weighs, say which one is the heaviest.
+--
+-- The answer key is the simulated physics: a body's weight is its mass times gravity. Change a mass below and the right
+-- answers change with it.
+
+local story = require "story"
+local wait, wait_for = story.wait, story.wait_for
+
+local L = lesson { id = "gravity", title = "Which one is the heaviest?", level = "A1", minutes = 10 }
+
+-- True masses in kilograms. `exaggeration` makes the felt weights easy to tell apart; Fulcrum then shrinks all of them by
+-- one factor until they fit under the arm's limit. With a limit of 10 N the apple weighs 6 N in the hand and the egg 3 N.
+local fruit = {
+  watermelon = { a = "a watermelon", mass = 3.0,    exaggeration = 0.3, radius = 0.095, drag_area = 0.013 },
+  apple      = { a = "an apple",     mass = 0.2039, exaggeration = 3.0, radius = 0.04,  drag_area = 0.0024 },
+  banana     = { a = "a banana",     mass = 0.12,   exaggeration = 3.5, radius = 0.045, drag_area = 0.004 },
+  egg        = { a = "an egg",       mass = 0.0612, exaggeration = 5.0, radius = 0.026, drag_area = 0.001 },
+}
+
+-- What falls in each level, and what is asked then.
+local levels = {
+  { title = "Two things",   falls = { "apple", "egg" },                         asks = { "heavier" } },
+  { title = "Three things", falls = { "egg", "banana", "apple" },               asks = { "heaviest" } },
+  { title = "Four things",  falls = { "banana", "watermelon", "egg", "apple" }, asks = { "heaviest", "lightest" } },
+}
+
+-- Where things fall from, one place after the other: left, right, middle …
+local places = { -0.22, 0.2, 0.02, -0.12, 0.26, 0.1 }
+local height = 1.05
+
+local bodies = {}    -- name -> body
+local in_play = {}   -- the bodies of this level
+local score = 0
+local next_place = 1
+
+function L:start(world)
+  world:gravity(9.81)
+  world:ground(0)
+  world:camera { eye = { 0, 0.62, 1.75 }, target = { 0, 0.47, 0 } }
+  world:hand { centre = { 0, 0.3, 0 }, scale = 2 }
+  world:bucket { model = "bucket", radius = 0.11, depth = 0.14 }
+  for name, f in pairs(fruit) do
+    bodies[name] = world:body {
+      name = name, noun = name, model = name, movable = true,
+      mass = f.mass, exaggeration = f.exaggeration, radius = f.radius, drag_area = f.drag_area,
+    }
+  end
+  story(L, function() play(world) end)
+end
+
+-- ---- physics is the answer key ------------------------------------------------------------------------------------
+
+local function extreme(better)
+  local best
+  for _, body in ipairs(in_play) do
+    if not best or better(body.weight, best.weight) then best = body end
+  end
+  return best
+end
+
+local function heaviest() return extreme(function(a, b) return a > b end) end
+local function lightest() return extreme(function(a, b) return a < b end) end
+
+-- ---- questions ----------------------------------------------------------------------------------------------------
+
+L:question "heavier" {
+  prompt = "Which one is heavier, the apple or the egg?",
+  answers = { "[a|an|the] {thing} is <comparative:heavy> [than [a|an|the] {other}]" },
+  right = function(a)
+    local thing, other = bodies[a.thing], bodies[a.other]
+    return thing == heaviest() and (other == nil or other.weight < thing.weight)
+  end,
+}
+
+L:question "heaviest" {
+  prompt = "Which one is the heaviest?",
+  answers = { "[a|an|the] {thing} is the <superlative:heavy> [one|thing|object]" },
+  right = function(a) return bodies[a.thing] == heaviest() end,
+}
+
+L:question "lightest" {
+  prompt = "Which one is the lightest?",
+  answers = { "[a|an|the] {thing} is the <superlative:light> [one|thing|object]" },
+  right = function(a) return bodies[a.thing] == lightest() end,
+}
+
+-- ---- the game -----------------------------------------------------------------------------------------------------
+
+local function add_score(world, points)
+  score = score + points
+  world:score(score)
+end
+
+-- Lets a body fall until it is caught, then lets its weight be felt.
+local function catch(world, body)
+  local a = fruit[body.name].a
+  repeat
+    world:caption("Catch " .. a .. "!")
+    body:drop { at = { places[next_place], height, 0 } }
+    next_place = next_place % #places + 1
+    local event = wait_for { "caught", "landed", body = body }
+    if event.name == "landed" then wait(1) end
+  until event.name == "caught"
+  add_score(world, 1)
+  world:caption("This is " .. a .. ". Feel how heavy it is.")
+  wait(3)
+  world:release()
+  wait(0.6)
+end
+
+-- Puts things into the bucket one after the other, so that the hand can compare them.
+local function weigh(world, things)
+  for _, body in ipairs(things) do
+    world:caption("Feel " .. fruit[body.name].a .. ".")
+    body:hold()
+    wait(2.5)
+    world:release()
+    wait(0.8)
+  end
+end
+
+-- Asks until the meaning is right; after a wrong answer both things are weighed again.
+local function ask(world, question, key)
+  local points = 3
+  repeat
+    local answer = story.ask(world, question)
+    if answer.understood and not answer.right then
+      points = math.max(points - 1, 1)
+      wait(2)
+      local said = bodies[answer.thing]
+      weigh(world, said and said ~= key() and { said, key() } or { key() })
+    end
+  until answer.over
+  if answer.right then add_score(world, points) end
+  wait(3)
+end
+
+local function play_level(world, number)
+  local level = levels[number]
+  world:level(number, level.title)
+  in_play = {}
+  for _, name in ipairs(level.falls) do in_play[#in_play + 1] = bodies[name] end
+  for _, body in ipairs(in_play) do catch(world, body) end
+  for _, question in ipairs(level.asks) do
+    ask(world, question, question == "lightest" and lightest or heaviest)
+  end
+end
+
+-- The most that can be had: a point a catch, three a question.
+local function best_score()
+  local best = 0
+  for _, level in ipairs(levels) do best = best + #level.falls + 3 * #level.asks end
+  return best
+end
+
+function play(world)
+  wait(1)
+  while true do
+    score, next_place = 0, 1
+    world:score(0)
+    for number = 1, #levels do play_level(world, number) end
+    world:caption "Press the space bar to play again."
+    world:finish { stars = score >= best_score() and 3 or score >= 0.75 * best_score() and 2 or 1 }
+    wait_for { "key", key = "space" }
+  end
+end
+
+L:test {
+  hand = "catcher.lua",
+  say = { "the apple is heavier than the egg", "watermelon is most heavy", "an apple is the heaviest",
+          "watermelon is most heavy", "the egg is the lightest" },
+  expect = { finished = true },
+}
+
+return L
