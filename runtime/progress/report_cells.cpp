@@ -8,12 +8,8 @@ namespace fulcrum::runtime {
 std::string time_cell(std::int64_t utc_ms, const ReportStyle& style) {
     const std::int64_t utc_s = utc_ms >= 0 ? utc_ms / 1000 : (utc_ms - 999) / 1000;
     const auto time = static_cast<std::time_t>(utc_s);
-    std::tm parts{};
-    const bool known =
-        style.utc ? gmtime_r(&time, &parts) != nullptr : localtime_r(&time, &parts) != nullptr;
-    if (!known) {
-        return "unknown time";  // a year beyond what the system's calendar knows
-    }
+    std::tm parts{};  // any number of milliseconds has a year that fits
+    style.utc ? gmtime_r(&time, &parts) : localtime_r(&time, &parts);
     std::array<char, 40> text{};
     const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M %z", &parts);
     return {text.data(), size};

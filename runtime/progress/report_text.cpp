@@ -135,7 +135,7 @@ void write_table(const LessonReport& lesson, std::string& out) {
     }
     std::string above(kTableIndent + kNameWidth, ' ');
     std::string head(kTableIndent, ' ');
-  head += padded("question", kNameWidth);
+    head += padded("question", kNameWidth);
     for (const Column& column : kNumbers) {
         above += right_aligned(column.above, column.width);
         head += right_aligned(column.head, column.width);

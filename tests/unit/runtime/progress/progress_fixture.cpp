@@ -30,6 +30,11 @@ TemporaryFolder::~TemporaryFolder() {
     std::filesystem::remove_all(path_, ignored);
 }
 
+std::size_t TemporaryFolder::entries() const {
+    const std::filesystem::directory_iterator files(path_);
+    return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+}
+
 Classroom::Classroom(const std::string& database_path) : path(database_path) {
     auto opened = open_sqlite_store(path);
     if (!opened) {
@@ -67,6 +72,11 @@ AttemptRecord attempt_for(const RecordId& session, const std::string& question, 
 
 std::string error_text(const Expected<void>& result) {
     return result ? "" : to_sentence(result.error());
+}
+
+std::string refusal(const std::string& path, const SqliteStoreOptions& options) {
+    const auto opened = open_sqlite_store(path, options);
+    return opened ? "" : to_sentence(opened.error());
 }
 
 bool is_sentence_about(const std::string& text, const std::string& place) {

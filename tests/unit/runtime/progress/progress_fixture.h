@@ -2,9 +2,8 @@
 // raw SQL.
 #pragma once
 
-#include "runtime/progress/store.h"
+#include "runtime/progress/sqlite/sqlite_store.h"
 
-#include <cstdint>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -22,6 +21,8 @@ class TemporaryFolder {
     ~TemporaryFolder();
     [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
     [[nodiscard]] const std::string& path() const noexcept { return path_; }
+    /// Files and folders that lie directly in it.
+    [[nodiscard]] std::size_t entries() const;
 
   private:
     std::string path_;
@@ -42,6 +43,9 @@ struct Classroom {
 
 /// The error as its sentence; "" when there is none.
 [[nodiscard]] std::string error_text(const Expected<void>& result);
+
+/// The sentence of a refused opening; "" when it opened.
+[[nodiscard]] std::string refusal(const std::string& path, const SqliteStoreOptions& options = {});
 
 /// True for one sentence that names the place: it ends in a full stop and has one line.
 [[nodiscard]] bool is_sentence_about(const std::string& text, const std::string& place);

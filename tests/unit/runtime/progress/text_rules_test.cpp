@@ -1,8 +1,6 @@
 // Nicknames that are taken and refused, and learners' words that are mended.
 #include "runtime/progress/text_rules.h"
 
-#include "runtime/progress/records.h"
-
 #include <catch2/catch.hpp>
 
 #include <random>
@@ -96,26 +94,6 @@ TEST_CASE("display width: Korean is two columns, accents none") {
     CHECK(display_width("민아") == 4);
     CHECK(display_width("e\u0301") == 1);
     CHECK(display_width("🍉") == 2);
-}
-
-TEST_CASE("record ids: 32 hexadecimal digits, no two alike, each bit used") {
-    RecordId ones(32, '0');
-    RecordId previous;
-    for (int i = 0; i < 200; ++i) {
-        const RecordId id = random_record_id();
-        CHECK(is_record_id(id));
-        CHECK(id != previous);
-        for (std::size_t digit = 0; digit < id.size(); ++digit) {
-            ones[digit] = id[digit] != previous[digit] && i > 0 ? 'x' : ones[digit];
-        }
-        previous = id;
-    }
-    CHECK(ones == RecordId(32, 'x'));
-    CHECK_FALSE(is_record_id(""));
-    CHECK_FALSE(is_record_id(RecordId(31, 'a')));
-    CHECK_FALSE(is_record_id(RecordId(32, 'A')));
-    CHECK_FALSE(is_record_id(RecordId(33, 'a')));
-    CHECK_FALSE(is_record_id(RecordId(32, 'g')));
 }
 
 }  // namespace

@@ -1,0 +1,74 @@
+// Ids, and records that are refused before any store sees them.
+#include "runtime/progress/records.h"
+
+#include "tests/unit/runtime/progress/progress_fixture.h"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+namespace fulcrum::runtime {
+namespace {
+
+using test::attempt_for;
+using test::Classroom;
+using test::error_text;
+using test::TemporaryFolder;
+
+TEST_CASE("record ids: 32 hexadecimal digits, no two alike, each bit used") {
+    RecordId ones(32, '0');
+    RecordId previous;
+    for (int i = 0; i < 200; ++i) {
+        const RecordId id = random_record_id();
+        CHECK(is_record_id(id));
+        CHECK(id != previous);
+        for (std::size_t digit = 0; digit < id.size(); ++digit) {
+            ones[digit] = id[digit] != previous[digit] && i > 0 ? 'x' : ones[digit];
+        }
+        previous = id;
+    }
+    CHECK(ones == RecordId(32, 'x'));
+    CHECK_FALSE(is_record_id(""));
+    CHECK_FALSE(is_record_id(RecordId(31, 'a')));
+    CHECK_FALSE(is_record_id(RecordId(32, 'A')));
+    CHECK_FALSE(is_record_id(RecordId(33, 'a')));
+    CHECK_FALSE(is_record_id(RecordId(32, 'g')));
+}
+
+TEST_CASE("store: bad records are refused in one sentence by either store") {
+    const TemporaryFolder folder;
+    Classroom room(folder.file("progress.db"));
+    const auto null_store = make_null_store();
+    CHECK_FALSE(null_store->keeps());
+    for (ProgressStore* store : {room.store.get(), null_store.get()}) {
+        AttemptRecord attempt = attempt_for(room.session.id, "heaviest", 0, true);
+        CHECK(error_text(store->add_attempt(attempt)).find("count attempts from 1") !=
+              std::string::npos);
+        attempt.attempt = 1;
+        attempt.answer_s = std::numeric_limits<double>::quiet_NaN();
+        CHECK_FALSE(store->add_attempt(attempt));
+        attempt.answer_s = -1.0;
+        CHECK_FALSE(store->add_attempt(attempt));
+        attempt.answer_s = 1.0;
+        attempt.errors = {{"", "a", "b"}};
+        CHECK_FALSE(store->add_attempt(attempt));
+        attempt.errors.clear();
+        attempt.id = "1234";
+        CHECK_FALSE(store->add_attempt(attempt));
+        CHECK_FALSE(store->end_session({room.session.id, 0, EndReason::finished, 4, 0, 1}));
+        CHECK_FALSE(store->end_session({room.session.id, 0, EndReason::finished, 0, 0, 0}));
+        SessionRecord session = room.session;
+        session.id = random_record_id();
+        session.settings = {{"a", "1"}, {"a", "2"}};
+        CHECK_FALSE(store->begin_session(session));
+        session.settings.clear();
+        session.lesson.clear();
+        CHECK_FALSE(store->begin_session(session));
+        CHECK_FALSE(store->enrol("\n"));
+        CHECK_FALSE(store->add_learner({random_record_id(), " blank ", 0}));
+    }
+    CHECK(room.store->read({})->attempts.empty());
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime

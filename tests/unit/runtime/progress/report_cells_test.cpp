@@ -1,0 +1,38 @@
+// How values are written in a report.
+#include "runtime/progress/report_cells.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <ctime>
+#include <limits>
+
+namespace fulcrum::runtime {
+namespace {
+
+TEST_CASE("report cells: times say their offset, in UTC and in the computer's zone") {
+    CHECK(time_cell(0, {.utc = true}) == "1970-01-01 00:00 +0000");
+    CHECK(time_cell(1'772'446'559'999, {.utc = true}) == "2026-03-02 10:15 +0000");
+    CHECK(time_cell(-1, {.utc = true}) == "1969-12-31 23:59 +0000");
+    CHECK(time_cell(std::numeric_limits<std::int64_t>::max(), {.utc = true}) ==
+          "292278994-08-17 07:12 +0000");
+    const char* zone = std::getenv("TZ");
+    const std::string before = zone == nullptr ? "" : zone;
+    setenv("TZ", "KST-9", 1);
+    tzset();
+    CHECK(time_cell(1'772'446'500'000, {}) == "2026-03-02 19:15 +0900");
+    zone == nullptr ? unsetenv("TZ") : setenv("TZ", before.c_str(), 1);
+    tzset();
+}
+
+TEST_CASE("report cells: stuck, errors and examples in words") {
+    CHECK(std::string(stuck_cell(Stuck::no)) == "no");
+    CHECK(std::string(stuck_cell(Stuck::before)) == "before");
+    CHECK(std::string(stuck_cell(Stuck::now)) == "now");
+    const FormErrorReport error{"M:DET", 2, "", "the"};
+    CHECK(error_cell(error) == "M:DET 2");
+    CHECK(example_cell(error) == "\"\" -> \"the\"");
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime

@@ -1,0 +1,85 @@
+// The report as a teacher reads it.
+#include "runtime/progress/report.h"
+#include "runtime/progress/text_rules.h"
+#include "tests/unit/runtime/progress/diary.h"
+
+#include <catch2/catch.hpp>
+
+#include <sstream>
+
+namespace fulcrum::runtime {
+namespace {
+
+using test::Diary;
+using test::kUtc;
+
+TEST_CASE("report: reads as a teacher reads it") {
+    Diary diary("mina");
+    diary.session("gravity")
+        .end(2, 70)
+        .answers("heaviest", "WF")
+        .answers("lighter-than-egg", "WWW");
+    diary.learner("Joon").session("gravity");
+    diary.learner("Ada");
+    CHECK(to_text(compute_report(diary.data), kUtc) ==
+          R"(Stuck now: mina (gravity: lighter-than-egg).
+
+Ada
+  has not played yet
+
+Joon
+  gravity: played once, finished not yet, last on 2026-03-02 10:15 +0000
+    no question answered yet
+
+mina
+  gravity: played once, finished once, last on 2026-03-02 10:15 +0000
+    best: 2 stars, score 70
+                                          right  right  not un-  form wrong in
+    question             asked attempts at once in end derstood wrong    a row
+    heaviest                 1        2       0      1        0     1        1
+      R:ADJ:FORM 1: "most heavy" -> "heaviest"
+    lighter-than-egg         1        3       0      0        0     0        3
+      STUCK now: the last 3 or more answers were not right
+)");
+}
+
+TEST_CASE("report: nobody yet is one friendly sentence") {
+    CHECK(to_text(compute_report({})) ==
+          "Nobody has played yet. Play a lesson first, for example: fulcrum run gravity\n");
+    CHECK(to_text(compute_report({}, {"Zoe", ""})).find("no learner called \"Zoe\"") !=
+          std::string::npos);
+    const auto store = make_null_store();
+    CHECK(make_report(*store)->learners.empty());
+}
+
+TEST_CASE("report: a lesson that one learner has not played is said so") {
+    Diary diary("Mina");
+    CHECK(to_text(compute_report(diary.data, {"", "kite"})).find("has not played kite yet") !=
+          std::string::npos);
+}
+
+TEST_CASE("report: no line is wider than 80 columns, and nothing moves the cursor") {
+    Diary diary(std::string(40, 'W'));
+    std::string korean;
+    for (int i = 0; i < 40; ++i) {
+        korean += "무";
+    }
+    diary.session(std::string(200, 'l')).end(3, 1'000'000).answers("q", "F");
+    diary.learner(korean).session(korean).answers(korean, "WWWW").answers("q\x1b[2J", "F");
+    diary.data.attempts.back().errors = {{"CODE", korean + "\x07" + korean, "two words " + korean}};
+    const std::string text = to_text(compute_report(diary.data), kUtc);
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        CAPTURE(line);
+        CHECK(display_width(line) <= 80);
+        for (std::size_t at = 0; at < line.size();) {
+            const Character character = character_at(line, at);
+            CHECK(character.valid);
+            CHECK_FALSE(is_control(character.code));
+            at += character.bytes;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime

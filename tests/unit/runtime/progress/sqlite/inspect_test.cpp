@@ -1,0 +1,133 @@
+// The look before opening: what is refused, and that it stays as it was.
+#include "runtime/progress/sqlite/inspect.h"
+
+#include "runtime/progress/report.h"
+#include "runtime/progress/sqlite/sqlite_store.h"
+#include "tests/unit/runtime/progress/progress_fixture.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <random>
+
+namespace fulcrum::runtime {
+namespace {
+
+using test::attempt_for;
+using test::bytes_of;
+using test::Classroom;
+using test::is_sentence_about;
+using test::refusal;
+using test::run_sql;
+using test::TemporaryFolder;
+
+TEST_CASE("opening: a newer database is refused and untouched") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("progress.db");
+    { const Classroom room(path); }
+    REQUIRE(run_sql(path, "PRAGMA user_version = 3").empty());
+    const std::string before = bytes_of(path);
+    const std::string sentence = refusal(path);
+    CHECK(is_sentence_about(sentence, path));
+    CHECK(sentence.find("version 3") != std::string::npos);
+    CHECK(sentence.find("update Fulcrum") != std::string::npos);
+    CHECK(bytes_of(path) == before);
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("opening: a newer version that stands only in the log is seen, and the log untouched") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("progress.db");
+    { const Classroom room(path); }
+    const std::string crashed = folder.file("crashed.db");
+    {
+        sqlite::Database newer(path, SQLITE_OPEN_READWRITE, "");
+        newer.run("PRAGMA user_version = 3");
+        test::write_bytes(crashed, bytes_of(path));
+        test::write_bytes(crashed + "-wal", bytes_of(path + "-wal"));
+    }
+    const std::string before = bytes_of(crashed);
+    const std::string log = bytes_of(crashed + "-wal");
+    REQUIRE_FALSE(log.empty());
+    CHECK(refusal(crashed).find("version 3") != std::string::npos);
+    CHECK(bytes_of(crashed) == before);
+    CHECK(bytes_of(crashed + "-wal") == log);
+}
+
+TEST_CASE("opening: another program's database is refused and untouched") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("photos.db");
+    test::write_bytes(path, "");
+    REQUIRE(run_sql(path, "CREATE TABLE photo(x)").empty());
+    const std::string before = bytes_of(path);
+    CHECK(refusal(path).find("another program") != std::string::npos);
+    REQUIRE(run_sql(path, "PRAGMA application_id = 7; PRAGMA user_version = 1").empty());
+    CHECK(refusal(path).find("another program") != std::string::npos);
+    REQUIRE(run_sql(path, "PRAGMA application_id = 0; PRAGMA user_version = 0").empty());
+    CHECK(bytes_of(path).substr(100) == before.substr(100));
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("opening: what is no database is refused and untouched") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("letter.db");
+    for (const std::string& content :
+         {std::string("Dear teacher"), std::string(5'000, 'x'), std::string(4'096, '\0'),
+          std::string("SQLite format 3\0", 16)}) {
+        test::write_bytes(path, content);
+        const std::string sentence = refusal(path);
+        CAPTURE(sentence);
+        CHECK(is_sentence_about(sentence, path));
+        CHECK(sentence.find("choose another file with --db or move this one away") !=
+              std::string::npos);
+        CHECK(bytes_of(path) == content);
+    }
+    CHECK(folder.entries() == 1);
+    CHECK(is_sentence_about(refusal(folder.path()), folder.path()));
+}
+
+TEST_CASE("opening: a damaged database is refused and untouched, or read without harm") {
+    const TemporaryFolder folder(TemporaryFolder::On::memory);
+    const std::string path = folder.file("progress.db");
+    {
+        Classroom room(path);
+        for (int i = 1; i <= 60; ++i) {
+            REQUIRE(
+                room.store->add_attempt(attempt_for(room.session.id, "heaviest", i, i % 2 == 0)));
+        }
+    }
+    const std::string sound = bytes_of(path);
+    const std::string damaged = folder.file("damaged.db");
+    std::mt19937 random(11);
+    int refused = 0;
+    for (int round = 0; round < 120; ++round) {
+        std::string bytes = sound;
+        if (round % 10 == 0) {
+            bytes.resize(random() % bytes.size());
+        }
+        for (int flips = 1 + round % 20; flips > 0 && !bytes.empty(); --flips) {
+            bytes[random() % bytes.size()] = static_cast<char>(random());
+        }
+        test::write_bytes(damaged, bytes);
+        auto opened = open_sqlite_store(damaged);
+        if (!opened) {
+            ++refused;
+            CAPTURE(to_sentence(opened.error()));
+            CHECK(is_sentence_about(to_sentence(opened.error()), damaged));
+            CHECK(bytes_of(damaged) == bytes);
+        } else if (const auto data = (*opened)->read({}); data) {
+            CHECK_FALSE(to_text(compute_report(*data)).empty());
+        } else {
+            CHECK(is_sentence_about(to_sentence(data.error()), damaged));
+        }
+        if (opened) {
+            opened->reset();
+        }
+        std::filesystem::remove(damaged + "-wal");
+        std::filesystem::remove(damaged + "-shm");
+    }
+    CHECK(refused > 40);
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime

@@ -1,0 +1,84 @@
+// Older databases are brought up, wholly or not at all.
+#include "runtime/progress/sqlite/schema.h"
+
+#include "runtime/progress/sqlite/sqlite_store.h"
+#include "tests/unit/runtime/progress/progress_fixture.h"
+
+#include <catch2/catch.hpp>
+
+namespace fulcrum::runtime {
+namespace {
+
+using test::is_sentence_about;
+using test::query;
+using test::refusal;
+using test::run_sql;
+using test::TemporaryFolder;
+
+// A database of version 1 with a learner, a session and two attempts, one of them with an error.
+void make_version_1(const std::string& path) {
+    using namespace sqlite;
+    Database database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, "");
+    database.run(migrations()[0]);
+    database.run("PRAGMA application_id = 0x46756C63; PRAGMA user_version = 1");
+    const std::string id(32, 'a');
+    Statement(database, "INSERT INTO learner VALUES(1, ?, 'Mina', 5)").bind(id).run();
+    Statement(database, "INSERT INTO session VALUES(1, ?, ?, 'gravity', 'v', 'A1', 6)")
+        .bind(id)
+        .bind(id)
+        .run();
+    for (const char digit : {'b', 'c'}) {
+        Statement(
+            database,
+            "INSERT INTO attempt VALUES(NULL, ?, ?, 'heaviest', 1, 'an egg', 1, 0, 's', 2.5, 7)")
+            .bind(std::string(32, digit))
+            .bind(id)
+            .run();
+    }
+    Statement(database, "INSERT INTO attempt_error VALUES(?, 0, 'M:DET', '', 'the')")
+        .bind(std::string(32, 'c'))
+        .run();
+}
+
+TEST_CASE("opening: version 1 becomes version 2 and keeps every fact") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("progress.db");
+    make_version_1(path);
+    for (int times = 0; times < 2; ++times) {
+        auto store = open_sqlite_store(path);
+        REQUIRE(store);
+        const auto data = (*store)->read({});
+        REQUIRE(data);
+        CHECK(data->learners == std::vector{Learner{std::string(32, 'a'), "Mina", 5}});
+        REQUIRE(data->attempts.size() == 2);
+        CHECK(data->attempts[0].understood);
+        CHECK(data->attempts[0].said == "an egg");
+        CHECK(data->attempts[1].errors == std::vector{ErrorRecord{"M:DET", "", "the"}});
+        // What version 2 brought works on what version 1 kept.
+        SessionRecord session{
+            std::string(32, 'd'),     std::string(32, 'a'), "gravity", "", "A1", 8,
+            {{"force_limit_N", "10"}}};
+        CHECK((*store)->begin_session(session));
+        CHECK((*store)->read({})->sessions.back() == session);
+    }
+    CHECK(query(path, "PRAGMA user_version") == "2");
+    CHECK(query(path, "PRAGMA integrity_check") == "ok");
+}
+
+TEST_CASE("opening: a step that fails leaves the older version as it was") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("progress.db");
+    make_version_1(path);
+    // The second half of the step meets a table that stands in its way.
+    REQUIRE(run_sql(path, "CREATE TABLE session_setting(x)").empty());
+    CHECK(is_sentence_about(refusal(path), path));
+    CHECK(query(path, "PRAGMA user_version") == "1");
+    CHECK(
+        query(path, "SELECT count(*) FROM pragma_table_info('attempt') WHERE name='understood'") ==
+        "0");
+    REQUIRE(run_sql(path, "DROP TABLE session_setting").empty());
+    CHECK(refusal(path).empty());
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime
