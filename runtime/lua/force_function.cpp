@@ -11,7 +11,7 @@ namespace {
 Vector3 evaluate(lua_State* L, int function_ref) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, function_ref);
     push_handle(L, Handle::Kind::tool, 0);
-    lua_call(L, 1, 3);
+    ScriptState::of(L).call(L, 1, 3);
     Vector3 force;
     for (int i = 0; i < 3; ++i) {
         const double component = lua_tonumber(L, i - 3);

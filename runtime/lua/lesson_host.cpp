@@ -75,7 +75,13 @@ ScriptSettings LessonHost::settings_for(int slot, LessonContext& context) {
     settings.memory_bytes = message_.memory_bytes;
     settings.seed = message_.seed;
     settings.running_line = services_.running_line;
-    settings.find_module = services_.find_module;
+    settings.find_module = [this](const std::string& name) {
+        return loaded_ ? ModuleAnswer{false,
+                                      {},
+                                      "modules are loaded with the lesson; write this at the top "
+                                      "of the file"}
+                       : services_.find_module(name);
+    };
     settings.print = [this, &context](std::string text) { print(context, std::move(text)); };
     return settings;
 }

@@ -97,10 +97,6 @@ int safe_print(lua_State* L) {
 /// Asks for the text of a module, runs it, and keeps what it returns.
 void run_module(lua_State* L, const char* name) {
     ScriptState& state = ScriptState::of(L);
-    if (!is_name(name)) {
-        raise_in_lesson(L, std::string("require takes a plain name such as \"story\", not \"") +
-                               clean_text(name, 40) + '"');
-    }
     const ModuleAnswer answer = state.settings().find_module
                                     ? state.settings().find_module(name)
                                     : ModuleAnswer{false, {}, "there are no modules here"};
@@ -117,7 +113,12 @@ void run_module(lua_State* L, const char* name) {
 }
 
 int safe_require(lua_State* L) {
-    const char* name = luaL_checkstring(L, 1);
+    std::size_t n = 0;
+    const char* name = luaL_checklstring(L, 1, &n);
+    if (!is_name({name, n})) {
+        raise_in_lesson(L, std::string("require takes a plain name such as \"story\", not \"") +
+                               clean_text({name, n}, 40) + '"');
+    }
     lua_settop(L, 1);
     lua_getfield(L, LUA_REGISTRYINDEX, kLoaded);
     if (lua_getfield(L, 2, name) == LUA_TNIL) {

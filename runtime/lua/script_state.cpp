@@ -229,6 +229,9 @@ std::optional<ScriptError> ScriptState::run_protected(RawBody body, void* self) 
 int ScriptState::on_error(lua_State* L) {
     ScriptState& state = of(L);
     ScriptError error = place_in_lesson(L);
+    if (error.line == 0) {
+        error = state.called_;
+    }
     if (lua_type(L, 1) == LUA_TSTRING) {
         std::size_t n = 0;
         const char* text = lua_tolstring(L, 1, &n);
@@ -252,6 +255,9 @@ ScriptError ScriptState::describe_failure(int status) {
         const char* text = lua_type(lua_, -1) == LUA_TSTRING ? lua_tostring(lua_, -1) : nullptr;
         error.message = text != nullptr ? text : "the script failed";
     }
+    if (error.message == "not enough memory") {  // caught by the script and raised again
+        error.message = memory_error_.message;
+    }
     error.message = clean_text(in_plain_words(error.message), 400);
     return error;
 }
@@ -262,19 +268,29 @@ void ScriptState::load_text(lua_State* L, const LuaSource& source) {
     const std::string chunk_name = "@" + source.name;
     const int status =
         luaL_loadbufferx(L, source.text.data(), source.text.size(), chunk_name.c_str(), "t");
-    if (status != LUA_OK) {
-        lua_error(L);
+    if (status == LUA_OK) {
+        return;
     }
+    ScriptError placed;
+    std::size_t n = 0;
+    const char* message = lua_tolstring(L, -1, &n);
+    // Where the compiler itself gave up, it names no place.
+    if (message != nullptr && !split_place({message, n}, placed)) {
+        lua_pushfstring(L, "%s:1: %s", source.name.c_str(), message);
+    }
+    lua_error(L);
 }
 
 void ScriptState::call(lua_State* L, int n_arguments, int n_results) {
     // Until the hook first looks, the script is where the function begins.
     lua_Debug activation{};
     lua_pushvalue(L, -(n_arguments + 1));
-    const bool known = lua_getinfo(L, ">S", &activation) != 0 && activation.linedefined >= 0;
-    if (known && settings_.running_line != nullptr) {
-        note_place(*settings_.running_line, activation.short_src,
-                   std::max(activation.linedefined, 1));
+    if (lua_getinfo(L, ">S", &activation) != 0 && activation.linedefined >= 0) {
+        called_.file = activation.short_src;
+        called_.line = std::max(activation.linedefined, 1);
+        if (settings_.running_line != nullptr) {
+            note_place(*settings_.running_line, called_.file, called_.line);
+        }
     }
     lua_call(L, n_arguments, n_results);
 }

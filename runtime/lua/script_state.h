@@ -114,6 +114,7 @@ class ScriptState {
     bool spent_ = false;
     ScriptError spent_error_{};
     ScriptError memory_error_{};  ///< where a block was last refused
+    ScriptError called_{};        ///< where the function that the program called last begins
     ScriptError raised_{};        ///< filled by the message handler
 };
 

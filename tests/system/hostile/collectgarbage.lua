@@ -1,0 +1,14 @@
+-- Turns the collector off.
+-- Ends: error
+local L = lesson { id = "hostile", title = "Hostile" }
+
+function L:start(world)
+  self.w = world
+  self.b = world:body { name = "ball", movable = true }
+end
+
+function L:update(world, dt)
+  collectgarbage('stop')
+end
+
+return L

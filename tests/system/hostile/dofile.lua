@@ -1,0 +1,14 @@
+-- Runs a file.
+-- Ends: error
+local L = lesson { id = "hostile", title = "Hostile" }
+
+function L:start(world)
+  self.w = world
+  self.b = world:body { name = "ball", movable = true }
+end
+
+function L:update(world, dt)
+  dofile('/etc/passwd')
+end
+
+return L

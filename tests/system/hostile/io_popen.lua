@@ -1,0 +1,15 @@
+-- Runs a command through a pipe.
+-- Known as: CVE-2022-0543 (Redis on Debian)
+-- Ends: error
+local L = lesson { id = "hostile", title = "Hostile" }
+
+function L:start(world)
+  self.w = world
+  self.b = world:body { name = "ball", movable = true }
+end
+
+function L:update(world, dt)
+  io.popen('echo gone > @CANARY@')
+end
+
+return L

@@ -1,0 +1,15 @@
+-- Loads bytecode.
+-- Known as: CVE-2015-4335 (Redis)
+-- Ends: error
+local L = lesson { id = "hostile", title = "Hostile" }
+
+function L:start(world)
+  self.w = world
+  self.b = world:body { name = "ball", movable = true }
+end
+
+function L:update(world, dt)
+  load('\27Lua\84\0', 'x', 'b')
+end
+
+return L

@@ -1,0 +1,14 @@
+-- Reads a file as Lua.
+-- Ends: error
+local L = lesson { id = "hostile", title = "Hostile" }
+
+function L:start(world)
+  self.w = world
+  self.b = world:body { name = "ball", movable = true }
+end
+
+function L:update(world, dt)
+  print(loadfile('@CANARY@'))
+end
+
+return L

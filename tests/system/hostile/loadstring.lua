@@ -1,0 +1,15 @@
+-- Loads a text the old way.
+-- Known as: CVE-2015-4335 (Redis)
+-- Ends: error
+local L = lesson { id = "hostile", title = "Hostile" }
+
+function L:start(world)
+  self.w = world
+  self.b = world:body { name = "ball", movable = true }
+end
+
+function L:update(world, dt)
+  loadstring('return 1')()
+end
+
+return L

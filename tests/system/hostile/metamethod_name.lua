@@ -1,0 +1,14 @@
+-- Names a type with a megabyte.
+-- Ends: fine
+local L = lesson { id = "hostile", title = "Hostile" }
+
+function L:start(world)
+  self.w = world
+  self.b = world:body { name = "ball", movable = true }
+end
+
+function L:update(world, dt)
+  print(setmetatable({}, { __name = ('x'):rep(1000000) }))
+end
+
+return L

@@ -1,0 +1,4 @@
+-- Returns no lesson.
+-- Ends: error
+print(lesson)
+return { id = "x" }

@@ -1,0 +1,14 @@
+-- Removes the canary file.
+-- Ends: error
+local L = lesson { id = "hostile", title = "Hostile" }
+
+function L:start(world)
+  self.w = world
+  self.b = world:body { name = "ball", movable = true }
+end
+
+function L:update(world, dt)
+  os.remove('@CANARY@')
+end
+
+return L

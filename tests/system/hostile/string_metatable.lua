@@ -1,0 +1,15 @@
+-- Changes the metatable of texts.
+-- Known as: CVE-2025-46818 (Redis), mesecons#380
+-- Ends: error
+local L = lesson { id = "hostile", title = "Hostile" }
+
+function L:start(world)
+  self.w = world
+  self.b = world:body { name = "ball", movable = true }
+end
+
+function L:update(world, dt)
+  getmetatable('').__index.rep = nil
+end
+
+return L
