@@ -4,25 +4,6 @@
 
 namespace fulcrum {
 
-namespace {
-
-// Where a segment that starts in the box leaves it, taken a little too early.
-double find_leaving_t(const Box& box, const Vector3& from, const Vector3& to) noexcept {
-    constexpr double early = 1.0 - 1.0e-9;  // far above the rounding of t
-    double t_leave = 1.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double rate = to[axis] - from[axis];
-        const double room =
-            rate > 0.0 ? box.upper[axis] - from[axis] : from[axis] - box.lower[axis];
-        if (std::abs(rate) * t_leave > room) {
-            t_leave = room / std::abs(rate);
-        }
-    }
-    return t_leave * early;
-}
-
-}  // namespace
-
 SegmentHit find_nearest_hit(const CollisionMesh& mesh, const Vector3& from_B,
                             const Vector3& to_B) noexcept {
     SegmentHit nearest;
@@ -49,30 +30,41 @@ SegmentHit find_nearest_hit_brute_force(const CollisionMesh& mesh, const Vector3
 }
 
 void NearbyTriangles::collect(const CollisionMesh& mesh, const Box& box_B) noexcept {
-    count_ = 0;
-    covers_ = true;
+    const std::optional<std::size_t> n_found = mesh.tree().collect_leaves(box_B, leaves_);
+    covers_ = n_found.has_value();
+    n_leaves_ = n_found.value_or(0);
     box_B_ = box_B;
-    mesh.tree().for_each_in_box(box_B, [&](std::int32_t triangle) noexcept {
-        if (count_ == kCapacity) {
-            covers_ = false;
-            return;
+}
+
+double NearbyTriangles::find_covered_part(const Vector3& from_B,
+                                          const Vector3& to_B) const noexcept {
+    double part = 1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double rate = to_B[axis] - from_B[axis];
+        const double room =
+            rate > 0.0 ? box_B_.upper[axis] - from_B[axis] : from_B[axis] - box_B_.lower[axis];
+        if (std::abs(rate) * part > room) {
+            part = room / std::abs(rate);
         }
-        triangles_[count_++] = prepare_triangle(mesh, triangle);
-    });
+    }
+    constexpr double early = 1.0 - 1.0e-9;  // by far more than rounding
+    return part < 1.0 ? part * early : 1.0;
 }
 
 SegmentHit NearbyTriangles::find_nearest_hit(const CollisionMesh& mesh, const Vector3& from_B,
-                                             const Vector3& to_B) const noexcept {
+                                             const Vector3& to_B, double part) const noexcept {
+    const Vector3 end_B = part < 1.0 ? Vector3(from_B + part * (to_B - from_B)) : to_B;
     SegmentHit nearest;
-    for (std::size_t i = 0; i < count_; ++i) {
-        const SegmentHit hit = meet(triangles_[i], from_B, to_B);
-        if (hit.is_before(nearest)) {
-            nearest = hit;
-        }
-    }
-    // Beyond the box there may be nearer triangles than one that only reaches into it.
-    const bool within = box_B_.contains(to_B) || nearest.t <= find_leaving_t(box_B_, from_B, to_B);
-    return within ? nearest : fulcrum::find_nearest_hit(mesh, from_B, to_B);
+    mesh.tree().for_each_in_leaves(
+        std::span(leaves_.data(), n_leaves_), {from_B.cwiseMin(end_B), from_B.cwiseMax(end_B)},
+        [&](std::int32_t triangle) noexcept {
+            const SegmentHit hit = meet(prepare_triangle(mesh, triangle), from_B, to_B);
+            if (hit.is_before(nearest)) {
+                nearest = hit;
+            }
+        });
+    // Beyond the covered part there may be nearer triangles than one that only reaches into it.
+    return nearest.t <= part ? nearest : SegmentHit{};
 }
 
 }  // namespace fulcrum

@@ -29,26 +29,26 @@ namespace fulcrum {
                                                       const Vector3& from_B,
                                                       const Vector3& to_B) noexcept;
 
-/// The triangles that meet a box, prepared: short segments within the box are answered from them alone.
+/// The part of a mesh's tree around a box: short segments within the box are answered from it without a descent.
 class NearbyTriangles {
   public:
-    static constexpr std::size_t kCapacity = 96;
+    static constexpr std::size_t kCapacity = 24;  ///< leaves of up to 8 triangles
 
     /// Collects the triangles near `box_B`. When there are too many nothing is covered, and the tree answers.
     void collect(const CollisionMesh& mesh, const Box& box_B) noexcept;
-    /// Forgets all.
-    void clear() noexcept { covers_ = false; }
     [[nodiscard]] bool covers(const Vector3& point_B) const noexcept {
         return covers_ && box_B_.contains(point_B);
     }
-    /// As the free function. Needs `covers(from_B)`.
+    /// How far along the segment, from 0 to 1, the collected triangles can answer. Needs `covers(from_B)`.
+    [[nodiscard]] double find_covered_part(const Vector3& from_B,
+                                           const Vector3& to_B) const noexcept;
+    /// The nearest meeting in the first `part` of the segment, of which all is covered; `t` is that of the whole segment.
     [[nodiscard]] SegmentHit find_nearest_hit(const CollisionMesh& mesh, const Vector3& from_B,
-                                              const Vector3& to_B) const noexcept;
-    [[nodiscard]] std::size_t count() const noexcept { return count_; }
+                                              const Vector3& to_B, double part) const noexcept;
 
   private:
-    std::array<PreparedTriangle, kCapacity> triangles_{};
-    std::size_t count_ = 0;
+    std::array<std::int32_t, kCapacity> leaves_{};
+    std::size_t n_leaves_ = 0;
     Box box_B_;
     bool covers_ = false;
 };

@@ -90,6 +90,18 @@ std::size_t BoundingTree::memory_bytes() const noexcept {
     return nodes_.capacity() * sizeof(Node) + order_.capacity() * sizeof(std::int32_t);
 }
 
+std::optional<std::size_t> BoundingTree::collect_leaves(
+    const Box& box, std::span<std::int32_t> leaves) const noexcept {
+    std::size_t n_found = 0;
+    for_each_leaf(box, [&](std::int32_t leaf, unsigned) noexcept {
+        if (n_found < leaves.size()) {
+            leaves[n_found] = leaf;
+        }
+        return ++n_found <= leaves.size();
+    });
+    return n_found <= leaves.size() ? std::optional(n_found) : std::nullopt;
+}
+
 void BoundingTree::build_nodes(const TriangleMesh& mesh) {
     // Nodes of each level from the last, whose children are the slots, up to the root.
     std::vector<std::int32_t> counts;

@@ -15,7 +15,9 @@
 #include <algorithm>
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,7 +57,28 @@ class BoundingTree {
 
     /// Calls visit(slot) for every triangle whose box may overlap `box`, and some others near it.
     template <class Visit>
-    void for_each_in_box(const Box& box, Visit&& visit) const noexcept;
+    void for_each_in_box(const Box& box, Visit&& visit) const noexcept {
+        for_each_leaf(box, [&](std::int32_t leaf, unsigned overlapping) noexcept {
+            visit_children(leaf, overlapping, visit);
+            return true;
+        });
+    }
+
+    /// Writes the leaves, nodes of up to 8 triangles, that may hold a triangle overlapping `box`. Returns how many, or
+    /// nothing when they are more than fit.
+    [[nodiscard]] std::optional<std::size_t> collect_leaves(
+        const Box& box, std::span<std::int32_t> leaves) const noexcept;
+
+    /// As `for_each_in_box`, among the triangles of the given leaves only.
+    template <class Visit>
+    void for_each_in_leaves(std::span<const std::int32_t> leaves, const Box& box,
+                            Visit&& visit) const noexcept {
+        const StepBox steps = to_steps(box);
+        for (const std::int32_t leaf : leaves) {
+            visit_children(leaf, find_overlapping(node_at({n_levels_ - 1, leaf, 0.0F}), steps),
+                           visit);
+        }
+    }
 
     /// Calls t_end = visit(slot, t_end) for every triangle whose box may be met by from + t (to - from), t in
     /// [0, t_end], nearest boxes first. t_end starts at 1; visit returns how much of the segment is still of interest.
@@ -92,6 +115,11 @@ class BoundingTree {
     // Deepest stack: all children of one node in each level.
     static constexpr std::size_t kStack = static_cast<std::size_t>(kMaxLevels * kWidth);
 
+    // Calls visit_leaf(leaf, overlapping children) until it returns false.
+    template <class VisitLeaf>
+    void for_each_leaf(const Box& box, VisitLeaf&& visit_leaf) const noexcept;
+    template <class Visit>
+    static void visit_children(std::int32_t leaf, unsigned overlapping, Visit& visit) noexcept;
     void build_nodes(const TriangleMesh& mesh);
     void set_child(Node& node, int child, const StepBox& box) const noexcept;
     [[nodiscard]] static StepBox unite_children(const Node& node) noexcept;
@@ -161,7 +189,15 @@ inline unsigned BoundingTree::find_overlapping(const Node& node, const StepBox& 
 }
 
 template <class Visit>
-void BoundingTree::for_each_in_box(const Box& box, Visit&& visit) const noexcept {
+void BoundingTree::visit_children(std::int32_t leaf, unsigned overlapping, Visit& visit) noexcept {
+    while (overlapping != 0) {
+        visit(leaf * kWidth + std::countr_zero(overlapping));
+        overlapping &= overlapping - 1U;
+    }
+}
+
+template <class VisitLeaf>
+void BoundingTree::for_each_leaf(const Box& box, VisitLeaf&& visit_leaf) const noexcept {
     if (!root_box_.overlaps(box)) {
         return;
     }
@@ -173,16 +209,16 @@ void BoundingTree::for_each_in_box(const Box& box, Visit&& visit) const noexcept
     while (n_stacked > 0) {
         const Place place = stack[--n_stacked];
         unsigned overlapping = find_overlapping(node_at(place), steps);
-        const bool last_level = place.level + 1 == n_levels_;
-        while (overlapping != 0) {
-            const int child = __builtin_ctz(overlapping);
-            overlapping &= overlapping - 1U;
-            const std::int32_t index = place.index * kWidth + child;
-            if (last_level) {
-                visit(index);
-            } else {
-                stack[n_stacked++] = {place.level + 1, index, 0.0F};
+        if (place.level + 1 == n_levels_) {
+            if (overlapping != 0 && !visit_leaf(place.index, overlapping)) {
+                return;
             }
+            continue;
+        }
+        while (overlapping != 0) {
+            stack[n_stacked++] = {place.level + 1,
+                                  place.index * kWidth + std::countr_zero(overlapping), 0.0F};
+            overlapping &= overlapping - 1U;
         }
     }
 }

@@ -49,6 +49,7 @@ void GodObject::reset(const Vector3& hand_W) noexcept {
     }
     planes_.count = 0;
     n_known_ = 0;
+    hand_W_ = hand_W;
     accept(hand_W);
     leave_surface();
     publish(proxy_W_);
@@ -62,6 +63,8 @@ const ProxyContact& GodObject::step(const Vector3& hand_W,
     n_known_ = 0;
     n_sweeps_ = 0;
     follow_solids(solid_poses_W);
+    reach_m_ = std::max(largest_component(hand_W - hand_W_), std::numeric_limits<double>::min());
+    hand_W_ = hand_W;
     find_near_solids(hand_W);
     follow_hand(hand_W);
     publish(hand_W);
@@ -164,7 +167,8 @@ GodObject::Blocker GodObject::sweep_all(const Vector3& to_W) noexcept {
     ++n_sweeps_;
     for (const std::int32_t index : near_) {
         MovingSolid& solid = solids_[static_cast<std::size_t>(index)];
-        const SegmentHit hit = planes_.count > 0 ? solid.sweep_nearby(to_W) : solid.sweep(to_W);
+        const SegmentHit hit =
+            planes_.count > 0 ? solid.sweep_nearby(to_W, reach_m_) : solid.sweep(to_W);
         if (hit.found() && hit.t < nearest.hit.t) {
             nearest = {index, hit};
         }

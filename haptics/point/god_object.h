@@ -103,6 +103,8 @@ class GodObject final : public Proxy {
     std::vector<MovingSolid> solids_;
     std::vector<std::int32_t> near_;  // solids that the hand's motion can reach in this step
     Vector3 proxy_W_{Vector3::Zero()};
+    Vector3 hand_W_{Vector3::Zero()};
+    double reach_m_ = 0.0;  // how far the hand came in this step: about as far as the proxy will go
     Planes planes_;
     std::array<KnownTriangle, kMaxKnown> known_{};
     std::size_t n_known_ = 0;

@@ -1,5 +1,6 @@
 #include "haptics/point/moving_solid.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace fulcrum {
@@ -12,8 +13,8 @@ constexpr double kClearance = 1.0e-10;
 constexpr double kRoundings = 64.0;
 // Foot and edge nearer than this, of the triangle's height over that edge, count as beside.
 constexpr double kEdgeMargin = 1.0e-13;
-// How far beyond a sweep triangles are collected, so that the next sweeps find them there; of the sweep's length.
-constexpr double kReach = 0.75;
+// How far around a sweep triangles are collected, so that the next sweeps find them there; of the reach asked for.
+constexpr double kReach = 1.0;
 
 bool is_same(const Pose& a, const Pose& b) noexcept {
     return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
@@ -44,24 +45,35 @@ SegmentHit MovingSolid::sweep(const Vector3& to_W) const noexcept {
     return to_B == proxy_B_ ? SegmentHit{} : find_nearest_hit(*mesh_, proxy_B_, to_B);
 }
 
-SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W) noexcept {
+SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W, double reach_m) noexcept {
     const Vector3 to_B = to_body(to_W);
     if (to_B == proxy_B_) {
         return {};
     }
-    if (!nearby_.covers(proxy_B_)) {
-        const Vector3 margin = Vector3::Constant(kReach * largest_component(to_B - proxy_B_));
-        nearby_.collect(*mesh_, {proxy_B_.cwiseMin(to_B) - margin, proxy_B_.cwiseMax(to_B) + margin});
+    // What is remembered serves when it reaches to the end, or as far as anything collected anew would.
+    const double length_m = largest_component(to_B - proxy_B_);
+    double part = nearby_.covers(proxy_B_) ? nearby_.find_covered_part(proxy_B_, to_B) : 0.0;
+    if (part < 1.0 && part * length_m < reach_m) {
+        const double wanted = std::min(1.0, reach_m / length_m);
+        const Vector3 end_B = proxy_B_ + wanted * (to_B - proxy_B_);
+        const Vector3 margin = Vector3::Constant(kReach * reach_m);
+        nearby_.collect(*mesh_, {proxy_B_.cwiseMin(end_B) - margin, proxy_B_.cwiseMax(end_B) + margin});
+        part = nearby_.covers(proxy_B_) ? nearby_.find_covered_part(proxy_B_, to_B) : 0.0;
     }
-    return nearby_.covers(proxy_B_) ? nearby_.find_nearest_hit(*mesh_, proxy_B_, to_B)
-                                    : find_nearest_hit(*mesh_, proxy_B_, to_B);
+    if (part > 0.0) {
+        const SegmentHit hit = nearby_.find_nearest_hit(*mesh_, proxy_B_, to_B, part);
+        if (part == 1.0 || hit.found()) {
+            return hit;
+        }
+    }
+    return find_nearest_hit(*mesh_, proxy_B_, to_B);
 }
 
 TouchedPlane MovingSolid::find_plane(std::int32_t triangle, int side) const noexcept {
     const PreparedTriangle prepared = prepare_triangle(*mesh_, triangle);
     const double side_sign = side < 0 ? -1.0 : 1.0;
     TouchedPlane plane{.solid = index_, .triangle = triangle, .side = side < 0 ? -1 : 1};
-    plane.normal_W = turn_ * (prepared.doubled_area.stableNormalized() * side_sign);
+    plane.normal_W = turn_ * (prepared.doubled_area.normalized() * side_sign);
     plane.point_W = to_world(prepared.a);
     const double farthest_m = largest_component(plane.point_W) + largest_component(origin_W_);
     plane.clearance_m = kClearance * mesh_->radius_m() +

@@ -38,8 +38,8 @@ class MovingSolid {
 
     /// First triangle between the proxy's place in the solid's frame and `to_W`.
     [[nodiscard]] SegmentHit sweep(const Vector3& to_W) const noexcept;
-    /// The same, by the triangles remembered around the proxy, which it collects anew when needed.
-    [[nodiscard]] SegmentHit sweep_nearby(const Vector3& to_W) noexcept;
+    /// The same, by the triangles remembered around the proxy; collects them anew, `reach_m` around, when needed.
+    [[nodiscard]] SegmentHit sweep_nearby(const Vector3& to_W, double reach_m) noexcept;
 
     /// The triangle in which the proxy lies exactly, if any.
     [[nodiscard]] SegmentHit find_touching() const noexcept { return find_nearest_hit(*mesh_, proxy_B_, proxy_B_); }

@@ -174,6 +174,7 @@ TEST_CASE(
     const auto vector = [&] { return Vector3(unit(random), unit(random), unit(random)); };
     NearbyTriangles nearby;
     int n_covered = 0;
+    int n_hits = 0;
     for (int round = 0; round < 2000; ++round) {
         const Vector3 centre = vector().normalized();
         const Vector3 half = Vector3::Constant(0.1);
@@ -185,12 +186,23 @@ TEST_CASE(
                 continue;
             }
             ++n_covered;
-            const SegmentHit near = nearby.find_nearest_hit(*mesh, from, to);
+            const double part = nearby.find_covered_part(from, to);
+            const SegmentHit near = nearby.find_nearest_hit(*mesh, from, to, part);
             const SegmentHit all = find_nearest_hit(*mesh, from, to);
-            REQUIRE(near.triangle == all.triangle);
-            REQUIRE(near.t == all.t);
+            if (all.t <= part) {
+                ++n_hits;
+                REQUIRE(near.triangle == all.triangle);
+                REQUIRE(near.t == all.t);
+            } else {
+                REQUIRE_FALSE(near.found());
+            }
+            // The part ends at the box: not before, not behind.
+            const Vector3 end = from + part * (to - from);
+            REQUIRE(nearby.covers(from + 0.999999 * (end - from)));
+            REQUIRE((part == 1.0 || !nearby.covers(from + 1.000001 * (end - from))));
         }
     }
+    CHECK(n_hits > 1000);
     CHECK(n_covered > 20000);
 }
 
