@@ -171,7 +171,7 @@ SessionInput LessonRun::gather(const FrameInput& input) {
     gathered.hand = channels_.state_for_lesson.value();
     if (world_channels_) {
         world_channels_->snapshot.take();
-        gathered.world = &world_channels_->snapshot.value();
+        gathered.world = newest_world();
         for (WorldEvent event; world_channels_->events.pop(event);) {
             gathered.world_events.push_back(event);
         }
@@ -183,6 +183,12 @@ SessionInput LessonRun::gather(const FrameInput& input) {
     }
     record_events(gathered);
     return gathered;
+}
+
+// Null before the world's first round, and when the plan has none.
+const WorldSnapshot* LessonRun::newest_world() const {
+    const bool is_there = world_channels_ && world_channels_->snapshot.value().n_bodies > 0;
+    return is_there ? &world_channels_->snapshot.value() : nullptr;
 }
 
 void LessonRun::record_events(const SessionInput& input) {
@@ -279,7 +285,7 @@ View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     Scenery scenery;
     scenery.time_s = last_frame_s_;
     scenery.hand = channels_.state_for_lesson.value();
-    scenery.world = world_channels_ ? &world_channels_->snapshot.value() : nullptr;
+    scenery.world = newest_world();
     scenery.renders_force = device_->traits().renders_force;
     scenery.ghost = !scenery.renders_force;
     scenery.ghost_pose_W = scenery.ghost ? pointer_W_ : scenery.hand.tool_pose_W;

@@ -103,6 +103,7 @@ class LessonRun {
     void place_visible_bodies();
     SessionInput gather(const FrameInput& input);
     Expected<FrameReport> conclude(const LessonReply& reply);
+    [[nodiscard]] const WorldSnapshot* newest_world() const;
     void record_events(const SessionInput& input);
 
     std::unique_ptr<LessonProcess> process_;

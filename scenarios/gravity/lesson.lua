@@ -121,9 +121,9 @@ end
 
 -- Asks until the meaning is right; after a wrong answer both things are weighed again.
 local function ask(world, question, key)
-  local points = 3
+  local points, answer = 3, nil
   repeat
-    local answer = story.ask(world, question)
+    answer = story.ask(world, question)
     if answer.understood and not answer.right then
       points = math.max(points - 1, 1)
       wait(2)
