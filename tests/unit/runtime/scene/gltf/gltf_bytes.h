@@ -3,16 +3,23 @@
 
 #include "runtime/scene/gltf/gltf_model.h"
 
+#include <catch2/catch.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace fulcrum::test {
 
 using nlohmann::json;
+using Floats = std::vector<float>;
+using Indices = std::vector<std::uint32_t>;
 using Bytes = std::vector<std::byte>;
 using Octets = std::vector<std::uint8_t>;
 
@@ -116,6 +123,54 @@ struct Gltf {
         return runtime::read_gltf(glb(), "test.glb");
     }
 };
+
+/// The model; the test fails when there is none.
+inline runtime::LoadedModel loaded(const Gltf& gltf) {
+    auto model = gltf.read();
+    INFO((model ? "" : to_sentence(model.error())));
+    REQUIRE(model.has_value());
+    return *model;
+}
+
+/// The sentence of a refusal; the test fails when the model loaded, or when the sentence is not one.
+inline std::string refusal(const Expected<runtime::LoadedModel>& model) {
+    REQUIRE_FALSE(model.has_value());
+    const std::string sentence = to_sentence(model.error());
+    CHECK(sentence.find('\n') == std::string::npos);
+    CHECK(sentence.size() < 400);
+    CHECK(model.error().where.find("test") != std::string::npos);
+    CHECK_FALSE(model.error().what_to_do.empty());
+    return sentence;
+}
+inline std::string refusal(const Gltf& gltf) {
+    return refusal(gltf.read());
+}
+inline std::string refusal_of_text(const std::string& text) {
+    return refusal(runtime::read_gltf(to_bytes(text), "test.gltf"));
+}
+
+// ---- files
+
+/// A folder of its own for one test, with a folder for models in it; gone afterwards.
+struct Folder {
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() /
+        ("fulcrum_gltf_test_" + std::to_string(::getpid()) + "_" + std::to_string(++counter));
+    Folder() { std::filesystem::create_directories(path / "models"); }
+    ~Folder() { std::filesystem::remove_all(path); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    [[nodiscard]] std::filesystem::path model() const { return path / "models" / "test.gltf"; }
+    static inline int counter = 0;
+};
+
+inline void write(const std::filesystem::path& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+inline std::string text_of(const Octets& octets) {
+    return {octets.begin(), octets.end()};
+}
 
 inline std::string base64(const std::string& bytes) {
     static const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
