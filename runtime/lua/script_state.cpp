@@ -339,14 +339,14 @@ void raise_in_lesson(lua_State* L, const std::string& message) {
 
 std::string clean_text(std::string_view text, std::size_t max_bytes) {
     std::string clean(text.substr(0, max_bytes));
-    // A cut may have split a character; then its bytes are dropped one by one.
-    while (!clean.empty() && text.size() > max_bytes &&
-           (static_cast<std::uint8_t>(clean.back()) & 0xC0U) == 0x80U) {
-        clean.pop_back();
-    }
-    if (text.size() > max_bytes && !clean.empty() &&
-        static_cast<std::uint8_t>(clean.back()) >= 0xC0U) {
-        clean.pop_back();
+    // A cut may have split the last character; then what is left of it goes too.
+    if (text.size() > max_bytes && (static_cast<std::uint8_t>(text[max_bytes]) & 0xC0U) == 0x80U) {
+        while (!clean.empty() && (static_cast<std::uint8_t>(clean.back()) & 0xC0U) == 0x80U) {
+            clean.pop_back();
+        }
+        if (!clean.empty() && static_cast<std::uint8_t>(clean.back()) >= 0xC0U) {
+            clean.pop_back();
+        }
     }
     if (!is_clean_utf8(clean)) {
         for (char& c : clean) {
