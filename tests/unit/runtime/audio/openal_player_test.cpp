@@ -1,20 +1,13 @@
-#include "runtime/audio/sound_player.h"
-
-#include "runtime/audio/null/null_player.h"
 #include "runtime/audio/openal/openal_player.h"
+
 #include "runtime/audio/synthesis.h"
-#include "runtime/audio/wav.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <numeric>
-#include <unistd.h>
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
@@ -189,80 +182,4 @@ TEST_CASE("openal: a thirteenth sound takes the place of the oldest") {
     run(*player, 2);
     REQUIRE(player->play("catch_egg"));
     CHECK(peak(run(*player, 5)) > 0.05F);
-}
-
-TEST_CASE("sound player: unknown names at opening are errors for every kind") {
-    const SoundSettings settings{{"click", "moo"}, true, 1.0};
-    CHECK_FALSE(open_sound_player(settings));
-    CHECK_FALSE(open_openal_loopback(settings));
-    CHECK_FALSE(NullPlayer::open(settings));
-    CHECK_FALSE(NullPlayer::open({{}, true, 1.5}));
-    CHECK_FALSE(NullPlayer::open({{}, true, std::nan("")}));
-}
-
-TEST_CASE(
-    "sound player: without a sound card there is a silent player, a sentence, and a quiet "
-    "terminal") {
-    // Everything written to standard error while opening goes to a file.
-    std::FILE* captured = std::tmpfile();
-    REQUIRE(captured != nullptr);
-    std::fflush(stderr);
-    const int saved = ::dup(2);
-    ::dup2(::fileno(captured), 2);
-    auto opened = open_sound_player({});
-    std::fflush(stderr);
-    ::dup2(saved, 2);
-    ::close(saved);
-    const long written = std::ftell(captured) < 0 ? 0 : ::lseek(::fileno(captured), 0, SEEK_END);
-    std::fclose(captured);
-
-    REQUIRE(opened.has_value());
-    REQUIRE(opened->player != nullptr);
-    CHECK(written == 0);
-    CHECK(opened->player->audible() == opened->notice.empty());
-    CHECK(opened->player->play("click"));
-    CHECK_FALSE(opened->player->play("moo"));
-}
-
-TEST_CASE("null player: counts what it was asked for and refuses what a real one would") {
-    auto player = NullPlayer::open({{"pop", "click"}, true, 1.0});
-    REQUIRE(player.has_value());
-    SoundPlayer& face = **player;
-    CHECK(face.play("pop"));
-    CHECK(face.play("pop", 0.5, 2.0));
-    CHECK_FALSE(face.play("pop", 2.0, 1.0));
-    CHECK_FALSE(face.play("finish"));
-    face.set_force_sound(2.5);
-    CHECK((*player)->plays("pop") == 2);
-    CHECK((*player)->plays("click") == 0);
-    CHECK((*player)->force_N() == 2.5);
-    face.stop();
-    CHECK((*player)->force_N() == 0.0);
-    CHECK_FALSE(face.audible());
-}
-
-TEST_CASE("wav: a written file has the header and the samples that were given") {
-    const auto path = std::filesystem::temp_directory_path() /
-                      ("fulcrum_wav_test_" + std::to_string(::getpid()) + ".wav");
-    const std::array<float, 4> samples{0.0F, 0.5F, -1.0F, 3.0F};
-    REQUIRE(write_wav(path, samples, 2, 48'000));
-    std::ifstream in(path, std::ios::binary);
-    const std::string file((std::istreambuf_iterator<char>(in)), {});
-    std::filesystem::remove(path);
-    const auto byte = [&](std::size_t i) {
-        return static_cast<unsigned>(static_cast<unsigned char>(file[i]));
-    };
-    const auto sample = [&](std::size_t i) {
-        return static_cast<std::int16_t>(byte(44 + 2 * i) | byte(45 + 2 * i) << 8);
-    };
-    REQUIRE(file.size() == 44 + 8);
-    CHECK(file.substr(0, 4) == "RIFF");
-    CHECK((byte(24) | byte(25) << 8) == 48'000);
-    CHECK(byte(22) == 2);
-    CHECK(sample(0) == 0);
-    CHECK(sample(1) == 16384);
-    CHECK(sample(2) == -32767);
-    CHECK(sample(3) == 32767);
-    CHECK_FALSE(write_wav("/no/such/folder/x.wav", samples, 2, 48'000));
-    CHECK_FALSE(write_wav(path, samples, 3, 48'000));
 }
