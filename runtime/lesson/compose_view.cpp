@@ -11,6 +11,7 @@ namespace {
 constexpr double kShownForce_N = 0.05;     // a smaller force is below what a hand notices: no arrow
 constexpr double kSquashPerNewton = 0.02;  // flattening of what lies in the bucket, felt by the eye
 constexpr double kStrongestSquash = 0.25;
+constexpr double kArrowBelowBucket = 1.4;  // of its depth
 
 // Flatter and wider, with the same volume.
 Vector3 squash(double amount) {
@@ -93,7 +94,10 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
     const Vector3 force_W = scenery.hand.applied_W.force;
     const double force_N = force_W.norm();
     if (force_N > kShownForce_N) {
-        view.force = {true, view.tool.pose_W.position, force_W,
+        // The arrow hangs below the bucket, so that it hides nothing of what lies in it.
+        const double below_m =
+            lesson.bucket.present ? kArrowBelowBucket * lesson.bucket.depth_m : 0.0;
+        view.force = {true, view.tool.pose_W.position - Vector3(0.0, below_m, 0.0), force_W,
                       weight_text(lesson, plan, scenery, catalogue, force_N)};
     }
 

@@ -36,9 +36,12 @@ local next_place = 1
 function L:start(world)
   world:gravity(9.81)
   world:ground(0)
-  world:camera { eye = { 0, 0.62, 1.75 }, target = { 0, 0.47, 0 } }
+  world:camera { eye = { 0, 0.95, 1.45 }, target = { 0, 0.44, 0 } }
   world:hand { centre = { 0, 0.3, 0 }, scale = 2 }
-  world:bucket { model = "bucket", radius = 0.11, depth = 0.14 }
+  world:bucket { model = "bucket", radius = 0.11, depth = 0.085 }
+  world:body { name = "tree", model = "tree", visible = true, at = { -1.0, 0, -1.1 } }
+  world:body { name = "hill", model = "hill", visible = true, at = { 1.1, -0.22, -4.2 } }
+  world:body { name = "flower", model = "flower", visible = true, at = { 0.52, 0, -0.25 } }
   for name, f in pairs(fruit) do
     bodies[name] = world:body {
       name = name, noun = name, model = name, movable = true,
