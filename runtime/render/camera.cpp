@@ -26,7 +26,9 @@ bool usable(const Vector3& point) {
 }  // namespace
 
 Camera::Camera(const CameraDescription& description, int width_px, int height_px)
-    : width_px_(std::max(width_px, 1)), height_px_(std::max(height_px, 1)) {
+    : width_px_(std::max(width_px, 1)),
+      height_px_(std::max(height_px, 1)),
+      centre_y_px_(kTargetHeight * height_px_) {
     const CameraDescription standard;
     const bool placed = usable(description.eye_W) && usable(description.target_W);
     eye_W_ = placed ? description.eye_W : standard.eye_W;
@@ -61,7 +63,7 @@ std::optional<ScreenPoint> Camera::project(const Vector3& point_W) const {
     }
     const double scale = px_per_m(depth_m);
     return ScreenPoint{{0.5 * width_px_ + scale * right_W_.dot(from_eye),
-                        0.5 * height_px_ - scale * up_W_.dot(from_eye)},
+                        centre_y_px_ - scale * up_W_.dot(from_eye)},
                        depth_m};
 }
 
@@ -69,7 +71,7 @@ Vector3 Camera::unproject(const ScreenPoint& point) const {
     const double scale = 1.0 / px_per_m(point.depth_m);
     return eye_W_ + point.depth_m * forward_W_ +
            scale * (point.position_px.x() - 0.5 * width_px_) * right_W_ -
-           scale * (point.position_px.y() - 0.5 * height_px_) * up_W_;
+           scale * (point.position_px.y() - centre_y_px_) * up_W_;
 }
 
 Ray Camera::ray(const Eigen::Vector2d& position_px) const {
@@ -88,6 +90,7 @@ Eigen::Matrix4f Camera::clip_from_world() const {
     Eigen::Matrix4d clip = Eigen::Matrix4d::Zero();
     clip(0, 0) = focal_px_ / (0.5 * width_px_);
     clip(1, 1) = focal_px_ / (0.5 * height_px_);
+    clip(1, 2) = 2.0 * kTargetHeight - 1.0;
     clip(2, 2) = (near_m + far_m) / (near_m - far_m);
     clip(2, 3) = 2.0 * near_m * far_m / (near_m - far_m);
     clip(3, 2) = -1.0;

@@ -1,8 +1,9 @@
 // The camera as mathematics: world point to pixel and back, and where the pointer points.
 //
 //   depth d = forward . (p_W - eye_W)
-//   x_px = w/2 + f (right . (p_W - eye_W)) / d,  y_px = h/2 - f (up . (p_W - eye_W)) / d,
+//   x_px = w/2 + f (right . (p_W - eye_W)) / d,  y_px = c h - f (up . (p_W - eye_W)) / d,
 //   f = (h/2) / tan(angle/2)
+//   c = kTargetHeight: the target is seen above the middle, for the words stand at the bottom.
 //   Pixels count from the top left corner, +x right, +y down; a pixel's centre is at .5.
 //
 // Thread: any; a value. Cost: a few dozen multiplications.
@@ -17,6 +18,9 @@
 #include <optional>
 
 namespace fulcrum::runtime {
+
+/// Where the target is seen, as a part of the picture's height from the top.
+inline constexpr double kTargetHeight = 0.43;
 
 /// A place on the screen and how far into the picture it lies.
 struct ScreenPoint {
@@ -65,6 +69,7 @@ class Camera {
     Vector3 up_W_;
     double width_px_ = 1.0;
     double height_px_ = 1.0;
+    double centre_y_px_ = 0.5;
     double focal_px_ = 1.0;
 };
 

@@ -72,7 +72,7 @@ struct Renderer::Parts {
 
     /// Composes flat shapes and words; once more when the letters' atlas ran full meanwhile.
     template <class Compose>
-    void draw_overlay(const Compose& compose, int width, int height, bool as_light) {
+    void draw_overlay(const Compose& compose, int width, int height) {
         list.clear();
         compose();
         if (font.is_full()) {
@@ -80,7 +80,7 @@ struct Renderer::Parts {
             list.clear();
             compose();
         }
-        overlay.draw(list, font, width, height, as_light);
+        overlay.draw(list, font, width, height);
     }
 };
 
@@ -91,7 +91,11 @@ Expected<std::unique_ptr<Renderer>> Renderer::create(const RendererSettings& set
     if (auto fine = check(settings); !fine) {
         return tl::make_unexpected(fine.error());
     }
+    // Making passes binds framebuffers of theirs; the caller's is bound again afterwards.
+    GLint screen = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &screen);
     auto painter = ScenePainter::create(settings.shadow_map_size);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(screen));
     if (!painter) {
         return tl::make_unexpected(painter.error());
     }
@@ -138,8 +142,7 @@ void Renderer::draw(const View& view, int width, int height) {
         labels = parts_->painter.draw_scene(view, camera, parts_->target, width, height);
     } else {
         parts_->painter.draw_wall(camera, parts_->target);
-        parts_->draw_overlay([&] { draw_menu_papers(menu, measure, parts_->list); }, width, height,
-                             true);
+        parts_->draw_overlay([&] { draw_menu_papers(menu, measure, parts_->list); }, width, height);
         for (const MenuCard& card : menu.cards) {
             parts_->painter.draw_icon(view.menu[card.index].icon, card.icon, width, height);
         }
@@ -155,7 +158,7 @@ void Renderer::draw(const View& view, int width, int height) {
         }
         draw_panels(view, panels, measure, parts_->list);
     };
-    parts_->draw_overlay(words, width, height, false);
+    parts_->draw_overlay(words, width, height);
     glBindVertexArray(0);
     glUseProgram(0);
 }

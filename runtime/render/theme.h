@@ -34,15 +34,15 @@ inline constexpr Colour kErrorPaper = from_hex(0xFFEBDC);
 inline constexpr Colour kSelectedPaper = from_hex(0xFFF6D9);
 
 // The room. Base colours as sRGB; light falls on the floor.
-inline constexpr Colour kWallTop = from_hex(0xBFDDE8);
-inline constexpr Colour kWallBottom = from_hex(0xFBF3E4);
+inline constexpr Colour kWallTop = from_hex(0xA9D5EA);
+inline constexpr Colour kWallBottom = from_hex(0xFCF5E6);
 inline constexpr Colour kFloor = from_hex(0xF0DDC0);
 inline constexpr Colour kRug = from_hex(0x9CCFC4);
 inline constexpr Colour kRugRing = from_hex(0xF7EBD5);
 
 // Signs.
 inline constexpr Colour kStar = from_hex(0xF7C948);
-inline constexpr Colour kForceArrow = kBlue;
+inline constexpr Colour kForceArrow = kVermillion;
 inline constexpr Colour kForceOutline = from_hex(0xFFFFFF);
 inline constexpr Colour kHighlight = kOrange;
 inline constexpr Colour kGhost = kSkyBlue;

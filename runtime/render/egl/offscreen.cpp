@@ -1,6 +1,7 @@
 #include "runtime/render/egl/offscreen.h"
 
 #include "runtime/render/gl/handle.h"
+#include "runtime/render/gl/read_framebuffer.h"
 
 #include <algorithm>
 
@@ -147,6 +148,10 @@ void Offscreen::make_current() {
     glViewport(0, 0, parts_->width, parts_->height);
 }
 
+void Offscreen::finish() const {
+    glFinish();
+}
+
 int Offscreen::width() const {
     return parts_->width;
 }
@@ -155,21 +160,7 @@ int Offscreen::height() const {
 }
 
 Image Offscreen::read_back() const {
-    Image image;
-    image.width = parts_->width;
-    image.height = parts_->height;
-    const std::size_t row_bytes = 4 * static_cast<std::size_t>(image.width);
-    const auto rows = static_cast<std::size_t>(image.height);
-    std::vector<std::uint8_t> upside_down(row_bytes * rows);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, parts_->framebuffer.name());
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
-    image.rgba.resize(upside_down.size());
-    for (std::size_t row = 0; row < rows; ++row) {
-        std::memcpy(image.rgba.data() + row * row_bytes,
-                    upside_down.data() + (rows - 1 - row) * row_bytes, row_bytes);
-    }
-    return image;
+    return gl::read_framebuffer(parts_->framebuffer.name(), parts_->width, parts_->height);
 }
 
 }  // namespace fulcrum::runtime

@@ -29,6 +29,9 @@ class Offscreen {
     /// Makes context and framebuffer current again after others were.
     void make_current();
 
+    /// Waits until everything is drawn.
+    void finish() const;
+
     [[nodiscard]] int width() const;   ///< pixels
     [[nodiscard]] int height() const;  ///< pixels
 

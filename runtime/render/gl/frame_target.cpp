@@ -31,49 +31,33 @@ bool FrameTarget::build(int width, int height, int samples) {
     while (glGetError() != GL_NO_ERROR) {
     }
     const int stored_samples = samples > 1 ? samples : 0;
-    drawn_ = Framebuffer::make();
-    drawn_colour_ = Renderbuffer::make();
-    drawn_depth_ = Renderbuffer::make();
-    glBindRenderbuffer(GL_RENDERBUFFER, drawn_colour_.name());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, stored_samples, GL_SRGB8_ALPHA8, width,
-                                     height);
-    glBindRenderbuffer(GL_RENDERBUFFER, drawn_depth_.name());
+    framebuffer_ = Framebuffer::make();
+    colour_ = Renderbuffer::make();
+    depth_ = Renderbuffer::make();
+    glBindRenderbuffer(GL_RENDERBUFFER, colour_.name());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, stored_samples, GL_RGBA8, width, height);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, stored_samples, GL_DEPTH24_STENCIL8, width,
                                      height);
-    glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                              drawn_colour_.name());
+                              colour_.name());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                              drawn_depth_.name());
-    const bool drawn_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-
-    resolved_ = Framebuffer::make();
-    resolved_colour_ = Renderbuffer::make();
-    glBindRenderbuffer(GL_RENDERBUFFER, resolved_colour_.name());
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_SRGB8_ALPHA8, width, height);
-    glBindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                              resolved_colour_.name());
-    const bool resolved_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-    return drawn_whole && resolved_whole && glGetError() == GL_NO_ERROR;
+                              depth_.name());
+    const bool whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    return glGetError() == GL_NO_ERROR && whole;
 }
 
 void FrameTarget::bind() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
-    glEnable(GL_FRAMEBUFFER_SRGB);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    glDisable(GL_FRAMEBUFFER_SRGB);
     glEnable(GL_MULTISAMPLE);
     glViewport(0, 0, width_, height_);
 }
 
 void FrameTarget::resolve_to(GLuint framebuffer) const {
-    // Samples are averaged between two framebuffers of the same sRGB format: as light.
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
-    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
-    // The bytes then are what the screen wants, whether it calls itself sRGB or not.
     glDisable(GL_FRAMEBUFFER_SRGB);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
                       GL_NEAREST);

@@ -1,5 +1,6 @@
 #include "runtime/render/glfw/window.h"
 
+#include "runtime/render/gl/read_framebuffer.h"
 #include "runtime/render/glfw/key_names.h"
 
 #include <epoxy/gl.h>
@@ -226,6 +227,10 @@ const WindowEvents& Window::poll() {
 
 void Window::swap() {
     glfwSwapBuffers(parts_->window);
+}
+
+Image Window::read_back() const {
+    return gl::read_framebuffer(0, width_px(), height_px());
 }
 
 void Window::set_fullscreen(bool wanted) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "runtime/render/image.h"
 
 #include <array>
 #include <cstdint>
@@ -62,6 +63,9 @@ class Window {
 
     /// Shows the frame that was drawn and waits for the screen's refresh.
     void swap();
+
+    /// What has been drawn since the last `swap`, rows from the top; waits for the drawing to end.
+    [[nodiscard]] Image read_back() const;
 
     /// The whole screen, or the window as it was.
     void set_fullscreen(bool fullscreen);

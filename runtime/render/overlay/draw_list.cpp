@@ -87,16 +87,15 @@ void DrawList::triangle(const Point2& a, float alpha_a, const Point2& b, float a
 }
 
 void DrawList::fill(const Point2& middle, const std::vector<Point2>& outline, const Colour& colour,
-                    float fringe_px) {
+                    float grow_px) {
     const std::size_t n = outline.size();
     const std::vector<Point2> normals = outward_normals(outline, middle);
-    const float half = 0.5F * fringe_px;
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t j = (i + 1) % n;
-        const Point2 inner_i = moved(outline[i], normals[i], -half);
-        const Point2 inner_j = moved(outline[j], normals[j], -half);
-        const Point2 outer_i = moved(outline[i], normals[i], half);
-        const Point2 outer_j = moved(outline[j], normals[j], half);
+        const Point2 inner_i = moved(outline[i], normals[i], grow_px - 0.5F);
+        const Point2 inner_j = moved(outline[j], normals[j], grow_px - 0.5F);
+        const Point2 outer_i = moved(outline[i], normals[i], grow_px + 0.5F);
+        const Point2 outer_j = moved(outline[j], normals[j], grow_px + 0.5F);
         triangle(middle, 1.0F, inner_i, 1.0F, inner_j, 1.0F, colour);
         triangle(inner_i, 1.0F, outer_i, 0.0F, outer_j, 0.0F, colour);
         triangle(inner_i, 1.0F, outer_j, 0.0F, inner_j, 1.0F, colour);
@@ -163,14 +162,15 @@ void DrawList::fill_disc(const Point2& middle, float radius_px, const Colour& co
              radius_px, colour);
 }
 
-void DrawList::fill_star(const Point2& middle, float radius_px, const Colour& colour) {
+void DrawList::fill_star(const Point2& middle, float radius_px, float grow_px,
+                         const Colour& colour) {
     // Ten corners, the outer ones cut round by three points each.
-    constexpr float kInner = 0.50F;
+    constexpr float kInner = 0.52F;
     std::vector<Point2> outline;
     for (int i = 0; i < 5; ++i) {
         const float turn = -0.5F * kPi + 2.0F * kPi * static_cast<float>(i) / 5.0F;
-        for (const float off : {-0.10F, -0.05F, 0.0F, 0.05F, 0.10F}) {
-            const float reach = radius_px * (0.985F - 9.0F * off * off);
+        for (const float off : {-0.14F, -0.10F, -0.05F, 0.0F, 0.05F, 0.10F, 0.14F}) {
+            const float reach = radius_px * (0.97F - 5.0F * off * off);
             outline.push_back({middle[0] + reach * std::cos(turn + off),
                                middle[1] + reach * std::sin(turn + off)});
         }
@@ -178,7 +178,7 @@ void DrawList::fill_star(const Point2& middle, float radius_px, const Colour& co
         outline.push_back({middle[0] + kInner * radius_px * std::cos(between),
                            middle[1] + kInner * radius_px * std::sin(between)});
     }
-    fill(middle, outline, colour);
+    fill(middle, outline, colour, grow_px);
 }
 
 void DrawList::line(const Point2& from, const Point2& to, float width_px, const Colour& colour) {

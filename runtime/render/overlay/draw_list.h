@@ -48,17 +48,17 @@ class DrawList {
     explicit DrawList(Font& font) : font_(font) {}
 
     /// A shape that is seen whole from `middle` (a star, any convex one), its corners in either
-    /// turning direction; the edge fades over `fringe_px`.
+    /// turning direction, its edges moved out by `grow_px`.
     void fill(const Point2& middle, const std::vector<Point2>& outline, const Colour& colour,
-              float fringe_px = 1.0F);
+              float grow_px = 0.0F);
     void fill_box(const Box& box, float radius_px, const Colour& colour);
     /// A line of a box's shape, `width_px` thick, inside the box.
     void frame_box(const Box& box, float radius_px, float width_px, const Colour& colour);
     /// The soft shadow that a box throws on what is behind it.
     void shadow_box(const Box& box, float radius_px, float blur_px, const Colour& colour);
     void fill_disc(const Point2& middle, float radius_px, const Colour& colour);
-    /// A star with five rounded points, one of them up.
-    void fill_star(const Point2& middle, float radius_px, const Colour& colour);
+    /// A star with five rounded points, one of them up, grown by `grow_px` on every side.
+    void fill_star(const Point2& middle, float radius_px, float grow_px, const Colour& colour);
     /// A straight line with round ends.
     void line(const Point2& from, const Point2& to, float width_px, const Colour& colour);
 

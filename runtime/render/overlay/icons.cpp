@@ -2,6 +2,8 @@
 
 #include "runtime/render/theme.h"
 
+#include <algorithm>
+
 namespace fulcrum::runtime {
 
 namespace {
@@ -15,14 +17,10 @@ Point2 offset(const Point2& middle, float dx, float dy) {
 }  // namespace
 
 void draw_star_icon(DrawList& list, const Point2& middle, float radius_px, bool earned) {
-    const Colour rim = earned ? theme::kInk : theme::kSoftInk;
-    list.fill_star(middle, radius_px, rim);
-    const float inner = radius_px * (earned ? 0.82F : 0.80F);
-    list.fill_star(middle, inner, earned ? theme::kStar : theme::kPaper);
-    if (earned) {
-        list.fill_star(offset(middle, -0.05F * radius_px, -0.07F * radius_px), 0.52F * radius_px,
-                       with_alpha(kWhite, 0.35F));
-    }
+    const float rim = std::max(0.08F * radius_px, 1.5F);
+    const float inside = radius_px - rim;
+    list.fill_star(middle, inside, rim, earned ? theme::kInk : theme::kSoftInk);
+    list.fill_star(middle, inside, 0.0F, earned ? theme::kStar : theme::kPaper);
 }
 
 void draw_warning_icon(DrawList& list, const Point2& middle, float radius_px) {

@@ -11,13 +11,11 @@ layout(location = 0) in vec2 a_position_px;
 layout(location = 1) in vec2 a_uv;
 layout(location = 2) in vec4 a_colour;
 uniform vec2 u_size_px;
-uniform int u_as_light;
 out vec2 v_uv;
 out vec4 v_colour;
-vec3 linear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
 void main() {
   v_uv = a_uv;
-  v_colour = u_as_light == 1 ? vec4(linear(a_colour.rgb), a_colour.a) : a_colour;
+  v_colour = a_colour;
   vec2 part = a_position_px / u_size_px;
   gl_Position = vec4(2.0 * part.x - 1.0, 1.0 - 2.0 * part.y, 0.0, 1.0);
 }
@@ -79,8 +77,7 @@ Expected<OverlayPass> OverlayPass::create() {
     return pass;
 }
 
-void OverlayPass::draw(const DrawList& list, Font& font, int width_px, int height_px,
-                       bool as_light) const {
+void OverlayPass::draw(const DrawList& list, Font& font, int width_px, int height_px) const {
     if (list.corners().empty()) {
         return;
     }
@@ -94,7 +91,6 @@ void OverlayPass::draw(const DrawList& list, Font& font, int width_px, int heigh
                  list.corners().data(), GL_STREAM_DRAW);
     program_.use();
     program_.set("u_atlas", 0);
-    program_.set("u_as_light", as_light ? 1 : 0);
     program_.set("u_size_px",
                  Eigen::Vector2f(static_cast<float>(width_px), static_cast<float>(height_px)));
     glDisable(GL_DEPTH_TEST);

@@ -16,9 +16,8 @@ class OverlayPass {
   public:
     [[nodiscard]] static Expected<OverlayPass> create();
 
-    /// Draws into the current framebuffer of this size in pixels; `as_light` when it takes light
-    /// and stores sRGB by itself.
-    void draw(const DrawList& list, Font& font, int width_px, int height_px, bool as_light) const;
+    /// Draws into the current framebuffer of this size in pixels.
+    void draw(const DrawList& list, Font& font, int width_px, int height_px) const;
 
   private:
     gl::Program program_;

@@ -115,18 +115,22 @@ void lay_out_bottom(const View& view, const Font& font, const Measure& m, PanelL
             set_words(font, m, read_emphasis(view.caption), {kSpokenText, word_width(m, 0.0F)});
         stack(layout.caption, layout.caption.words.width_px + 2.0F * m.px(kPadX));
     }
-    if (!view.feedback.empty()) {
-        layout.feedback.words = set_words(font, m, read_emphasis(view.feedback),
-                                          {kSpokenText, word_width(m, kIconRoom)});
-        stack(layout.feedback,
-              layout.feedback.words.width_px + 2.0F * m.px(kPadX) + m.px(kIconRoom));
-    }
+}
+
+/// What was said to the learner, below the top row.
+void lay_out_feedback(const View& view, const Font& font, const Measure& m, float top,
+                      Panel& panel) {
+    panel.words =
+        set_words(font, m, read_emphasis(view.feedback), {kSpokenText, word_width(m, kIconRoom)});
+    const float width = panel.words.width_px + 2.0F * m.px(kPadX) + m.px(kIconRoom);
+    panel.box = {0.5F * (m.width_px - width), top, width,
+                 panel.words.height_px + 2.0F * m.px(kPadY)};
 }
 
 void lay_out_stars(const Measure& m, Panel& panel) {
     const float width = m.px(7.4F * kEndStar);
     const float height = m.px(3.0F * kEndStar);
-    panel.box = {0.5F * (m.width_px - width), 0.40F * m.height_px - 0.5F * height, width, height};
+    panel.box = {0.5F * (m.width_px - width), 0.45F * m.height_px - 0.5F * height, width, height};
 }
 
 /// Words in a panel, behind `indent` at 720.
@@ -207,6 +211,18 @@ void draw_stars(int stars, const Panel& panel, const Measure& m, DrawList& list)
     }
 }
 
+/// Level on the left, score on the right; the height below which is room.
+float lay_out_top_row(const View& view, const Font& font, const Measure& m, float top,
+                      PanelLayout& layout) {
+    lay_out_score(view, font, m, top, layout.score);
+    float bottom = layout.score.box.bottom();
+    if (view.level > 0 || !view.title.empty() || !view.level_title.empty()) {
+        lay_out_level(view, font, m, top, layout.level);
+        bottom = std::max(bottom, layout.level.box.bottom());
+    }
+    return bottom + m.px(kGap);
+}
+
 }  // namespace
 
 std::vector<Box> PanelLayout::shown() const {
@@ -227,14 +243,13 @@ PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure)
         top = layout.banner.box.bottom() + measure.px(kGap);
     }
     lay_out_bottom(view, font, measure, layout);
-    if (!view.menu.empty()) {
-        return layout;
+    if (view.menu.empty()) {
+        top = lay_out_top_row(view, font, measure, top, layout);
     }
-    if (view.level > 0 || !view.title.empty() || !view.level_title.empty()) {
-        lay_out_level(view, font, measure, top, layout.level);
+    if (!view.feedback.empty()) {
+        lay_out_feedback(view, font, measure, top, layout.feedback);
     }
-    lay_out_score(view, font, measure, top, layout.score);
-    if (view.stars >= 0) {
+    if (view.menu.empty() && view.stars >= 0) {
         lay_out_stars(measure, layout.stars);
     }
     return layout;

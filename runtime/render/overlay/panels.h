@@ -2,8 +2,9 @@
 //
 //   top     [banner across]
 //           [level, title]                         [star, score]
+//                     [feedback]
 //   middle            [stars at the end]
-//   bottom            [feedback] / [caption] / [input]
+//   bottom            [caption] / [input]
 //
 // Thread: one (it asks the font). Cost: setting the words, each frame.
 #pragma once

@@ -6,9 +6,8 @@ namespace fulcrum::runtime {
 
 namespace {
 
-// Nearly overhead, so that a shadow lies close to where a thing will land; a little from the left
-// and front, so that it shows the shape.
-const Vector3 kToLight = Vector3(-0.22, 1.0, 0.30).normalized();
+const Vector3 kToLight = Vector3(-0.45, 1.0, 0.65).normalized();
+const Vector3 kToLamp = Vector3(-0.06, 1.0, 0.09).normalized();
 constexpr double kReach = 0.85;      // of the camera's distance
 constexpr double kLampHeight = 4.0;  // of the reach; what is above it still casts a shadow
 constexpr double kDepthRange = 6.0;  // of the reach, from the lamp down
@@ -22,7 +21,7 @@ Light light_for(const Camera& camera, double ground_height_m, int shadow_map_siz
     const Vector3 centre(camera.target_W().x(), ground, camera.target_W().z());
 
     // Right-handed axes that look along the light.
-    const Vector3 back = kToLight;
+    const Vector3 back = kToLamp;
     const Vector3 right = Vector3::UnitY().cross(back).normalized();
     const Vector3 up = back.cross(right);
     const Vector3 lamp = centre + kLampHeight * reach_m * back;
@@ -45,6 +44,7 @@ Light light_for(const Camera& camera, double ground_height_m, int shadow_map_siz
     to_unit(3, 3) = 1.0;
 
     light.to_light = kToLight.cast<float>();
+    light.to_lamp = kToLamp.cast<float>();
     light.clip_from_world = (box * view).cast<float>();
     light.shadow_from_world = (to_unit * box * view).cast<float>();
     light.centre_W = centre.cast<float>();

@@ -1,4 +1,6 @@
-// The one lamp: a warm key light from high above, and the window its shadows are seen through.
+// The one lamp: a warm key light, and the window its shadows are seen through. Shadows fall nearly
+// straight down, so that they show where a thing will land; shading comes more from the side, so
+// that it shows the shape.
 //
 // Thread: any; values. Cost: a few dozen multiplications.
 #pragma once
@@ -11,7 +13,8 @@ namespace fulcrum::runtime {
 
 /// A light from infinitely far away, and the square on the floor that its shadow map covers.
 struct Light {
-    Eigen::Vector3f to_light{Eigen::Vector3f::UnitY()};              ///< unit length, world
+    Eigen::Vector3f to_light{Eigen::Vector3f::UnitY()};  ///< for shading; unit length, world
+    Eigen::Vector3f to_lamp{Eigen::Vector3f::UnitY()};   ///< for shadows; unit length, world
     Eigen::Matrix4f clip_from_world{Eigen::Matrix4f::Identity()};    ///< for drawing the map
     Eigen::Matrix4f shadow_from_world{Eigen::Matrix4f::Identity()};  ///< 0 to 1 in x y z
     Eigen::Vector3f centre_W{Eigen::Vector3f::Zero()};               ///< on the floor

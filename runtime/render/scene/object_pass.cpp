@@ -16,6 +16,10 @@ void set_model(const gl::Program& program, const Placement& placement) {
     program.set("u_normal_from_model", placement.normal_from_model);
 }
 
+Eigen::Vector4f as_vector(const Colour& colour) {
+    return {colour.r, colour.g, colour.b, colour.a};
+}
+
 void draw_parts(const gl::Mesh& mesh) {
     for (const gl::MeshPart& part : mesh.parts) {
         gl::draw(part);
@@ -59,6 +63,7 @@ void ObjectPass::begin(const SceneFrame& frame, const ShadowPass& shadows) const
     lit_.set("u_shadow_map", 1);
     lit_.set("u_picture", 0);
     lit_.set("u_to_light", frame.light.to_light);
+    lit_.set("u_to_lamp", frame.light.to_lamp);
     lit_.set("u_eye", frame.eye_W);
     outline_.use();
     outline_.set("u_clip_from_world", frame.clip_from_world);
@@ -110,8 +115,7 @@ void ObjectPass::draw_outline(const gl::Mesh& mesh, const Placement& placement,
     outline_.use();
     set_model(outline_, placement);
     outline_.set("u_width_px", width_px);
-    outline_.set("u_flat", Eigen::Vector4f(to_linear(colour.r), to_linear(colour.g),
-                                           to_linear(colour.b), colour.a));
+    outline_.set("u_flat", as_vector(colour));
     draw_parts(mesh);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
@@ -122,8 +126,7 @@ void ObjectPass::draw_ghost(const gl::Mesh& mesh, const Placement& placement,
                             const Colour& colour) const {
     ghost_.use();
     set_model(ghost_, placement);
-    ghost_.set("u_flat", Eigen::Vector4f(to_linear(colour.r), to_linear(colour.g),
-                                         to_linear(colour.b), colour.a));
+    ghost_.set("u_flat", as_vector(colour));
     // First only the nearest depths, then colour where the depth is that one.
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     draw_parts(mesh);

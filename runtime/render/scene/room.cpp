@@ -18,9 +18,9 @@ constexpr int kAround = 96;  // corners of the floor's circle
 constexpr std::size_t kNearCorners = 3UL * kAround;
 constexpr std::size_t kFarCorners = 6UL * kAround;
 constexpr float kFarFloor = 60.0F;   // radius of the floor, in reaches of the light
-constexpr float kFade = 9.0F;        // where floor has become wall, in reaches
+constexpr float kFade = 7.0F;        // where floor has become wall, in reaches
 constexpr float kRugRadius = 0.62F;  // in reaches
-constexpr int kWallStrips = 24;
+constexpr int kWallStrips = 64;
 constexpr std::size_t kFloatsPerMark = 9;  // position, place, look
 constexpr std::size_t kMostMarks = 256;
 constexpr float kMarkSize = 1.5F;     // half side of a mark's square, in radii
@@ -94,9 +94,7 @@ std::vector<float> wall_corners(const Camera& camera) {
         const float y = -1.0F + 2.0F * static_cast<float>(i) / kWallStrips;
         const float up = std::clamp((y - horizon) / 1.1F, 0.0F, 1.0F);
         const float part = up * up * (3.0F - 2.0F * up);
-        const auto mixed = [&](float low, float high) {
-            return to_linear(low) + part * (to_linear(high) - to_linear(low));
-        };
+        const auto mixed = [&](float low, float high) { return low + part * (high - low); };
         for (const float x : {-1.0F, 1.0F}) {
             corners.insert(corners.end(), {x, y, mixed(theme::kWallBottom.r, theme::kWallTop.r),
                                            mixed(theme::kWallBottom.g, theme::kWallTop.g),
@@ -173,7 +171,8 @@ void Room::draw_floor(const gl::Program& program, const SceneFrame& frame,
     program.set_linear("u_floor", theme::kFloor);
     program.set_linear("u_rug", theme::kRug);
     program.set_linear("u_rug_ring", theme::kRugRing);
-    program.set_linear("u_horizon", theme::kWallBottom);
+    program.set("u_horizon",
+                Eigen::Vector3f(theme::kWallBottom.r, theme::kWallBottom.g, theme::kWallBottom.b));
     glBindVertexArray(floor_array_.name());
     glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), static_cast<GLsizei>(count));
 }

@@ -8,6 +8,7 @@ namespace fulcrum::runtime {
 
 namespace {
 
+constexpr double kGhostApart = 0.02;  // of the camera's distance: the ghost is fully seen
 constexpr double kBelowFloor = 0.25;  // of its radius: deeper things have no mark
 
 std::optional<SceneItem> item_of(const ViewBody& body, const FindMesh& find_mesh) {
@@ -33,6 +34,15 @@ void add_mark(SceneContent& content, const SceneItem& item, double floor_m, bool
     }
 }
 
+/// Half of an item's extent across the picture.
+double half_width_seen_m(const Camera& camera, const SceneItem& item) {
+    const Eigen::Matrix3f turn = item.placement.world_from_model.topLeftCorner<3, 3>();
+    const Eigen::Vector3f half = 0.5F * (item.mesh->highest - item.mesh->lowest);
+    const Eigen::Vector3f across = turn.transpose() * camera.right_W().cast<float>();
+    // A box would be right with a sum; most things are round, as an ellipsoid is.
+    return static_cast<double>(across.cwiseProduct(half).norm());
+}
+
 void add_label(SceneContent& content, const Camera& camera, const ViewBody& body,
                const SceneItem& item) {
     if (body.label.empty()) {
@@ -43,7 +53,7 @@ void add_label(SceneContent& content, const Camera& camera, const ViewBody& body
         label.middle_px = {static_cast<float>(seen->position_px.x()),
                            static_cast<float>(seen->position_px.y())};
         label.radius_px =
-            static_cast<float>(item.bounds.half_width_m * camera.px_per_m(seen->depth_m));
+            static_cast<float>(half_width_seen_m(camera, item) * camera.px_per_m(seen->depth_m));
         label.text = body.label;
         content.labels.push_back(std::move(label));
     }
@@ -98,6 +108,12 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
         ViewBody ghost = view.tool;
         ghost.pose_W = view.ghost_pose_W;
         content.ghost = item_of(ghost, find_mesh);
+        if (content.ghost && view.tool_visible && is_finite(view.tool.pose_W)) {
+            // Seen through each other they would only shimmer; it appears as they part.
+            const double apart_m = (ghost.pose_W.position - view.tool.pose_W.position).norm();
+            content.ghost_strength = static_cast<float>(
+                std::clamp(apart_m / (kGhostApart * camera.distance_m()), 0.0, 1.0));
+        }
     }
     content.arrow = arrow_for(view.force, camera);
     if (content.arrow) {

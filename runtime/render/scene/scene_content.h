@@ -31,6 +31,7 @@ struct SceneItem {
 struct SceneContent {
     std::vector<SceneItem> items;
     std::optional<SceneItem> ghost;
+    float ghost_strength = 1.0F;  ///< 0 where tool and ghost are the same, 1 where they are apart
     std::optional<Arrow> arrow;
     std::vector<FloorMark> marks;
     std::vector<SceneLabel> labels;

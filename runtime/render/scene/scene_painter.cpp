@@ -17,7 +17,6 @@ constexpr float kBallRadius_m = 0.05F;
 constexpr std::array<float, 4> kBallColour{0.55F, 0.55F, 0.58F, 1.0F};
 constexpr float kHighlight_px = 7.0F;  // at 720
 constexpr float kArrowRim_px = 4.0F;   // at 720
-constexpr float kHiddenArrow = 0.55F;  // alpha of the part behind other things
 constexpr float kGhostAlpha = 0.75F;
 constexpr double kIconAngle_deg = 24.0;
 
@@ -40,9 +39,9 @@ void start_picture(const gl::FrameTarget& target) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
     glClearStencil(0);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    // The wall covers every pixel, so that colours need no clearing.
+    glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 }  // namespace
@@ -124,7 +123,7 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
     draw_highlights(content, scale);
     if (content.ghost) {
         objects_.draw_ghost(*content.ghost->mesh, content.ghost->placement,
-                            with_alpha(theme::kGhost, kGhostAlpha));
+                            with_alpha(theme::kGhost, kGhostAlpha * content.ghost_strength));
     }
     if (content.arrow) {
         draw_arrow(*content.arrow, scale);
@@ -151,23 +150,15 @@ void ScenePainter::draw_highlights(const SceneContent& content, float scale) con
 void ScenePainter::draw_arrow(const Arrow& arrow, float scale) const {
     const std::array<std::pair<const gl::Mesh*, const Placement*>, 2> parts{
         {{&arrow_shaft_, &arrow.shaft}, {&arrow_head_, &arrow.head}}};
+    // The force is never hidden: it is drawn over all else, with a light rim around.
+    glClear(GL_DEPTH_BUFFER_BIT);
     for (const auto& [mesh, placement] : parts) {
         objects_.draw_lit(*mesh, *placement);
         objects_.draw_stencil(*mesh, *placement);
     }
-    // The force is never hidden: its rim shows through, and its inside faintly.
-    glDisable(GL_DEPTH_TEST);
     for (const auto& [mesh, placement] : parts) {
         objects_.draw_outline(*mesh, *placement, theme::kForceOutline, kArrowRim_px * scale);
     }
-    glEnable(GL_DEPTH_TEST);
-    glClear(GL_STENCIL_BUFFER_BIT);
-    glDepthFunc(GL_GREATER);
-    for (const auto& [mesh, placement] : parts) {
-        objects_.draw_outline(*mesh, *placement, with_alpha(theme::kForceArrow, kHiddenArrow),
-                              0.0F);
-    }
-    glDepthFunc(GL_LESS);
 }
 
 void ScenePainter::draw_wall(const Camera& camera, const gl::FrameTarget& target) const {
@@ -186,7 +177,7 @@ void ScenePainter::draw_icon(const std::string& model, const Box& box, int width
     const gl::Mesh& mesh = find(model);
     const Vector3 middle = 0.5 * (mesh.lowest + mesh.highest).cast<double>();
     const double radius_m = 0.5 * static_cast<double>((mesh.highest - mesh.lowest).norm());
-    const double away = 1.02 * radius_m / std::sin(0.5 * kIconAngle_deg * std::numbers::pi / 180.0);
+    const double away = 0.80 * radius_m / std::sin(0.5 * kIconAngle_deg * std::numbers::pi / 180.0);
     CameraDescription view;
     view.target_W = middle;
     view.eye_W = middle + away * Vector3(0.25, 0.40, 1.0).normalized();

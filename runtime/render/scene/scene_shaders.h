@@ -1,4 +1,4 @@
-// The shaders of the lit scene. All colours are light (linear); the framebuffer stores them as
+// The shaders of the lit scene. Lighting is computed in light (linear) and stored as
 // sRGB.
 //
 //   light leaving = albedo (key max(n.l, 0) lit + ambient(n.y)) + highlight + rim
@@ -42,7 +42,8 @@ void main() {
 inline constexpr const char* kLighting = R"(
 uniform sampler2DShadow u_shadow_map;
 uniform float u_shadow_texel;
-uniform vec3 u_to_light;
+uniform vec3 u_to_light;   // for shading
+uniform vec3 u_to_lamp;    // for shadows
 uniform vec3 u_eye;
 const vec3 kKey = vec3(1.0, 0.94, 0.84) * 0.78;
 const vec3 kSky = vec3(0.50, 0.53, 0.58);
@@ -56,9 +57,11 @@ float lit_part(vec3 at) {
   }
   return sum / 9.0;
 }
-vec3 soft_shoulder(vec3 light) {
+vec3 to_screen(vec3 light) {
+  // A soft shoulder keeps bright colours from being cut off; then sRGB.
   vec3 over = max(light - 0.8, 0.0);
-  return min(light, 0.8) + 0.2 * (over / (over + 0.2));
+  vec3 kept = min(light, 0.8) + 0.2 * (over / (over + 0.2));
+  return mix(12.92 * kept, 1.055 * pow(kept, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, kept));
 }
 )";
 
@@ -79,16 +82,17 @@ void main() {
   float facing = dot(n, u_to_light);
   float lit = lit_part(v_shadow);
   float wrapped = max((facing + 0.25) / 1.25, 0.0);
-  float sun = wrapped * mix(1.0, lit, smoothstep(-0.05, 0.25, facing));
+  // Where a surface turns away from the lamp, its own shading is its shadow.
+  float sun = wrapped * mix(1.0, lit, smoothstep(0.0, 0.35, dot(n, u_to_lamp)));
   vec3 light = albedo * (kKey * sun + mix(kBounce, kSky, 0.5 + 0.5 * n.y));
   vec3 half_way = normalize(to_eye + u_to_light);
   float a = max(u_roughness * u_roughness, 0.02);
   float power = 2.0 / (a * a) - 2.0 + 4.0;
   float gloss = 0.04 * (power + 8.0) / 8.0 * pow(max(dot(n, half_way), 0.0), power);
   float edge = pow(1.0 - max(dot(n, to_eye), 0.0), 4.0);
-  light += kKey * min(gloss, 1.2) * lit * max(facing, 0.0);
+  light += kKey * min(gloss, 1.2) * max(facing, 0.0);
   light += (0.22 - 0.12 * u_roughness) * edge * (0.6 + 0.4 * n.y) * vec3(0.85, 0.95, 1.0);
-  o_colour = vec4(soft_shoulder(light), 1.0);
+  o_colour = vec4(to_screen(light), 1.0);
 }
 )";
 
@@ -135,26 +139,25 @@ void main() {
   const float lit = 1.0;
 #endif
   vec3 light = albedo * (kKey * u_to_light.y * lit + kSky);
-  light = soft_shoulder(light);
-  float far = smoothstep(0.15 * u_fade_m, u_fade_m, r);
-  o_colour = vec4(mix(light, u_horizon, far), 1.0);
+  float far = smoothstep(0.08 * u_fade_m, u_fade_m, r);
+  o_colour = vec4(mix(to_screen(light), u_horizon, far), 1.0);
 }
 )";
 
 /// The wall: colours are given at the corners.
 inline constexpr const char* kWallVertex = R"(
 layout(location = 0) in vec2 a_position;
-layout(location = 1) in vec3 a_light;
-out vec3 v_light;
+layout(location = 1) in vec3 a_colour;
+out vec3 v_colour;
 void main() {
-  v_light = a_light;
+  v_colour = a_colour;
   gl_Position = vec4(a_position, 1.0, 1.0);
 }
 )";
 inline constexpr const char* kWallFragment = R"(
-in vec3 v_light;
+in vec3 v_colour;
 out vec4 o_colour;
-void main() { o_colour = vec4(v_light, 1.0); }
+void main() { o_colour = vec4(v_colour, 1.0); }
 )";
 
 /// Marks on the floor under things: a soft dark disc and a ring.
@@ -183,7 +186,7 @@ void main() {
   float turn = atan(v_place.y, v_place.x) / 6.2831853;
   float dash = v_look.w > 0.0 ? step(0.5, fract(turn * v_look.w)) : 1.0;
   float ring = v_look.z * line * dash;
-  o_colour = vec4(0.09, 0.10, 0.13, max(disc, ring));
+  o_colour = vec4(0.16, 0.20, 0.26, max(disc, ring));
 }
 )";
 
