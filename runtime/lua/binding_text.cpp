@@ -135,6 +135,18 @@ std::string callback_signature(const Callback& callback) {
     return std::string("L:") + callback.name + '(' + names + ')';
 }
 
+/// Without blanks before line ends.
+std::string tidied(const std::string& text) {
+    std::string tidy;
+    for (const char c : text) {
+        while (c == '\n' && tidy.ends_with(' ')) {
+            tidy.pop_back();
+        }
+        tidy += c;
+    }
+    return tidy;
+}
+
 }  // namespace
 
 std::string make_annotations(const ApiTable& table) {
@@ -175,7 +187,7 @@ std::string make_annotations(const ApiTable& table) {
     for (const Binding& binding : table.functions) {
         annotate_function(out, binding);
     }
-    return out;
+    return tidied(out);
 }
 
 std::string make_reference(const ApiTable& table) {
@@ -223,7 +235,7 @@ std::string make_reference(const ApiTable& table) {
             }
         }
     }
-    return out;
+    return tidied(out);
 }
 
 }  // namespace fulcrum::runtime

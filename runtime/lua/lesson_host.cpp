@@ -1,7 +1,7 @@
 #include "runtime/lua/lesson_host.h"
 
 #include <cmath>
-#include <type_traits>
+#include <utility>
 
 namespace fulcrum::runtime {
 namespace {
@@ -170,25 +170,24 @@ std::optional<ScriptError> LessonHost::run_frame(const LessonFrame& frame, Lesso
         return ScriptError{"the program sent a frame of another scene", "", 0};
     }
     lesson_.frame = frame;
-    lesson_.reply = {};
     lesson_.n_prints = 0;
     lesson_script_->begin_budget(message_.frame_instructions);
     if (auto error = lesson_script_->protect([&](lua_State* L) { run_callbacks(L); })) {
         return error;
     }
-    reply = std::move(lesson_.reply);
+    reply = std::exchange(lesson_.reply, {});  // what start() asked for goes out with the first
     if (hand_script_ == nullptr) {
         return std::nullopt;
     }
     hand_.frame = frame;
     hand_.felt_weight_N = lesson_.felt_weight_N;
     hand_.n_prints = 0;
-    lesson_.reply = {};
     hand_script_->begin_budget(message_.frame_instructions);
     auto error = hand_script_->protect([&](lua_State* L) { run_hand(L, reply); });
-    for (LessonCommand& print : lesson_.reply.commands) {  // the hand's prints join the lesson's
+    const LessonReply prints = std::exchange(lesson_.reply, {});
+    for (const LessonCommand& print : prints.commands) {  // the hand's join the lesson's
         if (reply.commands.size() < kMaxCommands) {
-            reply.commands.push_back(std::move(print));
+            reply.commands.push_back(print);
         }
     }
     return error;

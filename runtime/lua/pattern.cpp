@@ -265,7 +265,7 @@ PatternMatcher::Match PatternMatcher::match_back_reference(std::size_t s, char d
     }
     const PatternCapture& caught = captures_[static_cast<std::size_t>(k)];
     count(1 + caught.length / 16);
-    if (text_.size() - s < caught.length ||
+    if (caught.is_position || text_.size() - s < caught.length ||
         text_.compare(s, caught.length, text_.substr(caught.begin, caught.length)) != 0) {
         return std::nullopt;
     }

@@ -140,9 +140,11 @@ bool is_name(std::string_view text) {
     if (text.empty() || text.size() > kMaxNameBytes) {
         return false;
     }
-    for (const char c : text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
         const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-        if (!plain && !((c == '_' || c == '-') && &c != text.data())) {
+        const bool joins = (c == '_' || c == '-') && i > 0;
+        if (!plain && !joins) {
             return false;
         }
     }

@@ -28,6 +28,7 @@ int set_camera(lua_State* /*L*/, LessonContext& context, const Arguments& argume
 int set_hand(lua_State* /*L*/, LessonContext& context, const Arguments& arguments) {
     context.description.hand.centre_W = arguments["centre"].vector;
     context.description.hand.scale = arguments["scale"].number;
+    context.description.hand.rate_hz = arguments["rate"].number;
     return 0;
 }
 
@@ -69,6 +70,7 @@ int set_bucket(lua_State* L, LessonContext& context, const Arguments& arguments)
     bucket.model = arguments["model"].text;
     bucket.opening_radius_m = arguments["radius"].number;
     bucket.depth_m = arguments["depth"].number;
+    bucket.holds = static_cast<int>(arguments["holds"].number);
     bucket.line = place_in_lesson(L).line;
     return 0;
 }
@@ -166,7 +168,8 @@ void add_scene_rows(ApiTable& table) {
          CallTime::declaring,
          {{"centre", vector, "metres", -10000, 10000, "{0, 0.3, 0}",
            "where the middle of the arm's reach lies"},
-          {"scale", number, "", 0.01, 100, "1", "metres in the scene for one metre of the hand"}},
+          {"scale", number, "", 0.01, 100, "1", "metres in the scene for one metre of the hand"},
+          {"rate", number, "hertz", 1000, 4000, "1000", "how often forces are computed"}},
          "",
          "Says where the hand works in the scene.",
          &set_hand});
@@ -198,7 +201,9 @@ void add_scene_rows(ApiTable& table) {
          CallTime::declaring,
          {{"model", name, "", 0, 0, "bucket", "model to draw"},
           {"radius", number, "metres", 0.001, 10, "0.11", "of the opening"},
-          {"depth", number, "metres", 0.001, 10, "0.14", ""}},
+          {"depth", number, "metres", 0.001, 10, "0.14", ""},
+          {"holds", integer, "", 1, 8, "1",
+           "bodies at once; felt weights are scaled so that so many fit the arm"}},
          "",
          "Puts a bucket on the tool; movable bodies that fall into it are caught.",
          &set_bucket});

@@ -33,13 +33,13 @@ local World = {}
 
 ---A thing in the scene.
 ---@class Body
----@field name string 
+---@field name string
 ---@field noun string the English noun
 ---@field mass number kilograms; the true mass
 ---@field weight number newtons; the true weight: mass × gravity
 ---@field felt_weight number newtons; what the hand feels of it
 ---@field position Vector metres; {x, y, z}
----@field where "hidden"|"placed"|"falling"|"held"|"landed" 
+---@field where "hidden"|"placed"|"falling"|"held"|"landed"
 ---@field x number metres; to the right
 ---@field y number metres; up
 ---@field z number metres; towards the viewer
@@ -59,7 +59,7 @@ local Tool = {}
 
 ---A force on the hand.
 ---@class Force
----@field name string 
+---@field name string
 local Force = {}
 
 ---@class LessonOptions
@@ -117,6 +117,7 @@ function World:camera(options) end
 ---@class HandOptions
 ---@field centre? Vector|Body|Tool where the middle of the arm's reach lies; in metres, -10000 to 10000; default {0, 0.3, 0}
 ---@field scale? number metres in the scene for one metre of the hand; 0.01 to 100; default 1
+---@field rate? number how often forces are computed; in hertz, 1000 to 4000; default 1000
 
 ---Says where the hand works in the scene.
 ---@param options HandOptions
@@ -144,6 +145,7 @@ function World:body(options) end
 ---@field model? string model to draw; default bucket
 ---@field radius? number of the opening; in metres, 0.001 to 10; default 0.11
 ---@field depth? number in metres, 0.001 to 10; default 0.14
+---@field holds? integer bodies at once; felt weights are scaled so that so many fit the arm; 1 to 8; default 1
 
 ---Puts a bucket on the tool; movable bodies that fall into it are caught.
 ---@param options BucketOptions

@@ -1,0 +1,56 @@
+#include "runtime/lua/binding_table.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace fulcrum::runtime {
+namespace {
+
+std::string read_text(const std::string& path) {
+    std::ifstream file(std::string(FULCRUM_SOURCE_DIR) + path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST_CASE(
+    "bindings: annotations and reference are up to date (lesson_process_helper --write-meta "
+    "scripts/meta writes them)") {
+    CHECK(read_text("/scripts/meta/fulcrum.lua") == make_annotations(api_table()));
+    CHECK(read_text("/scripts/meta/reference.md") == make_reference(api_table()));
+}
+
+TEST_CASE("bindings: every function and field stands in both texts") {
+    const std::string annotations = make_annotations(api_table());
+    const std::string reference = make_reference(api_table());
+    std::set<std::string> names;
+    for (const Binding& binding : api_table().functions) {
+        CHECK(names.insert(std::string(binding.owner) + ':' + binding.name).second);
+        CHECK_THAT(annotations, Catch::Contains(std::string(binding.name) + "("));
+        CHECK_THAT(reference, Catch::Contains(binding.text));
+        CHECK(binding.call != nullptr);
+        for (const Parameter& parameter : binding.parameters) {
+            CHECK(parameter.low <= parameter.high);
+        }
+    }
+    for (const Property& property : api_table().properties) {
+        CHECK(names.insert(std::string(property.owner) + ':' + property.name).second);
+        CHECK_THAT(annotations, Catch::Contains(std::string("---@field ") + property.name + ' '));
+    }
+}
+
+TEST_CASE("bindings: the nearest word is found, and nothing when none is near") {
+    const std::vector<std::string> words = {"gravity", "ground", "caption", "body"};
+    CHECK(nearest_word("gravty", words) == "gravity");
+    CHECK(nearest_word("garvity", words) == "gravity");
+    CHECK(nearest_word("grond", words) == "ground");
+    CHECK(nearest_word("bdoy", words) == "body");
+    CHECK(nearest_word("elephant", words).empty());
+    CHECK(nearest_word("", words).empty());
+    CHECK(nearest_word(std::string(100000, 'x'), words).empty());
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime
