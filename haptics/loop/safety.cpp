@@ -53,6 +53,15 @@ Vector3 approached(const Vector3& from, const Vector3& target, double reach,
 
 }  // namespace
 
+Wrench compute_last_check(const Wrench& wrench, double max_force_N, double max_torque_Nm) noexcept {
+    // Squaring would make a large limit of a negative one.
+    const double force_N = std::max(std::min(kHardForceCap_N, max_force_N), 0.0);
+    const double torque_Nm = std::max(std::min(kHardTorqueCap_Nm, max_torque_Nm), 0.0);
+    const bool holds = wrench.force.squaredNorm() <= force_N * force_N &&
+                       wrench.torque.squaredNorm() <= torque_Nm * torque_Nm;
+    return holds ? wrench : Wrench{};
+}
+
 SafetyGate::SafetyGate(const SafetySettings& settings) noexcept : settings_(clamped(settings)) {
     if (settings_.max_force_N > 0.0) {
         torque_per_force_m_ = settings_.max_torque_Nm / settings_.max_force_N;
@@ -101,7 +110,7 @@ Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s) no
             fade(fade_dt_s);
             break;
     }
-    output_D_ = within_limits(output_D_);
+    output_D_ = compute_last_check(output_D_, settings_.max_force_N, settings_.max_torque_Nm);
     return output_D_;
 }
 
@@ -163,16 +172,6 @@ void SafetyGate::fade(double dt_s) noexcept {
     }
     const double left = 1.0 - fade_age_s_ / settings_.fade_s;
     output_D_ = {fade_from_D_.force * left, fade_from_D_.torque * left};
-}
-
-// The last line of defence: a comparison that NaN fails, against both the site's limits and the
-// hard caps.
-Wrench SafetyGate::within_limits(const Wrench& wrench) const noexcept {
-    const double force_N = std::min(settings_.max_force_N, kHardForceCap_N);
-    const double torque_Nm = std::min(settings_.max_torque_Nm, kHardTorqueCap_Nm);
-    const bool holds = wrench.force.squaredNorm() <= force_N * force_N &&
-                       wrench.torque.squaredNorm() <= torque_Nm * torque_Nm;
-    return holds ? wrench : Wrench{};
 }
 
 }  // namespace fulcrum

@@ -33,6 +33,11 @@ inline constexpr double kLongestStep_s =
 /// Refuses settings outside the ranges named at each field of SafetySettings, NaN included.
 [[nodiscard]] Expected<void> validate(const SafetySettings& settings);
 
+/// The gate's last instruction: `wrench` itself when neither limit nor hard cap is passed, else zero. A comparison that NaN
+/// fails, so that no bit pattern of wrench or limits gets through above a cap.
+[[nodiscard]] Wrench compute_last_check(const Wrench& wrench, double max_force_N,
+                                        double max_torque_Nm) noexcept;
+
 /// One gate stands before one device. See the head of this file for its laws.
 class SafetyGate {
   public:
@@ -61,7 +66,6 @@ class SafetyGate {
     void judge(const Wrench& limited, double dt_s) noexcept;
     void follow(const Wrench& limited, double dt_s) noexcept;
     void fade(double dt_s) noexcept;
-    [[nodiscard]] Wrench within_limits(const Wrench& wrench) const noexcept;
 
     SafetySettings settings_;
     double torque_per_force_m_ =

@@ -303,3 +303,34 @@ TEST_CASE(
           Approx(4.0 * (1.0 - 0.051 / 0.1)));
     CHECK(fading.phase() == GatePhase::stopped);
 }
+
+TEST_CASE("safety: the last check alone holds, whatever came before it") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double inf = std::numeric_limits<double>::infinity();
+    const Wrench fine{Vector3(3.0, -4.0, 0.0), Vector3(0.0, 0.3, 0.0)};
+    const Wrench kept = compute_last_check(fine, 5.0, 0.3);
+    CHECK(kept.force == fine.force);
+    CHECK(kept.torque == fine.torque);
+    CHECK(compute_last_check(fine, 4.999, 0.3).force.norm() == 0.0);
+    CHECK(compute_last_check(fine, 5.0, 0.299).force.norm() == 0.0);
+    // Limits that are absurd or no numbers do not lift the hard caps.
+    for (const double limit : {1e9, inf, nan}) {
+        CHECK(compute_last_check(along_x(10.001), limit, limit).force.norm() == 0.0);
+        CHECK(compute_last_check({Vector3::Zero(), Vector3(0.0, 0.0, 1.001)}, limit, limit)
+                  .torque.norm() == 0.0);
+    }
+    for (const double bad : {nan, inf, -inf, 1e200}) {
+        CHECK(compute_last_check(along_x(bad), 5.0, 0.3).force.norm() == 0.0);
+        CHECK(
+            compute_last_check({Vector3::Zero(), Vector3(0.0, bad, 0.0)}, 5.0, 0.3).torque.norm() ==
+            0.0);
+    }
+    std::mt19937_64 random(11);
+    std::int64_t n_bad = 0;
+    for (int i = 0; i < 1'000'000; ++i) {
+        const Wrench out = compute_last_check({any_vector(random), any_vector(random)},
+                                              any_value(random), any_value(random));
+        n_bad += !(out.force.norm() <= kHardForceCap_N && out.torque.norm() <= kHardTorqueCap_Nm);
+    }
+    CHECK(n_bad == 0);
+}
