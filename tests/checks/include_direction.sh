@@ -13,7 +13,7 @@ BEGIN {
     area["runtime"] = "runtime haptics dialogue"
     # Top to bottom. A folder that is not named here is no room yet: give it its place.
     order("haptics", "loop tool point device dynamics collision record surface field geometry coupling handover math base")
-    order("dialogue", "conversation marking english template speech")
+    order("dialogue", "conversation marking speech template english")
     order("runtime", "app lesson lua render audio progress scene")
 }
 function order(name, rooms,    list, n, i) {
