@@ -68,6 +68,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Mark mark = mark_answer(*question, second);
     require(mark.understood || (mark.slots.empty() && mark.form_errors.empty()));
     check_errors(mark);
+    // What is said back is understood, without an error.
+    if (mark.understood && mark.corrected.size() <= kLongestUtterance_bytes) {
+        const Mark again = mark_answer(*question, mark.corrected);
+        require(again.understood && again.form_right());
+    }
     (void)sentence_frame(*question);
     (void)choices(*question);
     return 0;
