@@ -155,14 +155,14 @@ int run_without_window(const Installation& installation, const Options& options,
 
 int run_command(const Installation& installation, const Options& options) {
     const bool in_window = !options.headless && display_available();
+    auto request = make_request(installation, options, in_window);
+    if (!request) {
+        return complain(request.error(), 2);
+    }
     if (!options.headless && !in_window) {
         std::fprintf(
             stderr,
             "There is no display, so the lesson runs without a window, with the simulated hand.\n");
-    }
-    auto request = make_request(installation, options, in_window);
-    if (!request) {
-        return complain(request.error(), 2);
     }
     return in_window ? run_in_window(installation, options, std::move(*request))
                      : run_without_window(installation, options, *request);

@@ -10,6 +10,7 @@ local L = lesson { id = "gravity", title = "Which one is the heaviest?", level =
 
 -- True masses in kilograms. `exaggeration` makes the felt weights easy to tell apart; Fulcrum then shrinks all of them by
 -- one factor until they fit under the arm's limit. With a limit of 10 N the apple weighs 6 N in the hand and the egg 3 N.
+local names = { "watermelon", "apple", "banana", "egg" }
 local fruit = {
   watermelon = { a = "a watermelon", mass = 3.0,    exaggeration = 0.3, radius = 0.095, drag_area = 0.013 },
   apple      = { a = "an apple",     mass = 0.2039, exaggeration = 3.0, radius = 0.04,  drag_area = 0.0024 },
@@ -42,7 +43,8 @@ function L:start(world)
   world:body { name = "tree", model = "tree", visible = true, at = { -1.0, 0, -1.1 } }
   world:body { name = "hill", model = "hill", visible = true, at = { 1.1, -0.22, -4.2 } }
   world:body { name = "flower", model = "flower", visible = true, at = { 0.52, 0, -0.25 } }
-  for name, f in pairs(fruit) do
+  for _, name in ipairs(names) do
+    local f = fruit[name]
     bodies[name] = world:body {
       name = name, noun = name, model = name, movable = true,
       mass = f.mass, exaggeration = f.exaggeration, radius = f.radius, drag_area = f.drag_area,

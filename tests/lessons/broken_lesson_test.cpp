@@ -1,0 +1,129 @@
+// Lessons that fail in every way a teacher can manage: the force fades first, then one sentence with file and line.
+#include "tests/lessons/program.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+const std::string kHead =
+    "local L = lesson { id = \"x\", title = \"X\", level = \"A1\", minutes = 1 }\n";
+// A spring, so that there is a force to fade; the hand is held 3 cm away from it.
+const std::string kSpring =
+    "function L:start(world)\n"
+    "  world:spring { name = \"s\", at = { 0.03, 0.3, 0 }, stiffness = 60, damping = 1 }\n"
+    "end\n";
+
+struct Case {
+    const char* name;
+    std::string text;
+    int line;  // the sentence names it
+};
+
+}  // namespace
+
+TEST_CASE("broken lessons: one sentence with file and line, exit code 1") {
+    const std::vector<Case> cases{
+        {"syntax", kHead + "function L:start(world\n  world:ground(0)\nend\nreturn L\n", 3},
+        {"nil index", kHead + "function L:start(world)\n  local a = nothing.here\nend\nreturn L\n",
+         3},
+        {"out of range",
+         kHead +
+             "function L:start(world)\n  world:body { name = \"a\", mass = -3 }\nend\nreturn L\n",
+         3},
+        {"endless loop in start",
+         kHead + "function L:start(world)\n  while true do end\nend\nreturn L\n", 3},
+        {"endless loop in update",
+         kHead + "function L:update(world, dt)\n  while true do end\nend\nreturn L\n", 3},
+        {"memory",
+         kHead + "function L:update(world, dt)\n  local t = {}\n  while true do t[#t+1] = "
+                 "(\"x\"):rep(1000) .. #t end\nend\nreturn L\n",
+         4},
+        {"bad template",
+         kHead + "L:question \"q\" { prompt = \"?\", answers = { \"[a\" }, right = function() "
+                 "return true end }\nreturn L\n",
+         2},
+    };
+    for (const Case& broken : cases) {
+        const Sandbox sandbox;
+        sandbox.write("broken/lesson.lua", broken.text);
+        const ProgramRun run = sandbox.run("run broken --headless --seconds 5");
+        INFO(broken.name << ": " << run.output);
+        CHECK(run.exit_code == 1);
+        CHECK(std::count(run.output.begin(), run.output.end(), '\n') == 1);
+        CHECK(run.output.find("lesson.lua:" + std::to_string(broken.line) + ":") !=
+              std::string::npos);
+    }
+}
+
+TEST_CASE(
+    "broken lessons: a lesson that fails in the middle fades its force to zero before the run "
+    "ends") {
+    const Sandbox sandbox;
+    sandbox.write("hand.lua", "return function() return 0, 0.3, 0 end\n");
+    sandbox.write("fails/lesson.lua",
+                  kHead + kSpring +
+                      "function L:update(world, dt)\n"
+                      "  if world.time > 4 then error(\"the kite is gone\") end\n"
+                      "end\nreturn L\n");
+    const ProgramRun run = sandbox.run("run fails --headless --hand hand.lua --record r.rec");
+    INFO(run.output);
+    CHECK(run.exit_code == 1);
+    CHECK(run.output.find("lesson.lua:6: the kite is gone") != std::string::npos);
+    const Record record = read_run(sandbox.path("r.rec"));
+    const RecordSample& before = sample_at(record, 3.9);
+    CHECK(before.applied_W.force.norm() > 1.0);
+    CHECK(record.samples.back().applied_W.force.norm() == 0.0);
+    // It fades in the stated time, 0.1 s, without rising on the way.
+    double last_N = before.applied_W.force.norm();
+    for (const RecordSample& sample : record.samples) {
+        if (sample.time_s > 4.05) {
+            REQUIRE(sample.applied_W.force.norm() <= last_N + 1e-9);
+            last_N = sample.applied_W.force.norm();
+        }
+    }
+    CHECK(sample_at(record, 4.15).applied_W.force.norm() == 0.0);
+}
+
+TEST_CASE(
+    "broken input: a wrong command, hand, record, say file or database each gets one sentence") {
+    const Sandbox sandbox;
+    sandbox.write("garbage", std::string(1000, 'x'));
+    const std::vector<std::pair<std::string, int>> cases{
+        {"rnu gravity", 2},
+        {"run gravty", 2},
+        {"run gravity --headless --hand replay:garbage", 1},
+        {"run gravity --headless --hand nowhere.lua", 1},
+        {"run gravity --headless --say nowhere.txt", 2},
+        {"run gravity --headless --hand mouse", 2},
+        {"report --db garbage", 2},
+        {"report --db nowhere.db", 2},
+    };
+    for (const auto& [arguments, exit_code] : cases) {
+        const ProgramRun run = sandbox.run(arguments);
+        INFO(arguments << ": " << run.output);
+        CHECK(run.exit_code == exit_code);
+        CHECK(std::count(run.output.begin(), run.output.end(), '\n') == 1);
+    }
+}
+
+TEST_CASE(
+    "broken input: with a damaged database the lesson is still played, and the file stays as it "
+    "was") {
+    const Sandbox sandbox;
+    const std::string garbage(5000, 'x');
+    sandbox.write("damaged.db", garbage);
+    const ProgramRun run = sandbox.run("run gravity --headless --seconds 5 --db damaged.db");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(run.output.find("damaged.db") != std::string::npos);
+    std::FILE* file = std::fopen(sandbox.path("damaged.db").c_str(), "rb");
+    REQUIRE(file != nullptr);
+    std::string after(6000, '\0');
+    after.resize(std::fread(after.data(), 1, after.size(), file));
+    (void)std::fclose(file);
+    CHECK(after == garbage);
+}

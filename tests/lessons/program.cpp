@@ -1,0 +1,71 @@
+#include "tests/lessons/program.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sys/wait.h>
+
+namespace fulcrum::test {
+namespace fs = std::filesystem;
+
+Sandbox::Sandbox() {
+    std::string pattern = (fs::temp_directory_path() / "fulcrum_lesson_XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+}
+
+Sandbox::~Sandbox() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+}
+
+ProgramRun Sandbox::run(const std::string& arguments) const {
+    const std::string command = "cd '" + folder_.string() +
+                                "' && env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_DATA_HOME HOME='" +
+                                folder_.string() + "' '" FULCRUM_PROGRAM "' " + arguments +
+                                " 2>&1 </dev/null";
+    ProgramRun run;
+    std::FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::array<char, 4096> chunk{};
+    for (std::size_t n = 0; (n = std::fread(chunk.data(), 1, chunk.size(), pipe)) > 0;) {
+        run.output.append(chunk.data(), n);
+    }
+    const int status = pclose(pipe);
+    run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return run;
+}
+
+std::string Sandbox::write(const std::string& name, const std::string& text) const {
+    fs::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name) << text;
+    return path(name);
+}
+
+Record read_run(const std::string& path) {
+    auto record = load_record(path);
+    INFO((record ? std::string("read") : to_sentence(record.error())));
+    REQUIRE(record.has_value());
+    return std::move(*record);
+}
+
+double time_of(const Record& record, RecordEventKind kind, int body, double from_s) {
+    const auto found =
+        std::find_if(record.events.begin(), record.events.end(), [&](const RecordEvent& event) {
+            return event.kind == kind && event.body == body && event.time_s >= from_s;
+        });
+    return found == record.events.end() ? -1.0 : found->time_s;
+}
+
+const RecordSample& sample_at(const Record& record, double time_s) {
+    const auto found =
+        std::find_if(record.samples.begin(), record.samples.end(),
+                     [&](const RecordSample& sample) { return sample.time_s >= time_s; });
+    REQUIRE(found != record.samples.end());
+    return *found;
+}
+
+}  // namespace fulcrum::test
