@@ -58,6 +58,25 @@ TEST_CASE("report: a lesson that one learner has not played is said so") {
           std::string::npos);
 }
 
+TEST_CASE("report: lines are broken between words, and no word is lost") {
+    Diary diary("pupil0");
+    for (int i = 1; i <= 12; ++i) {
+        diary.session("gravity").answers("heaviest", "WWW").learner("pupil" + std::to_string(i));
+    }
+    std::istringstream words(to_text(compute_report(diary.data), kUtc));
+    std::string first_lines;
+    for (std::string word; words >> word && word != "(gravity:";) {
+        first_lines += word + " ";
+    }
+    CHECK(first_lines == "Stuck now: pupil0 ");
+    words.seekg(0);
+    int named = 0;
+    for (std::string word; words >> word;) {
+        named += word == "heaviest)," || word == "heaviest)." ? 1 : 0;
+    }
+    CHECK(named == 12);
+}
+
 TEST_CASE("report: no line is wider than 80 columns, and nothing moves the cursor") {
     Diary diary(std::string(40, 'W'));
     std::string korean;

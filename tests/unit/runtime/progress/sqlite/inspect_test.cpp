@@ -86,6 +86,30 @@ TEST_CASE("opening: what is no database is refused and untouched") {
     CHECK(is_sentence_about(refusal(folder.path()), folder.path()));
 }
 
+TEST_CASE("opening: a page that was overwritten is noticed, wherever it lies") {
+    constexpr std::size_t kPage = 4096;
+    const TemporaryFolder folder(TemporaryFolder::On::memory);
+    const std::string path = folder.file("progress.db");
+    {
+        Classroom room(path);
+        for (int i = 1; i <= 60; ++i) {
+            REQUIRE(room.store->add_attempt(attempt_for(room.session.id, "heaviest", i, true)));
+        }
+    }
+    const std::string sound = bytes_of(path);
+    REQUIRE(test::query(path, "PRAGMA page_size") == std::to_string(kPage));
+    REQUIRE(test::query(path, "PRAGMA freelist_count") == "0");
+    const std::string damaged = folder.file("damaged.db");
+    for (std::size_t page = kPage; page < sound.size(); page += kPage) {
+        std::string bytes = sound;
+        bytes.replace(page, kPage, kPage, '\x5a');
+        test::write_bytes(damaged, bytes);
+        CAPTURE(page / kPage);
+        CHECK(refusal(damaged).find("is damaged") != std::string::npos);
+        CHECK(bytes_of(damaged) == bytes);
+    }
+}
+
 TEST_CASE("opening: a damaged database is refused and untouched, or read without harm") {
     const TemporaryFolder folder(TemporaryFolder::On::memory);
     const std::string path = folder.file("progress.db");
