@@ -1,0 +1,88 @@
+#include "runtime/lesson/compose_view.h"
+
+#include "tests/unit/runtime/lesson/session_fixture.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
+
+namespace {
+
+struct Shown {
+    LessonDescription lesson = two_things();
+    Plan plan = compile_plan(lesson, {}, nullptr).value();
+    SessionHud hud{};
+    WorldSnapshot world{};
+    Scenery scenery{};
+
+    Shown() {
+        world.n_bodies = 2;
+        scenery.world = &world;
+    }
+    [[nodiscard]] View view() const { return compose_view(lesson, plan, hud, scenery, words()); }
+};
+
+}  // namespace
+
+TEST_CASE("view: hidden bodies are not shown, falling ones are, held ones are named") {
+    Shown shown;
+    CHECK(shown.view().bodies.empty());
+    shown.world.bodies[0].where = BodyWhere::falling;
+    REQUIRE(shown.view().bodies.size() == 1);
+    CHECK(shown.view().bodies[0].model == "apple");
+    CHECK(shown.view().bodies[0].label.empty());
+    shown.world.bodies[0].where = BodyWhere::held;
+    CHECK(shown.view().bodies[0].label == "apple");
+}
+
+TEST_CASE("view: a held thing shows its felt and its true weight in newtons") {
+    Shown shown;
+    shown.world.bodies[0].where = BodyWhere::held;
+    shown.scenery.hand.applied_W.force = {0.0, -1.962, 0.0};
+    const View view = shown.view();
+    CHECK(view.force.visible);
+    CHECK(view.force.text == "felt 2.0 N, true 2.0 N");
+    CHECK(view.force.force_W.y() == Approx(-1.962));
+    shown.world.bodies[0].where = BodyWhere::hidden;
+    CHECK(shown.view().force.text == "2.0 N");
+}
+
+TEST_CASE(
+    "view: without a force there is no arrow; with a mouse what is held is squashed and a ghost "
+    "shows the hand") {
+    Shown shown;
+    CHECK_FALSE(shown.view().force.visible);
+    shown.world.bodies[0].where = BodyWhere::held;
+    shown.scenery.hand.applied_W.force = {0.0, -4.0, 0.0};
+    CHECK(shown.view().bodies[0].scale.y() == 1.0);
+    shown.scenery.renders_force = false;
+    shown.scenery.ghost = true;
+    const View view = shown.view();
+    CHECK(view.bodies[0].scale.y() < 1.0);
+    CHECK(view.bodies[0].scale.prod() == Approx(1.0));  // flatter and wider: the same volume
+    CHECK(view.ghost_visible);
+}
+
+TEST_CASE("view: without a world the visible bodies stand where the lesson put them") {
+    Shown shown;
+    shown.scenery.world = nullptr;
+    shown.lesson.bodies[1].visible = true;
+    shown.lesson.bodies[1].position_W = {1.0, 2.0, 3.0};
+    REQUIRE(shown.view().bodies.size() == 1);
+    CHECK(shown.view().bodies[0].pose_W.position == Vector3(1.0, 2.0, 3.0));
+}
+
+TEST_CASE("view: score, level, caption and stars come from the session") {
+    Shown shown;
+    shown.hud = {"Catch!", "Yes!", true, 1.0, 7, 2, "Three things", 3};
+    const View view = shown.view();
+    CHECK(view.caption == "Catch!");
+    CHECK(view.feedback == "Yes!");
+    CHECK(view.input_visible);
+    CHECK(view.score == 7);
+    CHECK(view.level == 2);
+    CHECK(view.level_title == "Three things");
+    CHECK(view.stars == 3);
+}

@@ -1,0 +1,40 @@
+#include "runtime/lesson/questions.h"
+
+#include "tests/unit/runtime/lesson/session_fixture.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
+
+TEST_CASE("questions: a {thing} without a list means the nouns of the scene") {
+    const auto questions = compile_questions(two_things());
+    REQUIRE(questions.has_value());
+    const auto& question = questions->at("heaviest");
+    CHECK(fulcrum::dialogue::mark_answer(question, "an egg is the heaviest").slot("thing") ==
+          "egg");
+    CHECK_FALSE(fulcrum::dialogue::mark_answer(question, "a planet is the heaviest").understood);
+}
+
+TEST_CASE("questions: the teacher's own list wins over the scene's nouns") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].lists = {{"thing", {"planet"}}};
+    const auto questions = compile_questions(lesson);
+    REQUIRE(questions.has_value());
+    CHECK(fulcrum::dialogue::mark_answer(questions->at("heaviest"), "a planet is the heaviest")
+              .understood);
+}
+
+TEST_CASE(
+    "questions: a template that cannot work names line and column; two of one name are refused") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].answers = {"the {thing is"};
+    const auto bad = compile_questions(lesson);
+    REQUIRE_FALSE(bad.has_value());
+    CHECK(bad.error().where == "lesson.lua:7");
+    CHECK(bad.error().message.find("column") != std::string::npos);
+
+    lesson = two_things();
+    lesson.questions.push_back(lesson.questions[0]);
+    CHECK_FALSE(compile_questions(lesson).has_value());
+}

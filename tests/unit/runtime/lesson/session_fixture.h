@@ -1,0 +1,128 @@
+// A small lesson with one question, for the tests of the lesson's session and its picture.
+#pragma once
+
+#include "dialogue/catalogue.h"
+#include "runtime/lesson/session.h"
+#include "runtime/progress/store.h"
+
+#include <catch2/catch.hpp>
+
+#include <memory>
+#include <string>
+
+namespace fulcrum::runtime::test {
+
+inline BodyDescription thing(const std::string& name, double mass_kg) {
+    BodyDescription body;
+    body.name = body.noun = body.model = name;
+    body.mass_kg = mass_kg;
+    body.movable = true;
+    body.line = 3;
+    return body;
+}
+
+inline LessonDescription two_things() {
+    LessonDescription lesson;
+    lesson.id = "two";
+    lesson.title = "Two things";
+    lesson.level = "A1";
+    lesson.bodies = {thing("apple", 0.2), thing("egg", 0.06)};
+    lesson.bucket.present = true;
+    QuestionDescription question;
+    question.id = "heaviest";
+    question.prompt = "Which one is the heaviest?";
+    question.answers = {"[a|an|the] {thing} is the <superlative:heavy> [one]"};
+    question.line = 7;
+    lesson.questions = {question};
+    return lesson;
+}
+
+inline const dialogue::Catalogue& words() {
+    static const dialogue::Catalogue catalogue = dialogue::Catalogue::parse(
+                                                     "hud.weight = felt {felt} N, true {true} N\n"
+                                                     "hud.force = {newtons} N\n"
+                                                     "feedback.praise.1 = Yes!\n"
+                                                     "feedback.recast = Yes. {sentence}\n"
+                                                     "feedback.wrong_meaning.many = Not yet.\n"
+                                                     "feedback.not_understood.1 = Say it again.\n")
+                                                     .value();
+    return catalogue;
+}
+
+/// Keeps what it is given, in memory; may be told to refuse.
+class MemoryStore final : public ProgressStore {
+  public:
+    [[nodiscard]] bool keeps() const noexcept override { return true; }
+    [[nodiscard]] Expected<Learner> enrol(std::string_view nickname) override {
+        return Learner{random_record_id(), std::string(nickname), utc_now_ms()};
+    }
+    [[nodiscard]] Expected<void> add_learner(const Learner&) override { return {}; }
+    [[nodiscard]] Expected<void> begin_session(const SessionRecord& session) override {
+        return keep([&] { data.sessions.push_back(session); });
+    }
+    [[nodiscard]] Expected<void> end_session(const SessionEnd& end) override {
+        return keep([&] { data.ends.push_back(end); });
+    }
+    [[nodiscard]] Expected<void> add_attempt(const AttemptRecord& attempt) override {
+        return keep([&] { data.attempts.push_back(attempt); });
+    }
+    [[nodiscard]] Expected<ProgressData> read(const ProgressFilter&) override { return data; }
+
+    ProgressData data;
+    int refusals = 0;  ///< so many of the next writes are refused
+
+  private:
+    template <class Write>
+    Expected<void> keep(const Write& write) {
+        if (refusals > 0) {
+            --refusals;
+            return fail("the disk is full");
+        }
+        write();
+        return {};
+    }
+};
+
+struct Play {
+    MemoryStore store;
+    Plan plan = compile_plan(two_things(), {}, nullptr).value();
+    std::unique_ptr<LessonSession> session =
+        LessonSession::create(two_things(), plan, words(), store, random_record_id(), "v1").value();
+    double time_s = 0.0;
+
+    const LessonFrame& frame(SessionInput input = {}) {
+        input.time_s = time_s;
+        input.dt_s = 1.0 / 60.0;
+        time_s += input.dt_s;
+        return session->begin_frame(input);
+    }
+    const LessonFrame& hear(const std::string& words_said) {
+        SessionInput input;
+        input.heard = words_said;
+        return frame(std::move(input));
+    }
+    SessionOutput reply(std::vector<LessonCommand> commands = {}) {
+        LessonReply answer;
+        answer.commands = std::move(commands);
+        auto output = session->finish_frame(answer);
+        REQUIRE(output.has_value());
+        return *output;
+    }
+    bool refuses(LessonCommand command) {
+        LessonReply answer;
+        answer.commands.push_back(std::move(command));
+        return !session->finish_frame(answer).has_value();
+    }
+};
+
+template <class Event>
+const Event* find(const LessonFrame& frame) {
+    for (const LessonEvent& event : frame.events) {
+        if (const auto* found = std::get_if<Event>(&event)) {
+            return found;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace fulcrum::runtime::test

@@ -1,0 +1,184 @@
+#include "runtime/lesson/session.h"
+
+#include "tests/unit/runtime/lesson/session_fixture.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
+
+TEST_CASE("session: the first frame tells what each thing weighs in the hand") {
+    Play play;
+    const auto* ready = find<ReadyEvent>(play.frame());
+    REQUIRE(ready != nullptr);
+    CHECK(ready->felt_weight_N == play.plan.felt_weight_N);
+    CHECK(find<ReadyEvent>(play.frame()) == nullptr);
+}
+
+TEST_CASE("session: an answer is judged by the lesson, praised, kept, and told to the lesson") {
+    Play play;
+    play.frame();
+    play.reply({AskCommand{"heaviest"}});
+    CHECK(play.session->hud().question_open);
+    CHECK(play.session->hud().caption == "Which one is the heaviest?");
+
+    const auto* judge = find<JudgeEvent>(play.hear("The apple is the heaviest."));
+    REQUIRE(judge != nullptr);
+    CHECK(judge->question == "heaviest");
+    CHECK(judge->slots == std::vector<std::pair<std::string, std::string>>{{"thing", "apple"}});
+    const SessionOutput output = play.reply({VerdictCommand{"heaviest", true}});
+    CHECK(output.sounds == std::vector<std::string>{"right"});
+    CHECK(play.session->hud().feedback == "Yes!");
+    CHECK_FALSE(play.session->hud().question_open);
+
+    const auto* answered = find<AnsweredEvent>(play.frame());
+    REQUIRE(answered != nullptr);
+    CHECK(answered->right);
+    CHECK(answered->form_right);
+    CHECK(answered->over);
+    REQUIRE(play.store.data.attempts.size() == 1);
+    CHECK(play.store.data.attempts[0].meaning_right);
+    CHECK(play.store.data.attempts[0].slots == "thing=apple");
+    CHECK(play.store.data.attempts[0].session == play.store.data.sessions[0].id);
+}
+
+TEST_CASE("session: a wrong form is recast, never blocked, and each error is kept") {
+    Play play;
+    play.frame();
+    play.reply({AskCommand{"heaviest"}});
+    play.hear("apple is most heavy");
+    play.reply({VerdictCommand{"heaviest", true}});
+    CHECK(play.session->hud().feedback.find("*") != std::string::npos);
+    CHECK(play.session->hud().feedback.find("the heaviest") != std::string::npos);
+    const auto* answered = find<AnsweredEvent>(play.frame());
+    REQUIRE(answered != nullptr);
+    CHECK(answered->right);
+    CHECK_FALSE(answered->form_right);
+    const AttemptRecord& attempt = play.store.data.attempts.at(0);
+    CHECK_FALSE(attempt.form_right);
+    bool has_form = false;
+    for (const ErrorRecord& error : attempt.errors) {
+        has_form |= error.code == "R:ADJ:FORM";
+    }
+    CHECK(has_form);
+}
+
+TEST_CASE(
+    "session: after a wrong meaning the question waits until the lesson asks it again, and counts "
+    "on") {
+    Play play;
+    play.frame();
+    play.reply({AskCommand{"heaviest"}});
+    play.hear("the egg is the heaviest");
+    play.reply({VerdictCommand{"heaviest", false}});
+    const auto* answered = find<AnsweredEvent>(play.frame());
+    REQUIRE(answered != nullptr);
+    CHECK_FALSE(answered->right);
+    CHECK_FALSE(answered->over);
+    // While things are weighed again nothing that is said counts.
+    CHECK_FALSE(play.session->hud().question_open);
+    CHECK(find<JudgeEvent>(play.hear("the apple is the heaviest")) == nullptr);
+    play.reply({AskCommand{"heaviest"}});
+    REQUIRE(find<JudgeEvent>(play.hear("the apple is the heaviest")) != nullptr);
+    play.reply({VerdictCommand{"heaviest", true}});
+    CHECK(find<AnsweredEvent>(play.frame())->attempt == 2);
+    CHECK(play.store.data.attempts.at(1).attempt == 2);
+}
+
+TEST_CASE("session: words that fit no template leave the question open and are kept as such") {
+    Play play;
+    play.frame();
+    play.reply({AskCommand{"heaviest"}});
+    const LessonFrame& frame = play.hear("bla bla bla");
+    CHECK(find<JudgeEvent>(frame) == nullptr);
+    CHECK(play.session->hud().question_open);
+    CHECK(play.session->hud().feedback == "Say it again.");
+    REQUIRE(play.store.data.attempts.size() == 1);
+    CHECK_FALSE(play.store.data.attempts[0].understood);
+}
+
+TEST_CASE(
+    "session: a verdict that nobody asked for, and names that were never declared, are the "
+    "lesson's error") {
+    Play play;
+    play.frame();
+    CHECK(play.refuses(VerdictCommand{"heaviest", true}));
+    CHECK(play.refuses(AskCommand{"lightest"}));
+    CHECK(play.refuses(FieldChangeCommand{0, {}}));
+    CHECK(play.refuses(LessonForceCommand{}));
+    MoveCommand drop;
+    for (const std::int32_t body : {-1, 2, 1000}) {
+        drop.move.body = body;
+        CHECK(play.refuses(drop));
+    }
+    drop.move.body = 1;
+    CHECK_FALSE(play.refuses(drop));
+}
+
+TEST_CASE("session: what the world did becomes events and sounds") {
+    Play play;
+    SessionInput input;
+    input.world_events = {{WorldEvent::Kind::caught, 0, 1.0, 3.0},
+                          {WorldEvent::Kind::landed, 1, 1.0, 4.0}};
+    input.hand.touched_body = 1;
+    const LessonFrame& frame = play.frame(input);
+    int caught = 0;
+    int landed = 0;
+    int touched = 0;
+    for (const LessonEvent& event : frame.events) {
+        if (const auto* body = std::get_if<BodyEvent>(&event)) {
+            caught += body->kind == BodyEvent::Kind::caught ? 1 : 0;
+            landed += body->kind == BodyEvent::Kind::landed ? 1 : 0;
+            touched += body->kind == BodyEvent::Kind::touched ? 1 : 0;
+        }
+    }
+    CHECK(caught == 1);
+    CHECK(landed == 1);
+    CHECK(touched == 1);
+    CHECK(play.reply().sounds == std::vector<std::string>{"catch_apple", "landed"});
+    CHECK(play.session->result().caught == 1);
+}
+
+TEST_CASE("session: the end is kept once, with stars and score") {
+    Play play;
+    play.frame();
+    play.reply({ScoreCommand{12}, LevelCommand{2, "two"}, FinishCommand{9}});
+    CHECK(play.session->result().finished);
+    CHECK(play.session->result().stars == 3);
+    play.session->end(EndReason::left);
+    REQUIRE(play.store.data.ends.size() == 1);
+    CHECK(play.store.data.ends[0].stars == 3);
+    CHECK(play.store.data.ends[0].score == 12);
+    CHECK(play.store.data.ends[0].level_reached == 2);
+    CHECK(play.store.data.ends[0].reason == EndReason::finished);
+}
+
+TEST_CASE(
+    "session: a write that fails is tried once more; a second failure is told and the lesson goes "
+    "on") {
+    Play play;
+    play.frame();
+    play.reply({AskCommand{"heaviest"}});
+    play.store.refusals = 1;
+    play.hear("the apple is the heaviest");
+    play.reply({VerdictCommand{"heaviest", true}});
+    CHECK(play.store.data.attempts.size() == 1);
+    CHECK(play.session->store_trouble().empty());
+    play.store.refusals = 2;
+    play.session->end(EndReason::left);
+    CHECK(play.store.data.ends.empty());
+    CHECK(play.session->store_trouble().find("the disk is full") != std::string::npos);
+}
+
+TEST_CASE(
+    "session: every reply carries a fresh stamp for the hand; a lesson's own force is stamped "
+    "too") {
+    Play play;
+    play.time_s = 3.0;
+    play.frame();
+    const SessionOutput output = play.reply();
+    CHECK(output.force.stamp_s == 3.0);
+    CHECK(output.force.lesson_alive);
+    CHECK(output.force.linearised.stamp_s < 0.0);
+}
