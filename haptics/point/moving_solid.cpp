@@ -14,7 +14,7 @@ constexpr double kRoundings = 64.0;
 // Foot and edge nearer than this, of the triangle's height over that edge, count as beside.
 constexpr double kEdgeMargin = 1.0e-13;
 // How far around a sweep triangles are collected, so that the next sweeps find them there; of the reach asked for.
-constexpr double kReach = 1.0;
+constexpr double kReach = 2.0;
 
 bool is_same(const Pose& a, const Pose& b) noexcept {
     return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();

@@ -1,0 +1,247 @@
+// Hard cases for the god-object: fine, shallow, noisy, thin and cracked meshes, fast hands, tumbling bodies, soups.
+#include "haptics/point/god_object.h"
+
+#include "haptics/geometry/shape.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <random>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kDepth = 0.02;  // of the radius: how deep the hand presses
+constexpr double kStep = 0.004;  // radii a step: 4 radii a second at 1 kHz
+constexpr double kNearest =
+    2.0e-5;  // the claim: the proxy's distance from the nearest point, in radii
+constexpr double kBumpHeight = 0.03;
+constexpr double kBumps = 20.0;
+
+std::shared_ptr<const CollisionMesh> touchable(const Expected<TriangleMesh>& mesh) {
+    REQUIRE(mesh);
+    auto made = CollisionMesh::create(*mesh);
+    REQUIRE(made);
+    return *made;
+}
+
+double bumpy_radius(const Vector3& u) {
+    return 1.0 +
+           kBumpHeight *
+               (std::sin(kBumps * u.x()) + std::sin(kBumps * u.y()) + std::sin(kBumps * u.z())) /
+               3.0;
+}
+
+// A direction that wanders over the unit sphere, one step of kStep at a time.
+class Wanderer {
+  public:
+    explicit Wanderer(unsigned seed) : random_(seed) {}
+    const Vector3& next() {
+        axis_ += 0.02 * Vector3(normal_(random_), normal_(random_), normal_(random_));
+        axis_ = (axis_ - axis_.dot(at_) * at_).normalized();
+        at_ = (Eigen::AngleAxisd(kStep, axis_) * at_).normalized();
+        return at_;
+    }
+
+  private:
+    std::mt19937_64 random_;
+    std::normal_distribution<double> normal_;
+    Vector3 at_{Vector3::UnitX()};
+    Vector3 axis_{Vector3::UnitY()};
+};
+
+Vector3 find_nearest_on_triangle(const Vector3& p, const Vector3& a, const Vector3& b,
+                                 const Vector3& c) {
+    const Vector3 normal = (b - a).cross(c - a);
+    const auto beside = [&](const Vector3& u, const Vector3& v) {
+        return normal.dot((v - u).cross(p - u)) < 0.0;
+    };
+    const auto on_edge = [&p](const Vector3& u, const Vector3& v) -> Vector3 {
+        return u + std::clamp((p - u).dot(v - u) / (v - u).squaredNorm(), 0.0, 1.0) * (v - u);
+    };
+    if (!beside(a, b) && !beside(b, c) && !beside(c, a)) {
+        return p - normal * (normal.dot(p - a) / normal.squaredNorm());
+    }
+    Vector3 nearest = on_edge(a, b);
+    for (const Vector3& other : {on_edge(b, c), on_edge(c, a)}) {
+        nearest = (other - p).norm() < (nearest - p).norm() ? other : nearest;
+    }
+    return nearest;
+}
+
+Vector3 find_nearest_on_mesh(const CollisionMesh& mesh, const Vector3& p) {
+    Vector3 nearest = mesh.vertex_B(0);
+    for (std::int32_t i = 0; i < mesh.n_triangles(); ++i) {
+        const TriangleCorners& t = mesh.corners(i);
+        const Vector3 here = find_nearest_on_triangle(p, mesh.vertex_B(t[0]), mesh.vertex_B(t[1]),
+                                                      mesh.vertex_B(t[2]));
+        nearest = (here - p).norm() < (nearest - p).norm() ? here : nearest;
+    }
+    return nearest;
+}
+
+// Is there a free direction in which the proxy would come nearer to the hand? Then something holds it that is not there.
+bool is_snagged(const CollisionMesh& mesh, const Vector3& proxy, const Vector3& hand,
+                std::mt19937_64& random) {
+    std::normal_distribution<double> normal;
+    const Vector3 pull = (hand - proxy).normalized();
+    for (int i = 0; i < 100; ++i) {
+        const Vector3 way = Vector3(normal(random), normal(random), normal(random)).normalized();
+        if (way.dot(pull) > 0.05 && !find_nearest_hit(mesh, proxy, proxy + 1e-6 * way).found()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Presses and wanders; stops now and then, where nothing may hold the proxy that is not there.
+template <class Radius>
+void check_no_snag(const CollisionMesh& mesh, double depth, int n_steps, Radius&& radius) {
+    GodObject proxy({SolidPlan{.body = 0,
+                               .mesh = std::shared_ptr<const CollisionMesh>(&mesh, [](auto*) {}),
+                               .initial_pose_W = {}}});
+    Wanderer wanderer(7);
+    std::mt19937_64 random(8);
+    const Vector3 start = wanderer.next();
+    const double start_side = depth > 0.0 ? 1.0 : -1.0;
+    proxy.reset(start * (radius(start) + 0.3 * start_side));
+    int n_snagged = 0;
+    int n_far = 0;
+    for (int i = 0; i < n_steps; ++i) {
+        const Vector3& u = wanderer.next();
+        const Vector3 hand = u * (radius(u) - depth);
+        proxy.step(hand, {});
+        n_far += (proxy.contact().position_W - hand).norm() > 3.0 * std::abs(depth) ? 1 : 0;
+        if (i % 50 == 49) {
+            for (int still = 0; still < 3; ++still) {
+                proxy.step(hand, {});
+            }
+            REQUIRE(proxy.contact().solid == 0);
+            n_snagged += is_snagged(mesh, proxy.contact().position_W, hand, random) ? 1 : 0;
+        }
+    }
+    CHECK(n_snagged == 0);
+    CHECK(n_far == 0);
+}
+
+TEST_CASE(
+    "god object: pressed 2 % deep at 4 radii a second it is at the nearest point, on 1 k and 100 k "
+    "triangles") {
+    for (const int frequency : {7, 71}) {
+        const auto mesh = touchable(make_sphere(1.0, frequency));
+        // From inside, edges are concave and the nearest point is one; from outside each face holds the proxy until its
+        // foot leaves the face, so that only the distance must agree, to depth (1 - cos of the angle between faces).
+        const double between_faces = 1.3 / frequency;
+        for (const double side : {-1.0, 1.0}) {
+            const double most_excess =
+                side < 0.0 ? kNearest
+                           : std::max(kNearest, kDepth * (1.0 - std::cos(between_faces)));
+            GodObject proxy({SolidPlan{.body = 0, .mesh = mesh, .initial_pose_W = {}}});
+            Wanderer wanderer(3);
+            proxy.reset(wanderer.next() * (1.0 + 0.3 * side));
+            for (int i = 0; i < 3000; ++i) {
+                const Vector3 hand = wanderer.next() * (1.0 - kDepth * side);
+                const ProxyContact& contact = proxy.step(hand, {});
+                if (i % 61 != 60) {
+                    continue;
+                }
+                const Vector3 nearest = find_nearest_on_mesh(*mesh, hand);
+                const double excess = (contact.position_W - hand).norm() - (nearest - hand).norm();
+                REQUIRE(excess <= most_excess);
+                REQUIRE(excess >= -1e-12);
+                if (side < 0.0) {
+                    REQUIRE((contact.position_W - nearest).norm() <= kNearest);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE(
+    "god object: nothing snags on shallow bumps, coarse to fine, from outside and from inside") {
+    for (const int frequency : {7, 22, 71, 150}) {
+        const auto mesh = touchable(make_bumpy_sphere(1.0, frequency, kBumpHeight, kBumps));
+        // The coarsest does not resolve the bumps, so its facets reach further from the true surface.
+        if (frequency > 7) {
+            check_no_snag(*mesh, kDepth, 20000, bumpy_radius);
+            check_no_snag(*mesh, -kDepth, 20000, bumpy_radius);
+        } else {
+            check_no_snag(*mesh, 3.0 * kDepth, 20000, bumpy_radius);
+            check_no_snag(*mesh, -3.0 * kDepth, 20000, bumpy_radius);
+        }
+    }
+}
+
+TEST_CASE("god object: nothing snags on nearly flat concave meshes") {
+    // Angles between neighbours down to some 1e-5 and 1e-8 of a radian.
+    for (const double height : {1e-4, 1e-7}) {
+        const auto mesh = touchable(make_bumpy_sphere(1.0, 71, height, 60.0));
+        check_no_snag(*mesh, -kDepth, 10000, [](const Vector3&) { return 1.0; });
+        check_no_snag(*mesh, kDepth, 10000, [](const Vector3&) { return 1.0; });
+    }
+}
+
+TEST_CASE("god object: nothing snags on a noisy mesh, on slivers or on a ring") {
+    auto noisy = make_sphere(1.0, 50);
+    std::vector<Vector3> vertices = noisy->vertices_B();
+    std::mt19937_64 random(9);
+    std::normal_distribution<double> normal;
+    for (Vector3& vertex : vertices) {
+        vertex *= 1.0 + 0.002 * normal(random);
+    }
+    const auto sphere = [](const Vector3&) { return 1.0; };
+    check_no_snag(*touchable(TriangleMesh::build(vertices, noisy->triangles())), kDepth, 20000,
+                  sphere);
+    check_no_snag(*touchable(TriangleMesh::build(vertices, noisy->triangles())), -kDepth, 20000,
+                  sphere);
+    check_no_snag(*touchable(make_globe(1.0, 2000, 12)), 3.0 * kDepth, 20000, sphere);
+    check_no_snag(*touchable(make_globe(1.0, 2000, 12)), -3.0 * kDepth, 20000, sphere);
+    check_no_snag(*touchable(make_globe(1.0, 8, 2000)), -8.0 * kDepth, 20000, sphere);
+}
+
+TEST_CASE("god object: a mesh turned inside out feels the same, to the bit") {
+    const auto mesh = make_bumpy_sphere(1.0, 30, kBumpHeight, kBumps);
+    GodObject front({SolidPlan{.body = 0, .mesh = touchable(mesh), .initial_pose_W = {}}});
+    GodObject back(
+        {SolidPlan{.body = 0, .mesh = touchable(make_inverted(*mesh)), .initial_pose_W = {}}});
+    Wanderer wanderer(5);
+    front.reset(1.3 * wanderer.next());
+    back.reset(front.contact().position_W);
+    for (int i = 0; i < 20000; ++i) {
+        const Vector3& u = wanderer.next();
+        const Vector3 hand = u * (bumpy_radius(u) - kDepth);
+        REQUIRE((front.step(hand, {}).position_W - back.step(hand, {}).position_W).norm() <= 1e-9);
+    }
+}
+
+TEST_CASE("god object: cracks that the weld closes leak nowhere, not along them either") {
+    // Each triangle has corners of its own, moved apart by up to 1e-4 of the radius.
+    const auto whole = make_bumpy_sphere(1.0, 12, kBumpHeight, 5.0);
+    std::vector<Vector3> vertices;
+    std::vector<TriangleCorners> triangles;
+    std::mt19937_64 random(10);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    for (const TriangleCorners& t : whole->triangles()) {
+        const auto first = static_cast<std::int32_t>(vertices.size());
+        for (const std::int32_t corner : t) {
+            vertices.emplace_back(whole->vertices_B()[static_cast<std::size_t>(corner)] +
+                                  2.5e-5 * Vector3(unit(random), unit(random), unit(random)));
+        }
+        triangles.push_back({first, first + 1, first + 2});
+    }
+    const auto mesh = touchable(TriangleMesh::build(vertices, triangles, {.weld_relative = 1e-4}));
+    for (unsigned seed = 0; seed < 50; ++seed) {
+        GodObject proxy({SolidPlan{.body = 0, .mesh = mesh, .initial_pose_W = {}}});
+        Wanderer wanderer(100 + seed);
+        proxy.reset(1.5 * wanderer.next());
+        for (int i = 0; i < 1000; ++i) {
+            const ProxyContact& contact = proxy.step(wanderer.next() * (0.95 - kDepth), {});
+            REQUIRE_FALSE(
+                find_nearest_hit(*mesh, contact.position_W, 3.0 * contact.position_W).found());
+        }
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum
