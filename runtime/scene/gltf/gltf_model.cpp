@@ -211,7 +211,7 @@ Expected<LoadedModel> read_checked(std::span<const std::byte> bytes,
 /// Runs the steps; whatever is thrown inside becomes an error, and every error gets its place.
 Expected<LoadedModel> read_guarded(std::span<const std::byte> bytes,
                                    const std::optional<std::filesystem::path>& folder,
-                                   const std::string& where, std::string name) {
+                                   std::string where, std::string name) {
     Expected<LoadedModel> loaded = fail("it could not be read", {}, kExportAgain);
     try {
         loaded = read_checked(bytes, folder);
@@ -222,7 +222,7 @@ Expected<LoadedModel> read_guarded(std::span<const std::byte> bytes,
         loaded = fail("it could not be read (an unknown fault)", {}, kExportAgain);
     }
     if (!loaded) {
-        loaded.error().where = where;
+        loaded.error().where = std::move(where);
         return loaded;
     }
     loaded->name = std::move(name);
@@ -242,7 +242,7 @@ Expected<LoadedModel> load_gltf(const std::filesystem::path& path) {
 
 Expected<LoadedModel> read_gltf(std::span<const std::byte> bytes, std::string where) {
     std::string name = std::filesystem::path(where).stem().string();
-    return read_guarded(bytes, std::nullopt, where, std::move(name));
+    return read_guarded(bytes, std::nullopt, std::move(where), std::move(name));
 }
 
 }  // namespace fulcrum::runtime

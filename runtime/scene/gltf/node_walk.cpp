@@ -49,10 +49,10 @@ Eigen::Matrix4d local_transform(const tinygltf::Node& node) {
     return X_PN.matrix();
 }
 
-bool usable(const Eigen::Matrix4d& X) {
-    const bool affine = X.row(3).isApprox(Eigen::RowVector4d(0, 0, 0, 1), 1e-6);
-    const double volume = std::abs(X.topLeftCorner<3, 3>().determinant());
-    return X.allFinite() && affine && volume > kMinVolumeFactor && std::isfinite(volume);
+bool usable(const Eigen::Matrix4d& transform) {
+    const bool affine = transform.row(3).isApprox(Eigen::RowVector4d(0, 0, 0, 1), 1e-6);
+    const double volume = std::abs(transform.topLeftCorner<3, 3>().determinant());
+    return transform.allFinite() && affine && volume > kMinVolumeFactor && std::isfinite(volume);
 }
 
 /// Each node has one parent at most, and roots have none: then the scene is a forest and no cycle

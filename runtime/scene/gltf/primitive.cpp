@@ -38,8 +38,13 @@ Vector3d corner(const ModelPrimitive& made, std::uint32_t i) {
 class PrimitiveReader {
   public:
     PrimitiveReader(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
-                    const Eigen::Matrix4d& X_MN, const std::string& place, MemoryBudget& budget)
-        : model_(model), primitive_(primitive), X_MN_(X_MN), place_(place), budget_(budget) {}
+                    const Eigen::Matrix4d& transform_MN, const std::string& place,
+                    MemoryBudget& budget)
+        : model_(model),
+          primitive_(primitive),
+          transform_MN_(transform_MN),
+          place_(place),
+          budget_(budget) {}
 
     Expected<ModelPrimitive> read() {
         if (primitive_.mode != TINYGLTF_MODE_TRIANGLES) {
@@ -57,7 +62,8 @@ class PrimitiveReader {
     }
 
   private:
-    Expected<AccessorView> attribute(const std::string& name, AccessorRole role) const {
+    [[nodiscard]] Expected<AccessorView> attribute(const std::string& name,
+                                                   AccessorRole role) const {
         auto view =
             view_accessor(model_, primitive_.attributes.at(name), role, place_ + " " + name);
         if (view && role != AccessorRole::positions && 3 * view->count != made_.positions.size()) {
@@ -70,7 +76,7 @@ class PrimitiveReader {
         return primitive_.attributes.count(name) != 0;
     }
 
-    Expected<void> refuse(const char* why) const {
+    [[nodiscard]] Expected<void> refuse(const char* why) const {
         return fail(place_ + " " + why, {}, kExportAgain);
     }
 
@@ -111,7 +117,7 @@ class PrimitiveReader {
         }
         made_.positions.reserve(3 * view->count);
         for (std::size_t i = 0; i < view->count; ++i) {
-            const Vector3d p_M = (X_MN_ * vector_at(*view, i).homogeneous()).head<3>();
+            const Vector3d p_M = (transform_MN_ * vector_at(*view, i).homogeneous()).head<3>();
             if (!(p_M.cwiseAbs().maxCoeff() <= kMaxExtent_m) || !p_M.allFinite()) {
                 return refuse("has a corner that is not finite or more than 10 km away");
             }
@@ -146,7 +152,7 @@ class PrimitiveReader {
                 return refuse("has an index past its corners");
             }
         }
-        if (X_MN_.topLeftCorner<3, 3>().determinant() < 0.0) {
+        if (transform_MN_.topLeftCorner<3, 3>().determinant() < 0.0) {
             for (std::size_t i = 0; i < n; i += 3) {
                 std::swap(made_.indices[i + 1], made_.indices[i + 2]);
             }
@@ -182,7 +188,7 @@ class PrimitiveReader {
         if (!view) {
             return tl::unexpected(view.error());
         }
-        const Eigen::Matrix3d to_M = X_MN_.topLeftCorner<3, 3>().inverse().transpose();
+        const Eigen::Matrix3d to_M = transform_MN_.topLeftCorner<3, 3>().inverse().transpose();
         made_.normals.reserve(3 * view->count);
         for (std::size_t i = 0; i < view->count; ++i) {
             const Vector3d n_N = vector_at(*view, i);
@@ -228,7 +234,7 @@ class PrimitiveReader {
 
     const tinygltf::Model& model_;
     const tinygltf::Primitive& primitive_;
-    const Eigen::Matrix4d& X_MN_;
+    const Eigen::Matrix4d& transform_MN_;
     const std::string& place_;
     MemoryBudget& budget_;
     std::string uv_name_ = "TEXCOORD_0";
@@ -239,9 +245,9 @@ class PrimitiveReader {
 
 Expected<ModelPrimitive> read_primitive(const tinygltf::Model& model,
                                         const tinygltf::Primitive& primitive,
-                                        const Eigen::Matrix4d& X_MN, const std::string& place,
-                                        MemoryBudget& budget) {
-    return PrimitiveReader(model, primitive, X_MN, place, budget).read();
+                                        const Eigen::Matrix4d& transform_MN,
+                                        const std::string& place, MemoryBudget& budget) {
+    return PrimitiveReader(model, primitive, transform_MN, place, budget).read();
 }
 
 }  // namespace fulcrum::runtime::gltf

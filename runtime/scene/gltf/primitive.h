@@ -25,7 +25,7 @@ namespace fulcrum::runtime::gltf {
 /// the budget has room for.
 [[nodiscard]] Expected<ModelPrimitive> read_primitive(const tinygltf::Model& model,
                                                       const tinygltf::Primitive& primitive,
-                                                      const Eigen::Matrix4d& X_MN,
+                                                      const Eigen::Matrix4d& transform_MN,
                                                       const std::string& place,
                                                       MemoryBudget& budget);
 
