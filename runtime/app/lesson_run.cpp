@@ -14,6 +14,9 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr const char* kGuest = "guest";
+// With a mouse, weight is seen: 5 N hang 2 cm lower in the device's frame and follow half as fast.
+constexpr double kMouseSag_m_per_N = 0.004;
+constexpr double kMouseSlow_per_N = 0.2;
 
 // Changes when the lesson's files change: FNV-1a, 64 bits (Fowler, Noll, Vo), over their bytes.
 std::string version_of(const std::vector<std::filesystem::path>& files) {
@@ -127,6 +130,8 @@ Expected<void> LessonRun::open_device(const RunRequest& request) {
         }
         case HandKind::mouse: {
             PointerSettings settings;
+            settings.sag_m_per_N = kMouseSag_m_per_N;
+            settings.slow_per_N = kMouseSlow_per_N;
             settings.half_extent_D =
                 Vector3::Constant(1.0 / std::max(plan_.haptic.workspace.scale, 0.1));
             device_ = std::make_unique<PointerDevice>(settings, pointer_target_);

@@ -9,8 +9,9 @@ bool PointerDevice::read(double now_s, DeviceReading& reading) noexcept {
     const bool fresh = target_.take();
     const PointerTarget& target = target_.value();
     if (is_finite(target.position_D) && (started_ || fresh)) {
-        const Vector3 wanted_D =
+        const Vector3 pointed_D =
             target.position_D.cwiseMax(-settings_.half_extent_D).cwiseMin(settings_.half_extent_D);
+        const Vector3 wanted_D = pointed_D + settings_.sag_m_per_N * force_D_;
         // The first target is where the hand begins.
         if (!started_ || settings_.smoothing == PointerSmoothing::none) {
             position_D_ = wanted_D;
@@ -27,7 +28,7 @@ bool PointerDevice::read(double now_s, DeviceReading& reading) noexcept {
 }
 
 void PointerDevice::follow(const Vector3& target_D, double dt_s) noexcept {
-    const double w = settings_.natural_rad_per_s;
+    const double w = settings_.natural_rad_per_s / (1.0 + settings_.slow_per_N * force_D_.norm());
     const double decay = std::exp(-w * dt_s);
     const Vector3 away_D = position_D_ - target_D;
     const Vector3 slope_D = velocity_D_ + w * away_D;
@@ -45,8 +46,10 @@ void PointerDevice::follow(const Vector3& target_D, double dt_s) noexcept {
     }
 }
 
-bool PointerDevice::write(double /*now_s*/, const Wrench& /*wrench_D*/) noexcept {
-    return true;
+bool PointerDevice::write(double /*now_s*/, const Wrench& wrench_D) noexcept {
+    const bool usable = is_finite(wrench_D);
+    force_D_ = usable ? wrench_D.force : Vector3::Zero();
+    return usable;
 }
 
 }  // namespace fulcrum

@@ -9,7 +9,9 @@
 // A window moves the pointer 60 times a second; the loop reads it 1000 times, and would see jumps.
 //
 // Thread: `read` and `write` on the haptic thread; the window publishes targets. Cost: about 20 ns.
-// Source: the critically damped oscillator in closed form.
+// Source: the critically damped oscillator in closed form; A. Lecuyer, S. Coquillart, A. Kheddar,
+// P. Richard, P. Coiffet 2000, Pseudo-haptic feedback: can isometric input devices simulate force
+// feedback?, IEEE Virtual Reality (what is seen to yield is felt to resist).
 #pragma once
 
 #include "haptics/base/error.h"
@@ -33,6 +35,8 @@ struct PointerSettings {
     PointerSmoothing smoothing = PointerSmoothing::critically_damped;
     double natural_rad_per_s = 60.0;  ///< w: 90 % of a step within 65 ms; 5 to 500
     double max_speed_m_per_s = 3.0;   ///< 0.1 to 100
+    double sag_m_per_N = 0.0;         ///< how far the hand gives way, 0 to 0.05
+    double slow_per_N = 0.0;          ///< how much later a loaded hand follows, 0 to 2
     Vector3 half_extent_D{0.2, 0.2,
                           0.2};  ///< targets are held within this box, metres; each 0.001 to 10
 };
@@ -50,7 +54,8 @@ class PointerDevice final : public Device {
     [[nodiscard]] const DeviceTraits& traits() const noexcept override { return traits_; }
     /// Where the pointer is now; always true. A mouse that does not move is not stale.
     [[nodiscard]] bool read(double now_s, DeviceReading& reading) noexcept override;
-    /// Nothing can be felt; always true.
+    /// Nothing can be felt, but the hand on the screen yields. False for a wrench that is not
+    /// finite, which counts as none.
     [[nodiscard]] bool write(double now_s, const Wrench& wrench_D) noexcept override;
 
   private:
@@ -63,6 +68,7 @@ class PointerDevice final : public Device {
     double now_s_ = 0.0;
     Vector3 position_D_{Vector3::Zero()};
     Vector3 velocity_D_{Vector3::Zero()};
+    Vector3 force_D_{Vector3::Zero()};  // written last
 };
 
 }  // namespace fulcrum

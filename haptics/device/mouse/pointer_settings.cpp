@@ -19,6 +19,8 @@ Expected<void> validate(const PointerSettings& s) {
     const Range ranges[] = {
         {"natural_rad_per_s", s.natural_rad_per_s, 5.0, 500.0},
         {"max_speed_m_per_s", s.max_speed_m_per_s, 0.1, 100.0},
+        {"sag_m_per_N", s.sag_m_per_N, 0.0, 0.05},
+        {"slow_per_N", s.slow_per_N, 0.0, 2.0},
         {"half_extent_D.x", s.half_extent_D.x(), 0.001, 10.0},
         {"half_extent_D.y", s.half_extent_D.y(), 0.001, 10.0},
         {"half_extent_D.z", s.half_extent_D.z(), 0.001, 10.0},

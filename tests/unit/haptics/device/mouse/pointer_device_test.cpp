@@ -90,3 +90,29 @@ TEST_CASE("pointer: renders no force, and a target that is not finite leaves it 
     }
     CHECK(reading.pose_D.position == Vector3(0.1, 0.0, 0.0));
 }
+
+TEST_CASE("pointer: a loaded hand hangs lower by the sag and follows later in closed form") {
+    PointerSettings settings;
+    settings.sag_m_per_N = 0.004;
+    settings.slow_per_N = 0.2;
+    LatestValue<PointerTarget> target;
+    PointerDevice mouse(settings, target);
+    DeviceReading reading;
+    target.publish(at(Vector3::Zero()));
+    CHECK(mouse.read(0.0, reading));
+    CHECK(mouse.write(0.0, Wrench{Vector3(0.0, -5.0, 0.0), Vector3::Zero()}));
+    const double w = settings.natural_rad_per_s / (1.0 + 0.2 * 5.0);
+    for (int k = 1; k <= 400; ++k) {
+        CHECK(mouse.read(k * kDt_s, reading));
+        const double wt = w * k * kDt_s;
+        REQUIRE(reading.pose_D.position.y() ==
+                Approx(-0.02 * (1.0 - std::exp(-wt) * (1.0 + wt))).margin(1e-12));
+    }
+    // What is no number is no load.
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK_FALSE(mouse.write(0.4, Wrench{Vector3(nan, 0.0, 0.0), Vector3::Zero()}));
+    for (int k = 401; k <= 900; ++k) {
+        CHECK(mouse.read(k * kDt_s, reading));
+    }
+    CHECK(std::abs(reading.pose_D.position.y()) < 1e-6);
+}

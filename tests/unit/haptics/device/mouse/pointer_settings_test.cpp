@@ -17,6 +17,12 @@ TEST_CASE("pointer: settings outside their ranges are refused with the name and 
     settings.max_speed_m_per_s = std::numeric_limits<double>::quiet_NaN();
     CHECK_FALSE(validate(settings));
     settings = {};
+    settings.sag_m_per_N = 0.06;
+    CHECK_FALSE(validate(settings));
+    settings = {};
+    settings.slow_per_N = -0.1;
+    CHECK_FALSE(validate(settings));
+    settings = {};
     settings.half_extent_D.z() = 0.0;
     CHECK_FALSE(validate(settings));
 }
