@@ -8,7 +8,6 @@ namespace fulcrum::dialogue {
 namespace {
 
 using Kind = SyntaxNode::Kind;
-constexpr std::size_t kMostSteps = 16 * kLargestGraph_arcs;
 constexpr std::size_t kDeepestRules = 24;
 
 const SyntaxNode& at(const Syntax& syntax, int index) {
@@ -66,7 +65,7 @@ Expected<Built> GraphBuilder::build(const Syntax& syntax, int from) {
 }
 
 Expected<bool> GraphBuilder::step(const SyntaxNode& part) {
-    if (writer_.full() || ++steps_ > kMostSteps) {
+    if (writer_.full()) {
         return fail(concat({"the templates grow beyond ", std::to_string(kLargestGraph_arcs),
                             " arcs here; use fewer rules within rules, or shorter lists"}),
                     part.column);

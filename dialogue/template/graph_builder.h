@@ -1,6 +1,6 @@
 // Walks a parsed template and writes its graph.
 //
-// Thread: one.  Cost: linear in what is written; at most kLargestGraph_arcs arcs and as many steps times 16.
+// Thread: one.  Cost: linear in what is written; every part writes an arc, so the budget of arcs bounds the steps too.
 #pragma once
 
 #include "dialogue/template/arc_writer.h"
@@ -54,7 +54,6 @@ class GraphBuilder {
     ArcWriter& writer_;
     const ParsedRules& rules_;
     std::vector<std::string> open_rules_;
-    std::size_t steps_ = 0;
 };
 
 }  // namespace fulcrum::dialogue

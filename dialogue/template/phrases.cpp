@@ -26,8 +26,8 @@ constexpr std::array kConfusions = {
 };
 
 /// Said before a comparative, rightly.
-constexpr std::array<std::string_view, 7> kModifiers = {"much",     "far",      "a lot", "a bit",
-                                                        "a little", "slightly", "even"};
+constexpr std::array<std::string_view, 9> kModifiers = {
+    "way", "a little bit", "much", "far", "a lot", "a bit", "a little", "slightly", "even"};
 
 void add_verb(ArcWriter& writer, std::string_view word, const VerbForms& forms, bool after_noun,
               int from, int to) {

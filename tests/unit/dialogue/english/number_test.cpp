@@ -27,6 +27,8 @@ TEST_CASE("number: in words") {
     CHECK(in_words(342) == "three hundred and forty two");
     CHECK(in_words(1000) == "one thousand");
     CHECK(in_words(1005) == "one thousand and five");
+    CHECK(in_words(1050) == "one thousand and fifty");
+    CHECK(in_words(1100) == "one thousand one hundred");
     CHECK(in_words(2340) == "two thousand three hundred and forty");
     CHECK(in_words(999'999) ==
           "nine hundred and ninety nine thousand nine hundred and ninety nine");
