@@ -1,0 +1,80 @@
+// Any bytes as what a lesson's process sends. What is taken must be within all limits, and pass again when it is sent on.
+#include "runtime/lua/wire.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+namespace {
+
+using namespace fulcrum::runtime;
+
+constexpr std::size_t kHead = 5;
+
+LessonDescription small_scene() {
+    LessonDescription description;
+    description.id = "fuzz";
+    description.bodies.resize(2);
+    description.bodies[0].name = "a";
+    description.bodies[1].name = "b";
+    description.forces.resize(1);
+    description.forces[0].name = "f";
+    description.questions.resize(1);
+    description.questions[0].id = "q";
+    return description;
+}
+
+template <class Message, class Decode>
+void must_pass_again(const Message& message, Decode decode) {
+    Bytes bytes;
+    encode(message, bytes);
+    if (!decode(std::span<const std::uint8_t>(bytes).subspan(kHead))) {
+        std::abort();
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) {
+        return 0;
+    }
+    static const LessonDescription kScene = small_scene();
+    const std::span<const std::uint8_t> body(data + 1, size - 1);
+    const auto take_reply = [](std::span<const std::uint8_t> bytes) {
+        return decode_reply(bytes, kScene);
+    };
+    switch (static_cast<WireKind>(data[0] % 8)) {
+        case WireKind::reply:
+            if (const auto reply = take_reply(body)) {
+                must_pass_again(*reply, take_reply);
+            }
+            break;
+        case WireKind::description:
+            if (const auto description = decode_description(body)) {
+                must_pass_again(*description, decode_description);
+            }
+            break;
+        case WireKind::frame:
+            if (const auto frame = decode_frame(body)) {
+                must_pass_again(*frame, decode_frame);
+            }
+            break;
+        case WireKind::error:
+            static_cast<void>(decode_error(body));
+            break;
+        case WireKind::print:
+            static_cast<void>(decode_print(body));
+            break;
+        case WireKind::module_request:
+            static_cast<void>(decode_module_request(body));
+            break;
+        case WireKind::module_answer:
+            static_cast<void>(decode_module_answer(body));
+            break;
+        case WireKind::load:
+            static_cast<void>(decode_load(body));
+            break;
+    }
+    return 0;
+}
