@@ -33,12 +33,14 @@ inline constexpr Colour kFieldPaper = from_hex(0xFFFFFF);
 inline constexpr Colour kErrorPaper = from_hex(0xFFEBDC);
 inline constexpr Colour kSelectedPaper = from_hex(0xFFF6D9);
 
-// The room. Base colours as sRGB; light falls on the floor.
-inline constexpr Colour kWallTop = from_hex(0xA9D5EA);
-inline constexpr Colour kWallBottom = from_hex(0xFCF5E6);
-inline constexpr Colour kFloor = from_hex(0xF0DDC0);
-inline constexpr Colour kRug = from_hex(0x9CCFC4);
-inline constexpr Colour kRugRing = from_hex(0xF7EBD5);
+// Outdoors: sky, haze, meadow, and a round cloth on it, as they are seen.
+inline constexpr Colour kWallTop = from_hex(0x9CD2F0);
+inline constexpr Colour kWallBottom = from_hex(0xF3F6E4);
+inline constexpr Colour kFloor = from_hex(0xA8CF86);
+inline constexpr Colour kRug = from_hex(0xF8EBD2);
+inline constexpr Colour kRugRing = from_hex(0x8CC7BE);
+/// What a full shadow leaves of the floor's stored colour.
+inline constexpr Colour kShadow = from_hex(0xA9B2BE);
 
 // Signs.
 inline constexpr Colour kStar = from_hex(0xF7C948);

@@ -35,10 +35,15 @@ ViewBody body(const std::string& model, const Vector3& position_W, double turn_r
 /// Falling fruit, the bucket, a force and the arm's true pose.
 View falling() {
     View view;
+    view.camera.eye_W = Vector3(0.0, 0.95, 1.45);
+    view.camera.target_W = Vector3(0.0, 0.44, 0.0);
     view.title = "Which fruit is the heaviest?";
     view.level = 2;
     view.level_title = "Three fruits";
     view.score = 7;
+    view.bodies.push_back(body("tree", {-1.0, 0.0, -1.1}));
+    view.bodies.push_back(body("hill", {1.1, -0.22, -4.2}));
+    view.bodies.push_back(body("flower", {0.52, 0.0, -0.25}));
     view.bodies.push_back(body("watermelon", {-0.38, 0.62, 0.02}, 0.5));
     view.bodies.back().label = "watermelon";
     view.bodies.push_back(body("apple", {0.42, 0.36, -0.05}, 0.2));
@@ -58,11 +63,13 @@ View falling() {
 
 View question() {
     View view = falling();
-    view.bodies = {body("watermelon", {-0.42, 0.11, 0.0}, 0.4), body("apple", {0.02, 0.045, 0.1}),
-                   body("banana", {0.42, 0.04, 0.0}, 0.3)};
-    view.bodies[0].label = "watermelon";
-    view.bodies[1].label = "apple";
-    view.bodies[2].label = "banana";
+    view.bodies.resize(3);
+    view.bodies.push_back(body("watermelon", {-0.42, 0.09, 0.0}, 0.4));
+    view.bodies.back().label = "watermelon";
+    view.bodies.push_back(body("apple", {0.02, 0.045, 0.1}));
+    view.bodies.back().label = "apple";
+    view.bodies.push_back(body("banana", {0.42, 0.04, 0.0}, 0.3));
+    view.bodies.back().label = "banana";
     view.tool_visible = false;
     view.ghost_visible = false;
     view.force.visible = false;
@@ -74,7 +81,7 @@ View question() {
 
 View recast() {
     View view = question();
-    view.bodies[0].highlight = 1.0;
+    view.bodies[3].highlight = 1.0;
     view.feedback = "Yes. A watermelon is *the heaviest*.";
     view.caption = "Now say the whole sentence again.";
     view.input = "";
@@ -84,7 +91,7 @@ View recast() {
 
 View wrong() {
     View view = falling();
-    view.bodies.resize(2);
+    view.bodies.resize(5);
     view.feedback = "Feel both again: which one pulls *harder* on your hand?";
     view.caption =
         "Weigh the apple, then the watermelon. Move the bucket under each of them and wait.";

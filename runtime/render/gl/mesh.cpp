@@ -1,5 +1,7 @@
 #include "runtime/render/gl/mesh.h"
 
+#include "runtime/render/gl/simplify.h"
+
 #include <algorithm>
 
 #include <Eigen/Geometry>
@@ -14,6 +16,8 @@ namespace {
 constexpr std::size_t kFloatsPerCorner = 8;  // position, normal, uv
 constexpr std::size_t kMostCorners = 50'000'000;
 constexpr int kLargestPicture = 8192;
+constexpr int kCoarseCells = 26;              // along a part's longest side
+constexpr std::size_t kFewIndices = 3 * 600;  // so few triangles are not made fewer
 
 bool all_finite(const std::vector<float>& numbers) {
     return std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::isfinite(x); });
@@ -85,15 +89,13 @@ std::vector<float> computed_normals(const ModelPrimitive& primitive) {
 
 std::vector<float> interleaved(const ModelPrimitive& primitive) {
     const std::size_t corners = primitive.positions.size() / 3;
-    const std::vector<float> normals =
-        primitive.normals.empty() ? computed_normals(primitive) : primitive.normals;
     std::vector<float> vertices;
     vertices.reserve(corners * kFloatsPerCorner);
     for (std::size_t i = 0; i < corners; ++i) {
         vertices.insert(vertices.end(), primitive.positions.begin() + static_cast<long>(3 * i),
                         primitive.positions.begin() + static_cast<long>(3 * i + 3));
-        vertices.insert(vertices.end(), normals.begin() + static_cast<long>(3 * i),
-                        normals.begin() + static_cast<long>(3 * i + 3));
+        vertices.insert(vertices.end(), primitive.normals.begin() + static_cast<long>(3 * i),
+                        primitive.normals.begin() + static_cast<long>(3 * i + 3));
         vertices.push_back(primitive.uvs.empty() ? 0.0F : primitive.uvs[2 * i]);
         vertices.push_back(primitive.uvs.empty() ? 0.0F : primitive.uvs[2 * i + 1]);
     }
@@ -132,6 +134,14 @@ MeshPart upload_part(const ModelPrimitive& primitive) {
     return part;
 }
 
+/// A part in all its forms.
+void add_part(Mesh& mesh, const ModelPrimitive& primitive) {
+    mesh.parts.push_back(upload_part(primitive));
+    const bool few = primitive.indices.size() <= kFewIndices;
+    const ModelPrimitive coarse = few ? primitive : simplified(primitive, kCoarseCells);
+    mesh.coarse_parts.push_back(upload_part(coarse.indices.empty() ? primitive : coarse));
+}
+
 Texture upload_picture(const ModelImage& image) {
     Texture texture = Texture::make();
     glBindTexture(GL_TEXTURE_2D, texture.name());
@@ -139,7 +149,7 @@ Texture upload_picture(const ModelImage& image) {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width, image.height, 0, GL_RGBA,
                  GL_UNSIGNED_BYTE, image.rgba.data());
     glGenerateMipmap(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
@@ -168,8 +178,12 @@ Expected<Mesh> upload(const LoadedModel& model) {
     Mesh mesh;
     mesh.lowest.setConstant(std::numeric_limits<float>::max());
     mesh.highest.setConstant(std::numeric_limits<float>::lowest());
-    for (const ModelPrimitive& primitive : model.primitives) {
-        mesh.parts.push_back(upload_part(primitive));
+    for (const ModelPrimitive& given : model.primitives) {
+        ModelPrimitive primitive = given;
+        if (primitive.normals.empty()) {
+            primitive.normals = computed_normals(primitive);
+        }
+        add_part(mesh, primitive);
         for (std::size_t i = 0; i + 2 < primitive.positions.size(); i += 3) {
             const Eigen::Vector3f corner(primitive.positions.data() + i);
             mesh.lowest = mesh.lowest.cwiseMin(corner);

@@ -1,5 +1,7 @@
 // A model's triangles and pictures in the graphics card's memory.
 //
+// Each part is also kept in a coarse form, for shadows and for when it is small in the picture.
+//
 // Thread: the one that holds the context. Cost: 32 bytes a corner, 4 bytes an index, 5.3 bytes a
 // pixel.
 #pragma once
@@ -28,6 +30,7 @@ struct MeshPart {
 /// A model ready to draw.
 struct Mesh {
     std::vector<MeshPart> parts;
+    std::vector<MeshPart> coarse_parts;  ///< fewer triangles; seen from afar the same
     std::vector<Texture> textures;
     Eigen::Vector3f lowest{Eigen::Vector3f::Zero()};   ///< corner of the bounding box, metres
     Eigen::Vector3f highest{Eigen::Vector3f::Zero()};  ///< corner of the bounding box, metres

@@ -8,7 +8,6 @@ namespace {
 
 const Vector3 kToLight = Vector3(-0.45, 1.0, 0.65).normalized();
 const Vector3 kToLamp = Vector3(-0.06, 1.0, 0.09).normalized();
-constexpr double kReach = 0.85;      // of the camera's distance
 constexpr double kLampHeight = 4.0;  // of the reach; what is above it still casts a shadow
 constexpr double kDepthRange = 6.0;  // of the reach, from the lamp down
 
@@ -16,7 +15,7 @@ constexpr double kDepthRange = 6.0;  // of the reach, from the lamp down
 
 Light light_for(const Camera& camera, double ground_height_m, int shadow_map_size) {
     Light light;
-    const double reach_m = kReach * camera.distance_m();
+    const double reach_m = kLightReach * camera.distance_m();
     const double ground = std::isfinite(ground_height_m) ? ground_height_m : 0.0;
     const Vector3 centre(camera.target_W().x(), ground, camera.target_W().z());
 

@@ -11,6 +11,9 @@
 
 namespace fulcrum::runtime {
 
+/// How far shadows reach on the floor, as a part of the camera's distance.
+inline constexpr double kLightReach = 0.85;
+
 /// A light from infinitely far away, and the square on the floor that its shadow map covers.
 struct Light {
     Eigen::Vector3f to_light{Eigen::Vector3f::UnitY()};  ///< for shading; unit length, world

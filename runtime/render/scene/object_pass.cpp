@@ -21,7 +21,7 @@ Eigen::Vector4f as_vector(const Colour& colour) {
 }
 
 void draw_parts(const gl::Mesh& mesh) {
-    for (const gl::MeshPart& part : mesh.parts) {
+    for (const gl::MeshPart& part : mesh.coarse_parts) {
         gl::draw(part);
     }
 }
@@ -31,16 +31,20 @@ void draw_parts(const gl::Mesh& mesh) {
 Expected<ObjectPass> ObjectPass::create() {
     ObjectPass pass;
     const std::string lit_fragment = std::string(shaders::kLighting) + shaders::kObjectFragment;
-    auto lit = gl::Program::build("object", "", shaders::kObjectVertex, lit_fragment);
+    auto lit =
+        gl::Program::build("object", "#define TAPS 2\n", shaders::kObjectVertex, lit_fragment);
+    auto unshaded = gl::Program::build("far object", "#define NO_SHADOWS\n", shaders::kObjectVertex,
+                                       lit_fragment);
     auto outline =
         gl::Program::build("outline", "", shaders::kOutlineVertex, shaders::kFlatFragment);
     auto ghost = gl::Program::build("ghost", "", shaders::kObjectVertex, shaders::kGhostFragment);
-    for (const auto* program : {&lit, &outline, &ghost}) {
+    for (const auto* program : {&lit, &unshaded, &outline, &ghost}) {
         if (!*program) {
             return tl::make_unexpected(program->error());
         }
     }
     pass.lit_ = std::move(*lit);
+    pass.lit_unshaded_ = std::move(*unshaded);
     pass.outline_ = std::move(*outline);
     pass.ghost_ = std::move(*ghost);
 
@@ -55,16 +59,18 @@ Expected<ObjectPass> ObjectPass::create() {
 
 void ObjectPass::begin(const SceneFrame& frame, const ShadowPass& shadows) const {
     shadows.bind_map(1);
-    lit_.use();
-    lit_.set("u_clip_from_world", frame.clip_from_world);
-    lit_.set("u_shadow_from_world", frame.light.shadow_from_world);
-    lit_.set("u_shadow_offset_m", kShadowOffsetTexels * frame.light.texel_m);
-    lit_.set("u_shadow_texel", 1.0F / static_cast<float>(shadows.size()));
-    lit_.set("u_shadow_map", 1);
-    lit_.set("u_picture", 0);
-    lit_.set("u_to_light", frame.light.to_light);
-    lit_.set("u_to_lamp", frame.light.to_lamp);
-    lit_.set("u_eye", frame.eye_W);
+    for (const gl::Program* program : {&lit_, &lit_unshaded_}) {
+        program->use();
+        program->set("u_clip_from_world", frame.clip_from_world);
+        program->set("u_shadow_from_world", frame.light.shadow_from_world);
+        program->set("u_shadow_offset_m", kShadowOffsetTexels * frame.light.texel_m);
+        program->set("u_shadow_texel", 1.0F / static_cast<float>(shadows.size()));
+        program->set("u_shadow_map", 1);
+        program->set("u_picture", 0);
+        program->set("u_to_light", frame.light.to_light);
+        program->set("u_to_lamp", frame.light.to_lamp);
+        program->set("u_eye", frame.eye_W);
+    }
     outline_.use();
     outline_.set("u_clip_from_world", frame.clip_from_world);
     outline_.set("u_pixel", Eigen::Vector2f(2.0F / static_cast<float>(frame.width_px),
@@ -74,25 +80,33 @@ void ObjectPass::begin(const SceneFrame& frame, const ShadowPass& shadows) const
     ghost_.set("u_eye", frame.eye_W);
 }
 
-void ObjectPass::draw_lit(const gl::Mesh& mesh, const Placement& placement) const {
-    lit_.use();
-    set_model(lit_, placement);
+void ObjectPass::draw_lit(const gl::Mesh& mesh, const Placement& placement, bool coarse,
+                          bool shaded) const {
+    draw_with(shaded ? lit_ : lit_unshaded_, mesh, coarse ? mesh.coarse_parts : mesh.parts,
+              placement);
+}
+
+void ObjectPass::draw_with(const gl::Program& program, const gl::Mesh& mesh,
+                           const std::vector<gl::MeshPart>& parts,
+                           const Placement& placement) const {
+    program.use();
+    set_model(program, placement);
     glActiveTexture(GL_TEXTURE0);
-    for (const gl::MeshPart& part : mesh.parts) {
+    for (const gl::MeshPart& part : parts) {
         const GLuint picture = part.texture >= 0
                                    ? mesh.textures[static_cast<std::size_t>(part.texture)].name()
                                    : white_.name();
         glBindTexture(GL_TEXTURE_2D, picture);
         const auto& c = part.base_colour;
-        lit_.set("u_base_colour", Eigen::Vector4f(c[0], c[1], c[2], c[3]));
-        lit_.set("u_roughness", part.roughness);
+        program.set("u_base_colour", Eigen::Vector4f(c[0], c[1], c[2], c[3]));
+        program.set("u_roughness", part.roughness);
         gl::draw(part);
     }
 }
 
-void ObjectPass::draw_stencil(const gl::Mesh& mesh, const Placement& placement) const {
+void ObjectPass::draw_stencil(const gl::Mesh& mesh, const Placement& placement, int mark) const {
     glEnable(GL_STENCIL_TEST);
-    glStencilFunc(GL_ALWAYS, 1, 0xFF);
+    glStencilFunc(GL_ALWAYS, mark, 0xFF);
     glStencilOp(GL_KEEP, GL_REPLACE, GL_REPLACE);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthMask(GL_FALSE);
@@ -106,9 +120,9 @@ void ObjectPass::draw_stencil(const gl::Mesh& mesh, const Placement& placement) 
 }
 
 void ObjectPass::draw_outline(const gl::Mesh& mesh, const Placement& placement,
-                              const Colour& colour, float width_px) const {
+                              const Colour& colour, float width_px, int mark) const {
     glEnable(GL_STENCIL_TEST);
-    glStencilFunc(GL_NOTEQUAL, 1, 0xFF);
+    glStencilFunc(GL_NOTEQUAL, mark, 0xFF);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);

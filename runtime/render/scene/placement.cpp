@@ -44,6 +44,7 @@ Bounds bounds_of(const Placement& placement, const Eigen::Vector3f& lowest,
     const double longest =
         static_cast<double>((turn * half.asDiagonal()).colwise().norm().maxCoeff());
     bounds.radius_m = longest;
+    bounds.enclosing_radius_m = static_cast<double>(half_W.norm());
     bounds.half_width_m = std::min(static_cast<double>(std::max(half_W.x(), half_W.z())), longest);
     bounds.lowest_m = bounds.centre_W.y() - static_cast<double>(half_W.y());
     return bounds;

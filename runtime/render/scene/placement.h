@@ -26,9 +26,10 @@ struct Placement {
 /// A ball around a placed box.
 struct Bounds {
     Vector3 centre_W{Vector3::Zero()};
-    double radius_m = 0.0;
-    double half_width_m = 0.0;  ///< the largest half extent along X or Z, in the world
-    double lowest_m = 0.0;      ///< the least height of the box, in the world
+    double radius_m = 0.0;            ///< of the longest half side
+    double enclosing_radius_m = 0.0;  ///< holds the whole box
+    double half_width_m = 0.0;        ///< the largest half extent along X or Z, in the world
+    double lowest_m = 0.0;            ///< the least height of the box, in the world
 };
 
 /// Bounds of a box given by two corners in model space.

@@ -123,15 +123,40 @@ void add_mark(std::vector<float>& corners, const FloorMark& mark, float floor_m,
     }
 }
 
+/// A square on the floor that holds a thing's shadow.
+void add_shadow(std::vector<float>& corners, const Bounds& caster, const Light& light) {
+    constexpr float kSoftTexels = 6.0F;
+    constexpr float kLift = 0.0005F;  // above the floor, in reaches of the light
+    const Eigen::Vector3f centre = caster.centre_W.cast<float>();
+    const Eigen::Vector3f to_lamp = light.to_lamp;
+    const float height = centre.y() - light.centre_W.y();
+    const Eigen::Vector3f middle = centre - to_lamp * (height / to_lamp.y());
+    const float half =
+        static_cast<float>(caster.enclosing_radius_m) * 1.05F + kSoftTexels * light.texel_m;
+    const float floor = light.centre_W.y() + kLift * light.reach_m;
+    constexpr std::array<std::array<float, 2>, 6> kSquare{
+        {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}}};
+    for (const auto& [u, v] : kSquare) {
+        corners.insert(corners.end(), {middle.x() + half * u, floor, middle.z() + half * v});
+    }
+}
+
+Eigen::Vector3f as_stored(const Colour& colour) {
+    return {colour.r, colour.g, colour.b};
+}
+
 }  // namespace
 
 Expected<Room> Room::create() {
-    const std::string floor = std::string(shaders::kLighting) + shaders::kGroundFragment;
+    const std::string floor = shaders::kGroundFragment;
+    const std::string shadow = std::string(shaders::kLighting) + shaders::kFloorShadowFragment;
+    auto floor_shadow =
+        gl::Program::build("floor shadow", "#define TAPS 4\n", shaders::kFloorShadowVertex, shadow);
     auto near_floor = gl::Program::build("floor", "#define NEAR\n", shaders::kGroundVertex, floor);
     auto far_floor = gl::Program::build("far floor", "", shaders::kGroundVertex, floor);
     auto wall = gl::Program::build("wall", "", shaders::kWallVertex, shaders::kWallFragment);
     auto mark = gl::Program::build("mark", "", shaders::kMarkVertex, shaders::kMarkFragment);
-    for (const auto* program : {&near_floor, &far_floor, &wall, &mark}) {
+    for (const auto* program : {&near_floor, &far_floor, &wall, &mark, &floor_shadow}) {
         if (!*program) {
             return tl::make_unexpected(program->error());
         }
@@ -141,46 +166,75 @@ Expected<Room> Room::create() {
     room.far_floor_ = std::move(*far_floor);
     room.wall_ = std::move(*wall);
     room.mark_ = std::move(*mark);
-    for (auto* array : {&room.floor_array_, &room.wall_array_, &room.mark_array_}) {
+    room.floor_shadow_ = std::move(*floor_shadow);
+    for (auto* array :
+         {&room.floor_array_, &room.wall_array_, &room.shadow_array_, &room.mark_array_}) {
         *array = gl::VertexArray::make();
     }
-    for (auto* buffer : {&room.floor_corners_, &room.wall_corners_, &room.mark_corners_}) {
+    for (auto* buffer :
+         {&room.floor_corners_, &room.wall_corners_, &room.shadow_corners_, &room.mark_corners_}) {
         *buffer = gl::Buffer::make();
     }
     fill(room.floor_array_, room.floor_corners_, floor_corners(), GL_STATIC_DRAW);
     describe({2});
     fill(room.wall_array_, room.wall_corners_, {}, GL_DYNAMIC_DRAW);
     describe({2, 3});
+    fill(room.shadow_array_, room.shadow_corners_, {}, GL_DYNAMIC_DRAW);
+    describe({3});
     fill(room.mark_array_, room.mark_corners_, {}, GL_DYNAMIC_DRAW);
     describe({3, 2, 4});
     return room;
 }
 
-void Room::draw_floor(const gl::Program& program, const SceneFrame& frame,
-                      const ShadowPass& shadows, std::size_t first, std::size_t count) const {
+void Room::draw_floor(const gl::Program& program, const SceneFrame& frame, std::size_t first,
+                      std::size_t count) const {
     program.use();
     program.set("u_clip_from_world", frame.clip_from_world);
-    program.set("u_shadow_from_world", frame.light.shadow_from_world);
-    program.set("u_shadow_texel", 1.0F / static_cast<float>(shadows.size()));
-    program.set("u_shadow_map", 1);
-    program.set("u_to_light", frame.light.to_light);
     program.set("u_centre", frame.light.centre_W);
     program.set("u_reach_m", frame.light.reach_m);
     program.set("u_rug_m", kRugRadius * frame.light.reach_m);
     program.set("u_fade_m", kFade * frame.light.reach_m);
-    program.set_linear("u_floor", theme::kFloor);
-    program.set_linear("u_rug", theme::kRug);
-    program.set_linear("u_rug_ring", theme::kRugRing);
-    program.set("u_horizon",
-                Eigen::Vector3f(theme::kWallBottom.r, theme::kWallBottom.g, theme::kWallBottom.b));
+    program.set("u_floor", as_stored(theme::kFloor));
+    program.set("u_rug", as_stored(theme::kRug));
+    program.set("u_rug_ring", as_stored(theme::kRugRing));
+    program.set("u_horizon", as_stored(theme::kWallBottom));
     glBindVertexArray(floor_array_.name());
     glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), static_cast<GLsizei>(count));
 }
 
-void Room::draw(const SceneFrame& frame, const Camera& camera, const ShadowPass& shadows) const {
-    draw_floor(near_floor_, frame, shadows, 0, kNearCorners);
-    draw_floor(far_floor_, frame, shadows, kNearCorners, kFarCorners);
+void Room::draw(const SceneFrame& frame, const Camera& camera) const {
+    draw_floor(near_floor_, frame, 0, kNearCorners);
+    draw_floor(far_floor_, frame, kNearCorners, kFarCorners);
     draw_wall(camera);
+}
+
+void Room::draw_shadows(const SceneFrame& frame, const ShadowPass& shadows,
+                        const std::vector<Bounds>& casters, int mark) const {
+    std::vector<float> corners;
+    for (std::size_t i = 0; i < std::min(casters.size(), kMostMarks); ++i) {
+        add_shadow(corners, casters[i], frame.light);
+    }
+    if (corners.empty()) {
+        return;
+    }
+    fill(shadow_array_, shadow_corners_, corners, GL_DYNAMIC_DRAW);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_NOTEQUAL, mark, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    glDepthMask(GL_FALSE);
+    floor_shadow_.use();
+    floor_shadow_.set("u_clip_from_world", frame.clip_from_world);
+    floor_shadow_.set("u_shadow_from_world", frame.light.shadow_from_world);
+    floor_shadow_.set("u_shadow_texel", 1.0F / static_cast<float>(shadows.size()));
+    floor_shadow_.set("u_shadow_map", 1);
+    floor_shadow_.set("u_in_shadow", as_stored(theme::kShadow));
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size() / 3));
+    glDepthMask(GL_TRUE);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    glDisable(GL_BLEND);
+    glDisable(GL_STENCIL_TEST);
 }
 
 void Room::draw_wall(const Camera& camera) const {

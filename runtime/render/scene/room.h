@@ -26,25 +26,32 @@ class Room {
   public:
     [[nodiscard]] static Expected<Room> create();
 
-    /// The floor, with shadows; then the wall wherever nothing was drawn.
-    void draw(const SceneFrame& frame, const Camera& camera, const ShadowPass& shadows) const;
+    /// The floor; then the wall wherever nothing was drawn.
+    void draw(const SceneFrame& frame, const Camera& camera) const;
+    /// The shadows of things on the floor. Marks each darkened pixel with `mark` in the stencil, so
+    /// that none is darkened twice.
+    void draw_shadows(const SceneFrame& frame, const ShadowPass& shadows,
+                      const std::vector<Bounds>& casters, int mark) const;
     /// Only the wall, over the whole picture.
     void draw_wall(const Camera& camera) const;
     /// Marks, over the floor and under things that stand before it.
     void draw_marks(const SceneFrame& frame, const std::vector<FloorMark>& marks) const;
 
   private:
-    void draw_floor(const gl::Program& program, const SceneFrame& frame, const ShadowPass& shadows,
-                    std::size_t first, std::size_t count) const;
+    void draw_floor(const gl::Program& program, const SceneFrame& frame, std::size_t first,
+                    std::size_t count) const;
 
     gl::Program near_floor_;
     gl::Program far_floor_;
     gl::Program wall_;
+    gl::Program floor_shadow_;
     gl::Program mark_;
     gl::VertexArray floor_array_;
     gl::Buffer floor_corners_;
     gl::VertexArray wall_array_;
     gl::Buffer wall_corners_;
+    gl::VertexArray shadow_array_;
+    gl::Buffer shadow_corners_;
     gl::VertexArray mark_array_;
     gl::Buffer mark_corners_;
 };

@@ -1,5 +1,7 @@
 #include "runtime/render/scene/scene_content.h"
 
+#include "runtime/render/scene/light.h"
+
 #include <algorithm>
 
 #include <cmath>
@@ -9,9 +11,11 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr double kGhostApart = 0.02;  // of the camera's distance: the ghost is fully seen
+constexpr double kCoarse_px = 180.0;  // a thing less long in the picture is drawn coarsely
 constexpr double kBelowFloor = 0.25;  // of its radius: deeper things have no mark
 
-std::optional<SceneItem> item_of(const ViewBody& body, const FindMesh& find_mesh) {
+std::optional<SceneItem> item_of(const ViewBody& body, const Camera& camera,
+                                 const FindMesh& find_mesh) {
     const auto placement = place(body.pose_W, body.scale);
     if (!placement) {
         return std::nullopt;
@@ -23,12 +27,19 @@ std::optional<SceneItem> item_of(const ViewBody& body, const FindMesh& find_mesh
     item.highlight = std::isfinite(body.highlight)
                          ? static_cast<float>(std::clamp(body.highlight, 0.0, 1.0))
                          : 0.0F;
+    const Vector3 from_target = item.bounds.centre_W - camera.target_W();
+    const double aside_m = Vector3(from_target.x(), 0.0, from_target.z()).norm();
+    const double reach_m = kLightReach * camera.distance_m();
+    item.near = aside_m < reach_m && item.bounds.radius_m < reach_m;
+    const double depth_m = camera.forward_W().dot(item.bounds.centre_W - camera.eye_W());
+    item.coarse =
+        depth_m > 0.0 && 2.0 * item.bounds.radius_m * camera.px_per_m(depth_m) < kCoarse_px;
     return item;
 }
 
 void add_mark(SceneContent& content, const SceneItem& item, double floor_m, bool is_hand) {
     const double height_m = item.bounds.lowest_m - floor_m;
-    if (height_m > -kBelowFloor * item.bounds.radius_m) {
+    if (item.near && height_m > -kBelowFloor * item.bounds.radius_m) {
         content.marks.push_back(
             {item.bounds.centre_W, item.bounds.half_width_m, std::max(height_m, 0.0), is_hand});
     }
@@ -91,14 +102,14 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
     SceneContent content;
     const double floor_m = std::isfinite(view.ground_height_m) ? view.ground_height_m : 0.0;
     for (std::size_t i = 0; i < std::min(view.bodies.size(), kMostBodies); ++i) {
-        if (const auto item = item_of(view.bodies[i], find_mesh)) {
+        if (const auto item = item_of(view.bodies[i], camera, find_mesh)) {
             content.items.push_back(*item);
             add_mark(content, *item, floor_m, false);
             add_label(content, camera, view.bodies[i], *item);
         }
     }
     if (view.tool_visible) {
-        if (const auto item = item_of(view.tool, find_mesh)) {
+        if (const auto item = item_of(view.tool, camera, find_mesh)) {
             content.items.push_back(*item);
             add_mark(content, *item, floor_m, true);
             add_label(content, camera, view.tool, *item);
@@ -107,7 +118,7 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
     if (view.ghost_visible) {
         ViewBody ghost = view.tool;
         ghost.pose_W = view.ghost_pose_W;
-        content.ghost = item_of(ghost, find_mesh);
+        content.ghost = item_of(ghost, camera, find_mesh);
         if (content.ghost && view.tool_visible && is_finite(view.tool.pose_W)) {
             // Seen through each other they would only shimmer; it appears as they part.
             const double apart_m = (ghost.pose_W.position - view.tool.pose_W.position).norm();

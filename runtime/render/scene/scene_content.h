@@ -25,6 +25,8 @@ struct SceneItem {
     Placement placement;
     Bounds bounds;
     float highlight = 0.0F;  ///< 0 to 1
+    bool coarse = false;     ///< small in the picture
+    bool near = true;        ///< where the lamp's shadows reach
 };
 
 /// Everything in one frame's scene.

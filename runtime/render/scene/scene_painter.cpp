@@ -18,6 +18,10 @@ constexpr std::array<float, 4> kBallColour{0.55F, 0.55F, 0.58F, 1.0F};
 constexpr float kHighlight_px = 7.0F;  // at 720
 constexpr float kArrowRim_px = 4.0F;   // at 720
 constexpr float kGhostAlpha = 0.75F;
+// What the stencil says about a pixel.
+constexpr int kShadowMark = 1;
+constexpr int kHighlightMark = 2;
+constexpr int kArrowMark = 3;
 constexpr double kIconAngle_deg = 24.0;
 
 std::array<float, 4> linear_of(const Colour& c) {
@@ -98,7 +102,9 @@ const gl::Mesh& ScenePainter::find(const std::string& model) const {
 void ScenePainter::draw_shadows(const SceneContent& content, const Light& light) const {
     shadows_.begin(light);
     for (const SceneItem& item : content.items) {
-        shadows_.draw(*item.mesh, item.placement);
+        if (item.near) {
+            shadows_.draw(*item.mesh, item.placement);
+        }
     }
     shadows_.end();
 }
@@ -114,10 +120,15 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
 
     start_picture(target);
     objects_.begin(frame, shadows_);
+    std::vector<Bounds> casters;
     for (const SceneItem& item : content.items) {
-        objects_.draw_lit(*item.mesh, item.placement);
+        objects_.draw_lit(*item.mesh, item.placement, item.coarse, item.near);
+        if (item.near) {
+            casters.push_back(item.bounds);
+        }
     }
-    room_.draw(frame, camera, shadows_);
+    room_.draw(frame, camera);
+    room_.draw_shadows(frame, shadows_, casters, kShadowMark);
     room_.draw_marks(frame, content.marks);
     const float scale = Measure(width_px, height_px).scale;
     draw_highlights(content, scale);
@@ -126,7 +137,7 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
                             with_alpha(theme::kGhost, kGhostAlpha * content.ghost_strength));
     }
     if (content.arrow) {
-        draw_arrow(*content.arrow, scale);
+        draw_arrow(*content.arrow, camera, scale);
     }
     return std::move(content.labels);
 }
@@ -134,31 +145,38 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
 void ScenePainter::draw_highlights(const SceneContent& content, float scale) const {
     for (const SceneItem& item : content.items) {
         if (item.highlight > 0.0F) {
-            objects_.draw_stencil(*item.mesh, item.placement);
+            objects_.draw_stencil(*item.mesh, item.placement, kHighlightMark);
         }
     }
     for (const SceneItem& item : content.items) {
         if (item.highlight > 0.0F) {
             objects_.draw_outline(*item.mesh, item.placement,
                                   with_alpha(theme::kHighlight, item.highlight),
-                                  kHighlight_px * scale);
+                                  kHighlight_px * scale, kHighlightMark);
         }
     }
-    glClear(GL_STENCIL_BUFFER_BIT);
 }
 
-void ScenePainter::draw_arrow(const Arrow& arrow, float scale) const {
-    const std::array<std::pair<const gl::Mesh*, const Placement*>, 2> parts{
+void ScenePainter::draw_arrow(const Arrow& arrow, const Camera& camera, float scale) const {
+    // The force is never hidden: it is drawn over all else, with a light rim around. Both parts are
+    // convex, so that the further one first and no back sides make depths needless.
+    std::array<std::pair<const gl::Mesh*, const Placement*>, 2> parts{
         {{&arrow_shaft_, &arrow.shaft}, {&arrow_head_, &arrow.head}}};
-    // The force is never hidden: it is drawn over all else, with a light rim around.
-    glClear(GL_DEPTH_BUFFER_BIT);
+    if ((arrow.tip_W - arrow.tail_W).dot(arrow.tip_W - camera.eye_W()) > 0.0) {
+        std::swap(parts[0], parts[1]);
+    }
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
     for (const auto& [mesh, placement] : parts) {
-        objects_.draw_lit(*mesh, *placement);
-        objects_.draw_stencil(*mesh, *placement);
+        objects_.draw_lit(*mesh, *placement, false, false);
+        objects_.draw_stencil(*mesh, *placement, kArrowMark);
     }
     for (const auto& [mesh, placement] : parts) {
-        objects_.draw_outline(*mesh, *placement, theme::kForceOutline, kArrowRim_px * scale);
+        objects_.draw_outline(*mesh, *placement, theme::kForceOutline, kArrowRim_px * scale,
+                              kArrowMark);
     }
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
 }
 
 void ScenePainter::draw_wall(const Camera& camera, const gl::FrameTarget& target) const {
@@ -195,7 +213,7 @@ void ScenePainter::draw_icon(const std::string& model, const Box& box, int width
                height);
     glEnable(GL_DEPTH_TEST);
     objects_.begin(frame, shadows_);
-    objects_.draw_lit(mesh, Placement{});
+    objects_.draw_lit(mesh, Placement{}, true, true);
     glViewport(0, 0, width_px, height_px);
 }
 

@@ -44,7 +44,7 @@ class ScenePainter {
     [[nodiscard]] const gl::Mesh& find(const std::string& model) const;
     void draw_shadows(const SceneContent& content, const Light& light) const;
     void draw_highlights(const SceneContent& content, float scale) const;
-    void draw_arrow(const Arrow& arrow, float scale) const;
+    void draw_arrow(const Arrow& arrow, const Camera& camera, float scale) const;
 
     ShadowPass shadows_;
     ObjectPass objects_;

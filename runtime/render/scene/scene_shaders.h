@@ -3,7 +3,8 @@
 //
 //   light leaving = albedo (key max(n.l, 0) lit + ambient(n.y)) + highlight + rim
 //   ambient(n.y) = ground + (sky - ground)(1 + n.y)/2
-//   lit = mean of 9 comparisons of the shadow map, each over 2 x 2 texels
+//   lit = mean of 4 (things) or 16 (floor) comparisons of the shadow map, each over 2 x 2 texels
+//   stored = sRGB(light), within 0.004 of it
 //
 // Source: J. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977
 // (half vector); W. Reeves, D. Salesin, R. Cook, Rendering Antialiased Shadows with Depth Maps,
@@ -49,19 +50,27 @@ const vec3 kKey = vec3(1.0, 0.94, 0.84) * 0.78;
 const vec3 kSky = vec3(0.50, 0.53, 0.58);
 const vec3 kBounce = vec3(0.33, 0.28, 0.23);
 float lit_part(vec3 at) {
+#ifdef NO_SHADOWS
+  return 1.0;
+#else
   float sum = 0.0;
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) {
-      sum += texture(u_shadow_map, vec3(at.xy + 1.7 * u_shadow_texel * vec2(x, y), at.z));
+  for (int y = 0; y < TAPS; ++y) {
+    for (int x = 0; x < TAPS; ++x) {
+      vec2 off = 1.6 * u_shadow_texel * (vec2(x, y) - 0.5 * float(TAPS - 1));
+      sum += texture(u_shadow_map, vec3(at.xy + off, at.z));
     }
   }
-  return sum / 9.0;
+  return sum / float(TAPS * TAPS);
+#endif
 }
 vec3 to_screen(vec3 light) {
   // A soft shoulder keeps bright colours from being cut off; then sRGB.
   vec3 over = max(light - 0.8, 0.0);
   vec3 kept = min(light, 0.8) + 0.2 * (over / (over + 0.2));
-  return mix(12.92 * kept, 1.055 * pow(kept, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, kept));
+  vec3 root2 = sqrt(kept);
+  vec3 root4 = sqrt(root2);
+  vec3 root8 = sqrt(root4);
+  return 0.581339 * root2 + 0.791891 * root4 - 0.372792 * root8;
 }
 )";
 
@@ -89,59 +98,69 @@ void main() {
   float a = max(u_roughness * u_roughness, 0.02);
   float power = 2.0 / (a * a) - 2.0 + 4.0;
   float gloss = 0.04 * (power + 8.0) / 8.0 * pow(max(dot(n, half_way), 0.0), power);
-  float edge = pow(1.0 - max(dot(n, to_eye), 0.0), 4.0);
+  float edge = 1.0 - max(dot(n, to_eye), 0.0);
+  edge *= edge;
+  edge *= edge;
   light += kKey * min(gloss, 1.2) * max(facing, 0.0);
   light += (0.22 - 0.12 * u_roughness) * edge * (0.6 + 0.4 * n.y) * vec3(0.85, 0.95, 1.0);
   o_colour = vec4(to_screen(light), 1.0);
 }
 )";
 
-/// The floor: u_ring_m is the rug's radius. kNear parts receive shadows.
+/// The floor, without shadows: they are laid over it.
 inline constexpr const char* kGroundVertex = R"(
 layout(location = 0) in vec2 a_position;
 uniform mat4 u_clip_from_world;
-uniform mat4 u_shadow_from_world;
 uniform vec3 u_centre;
 uniform float u_reach_m;
 out vec2 v_from_centre;
-out vec3 v_shadow;
 void main() {
-  vec2 along = u_reach_m * a_position;
-  vec3 world = u_centre + vec3(along.x, 0.0, along.y);
-  v_from_centre = along;
-  v_shadow = (u_shadow_from_world * vec4(world, 1.0)).xyz;
+  v_from_centre = u_reach_m * a_position;
+  vec3 world = u_centre + vec3(v_from_centre.x, 0.0, v_from_centre.y);
   gl_Position = u_clip_from_world * vec4(world, 1.0);
 }
 )";
 
 inline constexpr const char* kGroundFragment = R"(
-uniform vec3 u_floor;
+uniform vec3 u_floor;  // as stored, like the next three
 uniform vec3 u_rug;
 uniform vec3 u_rug_ring;
 uniform vec3 u_horizon;
 uniform float u_rug_m;
 uniform float u_fade_m;
 in vec2 v_from_centre;
-in vec3 v_shadow;
 out vec4 o_colour;
 void main() {
   float r = length(v_from_centre);
-  vec3 albedo = u_floor;
 #ifdef NEAR
   float soft = fwidth(r);
-  float inner = 0.86 * u_rug_m;
   float on_rug = 1.0 - smoothstep(u_rug_m - soft, u_rug_m + soft, r);
-  float on_ring = smoothstep(inner - soft, inner + soft, r)
-                * (1.0 - smoothstep(0.94 * u_rug_m - soft, 0.94 * u_rug_m + soft, r));
-  albedo = mix(mix(albedo, u_rug, on_rug), u_rug_ring, on_ring);
-  float lit = lit_part(v_shadow);
+  float from_ring = abs(r - 0.91 * u_rug_m) - 0.03 * u_rug_m;
+  float on_ring = 1.0 - smoothstep(-soft, soft, from_ring);
+  vec3 colour = mix(mix(u_floor, u_rug, on_rug), u_rug_ring, on_ring);
 #else
-  const float lit = 1.0;
+  vec3 colour = u_floor;
 #endif
-  vec3 light = albedo * (kKey * u_to_light.y * lit + kSky);
-  float far = smoothstep(0.08 * u_fade_m, u_fade_m, r);
-  o_colour = vec4(mix(to_screen(light), u_horizon, far), 1.0);
+  o_colour = vec4(mix(colour, u_horizon, smoothstep(0.10 * u_fade_m, u_fade_m, r)), 1.0);
 }
+)";
+
+/// Shadows on the floor: what is there is multiplied.
+inline constexpr const char* kFloorShadowVertex = R"(
+layout(location = 0) in vec3 a_position;
+uniform mat4 u_clip_from_world;
+uniform mat4 u_shadow_from_world;
+out vec3 v_shadow;
+void main() {
+  v_shadow = (u_shadow_from_world * vec4(a_position, 1.0)).xyz;
+  gl_Position = u_clip_from_world * vec4(a_position, 1.0);
+}
+)";
+inline constexpr const char* kFloorShadowFragment = R"(
+uniform vec3 u_in_shadow;
+in vec3 v_shadow;
+out vec4 o_colour;
+void main() { o_colour = vec4(mix(u_in_shadow, vec3(1.0), lit_part(v_shadow)), 1.0); }
 )";
 
 /// The wall: colours are given at the corners.

@@ -60,7 +60,7 @@ void ShadowPass::begin(const Light& light) const {
 
 void ShadowPass::draw(const gl::Mesh& mesh, const Placement& placement) const {
     program_.set("u_world_from_model", placement.world_from_model);
-    for (const gl::MeshPart& part : mesh.parts) {
+    for (const gl::MeshPart& part : mesh.coarse_parts) {
         gl::draw(part);
     }
 }
