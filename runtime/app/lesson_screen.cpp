@@ -21,7 +21,7 @@ constexpr double kAnswerPatience_s =
     0.004;  // a frame waits so long for Lua before it draws without it
 
 fs::file_time_type newest_of(const std::vector<fs::path>& files) {
-    fs::file_time_type newest{};
+    fs::file_time_type newest = fs::file_time_type::min();  // not {}: that lies in the year 2174
     for (const fs::path& file : files) {
         std::error_code error;
         const auto written = fs::last_write_time(file, error);

@@ -62,7 +62,7 @@ class LessonScreen {
     double next_frame_s_ = 0.0;
     std::string error_;  // the sentence of the failure, empty while all is well
     std::vector<std::filesystem::path> files_;
-    std::filesystem::file_time_type newest_{};
+    std::filesystem::file_time_type newest_ = std::filesystem::file_time_type::min();
     double next_watch_s_ = 0.0;
 
     TypedLine typing_;

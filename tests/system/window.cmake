@@ -1,0 +1,7 @@
+# A lesson in a real window, under Xvfb.
+if(TARGET fulcrum)
+  add_test(NAME "system: a window survives a broken lesson, a hung one, and runs the mended one"
+           COMMAND ${CMAKE_SOURCE_DIR}/tests/system/window.sh $<TARGET_FILE:fulcrum>)
+  set_tests_properties("system: a window survives a broken lesson, a hung one, and runs the mended one"
+                       PROPERTIES LABELS system TIMEOUT 120 SKIP_RETURN_CODE 77)
+endif()

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# window.sh PROGRAM: plays in a real window on a screen of its own. A lesson that is broken, then hangs, then is mended:
+# the window stays up, each failure is one sentence, and the mended lesson runs again. Says how soon.
+set -euo pipefail
+program=$1
+command -v Xvfb >/dev/null || { echo "no Xvfb: skipped"; exit 77; }
+
+folder=$(mktemp -d)
+export HOME=$folder
+unset XDG_DATA_HOME WAYLAND_DISPLAY
+mkfifo "$folder/display"
+Xvfb -displayfd 3 -screen 0 1280x720x24 3>"$folder/display" 2>/dev/null &
+server=$!
+game=
+finish() {
+    [[ -z $game ]] || kill "$game" 2>/dev/null || true
+    kill "$server" 2>/dev/null || true
+    wait 2>/dev/null || true
+    rm -rf -- "$folder"
+}
+trap finish EXIT
+DISPLAY=:$(head -n 1 "$folder/display")
+export DISPLAY
+
+# wait_for TEXT SECONDS: until the program has said TEXT.
+wait_for() {
+    local deadline=$((SECONDS + $2))
+    until grep -qF -- "$1" "$folder/said"; do
+        if ((SECONDS > deadline)); then
+            echo "never said: $1"
+            cat "$folder/said"
+            exit 1
+        fi
+        sleep 0.05
+    done
+}
+lesson() { printf '%s\n' 'local L = lesson { id = "x", title = "X", level = "A1", minutes = 1 }' "$@" 'return L' >"$folder/x/new" &&
+    mv "$folder/x/new" "$folder/x/lesson.lua"; }
+
+mkdir "$folder/x"
+lesson 'function L:start(world' 'end'
+"$program" run "$folder/x" --mute --seconds 8 --screenshot "$folder/picture.png" >"$folder/said" 2>&1 &
+game=$!
+wait_for "lesson.lua:3:" 30
+
+sleep 1.1 # a file's time of change has a resolution
+lesson 'function L:update(world, dt)' '  while true do end' 'end'
+
+wait_for "lesson.lua:3: this ran for too long" 10
+kill -0 "$game"
+
+sleep 1.1
+mended=$(date +%s%N)
+lesson 'function L:start(world) print("mended") end'
+wait_for "mended" 10
+echo "ran again $((($(date +%s%N) - mended) / 1000000)) ms after it was mended"
+
+wait "$game" || { echo "exit code $?"; cat "$folder/said"; exit 1; }
+game=
+grep -q "Haptic loop:" "$folder/said"
+[[ $(head -c 4 "$folder/picture.png" | tail -c 3) == PNG ]]
