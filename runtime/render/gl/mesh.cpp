@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t kFloatsPerCorner = 8;  // position, normal, uv
 constexpr std::size_t kMostCorners = 50'000'000;
 constexpr int kLargestPicture = 8192;
-constexpr int kCoarseCells = 26;              // along a part's longest side
+// A cell of level 1 and 2 for a model of length 1: about 8 pixels.
+constexpr std::array<float, 2> kLevelCells{1.0F / 34.0F, 1.0F / 17.0F};
 constexpr std::size_t kFewIndices = 3 * 600;  // so few triangles are not made fewer
 
 bool all_finite(const std::vector<float>& numbers) {
@@ -136,10 +137,17 @@ MeshPart upload_part(const ModelPrimitive& primitive) {
 
 /// A part in all its forms.
 void add_part(Mesh& mesh, const ModelPrimitive& primitive) {
-    mesh.parts.push_back(upload_part(primitive));
+    const bool closed = is_closed(primitive);
     const bool few = primitive.indices.size() <= kFewIndices;
-    const ModelPrimitive coarse = few ? primitive : simplified(primitive, kCoarseCells);
-    mesh.coarse_parts.push_back(upload_part(coarse.indices.empty() ? primitive : coarse));
+    const float length_m = std::max((mesh.highest - mesh.lowest).maxCoeff(), 1e-9F);
+    for (std::size_t level = 0; level < mesh.levels.size(); ++level) {
+        ModelPrimitive coarse;
+        if (level > 0 && !few) {
+            coarse = simplified(primitive, kLevelCells[level - 1] * length_m);
+        }
+        mesh.levels[level].push_back(upload_part(coarse.indices.empty() ? primitive : coarse));
+        mesh.levels[level].back().closed = closed;
+    }
 }
 
 Texture upload_picture(const ModelImage& image) {
@@ -178,17 +186,19 @@ Expected<Mesh> upload(const LoadedModel& model) {
     Mesh mesh;
     mesh.lowest.setConstant(std::numeric_limits<float>::max());
     mesh.highest.setConstant(std::numeric_limits<float>::lowest());
+    for (const ModelPrimitive& primitive : model.primitives) {
+        for (std::size_t i = 0; i + 2 < primitive.positions.size(); i += 3) {
+            const Eigen::Vector3f corner(primitive.positions.data() + i);
+            mesh.lowest = mesh.lowest.cwiseMin(corner);
+            mesh.highest = mesh.highest.cwiseMax(corner);
+        }
+    }
     for (const ModelPrimitive& given : model.primitives) {
         ModelPrimitive primitive = given;
         if (primitive.normals.empty()) {
             primitive.normals = computed_normals(primitive);
         }
         add_part(mesh, primitive);
-        for (std::size_t i = 0; i + 2 < primitive.positions.size(); i += 3) {
-            const Eigen::Vector3f corner(primitive.positions.data() + i);
-            mesh.lowest = mesh.lowest.cwiseMin(corner);
-            mesh.highest = mesh.highest.cwiseMax(corner);
-        }
     }
     for (const ModelImage& image : model.images) {
         mesh.textures.push_back(upload_picture(image));
@@ -197,8 +207,19 @@ Expected<Mesh> upload(const LoadedModel& model) {
 }
 
 void draw(const MeshPart& part) {
+    if (part.closed) {
+        glEnable(GL_CULL_FACE);
+    }
     glBindVertexArray(part.vertex_array.name());
     glDrawElements(GL_TRIANGLES, part.index_count, GL_UNSIGNED_INT, nullptr);
+    glDisable(GL_CULL_FACE);
+}
+
+std::size_t level_for(double length_px) {
+    if (length_px <= kLevelPixels[1]) {
+        return 2;
+    }
+    return length_px <= kLevelPixels[0] ? 1 : 0;
 }
 
 }  // namespace fulcrum::runtime::gl

@@ -7,7 +7,7 @@ namespace fulcrum::runtime {
 namespace {
 
 const Vector3 kToLight = Vector3(-0.45, 1.0, 0.65).normalized();
-const Vector3 kToLamp = Vector3(-0.06, 1.0, 0.09).normalized();
+const Vector3 kToLamp = Vector3(-0.03, 1.0, 0.05).normalized();
 constexpr double kLampHeight = 4.0;  // of the reach; what is above it still casts a shadow
 constexpr double kDepthRange = 6.0;  // of the reach, from the lamp down
 

@@ -1,6 +1,7 @@
 #include "runtime/render/scene/object_pass.h"
 
 #include "runtime/render/scene/scene_shaders.h"
+#include "runtime/render/theme.h"
 
 #include <array>
 #include <string>
@@ -12,6 +13,7 @@ namespace {
 constexpr float kShadowOffsetTexels = 1.5F;  // along the normal, against a surface shading itself
 
 void set_model(const gl::Program& program, const Placement& placement) {
+    glFrontFace(placement.mirrored ? GL_CW : GL_CCW);
     program.set("u_world_from_model", placement.world_from_model);
     program.set("u_normal_from_model", placement.normal_from_model);
 }
@@ -20,8 +22,8 @@ Eigen::Vector4f as_vector(const Colour& colour) {
     return {colour.r, colour.g, colour.b, colour.a};
 }
 
-void draw_parts(const gl::Mesh& mesh) {
-    for (const gl::MeshPart& part : mesh.coarse_parts) {
+void draw_parts(const gl::Mesh& mesh, std::size_t level) {
+    for (const gl::MeshPart& part : mesh.levels[level]) {
         gl::draw(part);
     }
 }
@@ -70,6 +72,10 @@ void ObjectPass::begin(const SceneFrame& frame, const ShadowPass& shadows) const
         program->set("u_to_light", frame.light.to_light);
         program->set("u_to_lamp", frame.light.to_lamp);
         program->set("u_eye", frame.eye_W);
+        program->set("u_centre", frame.light.centre_W);
+        program->set("u_fade_m", kHazeReach * frame.light.reach_m);
+        program->set("u_horizon", Eigen::Vector3f(theme::kWallBottom.r, theme::kWallBottom.g,
+                                                  theme::kWallBottom.b));
     }
     outline_.use();
     outline_.set("u_clip_from_world", frame.clip_from_world);
@@ -80,19 +86,13 @@ void ObjectPass::begin(const SceneFrame& frame, const ShadowPass& shadows) const
     ghost_.set("u_eye", frame.eye_W);
 }
 
-void ObjectPass::draw_lit(const gl::Mesh& mesh, const Placement& placement, bool coarse,
+void ObjectPass::draw_lit(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
                           bool shaded) const {
-    draw_with(shaded ? lit_ : lit_unshaded_, mesh, coarse ? mesh.coarse_parts : mesh.parts,
-              placement);
-}
-
-void ObjectPass::draw_with(const gl::Program& program, const gl::Mesh& mesh,
-                           const std::vector<gl::MeshPart>& parts,
-                           const Placement& placement) const {
+    const gl::Program& program = shaded ? lit_ : lit_unshaded_;
     program.use();
     set_model(program, placement);
     glActiveTexture(GL_TEXTURE0);
-    for (const gl::MeshPart& part : parts) {
+    for (const gl::MeshPart& part : mesh.levels[level]) {
         const GLuint picture = part.texture >= 0
                                    ? mesh.textures[static_cast<std::size_t>(part.texture)].name()
                                    : white_.name();
@@ -104,7 +104,8 @@ void ObjectPass::draw_with(const gl::Program& program, const gl::Mesh& mesh,
     }
 }
 
-void ObjectPass::draw_stencil(const gl::Mesh& mesh, const Placement& placement, int mark) const {
+void ObjectPass::draw_stencil(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
+                              int mark) const {
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, mark, 0xFF);
     glStencilOp(GL_KEEP, GL_REPLACE, GL_REPLACE);
@@ -113,13 +114,13 @@ void ObjectPass::draw_stencil(const gl::Mesh& mesh, const Placement& placement, 
     outline_.use();
     set_model(outline_, placement);
     outline_.set("u_width_px", 0.0F);
-    draw_parts(mesh);
+    draw_parts(mesh, level);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glDisable(GL_STENCIL_TEST);
 }
 
-void ObjectPass::draw_outline(const gl::Mesh& mesh, const Placement& placement,
+void ObjectPass::draw_outline(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
                               const Colour& colour, float width_px, int mark) const {
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_NOTEQUAL, mark, 0xFF);
@@ -130,24 +131,24 @@ void ObjectPass::draw_outline(const gl::Mesh& mesh, const Placement& placement,
     set_model(outline_, placement);
     outline_.set("u_width_px", width_px);
     outline_.set("u_flat", as_vector(colour));
-    draw_parts(mesh);
+    draw_parts(mesh, level);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
     glDisable(GL_STENCIL_TEST);
 }
 
-void ObjectPass::draw_ghost(const gl::Mesh& mesh, const Placement& placement,
+void ObjectPass::draw_ghost(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
                             const Colour& colour) const {
     ghost_.use();
     set_model(ghost_, placement);
     ghost_.set("u_flat", as_vector(colour));
     // First only the nearest depths, then colour where the depth is that one.
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    draw_parts(mesh);
+    draw_parts(mesh, level);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthFunc(GL_EQUAL);
     glEnable(GL_BLEND);
-    draw_parts(mesh);
+    draw_parts(mesh, level);
     glDisable(GL_BLEND);
     glDepthFunc(GL_LESS);
 }

@@ -15,6 +15,9 @@
 
 namespace fulcrum::runtime {
 
+/// Where floor and things have faded into the haze, in reaches of the light.
+inline constexpr float kHazeReach = 7.0F;
+
 /// What every model in a frame is drawn with.
 struct SceneFrame {
     Eigen::Matrix4f clip_from_world{Eigen::Matrix4f::Identity()};
@@ -32,23 +35,21 @@ class ObjectPass {
     /// Sets up all programs for a frame; the shadow map stays on texture unit 1.
     void begin(const SceneFrame& frame, const ShadowPass& shadows) const;
 
-    /// A lit model; `coarse` when it is small in the picture, `shaded` when others' shadows can
-    /// fall on it.
-    void draw_lit(const gl::Mesh& mesh, const Placement& placement, bool coarse = false,
+    /// A lit model at a level of detail, see gl::Mesh; `shaded` when others' shadows can fall on it.
+    void draw_lit(const gl::Mesh& mesh, const Placement& placement, std::size_t level = 0,
                   bool shaded = true) const;
     /// Marks a model's pixels with a number, so that an outline can go around them: before
     /// `draw_outline`.
-    void draw_stencil(const gl::Mesh& mesh, const Placement& placement, int mark) const;
+    void draw_stencil(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
+                      int mark) const;
     /// A line around what was marked with a number.
-    void draw_outline(const gl::Mesh& mesh, const Placement& placement, const Colour& colour,
-                      float width_px, int mark) const;
+    void draw_outline(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
+                      const Colour& colour, float width_px, int mark) const;
     /// A see-through model: one layer, however often it folds over itself.
-    void draw_ghost(const gl::Mesh& mesh, const Placement& placement, const Colour& colour) const;
+    void draw_ghost(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
+                    const Colour& colour) const;
 
   private:
-    void draw_with(const gl::Program& program, const gl::Mesh& mesh,
-                   const std::vector<gl::MeshPart>& parts, const Placement& placement) const;
-
     gl::Program lit_;
     gl::Program lit_unshaded_;
     gl::Program outline_;

@@ -26,6 +26,7 @@ std::optional<Placement> place(const Pose& pose_W, const Vector3& scale) {
     placement.world_from_model.topLeftCorner<3, 3>() = (turn * scale.asDiagonal()).cast<float>();
     placement.world_from_model.topRightCorner<3, 1>() = pose_W.position.cast<float>();
     placement.normal_from_model = (turn * scale.cwiseInverse().asDiagonal()).cast<float>();
+    placement.mirrored = scale.prod() < 0.0;
     return placement;
 }
 

@@ -16,6 +16,7 @@ namespace fulcrum::runtime {
 struct Placement {
     Eigen::Matrix4f world_from_model{Eigen::Matrix4f::Identity()};
     Eigen::Matrix3f normal_from_model{Eigen::Matrix3f::Identity()};  ///< result not of unit length
+    bool mirrored = false;  ///< turns left into right, and fronts into backs
 };
 
 /// The transform of a pose and a stretch along the model's axes. Nothing when a number is not

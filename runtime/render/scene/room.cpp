@@ -18,9 +18,9 @@ constexpr int kAround = 96;  // corners of the floor's circle
 constexpr std::size_t kNearCorners = 3UL * kAround;
 constexpr std::size_t kFarCorners = 6UL * kAround;
 constexpr float kFarFloor = 60.0F;   // radius of the floor, in reaches of the light
-constexpr float kFade = 7.0F;        // where floor has become wall, in reaches
 constexpr float kRugRadius = 0.62F;  // in reaches
 constexpr int kWallStrips = 64;
+constexpr float kSkyHeight = 0.8F;         // from haze to full sky, in half pictures
 constexpr std::size_t kFloatsPerMark = 9;  // position, place, look
 constexpr std::size_t kMostMarks = 256;
 constexpr float kMarkSize = 1.5F;     // half side of a mark's square, in radii
@@ -92,7 +92,7 @@ std::vector<float> wall_corners(const Camera& camera) {
     std::vector<float> corners;
     for (int i = 0; i <= kWallStrips; ++i) {
         const float y = -1.0F + 2.0F * static_cast<float>(i) / kWallStrips;
-        const float up = std::clamp((y - horizon) / 1.1F, 0.0F, 1.0F);
+        const float up = std::clamp((y - horizon) / kSkyHeight, 0.0F, 1.0F);
         const float part = up * up * (3.0F - 2.0F * up);
         const auto mixed = [&](float low, float high) { return low + part * (high - low); };
         for (const float x : {-1.0F, 1.0F}) {
@@ -193,7 +193,7 @@ void Room::draw_floor(const gl::Program& program, const SceneFrame& frame, std::
     program.set("u_centre", frame.light.centre_W);
     program.set("u_reach_m", frame.light.reach_m);
     program.set("u_rug_m", kRugRadius * frame.light.reach_m);
-    program.set("u_fade_m", kFade * frame.light.reach_m);
+    program.set("u_fade_m", kHazeReach * frame.light.reach_m);
     program.set("u_floor", as_stored(theme::kFloor));
     program.set("u_rug", as_stored(theme::kRug));
     program.set("u_rug_ring", as_stored(theme::kRugRing));

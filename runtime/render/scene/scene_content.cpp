@@ -11,7 +11,6 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr double kGhostApart = 0.02;  // of the camera's distance: the ghost is fully seen
-constexpr double kCoarse_px = 180.0;  // a thing less long in the picture is drawn coarsely
 constexpr double kBelowFloor = 0.25;  // of its radius: deeper things have no mark
 
 std::optional<SceneItem> item_of(const ViewBody& body, const Camera& camera,
@@ -32,14 +31,16 @@ std::optional<SceneItem> item_of(const ViewBody& body, const Camera& camera,
     const double reach_m = kLightReach * camera.distance_m();
     item.near = aside_m < reach_m && item.bounds.radius_m < reach_m;
     const double depth_m = camera.forward_W().dot(item.bounds.centre_W - camera.eye_W());
-    item.coarse =
-        depth_m > 0.0 && 2.0 * item.bounds.radius_m * camera.px_per_m(depth_m) < kCoarse_px;
+    item.level =
+        depth_m > 0.0 ? gl::level_for(2.0 * item.bounds.radius_m * camera.px_per_m(depth_m)) : 0;
     return item;
 }
 
-void add_mark(SceneContent& content, const SceneItem& item, double floor_m, bool is_hand) {
+void add_mark(SceneContent& content, const SceneItem& item, double unit_m, double floor_m,
+              bool is_hand) {
     const double height_m = item.bounds.lowest_m - floor_m;
-    if (item.near && height_m > -kBelowFloor * item.bounds.radius_m) {
+    if (item.bounds.radius_m < kLightReach * unit_m &&
+        height_m > -kBelowFloor * item.bounds.radius_m) {
         content.marks.push_back(
             {item.bounds.centre_W, item.bounds.half_width_m, std::max(height_m, 0.0), is_hand});
     }
@@ -104,14 +105,14 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
     for (std::size_t i = 0; i < std::min(view.bodies.size(), kMostBodies); ++i) {
         if (const auto item = item_of(view.bodies[i], camera, find_mesh)) {
             content.items.push_back(*item);
-            add_mark(content, *item, floor_m, false);
+            add_mark(content, *item, camera.distance_m(), floor_m, false);
             add_label(content, camera, view.bodies[i], *item);
         }
     }
     if (view.tool_visible) {
         if (const auto item = item_of(view.tool, camera, find_mesh)) {
             content.items.push_back(*item);
-            add_mark(content, *item, floor_m, true);
+            add_mark(content, *item, camera.distance_m(), floor_m, true);
             add_label(content, camera, view.tool, *item);
         }
     }

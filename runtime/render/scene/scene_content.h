@@ -25,7 +25,7 @@ struct SceneItem {
     Placement placement;
     Bounds bounds;
     float highlight = 0.0F;  ///< 0 to 1
-    bool coarse = false;     ///< small in the picture
+    std::size_t level = 0;   ///< of detail
     bool near = true;        ///< where the lamp's shadows reach
 };
 

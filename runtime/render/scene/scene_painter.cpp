@@ -66,9 +66,12 @@ Expected<ScenePainter> ScenePainter::create(int shadow_map_size) {
     auto ball = gl::upload(make_ball(kBallRadius_m, kBallColour));
     auto shaft = gl::upload(make_arrow_shaft(linear_of(theme::kForceArrow)));
     auto head = gl::upload(make_arrow_head(linear_of(theme::kForceArrow)));
-    for (const auto* mesh : {&ball, &shaft, &head}) {
+    for (auto* mesh : {&ball, &shaft, &head}) {
         if (!*mesh) {
             return tl::make_unexpected(mesh->error());
+        }
+        for (gl::MeshPart& part : (*mesh)->levels.front()) {
+            part.closed = true;
         }
     }
     ScenePainter painter;
@@ -122,7 +125,7 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
     objects_.begin(frame, shadows_);
     std::vector<Bounds> casters;
     for (const SceneItem& item : content.items) {
-        objects_.draw_lit(*item.mesh, item.placement, item.coarse, item.near);
+        objects_.draw_lit(*item.mesh, item.placement, item.level, item.near);
         if (item.near) {
             casters.push_back(item.bounds);
         }
@@ -133,7 +136,7 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
     const float scale = Measure(width_px, height_px).scale;
     draw_highlights(content, scale);
     if (content.ghost) {
-        objects_.draw_ghost(*content.ghost->mesh, content.ghost->placement,
+        objects_.draw_ghost(*content.ghost->mesh, content.ghost->placement, content.ghost->level,
                             with_alpha(theme::kGhost, kGhostAlpha * content.ghost_strength));
     }
     if (content.arrow) {
@@ -145,12 +148,12 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
 void ScenePainter::draw_highlights(const SceneContent& content, float scale) const {
     for (const SceneItem& item : content.items) {
         if (item.highlight > 0.0F) {
-            objects_.draw_stencil(*item.mesh, item.placement, kHighlightMark);
+            objects_.draw_stencil(*item.mesh, item.placement, item.level, kHighlightMark);
         }
     }
     for (const SceneItem& item : content.items) {
         if (item.highlight > 0.0F) {
-            objects_.draw_outline(*item.mesh, item.placement,
+            objects_.draw_outline(*item.mesh, item.placement, item.level,
                                   with_alpha(theme::kHighlight, item.highlight),
                                   kHighlight_px * scale, kHighlightMark);
         }
@@ -166,16 +169,14 @@ void ScenePainter::draw_arrow(const Arrow& arrow, const Camera& camera, float sc
         std::swap(parts[0], parts[1]);
     }
     glDisable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE);
     for (const auto& [mesh, placement] : parts) {
-        objects_.draw_lit(*mesh, *placement, false, false);
-        objects_.draw_stencil(*mesh, *placement, kArrowMark);
+        objects_.draw_lit(*mesh, *placement, 0, false);
+        objects_.draw_stencil(*mesh, *placement, 0, kArrowMark);
     }
     for (const auto& [mesh, placement] : parts) {
-        objects_.draw_outline(*mesh, *placement, theme::kForceOutline, kArrowRim_px * scale,
+        objects_.draw_outline(*mesh, *placement, 0, theme::kForceOutline, kArrowRim_px * scale,
                               kArrowMark);
     }
-    glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
 }
 
@@ -213,7 +214,7 @@ void ScenePainter::draw_icon(const std::string& model, const Box& box, int width
                height);
     glEnable(GL_DEPTH_TEST);
     objects_.begin(frame, shadows_);
-    objects_.draw_lit(mesh, Placement{}, true, true);
+    objects_.draw_lit(mesh, Placement{}, 1, true);
     glViewport(0, 0, width_px, height_px);
 }
 

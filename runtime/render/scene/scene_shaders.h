@@ -78,6 +78,9 @@ inline constexpr const char* kObjectFragment = R"(
 uniform vec4 u_base_colour;
 uniform sampler2D u_picture;
 uniform float u_roughness;
+uniform vec3 u_centre;
+uniform vec3 u_horizon;
+uniform float u_fade_m;
 in vec3 v_position;
 in vec3 v_normal;
 in vec2 v_uv;
@@ -103,7 +106,10 @@ void main() {
   edge *= edge;
   light += kKey * min(gloss, 1.2) * max(facing, 0.0);
   light += (0.22 - 0.12 * u_roughness) * edge * (0.6 + 0.4 * n.y) * vec3(0.85, 0.95, 1.0);
-  o_colour = vec4(to_screen(light), 1.0);
+  // Far things fade like the floor that they stand on.
+  float away = length(v_position.xz - u_centre.xz);
+  float haze = smoothstep(0.10 * u_fade_m, u_fade_m, away);
+  o_colour = vec4(mix(to_screen(light), u_horizon, haze), 1.0);
 }
 )";
 

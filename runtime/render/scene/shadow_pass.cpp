@@ -60,7 +60,8 @@ void ShadowPass::begin(const Light& light) const {
 
 void ShadowPass::draw(const gl::Mesh& mesh, const Placement& placement) const {
     program_.set("u_world_from_model", placement.world_from_model);
-    for (const gl::MeshPart& part : mesh.coarse_parts) {
+    glFrontFace(placement.mirrored ? GL_CW : GL_CCW);
+    for (const gl::MeshPart& part : mesh.levels.back()) {
         gl::draw(part);
     }
 }
