@@ -43,12 +43,6 @@ class VirtualClock {
     long frame_ = 0;
 };
 
-void print_all(const std::vector<std::string>& lines) {
-    for (const std::string& line : lines) {
-        std::puts(line.c_str());
-    }
-}
-
 }  // namespace
 
 Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& settings) {
@@ -56,6 +50,7 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
     VirtualClock clock(run);
     const double began_s = monotonic_now_s();
     double end_s = settings.end_s.value_or(1.0e9);
+    print_lines(run.process().prints_while_loading());
 
     while (clock.now_s() < end_s) {
         if (clock.frame_is_due()) {
@@ -71,7 +66,7 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
                 }
                 return tl::unexpected(report.error());
             }
-            print_all(report->printed);
+            print_lines(report->printed);
             clock.count_frame();
             if (settings.after_frame) {
                 settings.after_frame(clock.now_s());

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -295,6 +296,15 @@ View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     scenery.ghost = !scenery.renders_force;
     scenery.ghost_pose_W = scenery.ghost ? pointer_W_ : scenery.hand.tool_pose_W;
     return compose_view(session_->description(), plan_, session_->hud(), scenery, catalogue);
+}
+
+void print_lines(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+        std::puts(line.c_str());
+    }
+    if (!lines.empty()) {
+        (void)std::fflush(stdout);
+    }
 }
 
 void fill_in_memory(Plan& plan, const HapticLoop& loop) {

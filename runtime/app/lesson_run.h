@@ -128,6 +128,9 @@ class LessonRun {
     std::string trouble_;
 };
 
+/// What a lesson's print() said, on the terminal, at once.
+void print_lines(const std::vector<std::string>& lines);
+
 /// Writes into the plan's stages how much memory the loop that was built from it uses for each.
 void fill_in_memory(Plan& plan, const HapticLoop& loop);
 

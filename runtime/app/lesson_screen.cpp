@@ -61,6 +61,7 @@ void LessonScreen::begin() {
         return;
     }
     run_ = std::move(*run);
+    print_lines(run_->process().prints_while_loading());
     files_ = run_->process().files_read();
     newest_ = newest_of(files_);
     for (const std::string& notice :
@@ -215,9 +216,7 @@ void LessonScreen::exchange() {
         return;
     }
     desktop_.play((*report)->sounds);
-    for (const std::string& line : (*report)->printed) {
-        std::puts(line.c_str());
-    }
+    print_lines((*report)->printed);
 }
 
 // A lesson that failed runs again as soon as one of its files is saved; with --watch a running one does too.
