@@ -7,6 +7,19 @@
 #include <cmath>
 
 namespace fulcrum::runtime {
+namespace {
+
+// What the learner will hold, else the first thing there is.
+std::string icon_of(const LessonDescription& lesson) {
+    const auto movable = std::find_if(lesson.bodies.begin(), lesson.bodies.end(),
+                                      [](const BodyDescription& body) { return body.movable; });
+    if (movable != lesson.bodies.end()) {
+        return movable->model;
+    }
+    return lesson.bodies.empty() ? "" : lesson.bodies.front().model;
+}
+
+}  // namespace
 
 std::vector<LessonCard> read_lesson_cards(const Places& places) {
     std::vector<LessonCard> cards;
@@ -22,7 +35,7 @@ std::vector<LessonCard> read_lesson_cards(const Places& places) {
             card.title = lesson.title;
             card.level = lesson.level;
             card.minutes = lesson.minutes;
-            card.icon = lesson.bodies.empty() ? "" : lesson.bodies.front().model;
+            card.icon = icon_of(lesson);
         } else {
             card.title = name;
             card.error = to_sentence(process.error());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 using namespace fulcrum;
 using namespace fulcrum::test;
@@ -180,6 +181,16 @@ TEST_CASE("gravity: explain lists what runs and nothing else") {
     REQUIRE(run.exit_code == 0);
     CHECK(run.output.find("forces: weight") != std::string::npos);
     CHECK(run.output.find("lesson.lua:") != std::string::npos);
+    // Every planned stage of the haptic loop was built: only what was built has a size.
+    std::istringstream rows(run.output);
+    int haptic_rows = 0;
+    for (std::string row; std::getline(rows, row);) {
+        if (row.rfind("haptic ", 0) == 0) {
+            ++haptic_rows;
+            CHECK(row.find(" -  ") == std::string::npos);
+        }
+    }
+    CHECK(haptic_rows == 7);
     for (const char* absent : {"proxy", "sound", "recogniser", "forces: lesson", "record"}) {
         CAPTURE(absent);
         CHECK(run.output.find(absent) == std::string::npos);
