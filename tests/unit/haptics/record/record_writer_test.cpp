@@ -82,9 +82,9 @@ TEST_CASE("record: long texts are cut at a character, and zeros end them") {
 }
 
 TEST_CASE("record writer: a file is written, read, and bad places are refused") {
-    char folder[] = "/tmp/fulcrum_record_XXXXXX";
-    REQUIRE(mkdtemp(folder) != nullptr);
-    const std::string path = std::string(folder) + "/run.flcr";
+    std::string folder = (std::filesystem::temp_directory_path() / "fulcrum_record_XXXXXX").string();
+    REQUIRE(mkdtemp(folder.data()) != nullptr);
+    const std::string path = folder + "/run.flcr";
     {
         auto writer = RecordWriter::create(path, {2000.0, "kite"});
         REQUIRE(writer);
@@ -111,8 +111,8 @@ TEST_CASE("record writer: a file is written, read, and bad places are refused") 
     CHECK_FALSE(record->cut_off);
     CHECK(record->samples.size() == 300);
     CHECK(record->events.size() == 1);
-    CHECK_FALSE(RecordWriter::create(std::string(folder) + "/no/such/run.flcr", {}));
-    const Expected<Record> missing = load_record(std::string(folder) + "/none.flcr");
+    CHECK_FALSE(RecordWriter::create(folder + "/no/such/run.flcr", {}));
+    const Expected<Record> missing = load_record(folder + "/none.flcr");
     REQUIRE_FALSE(missing);
     CHECK(missing.error().where.find("none.flcr") != std::string::npos);
     CHECK_FALSE(load_record(folder));

@@ -31,18 +31,18 @@ class Variable {
 };
 
 TEST_CASE("database path: XDG_DATA_HOME, else the home folder; relative ones don't count") {
-    const Variable home("HOME", "/home/pupil");
+    const Variable home("HOME", "/pupils/mina");
     {
         const Variable data("XDG_DATA_HOME", "/data");
         CHECK(default_database_path() == "/data/fulcrum/progress.db");
     }
     {
         const Variable data("XDG_DATA_HOME", nullptr);
-        CHECK(default_database_path() == "/home/pupil/.local/share/fulcrum/progress.db");
+        CHECK(default_database_path() == "/pupils/mina/.local/share/fulcrum/progress.db");
     }
     for (const char* useless : {"", "relative/data"}) {
         const Variable data("XDG_DATA_HOME", useless);
-        CHECK(default_database_path() == "/home/pupil/.local/share/fulcrum/progress.db");
+        CHECK(default_database_path() == "/pupils/mina/.local/share/fulcrum/progress.db");
     }
     const Variable data("XDG_DATA_HOME", nullptr);
     const Variable no_home("HOME", "relative");
