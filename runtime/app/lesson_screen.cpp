@@ -50,7 +50,6 @@ LessonScreen::~LessonScreen() {
 void LessonScreen::begin() {
     stop();
     error_.clear();
-    stopped_ = false;
     typing_.clear();
     input_ = {};
     files_ = {request_.folder / "lesson.lua"};
@@ -68,6 +67,8 @@ void LessonScreen::begin() {
          desktop_.picture->load_models(run_->description(), request_.folder)) {
         std::fprintf(stderr, "%s\n", notice.c_str());
     }
+    // An emergency stop outlives the lesson: only the key that lifts it does.
+    run_->channels().emergency_stop.store(stopped_, std::memory_order_release);
     epoch_s_ = monotonic_now_s();
     next_frame_s_ = 0.0;
     if (auto started = loops_.start(*run_, epoch_s_); !started) {
