@@ -4,7 +4,7 @@
 
 namespace fulcrum {
 
-Expected<std::shared_ptr<const CollisionMesh>> CollisionMesh::create(TriangleMesh mesh) {
+Expected<std::shared_ptr<const CollisionMesh>> CollisionMesh::create(const TriangleMesh& mesh) {
     // A mesh that was moved from holds no triangles.
     if (mesh.triangles().empty()) {
         return fail("the mesh to be touched has no triangles", {}, "build the mesh first");

@@ -15,8 +15,9 @@ namespace fulcrum {
 
 class CollisionMesh {
   public:
-    /// Takes a built mesh over. Triangles are counted anew, see `source_triangle`.
-    [[nodiscard]] static Expected<std::shared_ptr<const CollisionMesh>> create(TriangleMesh mesh);
+    /// Copies what it needs of a built mesh. Triangles are counted anew, see `source_triangle`.
+    [[nodiscard]] static Expected<std::shared_ptr<const CollisionMesh>> create(
+        const TriangleMesh& mesh);
 
     [[nodiscard]] std::int32_t n_triangles() const noexcept {
         return static_cast<std::int32_t>(triangles_.size());

@@ -65,8 +65,8 @@ class ExactSum {
     }
 
   private:
-    static constexpr std::size_t kMaxTerms =
-        6 * 8 * 4;  // products of three pairs, four doubles each
+    // Six products of three pairs, each of eight products of doubles, four doubles each.
+    static constexpr std::size_t kMaxTerms = std::size_t{6} * 8 * 4;
     std::array<double, kMaxTerms> parts_{};
     std::size_t n_parts_ = 0;
 };

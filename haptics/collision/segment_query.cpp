@@ -47,8 +47,8 @@ double NearbyTriangles::find_covered_part(const Vector3& from_B,
             part = room / std::abs(rate);
         }
     }
-    constexpr double early = 1.0 - 1.0e-9;  // by far more than rounding
-    return part < 1.0 ? part * early : 1.0;
+    constexpr double kEarly = 1.0 - 1.0e-9;  // by far more than rounding
+    return part < 1.0 ? part * kEarly : 1.0;
 }
 
 SegmentHit NearbyTriangles::find_nearest_hit(const CollisionMesh& mesh, const Vector3& from_B,

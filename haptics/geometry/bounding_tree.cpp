@@ -175,18 +175,18 @@ bool BoundingTree::clip_to_root(const Vector3& from, const Vector3& to, double& 
         t_in = std::max(t_in, std::min(t_lower, t_upper));
         t_out = std::min(t_out, std::max(t_lower, t_upper));
     }
-    constexpr double margin = 1.0e-9;  // far above the rounding of t
-    if (t_in > t_out + margin) {
+    constexpr double kMargin = 1.0e-9;  // far above the rounding of t
+    if (t_in > t_out + kMargin) {
         return false;
     }
-    t_in = std::max(0.0, t_in - margin);
-    t_out = std::min(1.0, std::max(t_out, t_in) + margin);
+    t_in = std::max(0.0, t_in - kMargin);
+    t_out = std::min(1.0, std::max(t_out, t_in) + kMargin);
     return true;
 }
 
 BoundingTree::StepSegment BoundingTree::to_steps(const Vector3& from,
                                                  const Vector3& to) const noexcept {
-    constexpr double largest = 1.0e15;  // a finite stand-in for one over nothing
+    constexpr double kLargest = 1.0e15;  // a finite stand-in for one over nothing
     StepSegment segment{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<Eigen::Index>(axis);
@@ -194,7 +194,7 @@ BoundingTree::StepSegment BoundingTree::to_steps(const Vector3& from,
         const double start = (from[i] - root_box_.lower[i]) * steps_per_m_[i] - kMiddleStep;
         segment.start[axis] = static_cast<float>(start);
         segment.inverse_rate[axis] = static_cast<float>(
-            std::abs(rate) * largest > 1.0 ? 1.0 / rate : std::copysign(largest, rate));
+            std::abs(rate) * kLargest > 1.0 ? 1.0 / rate : std::copysign(kLargest, rate));
     }
     return segment;
 }

@@ -113,7 +113,7 @@ class BoundingTree {
     static constexpr float kMissed = 2.0F;    // an entry beyond any s
     static constexpr float kSlack = 1.0e-4F;  // above what rounding in the entries can amount to
     // Deepest stack: all children of one node in each level.
-    static constexpr std::size_t kStack = static_cast<std::size_t>(kMaxLevels * kWidth);
+    static constexpr std::size_t kStack = static_cast<std::size_t>(kMaxLevels) * kWidth;
 
     // Calls visit_leaf(leaf, overlapping children) until it returns false.
     template <class VisitLeaf>
@@ -132,8 +132,8 @@ class BoundingTree {
     [[nodiscard]] static unsigned find_overlapping(const Node& node, const StepBox& box) noexcept;
     static Entries find_entries(const Node& node, const StepSegment& segment, float s_end) noexcept;
     [[nodiscard]] const Node& node_at(const Place& place) const noexcept {
-        return nodes_[static_cast<std::size_t>(level_first_[static_cast<std::size_t>(place.level)] +
-                                               place.index)];
+        const std::int32_t first = level_first_[static_cast<std::size_t>(place.level)];
+        return nodes_[static_cast<std::size_t>(first) + static_cast<std::size_t>(place.index)];
     }
 
     std::vector<Node> nodes_;
@@ -202,8 +202,8 @@ void BoundingTree::for_each_leaf(const Box& box, VisitLeaf&& visit_leaf) const n
         return;
     }
     const StepBox steps = to_steps(box);
-    std::array<Place, kStack>
-        stack;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled as it grows
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filled as it grows
+    std::array<Place, kStack> stack;
     std::size_t n_stacked = 0;
     stack[n_stacked++] = {0, 0, 0.0F};
     while (n_stacked > 0) {
@@ -238,8 +238,8 @@ void BoundingTree::for_each_along(const Vector3& from, const Vector3& to,
     };
     double t_end = 1.0;
     float s_end = 1.0F + kSlack;
-    std::array<Place, kStack>
-        stack;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled as it grows
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filled as it grows
+    std::array<Place, kStack> stack;
     std::size_t n_stacked = 0;
     stack[n_stacked++] = {0, 0, 0.0F};
     while (n_stacked > 0) {

@@ -39,7 +39,7 @@ void add_quad(std::vector<TriangleCorners>& triangles, std::int32_t a, std::int3
 
 struct Icosahedron {
     std::array<Vector3, 12> corners;
-    std::array<TriangleCorners, 20> faces;
+    std::array<TriangleCorners, 20> faces{};
 };
 
 Icosahedron make_icosahedron() {
