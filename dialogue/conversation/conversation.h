@@ -97,7 +97,7 @@ class Conversation {
     Feedback wrong_meaning();
     Feedback move_on();
     Feedback say(FeedbackKind kind, std::string key, const CatalogueSlots& slots = {});
-    std::string ladder_key(const FormError& error) const;
+    [[nodiscard]] std::string ladder_key(const FormError& error) const;
 
     const Catalogue* catalogue_;
     ConversationSettings settings_;

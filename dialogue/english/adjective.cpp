@@ -175,17 +175,12 @@ std::vector<std::string> degree_forms(std::string_view adjective, Degree degree)
     const bool comparative = degree == Degree::comparative;
     const std::string inflected = with_ending(adjective, comparative ? "er" : "est");
     const std::string phrase = joined(comparative ? "more" : "most", adjective);
-    switch (comparison_of(adjective)) {
-        case Comparison::irregular: {
-            const Irregular* entry = find_irregular(adjective);
-            return split_forms(comparative ? entry->comparative : entry->superlative);
-        }
-        case Comparison::ending:
-            return {inflected};
-        case Comparison::more_most:
-            return {phrase};
-        case Comparison::both:
-            break;
+    if (const Irregular* entry = find_irregular(adjective)) {
+        return split_forms(comparative ? entry->comparative : entry->superlative);
+    }
+    const Comparison comparison = comparison_of(adjective);
+    if (comparison != Comparison::both) {
+        return {comparison == Comparison::ending ? inflected : phrase};
     }
     if (contains(kBothMoreFirst, adjective)) {
         return {phrase, inflected};

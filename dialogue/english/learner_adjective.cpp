@@ -46,53 +46,73 @@ std::vector<std::string> misspelt(std::string_view adjective, std::string_view e
     return result;
 }
 
-}  // namespace
+/// The adjective, the degree that is right, and the words that make it.
+struct Target {
+    std::string base, ending, word, other_word;
+    Degree other_degree;
+    std::vector<std::string> right;
+    Comparison comparison;
+};
 
-std::vector<LearnerForm> learner_forms(std::string_view adjective, Degree degree) {
-    const std::string base(adjective);
-    if (base.empty() || degree == Degree::positive) {
-        return {};
-    }
-    const bool comparative = degree == Degree::comparative;
-    const std::string ending = comparative ? "er" : "est";
-    const std::string word = comparative ? "more " : "most ";
-    const Degree other_degree = comparative ? Degree::superlative : Degree::comparative;
-    const std::string other_word = comparative ? "most " : "more ";
-    const std::vector<std::string> right = degree_forms(base, degree);
-    Collector forms(right);
-
-    // Wrong spelling of an ending that belongs there; where none belongs, the ending itself is the error.
-    const Comparison comparison = comparison_of(base);
-    const bool takes_ending = comparison == Comparison::ending || comparison == Comparison::both;
-    for (const std::string& text : misspelt(base, ending)) {
+/// Wrong spelling of an ending that belongs there; where none belongs, the ending itself is the error.
+void add_endings(const Target& target, Collector& forms) {
+    const bool takes_ending =
+        target.comparison == Comparison::ending || target.comparison == Comparison::both;
+    for (const std::string& text : misspelt(target.base, target.ending)) {
         forms.add(text, takes_ending ? ErrorCode::spelling : ErrorCode::adjective_form,
                   takes_ending ? 1 : 2);
     }
-    forms.add(with_ending(base, ending), ErrorCode::adjective_form, 2);
+    forms.add(with_ending(target.base, target.ending), ErrorCode::adjective_form, 2);
+}
 
-    // more heavy; more heavier; more heavyer; betterer, bestest, worser.
-    forms.add(word + base, ErrorCode::adjective_form, 2);
-    forms.add(word + with_ending(base, ending), ErrorCode::adjective_form, 2);
-    forms.add(word + base + ending, ErrorCode::adjective_form, 2);
-    for (const std::string& form : right) {
-        if (form.find(' ') == std::string::npos) {
-            forms.add(word + form, ErrorCode::adjective_form, 2);
-            if (comparison == Comparison::irregular) {
-                forms.add(with_ending(form, ending), ErrorCode::adjective_form, 2);
-            }
+/// more heavy; more heavier; more heavyer; bestest, worser.
+void add_doubled(const Target& target, Collector& forms) {
+    for (const std::string& text :
+         {target.base, with_ending(target.base, target.ending), target.base + target.ending}) {
+        forms.add(target.word + text, ErrorCode::adjective_form, 2);
+    }
+    for (const std::string& form : target.right) {
+        if (form.find(' ') != std::string::npos) {
+            continue;
+        }
+        forms.add(target.word + form, ErrorCode::adjective_form, 2);
+        if (target.comparison == Comparison::irregular) {
+            forms.add(with_ending(form, target.ending), ErrorCode::adjective_form, 2);
         }
     }
+}
 
-    // Another degree: heavier or heavy for heaviest; more heavy, most heavier.
-    for (const std::string& form : degree_forms(base, other_degree)) {
+/// Another degree: heavier or heavy for heaviest; more heavy, most heavier.
+void add_other_degrees(const Target& target, Collector& forms) {
+    for (const std::string& form : degree_forms(target.base, target.other_degree)) {
         forms.add(form, ErrorCode::adjective_form, 3);
         if (form.find(' ') == std::string::npos) {
-            forms.add(word + form, ErrorCode::adjective_form, 3);
+            forms.add(target.word + form, ErrorCode::adjective_form, 3);
         }
     }
-    forms.add(other_word + base, ErrorCode::adjective_form, 3);
-    forms.add(other_word + right.front(), ErrorCode::adjective_form, 3);
-    forms.add(base, ErrorCode::adjective_form, 3);
+    forms.add(target.other_word + target.base, ErrorCode::adjective_form, 3);
+    forms.add(target.other_word + target.right.front(), ErrorCode::adjective_form, 3);
+    forms.add(target.base, ErrorCode::adjective_form, 3);
+}
+
+}  // namespace
+
+std::vector<LearnerForm> learner_forms(std::string_view adjective, Degree degree) {
+    if (adjective.empty() || degree == Degree::positive) {
+        return {};
+    }
+    const bool comparative = degree == Degree::comparative;
+    const Target target{std::string(adjective),
+                        comparative ? "er" : "est",
+                        comparative ? "more " : "most ",
+                        comparative ? "most " : "more ",
+                        comparative ? Degree::superlative : Degree::comparative,
+                        degree_forms(adjective, degree),
+                        comparison_of(adjective)};
+    Collector forms(target.right);
+    add_endings(target, forms);
+    add_doubled(target, forms);
+    add_other_degrees(target, forms);
     return forms.take();
 }
 

@@ -58,7 +58,8 @@ void ArcWriter::join(int from, int to) {
 }
 
 std::vector<int> ArcWriter::upward_order(int start, int end) const {
-    // Depth first from the start without recursion; the reverse of the order of leaving is upward. The end comes last.
+    // Depth first from the start without recursion; the reverse of the order of leaving is upward. The
+    // last way is taken first, so that what the author wrote first gets the lower numbers and wins where two are equal.
     std::vector<std::vector<int>> next(static_cast<std::size_t>(nodes_));
     for (const Arc& arc : graph_.arcs) {
         next[static_cast<std::size_t>(arc.from)].push_back(arc.to);
@@ -75,7 +76,7 @@ std::vector<int> ArcWriter::upward_order(int start, int end) const {
             stack.pop_back();
             continue;
         }
-        const int to = successors[at++];
+        const int to = successors[successors.size() - ++at];
         if (!seen[static_cast<std::size_t>(to)]) {
             seen[static_cast<std::size_t>(to)] = true;
             stack.emplace_back(to, 0);

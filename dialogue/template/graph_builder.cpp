@@ -1,3 +1,5 @@
+// Walks the tree of a template by recursion; kDeepestTemplate and kDeepestRules bound the stack.
+// NOLINTBEGIN(misc-no-recursion)
 #include "dialogue/template/graph_builder.h"
 
 #include <algorithm>
@@ -265,3 +267,4 @@ Expected<Built> GraphBuilder::form(const SyntaxNode& part, int from, Neighbours 
 }
 
 }  // namespace fulcrum::dialogue
+// NOLINTEND(misc-no-recursion)

@@ -83,76 +83,91 @@ int nearest_word(const TemplateSet& set, const std::string& text, std::size_t& c
     return unique && best_distance <= allowed ? best : kNone;
 }
 
-/// Marks the words of known phrases at the beginning and the end as fillers.
+bool stands_at(const std::vector<Token>& tokens, std::size_t at,
+               const std::vector<std::string>& words) {
+    return at + words.size() <= tokens.size() &&
+           std::equal(
+               words.begin(), words.end(), tokens.begin() + static_cast<std::ptrdiff_t>(at),
+               [](const std::string& word, const Token& token) { return word == token.text; });
+}
+
+/// Marks the words of known phrases at the beginning (behind other fillers) and the end as fillers.
 void mark_phrases(const std::vector<Token>& tokens, std::vector<HeardWord>& heard) {
-    const auto matches = [&](const std::vector<std::string>& words, std::size_t at) {
-        for (std::size_t i = 0; i < words.size(); ++i) {
-            if (tokens[at + i].text != words[i]) {
-                return false;
-            }
-        }
-        return true;
-    };
     for (const std::string_view phrase : kPhrases) {
         const std::vector<std::string> words = words_of(phrase);
         if (words.size() >= tokens.size()) {
             continue;
         }
-        std::size_t first = 0;
-        while (first < heard.size() && heard[first].filler) {
-            ++first;  // "well, I think …"
-        }
-        for (const std::size_t at : {first, tokens.size() - words.size()}) {
-            if (at + words.size() <= tokens.size() && matches(words, at)) {
-                for (std::size_t i = 0; i < words.size(); ++i) {
-                    heard[at + i].filler = true;
-                }
+        const auto first = std::find_if(heard.begin(), heard.end(),
+                                        [](const HeardWord& word) { return !word.filler; });
+        for (const auto at :
+             {static_cast<std::size_t>(first - heard.begin()), tokens.size() - words.size()}) {
+            if (!stands_at(tokens, at, words)) {
+                continue;
+            }
+            for (std::size_t i = 0; i < words.size(); ++i) {
+                heard[at + i].filler = true;
             }
         }
     }
+}
+
+/// A token whose letters may have been put right.
+struct MendedToken {
+    Token token;
+    ErrorCode slip = ErrorCode::none;
+};
+
+/// "its": the first part of a contraction without its apostrophe, then the second; empty for other words.
+std::vector<MendedToken> parted(const TemplateSet& set, const Token& token) {
+    for (const Contraction& contraction : kContractions) {
+        if (contraction.typed == token.text && set.words.find(contraction.first) != kNone) {
+            return {
+                {{std::string(contraction.first), token.begin, token.end}, ErrorCode::orthography},
+                {{std::string(contraction.second), token.end, token.end}, ErrorCode::none}};
+        }
+    }
+    return {};
+}
+
+/// Mends "its the watermelon" (the apostrophe is missing) and "water melon" (one word was written as two).
+std::vector<MendedToken> mended(const TemplateSet& set, const std::vector<Token>& tokens) {
+    std::vector<MendedToken> result;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const bool known = set.words.find(tokens[i].text) != kNone;
+        const std::vector<MendedToken> parts =
+            known ? std::vector<MendedToken>{} : parted(set, tokens[i]);
+        const std::string both =
+            i + 1 < tokens.size() ? tokens[i].text + tokens[i + 1].text : std::string{};
+        if (!parts.empty()) {
+            result.insert(result.end(), parts.begin(), parts.end());
+        } else if (!known && set.words.find(both) != kNone) {
+            result.push_back({{both, tokens[i].begin, tokens[i + 1].end}, ErrorCode::orthography});
+            ++i;
+        } else {
+            result.push_back({tokens[i], ErrorCode::none});
+        }
+    }
+    return result;
 }
 
 }  // namespace
 
 std::vector<HeardWord> hear_words(const TemplateSet& set, std::string_view utterance,
                                   std::size_t& comparisons) {
-    std::vector<Token> tokens = tokenise(utterance);
-
-    // "its the watermelon": the apostrophe is missing. "water melon": one word was written as two.
-    std::vector<ErrorCode> slips(tokens.size(), ErrorCode::none);
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        if (set.words.find(tokens[i].text) != kNone) {
-            continue;
-        }
-        for (const Contraction& contraction : kContractions) {
-            if (contraction.typed == tokens[i].text && set.words.find(contraction.first) != kNone) {
-                tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                              {std::string(contraction.second), tokens[i].end, tokens[i].end});
-                tokens[i].text = std::string(contraction.first);
-                slips[i] = ErrorCode::orthography;
-                slips.insert(slips.begin() + static_cast<std::ptrdiff_t>(i) + 1, ErrorCode::none);
-                break;
-            }
-        }
-        if (i + 1 < tokens.size() && set.words.find(tokens[i].text + tokens[i + 1].text) != kNone) {
-            tokens[i].text += tokens[i + 1].text;
-            tokens[i].end = tokens[i + 1].end;
-            tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-            slips[i] = ErrorCode::orthography;
-            slips.erase(slips.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-        }
-    }
-
+    std::vector<Token> tokens;
     std::vector<HeardWord> heard;
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        HeardWord word{set.words.find(tokens[i].text), tokens[i].begin, tokens[i].end, slips[i],
+    for (MendedToken& mended_token : mended(set, tokenise(utterance))) {
+        const Token& token = mended_token.token;
+        HeardWord word{set.words.find(token.text), token.begin, token.end, mended_token.slip,
                        false};
         if (word.word == kNone) {
-            word.filler = contains(kFillers, tokens[i].text);
-            word.word = word.filler ? kNone : nearest_word(set, tokens[i].text, comparisons);
+            word.filler = contains(kFillers, token.text);
+            word.word = word.filler ? kNone : nearest_word(set, token.text, comparisons);
             word.slip = word.word == kNone ? word.slip : ErrorCode::spelling;
         }
         heard.push_back(word);
+        tokens.push_back(std::move(mended_token.token));
     }
     mark_phrases(tokens, heard);
     return heard;

@@ -44,9 +44,8 @@ std::optional<Number> subject_number(const std::vector<Piece>& pieces, int verb)
     }
     // "The weight of {thing} is", "{thing} and {thing:other} are": the noun alone doesn't tell.
     const Piece& head = pieces[static_cast<std::size_t>(start)];
-    const bool inside = head.element.role == Role::preposition || head.element.role == Role::noun ||
-                        head.right == "and" || head.right == "or" || head.right == "for" ||
-                        head.right == "like";
+    const bool inside = head.element.role == Role::preposition || head.right == "and" ||
+                        head.right == "or" || head.right == "for" || head.right == "like";
     return inside ? std::nullopt
                   : std::optional<Number>(pieces[static_cast<std::size_t>(noun)].number);
 }

@@ -58,6 +58,30 @@ Piece right_piece(const TemplateSet& set, const Graph& graph, const Arc& arc) {
     return piece;
 }
 
+std::string said_by(const TemplateSet& set, const Graph& graph, const Arc& arc) {
+    std::string said;
+    for (const int word : graph.said_by(arc)) {
+        said += (said.empty() ? "" : " ") + set.words.text(word);
+    }
+    return said;
+}
+
+/// Writes what the sample's pieces say, or what belongs there when it has no errors, and what they mean.
+void describe(const TemplateSet& set, bool errors, Sample& sample) {
+    for (const Piece& piece : sample.pieces) {
+        const std::string& text = errors ? piece.said : piece.right;
+        if (!text.empty()) {
+            sample.said += (sample.said.empty() ? "" : " ") + text;
+        }
+        const int slot = piece.element.slot;
+        if (slot != kNone) {
+            sample.slots.emplace_back(
+                set.slots[static_cast<std::size_t>(slot)],
+                list_of(set, slot).items[static_cast<std::size_t>(piece.item)].value);
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Piece> canonical_pieces(const TemplateSet& set, int number,
@@ -127,8 +151,7 @@ PieceRange phrase_around(const std::vector<Piece>& pieces, int at) {
         ++range.last;
     }
     // Backwards from a noun or adjective to its article.
-    while (range.first > 0 && opens(range.first - 1) && role(at) != Role::verb &&
-           role(at) != Role::preposition) {
+    while (range.first > 0 && opens(range.first - 1)) {
         --range.first;
     }
     return range;
@@ -181,27 +204,13 @@ Sample walk(const TemplateSet& set, int number, bool errors,
         }
         const Arc& arc = *ways[choose(ways.size()) % ways.size()];
         node = arc.to;
-        if (arc.element == kNone) {
-            continue;
+        if (arc.element != kNone) {
+            sample.pieces.push_back(right_piece(set, graph, arc));
+            sample.pieces.back().said = said_by(set, graph, arc);
         }
-        Piece piece = right_piece(set, graph, arc);
-        for (const int word : graph.said_by(arc)) {
-            piece.said += (piece.said.empty() ? "" : " ") + set.words.text(word);
-        }
-        sample.pieces.push_back(std::move(piece));
     }
     resolve(sample.pieces);
-    for (const Piece& piece : sample.pieces) {
-        const std::string& text = errors ? piece.said : piece.right;
-        if (!text.empty()) {
-            sample.said += (sample.said.empty() ? "" : " ") + text;
-        }
-        if (piece.element.slot != kNone) {
-            sample.slots.emplace_back(
-                set.slots[static_cast<std::size_t>(piece.element.slot)],
-                list_of(set, piece.element.slot).items[static_cast<std::size_t>(piece.item)].value);
-        }
-    }
+    describe(set, errors, sample);
     return sample;
 }
 

@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
                : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// Recursive descent; the depth is bounded, so the stack is.
+/// Recursive descent; kDeepestTemplate bounds the stack. NOLINTBEGIN(misc-no-recursion)
 class Parser {
   public:
     explicit Parser(std::string_view text) : text_(text) {}
@@ -43,8 +43,8 @@ class Parser {
     }
 
   private:
-    int column() const { return static_cast<int>(at_) + 1; }
-    bool done() const { return at_ >= text_.size(); }
+    [[nodiscard]] int column() const { return static_cast<int>(at_) + 1; }
+    [[nodiscard]] bool done() const { return at_ >= text_.size(); }
 
     int add(Kind kind, int column) {
         nodes_.push_back({kind, {}, {}, {}, column});
@@ -151,7 +151,7 @@ class Parser {
         return true;
     }
 
-    bool touches_word() const { return at_ > 0 && is_name_character(text_[at_ - 1]); }
+    [[nodiscard]] bool touches_word() const { return at_ > 0 && is_name_character(text_[at_ - 1]); }
 
     /// {list}, {list:slot}, <rule> or <form:word>.
     Expected<bool> reference(int holder, char sign) {
@@ -215,6 +215,7 @@ class Parser {
     std::size_t at_ = 0;
     Syntax nodes_;
 };
+// NOLINTEND(misc-no-recursion)
 
 }  // namespace
 

@@ -117,44 +117,54 @@ void push_number(std::vector<Token>& tokens, const Token& raw) {
     tokens.push_back(raw);
 }
 
+/// A run of digits, or of letters with apostrophes inside.
+struct Run {
+    Token raw;
+    std::size_t apostrophe = 0;  ///< byte of the last one
+    bool number = false;
+};
+
+/// Takes the run that begins at `at`; empty when a word can't begin there.
+Run take_run(std::string_view text, std::size_t at) {
+    Run run{{"", at, at}, at, is_digit(decode(text, at).code)};
+    while (at < text.size()) {
+        const Character character = decode(text, at);
+        const bool letter = is_word_character(character.code) && !is_digit(character.code);
+        if (run.number ? is_digit(character.code) : letter) {
+            append_lower(run.raw.text, text.substr(at, character.length), character.code);
+        } else if (!run.number && is_apostrophe(character.code) && !run.raw.text.empty()) {
+            run.raw.text.push_back('\'');
+            run.apostrophe = at;
+        } else {
+            break;
+        }
+        at += character.length;
+        run.raw.end = at;
+    }
+    return run;
+}
+
 }  // namespace
 
 std::vector<Token> tokenise(std::string_view text) {
     std::vector<Token> tokens;
     std::size_t at = 0;
     while (at < text.size()) {
-        // One run of digits, or of letters with apostrophes inside.
-        Token raw{"", at, at};
-        std::size_t apostrophe = at;
-        const bool number = is_digit(decode(text, at).code);
-        while (at < text.size()) {
-            const Character character = decode(text, at);
-            const bool inside =
-                number ? is_digit(character.code)
-                       : is_word_character(character.code) && !is_digit(character.code);
-            if (inside) {
-                append_lower(raw.text, text.substr(at, character.length), character.code);
-            } else if (!number && is_apostrophe(character.code) && !raw.text.empty()) {
-                raw.text.push_back('\'');
-                apostrophe = at;
-            } else {
-                break;
-            }
-            at += character.length;
-            raw.end = at;
-        }
-        if (raw.text.empty()) {
+        const Run run = take_run(text, at);
+        if (run.raw.text.empty()) {
             at += decode(text, at).length;
-        } else if (number) {
-            push_number(tokens, raw);
-            const bool decimal = text.substr(at, 1) == "." && at + 1 < text.size() &&
-                                 is_digit(decode(text, at + 1).code);
-            if (decimal) {
-                tokens.push_back({"point", at, at + 1});
-                ++at;
-            }
-        } else {
-            push_word(tokens, raw, apostrophe);
+            continue;
+        }
+        at = run.raw.end;
+        if (!run.number) {
+            push_word(tokens, run.raw, run.apostrophe);
+            continue;
+        }
+        push_number(tokens, run.raw);
+        if (text.substr(at, 1) == "." && at + 1 < text.size() &&
+            is_digit(decode(text, at + 1).code)) {
+            tokens.push_back({"point", at, at + 1});
+            ++at;
         }
     }
     return tokens;

@@ -227,6 +227,30 @@ TEST_CASE("matcher: the answer with the least wrong wins, then the first") {
     CHECK(match(set, "it is heavy")->graph == 2);
 }
 
+TEST_CASE("matcher: of equals the first wins, in a template and among answers") {
+    const TemplateSet inside =
+        compiled_templates({{"it is ({a}|{b})"}, {{"a", {"red"}}, {"b", {"red"}}}, {}});
+    REQUIRE(match(inside, "it is red"));
+    CHECK(match(inside, "it is red")->slots[0].first == "a");
+    const TemplateSet among = compiled_templates({{"it is red", "(it|this) is red"}, {}, {}});
+    CHECK(match(among, "it is red")->graph == 0);
+    CHECK(match(among, "this is red")->graph == 1);
+}
+
+TEST_CASE("matcher: a sentence with too much wrong is not taken for the template's") {
+    const NamedLists lists{{"thing", {"apple", "egg", "ball", "box", "cup"}}};
+    const TemplateSet four = compiled_templates(
+        {{"to the {thing} with the {thing:b} at the {thing:c} by the {thing:d}"}, lists, {}});
+    REQUIRE(match(four, "apple egg ball box"));
+    CHECK(match(four, "apple egg ball box")->cost == kGreatestCost);
+    const TemplateSet five = compiled_templates(
+        {{"to the {thing} with the {thing:b} at the {thing:c} by the {thing:d} in the {thing:e}"},
+         lists,
+         {}});
+    CHECK_FALSE(match(five, "apple egg ball box cup"));
+    CHECK(match(five, "apple egg ball box in the cup"));
+}
+
 TEST_CASE("matcher: the same words give the same parse") {
     const Question question = heavier();
     const auto first = match(*question.templates, "apple more heavy then egg");

@@ -43,13 +43,19 @@ TEST_CASE("resolve: a noun inside a longer subject doesn't decide") {
           "The apple and the water are here. 0");
     CHECK(put_right(both, "the apple and the water is here") ==
           "The apple and the water are here. 10");
+    const TemplateSource coloured{{"the {colour} {thing} is here"},
+                                  {{"thing", {"apple", "scissors"}}, {"colour", {"red"}}},
+                                  {}};
+    CHECK(put_right(coloured, "the red scissors are here") == "The red scissors are here. 0");
+    CHECK(put_right(coloured, "the red scissors is here") == "The red scissors are here. 10");
     const TemplateSource it{{"it is the {thing}"}, things(), {}};
     CHECK(put_right(it, "it is the scissors") == "It is the scissors. 0");
     CHECK(put_right(it, "it are the scissors") == "It is the scissors. 10");
 }
 
 TEST_CASE("resolve: the goes before heavier, but not before heavier than") {
-    const TemplateSource source{{"it is <comparative:heavy> [than the {thing}]"}, things(), {}};
+    const TemplateSource source{{"it is <comparative:heavy> [one|than the {thing}]"}, things(), {}};
+    CHECK(put_right(source, "it is the heavier one") == "It is the heavier one. 0");
     CHECK(put_right(source, "it is the heavier") == "It is the heavier. 0");
     CHECK(put_right(source, "it is the heavier than the apple") ==
           "It is heavier than the apple. 10");
