@@ -154,18 +154,20 @@ class OpenalVoices {
         return buffer;
     }
 
-    /// A voice that is to stop goes down in a straight line, then ends.
+    /// A voice that is to stop goes down in a straight line; it ends one update after it became silent, so
+    /// that the mixer has ramped to zero by then.
     static void fade(Voice& voice, double dt_s) {
         if (voice.fade_left_s < 0.0) {
             return;
         }
-        voice.fade_left_s -= dt_s;
-        const double left = std::max(voice.fade_left_s, 0.0) / kStopFade_s;
-        alSourcef(voice.source, AL_GAIN, static_cast<ALfloat>(voice.gain * left));
-        if (voice.fade_left_s <= 0.0) {
+        if (voice.fade_left_s == 0.0) {
             alSourceStop(voice.source);
             voice.fade_left_s = -1.0;
+            return;
         }
+        voice.fade_left_s = std::max(voice.fade_left_s - dt_s, 0.0);
+        const double left = voice.fade_left_s / kStopFade_s;
+        alSourcef(voice.source, AL_GAIN, static_cast<ALfloat>(voice.gain * left));
     }
 
     /// A voice that is silent, or else the one that has played longest.

@@ -174,12 +174,34 @@ TEST_CASE("openal: stop fades everything out within 20 ms, and a sound can follo
     CHECK(peak(run(*player, 3)) > 0.02F);
 }
 
+TEST_CASE("openal: stopping makes no click") {
+    auto player = open_loopback({{"finish"}, false, 1.0});
+    REQUIRE(player->play("finish"));
+    run(*player, 110);  // into the last chord
+    const auto sounding = run(*player, 10);
+    player->stop();
+    const auto going = run(*player, 10);
+    const auto largest_step = [](const std::vector<float>& x) {
+        float largest = 0.0F;
+        for (std::size_t i = 2; i < x.size(); ++i) {
+            largest = std::max(largest, std::abs(x[i] - x[i - 2]));
+        }
+        return largest;
+    };
+    CHECK(largest_step(going) <= 1.2F * largest_step(sounding));
+    // Half way down after 10 ms, silent after 40.
+    CHECK(rms({going.begin() + 480, going.begin() + 960}) < 0.8 * rms(sounding));
+    CHECK(peak({going.begin() + 4 * 960, going.end()}) == 0.0F);
+}
+
 TEST_CASE("openal: a thirteenth sound takes the place of the oldest") {
     auto player = open_loopback({{"finish", "catch_egg"}, false, 1.0});
-    for (std::size_t i = 0; i < kVoices; ++i) {
+    REQUIRE(player->play("finish"));  // the oldest, the only one to be heard
+    for (std::size_t i = 1; i < kVoices; ++i) {
         REQUIRE(player->play("finish", 0.0, 1.0));
     }
-    run(*player, 2);
+    CHECK(peak(run(*player, 60)) > 0.05F);
     REQUIRE(player->play("catch_egg"));
-    CHECK(peak(run(*player, 5)) > 0.05F);
+    run(*player, 30);  // the egg is over
+    CHECK(peak(run(*player, 20)) == 0.0F);
 }

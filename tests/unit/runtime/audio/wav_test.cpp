@@ -29,6 +29,9 @@ TEST_CASE("wav: a written file has the header and the samples that were given") 
     CHECK(file.substr(0, 4) == "RIFF");
     CHECK((byte(24) | byte(25) << 8) == 48'000);
     CHECK(byte(22) == 2);
+    CHECK((byte(28) | byte(29) << 8 | byte(30) << 16) == 48'000 * 4);  // bytes a second
+    CHECK(byte(32) == 4);                                              // bytes a frame
+    CHECK(byte(40) == 8);
     CHECK(sample(0) == 0);
     CHECK(sample(1) == 16384);
     CHECK(sample(2) == -32767);

@@ -79,3 +79,43 @@ TEST_CASE("deflate length: bad headers, block kinds and codes are malformed") {
     dynamic.resize(60, 0xFF);
     CHECK_FALSE(inflated_length(dynamic, 1'000'000));
 }
+
+TEST_CASE("deflate length: more codes than there is room for are malformed") {
+    Octets zlib{0x78, 0x01};
+    int held = 8;
+    const auto put = [&](unsigned value, int n) {
+        for (int i = 0; i < n; ++i, ++held) {
+            if (held == 8) {
+                zlib.push_back(0);
+                held = 0;
+            }
+            zlib.back() = static_cast<std::uint8_t>(zlib.back() | (value >> i & 1U) << held);
+        }
+    };
+    // A last, dynamic block of 257 literals and one distance, whose lengths are coded by `n` codes of one bit.
+    const auto block = [&](int n) {
+        zlib.resize(2);
+        held = 8;
+        put(5, 3);
+        put(0, 5);
+        put(0, 5);
+        put(15, 4);
+        // In the format's order 16 17 18 0 8 7 9 6 10 5 11 4 12 3 13 2 14 1 15: symbols 0 and 1 come first.
+        for (int i = 0; i < 19; ++i) {
+            const bool used = i == 3 || i == 17 || (n > 2 && i > 3 && i < 2 + n);
+            put(used ? 1 : 0, 3);
+        }
+        // 256 lengths of 0, length 1 for the end of the block, length 0 for the distance; then that end.
+        put(0, 32);
+        for (int i = 0; i < 7; ++i) {
+            put(0, 32);
+        }
+        put(1, 1);
+        put(0, 1);
+        put(0, 1);
+        return inflated_length(zlib, 10);
+    };
+    CHECK(block(2) == 0U);
+    CHECK_FALSE(block(3));
+    CHECK_FALSE(block(12));
+}
