@@ -69,14 +69,26 @@ void put_in_order(std::span<Centre> centres) {
     }
 }
 
+void set_child(EightBoxes& node, std::size_t child, const StepBox& box) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        node.lower[axis][child] = box.lower[axis];
+        node.upper[axis][child] = box.upper[axis];
+    }
+}
+
+StepBox unite_children(const EightBoxes& node) {
+    StepBox all;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        all.lower[axis] = *std::min_element(node.lower[axis].begin(), node.lower[axis].end());
+        all.upper[axis] = *std::max_element(node.upper[axis].begin(), node.upper[axis].end());
+    }
+    return all;
+}
+
 }  // namespace
 
 BoundingTree::BoundingTree(const TriangleMesh& mesh) : root_box_{mesh.lower_B(), mesh.upper_B()} {
-    const double thinnest_m = kThinnestSide * mesh.diagonal_m();
-    for (int axis = 0; axis < 3; ++axis) {
-        const double side_m = root_box_.upper[axis] - root_box_.lower[axis];
-        steps_per_m_[axis] = kSteps / std::max(side_m, thinnest_m);
-    }
+    grid_ = StepGrid(root_box_, kThinnestSide * mesh.diagonal_m());
     std::vector<Centre> centres = find_centres(mesh);
     put_in_order(centres);
     order_.reserve(centres.size());
@@ -87,7 +99,7 @@ BoundingTree::BoundingTree(const TriangleMesh& mesh) : root_box_{mesh.lower_B(),
 }
 
 std::size_t BoundingTree::memory_bytes() const noexcept {
-    return nodes_.capacity() * sizeof(Node) + order_.capacity() * sizeof(std::int32_t);
+    return nodes_.capacity() * sizeof(EightBoxes) + order_.capacity() * sizeof(std::int32_t);
 }
 
 std::optional<std::size_t> BoundingTree::collect_leaves(
@@ -116,7 +128,7 @@ void BoundingTree::build_nodes(const TriangleMesh& mesh) {
         level_first_[level] = n_nodes;
         n_nodes += counts[counts.size() - 1 - level];
     }
-    Node nothing{};
+    EightBoxes nothing{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         nothing.lower[axis].fill(std::numeric_limits<std::int16_t>::max());
         nothing.upper[axis].fill(std::numeric_limits<std::int16_t>::min());
@@ -130,32 +142,16 @@ void BoundingTree::build_nodes(const TriangleMesh& mesh) {
         const Vector3& c = mesh.vertices_B()[static_cast<std::size_t>(t[2])];
         const Box box{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
         set_child(nodes_[static_cast<std::size_t>(level_first_[last]) + slot / kWidth],
-                  static_cast<int>(slot % kWidth), to_steps(box));
+                  slot % kWidth, grid_.to_steps(box));
     }
     for (std::size_t level = last; level > 0; --level) {
         const auto first = static_cast<std::size_t>(level_first_[level]);
         const auto n = static_cast<std::size_t>(counts[last - level]);
         for (std::size_t i = 0; i < n; ++i) {
             set_child(nodes_[static_cast<std::size_t>(level_first_[level - 1]) + i / kWidth],
-                      static_cast<int>(i % kWidth), unite_children(nodes_[first + i]));
+                      i % kWidth, unite_children(nodes_[first + i]));
         }
     }
-}
-
-void BoundingTree::set_child(Node& node, int child, const StepBox& box) const noexcept {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        node.lower[axis][static_cast<std::size_t>(child)] = box.lower[axis];
-        node.upper[axis][static_cast<std::size_t>(child)] = box.upper[axis];
-    }
-}
-
-BoundingTree::StepBox BoundingTree::unite_children(const Node& node) noexcept {
-    StepBox all{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        all.lower[axis] = *std::min_element(node.lower[axis].begin(), node.lower[axis].end());
-        all.upper[axis] = *std::max_element(node.upper[axis].begin(), node.upper[axis].end());
-    }
-    return all;
 }
 
 bool BoundingTree::clip_to_root(const Vector3& from, const Vector3& to, double& t_in,
@@ -190,16 +186,15 @@ BoundingTree::StepSegment BoundingTree::to_steps(const Vector3& from,
     StepSegment segment{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<Eigen::Index>(axis);
-        const double rate = (to[i] - from[i]) * steps_per_m_[i];
-        const double start = (from[i] - root_box_.lower[i]) * steps_per_m_[i] - kMiddleStep;
-        segment.start[axis] = static_cast<float>(start);
+        const double rate = (to[i] - from[i]) * grid_.steps_per_m(i);
+        segment.start[axis] = static_cast<float>(grid_.to_place(from[i], i));
         segment.inverse_rate[axis] = static_cast<float>(
             std::abs(rate) * kLargest > 1.0 ? 1.0 / rate : std::copysign(kLargest, rate));
     }
     return segment;
 }
 
-BoundingTree::Entries BoundingTree::find_entries(const Node& node, const StepSegment& segment,
+BoundingTree::Entries BoundingTree::find_entries(const EightBoxes& node, const StepSegment& segment,
                                                  float s_end) noexcept {
     Entries enter{};
     Entries leave{};

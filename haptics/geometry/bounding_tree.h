@@ -6,10 +6,11 @@
 // so that one comparison of eight decides. The step function is monotone and the same for boxes and questions, so a box
 // is never missed.
 //
-// Thread: build at load; questions from any thread. Cost: build O(n log n); 12.2 + 1.6 bytes a triangle, 96 a node;
+// Thread: build at load; questions from any thread. Cost: build O(n log n); 12 bytes a triangle and a seventh more for the nodes above;
 // questions O(log n + found) for small ones.
 #pragma once
 
+#include "haptics/geometry/step_box.h"
 #include "haptics/geometry/triangle_mesh.h"
 
 #include <algorithm>
@@ -21,25 +22,7 @@
 #include <span>
 #include <vector>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
 namespace fulcrum {
-
-/// An axis-aligned box; empty when a lower coordinate exceeds the upper.
-struct Box {
-    Vector3 lower{Vector3::Zero()};
-    Vector3 upper{Vector3::Zero()};
-
-    [[nodiscard]] bool contains(const Vector3& p) const noexcept {
-        return (p.array() >= lower.array()).all() && (p.array() <= upper.array()).all();
-    }
-    [[nodiscard]] bool overlaps(const Box& other) const noexcept {
-        return (lower.array() <= other.upper.array()).all() &&
-               (upper.array() >= other.lower.array()).all();
-    }
-};
 
 class BoundingTree {
   public:
@@ -73,7 +56,7 @@ class BoundingTree {
     template <class Visit>
     void for_each_in_leaves(std::span<const std::int32_t> leaves, const Box& box,
                             Visit&& visit) const noexcept {
-        const StepBox steps = to_steps(box);
+        const StepBox steps = grid_.to_steps(box);
         for (const std::int32_t leaf : leaves) {
             visit_children(leaf, find_overlapping(node_at({n_levels_ - 1, leaf, 0.0F}), steps),
                            visit);
@@ -86,18 +69,10 @@ class BoundingTree {
     void for_each_along(const Vector3& from, const Vector3& to, Visit&& visit) const noexcept;
 
   private:
-    struct Node {
-        alignas(16) std::array<std::array<std::int16_t, kWidth>, 3> lower;
-        alignas(16) std::array<std::array<std::int16_t, kWidth>, 3> upper;
-    };
     struct Place {
         std::int32_t level;
         std::int32_t index;  // within the level
         float s;             // where a segment enters
-    };
-    struct StepBox {
-        std::array<std::int16_t, 3> lower;
-        std::array<std::int16_t, 3> upper;
     };
     // A segment in steps: position = start + t rate, and 1 / rate.
     struct StepSegment {
@@ -106,10 +81,6 @@ class BoundingTree {
     };
     using Entries = std::array<float, kWidth>;
 
-    // Steps across the mesh's box, counted from its middle: -32767 to 32766. The two values left over make the box of an
-    // absent child, which no question overlaps.
-    static constexpr double kSteps = 65533.0;
-    static constexpr std::int32_t kMiddleStep = 32767;
     static constexpr float kMissed = 2.0F;    // an entry beyond any s
     static constexpr float kSlack = 1.0e-4F;  // above what rounding in the entries can amount to
     // Deepest stack: all children of one node in each level.
@@ -121,72 +92,24 @@ class BoundingTree {
     template <class Visit>
     static void visit_children(std::int32_t leaf, unsigned overlapping, Visit& visit) noexcept;
     void build_nodes(const TriangleMesh& mesh);
-    void set_child(Node& node, int child, const StepBox& box) const noexcept;
-    [[nodiscard]] static StepBox unite_children(const Node& node) noexcept;
-    [[nodiscard]] std::int16_t to_step(double coordinate, int axis) const noexcept;
-    [[nodiscard]] StepBox to_steps(const Box& box) const noexcept;
     [[nodiscard]] StepSegment to_steps(const Vector3& from, const Vector3& to) const noexcept;
     // The part of a segment within the root's box, with a margin; false when there is none.
     [[nodiscard]] bool clip_to_root(const Vector3& from, const Vector3& to, double& t_in,
                                     double& t_out) const noexcept;
-    [[nodiscard]] static unsigned find_overlapping(const Node& node, const StepBox& box) noexcept;
-    static Entries find_entries(const Node& node, const StepSegment& segment, float s_end) noexcept;
-    [[nodiscard]] const Node& node_at(const Place& place) const noexcept {
+    static Entries find_entries(const EightBoxes& node, const StepSegment& segment,
+                                float s_end) noexcept;
+    [[nodiscard]] const EightBoxes& node_at(const Place& place) const noexcept {
         const std::int32_t first = level_first_[static_cast<std::size_t>(place.level)];
         return nodes_[static_cast<std::size_t>(first) + static_cast<std::size_t>(place.index)];
     }
 
-    std::vector<Node> nodes_;
+    std::vector<EightBoxes> nodes_;
     std::vector<std::int32_t> order_;
     std::array<std::int32_t, kMaxLevels> level_first_{};
     std::int32_t n_levels_ = 0;
     Box root_box_;
-    Vector3 steps_per_m_{Vector3::Zero()};
+    StepGrid grid_;
 };
-
-inline std::int16_t BoundingTree::to_step(double coordinate, int axis) const noexcept {
-    const double step = (coordinate - root_box_.lower[axis]) * steps_per_m_[axis];
-    const double inside = step < 0.0 ? 0.0 : (step > kSteps ? kSteps : step);
-    return static_cast<std::int16_t>(static_cast<std::int32_t>(inside) - kMiddleStep);
-}
-
-inline BoundingTree::StepBox BoundingTree::to_steps(const Box& box) const noexcept {
-    StepBox steps{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<int>(axis);
-        steps.lower[axis] = to_step(box.lower[i], i);
-        steps.upper[axis] = to_step(box.upper[i], i);
-    }
-    return steps;
-}
-
-// One bit a child. Without SSE2 the compiler makes of the loop what it can.
-inline unsigned BoundingTree::find_overlapping(const Node& node, const StepBox& box) noexcept {
-#if defined(__SSE2__)
-    __m128i apart = _mm_setzero_si128();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const __m128i lower =
-            _mm_load_si128(reinterpret_cast<const __m128i*>(node.lower[axis].data()));
-        const __m128i upper =
-            _mm_load_si128(reinterpret_cast<const __m128i*>(node.upper[axis].data()));
-        apart = _mm_or_si128(apart, _mm_cmpgt_epi16(lower, _mm_set1_epi16(box.upper[axis])));
-        apart = _mm_or_si128(apart, _mm_cmpgt_epi16(_mm_set1_epi16(box.lower[axis]), upper));
-    }
-    const __m128i bytes = _mm_packs_epi16(apart, apart);
-    return ~static_cast<unsigned>(_mm_movemask_epi8(bytes)) & 0xFFU;
-#else
-    unsigned overlapping = 0;
-    for (std::size_t child = 0; child < kWidth; ++child) {
-        bool apart = false;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            apart = apart || node.lower[axis][child] > box.upper[axis] ||
-                    box.lower[axis] > node.upper[axis][child];
-        }
-        overlapping |= (apart ? 0U : 1U) << child;
-    }
-    return overlapping;
-#endif
-}
 
 template <class Visit>
 void BoundingTree::visit_children(std::int32_t leaf, unsigned overlapping, Visit& visit) noexcept {
@@ -201,7 +124,7 @@ void BoundingTree::for_each_leaf(const Box& box, VisitLeaf&& visit_leaf) const n
     if (!root_box_.overlaps(box)) {
         return;
     }
-    const StepBox steps = to_steps(box);
+    const StepBox steps = grid_.to_steps(box);
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filled as it grows
     std::array<Place, kStack> stack;
     std::size_t n_stacked = 0;
