@@ -51,13 +51,16 @@ std::optional<Number> subject_number(const std::vector<Piece>& pieces, int verb)
 }
 
 void agree(Piece& verb, Number number) {
-    verb.right = verb.element.verb.with(number);
-    if (verb.code != ErrorCode::none && verb.code != ErrorCode::agreement) {
-        return;  // missing, or another form: only what belongs there changes
+    // An arc without an error says the template's own form, one of agreement the other; "'s" has its arc too.
+    const VerbForms& forms = verb.element.verb;
+    const bool own_is_singular = verb.right == forms.singular;
+    const bool says_own = verb.code == ErrorCode::none;
+    verb.right = forms.with(number);
+    if (!says_own && verb.code != ErrorCode::agreement) {
+        return;  // missing, misspelt or another form: only what belongs there changes
     }
-    const std::string said = lower_case(verb.said);
-    const bool same = said == verb.right || (said == "'s" && verb.right == "is") ||
-                      (said == "'re" && verb.right == "are") || said.empty();
+    const bool says_singular = says_own == own_is_singular;
+    const bool same = verb.said.empty() || says_singular == (number == Number::singular);
     verb.code = same ? ErrorCode::none : ErrorCode::agreement;
     verb.cost = same ? 0 : kSlipCost;
 }

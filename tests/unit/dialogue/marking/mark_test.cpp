@@ -79,6 +79,9 @@ TEST_CASE("mark: superlatives as learners say them") {
             {"heaviest one is the egg", "M:DET", "*The heaviest* one is the egg."},
             {"most heavy is apple", "M:DET R:ADJ:FORM M:DET", "*The heaviest* is an apple."},
             {"um, I think a watermelon is the heaviest", "", "A watermelon is the heaviest."},
+            {"the watermelon’s the heaviest!", "", "The watermelon is the heaviest."},
+            {"watermelons’re the heaviest!", "", "Watermelons are the heaviest."},
+            {"watermelons's the heaviest!", "R:VERB:SVA", "Watermelons *are* the heaviest."},
             {"the watermelon's the heaviest!", "", "The watermelon is the heaviest."},
             {"  THE   WATERMELON  IS THE HEAVIEST  ", "", "The watermelon is the heaviest."},
         });
