@@ -42,18 +42,20 @@ void sync_folder(const std::filesystem::path& folder) {
 }
 
 Expected<void> create_folders(const std::filesystem::path& folder) {
-    std::error_code ignored;
-    if (folder.empty() || std::filesystem::is_directory(folder, ignored)) {
-        return {};
+    std::filesystem::path made;
+    for (const std::filesystem::path& part : folder) {
+        const std::filesystem::path above = made;
+        made /= part;
+        std::error_code ignored;
+        if (std::filesystem::is_directory(made, ignored)) {
+            continue;
+        }
+        if (mkdir(made.c_str(), kFolderMode) != 0 && errno != EEXIST) {
+            return fail(std::string("this folder can't be made: ") + std::strerror(errno),
+                        made.string(), kChooseAnother);
+        }
+        sync_folder(above);
     }
-    if (auto above = create_folders(folder.parent_path()); !above) {
-        return above;
-    }
-    if (mkdir(folder.c_str(), kFolderMode) != 0 && errno != EEXIST) {
-        return fail(std::string("this folder can't be made: ") + std::strerror(errno),
-                    folder.string(), kChooseAnother);
-    }
-    sync_folder(folder.parent_path());
     return {};
 }
 

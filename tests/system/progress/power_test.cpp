@@ -213,7 +213,7 @@ struct FaultKind {
 // Every operation of every kind fails, once or from then on; then the power fails too, or not.
 void check_every_fault(const std::function<std::set<std::int64_t>(const std::string&)>& prepare) {
     PowerVfs vfs;
-    const Workload work(4, 8);
+    const Workload work(4, 6);
     for (const FaultKind kind :
          {FaultKind{Operation::open, SQLITE_CANTOPEN},
           FaultKind{Operation::read, SQLITE_IOERR_READ},
@@ -257,7 +257,7 @@ TEST_CASE("fault: any operation of bringing version 1 up may fail; nothing kept 
         sqlite::Database database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, "");
         database.run(sqlite::migrations()[0]);
         database.run("PRAGMA application_id = 0x46756C63; PRAGMA user_version = 1");
-        const Learner learner = Workload(4, 8).learner();
+        const Learner learner = Workload(4, 6).learner();
         sqlite::Statement(database, "INSERT INTO learner VALUES(1, ?, ?, ?)")
             .bind(learner.id)
             .bind(learner.nickname)
