@@ -148,6 +148,24 @@ TEST_CASE("assets: an egg has the volume of its formula") {
     CHECK(bulk.volume_m3 > 0.995 * expected_m3);
 }
 
+TEST_CASE("assets: an egg is pointed above and blunt below") {
+    const Model egg = make_egg();
+    // Its widest place lies below the middle between its ends: by the formula, w of 3.4 mm or a little less.
+    double widest_m = 0.0;
+    double widest_y_m = 0.0;
+    double top_m = -1.0;
+    double bottom_m = 1.0;
+    for (const Vector3d& p : egg.parts.front().positions) {
+        const double r = std::hypot(p.x(), p.z());
+        widest_y_m = r > widest_m ? p.y() : widest_y_m;
+        widest_m = std::max(widest_m, r);
+        top_m = std::max(top_m, p.y());
+        bottom_m = std::min(bottom_m, p.y());
+    }
+    CHECK(widest_y_m < 0.5 * (top_m + bottom_m) - 0.002);
+    CHECK(widest_y_m > 0.5 * (top_m + bottom_m) - 0.006);
+}
+
 TEST_CASE("assets: normals are of unit length and agree with their triangles") {
     for (const Maker& maker : kMakers) {
         CAPTURE(maker.name);
