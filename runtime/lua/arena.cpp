@@ -24,8 +24,8 @@ std::size_t size_class_of(std::size_t bytes) {
 
 void* map_at(std::uintptr_t address, std::size_t bytes, int more_flags) {
     // The address is a wish made of a number: there is no object there yet.
-    return mmap(reinterpret_cast<void*>(address), bytes,
-                PROT_READ | PROT_WRITE,  // NOLINT(performance-no-int-to-ptr)
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    return mmap(reinterpret_cast<void*>(address), bytes, PROT_READ | PROT_WRITE,
                 MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | more_flags, -1, 0);
 }
 
@@ -117,7 +117,9 @@ void* Arena::allocate_small(std::size_t size_class) noexcept {
         }
     }
     FreeBlock* block = head;
-    head = block->next;
+    if (block != nullptr) {
+        head = block->next;
+    }
     return block;
 }
 

@@ -37,9 +37,9 @@ enum class ParameterType : std::uint8_t {
 inline constexpr const char* kRequired = nullptr;
 
 struct Parameter {
-    const char* name;
-    ParameterType type;
-    const char* unit;  ///< "kilograms"; empty for a pure number or none
+    const char* name = "";
+    ParameterType type = ParameterType::number;
+    const char* unit = "";  ///< "kilograms"; empty for a pure number or none
     double low = 0.0;
     double high = 0.0;
     const char* fallback = kRequired;  ///< as Lua text, e.g. "0.05", "{0, 0, 0}", "nil"
@@ -90,7 +90,7 @@ class Arguments {
 };
 
 /// Does the work: arguments are checked; pushes its results and returns their number.
-using BoundFunction = int (*)(lua_State* L, LessonContext& context, const Arguments& arguments);
+using BoundFunction = int (*)(lua_State* lua, LessonContext& context, const Arguments& arguments);
 
 struct Binding {
     const char* owner;  ///< "world", "body", "force", "lesson", or "" for a global
@@ -110,7 +110,7 @@ struct Property {
     const char* type;  ///< for the annotations
     const char* unit;
     const char* text;
-    int (*get)(lua_State* L, LessonContext& context, std::int32_t index);
+    int (*get)(lua_State* lua, LessonContext& context, std::int32_t index);
 };
 
 /// A function that a lesson may define.

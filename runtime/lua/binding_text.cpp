@@ -2,7 +2,6 @@
 #include "runtime/lua/binding_table.h"
 
 #include <array>
-#include <map>
 
 namespace fulcrum::runtime {
 namespace {
@@ -23,6 +22,34 @@ constexpr std::array kOwners = {
     Owner{"tool", "Tool", "tool", "What the hand holds."},
     Owner{"force", "Force", "force", "A force on the hand."},
 };
+
+constexpr const char* kAnnotationsHead = R"(---@meta fulcrum
+-- Generated from the binding table in runtime/lua; do not edit.
+-- Names, types, units and ranges of everything a lesson can call, for the Lua language server.
+
+---@alias Vector number[]|{x: number, y: number, z: number}
+
+---@class Answer
+---@field question string
+---@field said string the learner's words
+---@field understood boolean false: no template fitted
+---@field right boolean the meaning is right
+---@field form_right boolean no error of form was found
+---@field over boolean the question is done: right, or left after many tries
+---@field attempt integer
+---@field [string] any the slots of the template
+
+)";
+
+constexpr const char* kReferenceHead = R"(# What a lesson can call
+
+Generated from the binding table in `runtime/lua`; do not edit. All numbers are in SI units; +Y is up. A place is `{x, y, z}`, or a body or the tool.
+
+## Functions you may define
+
+| function | when it is called |
+|---|---|
+)";
 
 const char* lua_type(const Parameter& parameter) {
     switch (parameter.type) {
@@ -147,42 +174,76 @@ std::string tidied(const std::string& text) {
     return tidy;
 }
 
+/// The class of an owner with its fields; a lesson's are the functions it may define.
+void annotate_owner(std::string& out, const ApiTable& table, const Owner& owner) {
+    out += std::string("---") + owner.text + "\n---@class " + owner.type + '\n';
+    for (const Property& property : table.properties) {
+        if (std::string_view(owner.name) == property.owner) {
+            const std::string gap = *property.unit != '\0' && *property.text != '\0' ? "; " : "";
+            out += std::string("---@field ") + property.name + ' ' + property.type + ' ' +
+                   property.unit + gap + property.text + '\n';
+        }
+    }
+    if (std::string_view(owner.name) == "lesson") {
+        for (const Callback& callback : table.callbacks) {
+            std::string parameters = "self: Lesson";
+            for (const auto& [name, type] : callback.parameters) {
+                parameters += std::string(", ") + name + ": " + type;
+            }
+            out += std::string("---@field ") + callback.name + "? fun(" + parameters + ") " +
+                   callback.text + '\n';
+        }
+    }
+    out += std::string("local ") + owner.type + " = {}\n\n";
+}
+
+const char* time_text(CallTime time) {
+    switch (time) {
+        case CallTime::loading:
+            return "outside all functions";
+        case CallTime::declaring:
+            return "in `L:start` only";
+        case CallTime::acting:
+            return "in `L:start` and later";
+        case CallTime::looking:
+            return "always, in simulated hands too";
+    }
+    return "";
+}
+
+void refer_to_fields(std::string& out, const ApiTable& table, const Owner& owner) {
+    bool has_fields = false;
+    for (const Property& property : table.properties) {
+        if (std::string_view(owner.name) == property.owner) {
+            out += has_fields ? "" : "\n| field | unit | |\n|---|---|---|\n";
+            has_fields = true;
+            out += std::string("| `") + owner.variable + '.' + property.name + "` | " +
+                   property.unit + " | " + property.text + " |\n";
+        }
+    }
+}
+
+void refer_to_function(std::string& out, const Binding& binding, const Owner& owner) {
+    const std::string called =
+        *owner.name == '\0' ? binding.name : std::string(owner.variable) + ':' + binding.name;
+    std::string form = binding.shape == CallShape::named_record ? " \"name\" { … }" : " { … }";
+    if (binding.shape == CallShape::positional) {
+        form = binding.parameters.empty() ? "()" : "(…)";
+    }
+    out += "\n### `" + called + form + "`\n\n" + binding.text + " Called " +
+           time_text(binding.time) + ".\n";
+    for (const Parameter& parameter : binding.parameters) {
+        const char* required = parameter.fallback == kRequired ? "(must be given) " : "";
+        out += std::string("- `") + parameter.name + "` " + required + explained(parameter) + '\n';
+    }
+}
+
 }  // namespace
 
 std::string make_annotations(const ApiTable& table) {
-    std::string out =
-        "---@meta fulcrum\n-- Generated from the binding table in runtime/lua; do not edit.\n-- "
-        "Names, types, units and ranges of "
-        "everything a lesson can call, for the Lua language server.\n\n---@alias Vector "
-        "number[]|{x: number, y: number, z: number}\n\n"
-        "---@class Answer\n---@field question string\n---@field said string the learner's "
-        "words\n---@field understood boolean false: no "
-        "template fitted\n---@field right boolean the meaning is right\n---@field form_right "
-        "boolean no error of form was found\n---@field over boolean the question is done: right, "
-        "or left "
-        "after many tries\n---@field "
-        "attempt integer\n---@field [string] any the slots of the template\n\n";
+    std::string out = kAnnotationsHead;
     for (const Owner& owner : kOwners) {
-        out += std::string("---") + owner.text + "\n---@class " + owner.type + '\n';
-        for (const Property& property : table.properties) {
-            if (std::string_view(owner.name) == property.owner) {
-                const std::string gap =
-                    *property.unit != '\0' && *property.text != '\0' ? "; " : "";
-                out += std::string("---@field ") + property.name + ' ' + property.type + ' ' +
-                       property.unit + gap + property.text + '\n';
-            }
-        }
-        if (std::string_view(owner.name) == "lesson") {
-            for (const Callback& callback : table.callbacks) {
-                std::string parameters = "self: Lesson";
-                for (const auto& [name, type] : callback.parameters) {
-                    parameters += std::string(", ") + name + ": " + type;
-                }
-                out += std::string("---@field ") + callback.name + "? fun(" + parameters + ") " +
-                       callback.text + '\n';
-            }
-        }
-        out += std::string("local ") + owner.type + " = {}\n\n";
+        annotate_owner(out, table, owner);
     }
     for (const Binding& binding : table.functions) {
         annotate_function(out, binding);
@@ -191,47 +252,19 @@ std::string make_annotations(const ApiTable& table) {
 }
 
 std::string make_reference(const ApiTable& table) {
-    std::string out =
-        "# What a lesson can call\n\nGenerated from the binding table in `runtime/lua`; do not "
-        "edit. All numbers are in SI units; +Y is up. A place is "
-        "`{x, y, z}`, or a body or the tool.\n\n## Functions you may define\n\n| function | when "
-        "it is called |\n|---|---|\n";
+    std::string out = kReferenceHead;
     for (const Callback& callback : table.callbacks) {
         out += "| `function " + callback_signature(callback) + "` | " + callback.text + " |\n";
     }
-    std::map<CallTime, const char*> times = {{CallTime::loading, "outside all functions"},
-                                             {CallTime::declaring, "in `L:start` only"},
-                                             {CallTime::acting, "in `L:start` and later"},
-                                             {CallTime::looking, "always, in simulated hands too"}};
-    for (const Owner& owner :
-         {Owner{"", "", "", ""}, kOwners[0], kOwners[1], kOwners[2], kOwners[3], kOwners[4]}) {
+    std::vector<Owner> owners = {Owner{"", "", "", ""}};  // the globals first
+    owners.insert(owners.end(), kOwners.begin(), kOwners.end());
+    for (const Owner& owner : owners) {
         out += std::string("\n## ") + (*owner.name == '\0' ? "Global" : owner.variable) + '\n';
         out += *owner.text == '\0' ? "" : std::string("\n") + owner.text + '\n';
-        bool has_fields = false;
-        for (const Property& property : table.properties) {
-            if (std::string_view(owner.name) == property.owner) {
-                out += has_fields ? "" : "\n| field | unit | |\n|---|---|---|\n";
-                has_fields = true;
-                out += std::string("| `") + owner.variable + '.' + property.name + "` | " +
-                       property.unit + " | " + property.text + " |\n";
-            }
-        }
+        refer_to_fields(out, table, owner);
         for (const Binding& binding : table.functions) {
-            if (std::string_view(owner.name) != binding.owner) {
-                continue;
-            }
-            const std::string called = *owner.name == '\0'
-                                           ? binding.name
-                                           : std::string(owner.variable) + ':' + binding.name;
-            const std::string form = binding.shape == CallShape::record         ? " { … }"
-                                     : binding.shape == CallShape::named_record ? " \"name\" { … }"
-                                                                                : "(…)";
-            out += "\n### `" + called + (binding.parameters.empty() ? "()" : form) + "`\n\n" +
-                   binding.text + " Called " + times[binding.time] + ".\n";
-            for (const Parameter& parameter : binding.parameters) {
-                out += std::string("- `") + parameter.name + "` " +
-                       (parameter.fallback == kRequired ? "(must be given) " : "") +
-                       explained(parameter) + '\n';
+            if (std::string_view(owner.name) == binding.owner) {
+                refer_to_function(out, binding, owner);
             }
         }
     }

@@ -43,22 +43,22 @@ struct LessonContext {
 };
 
 /// The context of the script that runs.
-[[nodiscard]] LessonContext& context_of(lua_State* L) noexcept;
+[[nodiscard]] LessonContext& context_of(lua_State* lua) noexcept;
 /// Adds a command to the reply; raises when there are too many.
-void add_command(lua_State* L, LessonCommand command);
+void add_command(lua_State* lua, LessonCommand command);
 
 /// Pushes the one object that stands for a thing; the same each time, so that == and table keys work.
-void push_handle(lua_State* L, Handle::Kind kind, std::int32_t index);
+void push_handle(lua_State* lua, Handle::Kind kind, std::int32_t index);
 /// The handle at `index` if it is of this kind and of this scene; raises otherwise, naming the function called.
-[[nodiscard]] Handle check_handle(lua_State* L, int index, Handle::Kind kind, const char* called);
+[[nodiscard]] Handle check_handle(lua_State* lua, int index, Handle::Kind kind, const char* called);
 /// Is it a handle of that kind? (of whatever generation)
-[[nodiscard]] const Handle* to_handle(lua_State* L, int index);
+[[nodiscard]] const Handle* to_handle(lua_State* lua, int index);
 /// Pushes {x, y, z} that also has fields x, y and z.
-void push_vector(lua_State* L, const Vector3& v);
+void push_vector(lua_State* lua, const Vector3& v);
 
 /// Puts metatables of all handles and the global functions into the state.
-void register_api(lua_State* L);
+void register_api(lua_State* lua);
 /// Checks the arguments of `binding` from stack index `first` on; raises the sentence that says what is wrong.
-[[nodiscard]] Arguments check_arguments(lua_State* L, int first, const Binding& binding);
+[[nodiscard]] Arguments check_arguments(lua_State* lua, int first, const Binding& binding);
 
 }  // namespace fulcrum::runtime

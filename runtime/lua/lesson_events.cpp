@@ -4,19 +4,19 @@
 namespace fulcrum::runtime {
 namespace {
 
-void set_text(lua_State* L, const char* field, const std::string& text) {
-    lua_pushlstring(L, text.data(), text.size());
-    lua_setfield(L, -2, field);
+void set_text(lua_State* lua, const char* field, const std::string& text) {
+    lua_pushlstring(lua, text.data(), text.size());
+    lua_setfield(lua, -2, field);
 }
 
-void set_flag(lua_State* L, const char* field, bool value) {
-    lua_pushboolean(L, value ? 1 : 0);
-    lua_setfield(L, -2, field);
+void set_flag(lua_State* lua, const char* field, bool value) {
+    lua_pushboolean(lua, value ? 1 : 0);
+    lua_setfield(lua, -2, field);
 }
 
-void set_slots(lua_State* L, const std::vector<std::pair<std::string, std::string>>& slots) {
+void set_slots(lua_State* lua, const std::vector<std::pair<std::string, std::string>>& slots) {
     for (const auto& [name, value] : slots) {
-        set_text(L, name.c_str(), value);
+        set_text(lua, name.c_str(), value);
     }
 }
 
@@ -27,41 +27,41 @@ const char* name_of(BodyEvent::Kind kind) {
 
 }  // namespace
 
-void push_answer(lua_State* L, const AnsweredEvent& answer) {
-    lua_newtable(L);
-    set_slots(L, answer.slots);
-    set_text(L, "question", answer.question);
-    set_text(L, "said", answer.said);
-    set_flag(L, "understood", answer.understood);
-    set_flag(L, "right", answer.right);
-    set_flag(L, "form_right", answer.form_right);
-    set_flag(L, "over", answer.over);
-    lua_pushinteger(L, answer.attempt);
-    lua_setfield(L, -2, "attempt");
+void push_answer(lua_State* lua, const AnsweredEvent& answer) {
+    lua_newtable(lua);
+    set_slots(lua, answer.slots);
+    set_text(lua, "question", answer.question);
+    set_text(lua, "said", answer.said);
+    set_flag(lua, "understood", answer.understood);
+    set_flag(lua, "right", answer.right);
+    set_flag(lua, "form_right", answer.form_right);
+    set_flag(lua, "over", answer.over);
+    lua_pushinteger(lua, answer.attempt);
+    lua_setfield(lua, -2, "attempt");
 }
 
-void push_event(lua_State* L, LessonContext& /*context*/, const LessonEvent& event) {
+void push_event(lua_State* lua, LessonContext& /*context*/, const LessonEvent& event) {
     if (const auto* body = std::get_if<BodyEvent>(&event)) {
-        lua_newtable(L);
-        set_text(L, "name", name_of(body->kind));
-        push_handle(L, Handle::Kind::body, body->body);
-        lua_setfield(L, -2, "body");
-        lua_pushnumber(L, body->speed_m_per_s);
-        lua_setfield(L, -2, "speed");
+        lua_newtable(lua);
+        set_text(lua, "name", name_of(body->kind));
+        push_handle(lua, Handle::Kind::body, body->body);
+        lua_setfield(lua, -2, "body");
+        lua_pushnumber(lua, body->speed_m_per_s);
+        lua_setfield(lua, -2, "speed");
     } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
-        lua_newtable(L);
-        set_text(L, "name", "key");
-        set_text(L, "key", key->key);
+        lua_newtable(lua);
+        set_text(lua, "name", "key");
+        set_text(lua, "key", key->key);
     } else if (const auto* answer = std::get_if<AnsweredEvent>(&event)) {
-        push_answer(L, *answer);
-        set_text(L, "name", "answered");
+        push_answer(lua, *answer);
+        set_text(lua, "name", "answered");
     } else if (const auto* judge = std::get_if<JudgeEvent>(&event)) {
-        lua_newtable(L);
-        set_slots(L, judge->slots);
-        set_text(L, "question", judge->question);
+        lua_newtable(lua);
+        set_slots(lua, judge->slots);
+        set_text(lua, "question", judge->question);
     } else {
-        lua_newtable(L);
-        set_text(L, "name", "ready");
+        lua_newtable(lua);
+        set_text(lua, "name", "ready");
     }
 }
 

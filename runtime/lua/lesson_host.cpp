@@ -10,45 +10,46 @@ constexpr int kLessonSlot = 0;
 constexpr int kHandSlot = 1;
 
 /// Pushes the lesson's function `name` and the lesson itself; false, and nothing pushed, when there is none.
-bool push_callback(lua_State* L, const LessonContext& context, const char* name) {
-    lua_rawgeti(L, LUA_REGISTRYINDEX, context.lesson_ref);
-    lua_pushstring(L, name);
-    const int kind = lua_rawget(L, -2);
+bool push_callback(lua_State* lua, const LessonContext& context, const char* name) {
+    lua_rawgeti(lua, LUA_REGISTRYINDEX, context.lesson_ref);
+    lua_pushstring(lua, name);
+    const int kind = lua_rawget(lua, -2);
     if (kind == LUA_TFUNCTION) {
-        lua_insert(L, -2);
+        lua_insert(lua, -2);
         return true;
     }
-    lua_pop(L, 2);
+    lua_pop(lua, 2);
     if (kind != LUA_TNIL) {
-        raise_in_lesson(L, std::string("L.") + name + " is no function; write function L:" + name +
-                               "(…) … end");
+        raise_in_lesson(lua, std::string("L.") + name +
+                                 " is no function; write function L:" + name + "(…) … end");
     }
     return false;
 }
 
 /// The file must end with `return L`.
-void check_returned_lesson(lua_State* L, const LessonContext& context, const std::string& file) {
+void check_returned_lesson(lua_State* lua, const LessonContext& context, const std::string& file) {
     if (context.lesson_ref == LUA_NOREF) {
         lua_pushfstring(
-            L, "%s:1: this file makes no lesson; begin with local L = lesson { id = …, title = … }",
+            lua,
+            "%s:1: this file makes no lesson; begin with local L = lesson { id = …, title = … }",
             file.c_str());
-        lua_error(L);
+        lua_error(lua);
     }
-    lua_rawgeti(L, LUA_REGISTRYINDEX, context.lesson_ref);
-    if (lua_rawequal(L, -1, -2) == 0) {
-        lua_pushfstring(L,
+    lua_rawgeti(lua, LUA_REGISTRYINDEX, context.lesson_ref);
+    if (lua_rawequal(lua, -1, -2) == 0) {
+        lua_pushfstring(lua,
                         "%s:1: the file must end with return L, the lesson that lesson { … } gave",
                         file.c_str());
-        lua_error(L);
+        lua_error(lua);
     }
-    lua_pop(L, 1);
+    lua_pop(lua, 1);
 }
 
 /// A coordinate of the hand's target.
-double check_target(lua_State* L, int index) {
-    const double value = lua_tonumber(L, index);
-    if (lua_type(L, index) != LUA_TNUMBER || !(std::abs(value) <= kMaxCoordinate_m)) {
-        raise_in_lesson(L,
+double check_target(lua_State* lua, int index) {
+    const double value = lua_tonumber(lua, index);
+    if (lua_type(lua, index) != LUA_TNUMBER || !(std::abs(value) <= kMaxCoordinate_m)) {
+        raise_in_lesson(lua,
                         "a simulated hand gives x, y and z in metres, -10000 to 10000, and buttons "
                         "if it presses any");
     }
@@ -119,15 +120,15 @@ std::optional<ScriptError> LessonHost::load() {
 std::optional<ScriptError> LessonHost::load_lesson() {
     ScriptState& script = *lesson_script_;
     script.begin_budget(message_.load_instructions);
-    return script.protect([&](lua_State* L) {
-        register_api(L);
-        script.load_text(L, message_.lesson);
-        script.call(L, 0, 1);
-        check_returned_lesson(L, lesson_, message_.lesson.name);
+    return script.protect([&](lua_State* lua) {
+        register_api(lua);
+        script.load_text(lua, message_.lesson);
+        script.call(lua, 0, 1);
+        check_returned_lesson(lua, lesson_, message_.lesson.name);
         lesson_.phase = LessonPhase::starting;
-        if (push_callback(L, lesson_, "start")) {
-            push_handle(L, Handle::Kind::world, 0);
-            script.call(L, 2, 0);
+        if (push_callback(lua, lesson_, "start")) {
+            push_handle(lua, Handle::Kind::world, 0);
+            script.call(lua, 2, 0);
         }
         lesson_.description.sounds = find_sounds(message_.lesson.text);
     });
@@ -138,17 +139,17 @@ std::optional<ScriptError> LessonHost::load_hand() {
     hand_.description = lesson_.description;
     hand_.phase = LessonPhase::running;
     script.begin_budget(message_.load_instructions);
-    return script.protect([&](lua_State* L) {
-        register_api(L);
-        script.load_text(L, message_.hand);
-        script.call(L, 0, 1);
-        if (!lua_isfunction(L, -1) && !lua_istable(L, -1)) {
+    return script.protect([&](lua_State* lua) {
+        register_api(lua);
+        script.load_text(lua, message_.hand);
+        script.call(lua, 0, 1);
+        if (!lua_isfunction(lua, -1) && !lua_istable(lua, -1)) {
             lua_pushfstring(
-                L, "%s:1: a simulated hand ends with return function(hand, t, world) … end",
+                lua, "%s:1: a simulated hand ends with return function(hand, t, world) … end",
                 message_.hand.name.c_str());
-            lua_error(L);
+            lua_error(lua);
         }
-        hand_ref_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        hand_ref_ = luaL_ref(lua, LUA_REGISTRYINDEX);
     });
 }
 
@@ -172,7 +173,7 @@ std::optional<ScriptError> LessonHost::run_frame(const LessonFrame& frame, Lesso
     lesson_.frame = frame;
     lesson_.n_prints = 0;
     lesson_script_->begin_budget(message_.frame_instructions);
-    if (auto error = lesson_script_->protect([&](lua_State* L) { run_callbacks(L); })) {
+    if (auto error = lesson_script_->protect([&](lua_State* lua) { run_callbacks(lua); })) {
         return error;
     }
     reply = std::exchange(lesson_.reply, {});  // what start() asked for goes out with the first
@@ -183,7 +184,7 @@ std::optional<ScriptError> LessonHost::run_frame(const LessonFrame& frame, Lesso
     hand_.felt_weight_N = lesson_.felt_weight_N;
     hand_.n_prints = 0;
     hand_script_->begin_budget(message_.frame_instructions);
-    auto error = hand_script_->protect([&](lua_State* L) { run_hand(L, reply); });
+    auto error = hand_script_->protect([&](lua_State* lua) { run_hand(lua, reply); });
     const LessonReply prints = std::exchange(lesson_.reply, {});
     for (const LessonCommand& print : prints.commands) {  // the hand's join the lesson's
         if (reply.commands.size() < kMaxCommands) {
@@ -193,32 +194,32 @@ std::optional<ScriptError> LessonHost::run_frame(const LessonFrame& frame, Lesso
     return error;
 }
 
-void LessonHost::run_callbacks(lua_State* L) {
+void LessonHost::run_callbacks(lua_State* lua) {
     ScriptState& script = *lesson_script_;
     for (const LessonEvent& event : lesson_.frame.events) {
-        deliver(L, event);
+        deliver(lua, event);
     }
-    if (push_callback(L, lesson_, "update")) {
-        push_handle(L, Handle::Kind::world, 0);
-        lua_pushnumber(L, lesson_.frame.dt_s);
-        script.call(L, 3, 0);
+    if (push_callback(lua, lesson_, "update")) {
+        push_handle(lua, Handle::Kind::world, 0);
+        lua_pushnumber(lua, lesson_.frame.dt_s);
+        script.call(lua, 3, 0);
     }
     for (std::size_t i = 0; i < lesson_.listeners.size(); ++i) {
-        lua_rawgeti(L, LUA_REGISTRYINDEX, lesson_.listeners[i]);
-        lua_newtable(L);
-        lua_pushstring(L, "update");
-        lua_setfield(L, -2, "name");
-        lua_pushnumber(L, lesson_.frame.dt_s);
-        lua_setfield(L, -2, "dt");
-        script.call(L, 1, 0);
+        lua_rawgeti(lua, LUA_REGISTRYINDEX, lesson_.listeners[i]);
+        lua_newtable(lua);
+        lua_pushstring(lua, "update");
+        lua_setfield(lua, -2, "name");
+        lua_pushnumber(lua, lesson_.frame.dt_s);
+        lua_setfield(lua, -2, "dt");
+        script.call(lua, 1, 0);
     }
     if (lesson_.force_function_ref != LUA_NOREF) {
         lesson_.reply.commands.emplace_back(
-            LessonForceCommand{linearise_force(L, lesson_, lesson_.force_function_ref)});
+            LessonForceCommand{linearise_force(lua, lesson_, lesson_.force_function_ref)});
     }
 }
 
-void LessonHost::deliver(lua_State* L, const LessonEvent& event) {
+void LessonHost::deliver(lua_State* lua, const LessonEvent& event) {
     ScriptState& script = *lesson_script_;
     if (const auto* ready = std::get_if<ReadyEvent>(&event)) {
         lesson_.felt_weight_N = ready->felt_weight_N;
@@ -228,67 +229,67 @@ void LessonHost::deliver(lua_State* L, const LessonEvent& event) {
     if (const auto* judge = std::get_if<JudgeEvent>(&event)) {
         for (const auto& [question, right_ref] : lesson_.judges) {
             if (question == judge->question) {
-                lua_rawgeti(L, LUA_REGISTRYINDEX, right_ref);
-                push_event(L, lesson_, event);
-                script.call(L, 1, 1);
-                const bool right = lua_toboolean(L, -1) != 0;
-                lua_pop(L, 1);
-                add_command(L, VerdictCommand{question, right});
+                lua_rawgeti(lua, LUA_REGISTRYINDEX, right_ref);
+                push_event(lua, lesson_, event);
+                script.call(lua, 1, 1);
+                const bool right = lua_toboolean(lua, -1) != 0;
+                lua_pop(lua, 1);
+                add_command(lua, VerdictCommand{question, right});
             }
         }
         return;
     }
     // The lesson's own function first, in its own words; then whoever listens.
-    push_event(L, lesson_, event);
-    lua_getfield(L, -1, "name");
-    const std::string name = lua_tostring(L, -1);
-    lua_pop(L, 1);
-    if (push_callback(L, lesson_, name.c_str())) {
+    push_event(lua, lesson_, event);
+    lua_getfield(lua, -1, "name");
+    const std::string name = lua_tostring(lua, -1);
+    lua_pop(lua, 1);
+    if (push_callback(lua, lesson_, name.c_str())) {
         int n_arguments = 2;
         if (name == "key" || name == "answered") {
-            lua_pushvalue(L, -3);
+            lua_pushvalue(lua, -3);
             if (name == "key") {
-                lua_getfield(L, -1, "key");
-                lua_remove(L, -2);
+                lua_getfield(lua, -1, "key");
+                lua_remove(lua, -2);
             }
         } else {
-            lua_getfield(L, -3, "body");
-            lua_getfield(L, -4, "speed");
+            lua_getfield(lua, -3, "body");
+            lua_getfield(lua, -4, "speed");
             ++n_arguments;
         }
-        script.call(L, n_arguments, 0);
+        script.call(lua, n_arguments, 0);
     }
     for (std::size_t i = 0; i < lesson_.listeners.size(); ++i) {
-        lua_rawgeti(L, LUA_REGISTRYINDEX, lesson_.listeners[i]);
-        lua_pushvalue(L, -2);
-        script.call(L, 1, 0);
+        lua_rawgeti(lua, LUA_REGISTRYINDEX, lesson_.listeners[i]);
+        lua_pushvalue(lua, -2);
+        script.call(lua, 1, 0);
     }
-    lua_pop(L, 1);
+    lua_pop(lua, 1);
 }
 
-void LessonHost::run_hand(lua_State* L, LessonReply& reply) {
-    lua_rawgeti(L, LUA_REGISTRYINDEX, hand_ref_);
+void LessonHost::run_hand(lua_State* lua, LessonReply& reply) {
+    lua_rawgeti(lua, LUA_REGISTRYINDEX, hand_ref_);
     int n_arguments = 3;
-    if (lua_istable(L, -1)) {
-        lua_getfield(L, -1, "update");
-        lua_insert(L, -2);
+    if (lua_istable(lua, -1)) {
+        lua_getfield(lua, -1, "update");
+        lua_insert(lua, -2);
         ++n_arguments;
     }
-    push_handle(L, Handle::Kind::tool, 0);
-    lua_pushnumber(L, hand_.frame.time_s);
-    push_handle(L, Handle::Kind::world, 0);
-    hand_script_->call(L, n_arguments, 4);
-    if (lua_isnil(L, -4)) {
+    push_handle(lua, Handle::Kind::tool, 0);
+    lua_pushnumber(lua, hand_.frame.time_s);
+    push_handle(lua, Handle::Kind::world, 0);
+    hand_script_->call(lua, n_arguments, 4);
+    if (lua_isnil(lua, -4)) {
         return;  // no target: the hand stays where it was
     }
     reply.has_hand_target = true;
     reply.hand_target_W = Pose{};
     reply.hand_target_W.position =
-        Vector3(check_target(L, -4), check_target(L, -3), check_target(L, -2));
-    if (lua_type(L, -1) == LUA_TBOOLEAN) {
-        reply.hand_buttons = lua_toboolean(L, -1) != 0 ? 1U : 0U;
-    } else if (!lua_isnil(L, -1)) {
-        const double buttons = check_target(L, -1);
+        Vector3(check_target(lua, -4), check_target(lua, -3), check_target(lua, -2));
+    if (lua_type(lua, -1) == LUA_TBOOLEAN) {
+        reply.hand_buttons = lua_toboolean(lua, -1) != 0 ? 1U : 0U;
+    } else if (!lua_isnil(lua, -1)) {
+        const double buttons = check_target(lua, -1);
         reply.hand_buttons = buttons >= 0.0 ? static_cast<std::uint32_t>(buttons) : 0U;
     }
 }

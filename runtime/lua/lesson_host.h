@@ -50,9 +50,9 @@ class LessonHost {
     void print(LessonContext& context, std::string text);
     [[nodiscard]] std::optional<ScriptError> load_lesson();
     [[nodiscard]] std::optional<ScriptError> load_hand();
-    void deliver(lua_State* L, const LessonEvent& event);
-    void run_callbacks(lua_State* L);
-    void run_hand(lua_State* L, LessonReply& reply);
+    void deliver(lua_State* lua, const LessonEvent& event);
+    void run_callbacks(lua_State* lua);
+    void run_hand(lua_State* lua, LessonReply& reply);
     [[nodiscard]] bool frame_fits(const LessonFrame& frame) const;
 
     LoadMessage message_;
@@ -66,12 +66,12 @@ class LessonHost {
 };
 
 /// Evaluates the function at registry reference `function_ref` and its slopes at the context's tool. Raises what it raises.
-[[nodiscard]] LinearisedForce linearise_force(lua_State* L, LessonContext& context,
+[[nodiscard]] LinearisedForce linearise_force(lua_State* lua, LessonContext& context,
                                               int function_ref);
 /// Pushes the table that tells a lesson of an event: name, and what belongs to it.
-void push_event(lua_State* L, LessonContext& context, const LessonEvent& event);
+void push_event(lua_State* lua, LessonContext& context, const LessonEvent& event);
 /// Pushes `answer`: the slots as fields, and said, question, understood, right, form_right, over, attempt.
-void push_answer(lua_State* L, const AnsweredEvent& answer);
+void push_answer(lua_State* lua, const AnsweredEvent& answer);
 /// The sounds that a lesson's text names as :sound "x" or :sound("x"), each once, in the order they stand there.
 [[nodiscard]] std::vector<std::string> find_sounds(std::string_view text);
 

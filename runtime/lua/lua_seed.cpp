@@ -11,7 +11,7 @@ constexpr std::uint32_t kSeed = 0x46554C43;
 
 // global_State of Lua 5.4 begins: frealloc, ud, totalbytes, GCdebt, GCestimate, lastatomic, strt
 // {pointer, int, int}, two tagged values of 16 bytes, seed.
-constexpr std::size_t kSeedOffset = 6 * sizeof(void*) + 16 + 2 * 16;
+constexpr std::size_t kSeedOffset = 6 * sizeof(void*) + 16 + std::size_t{2} * 16;
 
 }  // namespace
 

@@ -51,6 +51,12 @@ bool class_matches(unsigned char c, char letter) {
     return std::isupper(static_cast<unsigned char>(letter)) != 0 ? !in : in;
 }
 
+/// The escapes that are no single characters.
+bool is_special_escape(char c, char next) {
+    return c == '%' &&
+           (next == 'b' || next == 'f' || std::isdigit(static_cast<unsigned char>(next)) != 0);
+}
+
 }  // namespace
 
 PatternMatcher::PatternMatcher(std::string_view text, std::string_view pattern,
@@ -101,35 +107,37 @@ PatternMatcher::Match PatternMatcher::match(std::size_t s, std::size_t p, int de
         if (c == '$' && p + 1 == pattern_.size()) {
             return s == text_.size() ? Match(s) : std::nullopt;
         }
-        // The three escapes that are no single characters.
-        Match moved;
-        if (c == '%' && next == 'b') {
-            moved = match_balanced(s, p + 2);
-            p += 4;
-        } else if (c == '%' && next == 'f') {
-            const std::size_t set = p + 2;
-            if (set >= pattern_.size() || pattern_[set] != '[') {
-                throw PatternError("missing '[' after '%f' in the pattern");
-            }
-            moved = at_frontier(s, set) ? Match(s) : std::nullopt;
-            p = class_end(set);
-        } else if (c == '%' && std::isdigit(static_cast<unsigned char>(next)) != 0) {
-            moved = match_back_reference(s, next);
-            p += 2;
-        } else {
-            bool finished = false;
-            const Match result = match_quantified(s, p, depth, finished);
-            if (finished) {
-                return result;
-            }
-            continue;
+        bool finished = false;
+        const Match settled = is_special_escape(c, next) ? match_escape(s, p, next, finished)
+                                                         : match_quantified(s, p, depth, finished);
+        if (finished) {
+            return settled;
         }
-        if (!moved) {
-            return std::nullopt;
-        }
-        s = *moved;
     }
     return s;
+}
+
+/// %b, %f and %1 to %9. Either the match has failed, or s and p have moved on.
+PatternMatcher::Match PatternMatcher::match_escape(std::size_t& s, std::size_t& p, char letter,
+                                                   bool& finished) {
+    Match moved;
+    if (letter == 'b') {
+        moved = match_balanced(s, p + 2);
+        p += 4;
+    } else if (letter == 'f') {
+        const std::size_t set = p + 2;
+        if (set >= pattern_.size() || pattern_[set] != '[') {
+            throw PatternError("missing '[' after '%f' in the pattern");
+        }
+        moved = at_frontier(s, set) ? Match(s) : std::nullopt;
+        p = class_end(set);
+    } else {
+        moved = match_back_reference(s, letter);
+        p += 2;
+    }
+    finished = !moved;
+    s = moved.value_or(s);
+    return std::nullopt;
 }
 
 /// One character or class and what follows it. Either the match is settled, or s and p have moved

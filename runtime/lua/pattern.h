@@ -53,6 +53,7 @@ class PatternMatcher {
 
     Match match(std::size_t s, std::size_t p, int depth);
     Match match_quantified(std::size_t& s, std::size_t& p, int depth, bool& finished);
+    Match match_escape(std::size_t& s, std::size_t& p, char letter, bool& finished);
     Match match_most(std::size_t s, std::size_t p, std::size_t after, int depth);
     Match match_least(std::size_t s, std::size_t p, std::size_t after, int depth);
     Match open_capture(std::size_t s, std::size_t p, Filling filling, int depth);

@@ -35,84 +35,86 @@ std::string called_as(const Binding& binding) {
                          : std::string(owner == "lesson" ? "L" : owner) + ':' + binding.name;
 }
 
-void check_receiver(lua_State* L, const Binding& binding) {
+void check_receiver(lua_State* lua, const Binding& binding) {
     const std::string_view owner = binding.owner;
     if (owner == "lesson") {
-        const LessonContext& context = context_of(L);
-        lua_rawgeti(L, LUA_REGISTRYINDEX, context.lesson_ref);
-        const bool same = lua_rawequal(L, 1, -1) != 0;
-        lua_pop(L, 1);
+        const LessonContext& context = context_of(lua);
+        lua_rawgeti(lua, LUA_REGISTRYINDEX, context.lesson_ref);
+        const bool same = lua_rawequal(lua, 1, -1) != 0;
+        lua_pop(lua, 1);
         if (!same) {
-            raise_in_lesson(L, "write " + called_as(binding) +
-                                   " with a colon, after the lesson's own variable");
+            raise_in_lesson(lua, "write " + called_as(binding) +
+                                     " with a colon, after the lesson's own variable");
         }
         return;
     }
     for (const auto kind :
          {Handle::Kind::world, Handle::Kind::tool, Handle::Kind::body, Handle::Kind::force}) {
         if (owner == owner_name(kind)) {
-            static_cast<void>(check_handle(L, 1, kind, called_as(binding).c_str()));
+            static_cast<void>(check_handle(lua, 1, kind, called_as(binding).c_str()));
         }
     }
 }
 
-void check_time(lua_State* L, const Binding& binding) {
-    const LessonContext& context = context_of(L);
+void check_time(lua_State* lua, const Binding& binding) {
+    const LessonContext& context = context_of(lua);
     const std::string called = called_as(binding);
     if (context.is_hand && binding.time != CallTime::looking) {
-        raise_in_lesson(L, called + " belongs in a lesson; a simulated hand only looks and moves");
+        raise_in_lesson(lua,
+                        called + " belongs in a lesson; a simulated hand only looks and moves");
     }
     if (binding.time == CallTime::loading && context.phase != LessonPhase::loading) {
         raise_in_lesson(
-            L, called + " stands outside all functions, so that it runs when the lesson is loaded");
+            lua,
+            called + " stands outside all functions, so that it runs when the lesson is loaded");
     }
     if (binding.time == CallTime::declaring && context.phase != LessonPhase::starting) {
-        raise_in_lesson(L, called + " declares something; that is only possible in L:start");
+        raise_in_lesson(lua, called + " declares something; that is only possible in L:start");
     }
     if (binding.time == CallTime::acting && context.phase == LessonPhase::loading) {
-        raise_in_lesson(L, called + " needs the world; call it in L:start or later");
+        raise_in_lesson(lua, called + " needs the world; call it in L:start or later");
     }
 }
 
-int call_binding(lua_State* L);
+int call_binding(lua_State* lua);
 
 /// L:question "name" gives a function that waits for the record. Upvalues: binding, the lesson, the name.
-int call_with_record(lua_State* L) {
-    lua_settop(L, 1);
-    lua_pushvalue(L, lua_upvalueindex(1));
-    lua_pushcclosure(L, &call_binding, 1);
-    lua_pushvalue(L, lua_upvalueindex(2));
-    lua_pushvalue(L, lua_upvalueindex(3));
-    lua_pushvalue(L, 1);
-    lua_call(L, 3, LUA_MULTRET);
-    return lua_gettop(L) - 1;
+int call_with_record(lua_State* lua) {
+    lua_settop(lua, 1);
+    lua_pushvalue(lua, lua_upvalueindex(1));
+    lua_pushcclosure(lua, &call_binding, 1);
+    lua_pushvalue(lua, lua_upvalueindex(2));
+    lua_pushvalue(lua, lua_upvalueindex(3));
+    lua_pushvalue(lua, 1);
+    lua_call(lua, 3, LUA_MULTRET);
+    return lua_gettop(lua) - 1;
 }
 
 /// What a binding throws that is not Lua's own error must not cross Lua.
-int call_checked(lua_State* L, const Binding& binding) {
+int call_checked(lua_State* lua, const Binding& binding) {
     std::string problem;
     try {
-        const Arguments arguments = check_arguments(L, *binding.owner == '\0' ? 1 : 2, binding);
-        return binding.call(L, context_of(L), arguments);
+        const Arguments arguments = check_arguments(lua, *binding.owner == '\0' ? 1 : 2, binding);
+        return binding.call(lua, context_of(lua), arguments);
     } catch (const std::exception& error) {
         problem = error.what();
     }
-    raise_in_lesson(L, called_as(binding) + " failed: " + problem);
+    raise_in_lesson(lua, called_as(binding) + " failed: " + problem);
 }
 
-int call_binding(lua_State* L) {
-    const auto& binding = *static_cast<const Binding*>(lua_touserdata(L, lua_upvalueindex(1)));
-    ScriptState::of(L).charge(L, kCallWork);
-    check_receiver(L, binding);
-    check_time(L, binding);
-    if (binding.shape == CallShape::named_record && lua_gettop(L) == 2) {
-        lua_pushvalue(L, lua_upvalueindex(1));
-        lua_pushvalue(L, 1);
-        lua_pushvalue(L, 2);
-        lua_pushcclosure(L, &call_with_record, 3);
+int call_binding(lua_State* lua) {
+    const auto& binding = *static_cast<const Binding*>(lua_touserdata(lua, lua_upvalueindex(1)));
+    ScriptState::of(lua).charge(lua, kCallWork);
+    check_receiver(lua, binding);
+    check_time(lua, binding);
+    if (binding.shape == CallShape::named_record && lua_gettop(lua) == 2) {
+        lua_pushvalue(lua, lua_upvalueindex(1));
+        lua_pushvalue(lua, 1);
+        lua_pushvalue(lua, 2);
+        lua_pushcclosure(lua, &call_with_record, 3);
         return 1;
     }
-    return call_checked(L, binding);
+    return call_checked(lua, binding);
 }
 
 // ---- objects ------------------------------------------------------------------------------------------------------
@@ -133,87 +135,87 @@ std::vector<std::string> names_of(std::string_view owner) {
 }
 
 /// object.name: upvalue 1 holds the methods, upvalue 2 the properties.
-int index_handle(lua_State* L) {
-    const Handle* handle = to_handle(L, 1);
-    lua_pushvalue(L, 2);
-    if (handle != nullptr && lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) {
+int index_handle(lua_State* lua) {
+    const Handle* handle = to_handle(lua, 1);
+    lua_pushvalue(lua, 2);
+    if (handle != nullptr && lua_rawget(lua, lua_upvalueindex(1)) != LUA_TNIL) {
         return 1;
     }
-    lua_pushvalue(L, 2);
-    if (handle != nullptr && lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL) {
-        const auto& property = *static_cast<const Property*>(lua_touserdata(L, -1));
-        static_cast<void>(check_handle(L, 1, handle->kind, property.name));
-        ScriptState::of(L).charge(L, kCallWork / 3);
-        return property.get(L, context_of(L), handle->index);
+    lua_pushvalue(lua, 2);
+    if (handle != nullptr && lua_rawget(lua, lua_upvalueindex(2)) != LUA_TNIL) {
+        const auto& property = *static_cast<const Property*>(lua_touserdata(lua, -1));
+        static_cast<void>(check_handle(lua, 1, handle->kind, property.name));
+        ScriptState::of(lua).charge(lua, kCallWork / 3);
+        return property.get(lua, context_of(lua), handle->index);
     }
     const std::string owner = handle != nullptr ? owner_name(handle->kind) : "this";
     const std::string name =
-        lua_type(L, 2) == LUA_TSTRING ? clean_text(lua_tostring(L, 2), 40) : text_of(L, 2);
+        lua_type(lua, 2) == LUA_TSTRING ? clean_text(lua_tostring(lua, 2), 40) : text_of(lua, 2);
     const std::string near = nearest_word(name, names_of(owner));
-    raise_in_lesson(L, owner + " has no \"" + name + '"' +
-                           (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+    raise_in_lesson(lua, owner + " has no \"" + name + '"' +
+                             (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
 }
 
-int refuse_assignment(lua_State* L) {
-    const Handle* handle = to_handle(L, 1);
+int refuse_assignment(lua_State* lua) {
+    const Handle* handle = to_handle(lua, 1);
     const std::string owner = handle != nullptr ? owner_name(handle->kind) : "this";
     const std::string name =
-        lua_type(L, 2) == LUA_TSTRING ? clean_text(lua_tostring(L, 2), 40) : "a field";
-    raise_in_lesson(L, owner + '.' + name + " can't be set" +
-                           (owner == "body" ? "; use body:place{…} or body:drop{…}"
-                                            : "; it shows how things stand"));
+        lua_type(lua, 2) == LUA_TSTRING ? clean_text(lua_tostring(lua, 2), 40) : "a field";
+    raise_in_lesson(lua, owner + '.' + name + " can't be set" +
+                             (owner == "body" ? "; use body:place{…} or body:drop{…}"
+                                              : "; it shows how things stand"));
 }
 
-int handle_to_text(lua_State* L) {
-    const Handle* handle = to_handle(L, 1);
-    const LessonContext& context = context_of(L);
+int handle_to_text(lua_State* lua) {
+    const Handle* handle = to_handle(lua, 1);
+    const LessonContext& context = context_of(lua);
     std::string text = handle != nullptr ? owner_name(handle->kind) : "object";
     if (handle != nullptr && handle->generation == context.generation &&
         handle->kind == Handle::Kind::body &&
         static_cast<std::size_t>(handle->index) < context.description.bodies.size()) {
         text = context.description.bodies[static_cast<std::size_t>(handle->index)].name;
     }
-    lua_pushlstring(L, text.data(), text.size());
+    lua_pushlstring(lua, text.data(), text.size());
     return 1;
 }
 
 /// A table: name -> closure, of all functions of `owner`.
-void push_methods(lua_State* L, std::string_view owner) {
-    lua_newtable(L);
+void push_methods(lua_State* lua, std::string_view owner) {
+    lua_newtable(lua);
     for (const Binding& binding : api_table().functions) {
         if (owner == binding.owner) {
-            lua_pushlightuserdata(L, const_cast<Binding*>(&binding));
-            lua_pushcclosure(L, &call_binding, 1);
-            lua_setfield(L, -2, binding.name);
+            lua_pushlightuserdata(lua, const_cast<Binding*>(&binding));
+            lua_pushcclosure(lua, &call_binding, 1);
+            lua_setfield(lua, -2, binding.name);
         }
     }
 }
 
-void make_handle_metatable(lua_State* L, const char* owner) {
-    luaL_newmetatable(L, metatable_name(owner).c_str());
-    push_methods(L, owner);
-    lua_newtable(L);
+void make_handle_metatable(lua_State* lua, const char* owner) {
+    luaL_newmetatable(lua, metatable_name(owner).c_str());
+    push_methods(lua, owner);
+    lua_newtable(lua);
     for (const Property& property : api_table().properties) {
         if (std::string_view(owner) == property.owner) {
-            lua_pushlightuserdata(L, const_cast<Property*>(&property));
-            lua_setfield(L, -2, property.name);
+            lua_pushlightuserdata(lua, const_cast<Property*>(&property));
+            lua_setfield(lua, -2, property.name);
         }
     }
-    lua_pushcclosure(L, &index_handle, 2);
-    lua_setfield(L, -2, "__index");
-    lua_pushcfunction(L, &refuse_assignment);
-    lua_setfield(L, -2, "__newindex");
-    lua_pushcfunction(L, &handle_to_text);
-    lua_setfield(L, -2, "__tostring");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
-    lua_pop(L, 1);
+    lua_pushcclosure(lua, &index_handle, 2);
+    lua_setfield(lua, -2, "__index");
+    lua_pushcfunction(lua, &refuse_assignment);
+    lua_setfield(lua, -2, "__newindex");
+    lua_pushcfunction(lua, &handle_to_text);
+    lua_setfield(lua, -2, "__tostring");
+    lua_pushboolean(lua, 0);
+    lua_setfield(lua, -2, "__metatable");
+    lua_pop(lua, 1);
 }
 
 /// L.name = value: a function whose name is nearly a callback's is a slip of the pen.
-int assign_to_lesson(lua_State* L) {
-    if (lua_isfunction(L, 3) && lua_type(L, 2) == LUA_TSTRING) {
-        const std::string name = lua_tostring(L, 2);
+int assign_to_lesson(lua_State* lua) {
+    if (lua_isfunction(lua, 3) && lua_type(lua, 2) == LUA_TSTRING) {
+        const std::string name = lua_tostring(lua, 2);
         std::vector<std::string> known;
         for (const Callback& callback : api_table().callbacks) {
             known.emplace_back(callback.name);
@@ -221,101 +223,103 @@ int assign_to_lesson(lua_State* L) {
         const std::string near = nearest_word(name, known, 1);
         if (name.size() > 4 && !near.empty() && near != name) {
             raise_in_lesson(
-                L, "nothing calls L:" + clean_text(name, 40) + "; did you mean L:" + near + "?");
+                lua, "nothing calls L:" + clean_text(name, 40) + "; did you mean L:" + near + "?");
         }
     }
-    lua_rawset(L, 1);
+    lua_rawset(lua, 1);
     return 0;
 }
 
 }  // namespace
 
-LessonContext& context_of(lua_State* L) noexcept {
-    return *static_cast<LessonContext*>(ScriptState::of(L).context);
+LessonContext& context_of(lua_State* lua) noexcept {
+    return *static_cast<LessonContext*>(ScriptState::of(lua).context);
 }
 
-void add_command(lua_State* L, LessonCommand command) {
-    LessonContext& context = context_of(L);
+void add_command(lua_State* lua, LessonCommand command) {
+    LessonContext& context = context_of(lua);
     if (context.reply.commands.size() + 2 >=
         kMaxCommands) {  // the force's and a last print's place are kept
-        raise_in_lesson(L, "more than " + std::to_string(kMaxCommands) + " commands in one frame");
+        raise_in_lesson(lua,
+                        "more than " + std::to_string(kMaxCommands) + " commands in one frame");
     }
     context.reply.commands.push_back(std::move(command));
 }
 
-void push_handle(lua_State* L, Handle::Kind kind, std::int32_t index) {
-    lua_getfield(L, LUA_REGISTRYINDEX, kHandles);
+void push_handle(lua_State* lua, Handle::Kind kind, std::int32_t index) {
+    lua_getfield(lua, LUA_REGISTRYINDEX, kHandles);
     const lua_Integer key = static_cast<lua_Integer>(kind) * kHandlesAKind + index;
-    if (lua_rawgeti(L, -1, key) == LUA_TNIL) {
-        lua_pop(L, 1);
-        new (lua_newuserdatauv(L, sizeof(Handle), 0)) Handle{kind, index, context_of(L).generation};
-        luaL_setmetatable(L, metatable_name(owner_name(kind)).c_str());
-        lua_pushvalue(L, -1);
-        lua_rawseti(L, -3, key);
+    if (lua_rawgeti(lua, -1, key) == LUA_TNIL) {
+        lua_pop(lua, 1);
+        new (lua_newuserdatauv(lua, sizeof(Handle), 0))
+            Handle{kind, index, context_of(lua).generation};
+        luaL_setmetatable(lua, metatable_name(owner_name(kind)).c_str());
+        lua_pushvalue(lua, -1);
+        lua_rawseti(lua, -3, key);
     }
-    lua_remove(L, -2);
+    lua_remove(lua, -2);
 }
 
-const Handle* to_handle(lua_State* L, int index) {
-    return lua_type(L, index) == LUA_TUSERDATA
-               ? static_cast<const Handle*>(lua_touserdata(L, index))
+const Handle* to_handle(lua_State* lua, int index) {
+    return lua_type(lua, index) == LUA_TUSERDATA
+               ? static_cast<const Handle*>(lua_touserdata(lua, index))
                : nullptr;
 }
 
-Handle check_handle(lua_State* L, int index, Handle::Kind kind, const char* called) {
-    const Handle* handle = to_handle(L, index);
+Handle check_handle(lua_State* lua, int index, Handle::Kind kind, const char* called) {
+    const Handle* handle = to_handle(lua, index);
     if (handle == nullptr || handle->kind != kind) {
         raise_in_lesson(
-            L, std::string("write ") + called + " with a colon, after a " + owner_name(kind));
+            lua, std::string("write ") + called + " with a colon, after a " + owner_name(kind));
     }
-    const LessonContext& context = context_of(L);
+    const LessonContext& context = context_of(lua);
     const std::size_t n_bodies = context.description.bodies.size();
     const std::size_t n_forces = context.description.forces.size();
     const std::size_t n = kind == Handle::Kind::body    ? n_bodies
                           : kind == Handle::Kind::force ? n_forces
                                                         : 1;
     if (handle->generation != context.generation || static_cast<std::size_t>(handle->index) >= n) {
-        raise_in_lesson(L, std::string(called) + ": this " + owner_name(kind) +
-                               " belongs to a scene that is gone");
+        raise_in_lesson(lua, std::string(called) + ": this " + owner_name(kind) +
+                                 " belongs to a scene that is gone");
     }
     return *handle;
 }
 
-void push_vector(lua_State* L, const Vector3& v) {
+void push_vector(lua_State* lua, const Vector3& v) {
     constexpr const char* kAxes[] = {"x", "y", "z"};
-    lua_createtable(L, 3, 3);
+    lua_createtable(lua, 3, 3);
     for (int i = 0; i < 3; ++i) {
-        lua_pushnumber(L, v[i]);
-        lua_rawseti(L, -2, i + 1);
-        lua_pushnumber(L, v[i]);
-        lua_setfield(L, -2, kAxes[i]);
+        lua_pushnumber(lua, v[i]);
+        lua_rawseti(lua, -2, i + 1);
+        lua_pushnumber(lua, v[i]);
+        lua_setfield(lua, -2, kAxes[i]);
     }
 }
 
-void register_api(lua_State* L) {
-    lua_newtable(L);
-    lua_setfield(L, LUA_REGISTRYINDEX, kHandles);
+void register_api(lua_State* lua) {
+    lua_newtable(lua);
+    lua_setfield(lua, LUA_REGISTRYINDEX, kHandles);
     for (const auto kind :
          {Handle::Kind::world, Handle::Kind::tool, Handle::Kind::body, Handle::Kind::force}) {
-        make_handle_metatable(L, owner_name(kind));
+        make_handle_metatable(lua, owner_name(kind));
     }
-    luaL_newmetatable(L, kLessonMetatable);
-    push_methods(L, "lesson");
-    lua_setfield(L, -2, "__index");
-    lua_pushcfunction(L, &assign_to_lesson);
-    lua_setfield(L, -2, "__newindex");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
-    lua_pop(L, 1);
+    luaL_newmetatable(lua, kLessonMetatable);
+    push_methods(lua, "lesson");
+    lua_setfield(lua, -2, "__index");
+    lua_pushcfunction(lua, &assign_to_lesson);
+    lua_setfield(lua, -2, "__newindex");
+    lua_pushboolean(lua, 0);
+    lua_setfield(lua, -2, "__metatable");
+    lua_pop(lua, 1);
     // Functions without an owner are globals.
-    push_methods(L, "");
-    lua_pushglobaltable(L);
-    for (lua_pushnil(L); lua_next(L, -3) != 0; lua_pop(L, 1)) {
-        lua_pushvalue(L, -2);
-        lua_pushvalue(L, -2);
-        lua_settable(L, -5);
+    push_methods(lua, "");
+    lua_pushglobaltable(lua);
+    for (lua_pushnil(lua); lua_next(lua, -3) != 0; lua_pop(lua, 1)) {
+        lua_pushvalue(lua, -2);
+        lua_pushvalue(lua, -2);
+        lua_settable(lua, -5);
     }
-    lua_pop(L, 2);
+    lua_pop(lua, 2);
 }
 
 }  // namespace fulcrum::runtime

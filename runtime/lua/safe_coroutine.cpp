@@ -7,76 +7,76 @@
 namespace fulcrum::runtime {
 namespace {
 
-lua_State* check_coroutine(lua_State* L) {
-    lua_State* co = lua_tothread(L, 1);
-    luaL_argexpected(L, co != nullptr, 1, "coroutine");
+lua_State* check_coroutine(lua_State* lua) {
+    lua_State* co = lua_tothread(lua, 1);
+    luaL_argexpected(lua, co != nullptr, 1, "coroutine");
     return co;
 }
 
-/// Runs `co` with the arguments on top of L; the results, or the error, are moved to L. Returns
+/// Runs `co` with the arguments on top of `lua`; the results, or the error, are moved to `lua`. Returns
 /// their number, -1 for an error.
-int resume_with(lua_State* L, lua_State* co, int n_arguments) {
-    ScriptState& state = ScriptState::of(L);
-    state.charge(L, 20);
+int resume_with(lua_State* lua, lua_State* co, int n_arguments) {
+    ScriptState& state = ScriptState::of(lua);
+    state.charge(lua, 20);
     if (lua_checkstack(co, n_arguments) == 0) {
-        lua_pushliteral(L, "too many arguments to resume");
+        lua_pushliteral(lua, "too many arguments to resume");
         return -1;
     }
-    lua_xmove(L, co, n_arguments);
+    lua_xmove(lua, co, n_arguments);
     int n_results = 0;
     state.running = co;
-    const int status = lua_resume(co, L, n_arguments, &n_results);
-    state.running = L;
-    state.check_spent(L);
+    const int status = lua_resume(co, lua, n_arguments, &n_results);
+    state.running = lua;
+    state.check_spent(lua);
     if (status != LUA_OK && status != LUA_YIELD) {
-        lua_xmove(co, L, 1);
+        lua_xmove(co, lua, 1);
         return -1;
     }
-    if (lua_checkstack(L, n_results + 1) == 0) {
+    if (lua_checkstack(lua, n_results + 1) == 0) {
         lua_pop(co, n_results);
-        lua_pushliteral(L, "too many results to resume");
+        lua_pushliteral(lua, "too many results to resume");
         return -1;
     }
-    lua_xmove(co, L, n_results);
+    lua_xmove(co, lua, n_results);
     return n_results;
 }
 
-int coroutine_create(lua_State* L) {
-    luaL_checktype(L, 1, LUA_TFUNCTION);
-    ScriptState::of(L).charge(L, 50);
-    lua_State* co = lua_newthread(L);
-    lua_pushvalue(L, 1);
-    lua_xmove(L, co, 1);
+int coroutine_create(lua_State* lua) {
+    luaL_checktype(lua, 1, LUA_TFUNCTION);
+    ScriptState::of(lua).charge(lua, 50);
+    lua_State* co = lua_newthread(lua);
+    lua_pushvalue(lua, 1);
+    lua_xmove(lua, co, 1);
     return 1;
 }
 
-int coroutine_resume(lua_State* L) {
-    lua_State* co = check_coroutine(L);
-    const int n = resume_with(L, co, lua_gettop(L) - 1);
-    lua_pushboolean(L, n >= 0 ? 1 : 0);
+int coroutine_resume(lua_State* lua) {
+    lua_State* co = check_coroutine(lua);
+    const int n = resume_with(lua, co, lua_gettop(lua) - 1);
+    lua_pushboolean(lua, n >= 0 ? 1 : 0);
     const int n_values = n >= 0 ? n : 1;
-    lua_insert(L, -(n_values + 1));
+    lua_insert(lua, -(n_values + 1));
     return n_values + 1;
 }
 
-int call_wrapped(lua_State* L) {
-    lua_State* co = lua_tothread(L, lua_upvalueindex(1));
-    const int n = resume_with(L, co, lua_gettop(L));
-    return n >= 0 ? n : lua_error(L);
+int call_wrapped(lua_State* lua) {
+    lua_State* co = lua_tothread(lua, lua_upvalueindex(1));
+    const int n = resume_with(lua, co, lua_gettop(lua));
+    return n >= 0 ? n : lua_error(lua);
 }
 
-int coroutine_wrap(lua_State* L) {
-    coroutine_create(L);
-    lua_pushcclosure(L, &call_wrapped, 1);
+int coroutine_wrap(lua_State* lua) {
+    coroutine_create(lua);
+    lua_pushcclosure(lua, &call_wrapped, 1);
     return 1;
 }
 
-int coroutine_yield(lua_State* L) {
-    return lua_yield(L, lua_gettop(L));
+int coroutine_yield(lua_State* lua) {
+    return lua_yield(lua, lua_gettop(lua));
 }
 
-const char* status_of(lua_State* L, lua_State* co) {
-    if (L == co) {
+const char* status_of(lua_State* lua, lua_State* co) {
+    if (lua == co) {
         return "running";
     }
     if (lua_status(co) == LUA_YIELD) {
@@ -92,50 +92,50 @@ const char* status_of(lua_State* L, lua_State* co) {
     return lua_gettop(co) == 0 ? "dead" : "suspended";
 }
 
-int coroutine_status(lua_State* L) {
-    lua_pushstring(L, status_of(L, check_coroutine(L)));
+int coroutine_status(lua_State* lua) {
+    lua_pushstring(lua, status_of(lua, check_coroutine(lua)));
     return 1;
 }
 
-int coroutine_isyieldable(lua_State* L) {
-    lua_pushboolean(L, lua_isyieldable(L));
+int coroutine_isyieldable(lua_State* lua) {
+    lua_pushboolean(lua, lua_isyieldable(lua));
     return 1;
 }
 
-int coroutine_running(lua_State* L) {
-    const int is_main = lua_pushthread(L);
-    lua_pushboolean(L, is_main);
+int coroutine_running(lua_State* lua) {
+    const int is_main = lua_pushthread(lua);
+    lua_pushboolean(lua, is_main);
     return 2;
 }
 
-int coroutine_close(lua_State* L) {
-    lua_State* co = check_coroutine(L);
-    const std::string_view status = status_of(L, co);
+int coroutine_close(lua_State* lua) {
+    lua_State* co = check_coroutine(lua);
+    const std::string_view status = status_of(lua, co);
     if (status != "dead" && status != "suspended") {
-        return luaL_error(L, "a %s coroutine can't be closed", status.data());
+        return luaL_error(lua, "a %s coroutine can't be closed", status.data());
     }
-    ScriptState& state = ScriptState::of(L);
-    state.charge(L, 50);
+    ScriptState& state = ScriptState::of(lua);
+    state.charge(lua, 50);
     if (state.close_depth >= kMaxCloseDepth) {
-        return luaL_error(L, "coroutine.close is nested too deeply");
+        return luaL_error(lua, "coroutine.close is nested too deeply");
     }
     ++state.close_depth;
     state.running = co;
     const int result = lua_resetthread(co);
-    state.running = L;
+    state.running = lua;
     --state.close_depth;
-    state.check_spent(L);
-    lua_pushboolean(L, result == LUA_OK ? 1 : 0);
+    state.check_spent(lua);
+    lua_pushboolean(lua, result == LUA_OK ? 1 : 0);
     if (result == LUA_OK) {
         return 1;
     }
-    lua_xmove(co, L, 1);
+    lua_xmove(co, lua, 1);
     return 2;
 }
 
 }  // namespace
 
-void open_safe_coroutine(lua_State* L) {
+void open_safe_coroutine(lua_State* lua) {
     constexpr luaL_Reg kFunctions[] = {{"create", coroutine_create},
                                        {"resume", coroutine_resume},
                                        {"wrap", coroutine_wrap},
@@ -145,8 +145,8 @@ void open_safe_coroutine(lua_State* L) {
                                        {"running", coroutine_running},
                                        {"close", coroutine_close},
                                        {nullptr, nullptr}};
-    luaL_newlib(L, kFunctions);
-    lua_setglobal(L, "coroutine");
+    luaL_newlib(lua, kFunctions);
+    lua_setglobal(lua, "coroutine");
 }
 
 }  // namespace fulcrum::runtime

@@ -16,21 +16,21 @@ inline constexpr std::size_t kMaxStringBytes =
 inline constexpr int kMaxCloseDepth = 16;  ///< coroutine.close inside coroutine.close
 inline constexpr int kMaxModules = 32;     ///< files that one script may require
 
-/// Puts the allowed globals into the state of `L`; called once, protected.
-void open_safe_library(lua_State* L);
+/// Puts the allowed globals into the state of `lua`; called once, protected.
+void open_safe_library(lua_State* lua);
 
 // Its parts, each leaving the global table as it should be.
-void open_safe_base(lua_State* L);
-void open_safe_string(lua_State* L);
-void open_safe_table(lua_State* L);
-void open_safe_coroutine(lua_State* L);
-void open_safe_math(lua_State* L);
+void open_safe_base(lua_State* lua);
+void open_safe_string(lua_State* lua);
+void open_safe_table(lua_State* lua);
+void open_safe_coroutine(lua_State* lua);
+void open_safe_math(lua_State* lua);
 
 /// What tostring() gives, without addresses (they differ from run to run). Honours __tostring and
 /// __name.
-[[nodiscard]] std::string text_of(lua_State* L, int index);
+[[nodiscard]] std::string text_of(lua_State* lua, int index);
 /// Puts `names` of the table below the top of the stack into a new table, each charging for the
 /// length of its texts.
-void keep_charged(lua_State* L, const char* const* names);
+void keep_charged(lua_State* lua, const char* const* names);
 
 }  // namespace fulcrum::runtime

@@ -34,17 +34,17 @@ std::uint64_t next_random(std::array<std::uint64_t, 4>& s) {
 }
 
 /// math.random(): [0, 1); math.random(n): 1 to n; math.random(low, high).
-int safe_random(lua_State* L) {
-    std::uint64_t word = next_random(ScriptState::of(L).random);
-    const int n_arguments = lua_gettop(L);
+int safe_random(lua_State* lua) {
+    std::uint64_t word = next_random(ScriptState::of(lua).random);
+    const int n_arguments = lua_gettop(lua);
     if (n_arguments == 0) {
         constexpr double kUnit = 1.0 / 9007199254740992.0;  // 2^-53
-        lua_pushnumber(L, static_cast<double>(word >> 11U) * kUnit);
+        lua_pushnumber(lua, static_cast<double>(word >> 11U) * kUnit);
         return 1;
     }
-    const lua_Integer low = n_arguments == 1 ? 1 : luaL_checkinteger(L, 1);
-    const lua_Integer high = luaL_checkinteger(L, n_arguments == 1 ? 1 : 2);
-    luaL_argcheck(L, low <= high, n_arguments == 1 ? 1 : 2, "the interval is empty");
+    const lua_Integer low = n_arguments == 1 ? 1 : luaL_checkinteger(lua, 1);
+    const lua_Integer high = luaL_checkinteger(lua, n_arguments == 1 ? 1 : 2);
+    luaL_argcheck(lua, low <= high, n_arguments == 1 ? 1 : 2, "the interval is empty");
     // Numbers beyond the last whole multiple of the range are thrown away: every result is equally
     // likely.
     const std::uint64_t range = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
@@ -52,40 +52,40 @@ int safe_random(lua_State* L) {
         const std::uint64_t n = range + 1;
         const std::uint64_t remainder = (UINT64_MAX % n + 1) % n;
         while (remainder != 0 && word > UINT64_MAX - remainder) {
-            word = next_random(ScriptState::of(L).random);
+            word = next_random(ScriptState::of(lua).random);
         }
         word %= n;
     }
-    lua_pushinteger(L, static_cast<lua_Integer>(static_cast<std::uint64_t>(low) + word));
+    lua_pushinteger(lua, std::bit_cast<lua_Integer>(static_cast<std::uint64_t>(low) + word));
     return 1;
 }
 
 /// math.randomseed(n): another sequence, the same in every run; without a number the lesson's own.
-int safe_randomseed(lua_State* L) {
-    ScriptState& state = ScriptState::of(L);
+int safe_randomseed(lua_State* lua) {
+    ScriptState& state = ScriptState::of(lua);
     seed_random(state,
                 state.settings().seed + static_cast<std::uint64_t>(std::bit_cast<std::uint64_t>(
-                                            static_cast<double>(luaL_optnumber(L, 1, 0.0)))));
+                                            static_cast<double>(luaL_optnumber(lua, 1, 0.0)))));
     return 0;
 }
 
 }  // namespace
 
-void open_safe_math(lua_State* L) {
-    luaL_requiref(L, LUA_MATHLIBNAME, luaopen_math, 0);
+void open_safe_math(lua_State* lua) {
+    luaL_requiref(lua, LUA_MATHLIBNAME, luaopen_math, 0);
     constexpr luaL_Reg kOurs[] = {
         {"random", safe_random}, {"randomseed", safe_randomseed}, {nullptr, nullptr}};
-    luaL_setfuncs(L, kOurs, 0);
-    lua_setglobal(L, LUA_MATHLIBNAME);
-    seed_random(ScriptState::of(L), ScriptState::of(L).settings().seed);
+    luaL_setfuncs(lua, kOurs, 0);
+    lua_setglobal(lua, LUA_MATHLIBNAME);
+    seed_random(ScriptState::of(lua), ScriptState::of(lua).settings().seed);
 
-    luaL_requiref(L, LUA_UTF8LIBNAME, luaopen_utf8, 0);
+    luaL_requiref(lua, LUA_UTF8LIBNAME, luaopen_utf8, 0);
     static constexpr const char* kKept[] = {"char", "codepoint", "len", "offset", "codes", nullptr};
-    keep_charged(L, kKept);
-    lua_getfield(L, -2, "charpattern");
-    lua_setfield(L, -2, "charpattern");
-    lua_setglobal(L, LUA_UTF8LIBNAME);
-    lua_pop(L, 1);
+    keep_charged(lua, kKept);
+    lua_getfield(lua, -2, "charpattern");
+    lua_setfield(lua, -2, "charpattern");
+    lua_setglobal(lua, LUA_UTF8LIBNAME);
+    lua_pop(lua, 1);
 }
 
 }  // namespace fulcrum::runtime

@@ -75,7 +75,7 @@ ScriptState::ScriptState(ScriptSettings settings)
     }
     *static_cast<ScriptState**>(lua_getextraspace(lua_)) = this;
     running = lua_;
-    if (protect([](lua_State* L) { open_safe_library(L); })) {
+    if (protect([](lua_State* lua) { open_safe_library(lua); })) {
         lua_close(lua_);
         throw std::bad_alloc();
     }
@@ -86,8 +86,8 @@ ScriptState::~ScriptState() {
     lua_close(lua_);
 }
 
-ScriptState& ScriptState::of(lua_State* L) noexcept {
-    return **static_cast<ScriptState**>(lua_getextraspace(L));
+ScriptState& ScriptState::of(lua_State* lua) noexcept {
+    return **static_cast<ScriptState**>(lua_getextraspace(lua));
 }
 
 void* ScriptState::allocate(void* self, void* block, std::size_t old_bytes,
@@ -151,41 +151,42 @@ void ScriptState::begin_budget(std::uint64_t instructions) noexcept {
     limit_ = instructions;
 }
 
-void ScriptState::charge(lua_State* L, std::uint64_t work) {
+void ScriptState::charge(lua_State* lua, std::uint64_t work) {
     used_ += work;
     if (spent_ || (limit_ != 0 && used_ > limit_)) {
-        raise_spent(L);
+        raise_spent(lua);
     }
 }
 
-void ScriptState::check_spent(lua_State* L) {
+void ScriptState::check_spent(lua_State* lua) {
     if (spent_) {
-        raise_spent(L);
+        raise_spent(lua);
     }
 }
 
-void ScriptState::raise_spent(lua_State* L) {
+void ScriptState::raise_spent(lua_State* lua) {
     if (!spent_) {
         spent_ = true;
-        spent_error_ = place_in_lesson(L);
+        spent_error_ = place_in_lesson(lua);
         spent_error_.message = kTooLong;
     }
-    lua_sethook(L, &ScriptState::on_count, LUA_MASKCOUNT, 1);
+    lua_sethook(lua, &ScriptState::on_count, LUA_MASKCOUNT, 1);
     lua_sethook(lua_, &ScriptState::on_count, LUA_MASKCOUNT, 1);
-    lua_pushstring(L, kTooLong);
-    lua_error(L);
+    lua_pushstring(lua, kTooLong);
+    lua_error(lua);
     std::abort();  // lua_error does not return
 }
 
-void ScriptState::on_count(lua_State* L, lua_Debug* activation) {
-    ScriptState& state = of(L);
-    state.note_line(L, activation);
-    state.charge(L, static_cast<std::uint64_t>(lua_gethookcount(L)));
+void ScriptState::on_count(lua_State* lua, lua_Debug* activation) {
+    ScriptState& state = of(lua);
+    state.note_line(lua, activation);
+    state.charge(lua, static_cast<std::uint64_t>(lua_gethookcount(lua)));
 }
 
-void ScriptState::note_line(lua_State* L, lua_Debug* activation) noexcept {
+void ScriptState::note_line(lua_State* lua, lua_Debug* activation) noexcept {
     RunningLine* noted = settings_.running_line;
-    if (noted == nullptr || lua_getinfo(L, "Sl", activation) == 0 || activation->currentline <= 0 ||
+    if (noted == nullptr || lua_getinfo(lua, "Sl", activation) == 0 ||
+        activation->currentline <= 0 ||
         std::string_view(activation->short_src).starts_with(kLibraryFolder)) {
         return;
     }
@@ -200,10 +201,10 @@ struct ProtectedCall {
     void (*body)(lua_State*, void*);
     void* self;
 };
-int run_body(lua_State* L) {
-    const auto* call = static_cast<const ProtectedCall*>(lua_touserdata(L, 1));
-    lua_settop(L, 0);
-    call->body(L, call->self);
+int run_body(lua_State* lua) {
+    const auto* call = static_cast<const ProtectedCall*>(lua_touserdata(lua, 1));
+    lua_settop(lua, 0);
+    call->body(lua, call->self);
     return 0;
 }
 }  // namespace
@@ -226,20 +227,20 @@ std::optional<ScriptError> ScriptState::run_protected(RawBody body, void* self) 
     return failure;
 }
 
-int ScriptState::on_error(lua_State* L) {
-    ScriptState& state = of(L);
-    ScriptError error = place_in_lesson(L);
+int ScriptState::on_error(lua_State* lua) {
+    ScriptState& state = of(lua);
+    ScriptError error = place_in_lesson(lua);
     if (error.line == 0) {
         error = state.called_;
     }
-    if (lua_type(L, 1) == LUA_TSTRING) {
+    if (lua_type(lua, 1) == LUA_TSTRING) {
         std::size_t n = 0;
-        const char* text = lua_tolstring(L, 1, &n);
+        const char* text = lua_tolstring(lua, 1, &n);
         error.message.assign(text, n);
         split_place(std::string_view(text, n), error);
     } else {
-        error.message = std::string("the script raised an error that is a ") + luaL_typename(L, 1) +
-                        ", not a text";
+        error.message = std::string("the script raised an error that is a ") +
+                        luaL_typename(lua, 1) + ", not a text";
     }
     state.raised_ = error;
     return 1;
@@ -262,46 +263,46 @@ ScriptError ScriptState::describe_failure(int status) {
     return error;
 }
 
-void ScriptState::load_text(lua_State* L, const LuaSource& source) {
+void ScriptState::load_text(lua_State* lua, const LuaSource& source) {
     // Compiling is work too: about an instruction a byte.
-    charge(L, source.text.size());
+    charge(lua, source.text.size());
     const std::string chunk_name = "@" + source.name;
     const int status =
-        luaL_loadbufferx(L, source.text.data(), source.text.size(), chunk_name.c_str(), "t");
+        luaL_loadbufferx(lua, source.text.data(), source.text.size(), chunk_name.c_str(), "t");
     if (status == LUA_OK) {
         return;
     }
     ScriptError placed;
     std::size_t n = 0;
-    const char* message = lua_tolstring(L, -1, &n);
+    const char* message = lua_tolstring(lua, -1, &n);
     // Where the compiler itself gave up, it names no place.
     if (message != nullptr && !split_place({message, n}, placed)) {
-        lua_pushfstring(L, "%s:1: %s", source.name.c_str(), message);
+        lua_pushfstring(lua, "%s:1: %s", source.name.c_str(), message);
     }
-    lua_error(L);
+    lua_error(lua);
 }
 
-void ScriptState::call(lua_State* L, int n_arguments, int n_results) {
+void ScriptState::call(lua_State* lua, int n_arguments, int n_results) {
     // Until the hook first looks, the script is where the function begins.
     lua_Debug activation{};
-    lua_pushvalue(L, -(n_arguments + 1));
-    if (lua_getinfo(L, ">S", &activation) != 0 && activation.linedefined >= 0) {
+    lua_pushvalue(lua, -(n_arguments + 1));
+    if (lua_getinfo(lua, ">S", &activation) != 0 && activation.linedefined >= 0) {
         called_.file = activation.short_src;
         called_.line = std::max(activation.linedefined, 1);
         if (settings_.running_line != nullptr) {
             note_place(*settings_.running_line, called_.file, called_.line);
         }
     }
-    lua_call(L, n_arguments, n_results);
+    lua_call(lua, n_arguments, n_results);
 }
 
 // ---- places
 // -------------------------------------------------------------------------------------------------------
 
-ScriptError place_of(lua_State* L, int level) {
+ScriptError place_of(lua_State* lua, int level) {
     lua_Debug activation{};
     ScriptError place;
-    if (lua_getstack(L, level, &activation) != 0 && lua_getinfo(L, "Sl", &activation) != 0 &&
+    if (lua_getstack(lua, level, &activation) != 0 && lua_getinfo(lua, "Sl", &activation) != 0 &&
         activation.currentline > 0) {
         place.file = activation.short_src;
         place.line = activation.currentline;
@@ -309,12 +310,13 @@ ScriptError place_of(lua_State* L, int level) {
     return place;
 }
 
-ScriptError place_in_lesson(lua_State* L) {
+ScriptError place_in_lesson(lua_State* lua) {
     constexpr int kMostLevels = 64;
     ScriptError nearest;
     lua_Debug activation{};
-    for (int level = 0; level < kMostLevels && lua_getstack(L, level, &activation) != 0; ++level) {
-        const ScriptError place = place_of(L, level);
+    for (int level = 0; level < kMostLevels && lua_getstack(lua, level, &activation) != 0;
+         ++level) {
+        const ScriptError place = place_of(lua, level);
         if (place.line > 0 && !place.file.starts_with(kLibraryFolder)) {
             return place;
         }
@@ -325,15 +327,15 @@ ScriptError place_in_lesson(lua_State* L) {
     return nearest;
 }
 
-void raise_in_lesson(lua_State* L, const std::string& message) {
-    const ScriptError place = place_in_lesson(L);
+void raise_in_lesson(lua_State* lua, const std::string& message) {
+    const ScriptError place = place_in_lesson(lua);
     if (place.line > 0) {
-        lua_pushfstring(L, "%s:%d: %s", place.file.c_str(), static_cast<int>(place.line),
+        lua_pushfstring(lua, "%s:%d: %s", place.file.c_str(), static_cast<int>(place.line),
                         message.c_str());
     } else {
-        lua_pushlstring(L, message.data(), message.size());
+        lua_pushlstring(lua, message.data(), message.size());
     }
-    lua_error(L);
+    lua_error(lua);
     std::abort();  // lua_error does not return
 }
 

@@ -57,28 +57,28 @@ class ScriptState {
         return seed_fixed_ && arena_.is_at_fixed_address();
     }
     /// The state that a Lua thread belongs to.
-    [[nodiscard]] static ScriptState& of(lua_State* L) noexcept;
+    [[nodiscard]] static ScriptState& of(lua_State* lua) noexcept;
 
     /// From now on `instructions` may be used.
     void begin_budget(std::uint64_t instructions) noexcept;
     /// Counts work done outside Lua, in instructions. Raises a Lua error when the budget is spent.
-    void charge(lua_State* L, std::uint64_t work);
+    void charge(lua_State* lua, std::uint64_t work);
     /// Raises the error again once the budget is spent; called after everything that swallows
     /// errors.
-    void check_spent(lua_State* L);
+    void check_spent(lua_State* lua);
     [[nodiscard]] std::uint64_t used_instructions() const noexcept { return used_; }
 
-    /// Runs `body(L)` protected. The error, with its place, when Lua raised one.
+    /// Runs `body(lua)` protected. The error, with its place, when Lua raised one.
     template <class Body>
     [[nodiscard]] std::optional<ScriptError> protect(Body body) {
-        return run_protected([](lua_State* L, void* self) { (*static_cast<Body*>(self))(L); },
+        return run_protected([](lua_State* lua, void* self) { (*static_cast<Body*>(self))(lua); },
                              &body);
     }
     /// Inside `protect`: compiles `source` (text only) and leaves the function on the stack, or
     /// raises.
-    void load_text(lua_State* L, const LuaSource& source);
+    void load_text(lua_State* lua, const LuaSource& source);
     /// Inside `protect`: calls what is on the stack, noting its first line as where the script is.
-    void call(lua_State* L, int n_arguments, int n_results);
+    void call(lua_State* lua, int n_arguments, int n_results);
 
     /// Which Lua thread runs now; kept by the coroutine functions.
     lua_State* running = nullptr;
@@ -97,10 +97,10 @@ class ScriptState {
                           std::size_t new_bytes) noexcept;
     void note_memory_error();
     void count_large_block(std::size_t bytes) noexcept;
-    static void on_count(lua_State* L, lua_Debug* activation);
-    static int on_error(lua_State* L);
-    void note_line(lua_State* L, lua_Debug* activation) noexcept;
-    [[noreturn]] void raise_spent(lua_State* L);
+    static void on_count(lua_State* lua, lua_Debug* activation);
+    static int on_error(lua_State* lua);
+    void note_line(lua_State* lua, lua_Debug* activation) noexcept;
+    [[noreturn]] void raise_spent(lua_State* lua);
 
     ScriptSettings settings_;
     Arena arena_;
@@ -119,11 +119,11 @@ class ScriptState {
 };
 
 /// Where level `level` of the running script is; empty when that is no Lua function.
-[[nodiscard]] ScriptError place_of(lua_State* L, int level);
+[[nodiscard]] ScriptError place_of(lua_State* lua, int level);
 /// Where the teacher's own text is: the nearest Lua function that is not of the shared library.
-[[nodiscard]] ScriptError place_in_lesson(lua_State* L);
+[[nodiscard]] ScriptError place_in_lesson(lua_State* lua);
 /// Raises `message` at the teacher's line.
-[[noreturn]] void raise_in_lesson(lua_State* L, const std::string& message);
+[[noreturn]] void raise_in_lesson(lua_State* lua, const std::string& message);
 /// A short text fit to be shown: invalid bytes become '?', cut to `max_bytes`.
 [[nodiscard]] std::string clean_text(std::string_view text, std::size_t max_bytes);
 

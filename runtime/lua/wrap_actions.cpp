@@ -7,19 +7,19 @@
 namespace fulcrum::runtime {
 namespace {
 
-int release_all(lua_State* L, LessonContext& /*context*/, const Arguments& /*arguments*/) {
+int release_all(lua_State* lua, LessonContext& /*context*/, const Arguments& /*arguments*/) {
     WorldCommand move;
     move.kind = WorldCommand::Kind::release;
-    add_command(L, MoveCommand{move});
+    add_command(lua, MoveCommand{move});
     return 0;
 }
 
-int show_caption(lua_State* L, LessonContext& /*context*/, const Arguments& arguments) {
-    add_command(L, CaptionCommand{arguments["text"].text});
+int show_caption(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    add_command(lua, CaptionCommand{arguments["text"].text});
     return 0;
 }
 
-int ask_question(lua_State* L, LessonContext& context, const Arguments& arguments) {
+int ask_question(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     const std::string& id = arguments["question"].text;
     std::vector<std::string> known;
     for (const QuestionDescription& question : context.description.questions) {
@@ -27,87 +27,87 @@ int ask_question(lua_State* L, LessonContext& context, const Arguments& argument
     }
     if (std::find(known.begin(), known.end(), id) == known.end()) {
         const std::string near = nearest_word(id, known);
-        raise_in_lesson(L, "there is no question \"" + clean_text(id, 40) + '"' +
-                               (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+        raise_in_lesson(lua, "there is no question \"" + clean_text(id, 40) + '"' +
+                                 (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
     }
-    add_command(L, AskCommand{id});
+    add_command(lua, AskCommand{id});
     return 0;
 }
 
-int set_score(lua_State* L, LessonContext& /*context*/, const Arguments& arguments) {
-    add_command(L, ScoreCommand{static_cast<std::int32_t>(arguments["score"].number)});
+int set_score(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    add_command(lua, ScoreCommand{static_cast<std::int32_t>(arguments["score"].number)});
     return 0;
 }
 
-int set_level(lua_State* L, LessonContext& /*context*/, const Arguments& arguments) {
-    add_command(L, LevelCommand{static_cast<std::int32_t>(arguments["level"].number),
-                                arguments["title"].text});
+int set_level(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    add_command(lua, LevelCommand{static_cast<std::int32_t>(arguments["level"].number),
+                                  arguments["title"].text});
     return 0;
 }
 
-int play_sound(lua_State* L, LessonContext& /*context*/, const Arguments& arguments) {
-    add_command(L, SoundCommand{arguments["name"].text});
+int play_sound(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    add_command(lua, SoundCommand{arguments["name"].text});
     return 0;
 }
 
-int finish(lua_State* L, LessonContext& /*context*/, const Arguments& arguments) {
-    add_command(L, FinishCommand{static_cast<std::int32_t>(arguments["stars"].number)});
+int finish(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    add_command(lua, FinishCommand{static_cast<std::int32_t>(arguments["stars"].number)});
     return 0;
 }
 
-int list_bodies(lua_State* L, LessonContext& context, const Arguments& /*arguments*/) {
-    lua_newtable(L);
+int list_bodies(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/) {
+    lua_newtable(lua);
     for (std::size_t i = 0; i < context.description.bodies.size(); ++i) {
-        push_handle(L, Handle::Kind::body, static_cast<std::int32_t>(i));
-        lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+        push_handle(lua, Handle::Kind::body, static_cast<std::int32_t>(i));
+        lua_rawseti(lua, -2, static_cast<lua_Integer>(i) + 1);
     }
     return 1;
 }
 
-int find_body(lua_State* L, LessonContext& context, const Arguments& arguments) {
+int find_body(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     const std::string& wanted = arguments["name"].text;
     std::vector<std::string> known;
     for (std::size_t i = 0; i < context.description.bodies.size(); ++i) {
         known.push_back(context.description.bodies[i].name);
         if (known.back() == wanted) {
-            push_handle(L, Handle::Kind::body, static_cast<std::int32_t>(i));
+            push_handle(lua, Handle::Kind::body, static_cast<std::int32_t>(i));
             return 1;
         }
     }
     const std::string near = nearest_word(wanted, known);
-    raise_in_lesson(L, "there is no body \"" + clean_text(wanted, 40) + '"' +
-                           (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+    raise_in_lesson(lua, "there is no body \"" + clean_text(wanted, 40) + '"' +
+                             (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
 }
 
-int get_tool(lua_State* L, LessonContext& /*context*/, const Arguments& /*arguments*/) {
-    push_handle(L, Handle::Kind::tool, 0);
+int get_tool(lua_State* lua, LessonContext& /*context*/, const Arguments& /*arguments*/) {
+    push_handle(lua, Handle::Kind::tool, 0);
     return 1;
 }
 
-int get_time(lua_State* L, LessonContext& context, std::int32_t /*index*/) {
-    lua_pushnumber(L, context.frame.time_s);
-    return 1;
-}
-
-template <int kAxis>
-int get_tool_position(lua_State* L, LessonContext& context, std::int32_t /*index*/) {
-    lua_pushnumber(L, context.frame.tool_pose_W.position[kAxis]);
+int get_time(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, context.frame.time_s);
     return 1;
 }
 
 template <int kAxis>
-int get_tool_velocity(lua_State* L, LessonContext& context, std::int32_t /*index*/) {
-    lua_pushnumber(L, context.frame.tool_twist_W.linear[kAxis]);
+int get_tool_position(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, context.frame.tool_pose_W.position[kAxis]);
     return 1;
 }
 
-int get_tool_place(lua_State* L, LessonContext& context, std::int32_t /*index*/) {
-    push_vector(L, context.frame.tool_pose_W.position);
+template <int kAxis>
+int get_tool_velocity(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, context.frame.tool_twist_W.linear[kAxis]);
     return 1;
 }
 
-int get_tool_force(lua_State* L, LessonContext& context, std::int32_t /*index*/) {
-    lua_pushnumber(L, context.frame.applied_force_W.norm());
+int get_tool_place(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    push_vector(lua, context.frame.tool_pose_W.position);
+    return 1;
+}
+
+int get_tool_force(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, context.frame.applied_force_W.norm());
     return 1;
 }
 

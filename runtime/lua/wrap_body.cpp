@@ -23,80 +23,80 @@ BodyState state_of(const LessonContext& context, std::int32_t index) {
     return state;
 }
 
-void move_body(lua_State* L, LessonContext& context, Kind kind, const Argument* at,
+void move_body(lua_State* lua, LessonContext& context, Kind kind, const Argument* at,
                const Vector3& velocity) {
     WorldCommand move;
     move.kind = kind;
-    move.body = to_handle(L, 1)->index;
+    move.body = to_handle(lua, 1)->index;
     move.position_W =
         at != nullptr && at->given ? at->vector : state_of(context, move.body).pose_W.position;
     move.velocity_W = velocity;
     const BodyDescription& body = description_of(context, move.body);
     if (!body.movable && (kind == Kind::drop || kind == Kind::hold)) {
-        raise_in_lesson(L, body.name + " can't fall or be held; declare it with movable = true");
+        raise_in_lesson(lua, body.name + " can't fall or be held; declare it with movable = true");
     }
-    add_command(L, MoveCommand{move});
+    add_command(lua, MoveCommand{move});
 }
 
-int drop(lua_State* L, LessonContext& context, const Arguments& arguments) {
-    move_body(L, context, Kind::drop, &arguments["at"], arguments["velocity"].vector);
+int drop(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    move_body(lua, context, Kind::drop, &arguments["at"], arguments["velocity"].vector);
     return 0;
 }
-int place(lua_State* L, LessonContext& context, const Arguments& arguments) {
-    move_body(L, context, Kind::place, &arguments["at"], Vector3::Zero());
+int place(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    move_body(lua, context, Kind::place, &arguments["at"], Vector3::Zero());
     return 0;
 }
-int hide(lua_State* L, LessonContext& context, const Arguments& /*arguments*/) {
-    move_body(L, context, Kind::hide, nullptr, Vector3::Zero());
+int hide(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/) {
+    move_body(lua, context, Kind::hide, nullptr, Vector3::Zero());
     return 0;
 }
-int hold(lua_State* L, LessonContext& context, const Arguments& /*arguments*/) {
-    move_body(L, context, Kind::hold, nullptr, Vector3::Zero());
+int hold(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/) {
+    move_body(lua, context, Kind::hold, nullptr, Vector3::Zero());
     return 0;
 }
 
-int push_text(lua_State* L, const std::string& text) {
-    lua_pushlstring(L, text.data(), text.size());
+int push_text(lua_State* lua, const std::string& text) {
+    lua_pushlstring(lua, text.data(), text.size());
     return 1;
 }
 
-int get_name(lua_State* L, LessonContext& context, std::int32_t index) {
-    return push_text(L, description_of(context, index).name);
+int get_name(lua_State* lua, LessonContext& context, std::int32_t index) {
+    return push_text(lua, description_of(context, index).name);
 }
-int get_noun(lua_State* L, LessonContext& context, std::int32_t index) {
-    return push_text(L, description_of(context, index).noun);
+int get_noun(lua_State* lua, LessonContext& context, std::int32_t index) {
+    return push_text(lua, description_of(context, index).noun);
 }
-int get_mass(lua_State* L, LessonContext& context, std::int32_t index) {
-    lua_pushnumber(L, description_of(context, index).mass_kg);
+int get_mass(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, description_of(context, index).mass_kg);
     return 1;
 }
-int get_weight(lua_State* L, LessonContext& context, std::int32_t index) {
-    lua_pushnumber(L,
+int get_weight(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua,
                    description_of(context, index).mass_kg * context.description.gravity_W.norm());
     return 1;
 }
-int get_felt_weight(lua_State* L, LessonContext& context, std::int32_t index) {
+int get_felt_weight(lua_State* lua, LessonContext& context, std::int32_t index) {
     const auto i = static_cast<std::size_t>(index);
     if (i >= context.felt_weight_N.size()) {
-        raise_in_lesson(L,
+        raise_in_lesson(lua,
                         "body.felt_weight is known once the lesson runs, in L:update and later, "
                         "not in L:start");
     }
-    lua_pushnumber(L, context.felt_weight_N[i]);
+    lua_pushnumber(lua, context.felt_weight_N[i]);
     return 1;
 }
-int get_position(lua_State* L, LessonContext& context, std::int32_t index) {
-    push_vector(L, state_of(context, index).pose_W.position);
+int get_position(lua_State* lua, LessonContext& context, std::int32_t index) {
+    push_vector(lua, state_of(context, index).pose_W.position);
     return 1;
 }
-int get_where(lua_State* L, LessonContext& context, std::int32_t index) {
+int get_where(lua_State* lua, LessonContext& context, std::int32_t index) {
     constexpr const char* kNames[] = {"hidden", "placed", "falling", "held", "landed"};
-    lua_pushstring(L, kNames[static_cast<std::size_t>(state_of(context, index).where)]);
+    lua_pushstring(lua, kNames[static_cast<std::size_t>(state_of(context, index).where)]);
     return 1;
 }
 template <int kAxis>
-int get_axis(lua_State* L, LessonContext& context, std::int32_t index) {
-    lua_pushnumber(L, state_of(context, index).pose_W.position[kAxis]);
+int get_axis(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, state_of(context, index).pose_W.position[kAxis]);
     return 1;
 }
 

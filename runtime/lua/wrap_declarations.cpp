@@ -7,17 +7,17 @@
 namespace fulcrum::runtime {
 namespace {
 
-int set_gravity(lua_State* /*L*/, LessonContext& context, const Arguments& arguments) {
+int set_gravity(lua_State* /*lua*/, LessonContext& context, const Arguments& arguments) {
     context.description.gravity_W = Vector3(0.0, -arguments["acceleration"].number, 0.0);
     return 0;
 }
 
-int set_ground(lua_State* /*L*/, LessonContext& context, const Arguments& arguments) {
+int set_ground(lua_State* /*lua*/, LessonContext& context, const Arguments& arguments) {
     context.description.ground_height_m = arguments["height"].number;
     return 0;
 }
 
-int set_camera(lua_State* /*L*/, LessonContext& context, const Arguments& arguments) {
+int set_camera(lua_State* /*lua*/, LessonContext& context, const Arguments& arguments) {
     CameraDescription& camera = context.description.camera;
     camera.eye_W = arguments["eye"].vector;
     camera.target_W = arguments["target"].vector;
@@ -25,14 +25,14 @@ int set_camera(lua_State* /*L*/, LessonContext& context, const Arguments& argume
     return 0;
 }
 
-int set_hand(lua_State* /*L*/, LessonContext& context, const Arguments& arguments) {
+int set_hand(lua_State* /*lua*/, LessonContext& context, const Arguments& arguments) {
     context.description.hand.centre_W = arguments["centre"].vector;
     context.description.hand.scale = arguments["scale"].number;
     context.description.hand.rate_hz = arguments["rate"].number;
     return 0;
 }
 
-int add_body(lua_State* L, LessonContext& context, const Arguments& arguments) {
+int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     std::vector<BodyDescription>& bodies = context.description.bodies;
     BodyDescription body;
     body.name = arguments["name"].text;
@@ -46,87 +46,88 @@ int add_body(lua_State* L, LessonContext& context, const Arguments& arguments) {
     body.movable = arguments["movable"].flag;
     body.visible = arguments["visible"].flag;
     body.position_W = arguments["at"].vector;
-    body.line = place_in_lesson(L).line;
+    body.line = place_in_lesson(lua).line;
     if (std::any_of(bodies.begin(), bodies.end(),
                     [&](const auto& b) { return b.name == body.name; })) {
-        raise_in_lesson(L, "there is already a body \"" + body.name + '"');
+        raise_in_lesson(lua, "there is already a body \"" + body.name + '"');
     }
     if (bodies.size() >= static_cast<std::size_t>(kMaxBodies)) {
-        raise_in_lesson(L, "a lesson has at most " + std::to_string(kMaxBodies) + " bodies");
+        raise_in_lesson(lua, "a lesson has at most " + std::to_string(kMaxBodies) + " bodies");
     }
     const auto n_solids =
         std::count_if(bodies.begin(), bodies.end(), [](const auto& b) { return b.solid; });
     if (body.solid && n_solids >= kMaxSolids) {
-        raise_in_lesson(L, "a lesson has at most " + std::to_string(kMaxSolids) + " solid bodies");
+        raise_in_lesson(lua,
+                        "a lesson has at most " + std::to_string(kMaxSolids) + " solid bodies");
     }
     bodies.push_back(std::move(body));
-    push_handle(L, Handle::Kind::body, static_cast<std::int32_t>(bodies.size()) - 1);
+    push_handle(lua, Handle::Kind::body, static_cast<std::int32_t>(bodies.size()) - 1);
     return 1;
 }
 
-int set_bucket(lua_State* L, LessonContext& context, const Arguments& arguments) {
+int set_bucket(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     BucketDescription& bucket = context.description.bucket;
     bucket.present = true;
     bucket.model = arguments["model"].text;
     bucket.opening_radius_m = arguments["radius"].number;
     bucket.depth_m = arguments["depth"].number;
     bucket.holds = static_cast<int>(arguments["holds"].number);
-    bucket.line = place_in_lesson(L).line;
+    bucket.line = place_in_lesson(lua).line;
     return 0;
 }
 
-int add_force(lua_State* L, LessonContext& context, const Argument& name, const char* kind,
+int add_force(lua_State* lua, LessonContext& context, const Argument& name, const char* kind,
               const FieldPlan& field) {
     std::vector<ForceDescription>& forces = context.description.forces;
     if (forces.size() >= static_cast<std::size_t>(kMaxFields)) {
-        raise_in_lesson(L, "a lesson has at most " + std::to_string(kMaxFields) +
-                               " springs, magnets and viscosities");
+        raise_in_lesson(lua, "a lesson has at most " + std::to_string(kMaxFields) +
+                                 " springs, magnets and viscosities");
     }
     ForceDescription force{name.given ? name.text : kind + std::to_string(forces.size() + 1), field,
-                           place_in_lesson(L).line};
+                           place_in_lesson(lua).line};
     if (std::any_of(forces.begin(), forces.end(),
                     [&](const auto& f) { return f.name == force.name; })) {
-        raise_in_lesson(L, "there is already a force \"" + force.name + '"');
+        raise_in_lesson(lua, "there is already a force \"" + force.name + '"');
     }
     forces.push_back(std::move(force));
     context.fields.push_back(FieldCommand{true, field.anchor_W, 1.0});
-    push_handle(L, Handle::Kind::force, static_cast<std::int32_t>(forces.size()) - 1);
+    push_handle(lua, Handle::Kind::force, static_cast<std::int32_t>(forces.size()) - 1);
     return 1;
 }
 
-int add_spring(lua_State* L, LessonContext& context, const Arguments& arguments) {
+int add_spring(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     FieldPlan field;
     field.kind = FieldKind::spring;
     field.anchor_W = arguments["at"].vector;
     field.stiffness_N_per_m = arguments["stiffness"].number;
     field.damping_Ns_per_m = arguments["damping"].number;
-    return add_force(L, context, arguments["name"], "spring", field);
+    return add_force(lua, context, arguments["name"], "spring", field);
 }
 
-int add_viscosity(lua_State* L, LessonContext& context, const Arguments& arguments) {
+int add_viscosity(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     FieldPlan field;
     field.kind = FieldKind::viscosity;
     field.damping_Ns_per_m = arguments["damping"].number;
-    return add_force(L, context, arguments["name"], "viscosity", field);
+    return add_force(lua, context, arguments["name"], "viscosity", field);
 }
 
-int add_magnet(lua_State* L, LessonContext& context, const Arguments& arguments) {
+int add_magnet(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     FieldPlan field;
     field.kind = FieldKind::magnet;
     field.anchor_W = arguments["at"].vector;
     field.peak_force_N = arguments["force"].number;
     field.range_m = arguments["range"].number;
-    return add_force(L, context, arguments["name"], "magnet", field);
+    return add_force(lua, context, arguments["name"], "magnet", field);
 }
 
-int set_force_function(lua_State* L, LessonContext& context, const Arguments& arguments) {
+int set_force_function(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     if (context.force_function_ref != LUA_NOREF) {
-        raise_in_lesson(L, "a lesson has one force function; this is the second world:force(…)");
+        raise_in_lesson(lua, "a lesson has one force function; this is the second world:force(…)");
     }
-    lua_pushvalue(L, arguments["function"].stack_index);
-    context.force_function_ref = luaL_ref(L, LUA_REGISTRYINDEX);
+    lua_pushvalue(lua, arguments["function"].stack_index);
+    context.force_function_ref = luaL_ref(lua, LUA_REGISTRYINDEX);
     context.description.hand.lesson_force = true;
-    context.description.hand.force_line = place_in_lesson(L).line;
+    context.description.hand.force_line = place_in_lesson(lua).line;
     return 0;
 }
 

@@ -6,35 +6,35 @@ namespace fulcrum::runtime {
 namespace {
 
 /// How force `index` stands; what a lesson changes is sent whole.
-FieldCommand& field_of(lua_State* L, LessonContext& context) {
-    return context.fields[static_cast<std::size_t>(to_handle(L, 1)->index)];
+FieldCommand& field_of(lua_State* lua, LessonContext& context) {
+    return context.fields[static_cast<std::size_t>(to_handle(lua, 1)->index)];
 }
 
-int send(lua_State* L, LessonContext& context) {
-    add_command(L, FieldChangeCommand{to_handle(L, 1)->index, field_of(L, context)});
+int send(lua_State* lua, LessonContext& context) {
+    add_command(lua, FieldChangeCommand{to_handle(lua, 1)->index, field_of(lua, context)});
     return 0;
 }
 
-int switch_on(lua_State* L, LessonContext& context, const Arguments& /*arguments*/) {
-    field_of(L, context).on = true;
-    return send(L, context);
+int switch_on(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/) {
+    field_of(lua, context).on = true;
+    return send(lua, context);
 }
-int switch_off(lua_State* L, LessonContext& context, const Arguments& /*arguments*/) {
-    field_of(L, context).on = false;
-    return send(L, context);
+int switch_off(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/) {
+    field_of(lua, context).on = false;
+    return send(lua, context);
 }
-int move(lua_State* L, LessonContext& context, const Arguments& arguments) {
-    field_of(L, context).anchor_W = arguments["at"].vector;
-    return send(L, context);
+int move(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    field_of(lua, context).anchor_W = arguments["at"].vector;
+    return send(lua, context);
 }
-int set_strength(lua_State* L, LessonContext& context, const Arguments& arguments) {
-    field_of(L, context).strength = arguments["factor"].number;
-    return send(L, context);
+int set_strength(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    field_of(lua, context).strength = arguments["factor"].number;
+    return send(lua, context);
 }
 
-int get_name(lua_State* L, LessonContext& context, std::int32_t index) {
+int get_name(lua_State* lua, LessonContext& context, std::int32_t index) {
     const std::string& name = context.description.forces[static_cast<std::size_t>(index)].name;
-    lua_pushlstring(L, name.data(), name.size());
+    lua_pushlstring(lua, name.data(), name.size());
     return 1;
 }
 

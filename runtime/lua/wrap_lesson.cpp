@@ -9,57 +9,58 @@
 namespace fulcrum::runtime {
 namespace {
 
-int make_lesson(lua_State* L, LessonContext& context, const Arguments& arguments) {
+int make_lesson(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     if (context.lesson_ref != LUA_NOREF) {
-        raise_in_lesson(L, "a file makes one lesson; this is the second lesson{…}");
+        raise_in_lesson(lua, "a file makes one lesson; this is the second lesson{…}");
     }
     context.description.id = arguments["id"].text;
     context.description.title = arguments["title"].text;
     context.description.level = arguments["level"].text;
     context.description.minutes = arguments["minutes"].number;
-    lua_newtable(L);
-    luaL_setmetatable(L, "fulcrum.lesson");
-    lua_pushvalue(L, -1);
-    context.lesson_ref = luaL_ref(L, LUA_REGISTRYINDEX);
+    lua_newtable(lua);
+    luaL_setmetatable(lua, "fulcrum.lesson");
+    lua_pushvalue(lua, -1);
+    context.lesson_ref = luaL_ref(lua, LUA_REGISTRYINDEX);
     return 1;
 }
 
-int add_question(lua_State* L, LessonContext& context, const Arguments& arguments) {
+int add_question(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     QuestionDescription question;
     question.id = arguments["id"].text;
     question.prompt = arguments["prompt"].text;
     question.answers = arguments["answers"].texts;
     question.lists = arguments["lists"].lists;
-    question.line = place_in_lesson(L).line;
+    question.line = place_in_lesson(lua).line;
     auto& known = context.description.questions;
     if (std::any_of(known.begin(), known.end(),
                     [&](const auto& q) { return q.id == question.id; })) {
-        raise_in_lesson(L, "there is already a question \"" + question.id + '"');
+        raise_in_lesson(lua, "there is already a question \"" + question.id + '"');
     }
     if (known.size() >= kMaxQuestions) {
-        raise_in_lesson(L, "a lesson has at most " + std::to_string(kMaxQuestions) + " questions");
+        raise_in_lesson(lua,
+                        "a lesson has at most " + std::to_string(kMaxQuestions) + " questions");
     }
     if (question.answers.empty()) {
         raise_in_lesson(
-            L,
+            lua,
             "question.answers is empty; give at least one sentence that a learner may answer with");
     }
-    lua_pushvalue(L, arguments["right"].stack_index);
-    context.judges.emplace_back(question.id, luaL_ref(L, LUA_REGISTRYINDEX));
+    lua_pushvalue(lua, arguments["right"].stack_index);
+    context.judges.emplace_back(question.id, luaL_ref(lua, LUA_REGISTRYINDEX));
     known.push_back(std::move(question));
     return 0;
 }
 
-int add_test(lua_State* L, LessonContext& context, const Arguments& arguments) {
+int add_test(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     LessonTestDescription test;
     test.hand = arguments["hand"].text;
     test.say = arguments["say"].texts;
     test.expect = arguments["expect"].values;
-    test.line = place_in_lesson(L).line;
+    test.line = place_in_lesson(lua).line;
     const std::string_view file = test.hand;
     if (!file.empty() && !(file.ends_with(".lua") && is_name(file.substr(0, file.size() - 4)))) {
         raise_in_lesson(
-            L,
+            lua,
             "test.hand is the name of a Lua file beside the lesson, such as \"sweep.lua\"; got \"" +
                 clean_text(file, 40) + '"');
     }
@@ -67,12 +68,12 @@ int add_test(lua_State* L, LessonContext& context, const Arguments& arguments) {
     return 0;
 }
 
-int add_listener(lua_State* L, LessonContext& context, const Arguments& arguments) {
+int add_listener(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     if (context.listeners.size() >= 32) {
-        raise_in_lesson(L, "a lesson has at most 32 listeners");
+        raise_in_lesson(lua, "a lesson has at most 32 listeners");
     }
-    lua_pushvalue(L, arguments["listener"].stack_index);
-    context.listeners.push_back(luaL_ref(L, LUA_REGISTRYINDEX));
+    lua_pushvalue(lua, arguments["listener"].stack_index);
+    context.listeners.push_back(luaL_ref(lua, LUA_REGISTRYINDEX));
     return 0;
 }
 

@@ -9,7 +9,7 @@ function L:start(world)
 end
 
 function L:update(world, dt)
-  package.cpath = '/tmp/?.so' require 'evil'
+  package.cpath = '/usr/lib/?.so' require 'evil'
 end
 
 return L

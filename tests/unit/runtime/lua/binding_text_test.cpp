@@ -41,16 +41,5 @@ TEST_CASE("bindings: every function and field stands in both texts") {
     }
 }
 
-TEST_CASE("bindings: the nearest word is found, and nothing when none is near") {
-    const std::vector<std::string> words = {"gravity", "ground", "caption", "body"};
-    CHECK(nearest_word("gravty", words) == "gravity");
-    CHECK(nearest_word("garvity", words) == "gravity");
-    CHECK(nearest_word("grond", words) == "ground");
-    CHECK(nearest_word("bdoy", words) == "body");
-    CHECK(nearest_word("elephant", words).empty());
-    CHECK(nearest_word("", words).empty());
-    CHECK(nearest_word(std::string(100000, 'x'), words).empty());
-}
-
 }  // namespace
 }  // namespace fulcrum::runtime

@@ -13,20 +13,20 @@ namespace {
 constexpr std::uint64_t kPlenty = 1'000'000'000;
 
 /// Runs `expression` with globals s, p and r set; its results as one text, or "error".
-std::string run(lua_State* L, const std::string& expression, const std::string& s,
+std::string run(lua_State* lua, const std::string& expression, const std::string& s,
                 const std::string& p, const std::string& r) {
-    lua_settop(L, 0);
+    lua_settop(lua, 0);
     for (const auto& [name, value] : {std::pair{"s", s}, {"p", p}, {"r", r}}) {
-        lua_pushlstring(L, value.data(), value.size());
-        lua_setglobal(L, name);
+        lua_pushlstring(lua, value.data(), value.size());
+        lua_setglobal(lua, name);
     }
     const std::string text = "local out = {} for _, v in ipairs { " + expression +
                              " } do out[#out + 1] = tostring(v) end return table.concat(out, '|')";
-    if (luaL_loadstring(L, text.c_str()) != LUA_OK || lua_pcall(L, 0, 1, 0) != LUA_OK) {
+    if (luaL_loadstring(lua, text.c_str()) != LUA_OK || lua_pcall(lua, 0, 1, 0) != LUA_OK) {
         return "error";
     }
     std::size_t n = 0;
-    const char* result = lua_tolstring(L, -1, &n);
+    const char* result = lua_tolstring(lua, -1, &n);
     return {result, n};
 }
 
