@@ -141,7 +141,8 @@ std::vector<MendedToken> mended(const TemplateSet& set, const std::vector<Token>
             i + 1 < tokens.size() ? tokens[i].text + tokens[i + 1].text : std::string{};
         if (!parts.empty()) {
             result.insert(result.end(), parts.begin(), parts.end());
-        } else if (!known && set.words.find(both) != kNone) {
+        } else if (set.words.find(both) != kNone &&
+                   !(known && set.words.find(tokens[i + 1].text) != kNone)) {
             result.push_back({{both, tokens[i].begin, tokens[i + 1].end}, ErrorCode::orthography});
             ++i;
         } else {

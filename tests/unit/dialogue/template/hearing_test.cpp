@@ -40,6 +40,19 @@ TEST_CASE("hearing: known words, slips, fillers and unknown words") {
     CHECK(heard("").empty());
 }
 
+TEST_CASE("hearing: two words are one only when they aren't both known") {
+    const auto words_heard = [](std::vector<std::string> things, std::string_view said) {
+        const TemplateSet set =
+            compiled_templates({{"it is <article> {thing}"}, {{"thing", std::move(things)}}, {}});
+        std::size_t work = 0;
+        return hear_words(set, said, work).size();
+    };
+    CHECK(words_heard({"watermelon"}, "water melon") == 1);
+    CHECK(words_heard({"watermelon", "water"}, "water melon") == 1);
+    CHECK(words_heard({"watermelon", "a melon"}, "water melon") == 1);
+    CHECK(words_heard({"watermelon", "water", "a melon"}, "water melon") == 2);
+}
+
 TEST_CASE("hearing: a slip needs the same first letter or its swap, and one best word") {
     CHECK(heard("batermelon") == "?");
     CHECK(heard("awtermelon") == "watermelon~");
