@@ -25,10 +25,11 @@ bool usable(const Vector3& point) {
 
 }  // namespace
 
-Camera::Camera(const CameraDescription& description, int width_px, int height_px)
+Camera::Camera(const CameraDescription& description, int width_px, int height_px,
+               double target_height)
     : width_px_(std::max(width_px, 1)),
       height_px_(std::max(height_px, 1)),
-      centre_y_px_(kTargetHeight * height_px_) {
+      centre_y_px_(target_height * height_px_) {
     const CameraDescription standard;
     const bool placed = usable(description.eye_W) && usable(description.target_W);
     eye_W_ = placed ? description.eye_W : standard.eye_W;
@@ -90,7 +91,7 @@ Eigen::Matrix4f Camera::clip_from_world() const {
     Eigen::Matrix4d clip = Eigen::Matrix4d::Zero();
     clip(0, 0) = focal_px_ / (0.5 * width_px_);
     clip(1, 1) = focal_px_ / (0.5 * height_px_);
-    clip(1, 2) = 2.0 * kTargetHeight - 1.0;
+    clip(1, 2) = 2.0 * centre_y_px_ / height_px_ - 1.0;
     clip(2, 2) = (near_m + far_m) / (near_m - far_m);
     clip(2, 3) = 2.0 * near_m * far_m / (near_m - far_m);
     clip(3, 2) = -1.0;

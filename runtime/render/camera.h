@@ -40,7 +40,9 @@ class Camera {
     /// What is not finite falls back to the description's defaults; the angle is kept within 5 to
     /// 120 degrees; an eye on its target looks along -Z. Sizes below 1 pixel count as 1. In a
     /// picture narrower than 4:3 the angle grows, so that as much is seen from left to right.
-    Camera(const CameraDescription& description, int width_px, int height_px);
+    /// `target_height` is where the target is seen, 0 top to 1 bottom.
+    Camera(const CameraDescription& description, int width_px, int height_px,
+           double target_height = kTargetHeight);
 
     /// Where a point is seen; nothing when it lies behind the eye or is not finite.
     [[nodiscard]] std::optional<ScreenPoint> project(const Vector3& point_W) const;

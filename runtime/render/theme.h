@@ -31,6 +31,7 @@ inline constexpr Colour kPaper = from_hex(0xFFFCF5);
 inline constexpr Colour kFeedbackPaper = from_hex(0xE6F3FC);
 inline constexpr Colour kFieldPaper = from_hex(0xFFFFFF);
 inline constexpr Colour kErrorPaper = from_hex(0xFFEBDC);
+inline constexpr Colour kIconPaper = from_hex(0xDDF0E6);
 inline constexpr Colour kSelectedPaper = from_hex(0xFFF6D9);
 
 // Outdoors: sky, haze, meadow, and a round cloth on it, as they are seen.

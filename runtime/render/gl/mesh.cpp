@@ -16,8 +16,9 @@ namespace {
 constexpr std::size_t kFloatsPerCorner = 8;  // position, normal, uv
 constexpr std::size_t kMostCorners = 50'000'000;
 constexpr int kLargestPicture = 8192;
-// A cell of level 1 and 2 for a model of length 1: about 8 pixels.
-constexpr std::array<float, 2> kLevelCells{1.0F / 34.0F, 1.0F / 17.0F};
+// A cell of levels 1, 2 and 3 for a model of length 1: about ten pixels.
+constexpr std::array<float, kLevelPixels.size()> kLevelCells{1.0F / 26.0F, 1.0F / 14.0F,
+                                                             1.0F / 9.0F};
 constexpr std::size_t kFewIndices = 3 * 600;  // so few triangles are not made fewer
 
 bool all_finite(const std::vector<float>& numbers) {
@@ -216,10 +217,9 @@ void draw(const MeshPart& part) {
 }
 
 std::size_t level_for(double length_px) {
-    if (length_px <= kLevelPixels[1]) {
-        return 2;
-    }
-    return length_px <= kLevelPixels[0] ? 1 : 0;
+    const auto fitting = std::count_if(kLevelPixels.begin(), kLevelPixels.end(),
+                                       [&](double most_px) { return length_px <= most_px; });
+    return static_cast<std::size_t>(fitting);
 }
 
 }  // namespace fulcrum::runtime::gl

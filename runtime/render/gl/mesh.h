@@ -28,14 +28,14 @@ struct MeshPart {
     bool closed = false;  ///< its backs are never seen
 };
 
-/// How long a thing may be in the picture, pixels, for levels 1 and 2.
-inline constexpr std::array<double, 2> kLevelPixels{280.0, 140.0};
+/// How long a thing may be in the picture, pixels, for levels 1, 2 and 3.
+inline constexpr std::array<double, 3> kLevelPixels{280.0, 140.0, 70.0};
 
 /// A model ready to draw.
 struct Mesh {
     /// All parts, in ever fewer triangles: as given, then for things at most kLevelPixels[i - 1]
     /// long in the picture.
-    std::array<std::vector<MeshPart>, 3> levels;
+    std::array<std::vector<MeshPart>, kLevelPixels.size() + 1> levels;
     std::vector<Texture> textures;
     Eigen::Vector3f lowest{Eigen::Vector3f::Zero()};   ///< corner of the bounding box, metres
     Eigen::Vector3f highest{Eigen::Vector3f::Zero()};  ///< corner of the bounding box, metres

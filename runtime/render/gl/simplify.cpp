@@ -16,6 +16,12 @@ Eigen::Vector3f corner_of(const std::vector<float>& numbers, std::size_t i) {
     return Eigen::Vector3f(numbers.data() + 3 * i);
 }
 
+/// Whether two corners face nearly the same way.
+bool alike(const std::vector<float>& normals, std::size_t i, std::size_t j) {
+    constexpr float kAlike = 0.80F;  // cosine of 37 degrees
+    return corner_of(normals, i).dot(corner_of(normals, j)) > kAlike;
+}
+
 /// Mixes numbers to a key; equal numbers give equal keys.
 std::uint64_t mix(std::uint64_t key, std::uint64_t number) {
     key ^= number + 0x9E3779B97F4A7C15ULL + (key << 6U) + (key >> 2U);
@@ -33,86 +39,96 @@ std::uint64_t place_key(const Eigen::Vector3f& place) {
     return key;
 }
 
-/// The side of a cube around the origin that a normal goes through, 0 to 5.
-std::uint64_t side_of(const Eigen::Vector3f& normal) {
-    Eigen::Index axis = 0;
-    normal.cwiseAbs().maxCoeff(&axis);
-    return static_cast<std::uint64_t>(2 * axis + (normal[axis] < 0.0F ? 1 : 0));
-}
-
-/// For each corner a place that all corners of its cell and side share.
-std::vector<std::size_t> shared_places(const ModelPrimitive& primitive, float cell_m) {
+/// For each corner one that stands for it: near by, facing the same way; the same for all corners
+/// in one place.
+std::vector<std::size_t> stand_ins(const ModelPrimitive& primitive, float cell_m) {
     const std::size_t count = primitive.positions.size() / 3;
-    const float per_m = 1.0F / cell_m;
-    std::unordered_map<std::uint64_t, std::size_t> first_in_cell;
+    std::unordered_map<std::uint64_t, std::vector<std::size_t>> chosen_in_cell;
     std::unordered_map<std::uint64_t, std::size_t> first_at_place;
-    std::vector<std::size_t> shared(count);
+    std::vector<std::size_t> stand_in(count);
     for (std::size_t i = 0; i < count; ++i) {
-        // Corners in the same place follow the first one there, whatever their normals.
-        const auto [at_place, is_new] =
-            first_at_place.try_emplace(place_key(corner_of(primitive.positions, i)), i);
+        const Eigen::Vector3f place = corner_of(primitive.positions, i);
+        const auto [at_place, is_new] = first_at_place.try_emplace(place_key(place), i);
         if (!is_new) {
-            shared[i] = shared[at_place->second];
+            stand_in[i] = stand_in[at_place->second];
             continue;
         }
-        const Eigen::Vector3f cell = (corner_of(primitive.positions, i) * per_m).array().floor();
-        std::uint64_t key = side_of(corner_of(primitive.normals, i));
+        const Eigen::Vector3f cell = (place / cell_m).array().floor();
+        std::uint64_t key = 0;
         for (int axis = 0; axis < 3; ++axis) {
             key = mix(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[axis])));
         }
-        shared[i] = first_in_cell.try_emplace(key, i).first->second;
+        std::vector<std::size_t>& chosen = chosen_in_cell[key];
+        const auto found = std::find_if(chosen.begin(), chosen.end(), [&](std::size_t other) {
+            return alike(primitive.normals, i, other);
+        });
+        stand_in[i] = found != chosen.end() ? *found : i;
+        if (found == chosen.end()) {
+            chosen.push_back(i);
+        }
     }
-    return shared;
+    return stand_in;
 }
+
+/// Writes the corners of the simplified primitive as triangles ask for them.
+class CornerWriter {
+  public:
+    CornerWriter(const ModelPrimitive& from, ModelPrimitive& to) : from_(from), to_(to) {}
+
+    /// The new name of a corner that moves to where its stand-in is. It looks like the stand-in
+    /// there, unless a crease or a seam of the picture runs between them.
+    std::uint32_t write(std::size_t old, std::size_t stand_in) {
+        const bool same_look =
+            alike(from_.normals, old, stand_in) && near_in_picture(old, stand_in);
+        const std::size_t look = same_look ? stand_in : old;
+        const std::uint64_t key = same_look ? mix(stand_in, 0) : mix(mix(stand_in, 1), old);
+        const auto next = static_cast<std::uint32_t>(to_.positions.size() / 3);
+        const auto [found, is_new] = written_.try_emplace(key, next);
+        if (is_new) {
+            copy(from_.positions, to_.positions, 3, stand_in);
+            copy(from_.normals, to_.normals, 3, look);
+            copy(from_.uvs, to_.uvs, 2, look);
+        }
+        return found->second;
+    }
+
+  private:
+    /// Whether two corners lie close together in the picture.
+    [[nodiscard]] bool near_in_picture(std::size_t i, std::size_t j) const {
+        constexpr float kNear = 0.25F;  // of the picture's side; a seam is nearly all of it
+        return from_.uvs.empty() || (std::abs(from_.uvs[2 * i] - from_.uvs[2 * j]) < kNear &&
+                                     std::abs(from_.uvs[2 * i + 1] - from_.uvs[2 * j + 1]) < kNear);
+    }
+    static void copy(const std::vector<float>& from, std::vector<float>& to, std::size_t width,
+                     std::size_t i) {
+        if (!from.empty()) {
+            to.insert(to.end(), from.begin() + static_cast<long>(width * i),
+                      from.begin() + static_cast<long>(width * (i + 1)));
+        }
+    }
+
+    const ModelPrimitive& from_;
+    ModelPrimitive& to_;
+    std::unordered_map<std::uint64_t, std::uint32_t> written_;
+};
 
 }  // namespace
 
 ModelPrimitive simplified(const ModelPrimitive& primitive, float cell_m) {
-    const std::vector<std::size_t> shared = shared_places(primitive, cell_m);
+    const std::vector<std::size_t> stand_in = stand_ins(primitive, cell_m);
     ModelPrimitive result;
     result.base_colour = primitive.base_colour;
     result.image = primitive.image;
     result.roughness = primitive.roughness;
-
-    // A corner keeps its own normal and uv, and takes the place that its cell shares.
-    constexpr std::uint32_t kUnused = 0xFFFFFFFFU;
-    std::vector<std::uint32_t> renamed(shared.size(), kUnused);
-    std::unordered_map<std::uint64_t, std::uint32_t> same_corner;
-    const auto keep = [&](std::uint32_t old) {
-        if (renamed[old] != kUnused) {
-            return renamed[old];
-        }
-        // Corners of one cell are one corner, unless a crease or a seam runs between them.
-        std::uint64_t key = mix(shared[old], side_of(corner_of(primitive.normals, old)));
-        if (!primitive.uvs.empty()) {
-            constexpr float kUvCells = 8.0F;
-            const std::size_t own = 2 * static_cast<std::size_t>(old);
-            for (const std::size_t i : {own, own + 1}) {
-                key = mix(key, static_cast<std::uint64_t>(static_cast<std::int64_t>(
-                                   std::floor(primitive.uvs[i] * kUvCells))));
-            }
-        }
-        const auto next = static_cast<std::uint32_t>(result.positions.size() / 3);
-        const auto [found, is_new] = same_corner.try_emplace(key, next);
-        if (is_new) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                result.positions.push_back(primitive.positions[3 * shared[old] + k]);
-                result.normals.push_back(primitive.normals[3 * static_cast<std::size_t>(old) + k]);
-            }
-            for (std::size_t k = 0; k < 2 && !primitive.uvs.empty(); ++k) {
-                result.uvs.push_back(primitive.uvs[2 * static_cast<std::size_t>(old) + k]);
-            }
-        }
-        renamed[old] = found->second;
-        return found->second;
-    };
+    CornerWriter writer(primitive, result);
     for (std::size_t t = 0; t + 2 < primitive.indices.size(); t += 3) {
-        const std::uint32_t a = primitive.indices[t];
-        const std::uint32_t b = primitive.indices[t + 1];
-        const std::uint32_t c = primitive.indices[t + 2];
-        if (shared[a] != shared[b] && shared[b] != shared[c] && shared[c] != shared[a]) {
-            for (const std::uint32_t corner : {a, b, c}) {
-                result.indices.push_back(keep(corner));
+        const std::size_t a = primitive.indices[t];
+        const std::size_t b = primitive.indices[t + 1];
+        const std::size_t c = primitive.indices[t + 2];
+        if (stand_in[a] != stand_in[b] && stand_in[b] != stand_in[c] &&
+            stand_in[c] != stand_in[a]) {
+            for (const std::size_t corner : {a, b, c}) {
+                result.indices.push_back(writer.write(corner, stand_in[corner]));
             }
         }
     }
@@ -137,6 +153,9 @@ bool is_closed(const ModelPrimitive& primitive) {
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint64_t from = corners[k];
             const std::uint64_t to = corners[(k + 1) % 3];
+            if (from == to) {
+                continue;  // a triangle that is only a line, as at a pole
+            }
             runs[(std::min(from, to) << 32U) | std::max(from, to)] += from < to ? 1 : -1;
         }
         const Eigen::Vector3d a = corner_of(primitive.positions, corners[0]).cast<double>();

@@ -1,6 +1,6 @@
 // The same shape from fewer triangles, for things that are small in the picture and for shadows.
 //
-//   Corners in one cell of a grid, whose normals look the same way, move to one place; triangles that
+//   Corners in one cell of a grid, that face the same way, move to one place; triangles that
 //   lose an edge go. Corners that lay on each other still do, so that no seam opens; at a crease each
 //   side keeps its normal, at a seam of the picture its uv.
 //

@@ -110,15 +110,21 @@ MenuLayout lay_out_menu(const View& view, const Measure& m, const std::vector<Bo
 }
 
 void draw_menu_papers(const MenuLayout& layout, const Measure& m, DrawList& list) {
+    const auto draw_icon_ground = [&](const MenuCard& card) {
+        list.fill_disc({card.icon.middle_x(), card.icon.middle_y()},
+                       0.5F * std::min(card.icon.width, card.icon.height), theme::kIconPaper);
+    };
     for (const MenuCard& card : layout.cards) {
         if (!card.chosen) {
             draw_paper(list, card.box, m, theme::kPaper);
+            draw_icon_ground(card);
             continue;
         }
         // The chosen card is larger, has a thick frame, and a tick later on.
         const Box box = card.box.grown(m.px(kChosenFrame));
         draw_paper(list, box, m, theme::kSelectedPaper);
         list.frame_box(box, m.px(kRadius), m.px(kChosenFrame), theme::kBlue);
+        draw_icon_ground(card);
     }
 }
 

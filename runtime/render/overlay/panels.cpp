@@ -12,10 +12,10 @@ namespace fulcrum::runtime {
 namespace {
 
 // At 720; see Measure.
-constexpr float kMargin = 24.0F;
-constexpr float kGap = 12.0F;
+constexpr float kMargin = 20.0F;
+constexpr float kGap = 10.0F;
 constexpr float kPadX = 26.0F;
-constexpr float kPadY = 12.0F;
+constexpr float kPadY = 8.0F;
 constexpr float kRadius = 22.0F;
 constexpr float kIcon = 19.0F;      // radius of an icon in a line of words
 constexpr float kIconRoom = 54.0F;  // from a panel's padding to the words behind an icon

@@ -120,6 +120,9 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
         ViewBody ghost = view.tool;
         ghost.pose_W = view.ghost_pose_W;
         content.ghost = item_of(ghost, camera, find_mesh);
+        if (content.ghost) {
+            content.ghost->level = std::min(content.ghost->level + 1, gl::kLevelPixels.size());
+        }
         if (content.ghost && view.tool_visible && is_finite(view.tool.pose_W)) {
             // Seen through each other they would only shimmer; it appears as they part.
             const double apart_m = (ghost.pose_W.position - view.tool.pose_W.position).norm();

@@ -201,7 +201,7 @@ void ScenePainter::draw_icon(const std::string& model, const Box& box, int width
     view.target_W = middle;
     view.eye_W = middle + away * Vector3(0.25, 0.40, 1.0).normalized();
     view.vertical_angle_deg = kIconAngle_deg;
-    const Camera camera(view, width, height);
+    const Camera camera(view, width, height, 0.5);
     const SceneFrame frame = frame_for(camera, 0.0, shadows_.size(), width, height);
 
     GLint picture = 0;

@@ -94,14 +94,21 @@ LoadedModel make_arrow_shaft(std::array<float, 4> colour) {
 }
 
 LoadedModel make_arrow_head(std::array<float, 4> colour) {
-    Profile profile{{0.0F, 0.0F}, {0.92F, 0.0F}, {0.98F, 0.02F}, {1.0F, 0.06F}, {0.97F, 0.11F}};
-    constexpr int kRound = 6;
-    // A straight side up to a blunt tip.
+    // A flat base, round at its edge, straight sides and a blunt tip.
+    Profile profile{{0.0F, 0.0F}};
+    constexpr float kEdge = 0.08F;
     constexpr float kTip = 0.10F;
-    for (int i = 0; i <= kRound; ++i) {
-        const float turn = 0.5F * std::numbers::pi_v<float> * static_cast<float>(i) / kRound;
-        profile.push_back({kTip * std::cos(turn), 1.0F - kTip + kTip * std::sin(turn)});
-    }
+    constexpr int kRound = 10;
+    const auto add_arc = [&](float radius, float middle_r, float middle_y, float from, float to) {
+        for (int i = 0; i <= kRound; ++i) {
+            const float turn =
+                std::numbers::pi_v<float> * (from + (to - from) * static_cast<float>(i) / kRound);
+            profile.push_back(
+                {middle_r + radius * std::cos(turn), middle_y + radius * std::sin(turn)});
+        }
+    };
+    add_arc(kEdge, 1.0F - kEdge, kEdge, -0.5F, 0.2F);
+    add_arc(kTip, 0.0F, 1.0F - kTip, 0.22F, 0.5F);
     return make_lathe(profile, colour);
 }
 
