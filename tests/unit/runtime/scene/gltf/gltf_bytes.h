@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -24,9 +25,8 @@ using Bytes = std::vector<std::byte>;
 using Octets = std::vector<std::uint8_t>;
 
 inline Bytes to_bytes(const std::string& text) {
-    Bytes bytes(text.size());
-    std::memcpy(bytes.data(), text.data(), text.size());
-    return bytes;
+    const auto bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
 }
 
 template <class T>
