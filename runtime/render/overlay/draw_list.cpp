@@ -50,6 +50,12 @@ Point2 moved(const Point2& point, const Point2& normal, float by) {
 
 std::vector<Point2> rounded_outline(const Box& box, float radius_px) {
     const float radius = std::clamp(radius_px, 0.0F, 0.5F * std::min(box.width, box.height));
+    if (radius < 0.5F) {
+        return {{box.right(), box.y},
+                {box.right(), box.bottom()},
+                {box.x, box.bottom()},
+                {box.x, box.y}};
+    }
     const int steps = std::clamp(static_cast<int>(2.0F * std::sqrt(radius)), 2, 24);
     const std::array<Point2, 4> centres{{{box.right() - radius, box.y + radius},
                                          {box.right() - radius, box.bottom() - radius},

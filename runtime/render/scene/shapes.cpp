@@ -24,7 +24,9 @@ Eigen::Vector2f outwards(const std::array<float, 2>& from, const std::array<floa
 void add_ring(ModelPrimitive& primitive, const std::array<float, 2>& point,
               const Eigen::Vector2f& slope) {
     for (int i = 0; i <= kAround; ++i) {
-        const float turn = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kAround;
+        // The last corner lies exactly on the first, so that the surface closes.
+        const float turn =
+            2.0F * std::numbers::pi_v<float> * static_cast<float>(i % kAround) / kAround;
         const float c = std::cos(turn);
         const float s = std::sin(turn);
         primitive.positions.insert(primitive.positions.end(),
@@ -76,7 +78,8 @@ LoadedModel make_ball(float radius_m, std::array<float, 4> colour) {
     Profile profile;
     for (int i = 0; i <= kUp; ++i) {
         const float turn = std::numbers::pi_v<float> * (static_cast<float>(i) / kUp - 0.5F);
-        profile.push_back({radius_m * std::cos(turn), radius_m * std::sin(turn)});
+        const bool pole = i == 0 || i == kUp;
+        profile.push_back({pole ? 0.0F : radius_m * std::cos(turn), radius_m * std::sin(turn)});
     }
     return make_lathe(profile, colour);
 }

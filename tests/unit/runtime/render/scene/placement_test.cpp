@@ -1,0 +1,132 @@
+#include "runtime/render/scene/placement.h"
+
+#include "runtime/render/scene/arrow.h"
+#include "runtime/render/scene/light.h"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+#include <numbers>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Eigen::Vector3f moved(const Placement& placement, const Eigen::Vector3f& point) {
+    return (placement.world_from_model * point.homogeneous()).head<3>();
+}
+
+ViewForce force(const Vector3& newtons) {
+    return {true, Vector3(0.1, 0.2, 0.3), newtons, "f"};
+}
+
+}  // namespace
+
+TEST_CASE("placement: scales in the model, then turns, then moves") {
+    Pose pose;
+    pose.position = Vector3(1.0, 2.0, 3.0);
+    pose.orientation = Quaternion(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3::UnitZ()));
+    const auto placement = place(pose, Vector3(2.0, 1.0, 1.0));
+    REQUIRE(placement);
+    CHECK(moved(*placement, {1, 0, 0}).isApprox(Eigen::Vector3f(1, 4, 3), 1e-6F));
+    CHECK(moved(*placement, {0, 1, 0}).isApprox(Eigen::Vector3f(0, 2, 3), 1e-6F));
+    // Normals stay at right angles to the surface: on a plane x + y = const stretched along x.
+    const Eigen::Vector3f along =
+        moved(*placement, {1, -1, 0}) - moved(*placement, Eigen::Vector3f::Zero());
+    const Eigen::Vector3f normal = placement->normal_from_model * Eigen::Vector3f(1, 1, 0);
+    CHECK(along.dot(normal) == Approx(0.0F).margin(1e-6));
+    CHECK_FALSE(placement->mirrored);
+    CHECK(place(pose, Vector3(-1.0, 1.0, 1.0))->mirrored);
+}
+
+TEST_CASE("placement: numbers that cannot be drawn are refused") {
+    Pose lost;
+    lost.position.x() = kNan;
+    CHECK_FALSE(place(lost, Vector3::Ones()));
+    Pose far;
+    far.position.y() = 1e9;
+    CHECK_FALSE(place(far, Vector3::Ones()));
+    Pose unturned;
+    unturned.orientation.coeffs().setZero();
+    CHECK_FALSE(place(unturned, Vector3::Ones()));
+    unturned.orientation.coeffs().setConstant(1e200);
+    CHECK_FALSE(place(unturned, Vector3::Ones()));
+    CHECK_FALSE(place(Pose{}, Vector3(1.0, 0.0, 1.0)));
+    CHECK_FALSE(place(Pose{}, Vector3(1.0, kNan, 1.0)));
+    CHECK_FALSE(place(Pose{}, Vector3(1.0, 1e30, 1.0)));
+}
+
+TEST_CASE("placement: a quaternion that is not quite of unit length still only turns") {
+    Pose pose;
+    pose.orientation.coeffs() *= 1.7;
+    const auto placement = place(pose, Vector3::Ones());
+    REQUIRE(placement);
+    CHECK(placement->world_from_model.isApprox(Eigen::Matrix4f::Identity(), 1e-6F));
+}
+
+TEST_CASE("placement: bounds of a box") {
+    Pose pose;
+    pose.position = Vector3(0.0, 1.0, 0.0);
+    const Bounds bounds =
+        bounds_of(*place(pose, Vector3(1.0, 0.5, 1.0)), {-0.1F, -0.2F, -0.3F}, {0.1F, 0.2F, 0.3F});
+    CHECK(bounds.centre_W.isApprox(Vector3(0.0, 1.0, 0.0), 1e-6));
+    CHECK(bounds.lowest_m == Approx(0.9));
+    CHECK(bounds.half_width_m == Approx(0.3));
+    CHECK(bounds.radius_m == Approx(0.3));
+    CHECK(bounds.enclosing_radius_m == Approx(std::sqrt(0.01 + 0.01 + 0.09)));
+}
+
+TEST_CASE("arrow: twice the newtons is twice the length, from the same tail, along the force") {
+    const Camera camera(CameraDescription{}, 1280, 720);
+    const auto two = arrow_for(force(Vector3(0.0, -2.0, 0.0)), camera);
+    const auto four = arrow_for(force(Vector3(0.0, -4.0, 0.0)), camera);
+    REQUIRE(two);
+    REQUIRE(four);
+    CHECK(two->tail_W.isApprox(Vector3(0.1, 0.2, 0.3)));
+    const double length_m = (two->tip_W - two->tail_W).norm();
+    CHECK(length_m == Approx(kLengthPerNewton * 2.0 * camera.distance_m()));
+    CHECK((four->tip_W - four->tail_W).norm() == Approx(2.0 * length_m));
+    CHECK((two->tip_W - two->tail_W).normalized().isApprox(-Vector3::UnitY()));
+    // The drawn tip is where it is said to be.
+    CHECK(moved(two->head, {0, 1, 0}).cast<double>().isApprox(two->tip_W, 1e-5));
+    CHECK(moved(two->shaft, {0, 0, 0}).cast<double>().isApprox(two->tail_W, 1e-5));
+}
+
+TEST_CASE("arrow: small forces have none, large ones stay in the picture") {
+    const Camera camera(CameraDescription{}, 1280, 720);
+    CHECK_FALSE(arrow_for(force(Vector3::Zero()), camera));
+    CHECK_FALSE(arrow_for(force(Vector3(0.0, 0.01, 0.0)), camera));
+    CHECK_FALSE(arrow_for(force(Vector3(0.0, kNan, 0.0)), camera));
+    ViewForce unseen = force(Vector3(0.0, 1.0, 0.0));
+    unseen.visible = false;
+    CHECK_FALSE(arrow_for(unseen, camera));
+    const auto huge = arrow_for(force(Vector3(1e200, 1e200, 0.0)), camera);
+    REQUIRE(huge);
+    CHECK((huge->tip_W - huge->tail_W).norm() <= kLongestArrow * camera.distance_m() + 1e-9);
+    const auto upwards = arrow_for(force(Vector3(0.0, 3.0, 0.0)), camera);
+    REQUIRE(upwards);
+    CHECK(upwards->tip_W.y() > upwards->tail_W.y());
+}
+
+TEST_CASE("light: what stands on the floor before the camera is inside its map") {
+    const Camera camera(CameraDescription{}, 1280, 720);
+    const Light light = light_for(camera, 0.0, 1024);
+    for (const auto& [x, y, z] :
+         {std::array{0.0F, 0.0F, 0.0F}, {0.8F, 0.0F, 0.8F}, {-0.5F, 1.2F, 0.3F}}) {
+        const Eigen::Vector3f place =
+            (light.shadow_from_world * Eigen::Vector4f(x, y, z, 1.0F)).head<3>();
+        for (int axis = 0; axis < 3; ++axis) {
+            CHECK(place[axis] > 0.0F);
+            CHECK(place[axis] < 1.0F);
+        }
+    }
+    // Higher is nearer to the lamp.
+    const auto depth = [&](float y) {
+        return (light.shadow_from_world * Eigen::Vector4f(0.0F, y, 0.0F, 1.0F)).z();
+    };
+    CHECK(depth(0.5F) < depth(0.0F));
+    CHECK(light_for(camera, kNan, 1024).clip_from_world.allFinite());
+}

@@ -1,0 +1,135 @@
+#include "runtime/render/scene/scene_content.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// A model of 0.1 m radius without any triangles: no card is needed to place it.
+const gl::Mesh& box() {
+    static const gl::Mesh mesh = [] {
+        gl::Mesh made;
+        made.lowest.setConstant(-0.1F);
+        made.highest.setConstant(0.1F);
+        return made;
+    }();
+    return mesh;
+}
+
+SceneContent read(const View& view) {
+    const Camera camera(view.camera, 1280, 720);
+    return content_of(view, camera, [](const std::string&) -> const gl::Mesh& { return box(); });
+}
+
+ViewBody body_at(double x, double y, double z) {
+    ViewBody body;
+    body.pose_W.position = Vector3(x, y, z);
+    return body;
+}
+
+View without_tool() {
+    View view;
+    view.tool_visible = false;
+    return view;
+}
+
+}  // namespace
+
+TEST_CASE("content: a body that cannot be drawn is left out, the others stay") {
+    View view = without_tool();
+    view.bodies = {body_at(0.0, 0.5, 0.0), body_at(kNan, 0.5, 0.0), body_at(0.2, 0.5, 0.0)};
+    view.bodies[2].highlight = kNan;
+    view.bodies[1].label = "lost";
+    const SceneContent content = read(view);
+    REQUIRE(content.items.size() == 2);
+    CHECK(content.marks.size() == 2);
+    CHECK(content.labels.empty());
+    CHECK(content.items[1].highlight == 0.0F);
+}
+
+TEST_CASE("content: the mark lies straight below, with the height above the floor") {
+    View view = without_tool();
+    view.ground_height_m = 0.2;
+    view.bodies = {body_at(0.3, 0.8, -0.1)};
+    const SceneContent content = read(view);
+    REQUIRE(content.marks.size() == 1);
+    CHECK(content.marks[0].centre_W.x() == Approx(0.3));
+    CHECK(content.marks[0].centre_W.z() == Approx(-0.1));
+    CHECK(content.marks[0].height_m == Approx(0.5));
+    CHECK_FALSE(content.marks[0].dashed);
+    view.bodies = {body_at(0.0, -1.0, 0.0)};
+    CHECK(read(view).marks.empty());
+}
+
+TEST_CASE("content: the hand has a mark of its own kind") {
+    View view;
+    view.tool = body_at(0.0, 0.6, 0.0);
+    const SceneContent content = read(view);
+    REQUIRE(content.marks.size() == 1);
+    CHECK(content.marks[0].dashed);
+    CHECK(content.items.size() == 1);
+}
+
+TEST_CASE("content: the ghost appears as the arm leaves the tool") {
+    View view;
+    view.tool = body_at(0.0, 0.4, 0.0);
+    CHECK_FALSE(read(view).ghost);
+    view.ghost_visible = true;
+    view.ghost_pose_W = view.tool.pose_W;
+    CHECK(read(view).ghost_strength == 0.0F);
+    view.ghost_pose_W.position.x() += 0.01;
+    const float a_little = read(view).ghost_strength;
+    CHECK(a_little > 0.0F);
+    CHECK(a_little < 1.0F);
+    view.ghost_pose_W.position.x() += 0.2;
+    const SceneContent apart = read(view);
+    CHECK(apart.ghost_strength == 1.0F);
+    REQUIRE(apart.ghost);
+    CHECK(apart.ghost->bounds.centre_W.x() == Approx(0.21).margin(1e-6));
+    view.ghost_pose_W.position.y() = kNan;
+    CHECK_FALSE(read(view).ghost);
+}
+
+TEST_CASE("content: labels stand where their things are seen") {
+    View view = without_tool();
+    view.bodies = {body_at(0.2, 0.5, 0.0)};
+    view.bodies[0].label = "apple";
+    view.force = {true, Vector3(0.0, 0.4, 0.0), Vector3(0.0, -3.0, 0.0), "3 N"};
+    const SceneContent content = read(view);
+    REQUIRE(content.labels.size() == 2);
+    const Camera camera(view.camera, 1280, 720);
+    const auto seen = camera.project(Vector3(0.2, 0.5, 0.0));
+    CHECK(content.labels[0].middle_px[0] == Approx(seen->position_px.x()).margin(0.01));
+    CHECK(content.labels[0].middle_px[1] == Approx(seen->position_px.y()).margin(0.01));
+    CHECK(content.labels[0].radius_px ==
+          Approx(0.1 * camera.px_per_m(seen->depth_m)).epsilon(0.05));
+    CHECK(content.labels[1].is_force);
+    CHECK(content.labels[1].direction[1] == Approx(1.0).margin(0.01));
+    view.force.text.clear();
+    CHECK(read(view).labels.size() == 1);
+    CHECK(read(view).arrow);
+}
+
+TEST_CASE("content: detail falls with distance, far things have no part in shadows") {
+    View view = without_tool();
+    view.bodies = {body_at(0.0, 0.4, 0.9), body_at(0.0, 0.4, 0.0), body_at(0.0, 0.4, -6.0)};
+    const SceneContent content = read(view);
+    REQUIRE(content.items.size() == 3);
+    CHECK(content.items[0].level < content.items[1].level);
+    CHECK(content.items[1].level < content.items[2].level);
+    CHECK(content.items[1].near);
+    CHECK_FALSE(content.items[2].near);
+}
+
+TEST_CASE("content: a crowd is cut off at the limit") {
+    View view = without_tool();
+    view.bodies.assign(kMostBodies + 10, body_at(0.0, 0.4, 0.0));
+    CHECK(read(view).items.size() == kMostBodies);
+}
