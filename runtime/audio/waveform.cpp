@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace fulcrum::runtime {
@@ -10,6 +11,8 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kEndRamp_s = 0.015;
+/// Time constants after which a sound has fallen by 120 dB: nothing is left of it in 16 bits.
+constexpr double kDecays = 13.8;
 
 /// 0 at t <= 0, 1 from `length` on, smooth between.
 double raised_cosine(double t, double length) {
@@ -60,18 +63,28 @@ Waveform::Waveform(double duration_s)
     : samples_(static_cast<std::size_t>(std::lround(duration_s * kSampleRate_Hz)), 0.0) {}
 
 template <class Signal>
-void Waveform::mix(double start_s, double attack_s, Signal signal) {
-    const auto first = static_cast<std::size_t>(std::lround(start_s * kSampleRate_Hz));
-    for (std::size_t i = first; i < samples_.size(); ++i) {
+void Waveform::mix(double start_s, double attack_s, double duration_s, Signal signal) {
+    const auto at = [this](double t) {
+        return std::min(samples_.size(), static_cast<std::size_t>(std::lround(t * kSampleRate_Hz)));
+    };
+    const std::size_t first = at(start_s);
+    const std::size_t end = at(start_s + duration_s);
+    for (std::size_t i = first; i < end; ++i) {
         const double t = static_cast<double>(i - first) / kSampleRate_Hz;
         samples_[i] += raised_cosine(t, attack_s) * signal(t);
     }
 }
 
 Waveform& Waveform::add(const Mode& mode, double start_s, double attack_s) {
-    mix(start_s, attack_s, [&](double t) {
-        return mode.amplitude * std::exp(-t / mode.decay_s) *
-               std::sin(kTwoPi * mode.frequency_Hz * t);
+    // a e^(-t/tau) e^(i 2 pi f t) turns and shrinks by the same complex factor at each sample.
+    const double shrink = std::exp(-1.0 / (mode.decay_s * kSampleRate_Hz));
+    const std::complex<double> factor =
+        std::polar(shrink, kTwoPi * mode.frequency_Hz / kSampleRate_Hz);
+    std::complex<double> state(mode.amplitude, 0.0);
+    mix(start_s, attack_s, kDecays * mode.decay_s, [&](double /*t*/) {
+        const double now = state.imag();
+        state *= factor;
+        return now;
     });
     return *this;
 }
@@ -79,7 +92,7 @@ Waveform& Waveform::add(const Mode& mode, double start_s, double attack_s) {
 Waveform& Waveform::add(const Noise& noise, double start_s, double attack_s) {
     WhiteNoise white(noise.seed);
     BandPass band(noise.frequency_Hz, noise.quality);
-    mix(start_s, attack_s, [&](double t) {
+    mix(start_s, attack_s, kDecays * noise.decay_s, [&](double t) {
         return noise.amplitude * std::exp(-t / noise.decay_s) * band.step(white.next());
     });
     return *this;
@@ -87,7 +100,7 @@ Waveform& Waveform::add(const Noise& noise, double start_s, double attack_s) {
 
 Waveform& Waveform::add(const Glide& glide, double start_s, double attack_s) {
     const double span_Hz = glide.from_Hz - glide.to_Hz;
-    mix(start_s, attack_s, [&](double t) {
+    mix(start_s, attack_s, kDecays * glide.decay_s, [&](double t) {
         const double turns =
             glide.to_Hz * t + span_Hz * glide.glide_s * (1.0 - std::exp(-t / glide.glide_s));
         return glide.amplitude * std::exp(-t / glide.decay_s) * std::sin(kTwoPi * turns);

@@ -60,7 +60,7 @@ class Waveform {
 
   private:
     template <class Signal>
-    void mix(double start_s, double attack_s, Signal signal);
+    void mix(double start_s, double attack_s, double duration_s, Signal signal);
 
     std::vector<double> samples_;
 };
