@@ -6,6 +6,7 @@
 #include "runtime/render/colour.h"
 #include "runtime/render/egl/offscreen.h"
 #include "runtime/render/overlay/panels.h"
+#include "runtime/render/scene/light.h"
 #include "runtime/render/scene/shapes.h"
 #include "runtime/render/theme.h"
 
@@ -206,6 +207,25 @@ TEST_CASE("picture: shadows darken the floor below a body, and only there") {
           brightness(pixel_at(bare, view, below)) * 85 / 100);
     const Vector3 away(0.6, 0.0, 0.1);
     CHECK(pixel_at(shaded, view, away) == pixel_at(bare, view, away));
+}
+
+TEST_CASE("picture: the shadow of a body high above lies where the lamp throws it") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View view = nothing();
+    view.camera.eye_W = Vector3(0.0, 1.2, 1.2);
+    const Image bare = studio->draw(view);
+    view.bodies = {body("red", {0.0, 3.0, 0.0})};
+    const Image image = studio->draw(view);
+    const Light light =
+        light_for(Camera(view.camera, kWidth, kHeight), 0.0, RendererSettings{}.shadow_map_size);
+    const Vector3 to_lamp = light.to_lamp.cast<double>();
+    const Vector3 thrown = view.bodies[0].pose_W.position - to_lamp * (3.0 / to_lamp.y());
+    const Vector3 edge = thrown * (1.0 + 0.05 / thrown.norm());
+    CHECK(brightness(pixel_at(image, view, edge)) <
+          brightness(pixel_at(bare, view, edge)) * 85 / 100);
 }
 
 TEST_CASE("picture: a body shades the one below it, and no body shades itself in stripes") {
