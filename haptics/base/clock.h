@@ -7,7 +7,8 @@ namespace fulcrum {
 
 /// Seconds of the machine's monotonic clock; only differences mean something.
 [[nodiscard]] inline double monotonic_now_s() noexcept {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 }  // namespace fulcrum

@@ -3,16 +3,16 @@
 namespace fulcrum {
 
 std::string to_sentence(const Error& error) {
-  std::string sentence;
-  if (!error.where.empty()) {
-    sentence += error.where + ": ";
-  }
-  sentence += error.message;
-  if (!error.what_to_do.empty()) {
-    sentence += "; " + error.what_to_do;
-  }
-  sentence += '.';
-  return sentence;
+    std::string sentence;
+    if (!error.where.empty()) {
+        sentence += error.where + ": ";
+    }
+    sentence += error.message;
+    if (!error.what_to_do.empty()) {
+        sentence += "; " + error.what_to_do;
+    }
+    sentence += '.';
+    return sentence;
 }
 
 }  // namespace fulcrum

@@ -7,25 +7,29 @@ namespace fulcrum {
 
 /// One bit a kind of fault; a step ORs them together.
 enum class Fault : std::uint32_t {
-  none = 0,
-  device_read = 1U << 0,       ///< the device did not give a pose
-  device_stale = 1U << 1,      ///< the device's newest pose is too old
-  device_invalid = 1U << 2,    ///< NaN, infinity or an impossible jump in the pose
-  command_stale = 1U << 3,     ///< the lesson or the world has not answered for too long
-  command_invalid = 1U << 4,   ///< NaN or infinity in a force that was computed or asked for
-  emergency_stop = 1U << 5,    ///< somebody pressed the emergency stop
-  lesson_failed = 1U << 6,     ///< the lesson's process failed; the force fades
-  record_full = 1U << 7,       ///< the recorder could not keep up; samples were dropped and counted
-  device_write = 1U << 8,      ///< the device refused the wrench
+    none = 0,
+    device_read = 1U << 0,      ///< the device did not give a pose
+    device_stale = 1U << 1,     ///< the device's newest pose is too old
+    device_invalid = 1U << 2,   ///< NaN, infinity or an impossible jump in the pose
+    command_stale = 1U << 3,    ///< the lesson or the world has not answered for too long
+    command_invalid = 1U << 4,  ///< NaN or infinity in a force that was computed or asked for
+    emergency_stop = 1U << 5,   ///< somebody pressed the emergency stop
+    lesson_failed = 1U << 6,    ///< the lesson's process failed; the force fades
+    record_full = 1U << 7,   ///< the recorder could not keep up; samples were dropped and counted
+    device_write = 1U << 8,  ///< the device refused the wrench
 };
 
 [[nodiscard]] constexpr Fault operator|(Fault a, Fault b) noexcept {
-  return static_cast<Fault>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
+    return static_cast<Fault>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
 }
 [[nodiscard]] constexpr Fault operator&(Fault a, Fault b) noexcept {
-  return static_cast<Fault>(static_cast<std::uint32_t>(a) & static_cast<std::uint32_t>(b));
+    return static_cast<Fault>(static_cast<std::uint32_t>(a) & static_cast<std::uint32_t>(b));
 }
-constexpr Fault& operator|=(Fault& a, Fault b) noexcept { return a = a | b; }
-[[nodiscard]] constexpr bool any(Fault faults) noexcept { return faults != Fault::none; }
+constexpr Fault& operator|=(Fault& a, Fault b) noexcept {
+    return a = a | b;
+}
+[[nodiscard]] constexpr bool any(Fault faults) noexcept {
+    return faults != Fault::none;
+}
 
 }  // namespace fulcrum

@@ -4,42 +4,43 @@
 // Thread: `read` and `write` are called by the haptic loop alone; they neither wait nor allocate.
 #pragma once
 
+#include "haptics/math/spatial.h"
+
 #include <cstdint>
 #include <string>
-
-#include "haptics/math/spatial.h"
 
 namespace fulcrum {
 
 /// What a device reports at one instant, in its own base frame D.
 struct DeviceReading {
-  double stamp_s = 0.0;       ///< when the pose was measured, on the run's clock
-  Pose pose_D{};              ///< metres
-  std::uint32_t buttons = 0;  ///< one bit a button
+    double stamp_s = 0.0;       ///< when the pose was measured, on the run's clock
+    Pose pose_D{};              ///< metres
+    std::uint32_t buttons = 0;  ///< one bit a button
 };
 
 /// What a device can do; fixed after it was opened.
 struct DeviceTraits {
-  std::string name;                          ///< for people, e.g. "simulated hand"
-  bool renders_force = false;                ///< false for a mouse: its forces are shown and heard instead
-  double max_force_N = 0.0;                  ///< the most it can give continuously; 0 when it renders none
-  double max_torque_Nm = 0.0;
-  double position_resolution_m = 0.0;        ///< encoder step; 0 when it is finer than 1e-5 m or unknown
-  Vector3 workspace_half_extent_D{0.1, 0.1, 0.1};  ///< metres either side of the centre
+    std::string name;            ///< for people, e.g. "simulated hand"
+    bool renders_force = false;  ///< false for a mouse: its forces are shown and heard instead
+    double max_force_N = 0.0;    ///< the most it can give continuously; 0 when it renders none
+    double max_torque_Nm = 0.0;
+    double position_resolution_m =
+        0.0;  ///< encoder step; 0 when it is finer than 1e-5 m or unknown
+    Vector3 workspace_half_extent_D{0.1, 0.1, 0.1};  ///< metres either side of the centre
 };
 
 class Device {
- public:
-  Device() = default;
-  Device(const Device&) = delete;
-  Device& operator=(const Device&) = delete;
-  virtual ~Device() = default;
+  public:
+    Device() = default;
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+    virtual ~Device() = default;
 
-  [[nodiscard]] virtual const DeviceTraits& traits() const noexcept = 0;
-  /// The newest pose; false when the device gave none (the loop then counts a device_read fault).
-  [[nodiscard]] virtual bool read(double now_s, DeviceReading& reading) noexcept = 0;
-  /// Renders the wrench (newtons, newton metres, frame D) until the next call; false when it could not.
-  [[nodiscard]] virtual bool write(double now_s, const Wrench& wrench_D) noexcept = 0;
+    [[nodiscard]] virtual const DeviceTraits& traits() const noexcept = 0;
+    /// The newest pose; false when the device gave none (the loop then counts a device_read fault).
+    [[nodiscard]] virtual bool read(double now_s, DeviceReading& reading) noexcept = 0;
+    /// Renders the wrench (newtons, newton metres, frame D) until the next call; false when it could not.
+    [[nodiscard]] virtual bool write(double now_s, const Wrench& wrench_D) noexcept = 0;
 };
 
 }  // namespace fulcrum

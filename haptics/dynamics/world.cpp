@@ -74,6 +74,8 @@ void World::apply(const WorldCommand& command) noexcept {
         RigidBody& body = bodies_[static_cast<std::size_t>(command.body)];
         if (command.kind != WorldCommand::Kind::hold) {
             free_body(body, command);
+        } else if (body.where != BodyWhere::held && is_full()) {
+            ++ignored_commands_;
         } else if (body.where != BodyWhere::held) {
             const Vector3 place_T = catcher_.compute_resting_place(body.radius_m, bodies_);
             hold_body(body, {place_T, Quaternion::Identity()});
@@ -81,6 +83,14 @@ void World::apply(const WorldCommand& command) noexcept {
         }
     }
     describe();
+}
+
+// Counted afresh: two bodies may reach the opening in one step.
+bool World::is_full() const noexcept {
+    const auto held = std::count_if(bodies_.begin(), bodies_.end(), [](const RigidBody& body) {
+        return body.where == BodyWhere::held;
+    });
+    return held >= plan_.catcher.capacity;
 }
 
 bool World::is_usable(const WorldCommand& command) const noexcept {
@@ -128,7 +138,7 @@ void World::move_falling(std::size_t index, double dt_s, const Pose& tool_before
     const Vector3 before_T = tool_before_WT.inverse() * body.pose_W.position;
     step_flight(body, plan_.gravity_W, dt_s);
     // Through the opening?
-    if (catcher_.present() && has_tool_) {
+    if (catcher_.present() && has_tool_ && !is_full()) {
         const Pose inverse_TW = tool_WT_.inverse();
         const Vector3 after_T = inverse_TW * body.pose_W.position;
         const Crossing crossing = catcher_.compute_crossing(before_T, after_T, body.radius_m);

@@ -69,6 +69,7 @@ class World {
     [[nodiscard]] std::size_t n_held() const noexcept { return n_held_; }
 
   private:
+    [[nodiscard]] bool is_full() const noexcept;
     [[nodiscard]] bool is_usable(const WorldCommand& command) const noexcept;
     void free_body(RigidBody& body, const WorldCommand& command) noexcept;
     void hold_body(RigidBody& body, const Pose& pose_T) noexcept;

@@ -21,7 +21,7 @@ struct CatcherPlan {
     bool present = false;
     double opening_radius_m = 0.1;
     double depth_m = 0.12;  ///< from the rim down to the floor of the bucket
-    int capacity = 1;       ///< how many bodies it holds; a full bucket catches nothing more
+    int capacity = 1;       ///< how many bodies it holds; a full one catches and holds nothing more
     Vector3 rim_centre_T{Vector3::Zero()};  ///< in the tool's frame
 };
 

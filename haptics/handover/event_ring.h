@@ -15,49 +15,52 @@ namespace fulcrum {
 
 template <class T, std::size_t kCapacity>
 class EventRing {
-  static_assert(std::is_trivially_destructible_v<T>);
-  static_assert(kCapacity > 0 && (kCapacity & (kCapacity - 1)) == 0, "the capacity is a power of two");
+    static_assert(std::is_trivially_destructible_v<T>);
+    static_assert(kCapacity > 0 && (kCapacity & (kCapacity - 1)) == 0,
+                  "the capacity is a power of two");
 
- public:
-  /// Producer: false when the ring is full; the event is dropped and counted.
-  bool push(const T& event) noexcept {
-    const std::uint64_t head = head_.load(std::memory_order_relaxed);
-    if (head - tail_seen_ == kCapacity) {
-      tail_seen_ = tail_.load(std::memory_order_acquire);
-      if (head - tail_seen_ == kCapacity) {
-        dropped_.fetch_add(1, std::memory_order_relaxed);
-        return false;
-      }
+  public:
+    /// Producer: false when the ring is full; the event is dropped and counted.
+    bool push(const T& event) noexcept {
+        const std::uint64_t head = head_.load(std::memory_order_relaxed);
+        if (head - tail_seen_ == kCapacity) {
+            tail_seen_ = tail_.load(std::memory_order_acquire);
+            if (head - tail_seen_ == kCapacity) {
+                dropped_.fetch_add(1, std::memory_order_relaxed);
+                return false;
+            }
+        }
+        slots_[head & (kCapacity - 1)] = event;
+        head_.store(head + 1, std::memory_order_release);
+        return true;
     }
-    slots_[head & (kCapacity - 1)] = event;
-    head_.store(head + 1, std::memory_order_release);
-    return true;
-  }
 
-  /// Consumer: false when there is nothing.
-  bool pop(T& event) noexcept {
-    const std::uint64_t tail = tail_.load(std::memory_order_relaxed);
-    if (tail == head_seen_) {
-      head_seen_ = head_.load(std::memory_order_acquire);
-      if (tail == head_seen_) {
-        return false;
-      }
+    /// Consumer: false when there is nothing.
+    bool pop(T& event) noexcept {
+        const std::uint64_t tail = tail_.load(std::memory_order_relaxed);
+        if (tail == head_seen_) {
+            head_seen_ = head_.load(std::memory_order_acquire);
+            if (tail == head_seen_) {
+                return false;
+            }
+        }
+        event = slots_[tail & (kCapacity - 1)];
+        tail_.store(tail + 1, std::memory_order_release);
+        return true;
     }
-    event = slots_[tail & (kCapacity - 1)];
-    tail_.store(tail + 1, std::memory_order_release);
-    return true;
-  }
 
-  /// Any thread: how many events were dropped so far.
-  [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_.load(std::memory_order_relaxed); }
+    /// Any thread: how many events were dropped so far.
+    [[nodiscard]] std::uint64_t dropped() const noexcept {
+        return dropped_.load(std::memory_order_relaxed);
+    }
 
- private:
-  std::array<T, kCapacity> slots_{};
-  alignas(64) std::atomic<std::uint64_t> head_{0};  // next to write; stored by the producer
-  std::uint64_t tail_seen_ = 0;                      // producer's copy of tail_
-  alignas(64) std::atomic<std::uint64_t> tail_{0};  // next to read; stored by the consumer
-  std::uint64_t head_seen_ = 0;                      // consumer's copy of head_
-  alignas(64) std::atomic<std::uint64_t> dropped_{0};
+  private:
+    std::array<T, kCapacity> slots_{};
+    alignas(64) std::atomic<std::uint64_t> head_{0};  // next to write; stored by the producer
+    std::uint64_t tail_seen_ = 0;                     // producer's copy of tail_
+    alignas(64) std::atomic<std::uint64_t> tail_{0};  // next to read; stored by the consumer
+    std::uint64_t head_seen_ = 0;                     // consumer's copy of head_
+    alignas(64) std::atomic<std::uint64_t> dropped_{0};
 };
 
 }  // namespace fulcrum

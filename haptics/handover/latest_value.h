@@ -15,38 +15,38 @@ namespace fulcrum {
 
 template <class T>
 class LatestValue {
-  // No heap may hide in a value that crosses a thread; fixed-size Eigen members pass, std::vector does not.
-  static_assert(std::is_trivially_destructible_v<T>);
+    // No heap may hide in a value that crosses a thread; fixed-size Eigen members pass, std::vector does not.
+    static_assert(std::is_trivially_destructible_v<T>);
 
- public:
-  /// Writer: makes `value` the newest. Never waits; an untaken older value is overwritten.
-  void publish(const T& value) noexcept {
-    slots_[writer_slot_] = value;
-    const std::uint8_t before =
-        middle_.exchange(static_cast<std::uint8_t>(writer_slot_ | kNew), std::memory_order_acq_rel);
-    writer_slot_ = before & kIndexMask;
-  }
-
-  /// Reader: fetches the newest value if there is one; true when it is newer than the last.
-  bool take() noexcept {
-    if ((middle_.load(std::memory_order_relaxed) & kNew) == 0) {
-      return false;
+  public:
+    /// Writer: makes `value` the newest. Never waits; an untaken older value is overwritten.
+    void publish(const T& value) noexcept {
+        slots_[writer_slot_] = value;
+        const std::uint8_t before = middle_.exchange(static_cast<std::uint8_t>(writer_slot_ | kNew),
+                                                     std::memory_order_acq_rel);
+        writer_slot_ = before & kIndexMask;
     }
-    reader_slot_ = middle_.exchange(reader_slot_, std::memory_order_acq_rel) & kIndexMask;
-    return true;
-  }
 
-  /// Reader: the value last taken (default-constructed before the first).
-  [[nodiscard]] const T& value() const noexcept { return slots_[reader_slot_]; }
+    /// Reader: fetches the newest value if there is one; true when it is newer than the last.
+    bool take() noexcept {
+        if ((middle_.load(std::memory_order_relaxed) & kNew) == 0) {
+            return false;
+        }
+        reader_slot_ = middle_.exchange(reader_slot_, std::memory_order_acq_rel) & kIndexMask;
+        return true;
+    }
 
- private:
-  static constexpr std::uint8_t kIndexMask = 3;
-  static constexpr std::uint8_t kNew = 4;
+    /// Reader: the value last taken (default-constructed before the first).
+    [[nodiscard]] const T& value() const noexcept { return slots_[reader_slot_]; }
 
-  std::array<T, 3> slots_{};
-  alignas(64) std::atomic<std::uint8_t> middle_{1};
-  alignas(64) std::uint8_t writer_slot_ = 0;  // touched by the writer only
-  alignas(64) std::uint8_t reader_slot_ = 2;  // touched by the reader only
+  private:
+    static constexpr std::uint8_t kIndexMask = 3;
+    static constexpr std::uint8_t kNew = 4;
+
+    std::array<T, 3> slots_{};
+    alignas(64) std::atomic<std::uint8_t> middle_{1};
+    alignas(64) std::uint8_t writer_slot_ = 0;  // touched by the writer only
+    alignas(64) std::uint8_t reader_slot_ = 2;  // touched by the reader only
 };
 
 }  // namespace fulcrum

@@ -5,11 +5,11 @@
 //   lesson loop --ForceCommand--> haptic loop      lesson loop --WorldCommand--> world loop
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include "haptics/base/fault.h"
 #include "haptics/math/spatial.h"
+
+#include <array>
+#include <cstdint>
 
 namespace fulcrum {
 
@@ -21,34 +21,35 @@ inline constexpr int kNoBody = -1;
 /// A force that a lesson computed at its own slow rate, with its slope, so that 1 kHz stays smooth between answers:
 /// F(x, v) ~ force_W + stiffness (x - at_position_W) + damping (v - at_velocity_W). Newtons, metres, seconds.
 struct LinearisedForce {
-  double stamp_s = -1.0;  ///< when it was computed; before the first answer negative
-  Vector3 force_W{Vector3::Zero()};
-  Vector3 at_position_W{Vector3::Zero()};
-  Vector3 at_velocity_W{Vector3::Zero()};
-  Matrix3 stiffness_N_per_m{Matrix3::Zero()};  ///< dF/dx, 3 x 3
-  Matrix3 damping_Ns_per_m{Matrix3::Zero()};   ///< dF/dv, 3 x 3
+    double stamp_s = -1.0;  ///< when it was computed; before the first answer negative
+    Vector3 force_W{Vector3::Zero()};
+    Vector3 at_position_W{Vector3::Zero()};
+    Vector3 at_velocity_W{Vector3::Zero()};
+    Matrix3 stiffness_N_per_m{Matrix3::Zero()};  ///< dF/dx, 3 x 3
+    Matrix3 damping_Ns_per_m{Matrix3::Zero()};   ///< dF/dv, 3 x 3
 };
 
 /// What may change in a declared field while a lesson runs; its kind and coefficients are fixed by the plan.
 struct FieldCommand {
-  bool on = true;
-  Vector3 anchor_W{Vector3::Zero()};  ///< centre of a spring or magnet
-  double strength = 1.0;              ///< factor on the declared force, 0 to 1
+    bool on = true;
+    Vector3 anchor_W{Vector3::Zero()};  ///< centre of a spring or magnet
+    double strength = 1.0;              ///< factor on the declared force, 0 to 1
 };
 
 /// Lesson -> haptic loop, newest value.
 struct ForceCommand {
-  double stamp_s = 0.0;       ///< when the lesson last answered; too old means command_stale
-  bool lesson_alive = false;  ///< false fades the force to zero
-  std::array<FieldCommand, kMaxFields> fields{};
-  LinearisedForce linearised{};
+    double stamp_s = 0.0;       ///< when the lesson last answered; too old means command_stale
+    bool lesson_alive = false;  ///< false fades the force to zero
+    std::array<FieldCommand, kMaxFields> fields{};
+    LinearisedForce linearised{};
 };
 
 /// World -> haptic loop, newest value.
 struct WorldFrame {
-  double stamp_s = 0.0;
-  Vector3 carried_force_W{Vector3::Zero()};  ///< felt weight of what lies in the tool; the loop ramps towards it
-  std::array<Pose, kMaxSolids> solid_poses_W{};
+    double stamp_s = 0.0;
+    Vector3 carried_force_W{
+        Vector3::Zero()};  ///< felt weight of what lies in the tool; the loop ramps towards it
+    std::array<Pose, kMaxSolids> solid_poses_W{};
 };
 
 /// How far the last gate lets forces through.
@@ -56,57 +57,58 @@ enum class GatePhase : std::uint8_t { waiting, rising, open, fading, stopped };
 
 /// Haptic loop -> world, lesson and picture, newest value.
 struct HapticState {
-  std::uint64_t tick = 0;
-  double time_s = 0.0;
-  Pose tool_pose_W{};                      ///< where the device really is, in the world
-  Twist tool_twist_W{};                    ///< estimated
-  Vector3 proxy_position_W{Vector3::Zero()};  ///< where the tool may be; equals the tool's position in free space
-  Wrench commanded_W{};                    ///< what the scene asks for, before the limits
-  Wrench applied_W{};                      ///< what was sent to the device
-  std::int32_t touched_body = kNoBody;     ///< body under the proxy, or kNoBody
-  std::uint32_t buttons = 0;               ///< one bit a button
-  Fault faults = Fault::none;
-  GatePhase gate = GatePhase::waiting;
+    std::uint64_t tick = 0;
+    double time_s = 0.0;
+    Pose tool_pose_W{};    ///< where the device really is, in the world
+    Twist tool_twist_W{};  ///< estimated
+    Vector3 proxy_position_W{
+        Vector3::Zero()};  ///< where the tool may be; equals the tool's position in free space
+    Wrench commanded_W{};  ///< what the scene asks for, before the limits
+    Wrench applied_W{};    ///< what was sent to the device
+    std::int32_t touched_body = kNoBody;  ///< body under the proxy, or kNoBody
+    std::uint32_t buttons = 0;            ///< one bit a button
+    Fault faults = Fault::none;
+    GatePhase gate = GatePhase::waiting;
 };
 
 /// Lesson -> world, ring.
 struct WorldCommand {
-  enum class Kind : std::uint8_t {
-    drop,     ///< appears at position with velocity and falls
-    place,    ///< appears at position and stays
-    hide,     ///< is gone from the scene
-    hold,     ///< lies in the tool at once, its weight is felt
-    release,  ///< every held body is taken out of the tool and hidden
-  };
-  Kind kind = Kind::drop;
-  std::int32_t body = kNoBody;
-  Vector3 position_W{Vector3::Zero()};
-  Vector3 velocity_W{Vector3::Zero()};
+    enum class Kind : std::uint8_t {
+        drop,     ///< appears at position with velocity and falls
+        place,    ///< appears at position and stays
+        hide,     ///< is gone from the scene
+        hold,     ///< lies in the tool at once, its weight is felt
+        release,  ///< every held body is taken out of the tool and hidden
+    };
+    Kind kind = Kind::drop;
+    std::int32_t body = kNoBody;
+    Vector3 position_W{Vector3::Zero()};
+    Vector3 velocity_W{Vector3::Zero()};
 };
 
 /// World -> lesson, ring.
 struct WorldEvent {
-  enum class Kind : std::uint8_t { caught, landed };
-  Kind kind = Kind::caught;
-  std::int32_t body = kNoBody;
-  double time_s = 0.0;
-  double speed_m_per_s = 0.0;  ///< at the catch or on the ground
+    enum class Kind : std::uint8_t { caught, landed };
+    Kind kind = Kind::caught;
+    std::int32_t body = kNoBody;
+    double time_s = 0.0;
+    double speed_m_per_s = 0.0;  ///< at the catch or on the ground
 };
 
 enum class BodyWhere : std::uint8_t { hidden, placed, falling, held, landed };
 
 struct BodyState {
-  Pose pose_W{};
-  Vector3 velocity_W{Vector3::Zero()};
-  BodyWhere where = BodyWhere::hidden;
+    Pose pose_W{};
+    Vector3 velocity_W{Vector3::Zero()};
+    BodyWhere where = BodyWhere::hidden;
 };
 
 /// World -> lesson and picture, newest value.
 struct WorldSnapshot {
-  double time_s = 0.0;
-  std::int32_t n_bodies = 0;
-  std::array<BodyState, kMaxBodies> bodies{};  ///< n_bodies of them, in the order of the scene
-  Vector3 carried_force_W{Vector3::Zero()};    ///< felt weight in the tool
+    double time_s = 0.0;
+    std::int32_t n_bodies = 0;
+    std::array<BodyState, kMaxBodies> bodies{};  ///< n_bodies of them, in the order of the scene
+    Vector3 carried_force_W{Vector3::Zero()};    ///< felt weight in the tool
 };
 
 }  // namespace fulcrum

@@ -68,8 +68,12 @@ void HapticLoop::take_inputs() noexcept {
     }
     if (channels_.emergency_stop.load(std::memory_order_acquire)) {
         state_.faults |= Fault::emergency_stop;
-    } else if (channels_.rearm.exchange(false, std::memory_order_acq_rel)) {
-        gate_.reset();
+    } else if (channels_.rearm.load(std::memory_order_acquire) && !gate_.is_fading()) {
+        // A stop's fade comes to its end first; where nothing was stopped there is nothing to lift.
+        channels_.rearm.store(false, std::memory_order_release);
+        if (gate_.phase() == GatePhase::stopped) {
+            gate_.reset();
+        }
     }
 }
 
@@ -207,9 +211,7 @@ void HapticLoop::forget_motion() noexcept {
 }
 
 void HapticLoop::silence(double now_s) noexcept {
-    if (gate_.phase() != GatePhase::stopped) {
-        gate_.reset();
-    }
+    gate_.silence();
     applied_D_ = Wrench{};
     (void)device_.write(now_s, applied_D_);
 }
@@ -225,9 +227,7 @@ void HapticLoop::reset() noexcept {
     if (lesson_force_) {
         lesson_force_->reset();
     }
-    if (gate_.phase() != GatePhase::stopped) {
-        gate_.reset();
-    }
+    gate_.silence();
     tick_ = 0;
     started_ = heard_lesson_ = heard_world_ = has_pose_ = false;
     late_faults_ = Fault::none;

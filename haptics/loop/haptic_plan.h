@@ -1,8 +1,6 @@
 // What one haptic loop is built from: only the stages that a scene calls for are in it.
 #pragma once
 
-#include <vector>
-
 #include "haptics/coupling/coupling_settings.h"
 #include "haptics/coupling/velocity_estimator.h"
 #include "haptics/field/field_plan.h"
@@ -10,43 +8,45 @@
 #include "haptics/math/spatial.h"
 #include "haptics/point/solid_plan.h"
 
+#include <vector>
+
 namespace fulcrum {
 
 /// Limits of the last gate; checked by `validate`, never above the hard caps.
 struct SafetySettings {
-  double max_force_N = 5.0;              ///< 0.5 to 10
-  double max_torque_Nm = 0.3;            ///< 0 to 1
-  double max_slew_N_per_s = 500.0;       ///< 10 to 5000
-  double engage_below_N = 0.2;           ///< commanded force must stay below this ...
-  int engage_cycles = 5;                 ///< ... for this many cycles before any force is given
-  double soft_start_N_per_s = 5.0;       ///< the rise allowed ...
-  double soft_start_s = 2.0;             ///< ... for this long after that
-  double fade_s = 0.1;                   ///< any fault: to zero within this time, 0.01 to 0.5
-  double command_timeout_s = 0.1;        ///< a lesson or world older than this is stale
-  double device_timeout_s = 0.02;        ///< a pose older than this is stale
-  double max_hand_speed_m_per_s = 10.0;  ///< a faster change of pose is an invalid jump
+    double max_force_N = 5.0;              ///< 0.5 to 10
+    double max_torque_Nm = 0.3;            ///< 0 to 1
+    double max_slew_N_per_s = 500.0;       ///< 10 to 5000
+    double engage_below_N = 0.2;           ///< commanded force must stay below this ...
+    int engage_cycles = 5;                 ///< ... for this many cycles before any force is given
+    double soft_start_N_per_s = 5.0;       ///< the rise allowed ...
+    double soft_start_s = 2.0;             ///< ... for this long after that
+    double fade_s = 0.1;                   ///< any fault: to zero within this time, 0.01 to 0.5
+    double command_timeout_s = 0.1;        ///< a lesson or world older than this is stale
+    double device_timeout_s = 0.02;        ///< a pose older than this is stale
+    double max_hand_speed_m_per_s = 10.0;  ///< a faster change of pose is an invalid jump
 };
 
 /// How the device's own frame lies in the world: p_W = position + R (scale p_D). Forces turn back by R^T, unscaled.
 struct Workspace {
-  Pose pose_WD{};
-  double scale = 1.0;  ///< world metres a device metre
+    Pose pose_WD{};
+    double scale = 1.0;  ///< world metres a device metre
 };
 
 struct HapticPlan {
-  double rate_hz = 1000.0;  ///< 1000 to 4000
-  Workspace workspace{};
-  SafetySettings safety{};
-  CouplingSettings coupling{};
-  double velocity_cutoff_hz = 80.0;  ///< of the velocity estimator's low pass, where it has one
-  VelocityMethod velocity_method = VelocityMethod::adaptive_window;
-  bool carries_weight = false;       ///< a weight stage: something can lie in the tool
-  double weight_onset_s = 0.3;       ///< how softly a weight arrives and leaves
-  bool lesson_force = false;         ///< a linearised Lua force
-  bool expects_lesson = true;        ///< commands come from a lesson and must stay fresh
-  bool expects_world = false;        ///< a world loop runs and must stay fresh
-  std::vector<SolidPlan> solids;     ///< at most kMaxSolids; empty means no proxy stage
-  std::vector<FieldPlan> fields;     ///< at most kMaxFields
+    double rate_hz = 1000.0;  ///< 1000 to 4000
+    Workspace workspace{};
+    SafetySettings safety{};
+    CouplingSettings coupling{};
+    double velocity_cutoff_hz = 80.0;  ///< of the velocity estimator's low pass, where it has one
+    VelocityMethod velocity_method = VelocityMethod::adaptive_window;
+    bool carries_weight = false;    ///< a weight stage: something can lie in the tool
+    double weight_onset_s = 0.3;    ///< how softly a weight arrives and leaves
+    bool lesson_force = false;      ///< a linearised Lua force
+    bool expects_lesson = true;     ///< commands come from a lesson and must stay fresh
+    bool expects_world = false;     ///< a world loop runs and must stay fresh
+    std::vector<SolidPlan> solids;  ///< at most kMaxSolids; empty means no proxy stage
+    std::vector<FieldPlan> fields;  ///< at most kMaxFields
 };
 
 }  // namespace fulcrum

@@ -73,6 +73,16 @@ void SafetyGate::reset() noexcept {
     enter(GatePhase::waiting);
 }
 
+void SafetyGate::silence() noexcept {
+    output_D_ = Wrench{};
+    enter(phase_ == GatePhase::stopped ? GatePhase::stopped : GatePhase::waiting);
+}
+
+bool SafetyGate::is_fading() const noexcept {
+    const bool fades = phase_ == GatePhase::fading || phase_ == GatePhase::stopped;
+    return fades && (output_D_.force.squaredNorm() > 0.0 || output_D_.torque.squaredNorm() > 0.0);
+}
+
 void SafetyGate::enter(GatePhase phase) noexcept {
     phase_ = phase;
     calm_cycles_ = 0;

@@ -54,6 +54,12 @@ class SafetyGate {
     /// it is safe.
     void reset() noexcept;
 
+    /// Zero at once, with nothing left to fade; a stop stays a stop.
+    void silence() noexcept;
+
+    /// True while a fade, of a fault or of a stop, has not come to zero.
+    [[nodiscard]] bool is_fading() const noexcept;
+
     /// How far forces are let through now.
     [[nodiscard]] GatePhase phase() const noexcept { return phase_; }
     /// Faults that the last `pass` saw: those handed in and those it found itself.

@@ -14,41 +14,47 @@ using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 
 /// A rigid pose X_AB: where B's origin lies in A (metres) and how B is turned in A.
 struct Pose {
-  Vector3 position{Vector3::Zero()};
-  Quaternion orientation{Quaternion::Identity()};
+    Vector3 position{Vector3::Zero()};
+    Quaternion orientation{Quaternion::Identity()};
 
-  /// A pose that is moved but not turned. (`Pose{p, {}}` would leave the quaternion unset: Eigen's default is garbage.)
-  [[nodiscard]] static Pose at(const Vector3& position) { return {position, Quaternion::Identity()}; }
-  /// p_A from p_B.
-  [[nodiscard]] Vector3 operator*(const Vector3& point) const { return orientation * point + position; }
-  /// X_AC = X_AB * X_BC.
-  [[nodiscard]] Pose operator*(const Pose& inner) const {
-    return {position + orientation * inner.position, orientation * inner.orientation};
-  }
-  [[nodiscard]] Pose inverse() const {
-    const Quaternion turned_back = orientation.conjugate();
-    return {-(turned_back * position), turned_back};
-  }
+    /// A pose that is moved but not turned. (`Pose{p, {}}` would leave the quaternion unset: Eigen's default is garbage.)
+    [[nodiscard]] static Pose at(const Vector3& position) {
+        return {position, Quaternion::Identity()};
+    }
+    /// p_A from p_B.
+    [[nodiscard]] Vector3 operator*(const Vector3& point) const {
+        return orientation * point + position;
+    }
+    /// X_AC = X_AB * X_BC.
+    [[nodiscard]] Pose operator*(const Pose& inner) const {
+        return {position + orientation * inner.position, orientation * inner.orientation};
+    }
+    [[nodiscard]] Pose inverse() const {
+        const Quaternion turned_back = orientation.conjugate();
+        return {-(turned_back * position), turned_back};
+    }
 };
 
 /// Velocity of a frame: metres per second of its origin, radians per second about it.
 struct Twist {
-  Vector3 linear{Vector3::Zero()};
-  Vector3 angular{Vector3::Zero()};
+    Vector3 linear{Vector3::Zero()};
+    Vector3 angular{Vector3::Zero()};
 };
 
 /// Force in newtons and torque in newton metres about the frame's origin.
 struct Wrench {
-  Vector3 force{Vector3::Zero()};
-  Vector3 torque{Vector3::Zero()};
+    Vector3 force{Vector3::Zero()};
+    Vector3 torque{Vector3::Zero()};
 };
 
-[[nodiscard]] inline bool is_finite(const Vector3& v) { return v.allFinite(); }
+[[nodiscard]] inline bool is_finite(const Vector3& v) {
+    return v.allFinite();
+}
 [[nodiscard]] inline bool is_finite(const Pose& pose) {
-  return pose.position.allFinite() && pose.orientation.coeffs().allFinite();
+    return pose.position.allFinite() && pose.orientation.coeffs().allFinite();
 }
 [[nodiscard]] inline bool is_finite(const Wrench& wrench) {
-  return wrench.force.allFinite() && wrench.torque.allFinite();
+    return wrench.force.allFinite() && wrench.torque.allFinite();
 }
 
 }  // namespace fulcrum

@@ -1,11 +1,11 @@
 // A body that can be touched, as the plan names it.
 #pragma once
 
-#include <cstdint>
-#include <memory>
-
 #include "haptics/handover/messages.h"
 #include "haptics/math/spatial.h"
+
+#include <cstdint>
+#include <memory>
 
 namespace fulcrum {
 

@@ -1,6 +1,7 @@
 #include "runtime/app/headless.h"
 
 #include "haptics/base/clock.h"
+#include "runtime/app/interrupt.h"
 
 #include <cmath>
 #include <cstdio>
@@ -52,7 +53,7 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
     double end_s = settings.end_s.value_or(1.0e9);
     print_lines(run.process().prints_while_loading());
 
-    while (clock.now_s() < end_s) {
+    while (clock.now_s() < end_s && !interrupted()) {
         if (clock.frame_is_due()) {
             FrameInput input;
             input.time_s = clock.now_s();

@@ -15,6 +15,7 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr const char* kGuest = "guest";
+constexpr std::size_t kMostPrints = 8;  // lines a frame: a terminal must not hold the lesson up
 // With a mouse, weight is seen: 5 N hang 2 cm lower in the device's frame and follow half as fast.
 constexpr double kMouseSag_m_per_N = 0.004;
 constexpr double kMouseSlow_per_N = 0.2;
@@ -255,6 +256,10 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
             compute_device_pose(plan_.haptic.workspace, output->hand_target_W);
         last_hand_target_.buttons = output->hand_buttons;
         hand_target_.publish(last_hand_target_);
+    }
+    if (output->printed.size() > kMostPrints) {
+        output->printed.resize(kMostPrints);
+        output->printed.emplace_back("(this frame printed more)");
     }
     return FrameReport{std::move(output->sounds), std::move(output->printed)};
 }

@@ -1,6 +1,7 @@
 #include "runtime/app/lesson_screen.h"
 
 #include "haptics/base/clock.h"
+#include "runtime/app/interrupt.h"
 #include "runtime/render/camera.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kWatchPeriod_s = 0.25;  // how often the lesson's files are looked at
+constexpr double kFadeMargin_s = 0.02;   // beyond the gate's own fade
 constexpr double kWheelStep_m = 0.02;    // depth of one notch
 constexpr double kWheelReach_m = 0.3;    // either way
 constexpr double kAnswerPatience_s =
@@ -28,6 +30,18 @@ fs::file_time_type newest_of(const std::vector<fs::path>& files) {
         newest = error ? newest : std::max(newest, written);
     }
     return newest;
+}
+
+// What may have to be mended when a lesson could not even be loaded.
+std::vector<fs::path> lua_files_in(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        if (entry.path().extension() == ".lua") {
+            files.push_back(entry.path());
+        }
+    }
+    return files;
 }
 
 }  // namespace
@@ -52,8 +66,12 @@ void LessonScreen::begin() {
     error_.clear();
     typing_.clear();
     input_ = {};
-    files_ = {request_.folder / "lesson.lua"};
-    auto run = LessonRun::create(places_, request_, store_, catalogue_);
+    files_ = lua_files_in(request_.folder);
+    RunRequest request = request_;
+    if (++plays_ > 1 && !request.record_file.empty()) {
+        request.record_file += "." + std::to_string(plays_);  // an earlier play's record is kept
+    }
+    auto run = LessonRun::create(places_, request, store_, catalogue_);
     if (!run) {
         newest_ = newest_of(files_);
         fail_with(run.error());
@@ -77,6 +95,12 @@ void LessonScreen::begin() {
 }
 
 void LessonScreen::stop() {
+    // A loop that ends leaves its device without force at once; so the force fades first.
+    if (run_ && loops_.haptic_status().running) {
+        run_->channels().lesson_failed.store(true, std::memory_order_release);
+        std::this_thread::sleep_for(
+            std::chrono::duration<double>(run_->plan().haptic.safety.fade_s + kFadeMargin_s));
+    }
     loops_.stop();
     if (run_) {
         run_->session().end(EndReason::left);
@@ -123,8 +147,12 @@ Left LessonScreen::play() {
 }
 
 void LessonScreen::take_input(const WindowEvents& events) {
-    if (events.close) {
+    if (events.close || interrupted()) {
         left_ = Left::closed;
+    }
+    // A hand on an arm that nobody can stop by key any more is let go.
+    if (events.lost_focus && run_ && run_->device().traits().renders_force && !stopped_) {
+        press_stop();
     }
     for (const KeyPress& press : events.pressed) {
         take_key(press);
@@ -150,8 +178,7 @@ void LessonScreen::take_key(const KeyPress& press) {
     if (is_escape && stopped_) {
         left_ = Left::to_menu;
     } else if (is_escape) {
-        stopped_ = true;
-        run_->channels().emergency_stop.store(true, std::memory_order_release);
+        press_stop();
     } else if (stopped_) {
         if (press.key == "return") {
             stopped_ = false;
@@ -167,6 +194,11 @@ void LessonScreen::take_key(const KeyPress& press) {
     } else if (!press.repeat && !run_->session().hud().question_open) {
         input_.keys.push_back(press.key);
     }
+}
+
+void LessonScreen::press_stop() {
+    stopped_ = true;
+    run_->channels().emergency_stop.store(true, std::memory_order_release);
 }
 
 void LessonScreen::move_pointer(const WindowEvents& events) {

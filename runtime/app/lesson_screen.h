@@ -43,6 +43,7 @@ class LessonScreen {
     void fail_with(const Error& error);
     void take_input(const WindowEvents& events);
     void take_key(const KeyPress& press);
+    void press_stop();
     void move_pointer(const WindowEvents& events);
     void exchange();
     void watch_files();
@@ -72,6 +73,7 @@ class LessonScreen {
     std::optional<Left> left_;
     View last_view_{};
     bool screenshot_taken_ = false;
+    int plays_ = 0;
 };
 
 }  // namespace fulcrum::runtime

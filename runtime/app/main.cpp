@@ -1,5 +1,6 @@
 // The program: a lesson's process when it was started as one, else what the command line asks for.
 #include "runtime/app/commands.h"
+#include "runtime/app/interrupt.h"
 #include "runtime/app/options.h"
 #include "runtime/lua/lesson_process.h"
 
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
         return lesson_process_main(*socket);
     }
 
+    watch_for_interrupts();
     const std::vector<std::string> words(argv + 1, argv + argc);
     const auto options = parse_options(words);
     if (!options) {

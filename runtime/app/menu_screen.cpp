@@ -1,5 +1,6 @@
 #include "runtime/app/menu_screen.h"
 
+#include "runtime/app/interrupt.h"
 #include "runtime/lua/lesson_process.h"
 
 #include <algorithm>
@@ -78,7 +79,7 @@ std::optional<LessonCard> choose_lesson(Desktop& desktop, const std::vector<Less
     const int last = static_cast<int>(cards.size()) - 1;
     while (true) {
         const WindowEvents& events = desktop.window->poll();
-        if (events.close) {
+        if (events.close || interrupted()) {
             return std::nullopt;
         }
         const int before = selected;

@@ -34,6 +34,10 @@ Expected<RunRequest> make_request(const Installation& installation, const Option
     if (options.hand.rfind(kReplay, 0) == 0) {
         request.hand = HandKind::replay;
         request.hand_file = options.hand.substr(kReplay.size());
+        if (!std::filesystem::is_regular_file(request.hand_file)) {
+            return fail("there is no such record", request.hand_file.string(),
+                        "give --hand replay: a file that --record wrote");
+        }
     } else if (options.hand == "mouse" || (options.hand.empty() && in_window)) {
         request.hand = HandKind::mouse;
     } else {

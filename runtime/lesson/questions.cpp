@@ -5,6 +5,8 @@
 namespace fulcrum::runtime {
 namespace {
 
+constexpr std::size_t kLongestSlot_bytes = 48;  // as a message to the lesson may hold
+
 std::vector<std::string> nouns_of(const LessonDescription& lesson) {
     std::vector<std::string> nouns;
     for (const BodyDescription& body : lesson.bodies) {
@@ -49,6 +51,13 @@ Expected<std::map<std::string, dialogue::Question>> compile_questions(
         source.prompt = question.prompt;
         source.answers = question.answers;
         source.lists = lists_of(question, nouns);
+        for (const auto& [name, words] : source.lists) {
+            if (name.size() > kLongestSlot_bytes) {
+                return fail("the name {" + name + "} is too long",
+                            "lesson.lua:" + std::to_string(question.line),
+                            "use at most 48 letters");
+            }
+        }
         auto result = dialogue::compile_question(source);
         const std::string where = "lesson.lua:" + std::to_string(question.line);
         if (!result) {

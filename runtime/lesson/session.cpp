@@ -1,6 +1,7 @@
 #include "runtime/lesson/session.h"
 
 #include "runtime/lesson/questions.h"
+#include "runtime/progress/text_rules.h"
 
 #include <algorithm>
 
@@ -8,6 +9,7 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr double kRepeatPatience_s = 12.0;  // an invitation to say it once more waits this long
+constexpr std::size_t kLongestAnswer_bytes = 400;
 constexpr double kForever_s = 1.0e12;
 
 // Each kind of fruit sounds unlike another; what has no sound of its own makes the common one.
@@ -110,9 +112,14 @@ void LessonSession::queue_touch_events(std::int32_t touched_body) {
 
 // Words count only while a question is open; the simulated physics then says whether their meaning
 // is right.
-void LessonSession::hear(const std::string& words) {
+void LessonSession::hear(const std::string& said) {
     if (!hud_.question_open || awaiting_verdict_) {
         return;
+    }
+    // Whatever a keyboard or a file gives: clean UTF-8 of a sentence's length.
+    std::string words = kept_text(said);
+    if (words.size() > kLongestAnswer_bytes) {
+        words = kept_text(std::string_view(words).substr(0, kLongestAnswer_bytes));
     }
     dialogue::Mark mark = conversation_.hear(words);
     if (!mark.understood) {

@@ -97,7 +97,7 @@ class LessonSession {
     LessonSession(LessonDescription description, const Plan& plan,
                   const dialogue::Catalogue& catalogue, ProgressStore& store);
 
-    void hear(const std::string& words);
+    void hear(const std::string& said);
     void queue_world_events(const std::vector<WorldEvent>& events);
     void queue_touch_events(std::int32_t touched_body);
     void answer(bool right);
@@ -137,7 +137,8 @@ class LessonSession {
     dialogue::Conversation conversation_;
     std::string open_question_;
     std::optional<dialogue::Mark> awaiting_verdict_;
-    std::optional<AnsweredEvent> pending_answer_;  ///< right already, while it may be said once more
+    std::optional<AnsweredEvent>
+        pending_answer_;  ///< right already, while it may be said once more
     double repeat_until_s_ = 0.0;
 
     // One frame.

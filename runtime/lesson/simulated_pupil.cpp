@@ -1,5 +1,6 @@
 #include "runtime/lesson/simulated_pupil.h"
 
+#include <filesystem>
 #include <fstream>
 
 namespace fulcrum::runtime {
@@ -8,8 +9,12 @@ SimulatedPupil::SimulatedPupil(std::vector<std::string> lines, double thinking_s
     : lines_(lines.begin(), lines.end()), thinking_s_(thinking_s) {}
 
 Expected<std::vector<std::string>> SimulatedPupil::read_lines(const std::string& path) {
-    std::ifstream file(path);
-    if (!file) {
+    std::error_code ignored;
+    std::ifstream file;
+    if (std::filesystem::is_regular_file(path, ignored)) {
+        file.open(path);
+    }
+    if (!file.is_open()) {
         return fail("the answers cannot be read", path,
                     "give --say a text file with one answer a line");
     }

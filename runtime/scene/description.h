@@ -2,15 +2,15 @@
 // Every item knows the line of the lesson that asked for it.
 #pragma once
 
+#include "haptics/handover/messages.h"
+#include "haptics/loop/haptic_plan.h"
+#include "haptics/math/spatial.h"
+
 #include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "haptics/handover/messages.h"
-#include "haptics/loop/haptic_plan.h"
-#include "haptics/math/spatial.h"
 
 namespace fulcrum::runtime {
 
@@ -18,83 +18,87 @@ namespace fulcrum::runtime {
 using SourceLine = std::int32_t;
 
 struct BodyDescription {
-  std::string name;            ///< unique; how Lua calls it
-  std::string noun;            ///< English noun as a child says it, e.g. "watermelon"
-  std::string model;           ///< name of a model, e.g. "apple" for assets/models/apple.glb
-  double radius_m = 0.05;      ///< 0.001 to 10
-  double mass_kg = 1.0;        ///< the true mass, 0 to 1e4
-  double exaggeration = 1.0;   ///< felt mass / true mass as the teacher sets it, before all are scaled to fit, 0 to 100
-  double drag_area_m2 = 0.0;   ///< 0 to 10
-  bool solid = false;          ///< can be touched as a mesh
-  bool movable = false;        ///< may fall, be caught and be held
-  bool visible = false;        ///< seen from the start, at `position_W`
-  Vector3 position_W{Vector3::Zero()};
-  SourceLine line = 0;
+    std::string name;        ///< unique; how Lua calls it
+    std::string noun;        ///< English noun as a child says it, e.g. "watermelon"
+    std::string model;       ///< name of a model, e.g. "apple" for assets/models/apple.glb
+    double radius_m = 0.05;  ///< 0.001 to 10
+    double mass_kg = 1.0;    ///< the true mass, 0 to 1e4
+    double exaggeration =
+        1.0;  ///< felt mass / true mass as the teacher sets it, before all are scaled to fit, 0 to 100
+    double drag_area_m2 = 0.0;  ///< 0 to 10
+    bool solid = false;         ///< can be touched as a mesh
+    bool movable = false;       ///< may fall, be caught and be held
+    bool visible = false;       ///< seen from the start, at `position_W`
+    Vector3 position_W{Vector3::Zero()};
+    SourceLine line = 0;
 };
 
 struct ForceDescription {
-  std::string name;  ///< unique; how Lua switches it
-  FieldPlan field{};
-  SourceLine line = 0;
+    std::string name;  ///< unique; how Lua switches it
+    FieldPlan field{};
+    SourceLine line = 0;
 };
 
 struct BucketDescription {
-  bool present = false;
-  std::string model = "bucket";
-  double opening_radius_m = 0.11;
-  double depth_m = 0.14;
-  int holds = 1;  ///< bodies at once, 1 to 8; felt weights are scaled so that this many fit under the force limit
-  SourceLine line = 0;
+    bool present = false;
+    std::string model = "bucket";
+    double opening_radius_m = 0.11;
+    double depth_m = 0.14;
+    int holds =
+        1;  ///< bodies at once, 1 to 8; felt weights are scaled so that this many fit under the force limit
+    SourceLine line = 0;
 };
 
 struct CameraDescription {
-  Vector3 eye_W{0.0, 0.55, 1.5};
-  Vector3 target_W{0.0, 0.35, 0.0};
-  double vertical_angle_deg = 40.0;
+    Vector3 eye_W{0.0, 0.55, 1.5};
+    Vector3 target_W{0.0, 0.35, 0.0};
+    double vertical_angle_deg = 40.0;
 };
 
 /// Where the hand works in the scene: the device's centre, and world metres a device metre.
 struct HandDescription {
-  Vector3 centre_W{0.0, 0.3, 0.0};
-  double scale = 1.0;          ///< 0.01 to 100
-  double rate_hz = 1000.0;     ///< of the haptic loop, 1000 to 4000
-  bool lesson_force = false;   ///< hand:force(function …) was called
-  SourceLine force_line = 0;
+    Vector3 centre_W{0.0, 0.3, 0.0};
+    double scale = 1.0;         ///< 0.01 to 100
+    double rate_hz = 1000.0;    ///< of the haptic loop, 1000 to 4000
+    bool lesson_force = false;  ///< hand:force(function …) was called
+    SourceLine force_line = 0;
 };
 
 /// A question with its answer templates; `right` stays in Lua and is asked by a Judge message.
 struct QuestionDescription {
-  std::string id;
-  std::string prompt;
-  std::vector<std::string> answers;  ///< hassil templates with grammar slots
-  std::vector<std::pair<std::string, std::vector<std::string>>> lists;  ///< {thing} -> words; bodies' nouns by default
-  SourceLine line = 0;
+    std::string id;
+    std::string prompt;
+    std::vector<std::string> answers;  ///< hassil templates with grammar slots
+    std::vector<std::pair<std::string, std::vector<std::string>>>
+        lists;  ///< {thing} -> words; bodies' nouns by default
+    SourceLine line = 0;
 };
 
 /// L:test { … }: how the lesson is played in tests.
 struct LessonTestDescription {
-  std::string hand;              ///< file beside lesson.lua
-  std::vector<std::string> say;  ///< answers in order
-  std::vector<std::pair<std::string, std::string>> expect;  ///< name -> value, e.g. score -> "7"
-  SourceLine line = 0;
+    std::string hand;                                         ///< file beside lesson.lua
+    std::vector<std::string> say;                             ///< answers in order
+    std::vector<std::pair<std::string, std::string>> expect;  ///< name -> value, e.g. score -> "7"
+    SourceLine line = 0;
 };
 
 /// Everything that a lesson declares.
 struct LessonDescription {
-  std::string id;
-  std::string title;
-  std::string level;    ///< CEFR, e.g. "A1"
-  double minutes = 10;  ///< planned length
-  Vector3 gravity_W{0.0, -9.81, 0.0};
-  double ground_height_m = 0.0;
-  std::vector<BodyDescription> bodies;
-  std::vector<ForceDescription> forces;
-  BucketDescription bucket{};
-  CameraDescription camera{};
-  HandDescription hand{};
-  std::vector<QuestionDescription> questions;
-  std::vector<LessonTestDescription> tests;
-  std::vector<std::string> sounds;  ///< names used by world:sound, known when declared by bodies and bucket
+    std::string id;
+    std::string title;
+    std::string level;    ///< CEFR, e.g. "A1"
+    double minutes = 10;  ///< planned length
+    Vector3 gravity_W{0.0, -9.81, 0.0};
+    double ground_height_m = 0.0;
+    std::vector<BodyDescription> bodies;
+    std::vector<ForceDescription> forces;
+    BucketDescription bucket{};
+    CameraDescription camera{};
+    HandDescription hand{};
+    std::vector<QuestionDescription> questions;
+    std::vector<LessonTestDescription> tests;
+    std::vector<std::string>
+        sounds;  ///< names used by world:sound, known when declared by bodies and bucket
 };
 
 }  // namespace fulcrum::runtime

@@ -6,13 +6,13 @@
 // The lesson's process is not trusted: the program checks every number, name and length of a reply.
 #pragma once
 
+#include "haptics/handover/messages.h"
+
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
-
-#include "haptics/handover/messages.h"
 
 namespace fulcrum::runtime {
 
@@ -20,107 +20,108 @@ namespace fulcrum::runtime {
 
 /// What happened to a body.
 struct BodyEvent {
-  enum class Kind : std::uint8_t { caught, landed, touched, released };
-  Kind kind = Kind::caught;
-  std::int32_t body = kNoBody;
-  double speed_m_per_s = 0.0;
+    enum class Kind : std::uint8_t { caught, landed, touched, released };
+    Kind kind = Kind::caught;
+    std::int32_t body = kNoBody;
+    double speed_m_per_s = 0.0;
 };
 
 /// A key was pressed: "space", "return", "left", a letter …
 struct KeyEvent {
-  std::string key;
+    std::string key;
 };
 
 /// "Is this answer right?" The lesson answers with a VerdictCommand in the same reply; the simulated physics decides.
 struct JudgeEvent {
-  std::string question;
-  std::vector<std::pair<std::string, std::string>> slots;  ///< e.g. thing -> watermelon
+    std::string question;
+    std::vector<std::pair<std::string, std::string>> slots;  ///< e.g. thing -> watermelon
 };
 
 /// An answer has been marked and answered to; the lesson goes on from here.
 struct AnsweredEvent {
-  std::string question;
-  std::string said;  ///< the learner's words
-  std::vector<std::pair<std::string, std::string>> slots;
-  bool understood = true;  ///< false: no template fitted, the program asked to say it again
-  bool right = false;      ///< the meaning, by the lesson's own verdict
-  bool form_right = false; ///< no error of form was found
-  bool over = true;        ///< the question is done: right, or left after many tries
-  std::int32_t attempt = 1;
+    std::string question;
+    std::string said;  ///< the learner's words
+    std::vector<std::pair<std::string, std::string>> slots;
+    bool understood = true;   ///< false: no template fitted, the program asked to say it again
+    bool right = false;       ///< the meaning, by the lesson's own verdict
+    bool form_right = false;  ///< no error of form was found
+    bool over = true;         ///< the question is done: right, or left after many tries
+    std::int32_t attempt = 1;
 };
 
 /// The plan is compiled: what each body weighs in the hand. Sent once, before the first frame.
 struct ReadyEvent {
-  std::vector<double> felt_weight_N;  ///< one a body; 0 when it can't be carried
-  double felt_scale = 1.0;            ///< factor that fitted all weights under the force limit
+    std::vector<double> felt_weight_N;  ///< one a body; 0 when it can't be carried
+    double felt_scale = 1.0;            ///< factor that fitted all weights under the force limit
 };
 
 using LessonEvent = std::variant<BodyEvent, KeyEvent, JudgeEvent, AnsweredEvent, ReadyEvent>;
 
 /// Everything the lesson needs to know for one frame.
 struct LessonFrame {
-  double time_s = 0.0;
-  double dt_s = 0.0;
-  Pose tool_pose_W{};
-  Twist tool_twist_W{};
-  Vector3 applied_force_W{Vector3::Zero()};
-  std::vector<BodyState> bodies;  ///< in the order of the scene
-  std::vector<LessonEvent> events;
+    double time_s = 0.0;
+    double dt_s = 0.0;
+    Pose tool_pose_W{};
+    Twist tool_twist_W{};
+    Vector3 applied_force_W{Vector3::Zero()};
+    std::vector<BodyState> bodies;  ///< in the order of the scene
+    std::vector<LessonEvent> events;
 };
 
 // ---- commands: lesson -> program -----------------------------------------------------------------------------
 
 /// drop, place, hide, hold or release a body.
 struct MoveCommand {
-  WorldCommand move{};
+    WorldCommand move{};
 };
 /// Switches or moves a declared force.
 struct FieldChangeCommand {
-  std::int32_t force = 0;  ///< index in the description
-  FieldCommand field{};
+    std::int32_t force = 0;  ///< index in the description
+    FieldCommand field{};
 };
 /// The lesson's own force function, evaluated and linearised at the newest tool state.
 struct LessonForceCommand {
-  LinearisedForce force{};
+    LinearisedForce force{};
 };
 /// One instruction for the learner, shown and read aloud; an empty one clears it.
 struct CaptionCommand {
-  std::string text;
+    std::string text;
 };
 struct AskCommand {
-  std::string question;
+    std::string question;
 };
 struct VerdictCommand {
-  std::string question;
-  bool right = false;
+    std::string question;
+    bool right = false;
 };
 struct ScoreCommand {
-  std::int32_t score = 0;
+    std::int32_t score = 0;
 };
 struct LevelCommand {
-  std::int32_t level = 1;
-  std::string title;
+    std::int32_t level = 1;
+    std::string title;
 };
 struct SoundCommand {
-  std::string name;
+    std::string name;
 };
 /// The lesson is over; the program shows the end, keeps the result and offers to play again.
 struct FinishCommand {
-  std::int32_t stars = 0;  ///< 0 to 3
+    std::int32_t stars = 0;  ///< 0 to 3
 };
 /// print(): for the teacher's terminal.
 struct PrintCommand {
-  std::string text;
+    std::string text;
 };
 
-using LessonCommand = std::variant<MoveCommand, FieldChangeCommand, LessonForceCommand, CaptionCommand, AskCommand,
-                                   VerdictCommand, ScoreCommand, LevelCommand, SoundCommand, FinishCommand, PrintCommand>;
+using LessonCommand = std::variant<MoveCommand, FieldChangeCommand, LessonForceCommand,
+                                   CaptionCommand, AskCommand, VerdictCommand, ScoreCommand,
+                                   LevelCommand, SoundCommand, FinishCommand, PrintCommand>;
 
 struct LessonReply {
-  std::vector<LessonCommand> commands;
-  bool has_hand_target = false;  ///< the simulated hand's Lua gave a target
-  Pose hand_target_W{};
-  std::uint32_t hand_buttons = 0;
+    std::vector<LessonCommand> commands;
+    bool has_hand_target = false;  ///< the simulated hand's Lua gave a target
+    Pose hand_target_W{};
+    std::uint32_t hand_buttons = 0;
 };
 
 }  // namespace fulcrum::runtime

@@ -51,6 +51,31 @@ Expected<void> check_felt_order(const std::vector<BodyDescription>& bodies) {
     return {};
 }
 
+// Each field is in its range; together, and seen through the workspace's scale, they must be too: what is stiffer than an arm
+// and its loop can hold shakes instead of pulling.
+Expected<void> check_felt_fields(const LessonDescription& lesson) {
+    double stiffness_N_per_m = 0.0;
+    double damping_Ns_per_m = 0.0;
+    for (const ForceDescription& force : lesson.forces) {
+        const FieldPlan& field = force.field;
+        const double magnet_N_per_m = field.kind == FieldKind::magnet
+                                          ? field.peak_force_N / std::max(field.range_m, 1e-6)
+                                          : 0.0;
+        stiffness_N_per_m += (field.stiffness_N_per_m + magnet_N_per_m) * lesson.hand.scale;
+        damping_Ns_per_m += field.damping_Ns_per_m * lesson.hand.scale;
+        if (stiffness_N_per_m > kMaxFeltStiffness_N_per_m ||
+            damping_Ns_per_m > kMaxFeltDamping_Ns_per_m) {
+            return fail("the forces up to \"" + force.name +
+                            "\" are together too stiff for a hand at scale " +
+                            std::to_string(lesson.hand.scale),
+                        at_line(force.line),
+                        "keep the sum of stiffness times scale under 2000 N/m, of damping times "
+                        "scale under 50 Ns/m");
+        }
+    }
+    return {};
+}
+
 Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& load_solid,
                           HapticPlan& plan) {
     for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
@@ -76,6 +101,9 @@ HapticPlan haptic_plan(const LessonDescription& lesson, const PlanOptions& optio
     plan.rate_hz = lesson.hand.rate_hz;
     plan.workspace.pose_WD.position = lesson.hand.centre_W;
     plan.workspace.scale = lesson.hand.scale;
+    // A wall is as stiff in the hand at every scale.
+    plan.coupling.stiffness_N_per_m /= lesson.hand.scale;
+    plan.coupling.damping_Ns_per_m /= lesson.hand.scale;
     plan.safety.max_force_N = options.force_limit_N;
     plan.lesson_force = lesson.hand.lesson_force;
     plan.expects_lesson = true;
@@ -151,6 +179,7 @@ void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
     if (!plan.haptic.solids.empty()) {
         const auto body = static_cast<std::size_t>(plan.haptic.solids.front().body);
         add("proxy", "a body can be touched", lesson.bodies[body].line);
+        add("forces: coupling", "a body can be touched", lesson.bodies[body].line);
     }
     if (plan.haptic.carries_weight) {
         const SourceLine line =
@@ -212,6 +241,9 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
                             const SolidLoader& load_solid) {
     if (auto counts = check_counts(lesson); !counts) {
         return tl::unexpected(counts.error());
+    }
+    if (auto fields = check_felt_fields(lesson); !fields) {
+        return tl::unexpected(fields.error());
     }
     if (auto order = check_felt_order(lesson.bodies); !order) {
         return tl::unexpected(order.error());

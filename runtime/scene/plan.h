@@ -22,6 +22,10 @@ namespace fulcrum::runtime {
 /// for the arm's own friction, so that a weight is never clipped by the last gate.
 inline constexpr double kWeightShareOfLimit = 0.9;
 
+/// The stiffest and the most viscous that all declared forces together may be in the hand: what one field may be by itself.
+inline constexpr double kMaxFeltStiffness_N_per_m = 2000.0;
+inline constexpr double kMaxFeltDamping_Ns_per_m = 50.0;
+
 /// How a learner's words arrive.
 enum class SpeechInput : std::uint8_t { text };
 

@@ -1,61 +1,62 @@
 // What the picture shows in one frame. The renderer reads this and nothing else.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "haptics/math/spatial.h"
 #include "runtime/scene/description.h"
+
+#include <string>
+#include <vector>
 
 namespace fulcrum::runtime {
 
 /// One thing to draw.
 struct ViewBody {
-  std::string model;  ///< name of a model
-  Pose pose_W{};
-  Vector3 scale{Vector3::Ones()};  ///< squash and stretch
-  double highlight = 0.0;          ///< 0 to 1: a calm outline
-  std::string label;               ///< small text beside it, e.g. "apple"; empty for none
+    std::string model;  ///< name of a model
+    Pose pose_W{};
+    Vector3 scale{Vector3::Ones()};  ///< squash and stretch
+    double highlight = 0.0;          ///< 0 to 1: a calm outline
+    std::string label;               ///< small text beside it, e.g. "apple"; empty for none
 };
 
 /// A force drawn as an arrow with its newtons; every lesson draws it alike.
 struct ViewForce {
-  bool visible = false;
-  Vector3 at_W{Vector3::Zero()};
-  Vector3 force_W{Vector3::Zero()};
-  std::string text;  ///< e.g. "felt 2.8 N · true 2.0 N"
+    bool visible = false;
+    Vector3 at_W{Vector3::Zero()};
+    Vector3 force_W{Vector3::Zero()};
+    std::string text;  ///< e.g. "felt 2.8 N · true 2.0 N"
 };
 
 /// An entry of the list of lessons.
 struct ViewMenuItem {
-  std::string title;
-  std::string subtitle;  ///< level and minutes
-  std::string icon;      ///< name of a model drawn small
+    std::string title;
+    std::string subtitle;  ///< level and minutes
+    std::string icon;      ///< name of a model drawn small
 };
 
 struct View {
-  double time_s = 0.0;
-  CameraDescription camera{};
-  double ground_height_m = 0.0;  ///< height of the floor, where things land and cast their shadow
-  std::vector<ViewBody> bodies;
-  bool tool_visible = true;
-  ViewBody tool{};              ///< where the tool is (the proxy)
-  bool ghost_visible = false;
-  Pose ghost_pose_W{};          ///< where the arm really is
-  ViewForce force{};
-  std::string title;
-  std::string caption;          ///< the one instruction
-  std::string feedback;         ///< what was answered to the learner; words between asterisks are emphasised
-  bool input_visible = false;
-  std::string input;            ///< what the learner is typing
-  int score = 0;
-  int level = 0;
-  std::string level_title;
-  int stars = -1;               ///< 0 to 3 at the end, -1 before
-  std::string banner;           ///< an error or a notice across the top; empty for none
-  bool banner_is_error = false;
-  std::vector<ViewMenuItem> menu;  ///< the list of lessons, instead of a scene
-  int menu_selected = 0;
+    double time_s = 0.0;
+    CameraDescription camera{};
+    double ground_height_m = 0.0;  ///< height of the floor, where things land and cast their shadow
+    std::vector<ViewBody> bodies;
+    bool tool_visible = true;
+    ViewBody tool{};  ///< where the tool is (the proxy)
+    bool ghost_visible = false;
+    Pose ghost_pose_W{};  ///< where the arm really is
+    ViewForce force{};
+    std::string title;
+    std::string caption;  ///< the one instruction
+    std::string
+        feedback;  ///< what was answered to the learner; words between asterisks are emphasised
+    bool input_visible = false;
+    std::string input;  ///< what the learner is typing
+    int score = 0;
+    int level = 0;
+    std::string level_title;
+    int stars = -1;      ///< 0 to 3 at the end, -1 before
+    std::string banner;  ///< an error or a notice across the top; empty for none
+    bool banner_is_error = false;
+    std::vector<ViewMenuItem> menu;  ///< the list of lessons, instead of a scene
+    int menu_selected = 0;
 };
 
 }  // namespace fulcrum::runtime

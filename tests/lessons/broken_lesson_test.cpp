@@ -97,6 +97,7 @@ TEST_CASE(
         {"run gravty", 2},
         {"run gravity --headless --hand replay:garbage", 1},
         {"run gravity --headless --hand nowhere.lua", 1},
+        {"run gravity --headless --hand replay:nowhere", 2},
         {"run gravity --headless --say nowhere.txt", 2},
         {"run gravity --headless --hand mouse", 2},
         {"report --db garbage", 2},

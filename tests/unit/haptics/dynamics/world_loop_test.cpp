@@ -17,6 +17,7 @@ WorldPlan make_plan() {
     plan.catcher.present = true;
     plan.catcher.opening_radius_m = 0.1;
     plan.catcher.depth_m = 0.12;
+    plan.catcher.capacity = 3;
     return plan;
 }
 

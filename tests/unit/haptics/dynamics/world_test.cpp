@@ -20,6 +20,7 @@ WorldPlan make_plan() {
     plan.catcher.present = true;
     plan.catcher.opening_radius_m = 0.1;
     plan.catcher.depth_m = 0.12;
+    plan.catcher.capacity = 3;
     return plan;
 }
 
@@ -253,4 +254,25 @@ TEST_CASE("world: the same commands and hand give the same bits, after a reset t
         CHECK(first.bodies[i].pose_W.orientation.coeffs() ==
               again.bodies[i].pose_W.orientation.coeffs());
     }
+}
+
+TEST_CASE("world: a full bucket catches and holds nothing more, also when two arrive in one step") {
+    WorldPlan plan = make_plan();
+    plan.catcher.capacity = 1;
+    World world(plan);
+    world.step(kDt_s, tool_at(Vector3::Zero()));
+    world.apply(make_command(Kind::drop, 1, Vector3(-0.02, 0.1, 0.0)));
+    world.apply(make_command(Kind::drop, 2, Vector3(0.02, 0.1, 0.0)));
+    for (int k = 0; k < 100; ++k) {
+        world.step(kDt_s, tool_at(Vector3::Zero()));
+    }
+    CHECK(world.n_held() == 1);
+    CHECK(world.snapshot().carried_force_W.y() == Approx(-0.6 * 9.81));
+    const std::uint64_t ignored = world.ignored_commands();
+    world.apply(make_command(Kind::hold, 0));
+    CHECK(world.n_held() == 1);
+    CHECK(world.ignored_commands() == ignored + 1);
+    world.apply(make_command(Kind::release, 0));
+    world.apply(make_command(Kind::hold, 0));
+    CHECK(world.n_held() == 1);
 }

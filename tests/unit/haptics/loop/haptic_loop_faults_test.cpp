@@ -188,3 +188,23 @@ TEST_CASE(
     nan_clock.loop.step(std::numeric_limits<double>::quiet_NaN());
     CHECK(nan_clock.device.written_D.force.norm() == 0.0);
 }
+
+TEST_CASE("haptic loop: a stop lifted in the middle of its fade still fades to its end") {
+    Bench bench(make_weight_plan());
+    hold(bench);
+    const double held_N = bench.device.written_D.force.norm();
+    bench.channels->emergency_stop.store(true);
+    bench.run(20);
+    bench.channels->emergency_stop.store(false);
+    bench.channels->rearm.store(true);
+    double before_N = bench.device.written_D.force.norm();
+    REQUIRE(before_N > 0.5 * held_N);
+    for (int k = 0; k < 100; ++k) {
+        bench.run(1);
+        const double now_N = bench.device.written_D.force.norm();
+        REQUIRE(before_N - now_N <= 1.01 * held_N * 0.001 / 0.1);
+        REQUIRE(now_N <= before_N + 1e-12);
+        before_N = now_N;
+    }
+    CHECK(before_N == 0.0);
+}

@@ -334,3 +334,28 @@ TEST_CASE("safety: the last check alone holds, whatever came before it") {
     }
     CHECK(n_bad == 0);
 }
+
+TEST_CASE("safety: silenced in the middle of a stop's fade, nothing comes back") {
+    SafetyGate gate{SafetySettings{}};
+    const double dt_s = 0.001;
+    Wrench push;
+    push.force = {0.0, 0.1, 0.0};
+    for (int i = 0; i < 3000; ++i) {
+        (void)gate.pass(push, Fault::none, dt_s);
+    }
+    push.force = {0.0, 4.0, 0.0};
+    for (int i = 0; i < 1000; ++i) {
+        (void)gate.pass(push, Fault::none, dt_s);
+    }
+    REQUIRE(gate.pass(push, Fault::none, dt_s).force.norm() > 3.9);
+    for (int i = 0; i < 20; ++i) {
+        (void)gate.pass(push, Fault::emergency_stop, dt_s);
+    }
+    CHECK(gate.is_fading());
+    gate.silence();
+    CHECK_FALSE(gate.is_fading());
+    CHECK(gate.phase() == GatePhase::stopped);
+    for (int i = 0; i < 200; ++i) {
+        REQUIRE(gate.pass(push, Fault::none, dt_s).force.norm() == 0.0);
+    }
+}

@@ -82,7 +82,8 @@ TEST_CASE("record: long texts are cut at a character, and zeros end them") {
 }
 
 TEST_CASE("record writer: a file is written, read, and bad places are refused") {
-    std::string folder = (std::filesystem::temp_directory_path() / "fulcrum_record_XXXXXX").string();
+    std::string folder =
+        (std::filesystem::temp_directory_path() / "fulcrum_record_XXXXXX").string();
     REQUIRE(mkdtemp(folder.data()) != nullptr);
     const std::string path = folder + "/run.flcr";
     {

@@ -182,3 +182,25 @@ TEST_CASE(
     CHECK(output.force.lesson_alive);
     CHECK(output.force.linearised.stamp_s < 0.0);
 }
+
+TEST_CASE("session: whatever bytes are said, the lesson gets clean words") {
+    Play play;
+    play.frame();
+    for (const char* said :
+         {"the apple is\x85 the heaviest", "\xC2\x85 apple", "\xFF\xFE", "the \x01\x02 apple"}) {
+        play.reply({AskCommand{"heaviest"}});
+        const LessonFrame& frame = play.hear(said);
+        if (find<JudgeEvent>(frame) != nullptr) {
+            play.reply({VerdictCommand{"heaviest", true}});
+        }
+        for (const LessonEvent& event : play.frame().events) {
+            if (const auto* answered = std::get_if<AnsweredEvent>(&event)) {
+                CHECK(answered->said.find('\x01') == std::string::npos);
+                CHECK(answered->said.find("\x85") == std::string::npos);
+            }
+        }
+    }
+    play.reply({AskCommand{"heaviest"}});
+    play.hear(std::string(100'000, 'a'));
+    CHECK(play.store.data.attempts.back().said.size() <= 400);
+}

@@ -163,3 +163,33 @@ TEST_CASE("plan: two bodies of one name, too many bodies, solids or forces are r
         return Expected<std::shared_ptr<const CollisionMesh>>(some_mesh());
     }));
 }
+
+TEST_CASE(
+    "plan: forces that are together too stiff for an arm are refused with the line that was too "
+    "much") {
+    const auto springs = [](int n, double stiffness, double scale) {
+        LessonDescription lesson;
+        lesson.hand.scale = scale;
+        for (int i = 0; i < n; ++i) {
+            ForceDescription spring;
+            spring.name = "s" + std::to_string(i);
+            spring.field.stiffness_N_per_m = stiffness;
+            spring.line = 10 + i;
+            lesson.forces.push_back(spring);
+        }
+        return compile_plan(lesson, {}, no_mesh);
+    };
+    CHECK(springs(1, 2000.0, 1.0));
+    CHECK(springs(4, 500.0, 1.0));
+    CHECK(springs(2, 1500.0, 1.0).error().where == "lesson.lua:11");
+    CHECK(springs(1, 500.0, 10.0).error().where == "lesson.lua:10");
+}
+
+TEST_CASE("plan: a wall is as stiff in the hand at every scale") {
+    LessonDescription lesson;
+    lesson.hand.scale = 10.0;
+    const auto plan = compile_plan(lesson, {}, no_mesh);
+    REQUIRE(plan);
+    CHECK(plan->haptic.coupling.stiffness_N_per_m * 10.0 ==
+          Approx(CouplingSettings{}.stiffness_N_per_m));
+}

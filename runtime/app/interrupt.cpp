@@ -1,0 +1,27 @@
+#include "runtime/app/interrupt.h"
+
+#include <atomic>
+#include <csignal>
+
+namespace fulcrum::runtime {
+namespace {
+
+std::atomic<bool> interrupt_seen{false};
+
+extern "C" void note_interrupt(int /*signal*/) { interrupt_seen.store(true, std::memory_order_relaxed); }
+
+}  // namespace
+
+void watch_for_interrupts() {
+    struct sigaction action {};
+    action.sa_handler = note_interrupt;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        (void)sigaction(signal, &action, nullptr);
+    }
+    (void)std::signal(SIGPIPE, SIG_IGN);
+}
+
+bool interrupted() noexcept { return interrupt_seen.load(std::memory_order_relaxed); }
+
+}  // namespace fulcrum::runtime
