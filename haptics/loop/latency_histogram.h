@@ -30,7 +30,7 @@ class LatencyHistogram {
 
   private:
     static constexpr int kBinsAnOctave = 8;
-    static constexpr std::size_t kBins = 64 * kBinsAnOctave;
+    static constexpr std::size_t kBins = std::size_t{64} * kBinsAnOctave;
     std::array<std::atomic<std::uint64_t>, kBins> bins_{};
     std::atomic<std::uint64_t> max_ns_{0};
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include <cmath>
+#include <utility>
 
 namespace fulcrum::runtime {
 namespace {
@@ -18,6 +19,30 @@ std::string icon_of(const LessonDescription& lesson) {
         return movable->model;
     }
     return lesson.bodies.empty() ? "" : lesson.bodies.front().model;
+}
+
+// What the keyboard asked of the list since the last frame.
+struct MenuKeys {
+    int move = 0;  // cards onwards
+    bool chosen = false;
+    bool leave = false;
+};
+
+MenuKeys read_keys(Desktop& desktop) {
+    const WindowEvents& events = desktop.window->poll();
+    MenuKeys keys;
+    keys.leave = events.close || interrupted();
+    for (const KeyPress& press : events.pressed) {
+        keys.leave |= press.key == "escape";
+        keys.chosen |= press.key == "return" || press.key == "space";
+        keys.move += press.key == "down" || press.key == "right" ? 1 : 0;
+        keys.move -= press.key == "up" || press.key == "left" ? 1 : 0;
+        if (press.key == "f11") {
+            desktop.window->set_fullscreen(!desktop.window->fullscreen());
+        }
+    }
+    keys.chosen |= events.button_press[0];
+    return keys;
 }
 
 }  // namespace
@@ -76,30 +101,17 @@ View menu_view(const std::vector<LessonCard>& cards, int selected,
 std::optional<LessonCard> choose_lesson(Desktop& desktop, const std::vector<LessonCard>& cards,
                                         const dialogue::Catalogue& catalogue) {
     int selected = 0;
-    const int last = static_cast<int>(cards.size()) - 1;
+    const int last = std::max(static_cast<int>(cards.size()) - 1, 0);
     while (true) {
-        const WindowEvents& events = desktop.window->poll();
-        if (events.close || interrupted()) {
+        const MenuKeys keys = read_keys(desktop);
+        if (keys.leave) {
             return std::nullopt;
         }
-        const int before = selected;
-        bool chosen = false;
-        for (const KeyPress& press : events.pressed) {
-            if (press.key == "escape") {
-                return std::nullopt;
-            }
-            if (press.key == "f11") {
-                desktop.window->set_fullscreen(!desktop.window->fullscreen());
-            }
-            selected += press.key == "down" || press.key == "right" ? 1 : 0;
-            selected -= press.key == "up" || press.key == "left" ? 1 : 0;
-            chosen |= press.key == "return" || press.key == "space";
-        }
-        selected = std::clamp(selected, 0, std::max(last, 0));
+        const int before = std::exchange(selected, std::clamp(selected + keys.move, 0, last));
         if (selected != before) {
             desktop.play({"click"});
         }
-        if (chosen && !cards.empty()) {
+        if (keys.chosen && !cards.empty()) {
             return cards[static_cast<std::size_t>(selected)];
         }
         desktop.draw(menu_view(cards, selected, catalogue));

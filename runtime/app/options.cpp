@@ -163,6 +163,7 @@ Expected<Options> parse_options(std::span<const std::string> words) {
                                       [&](const CommandWord& c) { return c.word == words[0]; });
     if (command == kCommands.end()) {
         std::vector<std::string> known;
+        known.reserve(kCommands.size());
         for (const CommandWord& c : kCommands) {
             known.emplace_back(c.word);
         }

@@ -204,7 +204,10 @@ void LessonSession::keep_attempt(const dialogue::Mark& mark, int attempt_number,
     attempt.meaning_right = right;
     attempt.form_right = mark.understood && mark.form_right();
     for (const auto& [name, value] : mark.slots) {
-        attempt.slots += (attempt.slots.empty() ? "" : " ") + name + "=" + value;
+        attempt.slots.append(attempt.slots.empty() ? "" : " ")
+            .append(name)
+            .append("=")
+            .append(value);
     }
     attempt.answer_s = std::max(0.0, time_s_ - hud_.question_asked_at_s);
     attempt.said_utc_ms = utc_now_ms();
