@@ -51,6 +51,11 @@ bool class_matches(unsigned char c, char letter) {
     return std::isupper(static_cast<unsigned char>(letter)) != 0 ? !in : in;
 }
 
+/// The character there; a zero beyond the end.
+char letter_at(std::string_view pattern, std::size_t p) {
+    return p < pattern.size() ? pattern[p] : '\0';
+}
+
 /// The escapes that are no single characters.
 bool is_special_escape(char c, char next) {
     return c == '%' &&
@@ -96,7 +101,7 @@ PatternMatcher::Match PatternMatcher::match(std::size_t s, std::size_t p, int de
     while (p < pattern_.size()) {
         count(1);
         const char c = pattern_[p];
-        const char next = p + 1 < pattern_.size() ? pattern_[p + 1] : '\0';
+        const char next = letter_at(pattern_, p + 1);
         if (c == '(') {
             return next == ')' ? open_capture(s, p + 2, Filling::position, depth)
                                : open_capture(s, p + 1, Filling::open, depth);
@@ -145,7 +150,7 @@ PatternMatcher::Match PatternMatcher::match_escape(std::size_t& s, std::size_t& 
 PatternMatcher::Match PatternMatcher::match_quantified(std::size_t& s, std::size_t& p, int depth,
                                                        bool& finished) {
     const std::size_t after = class_end(p);
-    const char quantifier = after < pattern_.size() ? pattern_[after] : '\0';
+    const char quantifier = letter_at(pattern_, after);
     finished = true;
     switch (quantifier) {
         case '?':
