@@ -1,6 +1,7 @@
 #include "haptics/point/moving_solid.h"
 
 #include <algorithm>
+
 #include <limits>
 
 namespace fulcrum {
@@ -22,7 +23,8 @@ bool is_same(const Pose& a, const Pose& b) noexcept {
 
 }  // namespace
 
-MovingSolid::MovingSolid(const SolidPlan& plan, std::int32_t index) : mesh_(plan.mesh), index_(index) {
+MovingSolid::MovingSolid(const SolidPlan& plan, std::int32_t index)
+    : mesh_(plan.mesh), index_(index) {
     take_pose(plan.initial_pose_W);
 }
 
@@ -31,7 +33,8 @@ bool MovingSolid::take_pose(const Pose& pose_W) noexcept {
         return false;
     }
     const double length = pose_W.orientation.norm();
-    if (!is_finite(pose_W) || !(length > 0.0) || !(length < std::numeric_limits<double>::infinity())) {
+    if (!is_finite(pose_W) || !(length > 0.0) ||
+        !(length < std::numeric_limits<double>::infinity())) {
         return false;
     }
     pose_W_ = pose_W;
@@ -57,7 +60,8 @@ SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W, double reach_m) noexce
         const double wanted = std::min(1.0, reach_m / length_m);
         const Vector3 end_B = proxy_B_ + wanted * (to_B - proxy_B_);
         const Vector3 margin = Vector3::Constant(kReach * reach_m);
-        nearby_.collect(*mesh_, {proxy_B_.cwiseMin(end_B) - margin, proxy_B_.cwiseMax(end_B) + margin});
+        nearby_.collect(*mesh_,
+                        {proxy_B_.cwiseMin(end_B) - margin, proxy_B_.cwiseMax(end_B) + margin});
         part = nearby_.covers(proxy_B_) ? nearby_.find_covered_part(proxy_B_, to_B) : 0.0;
     }
     if (part > 0.0) {

@@ -16,12 +16,14 @@ namespace fulcrum {
 struct TouchedPlane {
     std::int32_t solid = kNoBody;
     std::int32_t triangle = -1;
-    int side = 1;                       ///< +1 the triangle's front, -1 its back
+    int side = 1;                        ///< +1 the triangle's front, -1 its back
     Vector3 normal_W{Vector3::UnitY()};  ///< unit, towards the proxy
     Vector3 point_W{Vector3::Zero()};    ///< a corner of the triangle
     double clearance_m = 0.0;            ///< how high above the plane the proxy is held
 
-    [[nodiscard]] double height_m(const Vector3& p_W) const noexcept { return normal_W.dot(p_W - point_W); }
+    [[nodiscard]] double height_m(const Vector3& p_W) const noexcept {
+        return normal_W.dot(p_W - point_W);
+    }
 };
 
 class MovingSolid {
@@ -42,7 +44,9 @@ class MovingSolid {
     [[nodiscard]] SegmentHit sweep_nearby(const Vector3& to_W, double reach_m) noexcept;
 
     /// The triangle in which the proxy lies exactly, if any.
-    [[nodiscard]] SegmentHit find_touching() const noexcept { return find_nearest_hit(*mesh_, proxy_B_, proxy_B_); }
+    [[nodiscard]] SegmentHit find_touching() const noexcept {
+        return find_nearest_hit(*mesh_, proxy_B_, proxy_B_);
+    }
     /// The plane of a triangle, where the solid is now.
     [[nodiscard]] TouchedPlane find_plane(std::int32_t triangle, int side) const noexcept;
     /// Does the proxy stand over the triangle, or does its foot lie beside it?
@@ -51,8 +55,12 @@ class MovingSolid {
     [[nodiscard]] bool is_near(const Vector3& centre_W, double radius_m) const noexcept;
 
   private:
-    [[nodiscard]] Vector3 to_body(const Vector3& p_W) const noexcept { return turn_.transpose() * (p_W - origin_W_); }
-    [[nodiscard]] Vector3 to_world(const Vector3& p_B) const noexcept { return turn_ * p_B + origin_W_; }
+    [[nodiscard]] Vector3 to_body(const Vector3& p_W) const noexcept {
+        return turn_.transpose() * (p_W - origin_W_);
+    }
+    [[nodiscard]] Vector3 to_world(const Vector3& p_B) const noexcept {
+        return turn_ * p_B + origin_W_;
+    }
 
     std::shared_ptr<const CollisionMesh> mesh_;
     std::int32_t index_;

@@ -8,7 +8,9 @@ namespace {
 
 std::atomic<bool> interrupt_seen{false};
 
-extern "C" void note_interrupt(int /*signal*/) { interrupt_seen.store(true, std::memory_order_relaxed); }
+extern "C" void note_interrupt(int /*signal*/) {
+    interrupt_seen.store(true, std::memory_order_relaxed);
+}
 
 }  // namespace
 
@@ -22,6 +24,8 @@ void watch_for_interrupts() {
     (void)std::signal(SIGPIPE, SIG_IGN);
 }
 
-bool interrupted() noexcept { return interrupt_seen.load(std::memory_order_relaxed); }
+bool interrupted() noexcept {
+    return interrupt_seen.load(std::memory_order_relaxed);
+}
 
 }  // namespace fulcrum::runtime

@@ -9,7 +9,7 @@ folder=$(mktemp -d)
 export HOME=$folder
 unset XDG_DATA_HOME WAYLAND_DISPLAY
 mkfifo "$folder/display"
-Xvfb -displayfd 3 -screen 0 1280x720x24 3>"$folder/display" 2>/dev/null &
+Xvfb -noreset -displayfd 3 -screen 0 1280x720x24 3>"$folder/display" 2>/dev/null &
 server=$!
 game=
 finish() {
