@@ -17,7 +17,7 @@ constexpr std::size_t kFloatsPerCorner = 8;  // position, normal, uv
 constexpr std::size_t kMostCorners = 50'000'000;
 constexpr int kLargestPicture = 8192;
 // A cell of levels 1, 2 and 3 for a model of length 1: about ten pixels.
-constexpr std::array<float, kLevelPixels.size()> kLevelCells{1.0F / 26.0F, 1.0F / 14.0F,
+constexpr std::array<float, kLevelPixels.size()> kLevelCells{1.0F / 26.0F, 1.0F / 17.0F,
                                                              1.0F / 9.0F};
 constexpr std::size_t kFewIndices = 3 * 600;  // so few triangles are not made fewer
 

@@ -29,7 +29,7 @@ struct MeshPart {
 };
 
 /// How long a thing may be in the picture, pixels, for levels 1, 2 and 3.
-inline constexpr std::array<double, 3> kLevelPixels{280.0, 140.0, 70.0};
+inline constexpr std::array<double, 3> kLevelPixels{300.0, 200.0, 90.0};
 
 /// A model ready to draw.
 struct Mesh {

@@ -196,7 +196,7 @@ void ScenePainter::draw_icon(const std::string& model, const Box& box, int width
     const gl::Mesh& mesh = find(model);
     const Vector3 middle = 0.5 * (mesh.lowest + mesh.highest).cast<double>();
     const double radius_m = 0.5 * static_cast<double>((mesh.highest - mesh.lowest).norm());
-    const double away = 0.80 * radius_m / std::sin(0.5 * kIconAngle_deg * std::numbers::pi / 180.0);
+    const double away = 0.88 * radius_m / std::sin(0.5 * kIconAngle_deg * std::numbers::pi / 180.0);
     CameraDescription view;
     view.target_W = middle;
     view.eye_W = middle + away * Vector3(0.25, 0.40, 1.0).normalized();
