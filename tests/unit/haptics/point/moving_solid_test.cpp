@@ -1,0 +1,115 @@
+#include "haptics/point/moving_solid.h"
+
+#include "haptics/geometry/shape.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace fulcrum {
+namespace {
+
+const Pose kPose{Vector3(3.0, -2.0, 1.0),
+                 Quaternion(Eigen::AngleAxisd(0.8, Vector3(0.6, 0.0, 0.8)))};
+
+MovingSolid make_solid(const Expected<TriangleMesh>& mesh, const Pose& pose_W) {
+    REQUIRE(mesh);
+    return MovingSolid({.body = 5, .mesh = *CollisionMesh::create(*mesh), .initial_pose_W = pose_W},
+                       2);
+}
+
+TEST_CASE("moving solid: a plane is that of the turned and moved triangle, on the side asked for") {
+    const MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), kPose);
+    for (const int side : {1, -1}) {
+        const TouchedPlane plane = plate.find_plane(0, side);
+        CHECK(plane.solid == 2);
+        CHECK((plane.normal_W - kPose.orientation * Vector3(0.0, side, 0.0)).norm() < 1e-15);
+        CHECK(plane.height_m(kPose * Vector3(0.3, 0.25 * side, -0.1)) ==
+              Approx(0.25).epsilon(1e-14));
+        CHECK(plane.clearance_m > 1e-11);
+        CHECK(plane.clearance_m < 1e-9);
+    }
+}
+
+TEST_CASE("moving solid: a proxy that is carried along keeps its place in the solid") {
+    MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), Pose{});
+    plate.put_proxy(Vector3(0.1, 0.2, 0.3));
+    CHECK(plate.take_pose(kPose));
+    CHECK((plate.carried_proxy_W() - kPose * Vector3(0.1, 0.2, 0.3)).norm() < 1e-15);
+    CHECK_FALSE(plate.take_pose(kPose));
+}
+
+TEST_CASE(
+    "moving solid: a sweep runs from the place in the solid to where the target lies in it now") {
+    MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), Pose{});
+    plate.put_proxy(Vector3(0.1, 0.2, 0.3));
+    CHECK_FALSE(plate.sweep(Vector3(0.1, 0.1, 0.3)).found());
+    // The plate rises past the proxy: the same target now lies below it.
+    plate.take_pose({Vector3(0.0, 0.5, 0.0), Quaternion::Identity()});
+    const SegmentHit hit = plate.sweep(Vector3(0.1, 0.1, 0.3));
+    CHECK(hit.found());
+    CHECK(hit.side == 1);
+    CHECK(hit.t == Approx(0.2 / 0.6).epsilon(1e-14));
+}
+
+TEST_CASE("moving solid: what is remembered around the proxy answers as the tree does") {
+    MovingSolid ball = make_solid(make_bumpy_sphere(1.0, 20, 0.05, 9.0), kPose);
+    std::mt19937_64 random(19);
+    std::normal_distribution<double> normal;
+    const auto vector = [&]() -> Vector3 {
+        return {normal(random), normal(random), normal(random)};
+    };
+    int n_hits = 0;
+    for (int place = 0; place < 200; ++place) {
+        Vector3 at = 1.02 * vector().normalized();
+        for (int step = 0; step < 50; ++step) {
+            at += 0.003 * vector();
+            ball.put_proxy(kPose * at);
+            const Vector3 to = kPose * (at + (step % 3 == 0 ? 0.5 : 0.02) * vector());
+            const SegmentHit near = ball.sweep_nearby(to, 0.01);
+            const SegmentHit all = ball.sweep(to);
+            REQUIRE(near.triangle == all.triangle);
+            REQUIRE(near.t == all.t);
+            n_hits += all.found() ? 1 : 0;
+        }
+    }
+    CHECK(n_hits > 1000);
+}
+
+TEST_CASE("moving solid: over a triangle means that the foot lies within its edges") {
+    MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), kPose);
+    for (const double height : {-0.3, 1e-9, 2.0}) {
+        const auto over = [&](double x, double z) {
+            plate.put_proxy(kPose * Vector3(x, height, z));
+            return std::pair(plate.is_over(0), plate.is_over(1));
+        };
+        // The square's two halves part along a diagonal: a place is over one of them, or, beside the square, over none.
+        CHECK(over(0.3, -0.1) != over(-0.1, 0.3));
+        CHECK(over(0.3, -0.1).first != over(0.3, -0.1).second);
+        CHECK(over(0.6, 0.1) == std::pair(false, false));
+        CHECK(over(-0.2, -0.51) == std::pair(false, false));
+    }
+}
+
+TEST_CASE("moving solid: near is all that a ball can reach, and not much more") {
+    const MovingSolid ball = make_solid(make_sphere(0.5, 4), kPose);
+    const Vector3 away = Vector3(1.0, 2.0, -1.0).normalized();
+    CHECK(ball.is_near(kPose.position + 2.0 * away, 1.5));
+    CHECK_FALSE(ball.is_near(kPose.position + 2.0 * away, 1.49));
+}
+
+TEST_CASE("moving solid: poses that are not finite are ignored") {
+    MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), kPose);
+    Pose bad = kPose;
+    bad.position.x() = std::numeric_limits<double>::quiet_NaN();
+    CHECK_FALSE(plate.take_pose(bad));
+    bad = kPose;
+    bad.orientation.coeffs().setZero();
+    CHECK_FALSE(plate.take_pose(bad));
+    CHECK((plate.find_plane(0, 1).normal_W - kPose.orientation * Vector3::UnitY()).norm() < 1e-15);
+}
+
+}  // namespace
+}  // namespace fulcrum
