@@ -20,7 +20,7 @@ WorldPlan make_plan() {
     plan.catcher.present = true;
     plan.catcher.opening_radius_m = 0.1;
     plan.catcher.depth_m = 0.12;
-    plan.catcher.capacity = 3;
+    plan.catcher.capacity = 8;
     return plan;
 }
 
@@ -260,11 +260,11 @@ TEST_CASE("world: a full bucket catches and holds nothing more, also when two ar
     WorldPlan plan = make_plan();
     plan.catcher.capacity = 1;
     World world(plan);
-    world.step(kDt_s, tool_at(Vector3::Zero()));
-    world.apply(make_command(Kind::drop, 1, Vector3(-0.02, 0.1, 0.0)));
-    world.apply(make_command(Kind::drop, 2, Vector3(0.02, 0.1, 0.0)));
-    for (int k = 0; k < 100; ++k) {
-        world.step(kDt_s, tool_at(Vector3::Zero()));
+    world.step(kDt_s, tool_at(Vector3(0.0, 0.5, 0.0)));
+    world.apply(make_command(Kind::drop, 1, Vector3(-0.02, 0.6, 0.0)));
+    world.apply(make_command(Kind::drop, 2, Vector3(0.02, 0.6, 0.0)));
+    for (int k = 0; k < 300; ++k) {
+        world.step(kDt_s, tool_at(Vector3(0.0, 0.5, 0.0)));
     }
     CHECK(world.n_held() == 1);
     CHECK(world.snapshot().carried_force_W.y() == Approx(-0.6 * 9.81));

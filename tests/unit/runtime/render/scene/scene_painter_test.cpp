@@ -1,0 +1,211 @@
+#include "runtime/render/scene/scene_painter.h"
+
+#include "tests/unit/runtime/render/picture_fixture.h"
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
+
+TEST_CASE("picture: an empty view shows sky above and floor below, and no OpenGL error") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    const Image image = studio->draw(nothing());
+    const auto top = pixel(image, 100, 2);
+    const auto bottom = pixel(image, 100, kHeight - 3);
+    CHECK(brightness(top) > 400);
+    CHECK(brightness(bottom) > 300);
+    CHECK(top != bottom);
+    CHECK(glGetError() == GL_NO_ERROR);
+    std::size_t opaque = 0;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+        opaque += image.rgba[i] == 255 ? 1 : 0;
+    }
+    CHECK(opaque == image.rgba.size() / 4);
+}
+
+TEST_CASE("picture: the same view gives the same picture, whatever its time") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View view = nothing();
+    view.bodies = {body("red", {0.0, 0.4, 0.0})};
+    view.caption = "Hello";
+    const Image first = studio->draw(view);
+    view.time_s = 123.4;
+    CHECK(studio->draw(view).rgba == first.rgba);
+}
+
+TEST_CASE("picture: a body is seen where it is, in its colour, nearer ones before others") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View view = nothing();
+    view.bodies = {body("red", {0.0, 0.4, 0.0})};
+    const auto red = pixel_at(studio->draw(view), view, {0.0, 0.4, 0.1});
+    CHECK(red[0] > 150);
+    CHECK(red[0] > 2 * red[1]);
+    view.bodies.push_back(body("green", {0.0, 0.4, 0.5}));
+    const auto green = pixel_at(studio->draw(view), view, {0.0, 0.4, 0.6});
+    CHECK(green[1] > green[0]);
+    std::reverse(view.bodies.begin(), view.bodies.end());
+    CHECK(pixel_at(studio->draw(view), view, {0.0, 0.4, 0.6}) == green);
+}
+
+TEST_CASE("picture: squash makes a body flatter and wider") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View view = nothing();
+    view.bodies = {body("red", {0.0, 0.45, 0.0})};
+    const Image round = studio->draw(view);
+    view.bodies[0].scale = Vector3(1.4, 0.5, 1.4);
+    const Image flat = studio->draw(view);
+    const Vector3 side(0.125, 0.45, 0.0);
+    const Vector3 top(0.0, 0.53, 0.0);
+    CHECK(pixel_at(flat, view, side)[0] > 2 * pixel_at(flat, view, side)[1]);
+    CHECK(pixel_at(round, view, side)[0] < 2 * pixel_at(round, view, side)[1]);
+    CHECK(pixel_at(round, view, top)[0] > 2 * pixel_at(round, view, top)[1]);
+    CHECK(pixel_at(flat, view, top)[0] < 2 * pixel_at(flat, view, top)[1]);
+}
+
+TEST_CASE("picture: shadows darken the floor below a body, and only there") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View view = nothing();
+    view.camera.eye_W = Vector3(0.0, 1.2, 1.2);
+    const Image bare = studio->draw(view);
+    view.bodies = {body("red", {0.0, 0.5, -0.2})};
+    const Image shaded = studio->draw(view);
+    const Vector3 below(0.0, 0.0, -0.2);
+    CHECK(brightness(pixel_at(shaded, view, below)) <
+          brightness(pixel_at(bare, view, below)) * 85 / 100);
+    const Vector3 away(0.6, 0.0, 0.1);
+    CHECK(pixel_at(shaded, view, away) == pixel_at(bare, view, away));
+}
+
+TEST_CASE("picture: the shadow of a body high above lies where the lamp throws it") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View view = nothing();
+    view.camera.eye_W = Vector3(0.0, 1.2, 1.2);
+    const Image bare = studio->draw(view);
+    view.bodies = {body("red", {0.0, 3.0, 0.0})};
+    const Image image = studio->draw(view);
+    const Light light =
+        light_for(Camera(view.camera, kWidth, kHeight), 0.0, RendererSettings{}.shadow_map_size);
+    const Vector3 to_lamp = light.to_lamp.cast<double>();
+    const Vector3 thrown = view.bodies[0].pose_W.position - to_lamp * (3.0 / to_lamp.y());
+    const Vector3 edge = thrown * (1.0 + 0.05 / thrown.norm());
+    CHECK(brightness(pixel_at(image, view, edge)) <
+          brightness(pixel_at(bare, view, edge)) * 85 / 100);
+}
+
+TEST_CASE("picture: a body shades the one below it, and no body shades itself in stripes") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View view = nothing();
+    view.camera.eye_W = Vector3(0.0, 0.9, 1.5);
+    view.bodies = {body("red", {0.0, 0.1, 0.0})};
+    const Image alone = studio->draw(view);
+    const Vector3 top(0.0, 0.195, 0.03);
+    view.bodies.push_back(body("green", {0.0, 0.9, 0.0}));
+    CHECK(brightness(pixel_at(studio->draw(view), view, top)) <
+          brightness(pixel_at(alone, view, top)) - 30);
+    // Along the lit top of the ball light changes gently from pixel to pixel.
+    const Camera camera(view.camera, kWidth, kHeight);
+    const auto middle = camera.project(Vector3(0.0, 0.15, 0.09));
+    const int y = static_cast<int>(middle->position_px.y());
+    const int x = static_cast<int>(middle->position_px.x());
+    for (int dx = -12; dx < 12; ++dx) {
+        const int step =
+            std::abs(brightness(pixel(alone, x + dx, y)) - brightness(pixel(alone, x + dx + 1, y)));
+        CHECK(step < 40);
+    }
+}
+
+TEST_CASE("picture: the mark on the floor shows where a falling body will land") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View view = nothing();
+    view.camera.eye_W = Vector3(0.0, 1.2, 1.2);
+    const Image bare = studio->draw(view);
+    view.bodies = {body("red", {0.3, 0.6, -0.3})};
+    const Image image = studio->draw(view);
+    // The ring is a little larger than the ball; look for its dark line beside the shadow.
+    int darkest = 1000;
+    for (double r = 0.09; r < 0.15; r += 0.002) {
+        const Vector3 place(0.3 + r, 0.0, -0.3);
+        darkest = std::min(darkest, brightness(pixel_at(image, view, place)) -
+                                        brightness(pixel_at(bare, view, place)));
+    }
+    CHECK(darkest < -60);
+}
+
+TEST_CASE("picture: a highlight draws a line around a body") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View view = nothing();
+    view.bodies = {body("green", {0.0, 0.45, 0.0})};
+    const Image plain = studio->draw(view);
+    view.bodies[0].highlight = 1.0;
+    const Image outlined = studio->draw(view);
+    CHECK(changed(plain, outlined) > 150);
+    CHECK(pixel_at(plain, view, {0.0, 0.45, 0.1}) == pixel_at(outlined, view, {0.0, 0.45, 0.1}));
+    view.bodies[0].highlight = kNan;
+    CHECK(studio->draw(view).rgba == plain.rgba);
+}
+
+TEST_CASE("picture: the force is seen through everything before it") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View view = nothing();
+    view.bodies = {body("green", {0.0, 0.4, 0.3})};
+    const Image without = studio->draw(view);
+    view.force = {true, {0.0, 0.5, 0.0}, {0.0, -4.0, 0.0}, ""};
+    const Image with = studio->draw(view);
+    const auto arrow = pixel_at(with, view, {0.0, 0.45, 0.0});
+    CHECK(arrow[0] > 150);
+    CHECK(arrow[0] > arrow[2] + 80);
+    CHECK(changed(without, with) > 200);
+    view.force.text = "4 N";
+    if (has_words()) {
+        CHECK(changed(with, studio->draw(view)) > 300);
+    }
+}
+
+TEST_CASE("picture: the ghost is seen through") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View view;
+    view.tool = body("red", {-0.3, 0.4, 0.0});
+    const Image without = studio->draw(view);
+    view.ghost_visible = true;
+    view.ghost_pose_W.position = Vector3(0.2, 0.4, 0.0);
+    const Image with = studio->draw(view);
+    const auto ghost = pixel_at(with, view, {0.2, 0.4, 0.1});
+    const auto behind = pixel_at(without, view, {0.2, 0.4, 0.1});
+    CHECK(ghost != behind);
+    // Half-way between the ghost's colour and what is behind it.
+    CHECK(std::abs(ghost[0] - behind[0]) <
+          std::abs(static_cast<int>(255.0F * theme::kGhost.r) - behind[0]));
+    CHECK(pixel_at(with, view, {-0.3, 0.4, 0.1}) == pixel_at(without, view, {-0.3, 0.4, 0.1}));
+}
