@@ -70,6 +70,9 @@ TEST_CASE(
     steepest.saturation_force_N = 2.0 + 800.0 * 0.0095 / 3.0;
     steepest.saturation_force_N *= 1.0 + 1e-12;
     REQUIRE(validate(steepest));
+    CouplingSettings steeper = steepest;
+    steeper.saturation_force_N = 2.0 + 800.0 * 0.0095 / 3.0 * (1.0 - 1e-9);
+    CHECK_FALSE(validate(steeper));
     double before_N = 0.0;
     for (int i = 1; i <= 20000; ++i) {
         const double force_N = compute_spring_force_N(steepest, 0.02 * i / 20000.0);

@@ -100,6 +100,16 @@ TEST_CASE("moving solid: near is all that a ball can reach, and not much more") 
     CHECK_FALSE(ball.is_near(kPose.position + 2.0 * away, 1.49));
 }
 
+TEST_CASE("moving solid: a turn that is not of unit length is the same turn") {
+    for (const double length : {1e-3, 0.999, 2.0, 1e6}) {
+        Pose scaled = kPose;
+        scaled.orientation.coeffs() *= length;
+        const MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), scaled);
+        CHECK((plate.find_plane(0, 1).normal_W - kPose.orientation * Vector3::UnitY()).norm() <
+              1e-14);
+    }
+}
+
 TEST_CASE("moving solid: poses that are not finite are ignored") {
     MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), kPose);
     Pose bad = kPose;
