@@ -76,13 +76,13 @@ std::optional<std::size_t> PatternMatcher::match_at(std::size_t begin) {
 PatternCapture PatternMatcher::capture(int i, std::size_t begin, std::size_t end) const {
     if (i >= n_captures_) {
         if (i != 0) {
-            throw PatternError("there is no capture %" + std::to_string(i + 1));
+            throw PatternError{"there is no capture %" + std::to_string(i + 1)};
         }
         return {begin, end - begin, false};
     }
     const auto k = static_cast<std::size_t>(i);
     if (filling_[k] == Filling::open) {
-        throw PatternError("a capture in the pattern is not closed");
+        throw PatternError{"a capture in the pattern is not closed"};
     }
     return captures_[k];
 }
@@ -96,7 +96,7 @@ void PatternMatcher::count(std::size_t steps) {
 
 PatternMatcher::Match PatternMatcher::match(std::size_t s, std::size_t p, int depth) {
     if (depth > kMaxPatternDepth) {
-        throw PatternError("the pattern is too complex");
+        throw PatternError{"the pattern is too complex"};
     }
     while (p < pattern_.size()) {
         count(1);
@@ -132,7 +132,7 @@ PatternMatcher::Match PatternMatcher::match_escape(std::size_t& s, std::size_t& 
     } else if (letter == 'f') {
         const std::size_t set = p + 2;
         if (set >= pattern_.size() || pattern_[set] != '[') {
-            throw PatternError("missing '[' after '%f' in the pattern");
+            throw PatternError{"missing '[' after '%f' in the pattern"};
         }
         moved = at_frontier(s, set) ? Match(s) : std::nullopt;
         p = class_end(set);
@@ -212,7 +212,7 @@ PatternMatcher::Match PatternMatcher::match_least(std::size_t s, std::size_t p, 
 PatternMatcher::Match PatternMatcher::open_capture(std::size_t s, std::size_t p, Filling filling,
                                                    int depth) {
     if (n_captures_ >= kMaxPatternCaptures) {
-        throw PatternError("the pattern has too many captures");
+        throw PatternError{"the pattern has too many captures"};
     }
     const auto k = static_cast<std::size_t>(n_captures_);
     captures_[k] = {s, 0, filling == Filling::position};
@@ -231,7 +231,7 @@ PatternMatcher::Match PatternMatcher::close_capture(std::size_t s, std::size_t p
         --k;
     }
     if (k < 0) {
-        throw PatternError("the pattern closes a capture that was not opened");
+        throw PatternError{"the pattern closes a capture that was not opened"};
     }
     const auto i = static_cast<std::size_t>(k);
     captures_[i].length = s - captures_[i].begin;
@@ -245,7 +245,7 @@ PatternMatcher::Match PatternMatcher::close_capture(std::size_t s, std::size_t p
 
 PatternMatcher::Match PatternMatcher::match_balanced(std::size_t s, std::size_t p) {
     if (p + 1 >= pattern_.size()) {
-        throw PatternError("'%b' in the pattern needs two characters");
+        throw PatternError{"'%b' in the pattern needs two characters"};
     }
     if (s >= text_.size() || text_[s] != pattern_[p]) {
         return std::nullopt;
@@ -274,7 +274,7 @@ bool PatternMatcher::at_frontier(std::size_t s, std::size_t set) {
 PatternMatcher::Match PatternMatcher::match_back_reference(std::size_t s, char digit) {
     const int k = digit - '1';
     if (k < 0 || k >= n_captures_ || filling_[static_cast<std::size_t>(k)] == Filling::open) {
-        throw PatternError(std::string("the pattern has no capture %") + digit);
+        throw PatternError{std::string("the pattern has no capture %") + digit};
     }
     const PatternCapture& caught = captures_[static_cast<std::size_t>(k)];
     count(1 + caught.length / 16);
@@ -290,7 +290,7 @@ std::size_t PatternMatcher::class_end(std::size_t p) const {
     const char c = pattern_[p++];
     if (c == '%') {
         if (p >= pattern_.size()) {
-            throw PatternError("the pattern ends with '%'");
+            throw PatternError{"the pattern ends with '%'"};
         }
         return p + 1;
     }
@@ -302,7 +302,7 @@ std::size_t PatternMatcher::class_end(std::size_t p) const {
     }
     do {  // a ']' right at the start is itself a member
         if (p >= pattern_.size()) {
-            throw PatternError("missing ']' in the pattern");
+            throw PatternError{"missing ']' in the pattern"};
         }
         if (pattern_[p++] == '%') {
             ++p;

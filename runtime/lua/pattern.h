@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -20,10 +19,9 @@ namespace fulcrum::runtime {
 inline constexpr int kMaxPatternCaptures = 32;
 inline constexpr int kMaxPatternDepth = 200;  ///< nested choices
 
-/// The pattern itself is malformed; what() is a clause.
-class PatternError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
+/// Thrown when the pattern itself is malformed. Caught where Lua called; it has no base, so that it needs no run-time types.
+struct PatternError {
+    std::string problem;  ///< a clause
 };
 
 /// One part of the text that a match caught.

@@ -29,7 +29,7 @@ int with_pattern_errors(lua_State* lua, Body body) {
     try {
         return body();
     } catch (const PatternError& error) {
-        problem = error.what();
+        problem = error.problem;
     }
     raise_in_lesson(lua, problem);
 }
@@ -192,7 +192,7 @@ void append_template(lua_State* lua, std::string& out, const PatternMatcher& mat
             out.append(check_text(lua, -1));
             lua_pop(lua, 1);
         } else {
-            throw PatternError("'%' in the replacement must be followed by a digit or '%'");
+            throw PatternError{"'%' in the replacement must be followed by a digit or '%'"};
         }
     }
 }
@@ -218,8 +218,8 @@ void append_replacement(lua_State* lua, std::string& out, const PatternMatcher& 
     } else if (lua_isstring(lua, -1) != 0) {
         out.append(check_text(lua, -1));
     } else {
-        throw PatternError(std::string("a replacement is a ") + luaL_typename(lua, -1) +
-                           ", not a text");
+        throw PatternError{std::string("a replacement is a ") + luaL_typename(lua, -1) +
+                           ", not a text"};
     }
     lua_pop(lua, 1);
 }
@@ -253,7 +253,7 @@ int string_gsub(lua_State* lua) {
                 break;
             }
             if (out.size() > kMaxStringBytes) {
-                throw PatternError("string.gsub would make a text of more than 1 MB");
+                throw PatternError{"string.gsub would make a text of more than 1 MB"};
             }
             ScriptState::of(lua).charge(lua, 1);
             if (anchored) {

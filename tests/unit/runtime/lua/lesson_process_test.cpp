@@ -296,7 +296,7 @@ TEST_CASE("lesson process: a process that is killed from outside is one sentence
     auto process = folder.start(lesson_text("function L:update(world) end"));
     REQUIRE(process);
     REQUIRE((*process)->exchange(frame_for((*process)->description(), 0.0)));
-    kill((*process)->pid(), SIGSEGV);
+    kill((*process)->pid(), SIGABRT);
     std::optional<Error> error;
     for (int i = 0; i < 100 && !error; ++i) {  // the signal may come a frame late
         const auto reply = (*process)->exchange(frame_for((*process)->description(), 0.0));

@@ -13,6 +13,8 @@ TEST_CASE("script: a spent budget is not swallowed by pcall, coroutine or wrap")
     const std::string sentence = std::string("test.lua:1: ") + kTooLong + ".";
     for (const char* text :
          {"while true do end", "while true do pcall(function() while true do end end) end",
+          "return pcall(function() while true do end end)",
+          "return coroutine.resume(coroutine.create(function() while true do end end))",
           "while true do coroutine.wrap(function() while true do end end)() end",
           "local co = coroutine.create(function() pcall(function() while true do end end) end) "
           "coroutine.resume(co) return 'out'",
