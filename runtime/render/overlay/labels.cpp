@@ -57,7 +57,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, std
         settings.most_lines = 2;
         PlacedLabel result;
         result.words = set_text(font, plain_text(label.text), settings);
-        result.label = &label;
+        result.label = label;
         const float width =
             result.words.width_px + measure.px(2.0F * kPadX + (label.is_force ? kIconRoom : 0.0F));
         const float height = result.words.height_px + measure.px(2.0F * kPadY);
@@ -90,9 +90,9 @@ void draw_labels(const std::vector<PlacedLabel>& labels, const Measure& measure,
                         measure.px(8.0F), with_alpha(theme::kInk, 0.20F));
         list.fill_box(box, radius, theme::kPaper);
         float x = box.x + measure.px(kPadX);
-        if (placed.label->is_force) {
+        if (placed.label.is_force) {
             draw_arrow_icon(list, {x + measure.px(kIcon - 4.0F), box.middle_y()}, measure.px(kIcon),
-                            placed.label->direction);
+                            placed.label.direction);
             x += measure.px(kIconRoom);
         }
         list.text(placed.words, x, box.middle_y() - 0.5F * placed.words.height_px, 0.0F, 0.0F,

@@ -26,7 +26,7 @@ inline constexpr std::size_t kMostLabels = 64;
 struct PlacedLabel {
     Box box;
     Paragraph words;
-    const SceneLabel* label = nullptr;
+    SceneLabel label;
 };
 
 /// Finds room right of, left of, below or above each thing, inside the picture and outside the

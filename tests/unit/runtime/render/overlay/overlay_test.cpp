@@ -158,7 +158,7 @@ TEST_CASE("labels: a force's words come first and stand left of its arrow") {
     SceneLabel force{{640, 360}, 20, "3 N", true, {0, 1}};
     const auto placed = place_labels({apple, force}, {}, font, Measure(1280, 720));
     REQUIRE(placed.size() == 2);
-    CHECK(placed[0].label->is_force);
+    CHECK(placed[0].label.is_force);
     CHECK(placed[0].box.right() <= 640.0F - 20.0F);
     CHECK(placed[1].box.x >= 640.0F + 30.0F);
 }
