@@ -44,6 +44,14 @@ class VirtualClock {
     long frame_ = 0;
 };
 
+// The force fades before anything is said, and the record shows it to its end.
+void fade_out(LessonRun& run, VirtualClock& clock, const std::string& sentence) {
+    run.fail_softly(sentence);
+    for (const double until_s = clock.now_s() + kFadeShown_s; clock.now_s() < until_s;) {
+        clock.tick();
+    }
+}
+
 }  // namespace
 
 Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& settings) {
@@ -59,12 +67,7 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
             input.time_s = clock.now_s();
             const auto report = run.exchange_frame(input);
             if (!report) {
-                // The force fades before anything is said.
-                run.fail_softly(to_sentence(report.error()));
-                for (const double until_s = clock.now_s() + kFadeShown_s;
-                     clock.now_s() < until_s;) {
-                    clock.tick();
-                }
+                fade_out(run, clock, to_sentence(report.error()));
                 return tl::unexpected(report.error());
             }
             print_lines(report->printed);

@@ -17,7 +17,7 @@ Expected<std::shared_ptr<const CollisionMesh>> to_collision(Expected<TriangleMes
     if (!mesh) {
         return tl::unexpected(mesh.error());
     }
-    return CollisionMesh::create(std::move(*mesh));
+    return CollisionMesh::create(*mesh);
 }
 
 }  // namespace

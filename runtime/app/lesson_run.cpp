@@ -77,15 +77,8 @@ Expected<void> LessonRun::build(const Places& places, const RunRequest& request,
     }
 
     // … and only what is in it is built.
-    if (plan_.record) {
-        record_ring_ = std::make_unique<RecordRing>();
-        channels_.record = record_ring_.get();
-        auto writer =
-            RecordWriter::create(request.record_file, {plan_.haptic.rate_hz, description.id});
-        if (!writer) {
-            return tl::unexpected(writer.error());
-        }
-        record_.emplace(std::move(*writer));
+    if (auto recorder = open_record(request.record_file, description.id); !recorder) {
+        return recorder;
     }
     haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, *device_, channels_);
     if (plan_.world) {
@@ -119,6 +112,20 @@ Expected<void> LessonRun::build(const Places& places, const RunRequest& request,
     }
     session_ = std::move(*session);
     place_visible_bodies();
+    return {};
+}
+
+Expected<void> LessonRun::open_record(const std::string& file, const std::string& lesson) {
+    if (!plan_.record) {
+        return {};
+    }
+    record_ring_ = std::make_unique<RecordRing>();
+    channels_.record = record_ring_.get();
+    auto writer = RecordWriter::create(file, {plan_.haptic.rate_hz, lesson});
+    if (!writer) {
+        return tl::unexpected(writer.error());
+    }
+    record_.emplace(std::move(*writer));
     return {};
 }
 

@@ -99,6 +99,7 @@ class LessonRun {
     LessonRun() = default;
     Expected<void> build(const Places& places, const RunRequest& request, ProgressStore& store,
                          const dialogue::Catalogue& catalogue);
+    Expected<void> open_record(const std::string& file, const std::string& lesson);
     Expected<void> open_device(const RunRequest& request);
     void place_visible_bodies();
     SessionInput gather(const FrameInput& input);
