@@ -19,7 +19,7 @@ constexpr int kLargestPicture = 8192;
 // A cell of levels 1, 2 and 3 for a model of length 1: about ten pixels.
 constexpr std::array<float, kLevelPixels.size()> kLevelCells{1.0F / 26.0F, 1.0F / 17.0F,
                                                              1.0F / 9.0F};
-constexpr std::size_t kFewIndices = 3 * 600;  // so few triangles are not made fewer
+constexpr std::size_t kFewIndices = std::size_t{3} * 600;  // so few triangles are not made fewer
 
 bool all_finite(const std::vector<float>& numbers) {
     return std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::isfinite(x); });
