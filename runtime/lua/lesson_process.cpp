@@ -50,9 +50,11 @@ struct LessonProcess::Parts {
         cpu_limit_s = cpu_s;
         wall_limit_s = wall_s;
     }
+    [[nodiscard]] bool worked_too_long() const {
+        return child->cpu_s() - cpu_at_ask_s > cpu_limit_s;
+    }
     [[nodiscard]] bool is_late() const {
-        return child->cpu_s() - cpu_at_ask_s > cpu_limit_s ||
-               monotonic_now_s() - asked_at_s > wall_limit_s;
+        return worked_too_long() || monotonic_now_s() - asked_at_s > wall_limit_s;
     }
 
     /// Ends the process and remembers why. Every later call gives the same error.
@@ -69,10 +71,15 @@ struct LessonProcess::Parts {
         return to_error(place).where;
     }
     Error fail_late() {
-        return fail_with({"this did not answer within " + milliseconds(cpu_limit_s) +
-                              " (a loop that never ends?)",
-                          last_place(),
-                          {}});
+        if (worked_too_long()) {
+            return fail_with({"this did not answer within " + milliseconds(cpu_limit_s) +
+                                  " (a loop that never ends?)",
+                              last_place(),
+                              {}});
+        }
+        return fail_with({"the lesson's process had no answer after " + milliseconds(wall_limit_s) +
+                              ", though it hardly ran",
+                          last_place(), "see whether the computer is too busy"});
     }
     Error fail_malformed(const std::string& problem) {
         return fail_with({"the lesson's process sent nonsense and was ended (" + problem + ")",

@@ -272,6 +272,31 @@ TEST_CASE(
     CHECK(folder.start(lesson_text("")));
 }
 
+TEST_CASE("lesson process: a process that hardly runs is given the clock on the wall, then ended") {
+    const LessonFolder folder;
+    folder.write("lesson.lua", lesson_text("function L:update() end"));
+    LessonProcessOptions options = LessonFolder::options();
+    options.answer_wall_s = 0.3;
+    auto process = LessonProcess::start(folder.files(), options);
+    REQUIRE(process);
+    kill((*process)->pid(), SIGSTOP);
+    REQUIRE((*process)->send(frame_for((*process)->description(), 0.0)));
+    std::optional<Expected<LessonReply>> reply;
+    while (!reply) {
+        reply = (*process)->poll();
+    }
+    // It may have answered before it stopped; the next it can't.
+    if (*reply) {
+        reply = (*process)->exchange(frame_for((*process)->description(), 0.0));
+    }
+    REQUIRE_FALSE(*reply);
+    CHECK_THAT(
+        to_sentence(reply->error()),
+        Catch::Contains(
+            "the lesson's process had no answer after 300 ms, though it hardly ran; see whether"));
+    CHECK((*process)->pid() == -1);
+}
+
 TEST_CASE("lesson process: send and poll do not wait") {
     const LessonFolder folder;
     auto process = folder.start(lesson_text("function L:update(world) world:score(7) end"));

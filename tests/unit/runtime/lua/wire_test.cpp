@@ -224,6 +224,7 @@ TEST_CASE("wire: contradictions of a description are found") {
     CHECK_FALSE(taken([](auto& d) { d.gravity_W.y() = kNaN; }));
     CHECK_FALSE(taken([](auto& d) { d.sounds[0] = "a b"; }));
     CHECK_FALSE(taken([](auto& d) {
+        d.bodies[0].solid = false;
         d.bodies.assign(kMaxBodies + 1, d.bodies[0]);
         for (std::size_t i = 0; i < d.bodies.size(); ++i) {
             d.bodies[i].name = "b" + std::to_string(i);
