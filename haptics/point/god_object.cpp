@@ -36,7 +36,7 @@ Expected<void> validate(const std::vector<SolidPlan>& solids) {
 
 GodObject::GodObject(const std::vector<SolidPlan>& solids) {
     solids_.reserve(solids.size());
-    near_.reserve(solids.size());
+    near_.resize(solids.size());
     for (const SolidPlan& solid : solids) {
         solids_.emplace_back(solid, static_cast<std::int32_t>(solids_.size()));
     }
@@ -74,10 +74,10 @@ const ProxyContact& GodObject::step(const Vector3& hand_W,
 void GodObject::find_near_solids(const Vector3& hand_W) noexcept {
     // The distance to the hand never grows, so all that follows happens in this ball.
     const double radius_m = (proxy_W_ - hand_W).norm();
-    near_.clear();
+    n_near_ = 0;
     for (std::size_t i = 0; i < solids_.size(); ++i) {
         if (solids_[i].is_near(hand_W, radius_m)) {
-            near_.push_back(static_cast<std::int32_t>(i));
+            near_[n_near_++] = static_cast<std::int32_t>(i);
         }
     }
 }
@@ -165,7 +165,7 @@ GodObject::Advance GodObject::advance(const Vector3& target_W) noexcept {
 GodObject::Blocker GodObject::sweep_all(const Vector3& to_W) noexcept {
     Blocker nearest;
     ++n_sweeps_;
-    for (const std::int32_t index : near_) {
+    for (const std::int32_t index : near_solids()) {
         MovingSolid& solid = solids_[static_cast<std::size_t>(index)];
         const SegmentHit hit =
             planes_.count > 0 ? solid.sweep_nearby(to_W, reach_m_) : solid.sweep(to_W);
@@ -178,7 +178,7 @@ GodObject::Blocker GodObject::sweep_all(const Vector3& to_W) noexcept {
 
 void GodObject::move_to(const Vector3& proxy_W) noexcept {
     proxy_W_ = proxy_W;
-    for (const std::int32_t index : near_) {
+    for (const std::int32_t index : near_solids()) {
         solids_[static_cast<std::size_t>(index)].put_proxy(proxy_W);
     }
 }

@@ -88,6 +88,9 @@ class GodObject final : public Proxy {
 
     // Motion of the hand.
     void find_near_solids(const Vector3& hand_W) noexcept;
+    [[nodiscard]] std::span<const std::int32_t> near_solids() const noexcept {
+        return {near_.data(), n_near_};
+    }
     void follow_hand(const Vector3& hand_W) noexcept;
     [[nodiscard]] bool find_way_on(const Vector3& hand_W) noexcept;
     [[nodiscard]] bool try_without(const Vector3& hand_W, unsigned kept) noexcept;
@@ -101,7 +104,9 @@ class GodObject final : public Proxy {
     void publish(const Vector3& hand_W) noexcept;
 
     std::vector<MovingSolid> solids_;
-    std::vector<std::int32_t> near_;  // solids that the hand's motion can reach in this step
+    // Solids that the hand's motion can reach in this step: the first n_near_ entries.
+    std::vector<std::int32_t> near_;
+    std::size_t n_near_ = 0;
     Vector3 proxy_W_{Vector3::Zero()};
     Vector3 hand_W_{Vector3::Zero()};
     double reach_m_ = 0.0;  // how far the hand came in this step: about as far as the proxy will go
