@@ -7,7 +7,9 @@
 #include "runtime/progress/sqlite/schema.h"
 #include "runtime/progress/text_rules.h"
 
+#include <chrono>
 #include <sys/stat.h>
+#include <thread>
 
 namespace fulcrum::runtime {
 namespace {
@@ -103,6 +105,27 @@ std::unique_ptr<ProgressStore> open(const std::string& path, const SqliteStoreOp
     return std::make_unique<SqliteStore>(std::move(database));
 }
 
+/// Where two programs that both read want to write, as in the switch to the log, sqlite refuses one at once instead of
+/// asking its busy handler, since neither could ever go on (sqlite.org/c3ref/busy_handler.html). So the one that was
+/// refused lets go of everything and begins anew, as long as it was told to wait.
+std::unique_ptr<ProgressStore> open_when_free(const std::string& path,
+                                              const SqliteStoreOptions& options) {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::milliseconds kRest{5};
+    const auto give_up = Clock::now() + std::chrono::milliseconds(options.busy_timeout_ms);
+    for (;;) {
+        try {
+            return open(path, options);
+        } catch (const Refused& refused) {
+            const bool busy = (refused.code() & 0xFF) == SQLITE_BUSY;
+            if (!busy || Clock::now() + kRest > give_up) {
+                throw;
+            }
+        }
+        std::this_thread::sleep_for(kRest);
+    }
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<ProgressStore>> open_sqlite_store(const std::string& path,
@@ -120,7 +143,7 @@ Expected<std::unique_ptr<ProgressStore>> open_sqlite_store(const std::string& pa
             return tl::unexpected<Error>(made.error());
         }
     }
-    return guarded([&] { return open(path, options); });
+    return guarded([&] { return open_when_free(path, options); });
 }
 
 }  // namespace fulcrum::runtime
