@@ -33,8 +33,8 @@ void draw_parts(const gl::Mesh& mesh, std::size_t level) {
 Expected<ObjectPass> ObjectPass::create() {
     ObjectPass pass;
     const std::string lit_fragment = std::string(shaders::kLighting) + shaders::kObjectFragment;
-    auto lit =
-        gl::Program::build("object", "#define TAPS 2\n", shaders::kObjectVertex, lit_fragment);
+    auto lit = gl::Program::build("object", "#define TAPS 2\n#define SPREAD 1.6\n",
+                                  shaders::kObjectVertex, lit_fragment);
     auto unshaded = gl::Program::build("far object", "#define NO_SHADOWS\n", shaders::kObjectVertex,
                                        lit_fragment);
     auto outline =

@@ -21,9 +21,9 @@ constexpr float kFarFloor = 60.0F;   // radius of the floor, in reaches of the l
 constexpr float kRugRadius = 0.62F;  // in reaches
 constexpr int kWallStrips = 64;
 constexpr float kSkyHeight = 0.5F;         // from haze to full sky, in half pictures
-constexpr std::size_t kFloatsPerMark = 9;  // position, place, look
+constexpr std::size_t kFloatsPerMark = 8;  // position, place, look
 constexpr std::size_t kMostMarks = 256;
-constexpr float kMarkSize = 1.5F;     // half side of a mark's square, in radii
+constexpr float kMarkSize = 1.3F;     // half side of a mark's square, in radii
 constexpr double kMarkLift = 0.0015;  // above the floor, in camera distances
 
 /// Sets `count` floats a corner for each attribute in turn.
@@ -111,7 +111,6 @@ void add_mark(std::vector<float>& corners, const FloorMark& mark, float floor_m,
     const auto disc = static_cast<float>(mark.dashed ? 0.16 : 0.34 * (1.0 - 0.65 * height));
     const auto softness = static_cast<float>(0.55 + 0.4 * height);
     const float ring = height > 0.02 ? 0.42F : 0.0F;
-    const float dashes = mark.dashed ? 14.0F : 0.0F;
     const auto x = static_cast<float>(mark.centre_W.x());
     const auto z = static_cast<float>(mark.centre_W.z());
     constexpr std::array<std::array<float, 2>, 6> kSquare{
@@ -119,7 +118,7 @@ void add_mark(std::vector<float>& corners, const FloorMark& mark, float floor_m,
     for (const auto& [u, v] : kSquare) {
         corners.insert(corners.end(),
                        {x + kMarkSize * radius * u, floor_m, z + kMarkSize * radius * v,
-                        kMarkSize * u, kMarkSize * v, disc, softness, ring, dashes});
+                        kMarkSize * u, kMarkSize * v, disc, softness, ring});
     }
 }
 
@@ -150,13 +149,15 @@ Eigen::Vector3f as_stored(const Colour& colour) {
 Expected<Room> Room::create() {
     const std::string floor = shaders::kGroundFragment;
     const std::string shadow = std::string(shaders::kLighting) + shaders::kFloorShadowFragment;
-    auto floor_shadow =
-        gl::Program::build("floor shadow", "#define TAPS 4\n", shaders::kFloorShadowVertex, shadow);
+    auto floor_shadow = gl::Program::build("floor shadow", "#define TAPS 3\n#define SPREAD 2.2\n",
+                                           shaders::kFloorShadowVertex, shadow);
     auto near_floor = gl::Program::build("floor", "#define NEAR\n", shaders::kGroundVertex, floor);
     auto far_floor = gl::Program::build("far floor", "", shaders::kGroundVertex, floor);
     auto wall = gl::Program::build("wall", "", shaders::kWallVertex, shaders::kWallFragment);
     auto mark = gl::Program::build("mark", "", shaders::kMarkVertex, shaders::kMarkFragment);
-    for (const auto* program : {&near_floor, &far_floor, &wall, &mark, &floor_shadow}) {
+    auto dashed = gl::Program::build("dashed mark", "#define DASHES 14.0\n", shaders::kMarkVertex,
+                                     shaders::kMarkFragment);
+    for (const auto* program : {&near_floor, &far_floor, &wall, &mark, &dashed, &floor_shadow}) {
         if (!*program) {
             return tl::make_unexpected(program->error());
         }
@@ -166,6 +167,7 @@ Expected<Room> Room::create() {
     room.far_floor_ = std::move(*far_floor);
     room.wall_ = std::move(*wall);
     room.mark_ = std::move(*mark);
+    room.dashed_mark_ = std::move(*dashed);
     room.floor_shadow_ = std::move(*floor_shadow);
     for (auto* array :
          {&room.floor_array_, &room.wall_array_, &room.shadow_array_, &room.mark_array_}) {
@@ -182,7 +184,7 @@ Expected<Room> Room::create() {
     fill(room.shadow_array_, room.shadow_corners_, {}, GL_DYNAMIC_DRAW);
     describe({3});
     fill(room.mark_array_, room.mark_corners_, {}, GL_DYNAMIC_DRAW);
-    describe({3, 2, 4});
+    describe({3, 2, 3});
     return room;
 }
 
@@ -246,22 +248,26 @@ void Room::draw_wall(const Camera& camera) const {
 }
 
 void Room::draw_marks(const SceneFrame& frame, const std::vector<FloorMark>& marks) const {
-    std::vector<float> corners;
-    corners.reserve(marks.size() * 6 * kFloatsPerMark);
     const double unit_m = static_cast<double>(frame.light.reach_m);
     const float floor_m = frame.light.centre_W.y() + static_cast<float>(kMarkLift * unit_m);
-    for (std::size_t i = 0; i < std::min(marks.size(), kMostMarks); ++i) {
-        add_mark(corners, marks[i], floor_m, unit_m);
-    }
-    if (corners.empty()) {
-        return;
-    }
-    fill(mark_array_, mark_corners_, corners, GL_DYNAMIC_DRAW);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
-    mark_.use();
-    mark_.set("u_clip_from_world", frame.clip_from_world);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size() / kFloatsPerMark));
+    for (const bool dashed : {false, true}) {
+        std::vector<float> corners;
+        for (std::size_t i = 0; i < std::min(marks.size(), kMostMarks); ++i) {
+            if (marks[i].dashed == dashed) {
+                add_mark(corners, marks[i], floor_m, unit_m);
+            }
+        }
+        if (corners.empty()) {
+            continue;
+        }
+        fill(mark_array_, mark_corners_, corners, GL_DYNAMIC_DRAW);
+        const gl::Program& program = dashed ? dashed_mark_ : mark_;
+        program.use();
+        program.set("u_clip_from_world", frame.clip_from_world);
+        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size() / kFloatsPerMark));
+    }
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }

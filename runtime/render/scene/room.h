@@ -46,6 +46,7 @@ class Room {
     gl::Program wall_;
     gl::Program floor_shadow_;
     gl::Program mark_;
+    gl::Program dashed_mark_;
     gl::VertexArray floor_array_;
     gl::Buffer floor_corners_;
     gl::VertexArray wall_array_;

@@ -3,7 +3,7 @@
 //
 //   light leaving = albedo (key max(n.l, 0) lit + ambient(n.y)) + highlight + rim
 //   ambient(n.y) = ground + (sky - ground)(1 + n.y)/2
-//   lit = mean of 4 (things) or 16 (floor) comparisons of the shadow map, each over 2 x 2 texels
+//   lit = mean of 4 (things) or 9 (floor) comparisons of the shadow map, each over 2 x 2 texels
 //   stored = sRGB(light), within 0.004 of it
 //
 // Source: J. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977
@@ -56,7 +56,7 @@ float lit_part(vec3 at) {
   float sum = 0.0;
   for (int y = 0; y < TAPS; ++y) {
     for (int x = 0; x < TAPS; ++x) {
-      vec2 off = 1.6 * u_shadow_texel * (vec2(x, y) - 0.5 * float(TAPS - 1));
+      vec2 off = SPREAD * u_shadow_texel * (vec2(x, y) - 0.5 * float(TAPS - 1));
       sum += texture(u_shadow_map, vec3(at.xy + off, at.z));
     }
   }
@@ -189,10 +189,10 @@ void main() { o_colour = vec4(v_colour, 1.0); }
 inline constexpr const char* kMarkVertex = R"(
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec2 a_place;
-layout(location = 2) in vec4 a_look;
+layout(location = 2) in vec3 a_look;
 uniform mat4 u_clip_from_world;
 out vec2 v_place;
-out vec4 v_look;
+out vec3 v_look;
 void main() {
   v_place = a_place;
   v_look = a_look;
@@ -201,16 +201,17 @@ void main() {
 )";
 inline constexpr const char* kMarkFragment = R"(
 in vec2 v_place;
-in vec4 v_look;  // disc strength, disc softness, ring strength, dashes
+in vec3 v_look;  // disc strength, disc softness, ring strength
 out vec4 o_colour;
 void main() {
   float r = length(v_place);
   float w = fwidth(r);
   float disc = v_look.x * (1.0 - smoothstep(1.0 - v_look.y, 1.0 + 0.3 * v_look.y, r));
   float line = 1.0 - smoothstep(0.045, 0.045 + w, abs(r - 1.0));
-  float turn = atan(v_place.y, v_place.x) / 6.2831853;
-  float dash = v_look.w > 0.0 ? step(0.5, fract(turn * v_look.w)) : 1.0;
-  float ring = v_look.z * line * dash;
+  float ring = v_look.z * line;
+#ifdef DASHES
+  ring *= step(0.5, fract(DASHES * atan(v_place.y, v_place.x) / 6.2831853));
+#endif
   o_colour = vec4(0.16, 0.20, 0.26, max(disc, ring));
 }
 )";
