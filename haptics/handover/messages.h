@@ -18,15 +18,19 @@ inline constexpr int kMaxSolids = 16;  ///< bodies of those that can be touched 
 inline constexpr int kMaxFields = 8;   ///< force fields a scene declares
 inline constexpr int kNoBody = -1;
 
-/// A force that a lesson computed at its own slow rate, with its slope, so that 1 kHz stays smooth between answers:
-/// F(x, v) ~ force_W + stiffness (x - at_position_W) + damping (v - at_velocity_W). Newtons, metres, seconds.
-struct LinearisedForce {
+/// A wrench that a lesson computed at its own slow rate, with its slopes, so that 1 kHz stays smooth between answers:
+/// F(x, v) ~ force_W + stiffness (x - at_position_W) + damping (v - at_velocity_W),
+/// T(x) ~ torque_W + torque_stiffness (x - at_position_W). Newtons, newton metres about the tool, metres, seconds.
+/// There is no dT/dv: see field/linearised_wrench.h.
+struct LinearisedWrench {
     double stamp_s = -1.0;  ///< when it was computed; before the first answer negative
     Vector3 force_W{Vector3::Zero()};
+    Vector3 torque_W{Vector3::Zero()};
     Vector3 at_position_W{Vector3::Zero()};
     Vector3 at_velocity_W{Vector3::Zero()};
-    Matrix3 stiffness_N_per_m{Matrix3::Zero()};  ///< dF/dx, 3 x 3
-    Matrix3 damping_Ns_per_m{Matrix3::Zero()};   ///< dF/dv, 3 x 3
+    Matrix3 stiffness_N_per_m{Matrix3::Zero()};          ///< dF/dx, 3 x 3
+    Matrix3 damping_Ns_per_m{Matrix3::Zero()};           ///< dF/dv, 3 x 3
+    Matrix3 torque_stiffness_Nm_per_m{Matrix3::Zero()};  ///< dT/dx, 3 x 3
 };
 
 /// What may change in a declared field while a lesson runs; its kind and coefficients are fixed by the plan.
@@ -41,7 +45,7 @@ struct ForceCommand {
     double stamp_s = 0.0;       ///< when the lesson last answered; too old means command_stale
     bool lesson_alive = false;  ///< false fades the force to zero
     std::array<FieldCommand, kMaxFields> fields{};
-    LinearisedForce linearised{};
+    LinearisedWrench linearised{};
 };
 
 /// World -> haptic loop, newest value.

@@ -147,6 +147,7 @@ void HapticLoop::move_proxy() noexcept {
 
 void HapticLoop::compute_forces() noexcept {
     Vector3 force_W = Vector3::Zero();
+    Vector3 torque_W = Vector3::Zero();
     const Vector3& position_W = state_.tool_pose_W.position;
     const Vector3& velocity_W = state_.tool_twist_W.linear;
     const ForceCommand& command = channels_.command.value();
@@ -164,12 +165,15 @@ void HapticLoop::compute_forces() noexcept {
         force_W += fields_[i].step(command.fields[i], position_W, velocity_W, dt_s_);
     }
     if (lesson_force_) {
-        force_W += lesson_force_->step(command.linearised, position_W, velocity_W, now_s_);
+        const Wrench wrench_W =
+            lesson_force_->step(command.linearised, position_W, velocity_W, now_s_);
+        force_W += wrench_W.force;
+        torque_W += wrench_W.torque;
         if (has(lesson_force_->notes(), LinearisationNote::refused_not_finite)) {
             state_.faults |= Fault::command_invalid;
         }
     }
-    state_.commanded_W = {has_pose_ ? force_W : Vector3(Vector3::Zero()), Vector3::Zero()};
+    state_.commanded_W = has_pose_ ? Wrench{force_W, torque_W} : Wrench{};
 }
 
 void HapticLoop::limit_forces() noexcept {

@@ -15,7 +15,7 @@
 #include "haptics/coupling/velocity_estimator.h"
 #include "haptics/device/device.h"
 #include "haptics/field/field.h"
-#include "haptics/field/linearised_force.h"
+#include "haptics/field/linearised_wrench.h"
 #include "haptics/field/weight.h"
 #include "haptics/handover/channels.h"
 #include "haptics/loop/haptic_plan.h"
@@ -100,7 +100,7 @@ class HapticLoop final : public PeriodicTask {
     std::unique_ptr<TouchStage> touch_;
     std::unique_ptr<WeightRamp> weight_;
     std::vector<FieldStage> fields_;
-    std::unique_ptr<LinearisedForceStage> lesson_force_;
+    std::unique_ptr<LinearisedWrenchStage> lesson_force_;
     SafetyGate gate_;
 
     // Begin: time of this round, and how many there were.

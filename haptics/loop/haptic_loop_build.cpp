@@ -128,7 +128,7 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
         fields_.emplace_back(field);
     }
     if (plan.lesson_force) {
-        lesson_force_ = std::make_unique<LinearisedForceStage>(plan.safety.command_timeout_s);
+        lesson_force_ = std::make_unique<LinearisedWrenchStage>(plan.safety.command_timeout_s);
     }
 }
 
@@ -157,7 +157,7 @@ std::vector<StageInfo> HapticLoop::stages() const {
         add(name_of(field.kind), sizeof(FieldStage));
     }
     if (lesson_force_) {
-        add("forces: lesson", sizeof(LinearisedForceStage));
+        add("forces: lesson", sizeof(LinearisedWrenchStage));
     }
     add("limits", sizeof(gate_));
     add("write", sizeof(applied_D_));

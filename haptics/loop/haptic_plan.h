@@ -42,7 +42,7 @@ struct HapticPlan {
     VelocityMethod velocity_method = VelocityMethod::adaptive_window;
     bool carries_weight = false;    ///< a weight stage: something can lie in the tool
     double weight_onset_s = 0.3;    ///< how softly a weight arrives and leaves
-    bool lesson_force = false;      ///< a linearised Lua force
+    bool lesson_force = false;      ///< a linearised Lua wrench
     bool expects_lesson = true;     ///< commands come from a lesson and must stay fresh
     bool expects_world = false;     ///< a world loop runs and must stay fresh
     std::vector<SolidPlan> solids;  ///< at most kMaxSolids; empty means no proxy stage

@@ -41,10 +41,10 @@ Vector3 slope(lua_State* lua, int function_ref, double& moved, double step, doub
 
 }  // namespace
 
-LinearisedForce linearise_force(lua_State* lua, LessonContext& context, int function_ref) {
+LinearisedWrench linearise_force(lua_State* lua, LessonContext& context, int function_ref) {
     Vector3& position = context.frame.tool_pose_W.position;
     Vector3& velocity = context.frame.tool_twist_W.linear;
-    LinearisedForce result;
+    LinearisedWrench result;
     result.stamp_s = context.frame.time_s;
     result.at_position_W = position;
     result.at_velocity_W = velocity;

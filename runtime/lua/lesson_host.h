@@ -66,7 +66,7 @@ class LessonHost {
 };
 
 /// Evaluates the function at registry reference `function_ref` and its slopes at the context's tool. Raises what it raises.
-[[nodiscard]] LinearisedForce linearise_force(lua_State* lua, LessonContext& context,
+[[nodiscard]] LinearisedWrench linearise_force(lua_State* lua, LessonContext& context,
                                               int function_ref);
 /// Pushes the table that tells a lesson of an event: name, and what belongs to it.
 void push_event(lua_State* lua, LessonContext& context, const LessonEvent& event);

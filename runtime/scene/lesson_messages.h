@@ -81,7 +81,7 @@ struct FieldChangeCommand {
 };
 /// The lesson's own force function, evaluated and linearised at the newest tool state.
 struct LessonForceCommand {
-    LinearisedForce force{};
+    LinearisedWrench force{};
 };
 /// One instruction for the learner, shown and read aloud; an empty one clears it.
 struct CaptionCommand {

@@ -91,6 +91,12 @@ ForceCommand make_command(int k) {
     command.fields[2].anchor_W = Vector3(0.0, 0.05, 0.0);
     command.linearised.stamp_s = k * kDt_s;
     command.linearised.force_W = Vector3(0.1, 0.0, 0.0);
+    // Once the gate has engaged, a torque; its slope is now and then too steep.
+    if (k % 3000 > 1000) {
+        command.linearised.torque_W = Vector3(0.0, 0.02, 0.0);
+        command.linearised.torque_stiffness_Nm_per_m =
+            Matrix3::Identity() * (k % 48 == 0 ? 900 : 1);
+    }
     command.linearised.damping_Ns_per_m = Matrix3::Identity() * (k % 32 == 0 ? 1.0 : -1.0);
     return command;
 }

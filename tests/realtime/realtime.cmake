@@ -6,7 +6,7 @@ endif()
 # Behind "=": functions that only load and stand in the same file.
 set(step_path
     haptic_loop.cpp.o safety.cpp.o velocity_estimator.cpp.o "virtual_coupling.cpp.o=validate"
-    weight.cpp.o field.cpp.o linearised_force.cpp.o latency_histogram.cpp.o
+    weight.cpp.o field.cpp.o linearised_wrench.cpp.o latency_histogram.cpp.o
     "god_object.cpp.o=GodObject::~?GodObject|validate" god_object_solids.cpp.o
     moving_solid.cpp.o plane_constraints.cpp.o segment_query.cpp.o segment_triangle.cpp.o
     simulated_hand.cpp.o replay_device.cpp.o pointer_device.cpp.o

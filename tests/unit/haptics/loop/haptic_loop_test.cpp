@@ -168,6 +168,88 @@ TEST_CASE("haptic loop: fields and a lesson's force add up") {
     CHECK(saw(bench, Fault::command_invalid));
 }
 
+TEST_CASE(
+    "haptic loop: a lesson's torque arrives in the device's frame, is capped and fades with it") {
+    HapticPlan plan;
+    plan.lesson_force = true;
+    plan.workspace.pose_WD.orientation = compute_exp(Vector3(0.0, 0.0, 1.5707963267948966));
+    plan.workspace.scale = 3.0;
+    Bench bench(plan);
+    bench.run(3000);
+    REQUIRE(bench.loop.state().gate == GatePhase::open);
+    bench.command.linearised.torque_stiffness_Nm_per_m(1, 0) = 2.0;
+    const auto answer = [&](const Vector3& torque_W, int n) {
+        bench.command.linearised.torque_W = torque_W;
+        for (int k = 0; k < n; ++k) {
+            if (k % 16 == 0) {
+                bench.command.linearised.stamp_s = bench.now_s + kDt_s;
+            }
+            bench.run(1);
+        }
+    };
+    // World up is the device's x: R^T (0, 0.2, 0) for a quarter turn about z. No force comes with it.
+    answer(Vector3(0.0, 0.2, 0.0), 200);
+    CHECK((bench.device.written_D.torque - Vector3(0.2, 0.0, 0.0)).norm() < kRounding);
+    CHECK(bench.device.written_D.force.norm() == 0.0);
+    CHECK((bench.loop.state().commanded_W.torque - Vector3(0.0, 0.2, 0.0)).norm() < kRounding);
+    CHECK((bench.loop.state().applied_W.torque - Vector3(0.0, 0.2, 0.0)).norm() < kRounding);
+    // 1 cm of the device towards -y is 3 cm of the world towards +x, worth 0.06 Nm.
+    bench.device.pose_D.position.y() = -0.01;
+    bench.run(20);
+    CHECK((bench.device.written_D.torque - Vector3(0.26, 0.0, 0.0)).norm() < kRounding);
+    // Ten times the limit.
+    answer(Vector3(0.0, 3.0, 0.0), 500);
+    CHECK(bench.loop.state().commanded_W.torque.norm() > 2.9);
+    CHECK(bench.device.written_D.torque.norm() <= plan.safety.max_torque_Nm);
+    CHECK((bench.device.written_D.torque - Vector3(0.3, 0.0, 0.0)).norm() < kRounding);
+    // The lesson goes silent: after its time the torque falls in a straight line to zero, and stays there.
+    bench.lesson_awake = false;
+    double before_Nm = 0.3;
+    for (int k = 0; k < 400; ++k) {
+        bench.run(1);
+        const double now_Nm = bench.device.written_D.torque.norm();
+        REQUIRE(now_Nm <= before_Nm + kRounding);
+        REQUIRE(before_Nm - now_Nm <= 0.3 * kDt_s / plan.safety.fade_s + kRounding);
+        before_Nm = now_Nm;
+    }
+    CHECK(saw(bench, Fault::command_stale));
+    CHECK(bench.device.written_D.torque.norm() == 0.0);
+}
+
+TEST_CASE(
+    "haptic loop: a lesson's torque that is not finite is a fault, and none reaches the device") {
+    HapticPlan plan;
+    plan.lesson_force = true;
+    Bench bench(plan);
+    bench.run(3000);
+    bench.command.linearised.stamp_s = bench.now_s + kDt_s;
+    bench.command.linearised.torque_W.y() = std::numeric_limits<double>::infinity();
+    bench.run(1);
+    CHECK(saw(bench, Fault::command_invalid));
+    CHECK(bench.device.written_D.torque.norm() == 0.0);
+}
+
+TEST_CASE("haptic loop: a device that renders no torque is sent none, its force is as ever") {
+    ScriptedDevice device;
+    device.traits_.max_torque_Nm = 0.0;
+    auto channels = std::make_unique<HapticChannels>();
+    HapticPlan plan;
+    plan.lesson_force = true;
+    HapticLoop loop(plan, device, *channels);
+    ForceCommand command;
+    command.lesson_alive = true;
+    for (int k = 1; k < 4000; ++k) {
+        command.stamp_s = command.linearised.stamp_s = k * kDt_s;
+        command.linearised.force_W.x() = k < 3000 ? 0.0 : 0.5;
+        command.linearised.torque_W.y() = k < 3000 ? 0.0 : 0.2;
+        channels->command.publish(command);
+        loop.step(k * kDt_s);
+        REQUIRE(device.written_D.torque.norm() == 0.0);
+    }
+    CHECK(device.written_D.force.x() == Approx(0.5));
+    CHECK(loop.state().commanded_W.torque.y() == Approx(0.2));
+}
+
 TEST_CASE("haptic loop: the device's own limit holds when it is the smaller one") {
     ScriptedDevice device;
     device.traits_.max_force_N = 2.0;

@@ -8,7 +8,7 @@ namespace {
 using test::HostedLesson;
 
 /// The force that a function body hands over with the tool at `position`, moving with `velocity`.
-LinearisedForce force_of(const std::string& function_body, const Vector3& position,
+LinearisedWrench force_of(const std::string& function_body, const Vector3& position,
                          const Vector3& velocity) {
     HostedLesson lesson;
     REQUIRE(lesson.start("world:force(function(tool) " + function_body + " end)") == "");
@@ -23,7 +23,7 @@ LinearisedForce force_of(const std::string& function_body, const Vector3& positi
 
 TEST_CASE("force function: the slope of a curved force is right to second order") {
     // F_x = 100 x^2 + 5 v_x^2 at x = 0.2, v = 0.5: dF/dx = 40, dF/dv = 5; a central difference of a parabola is exact.
-    const LinearisedForce force =
+    const LinearisedWrench force =
         force_of("return 100 * tool.x * tool.x + 5 * tool.vx * tool.vx, 0, 0", Vector3(0.2, 0, 0),
                  Vector3(0.5, 0, 0));
     CHECK(force.force_W.x() == Approx(4.0 + 1.25));
@@ -34,7 +34,7 @@ TEST_CASE("force function: the slope of a curved force is right to second order"
 }
 
 TEST_CASE("force function: rows are the force, columns what moved") {
-    const LinearisedForce force =
+    const LinearisedWrench force =
         force_of("return 0, 20 * tool.z, 3 * tool.vy", Vector3(0, 0, 0.1), Vector3(0, 1, 0));
     CHECK(force.stiffness_N_per_m(1, 2) == Approx(20.0));
     CHECK(force.stiffness_N_per_m(2, 1) == 0.0);
@@ -43,7 +43,7 @@ TEST_CASE("force function: rows are the force, columns what moved") {
 }
 
 TEST_CASE("force function: jumps and giants are limited, with their direction kept") {
-    const LinearisedForce force =
+    const LinearisedWrench force =
         force_of("return tool.x > 0 and 3e6 or -3e6, 4e6, 0", Vector3(1e-5, 0, 0), Vector3::Zero());
     CHECK(force.force_W.norm() == Approx(kMaxLessonForce_N));
     CHECK(force.force_W.x() == Approx(0.6 * kMaxLessonForce_N));

@@ -144,7 +144,7 @@ end)"));
     frame.tool_twist_W.linear = Vector3(0.5, -0.25, 0.0);
     const auto reply = (*process)->exchange(frame);
     REQUIRE(reply);
-    const LinearisedForce force = commands_of<LessonForceCommand>(*reply).at(0).force;
+    const LinearisedWrench force = commands_of<LessonForceCommand>(*reply).at(0).force;
     Matrix3 stiffness;
     stiffness << -200, 30, 0, 0, -50, 0, 0, 0, 0;
     Matrix3 damping;

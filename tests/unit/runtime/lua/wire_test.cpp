@@ -51,7 +51,7 @@ LessonReply full_reply() {
     WorldCommand drop{WorldCommand::Kind::drop, 1, Vector3(0, 1, 0), Vector3(0, -1, 0)};
     WorldCommand release;
     release.kind = WorldCommand::Kind::release;
-    LinearisedForce force;
+    LinearisedWrench force;
     force.stamp_s = 1.5;
     force.force_W = Vector3(1, -2, 3);
     force.stiffness_N_per_m(0, 1) = -200;
@@ -175,7 +175,7 @@ TEST_CASE("wire: numbers, indices and names of a reply are checked") {
     CHECK_FALSE(take(CaptionCommand{std::string(kMaxTextBytes + 1, 'x')}));
     CHECK_FALSE(take(CaptionCommand{"\xFF"}));
     CHECK_FALSE(take(PrintCommand{"\x1B[2J"}));
-    LinearisedForce force;
+    LinearisedWrench force;
     CHECK(take(LessonForceCommand{force}));
     force.force_W.x() = kMaxLessonForce_N * 1.01;
     CHECK_FALSE(take(LessonForceCommand{force}));

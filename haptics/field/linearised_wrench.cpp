@@ -1,4 +1,4 @@
-#include "haptics/field/linearised_force.h"
+#include "haptics/field/linearised_wrench.h"
 
 #include <algorithm>
 
@@ -10,12 +10,13 @@ namespace {
 
 constexpr double kAbsurd = 1.0e6;  // newtons, metres, N/m: no lesson means this
 
-bool is_sane(const LinearisedForce& model) noexcept {
+bool is_sane(const LinearisedWrench& model) noexcept {
     const auto sane = [](const auto& m) {
         return m.allFinite() && m.cwiseAbs().maxCoeff() < kAbsurd;
     };
-    return sane(model.force_W) && sane(model.at_position_W) && sane(model.at_velocity_W) &&
-           sane(model.stiffness_N_per_m) && sane(model.damping_Ns_per_m);
+    return sane(model.force_W) && sane(model.torque_W) && sane(model.at_position_W) &&
+           sane(model.at_velocity_W) && sane(model.stiffness_N_per_m) &&
+           sane(model.damping_Ns_per_m) && sane(model.torque_stiffness_Nm_per_m);
 }
 
 bool shorten(Matrix3& gain, double limit) noexcept {
@@ -44,13 +45,15 @@ bool remove_active_part(Matrix3& damping) noexcept {
 
 }  // namespace
 
-Vector3 compute_linearised_force(const LinearisedForce& model, const Vector3& position_W,
+Wrench compute_linearised_wrench(const LinearisedWrench& model, const Vector3& position_W,
                                  const Vector3& velocity_W) noexcept {
-    return model.force_W + model.stiffness_N_per_m * (position_W - model.at_position_W) +
-           model.damping_Ns_per_m * (velocity_W - model.at_velocity_W);
+    const Vector3 away_m = position_W - model.at_position_W;
+    return {model.force_W + model.stiffness_N_per_m * away_m +
+                model.damping_Ns_per_m * (velocity_W - model.at_velocity_W),
+            model.torque_W + model.torque_stiffness_Nm_per_m * away_m};
 }
 
-LinearisationNote bound_gains(LinearisedForce& model) noexcept {
+LinearisationNote bound_gains(LinearisedWrench& model) noexcept {
     if (!is_sane(model)) {
         return LinearisationNote::refused_not_finite;
     }
@@ -64,36 +67,42 @@ LinearisationNote bound_gains(LinearisedForce& model) noexcept {
     if (shorten(model.damping_Ns_per_m, kMaxLinearDamping_Ns_per_m)) {
         notes = notes | LinearisationNote::damping_clamped;
     }
+    if (shorten(model.torque_stiffness_Nm_per_m, kMaxTorqueStiffness_Nm_per_m)) {
+        notes = notes | LinearisationNote::torque_stiffness_clamped;
+    }
     return notes;
 }
 
-void LinearisedForceStage::reset() noexcept {
+void LinearisedWrenchStage::reset() noexcept {
     const double timeout_s = timeout_s_;
-    *this = LinearisedForceStage(timeout_s);
+    *this = LinearisedWrenchStage(timeout_s);
 }
 
-Vector3 LinearisedForceStage::compute_blended(const Vector3& position_W, const Vector3& velocity_W,
+Wrench LinearisedWrenchStage::compute_blended(const Vector3& position_W, const Vector3& velocity_W,
                                               double now_s) const noexcept {
     if (!has_model_) {
-        return Vector3::Zero();
+        return {};
     }
     // The offset to the former model goes away in a straight line.
     const double left = std::clamp(1.0 - (now_s - accepted_at_s_) / kBlend_s, 0.0, 1.0);
     // An answer past its time fades in a straight line too.
     const double late = (now_s - model_.stamp_s - timeout_s_) / timeout_s_;
     const double fresh = late > 0.0 ? std::max(1.0 - late, 0.0) : 1.0;
-    return fresh * (compute_linearised_force(model_, position_W, velocity_W) + left * offset_W_);
+    const Wrench plain_W = compute_linearised_wrench(model_, position_W, velocity_W);
+    return {fresh * (plain_W.force + left * offset_W_.force),
+            fresh * (plain_W.torque + left * offset_W_.torque)};
 }
 
-Vector3 LinearisedForceStage::step(const LinearisedForce& newest, const Vector3& position_W,
+Wrench LinearisedWrenchStage::step(const LinearisedWrench& newest, const Vector3& position_W,
                                    const Vector3& velocity_W, double now_s) noexcept {
     if (newest.stamp_s >= 0.0 && newest.stamp_s > seen_stamp_s_) {
         seen_stamp_s_ = newest.stamp_s;
-        LinearisedForce model = newest;
+        LinearisedWrench model = newest;
         notes_ = bound_gains(model);
         if (!has(notes_, LinearisationNote::refused_not_finite)) {
-            const Vector3 former_W = compute_blended(position_W, velocity_W, now_s);
-            offset_W_ = former_W - compute_linearised_force(model, position_W, velocity_W);
+            const Wrench former_W = compute_blended(position_W, velocity_W, now_s);
+            const Wrench plain_W = compute_linearised_wrench(model, position_W, velocity_W);
+            offset_W_ = {former_W.force - plain_W.force, former_W.torque - plain_W.torque};
             accepted_at_s_ = now_s;
             model_ = model;
             has_model_ = true;
