@@ -192,8 +192,9 @@ SessionInput LessonRun::gather(const FrameInput& input) {
     }
     gathered.keys = input.keys;
     gathered.heard = input.typed;
-    if (pupil_ && session_->hud().question_open && !gathered.heard) {
-        gathered.heard = pupil_->answer(session_->hud().question_asked_at_s, input.time_s);
+    const SessionHud& hud = session_->hud();
+    if (pupil_ && hud.question_open && !hud.invited && !gathered.heard) {
+        gathered.heard = pupil_->answer(hud.question_asked_at_s, input.time_s);
     }
     record_events(gathered);
     return gathered;

@@ -73,6 +73,7 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
         }
     }
 
+    end_invitation();
     queue_world_events(input.world_events);
     queue_touch_events(input.hand.touched_body);
     for (const std::string& key : input.keys) {
@@ -144,6 +145,7 @@ void LessonSession::answer(bool right) {
     const bool same_words_again = !mark.understood && feedback.ask_again;
     if (same_words_again || feedback.may_repeat) {
         open_question(open_question_);
+        hud_.invited = feedback.may_repeat;
         repeat_until_s_ = feedback.may_repeat ? time_s_ + kRepeatPatience_s : kForever_s;
         pending_answer_ = feedback.may_repeat ? std::optional(answered_event(mark, right, feedback))
                                               : std::nullopt;
@@ -151,7 +153,7 @@ void LessonSession::answer(bool right) {
     }
     queued_.push_back(pending_answer_ ? *pending_answer_ : answered_event(mark, right, feedback));
     pending_answer_.reset();
-    hud_.question_open = false;
+    hud_.question_open = hud_.invited = false;
     if (!feedback.ask_again) {
         close_question();
     }
@@ -183,11 +185,12 @@ void LessonSession::end_invitation() {
 void LessonSession::open_question(const std::string& id) {
     open_question_ = id;
     hud_.question_open = true;
+    hud_.invited = false;
     hud_.question_asked_at_s = time_s_;
 }
 
 void LessonSession::close_question() {
-    hud_.question_open = false;
+    hud_.question_open = hud_.invited = false;
     open_question_.clear();
 }
 

@@ -57,7 +57,8 @@ struct SessionHud {
     int score = 0;
     int level = 0;
     std::string level_title;
-    int stars = -1;  ///< 0 to 3 once the lesson is over
+    int stars = -1;        ///< 0 to 3 once the lesson is over
+    bool invited = false;  ///< the answer was right; it may be said once more, and need not be
 };
 
 /// How one play went; what `fulcrum test` compares with what the lesson expects.

@@ -1,4 +1,5 @@
 // A pupil who answers from a list: one line to each question in turn, after a moment's thought.
+// An invitation to say a right answer once more is no question: it is left to pass.
 // Used by --say, by lessons' tests and by headless runs; the words go the same way as typed ones.
 #pragma once
 

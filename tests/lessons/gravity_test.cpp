@@ -143,6 +143,22 @@ TEST_CASE(
     CHECK(csv.output.find("Mina,") != std::string::npos);
 }
 
+TEST_CASE("gravity: a slip of form made again and again holds nobody back") {
+    const Sandbox sandbox;
+    sandbox.write(
+        "say.txt",
+        "an apple is heavier than an egg\n"
+        "an apple is the most heavy\n"    // recast
+        "watermelon is the most heavy\n"  // the same slip: once more, please; left to pass
+        "an egg is the lightest\n");
+    const ProgramRun run = sandbox.run("run gravity --headless --say say.txt --learner Mina");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    // Nine catches, and three points for each of the four right answers.
+    CHECK(run.output.find("finished") != std::string::npos);
+    CHECK(run.output.find("score 21, 3 of 3 stars, 4 answers") != std::string::npos);
+}
+
 TEST_CASE(
     "gravity: a hand that never goes under the fruit catches nothing, and the run ends where it "
     "was told to") {

@@ -43,6 +43,8 @@ inline const dialogue::Catalogue& words() {
                                                      "hud.force = {newtons} N\n"
                                                      "feedback.praise.1 = Yes!\n"
                                                      "feedback.recast = Yes. {sentence}\n"
+                                                     "feedback.prompt = Once more: {gap}\n"
+                                                     "feedback.repaired = Now right.\n"
                                                      "feedback.wrong_meaning.many = Not yet.\n"
                                                      "feedback.not_understood.1 = Say it again.\n")
                                                      .value();
@@ -100,6 +102,25 @@ struct Play {
         SessionInput input;
         input.heard = words_said;
         return frame(std::move(input));
+    }
+    /// Frames in which nothing happens, for so long; gives the answers that the lesson was told of.
+    std::vector<AnsweredEvent> wait(double seconds) {
+        std::vector<AnsweredEvent> told;
+        for (const double until_s = time_s + seconds; time_s < until_s;) {
+            for (const LessonEvent& event : frame().events) {
+                if (const auto* answered = std::get_if<AnsweredEvent>(&event)) {
+                    told.push_back(*answered);
+                }
+            }
+            reply();
+        }
+        return told;
+    }
+    /// Asks, hears, and judges the answer right.
+    void say_rightly(const std::string& words_said) {
+        reply({AskCommand{"heaviest"}});
+        hear(words_said);
+        reply({VerdictCommand{"heaviest", true}});
     }
     SessionOutput reply(std::vector<LessonCommand> commands = {}) {
         LessonReply answer;

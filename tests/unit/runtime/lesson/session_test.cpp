@@ -86,6 +86,48 @@ TEST_CASE(
     CHECK(play.store.data.attempts.at(1).attempt == 2);
 }
 
+TEST_CASE("session: an invitation to say it once more ends by itself, and the answer counts") {
+    Play play;
+    play.frame();
+    play.say_rightly("the apple is the most heavy");
+    REQUIRE(play.wait(0.1).size() == 1);
+    play.say_rightly("the apple is the most heavy");  // the same slip: once more, please
+    CHECK(play.session->hud().feedback.find("Once more") != std::string::npos);
+    CHECK(play.session->hud().question_open);
+    CHECK(play.session->hud().invited);
+    CHECK(play.wait(5.0).empty());
+
+    const std::vector<AnsweredEvent> told = play.wait(20.0);
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].question == "heaviest");
+    CHECK(told[0].right);
+    CHECK(told[0].over);
+    CHECK_FALSE(told[0].form_right);
+    CHECK_FALSE(play.session->hud().question_open);
+    CHECK_FALSE(play.session->hud().invited);
+}
+
+TEST_CASE("session: what is said after an invitation is told once, as the answer that was right") {
+    const std::string again = GENERATE("the apple is the heaviest", "the egg is the heaviest",
+                                       "the apple is the most heavy", "bla bla");
+    Play play;
+    play.frame();
+    play.say_rightly("the apple is the most heavy");
+    REQUIRE(play.wait(0.1).size() == 1);
+    play.say_rightly("the apple is the most heavy");
+    const LessonFrame& frame = play.hear(again);
+    std::size_t n_told = find<AnsweredEvent>(frame) != nullptr ? 1 : 0;
+    if (const auto* judge = find<JudgeEvent>(frame)) {
+        play.reply({VerdictCommand{"heaviest", judge->slots.at(0).second == "apple"}});
+    }
+    const std::vector<AnsweredEvent> told = play.wait(30.0);
+    n_told += told.size();
+    CHECK(n_told == 1);
+    CHECK((told.empty() || (told[0].right && told[0].over)));
+    CHECK_FALSE(play.session->hud().question_open);
+    CHECK(play.store.data.attempts.size() == 3);
+}
+
 TEST_CASE("session: words that fit no template leave the question open and are kept as such") {
     Play play;
     play.frame();
