@@ -58,6 +58,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return cost[a.size()][b.size()];
 }
 
+/// The first function that gives such a thing: "world:hand" for a hand; empty when none does.
+std::string giver_of(const ApiTable& table, const char* owner) {
+    std::string type = owner;
+    type[0] = static_cast<char>(type[0] - 'a' + 'A');
+    for (const Binding& binding : table.functions) {
+        if (type == binding.result && *binding.owner != '\0') {
+            return std::string(binding.owner) + ':' + binding.name;
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 const Argument& Arguments::operator[](std::string_view name) const {
@@ -116,6 +128,28 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
         }
     }
     return best;
+}
+
+std::string owner_of_name(const ApiTable& table, std::string_view name) {
+    std::string places;
+    const auto add = [&](const char* owner, char mark) {
+        const std::string giver = giver_of(table, owner);
+        places += (places.empty() ? "" : " or ") +
+                  std::string(std::string_view(owner) == "lesson" ? "L" : owner) + mark +
+                  std::string(name) +
+                  (giver.empty() ? "" : " (" + giver + " gives the " + owner + ')');
+    };
+    for (const Binding& binding : table.functions) {
+        if (name == binding.name && *binding.owner != '\0') {
+            add(binding.owner, ':');
+        }
+    }
+    for (const Property& property : table.properties) {
+        if (name == property.name) {
+            add(property.owner, '.');
+        }
+    }
+    return places;
 }
 
 }  // namespace fulcrum::runtime

@@ -93,7 +93,7 @@ class Arguments {
 using BoundFunction = int (*)(lua_State* lua, LessonContext& context, const Arguments& arguments);
 
 struct Binding {
-    const char* owner;  ///< "world", "body", "force", "lesson", or "" for a global
+    const char* owner;  ///< "world", "hand", "body", "force", "lesson", or "" for a global
     const char* name;
     CallShape shape;
     CallTime time;
@@ -146,5 +146,9 @@ void add_force_api(ApiTable& table);
 [[nodiscard]] std::string nearest_word(std::string_view word,
                                        const std::vector<std::string>& candidates,
                                        std::size_t most_steps = 3);
+
+/// Who has a name that something else was asked for: "hand:force (world:hand gives the hand)", several with "or" between;
+/// empty when nothing has it.
+[[nodiscard]] std::string owner_of_name(const ApiTable& table, std::string_view name);
 
 }  // namespace fulcrum::runtime

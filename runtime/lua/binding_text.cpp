@@ -18,6 +18,7 @@ constexpr std::array kOwners = {
           "A lesson: what lesson { … } gives. Define functions on it; they are looked up on every "
           "call."},
     Owner{"world", "World", "world", "The scene of a lesson."},
+    Owner{"hand", "Hand", "hand", "The learner's hand: what world:hand { … } gives."},
     Owner{"body", "Body", "body", "A thing in the scene."},
     Owner{"tool", "Tool", "tool", "What the hand holds."},
     Owner{"force", "Force", "force", "A force on the hand."},

@@ -20,7 +20,7 @@ enum class LessonPhase : std::uint8_t { loading, starting, running };
 
 /// A thing in Lua: full userdata holding one of these. An old handle is refused by its generation.
 struct Handle {
-    enum class Kind : std::uint8_t { world, tool, body, force };
+    enum class Kind : std::uint8_t { world, tool, body, force, hand };
     Kind kind = Kind::world;
     std::int32_t index = 0;
     std::uint32_t generation = 0;
@@ -37,6 +37,7 @@ struct LessonContext {
     int n_prints = 0;                   ///< in this frame
     std::vector<FieldCommand> fields;   ///< how each declared force stands
     int lesson_ref = LUA_NOREF;         ///< the table that lesson{} gave
+    bool has_hand = false;              ///< world:hand was called
     int force_function_ref = LUA_NOREF;
     std::vector<std::pair<std::string, int>> judges;  ///< question -> its `right`
     std::vector<int> listeners;                       ///< L:listen

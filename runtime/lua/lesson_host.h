@@ -1,9 +1,11 @@
 // A lesson as a running script: loads its file, calls its start, hands it frames, gathers what it wants. And the simulated
 // hand, a script of its own beside it. Both run in the lesson's process; tests and the fuzzer run them in their own.
 //
-// A lesson's force function f(x, v) is handed over with its slope by central differences,
-//   dF/dx_j ~ (f(x + h e_j, v) - f(x - h e_j, v)) / 2h,   dF/dv_j likewise with k,
-// exact for a force linear in x and v; every entry is limited (wire.h), for a jump has no slope.
+// A lesson's force function f(x, v) gives a force F or, with six numbers, a force and a torque T. It is handed over with
+// its slopes by central differences,
+//   dF/dx_j ~ (F(x + h e_j, v) - F(x - h e_j, v)) / 2h,   dT/dx_j likewise,   dF/dv_j likewise with k,
+// exact for what is linear in x and v; every entry is limited (wire.h), for a jump has no slope. There is no dT/dv:
+// field/linearised_wrench.h says why.
 //
 // Thread: one. Cost: a frame of 8 bodies about 10 us, plus what the lesson does.
 #pragma once
@@ -67,7 +69,7 @@ class LessonHost {
 
 /// Evaluates the function at registry reference `function_ref` and its slopes at the context's tool. Raises what it raises.
 [[nodiscard]] LinearisedWrench linearise_force(lua_State* lua, LessonContext& context,
-                                              int function_ref);
+                                               int function_ref);
 /// Pushes the table that tells a lesson of an event: name, and what belongs to it.
 void push_event(lua_State* lua, LessonContext& context, const LessonEvent& event);
 /// Pushes `answer`: the slots as fields, and said, question, understood, right, form_right, over, attempt.

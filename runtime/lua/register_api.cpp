@@ -17,8 +17,12 @@ constexpr const char* kLessonMetatable = "fulcrum.lesson";
 constexpr int kHandlesAKind = 1000;
 constexpr std::uint64_t kCallWork = 30;  // what a call counts as, in instructions
 
+constexpr Handle::Kind kHandleKinds[] = {Handle::Kind::world, Handle::Kind::tool,
+                                         Handle::Kind::body, Handle::Kind::force,
+                                         Handle::Kind::hand};
+
 const char* owner_name(Handle::Kind kind) {
-    constexpr const char* kNames[] = {"world", "tool", "body", "force"};
+    constexpr const char* kNames[] = {"world", "tool", "body", "force", "hand"};
     return kNames[static_cast<int>(kind)];
 }
 
@@ -48,8 +52,7 @@ void check_receiver(lua_State* lua, const Binding& binding) {
         }
         return;
     }
-    for (const auto kind :
-         {Handle::Kind::world, Handle::Kind::tool, Handle::Kind::body, Handle::Kind::force}) {
+    for (const Handle::Kind kind : kHandleKinds) {
         if (owner == owner_name(kind)) {
             static_cast<void>(check_handle(lua, 1, kind, called_as(binding).c_str()));
         }
@@ -151,6 +154,9 @@ int index_handle(lua_State* lua) {
     const std::string owner = handle != nullptr ? owner_name(handle->kind) : "this";
     const std::string name =
         lua_type(lua, 2) == LUA_TSTRING ? clean_text(lua_tostring(lua, 2), 40) : text_of(lua, 2);
+    if (const std::string elsewhere = owner_of_name(api_table(), name); !elsewhere.empty()) {
+        raise_in_lesson(lua, owner + " has no \"" + name + "\"; write " + elsewhere);
+    }
     const std::string near = nearest_word(name, names_of(owner));
     raise_in_lesson(lua, owner + " has no \"" + name + '"' +
                              (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
@@ -299,8 +305,7 @@ void push_vector(lua_State* lua, const Vector3& v) {
 void register_api(lua_State* lua) {
     lua_newtable(lua);
     lua_setfield(lua, LUA_REGISTRYINDEX, kHandles);
-    for (const auto kind :
-         {Handle::Kind::world, Handle::Kind::tool, Handle::Kind::body, Handle::Kind::force}) {
+    for (const Handle::Kind kind : kHandleKinds) {
         make_handle_metatable(lua, owner_name(kind));
     }
     luaL_newmetatable(lua, kLessonMetatable);

@@ -36,8 +36,10 @@ inline constexpr double kMaxCoordinate_m = 1e4;
 inline constexpr double kMaxSpeed_m_per_s = 1e3;
 inline constexpr double kMaxLessonForce_N =
     100.0;  ///< of a lesson's force function; the gate limits far below
-inline constexpr double kMaxLessonStiffness_N_per_m = 5000.0;  ///< each entry of dF/dx
-inline constexpr double kMaxLessonDamping_Ns_per_m = 100.0;    ///< each entry of dF/dv
+inline constexpr double kMaxLessonTorque_Nm = 10.0;                  ///< likewise, about the tool
+inline constexpr double kMaxLessonStiffness_N_per_m = 5000.0;        ///< each entry of dF/dx
+inline constexpr double kMaxLessonDamping_Ns_per_m = 100.0;          ///< each entry of dF/dv
+inline constexpr double kMaxLessonTorqueStiffness_Nm_per_m = 500.0;  ///< each entry of dT/dx
 
 enum class WireKind : std::uint8_t {
     load,            ///< program -> lesson: LoadMessage

@@ -232,6 +232,7 @@ template <class Archive, class Force>
 void linearised(Archive& a, Force& f) {
     a.number("a force's time", f.stamp_s, -1.0, 1e9);
     vector(a, "the lesson's force", f.force_W, kMaxLessonForce_N);
+    vector(a, "the lesson's torque", f.torque_W, kMaxLessonTorque_Nm);
     vector(a, "where a force was computed", f.at_position_W, kMaxCoordinate_m);
     vector(a, "the velocity a force was computed at", f.at_velocity_W, kMaxSpeed_m_per_s);
     for (int i = 0; i < 9; ++i) {
@@ -239,6 +240,8 @@ void linearised(Archive& a, Force& f) {
                  -kMaxLessonStiffness_N_per_m, kMaxLessonStiffness_N_per_m);
         a.number("a force's damping", f.damping_Ns_per_m(i / 3, i % 3), -kMaxLessonDamping_Ns_per_m,
                  kMaxLessonDamping_Ns_per_m);
+        a.number("a torque's stiffness", f.torque_stiffness_Nm_per_m(i / 3, i % 3),
+                 -kMaxLessonTorqueStiffness_Nm_per_m, kMaxLessonTorqueStiffness_Nm_per_m);
     }
 }
 

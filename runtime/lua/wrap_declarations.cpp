@@ -25,11 +25,18 @@ int set_camera(lua_State* /*lua*/, LessonContext& context, const Arguments& argu
     return 0;
 }
 
-int set_hand(lua_State* /*lua*/, LessonContext& context, const Arguments& arguments) {
+int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    if (context.has_hand) {
+        raise_in_lesson(lua,
+                        "a lesson has one hand; this is the second world:hand { … }; keep what the "
+                        "first one gives");
+    }
+    context.has_hand = true;
     context.description.hand.centre_W = arguments["centre"].vector;
     context.description.hand.scale = arguments["scale"].number;
     context.description.hand.rate_hz = arguments["rate"].number;
-    return 0;
+    push_handle(lua, Handle::Kind::hand, 0);
+    return 1;
 }
 
 int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments) {
@@ -122,7 +129,7 @@ int add_magnet(lua_State* lua, LessonContext& context, const Arguments& argument
 
 int set_force_function(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     if (context.force_function_ref != LUA_NOREF) {
-        raise_in_lesson(lua, "a lesson has one force function; this is the second world:force(…)");
+        raise_in_lesson(lua, "a lesson has one force function; this is the second hand:force(…)");
     }
     lua_pushvalue(lua, arguments["function"].stack_index);
     context.force_function_ref = luaL_ref(lua, LUA_REGISTRYINDEX);
@@ -171,8 +178,8 @@ void add_scene_rows(ApiTable& table) {
            "where the middle of the arm's reach lies"},
           {"scale", number, "", 0.01, 100, "1", "metres in the scene for one metre of the hand"},
           {"rate", number, "hertz", 1000, 4000, "1000", "how often forces are computed"}},
-         "",
-         "Says where the hand works in the scene.",
+         "Hand",
+         "Says where the hand works in the scene, once.",
          &set_hand});
     table.functions.push_back(
         {"world",
@@ -250,15 +257,16 @@ void add_declaration_api(ApiTable& table) {
          "Declares a magnet that pulls the hand.",
          &add_magnet});
     table.functions.push_back(
-        {"world",
+        {"hand",
          "force",
          CallShape::positional,
          CallTime::declaring,
          {{"function", function, "", 0, 0, kRequired,
-           "function(tool): gives three newtons from tool.x, .y, .z, .vx, .vy, .vz"}},
+           "function(tool): gives three newtons from tool.x, .y, .z, .vx, .vy, .vz; or six "
+           "numbers, the last three a torque in newton metres"}},
          "",
          "Declares the lesson's own force on the hand, computed 60 times a second and carried on "
-         "in between by its slope.",
+         "in between by its slope; a torque by its slope in place alone.",
          &set_force_function});
 }
 

@@ -31,6 +31,10 @@ local Lesson = {}
 ---@field time number seconds; since the lesson began
 local World = {}
 
+---The learner's hand: what world:hand { … } gives.
+---@class Hand
+local Hand = {}
+
 ---A thing in the scene.
 ---@class Body
 ---@field name string
@@ -119,8 +123,9 @@ function World:camera(options) end
 ---@field scale? number metres in the scene for one metre of the hand; 0.01 to 100; default 1
 ---@field rate? number how often forces are computed; in hertz, 1000 to 4000; default 1000
 
----Says where the hand works in the scene.
+---Says where the hand works in the scene, once.
 ---@param options HandOptions
+---@return Hand
 function World:hand(options) end
 
 ---@class BodyOptions
@@ -182,9 +187,9 @@ function World:viscosity(options) end
 ---@return Force
 function World:magnet(options) end
 
----Declares the lesson's own force on the hand, computed 60 times a second and carried on in between by its slope.
----@param compute function function(tool): gives three newtons from tool.x, .y, .z, .vx, .vy, .vz
-function World:force(compute) end
+---Declares the lesson's own force on the hand, computed 60 times a second and carried on in between by its slope; a torque by its slope in place alone.
+---@param compute function function(tool): gives three newtons from tool.x, .y, .z, .vx, .vy, .vz; or six numbers, the last three a torque in newton metres
+function Hand:force(compute) end
 
 ---Takes everything out of the bucket.
 function World:release() end

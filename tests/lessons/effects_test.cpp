@@ -52,12 +52,20 @@ TEST_CASE(
     // At rest: the hand's spring (300 N/m) against the lesson's (50 N/m) over 4 cm.
     const RecordSample& held = sample_at(record, 5.5);
     CHECK(held.applied_W.force.x() == Approx(-0.04 / (1.0 / 300.0 + 1.0 / 50.0)).margin(0.01));
+    // The torque of the law arrives at the device, and turns the hand's 3 Nm/rad.
+    const double torque_Nm = 2.0 * held.pose_D.position.x();
+    CHECK(torque_Nm > 0.05);
+    CHECK(held.applied_W.torque.y() == Approx(torque_Nm).margin(1e-3));
+    CHECK(Eigen::AngleAxisd(held.pose_D.orientation).angle() ==
+          Approx(torque_Nm / 3.0).margin(1e-3));
     // While moving the linearisation keeps the 1 kHz force on the law, though Lua runs at 60 Hz.
     for (const RecordSample& sample : record.samples) {
         if (sample.time_s > 3.0) {
             const double law_N = -50.0 * sample.pose_D.position.x();
             REQUIRE(std::abs(sample.commanded_W.force.x() - law_N -
                              -1.0 * sample.twist_W.linear.x()) < 0.02);
+            REQUIRE(std::abs(sample.commanded_W.torque.y() - 2.0 * sample.pose_D.position.x()) <
+                    1e-3);
         }
     }
 }

@@ -3,7 +3,7 @@
 local L = lesson { id = "hostile", title = "Hostile" }
 
 function L:start(world)
-  world:force(function(tool) while true do end end)
+  world:hand {}:force(function(tool) while true do end end)
 end
 
 return L

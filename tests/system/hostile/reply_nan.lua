@@ -3,7 +3,7 @@
 local L = lesson { id = "hostile", title = "Hostile" }
 
 function L:start(world)
-  world:force(function() return 0/0, 0, 0 end)
+  world:hand {}:force(function() return 0/0, 0, 0 end)
 end
 
 return L

@@ -3,14 +3,14 @@ local apple, spring
 function L:start(world)
   world:gravity(9.81) world:ground(0)
   world:camera { eye = { 0, .5, 1.5 }, target = { 0, .3, 0 }, angle = 45 }
-  world:hand { centre = { 0, .3, 0 }, scale = 1 }
+  local hand = world:hand { centre = { 0, .3, 0 }, scale = 1 }
   apple = world:body { name = "apple", mass = .2, radius = .04, movable = true, at = { 0, 1, 0 } }
   world:body { name = "rock", solid = true, visible = true, at = { x = 1, y = 0, z = 0 } }
   world:bucket { radius = .11, depth = .14 }
   spring = world:spring { name = "s", at = { 0, .3, 0 }, stiffness = 100, damping = 1 }
   world:magnet { at = apple, force = 3, range = .2 }
   world:viscosity { damping = 2 }
-  world:force(function(tool) return -10 * tool.x, -tool.vy, 0 end)
+  hand:force(function(tool) return -10 * tool.x, -tool.vy, 0, 0, 0, .2 * tool.x end)
   L:listen(function(event) self.last = event.name end)
 end
 function L:update(world, dt)

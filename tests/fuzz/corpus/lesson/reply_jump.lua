@@ -3,7 +3,7 @@
 local L = lesson { id = "hostile", title = "Hostile" }
 
 function L:start(world)
-  world:force(function(tool) return tool.x > 0 and 1e6 or -1e6, 1e308, -1e308 end)
+  world:hand {}:force(function(tool) return tool.x > 0 and 1e6 or -1e6, 1e308, -1e308 end)
 end
 
 return L

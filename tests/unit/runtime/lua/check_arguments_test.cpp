@@ -54,7 +54,7 @@ TEST_CASE("arguments: too many, too few and wrong kinds are told") {
           "lesson.lua:2: body takes fields with names, such as { name = … }.");
     CHECK(sentence("world:body { name = 'a', movable = 'yes' }") ==
           "lesson.lua:2: body.movable is true or false; got the text \"yes\".");
-    CHECK(sentence("world:force(3)") == "lesson.lua:2: world:force is a function; got 3.");
+    CHECK(sentence("world:hand():force(3)") == "lesson.lua:2: hand:force is a function; got 3.");
     CHECK(sentence("world:level(1.5)") ==
           "lesson.lua:2: world:level's level is a whole number, 0 to 99; got 1.5.");
     CHECK(sentence("world:caption(('x'):rep(1001))") ==

@@ -24,6 +24,10 @@ TEST_CASE("api: methods insist on their colon and their owner") {
           "lesson.lua:2: write world:caption with a colon, after a world.");
     CHECK(sentence("local b = world:body { name = 'b' } world.caption(b, 'x')") ==
           "lesson.lua:2: write world:caption with a colon, after a world.");
+    CHECK(sentence("local h = world:hand {} h.force(print)") ==
+          "lesson.lua:2: write hand:force with a colon, after a hand.");
+    CHECK(sentence("local h = world:hand {} h.force(world, print)") ==
+          "lesson.lua:2: write hand:force with a colon, after a hand.");
     CHECK(HostedLesson().load("L.test({})") ==
           "lesson.lua:2: write L:test with a colon, after the lesson's own variable.");
 }
@@ -32,6 +36,18 @@ TEST_CASE("api: unknown fields suggest the nearest; nothing can be set") {
     CHECK(sentence("local b = world:body { name = 'b' } print(b.wieght)") ==
           "lesson.lua:2: body has no \"wieght\"; did you mean \"weight\"?.");
     CHECK(sentence("print(world:tool().velocity)") == "lesson.lua:2: tool has no \"velocity\".");
+    // What another thing has is told with its place; a force was once the world's.
+    CHECK(sentence("world:force(function(tool) return 0, 0, 0 end)") ==
+          "lesson.lua:2: world has no \"force\"; write hand:force (world:hand gives the hand) or "
+          "tool.force (world:tool gives the tool).");
+    CHECK(sentence("world:hand {}:spring { at = { 0, 0, 0 }, stiffness = 1 }") ==
+          "lesson.lua:2: hand has no \"spring\"; write world:spring.");
+    CHECK(sentence("world:listen(print)") ==
+          "lesson.lua:2: world has no \"listen\"; write L:listen.");
+    CHECK(sentence("print(world.vx)") ==
+          "lesson.lua:2: world has no \"vx\"; write tool.vx (world:tool gives the tool).");
+    CHECK(sentence("world:hand {}.x = 3") ==
+          "lesson.lua:2: hand.x can't be set; it shows how things stand.");
     CHECK(sentence("world.time = 3") ==
           "lesson.lua:2: world.time can't be set; it shows how things stand.");
 }

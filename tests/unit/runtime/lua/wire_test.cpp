@@ -56,6 +56,8 @@ LessonReply full_reply() {
     force.force_W = Vector3(1, -2, 3);
     force.stiffness_N_per_m(0, 1) = -200;
     force.damping_Ns_per_m(2, 0) = 5;
+    force.torque_W = Vector3(0.5, -0.25, 9.0);
+    force.torque_stiffness_Nm_per_m(1, 2) = -450;
     r.commands = {MoveCommand{drop},
                   MoveCommand{release},
                   FieldChangeCommand{1, {false, Vector3(1, 2, 3), 0.5}},
@@ -104,6 +106,10 @@ TEST_CASE("wire: a description, a reply and a frame come back as they were") {
     REQUIRE(r);
     CHECK(bytes_of(*r) == reply);
     CHECK(std::get<ScoreCommand>(r->commands[7]).score == -7);
+    const LinearisedWrench& wrench = std::get<LessonForceCommand>(r->commands[3]).force;
+    CHECK(wrench.torque_W == Vector3(0.5, -0.25, 9.0));
+    CHECK(wrench.torque_stiffness_Nm_per_m(1, 2) == -450);
+    CHECK(wrench.torque_stiffness_Nm_per_m(2, 1) == 0);
     const Bytes frame = bytes_of(full_frame());
     const auto f = decode_frame(body_of(frame));
     REQUIRE(f);
@@ -185,6 +191,19 @@ TEST_CASE("wire: numbers, indices and names of a reply are checked") {
     force = {};
     force.damping_Ns_per_m(1, 2) = kNaN;
     CHECK_FALSE(take(LessonForceCommand{force}));
+    force = {};
+    force.torque_W.z() = -kMaxLessonTorque_Nm;
+    force.torque_stiffness_Nm_per_m(0, 2) = kMaxLessonTorqueStiffness_Nm_per_m;
+    CHECK(take(LessonForceCommand{force}));
+    force.torque_W.z() = -kMaxLessonTorque_Nm * 1.01;
+    CHECK_FALSE(take(LessonForceCommand{force}));
+    force.torque_W.z() = kNaN;
+    CHECK_FALSE(take(LessonForceCommand{force}));
+    force = {};
+    force.torque_stiffness_Nm_per_m(0, 2) = kMaxLessonTorqueStiffness_Nm_per_m * 1.01;
+    CHECK_FALSE(take(LessonForceCommand{force}));
+    force.torque_stiffness_Nm_per_m(0, 2) = kNaN;
+    CHECK_FALSE(take(LessonForceCommand{force}));
 }
 
 TEST_CASE("wire: a reply has bounded commands, and an orientation of unit length") {
@@ -262,6 +281,9 @@ TEST_CASE(
             if (const auto* force = std::get_if<LessonForceCommand>(&command)) {
                 REQUIRE(force->force.force_W.allFinite());
                 REQUIRE(force->force.stiffness_N_per_m.allFinite());
+                REQUIRE(force->force.torque_W.cwiseAbs().maxCoeff() <= kMaxLessonTorque_Nm);
+                REQUIRE(force->force.torque_stiffness_Nm_per_m.cwiseAbs().maxCoeff() <=
+                        kMaxLessonTorqueStiffness_Nm_per_m);
             }
         }
     }

@@ -44,6 +44,33 @@ TEST_CASE("declarations: everything that is said arrives, with its line") {
     CHECK((d.forces[2].field.range_m == 0.2 && d.forces[2].field.anchor_W == Vector3(0, 1, 0)));
 }
 
+TEST_CASE("declarations: the hand is declared once, and is a thing of its own") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start("local h = world:hand { scale = 2 } print(h, h == h, h ~= world)\n"
+                         "h:force(function() return 0, 0, 0 end)") == "");
+    CHECK(lesson.prints == "hand\ttrue\ttrue;");
+    CHECK(lesson.host->description().hand.scale == 2.0);
+    CHECK(lesson.host->description().hand.lesson_force);
+    CHECK(lesson.host->description().hand.force_line == 3);
+    // Not even the same again: a second {} would take back what the first said.
+    CHECK(HostedLesson().start("world:hand { scale = 2 }\nworld:hand {}") ==
+          "lesson.lua:3: a lesson has one hand; this is the second world:hand { … }; keep what the "
+          "first one gives.");
+    // One that was refused was not declared.
+    HostedLesson again;
+    CHECK(again.start("print(pcall(world.hand, world, { scale = 0 })) world:hand { scale = 3 }") ==
+          "");
+    CHECK(again.host->description().hand.scale == 3.0);
+    CHECK_FALSE(again.host->description().hand.lesson_force);
+    CHECK(HostedLesson().start("world:hand {}:force()") ==
+          "lesson.lua:2: hand:force is missing; it is a function.");
+    HostedLesson late;
+    REQUIRE(late.load("local h function L:start(world) h = world:hand {} end function L:update() "
+                      "h:force(print) end") == "");
+    CHECK(late.play() ==
+          "lesson.lua:2: hand:force declares something; that is only possible in L:start.");
+}
+
 TEST_CASE("declarations: what there is room for, and no more") {
     CHECK(HostedLesson().start("for i = 1, 64 do world:body { name = 'b' .. i } end") == "");
     CHECK(HostedLesson().start("for i = 1, 65 do world:body { name = 'b' .. i } end") ==
@@ -56,8 +83,9 @@ TEST_CASE("declarations: what there is room for, and no more") {
     CHECK(HostedLesson().start("world:viscosity { name = 'v', damping = 1 } world:viscosity { name "
                                "= 'v', damping = 1 }") ==
           "lesson.lua:2: there is already a force \"v\".");
-    CHECK(HostedLesson().start("world:force(print) world:force(print)") ==
-          "lesson.lua:2: a lesson has one force function; this is the second world:force(…).");
+    CHECK(HostedLesson().start(
+              "local h = world:hand {} h:force(print) print('one') h:force(print)") ==
+          "lesson.lua:2: a lesson has one force function; this is the second hand:force(…).");
 }
 
 }  // namespace
