@@ -57,6 +57,7 @@ struct View {
     bool banner_is_error = false;
     std::vector<ViewMenuItem> menu;  ///< the list of lessons, instead of a scene
     int menu_selected = 0;
+    int menu_first_row = 0;  ///< the row of cards to show first, where the chosen card allows it
 };
 
 }  // namespace fulcrum::runtime
