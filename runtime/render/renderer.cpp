@@ -119,6 +119,11 @@ const std::vector<std::string>& Renderer::notices() const {
     return parts_->notices;
 }
 
+MenuLayout Renderer::menu_layout(const View& view, int width, int height) const {
+    const Measure measure(width, height);
+    return lay_out_menu(view, measure, lay_out_panels(view, parts_->font, measure).shown());
+}
+
 void Renderer::draw(const View& view, int width, int height) {
     if (width <= 0 || height <= 0) {
         return;

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "runtime/render/overlay/menu.h"
 #include "runtime/scene/model.h"
 #include "runtime/scene/view.h"
 
@@ -53,6 +54,9 @@ class Renderer {
     /// corner, `width` x `height` pixels; does nothing when a side is not positive. Things with a
     /// number that is not finite are left out.
     void draw(const View& view, int width, int height);
+
+    /// Where `draw` puts the cards of a view's list of lessons; for what a pointer means.
+    [[nodiscard]] MenuLayout menu_layout(const View& view, int width, int height) const;
 
     /// What did not go as wished, one sentence each, e.g. a font that is not installed.
     [[nodiscard]] const std::vector<std::string>& notices() const;

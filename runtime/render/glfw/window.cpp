@@ -58,16 +58,6 @@ void on_text(GLFWwindow* window, unsigned int code_point) {
     events_of(window).text += utf8_of(code_point);
 }
 
-void on_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
-    WindowEvents& events = events_of(window);
-    if (button < 0 || button >= static_cast<int>(events.button_down.size())) {
-        return;
-    }
-    const auto index = static_cast<std::size_t>(button);
-    events.button_down[index] = action == GLFW_PRESS;
-    events.button_press[index] = events.button_press[index] || action == GLFW_PRESS;
-}
-
 void on_pointer(GLFWwindow* window, double x, double y) {
     // GLFW speaks in screen coordinates; the picture is measured in the framebuffer's pixels.
     int window_width = 0;
@@ -82,12 +72,30 @@ void on_pointer(GLFWwindow* window, double x, double y) {
     events.pointer_moved = true;
 }
 
+void on_button(GLFWwindow* window, int button, int action, int /*modifiers*/) {
+    WindowEvents& events = events_of(window);
+    if (button < 0 || button >= static_cast<int>(events.button_down.size())) {
+        return;
+    }
+    const auto index = static_cast<std::size_t>(button);
+    events.button_down[index] = action == GLFW_PRESS;
+    events.button_press[index] = events.button_press[index] || action == GLFW_PRESS;
+    if (action == GLFW_PRESS) {
+        events.press_x_px = events.pointer_x_px;
+        events.press_y_px = events.pointer_y_px;
+    }
+}
+
 void on_wheel(GLFWwindow* window, double /*sideways*/, double notches) {
     events_of(window).wheel += notches;
 }
 
 void on_resize(GLFWwindow* window, int /*width*/, int /*height*/) {
     events_of(window).resized = true;
+}
+
+void on_uncover(GLFWwindow* window) {
+    events_of(window).uncovered = true;
 }
 
 void on_focus(GLFWwindow* window, int focused) {
@@ -104,6 +112,7 @@ void forget_last_poll(WindowEvents& events) {
     events.pointer_moved = false;
     events.wheel = 0.0;
     events.resized = false;
+    events.uncovered = false;
     events.lost_focus = false;
 }
 
@@ -114,6 +123,7 @@ void listen(GLFWwindow* window) {
     glfwSetCursorPosCallback(window, on_pointer);
     glfwSetScrollCallback(window, on_wheel);
     glfwSetFramebufferSizeCallback(window, on_resize);
+    glfwSetWindowRefreshCallback(window, on_uncover);
     glfwSetWindowFocusCallback(window, on_focus);
 }
 
@@ -214,6 +224,11 @@ Expected<std::unique_ptr<Window>> Window::create(const std::string& title, int w
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(parts->window, &parts->events);
     listen(parts->window);
+    // The pointer is somewhere already before it moves.
+    double x = 0.0;
+    double y = 0.0;
+    glfwGetCursorPos(parts->window, &x, &y);
+    on_pointer(parts->window, x, y);
     parts->events.focused = glfwGetWindowAttrib(parts->window, GLFW_FOCUSED) == GLFW_TRUE;
     return std::unique_ptr<Window>(new Window(std::move(parts)));
 }
@@ -221,6 +236,13 @@ Expected<std::unique_ptr<Window>> Window::create(const std::string& title, int w
 const WindowEvents& Window::poll() {
     forget_last_poll(parts_->events);
     glfwPollEvents();
+    parts_->events.close = glfwWindowShouldClose(parts_->window) == GLFW_TRUE;
+    return parts_->events;
+}
+
+const WindowEvents& Window::wait(double most_s) {
+    forget_last_poll(parts_->events);
+    glfwWaitEventsTimeout(std::max(most_s, 0.0));
     parts_->events.close = glfwWindowShouldClose(parts_->window) == GLFW_TRUE;
     return parts_->events;
 }

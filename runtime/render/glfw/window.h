@@ -36,9 +36,12 @@ struct WindowEvents {
     bool pointer_moved = false;          ///< since the last poll
     std::array<bool, 3> button_down{};   ///< left, right, middle are held now
     std::array<bool, 3> button_press{};  ///< went down since the last poll
+    double press_x_px = 0.0;             ///< where the pointer was when a button last went down
+    double press_y_px = 0.0;             ///< likewise, from the top
     double wheel = 0.0;                  ///< notches since the last poll, away from the user is +
     bool close = false;                  ///< the user wants to leave
     bool resized = false;                ///< the framebuffer has another size
+    bool uncovered = false;              ///< what was drawn may be lost: draw again
     bool focused = true;
     bool lost_focus = false;  ///< since the last poll: let go of everything that is held
 };
@@ -60,6 +63,9 @@ class Window {
 
     /// Takes in what the user did; returns at once.
     [[nodiscard]] const WindowEvents& poll();
+
+    /// The same after something happened, or after `most_s` seconds at the latest.
+    [[nodiscard]] const WindowEvents& wait(double most_s);
 
     /// Shows the frame that was drawn and waits for the screen's refresh.
     void swap();

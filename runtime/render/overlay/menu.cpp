@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include <utility>
+
 namespace fulcrum::runtime {
 
 namespace {
@@ -22,6 +24,8 @@ constexpr float kPad = 18.0F;
 constexpr float kChosenFrame = 8.0F;
 constexpr float kRadius = 22.0F;
 constexpr float kTick = 24.0F;
+constexpr float kSign = 20.0F;       // radius of the sign that there are more rows
+constexpr float kSignArrow = 11.0F;  // of the arrow on it
 
 int fitting(float room, float least, float gap) {
     return std::max(static_cast<int>((room + gap) / (least + gap)), 1);
@@ -42,6 +46,69 @@ Paragraph card_words(DrawList& list, const Measure& m, const std::string& text, 
     return set_text(list.font(), plain_text(text), settings);
 }
 
+/// A card's size and how many there are.
+struct Grid {
+    int count = 0;
+    float gap = 0.0F;
+    float width = 0.0F;   // of a card
+    float height = 0.0F;  // of a card
+    float top = 0.0F;     // of the first row in sight
+};
+
+/// As few rows as the width allows, and no more than the height allows.
+Grid lay_out_grid(int count, const Measure& m, MenuLayout& layout) {
+    Grid grid;
+    grid.count = count;
+    grid.gap = m.px(kGap);
+    const float width_room = m.width_px - 2.0F * m.px(kMargin);
+    const float height_room = std::max(layout.bottom_px - layout.top_px, m.px(kLeastCardHeight));
+    const int most_columns = fitting(width_room, m.px(kLeastCardWidth), grid.gap);
+    layout.all_rows = (count + most_columns - 1) / most_columns;
+    layout.columns = (count + layout.all_rows - 1) / layout.all_rows;
+    layout.rows = std::min(layout.all_rows, fitting(height_room, m.px(kLeastCardHeight), grid.gap));
+    const auto room_each = [&](float room, int n) {
+        return (room - grid.gap * static_cast<float>(n - 1)) / static_cast<float>(n);
+    };
+    grid.width = std::min(room_each(width_room, layout.columns), m.px(kWidestCard));
+    grid.height = std::min(room_each(height_room, layout.rows), m.px(kTallestCard));
+    const auto rows = static_cast<float>(layout.rows);
+    grid.top = layout.top_px + 0.5F * (height_room - grid.height * rows - grid.gap * (rows - 1.0F));
+    return grid;
+}
+
+MenuCard lay_out_card(int index, bool chosen, const Grid& grid, const Measure& m,
+                      const MenuLayout& layout) {
+    const int row = index / layout.columns;
+    const int in_row = std::min(layout.columns, grid.count - row * layout.columns);
+    const float row_width = (grid.width + grid.gap) * static_cast<float>(in_row) - grid.gap;
+    const int column = index % layout.columns;
+    MenuCard card;
+    card.index = static_cast<std::size_t>(index);
+    card.chosen = chosen;
+    card.box = {
+        0.5F * (m.width_px - row_width) + static_cast<float>(column) * (grid.width + grid.gap),
+        grid.top + static_cast<float>(row - layout.first_row) * (grid.height + grid.gap),
+        grid.width, grid.height};
+    card.paper = chosen ? card.box.grown(m.px(kChosenFrame)) : card.box;
+    card.icon = {card.box.x + m.px(kPad), card.box.y + m.px(kPad), grid.width - 2.0F * m.px(kPad),
+                 std::max(grid.height - words_height(m) - 2.0F * m.px(kPad), 1.0F)};
+    return card;
+}
+
+/// The signs that there are more rows, in the margin right of the cards, where there are.
+void lay_out_signs(const Grid& grid, const Measure& m, MenuLayout& layout) {
+    const float side = 2.0F * m.px(kSign);
+    const float x = m.width_px - 0.5F * m.px(kMargin) - 0.5F * side;
+    if (layout.first_row > 0) {
+        layout.earlier = {x, grid.top, side, side};
+    }
+    if (layout.first_row + layout.rows < layout.all_rows) {
+        const auto rows = static_cast<float>(layout.rows);
+        const float bottom = grid.top + rows * (grid.height + grid.gap) - grid.gap;
+        layout.later = {x, bottom - side, side, side};
+    }
+}
+
 }  // namespace
 
 MenuLayout lay_out_menu(const View& view, const Measure& m, float top_px, float bottom_px) {
@@ -51,62 +118,56 @@ MenuLayout lay_out_menu(const View& view, const Measure& m, float top_px, float 
     if (view.menu.empty()) {
         return layout;
     }
-    // As few rows as the width allows, and no more than the height allows.
     const int count = static_cast<int>(view.menu.size());
-    const float gap = m.px(kGap);
-    const float width_room = m.width_px - 2.0F * m.px(kMargin);
-    const float height_room = std::max(bottom_px - top_px, m.px(kLeastCardHeight));
-    const int most_columns = fitting(width_room, m.px(kLeastCardWidth), gap);
-    const int all_rows = (count + most_columns - 1) / most_columns;
-    const int columns = (count + all_rows - 1) / all_rows;
-    const int rows = std::min(all_rows, fitting(height_room, m.px(kLeastCardHeight), gap));
-    const auto room_each = [&](float room, int n) {
-        return (room - gap * static_cast<float>(n - 1)) / static_cast<float>(n);
-    };
-    const float width = std::min(room_each(width_room, columns), m.px(kWidestCard));
-    const float height = std::min(room_each(height_room, rows), m.px(kTallestCard));
+    const Grid grid = lay_out_grid(count, m, layout);
 
+    // Rows stay where they are as long as the chosen card is in sight: nothing moves under a mouse.
     const int chosen = std::clamp(view.menu_selected, 0, count - 1);
-    const int first_row = std::clamp(chosen / columns - rows / 2, 0, all_rows - rows);
-    layout.more_above = first_row > 0;
-    layout.more_below = first_row + rows < all_rows;
-    const float used_height =
-        height * static_cast<float>(rows) + gap * static_cast<float>(rows - 1);
-    const float top = top_px + 0.5F * (height_room - used_height);
-    for (int i = first_row * columns; i < std::min(count, (first_row + rows) * columns); ++i) {
-        const int row = i / columns - first_row;
-        const int in_row = std::min(columns, count - (i / columns) * columns);
-        const float row_width =
-            width * static_cast<float>(in_row) + gap * static_cast<float>(in_row - 1);
-        MenuCard card;
-        card.index = static_cast<std::size_t>(i);
-        card.chosen = i == chosen;
-        card.box = {
-            0.5F * (m.width_px - row_width) + static_cast<float>(i % columns) * (width + gap),
-            top + static_cast<float>(row) * (height + gap), width, height};
-        const float icon_height = std::max(height - words_height(m) - 2.0F * m.px(kPad), 1.0F);
-        card.icon = {card.box.x + m.px(kPad), card.box.y + m.px(kPad), width - 2.0F * m.px(kPad),
-                     icon_height};
-        layout.cards.push_back(card);
+    const int chosen_row = chosen / layout.columns;
+    layout.first_row =
+        std::clamp(std::clamp(view.menu_first_row, chosen_row - layout.rows + 1, chosen_row), 0,
+                   layout.all_rows - layout.rows);
+    const int first = layout.first_row * layout.columns;
+    for (int i = first; i < std::min(count, first + layout.rows * layout.columns); ++i) {
+        layout.cards.push_back(lay_out_card(i, i == chosen, grid, m, layout));
     }
+    lay_out_signs(grid, m, layout);
     return layout;
 }
 
 MenuLayout lay_out_menu(const View& view, const Measure& m, const std::vector<Box>& panels) {
     // Panels in the upper half push the cards down, those in the lower half push them up.
-    float top = m.px(0.4F * kGap);
+    const float headline = view.title.empty() ? 0.0F : m.px(kHeadlineRoom);
+    float top = m.px(0.4F * kGap) + headline;
+    bool covered = false;
     float bottom = m.height_px - m.px(kGap);
     for (const Box& panel : panels) {
         if (panel.middle_y() < 0.5F * m.height_px) {
-            top = std::max(top, panel.bottom());
+            top = std::max(top, panel.bottom() + m.px(kChosenFrame));
+            covered = true;
         } else {
             bottom = std::min(bottom, panel.y - m.px(kGap));
         }
     }
-    if (!view.title.empty()) {
-        top += m.px(kHeadlineRoom);
+    MenuLayout layout = lay_out_menu(view, m, top, bottom);
+    layout.headline = headline > 0.0F && !covered;
+    return layout;
+}
+
+MenuSpot menu_spot_at(const MenuLayout& layout, double x_px, double y_px) {
+    const auto holds = [&](const Box& box) {
+        return x_px >= static_cast<double>(box.x) && x_px < static_cast<double>(box.right()) &&
+               y_px >= static_cast<double>(box.y) && y_px < static_cast<double>(box.bottom());
+    };
+    for (const MenuCard& card : layout.cards) {
+        if (holds(card.paper)) {
+            return {MenuPlace::card, card.index};
+        }
     }
-    return lay_out_menu(view, m, top, bottom);
+    if (holds(layout.earlier)) {
+        return {MenuPlace::earlier, 0};
+    }
+    return {holds(layout.later) ? MenuPlace::later : MenuPlace::nothing, 0};
 }
 
 void draw_menu_papers(const MenuLayout& layout, const Measure& m, DrawList& list) {
@@ -116,20 +177,19 @@ void draw_menu_papers(const MenuLayout& layout, const Measure& m, DrawList& list
     };
     for (const MenuCard& card : layout.cards) {
         if (!card.chosen) {
-            draw_paper(list, card.box, m, theme::kPaper);
+            draw_paper(list, card.paper, m, theme::kPaper);
             draw_icon_ground(card);
             continue;
         }
         // The chosen card is larger, has a thick frame, and a tick later on.
-        const Box box = card.box.grown(m.px(kChosenFrame));
-        draw_paper(list, box, m, theme::kSelectedPaper);
-        list.frame_box(box, m.px(kRadius), m.px(kChosenFrame), theme::kBlue);
+        draw_paper(list, card.paper, m, theme::kSelectedPaper);
+        list.frame_box(card.paper, m.px(kRadius), m.px(kChosenFrame), theme::kBlue);
         draw_icon_ground(card);
     }
 }
 
 void draw_menu_words(const View& view, const MenuLayout& layout, const Measure& m, DrawList& list) {
-    if (!view.title.empty()) {
+    if (layout.headline) {
         const Paragraph title =
             card_words(list, m, view.title, kHeadline, Face::bold, 0.9F * m.width_px, 1);
         list.text(title, 0.0F, layout.top_px - m.px(0.5F * kHeadlineRoom) - 0.5F * title.height_px,
@@ -151,12 +211,12 @@ void draw_menu_words(const View& view, const MenuLayout& layout, const Measure& 
                            m.px(kTick));
         }
     }
-    if (layout.more_above) {
-        draw_more_icon(list, {0.5F * m.width_px, layout.top_px - m.px(4.0F)}, m.px(16.0F), true);
-    }
-    if (layout.more_below) {
-        draw_more_icon(list, {0.5F * m.width_px, layout.bottom_px + m.px(10.0F)}, m.px(16.0F),
-                       false);
+    for (const auto& [sign, up] : {std::pair{layout.earlier, true}, {layout.later, false}}) {
+        if (sign.width > 0.0F) {
+            const Point2 middle{sign.middle_x(), sign.middle_y()};
+            list.fill_disc(middle, m.px(kSign), theme::kPaper);
+            draw_more_icon(list, middle, m.px(kSignArrow), up);
+        }
     }
 }
 

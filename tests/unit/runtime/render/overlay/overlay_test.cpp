@@ -182,10 +182,122 @@ TEST_CASE("menu: the chosen card is always in sight, cards neither overlap nor l
                     }
                 }
                 const bool all = layout.cards.size() == view.menu.size();
-                CHECK(all == !(layout.more_above || layout.more_below));
+                CHECK(all == !(layout.earlier.width > 0.0F || layout.later.width > 0.0F));
             }
         }
     }
+}
+
+TEST_CASE("menu: what is seen at a place is the card drawn there, and nothing beside the cards") {
+    for (const auto& [width, height] :
+         {std::pair{1280, 720}, {1024, 768}, {800, 600}, {480, 800}, {1920, 1080}, {3840, 2160}}) {
+        const Measure measure(width, height);
+        for (const int count : {1, 2, 4, 7, 12, 40}) {
+            const MenuLayout layout =
+                lay_out_menu(menu_of(count, count / 2), measure, std::vector<Box>{});
+            for (const MenuCard& card : layout.cards) {
+                const auto at = [&](float x, float y) {
+                    return menu_spot_at(layout, static_cast<double>(x), static_cast<double>(y));
+                };
+                const auto hits = [&](const MenuSpot& spot) {
+                    return spot.place == MenuPlace::card && spot.index == card.index;
+                };
+                const Box& seen = card.paper;
+                CHECK(hits(at(seen.middle_x(), seen.middle_y())));
+                // The first pixel of each side is the card's, the first one past it is not.
+                CHECK(hits(at(seen.x, seen.y)));
+                CHECK(hits(at(seen.right() - 0.5F, seen.bottom() - 0.5F)));
+                for (const MenuSpot& beside :
+                     {at(seen.x - 0.5F, seen.middle_y()), at(seen.right(), seen.middle_y()),
+                      at(seen.middle_x(), seen.y - 0.5F), at(seen.middle_x(), seen.bottom())}) {
+                    CHECK(beside.place != MenuPlace::card);
+                }
+                CHECK(seen.width == Approx(card.box.width + (card.chosen ? measure.px(16) : 0)));
+            }
+        }
+    }
+}
+
+TEST_CASE("menu: between two cards there is nothing to point at") {
+    const MenuLayout layout = lay_out_menu(menu_of(4, 0), Measure(1280, 720), std::vector<Box>{});
+    REQUIRE(layout.cards.size() == 4);
+    for (std::size_t i = 1; i < layout.cards.size(); ++i) {
+        const Box& left = layout.cards[i - 1].paper;
+        const Box& right = layout.cards[i].paper;
+        REQUIRE(right.x > left.right());
+        const double x = 0.5 * static_cast<double>(left.right() + right.x);
+        CHECK(menu_spot_at(layout, x, static_cast<double>(right.middle_y())).place ==
+              MenuPlace::nothing);
+    }
+    const double nan = std::nan("");
+    CHECK(menu_spot_at(layout, nan, nan).place == MenuPlace::nothing);
+    CHECK(menu_spot_at(layout, 640.0, -1.0).place == MenuPlace::nothing);
+    const MenuLayout none = lay_out_menu(View{}, Measure(1280, 720), std::vector<Box>{});
+    CHECK(menu_spot_at(none, 640.0, 360.0).place == MenuPlace::nothing);
+}
+
+TEST_CASE("menu: choosing a card in sight moves no card") {
+    for (const auto& [width, height] : {std::pair{1280, 720}, {800, 600}, {480, 800}}) {
+        const Measure measure(width, height);
+        for (int first_row = 0; first_row < 10; ++first_row) {
+            View view = menu_of(30, 0);
+            view.menu_first_row = first_row;
+            view.menu_selected = std::min(29, first_row * 6);
+            const MenuLayout before = lay_out_menu(view, measure, std::vector<Box>{});
+            view.menu_first_row = before.first_row;
+            for (const MenuCard& card : before.cards) {
+                view.menu_selected = static_cast<int>(card.index);
+                const MenuLayout after = lay_out_menu(view, measure, std::vector<Box>{});
+                REQUIRE(after.cards.size() == before.cards.size());
+                for (std::size_t i = 0; i < after.cards.size(); ++i) {
+                    CHECK(after.cards[i].index == before.cards[i].index);
+                    CHECK(after.cards[i].box.x == before.cards[i].box.x);
+                    CHECK(after.cards[i].box.y == before.cards[i].box.y);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("menu: a banner takes the headline's place and moves no card") {
+    Font font = andika();
+    const Measure measure(1280, 720);
+    View view = menu_of(7, 1);
+    view.caption = "Choose a lesson.";
+    const MenuLayout calm =
+        lay_out_menu(view, measure, lay_out_panels(view, font, measure).shown());
+    view.banner = "scenarios/kite/lesson.lua:42: unexpected symbol near '='; mend the line.";
+    view.banner_is_error = true;
+    const PanelLayout panels = lay_out_panels(view, font, measure);
+    const MenuLayout warned = lay_out_menu(view, measure, panels.shown());
+    CHECK(calm.headline);
+    CHECK_FALSE(warned.headline);
+    REQUIRE(warned.cards.size() == calm.cards.size());
+    for (std::size_t i = 0; i < calm.cards.size(); ++i) {
+        CHECK(warned.cards[i].box.y == calm.cards[i].box.y);
+        CHECK_FALSE(overlap(warned.cards[i].paper, panels.banner.box));
+    }
+}
+
+TEST_CASE("menu: signs say where there are more rows, and can be pointed at") {
+    const Measure measure(1280, 720);
+    View view = menu_of(12, 0);
+    const MenuLayout top = lay_out_menu(view, measure, std::vector<Box>{});
+    REQUIRE(top.all_rows > top.rows);
+    CHECK(top.earlier.width == 0.0F);
+    const auto place = [](const MenuLayout& layout, const Box& sign) {
+        return menu_spot_at(layout, static_cast<double>(sign.middle_x()),
+                            static_cast<double>(sign.bottom() - 1.0F))
+            .place;
+    };
+    CHECK(place(top, top.later) == MenuPlace::later);
+    view.menu_selected = 11;
+    const MenuLayout end = lay_out_menu(view, measure, std::vector<Box>{});
+    CHECK(end.first_row == end.all_rows - end.rows);
+    CHECK(end.later.width == 0.0F);
+    CHECK(menu_spot_at(end, static_cast<double>(end.earlier.middle_x()),
+                       static_cast<double>(end.earlier.y + 1.0F))
+              .place == MenuPlace::earlier);
 }
 
 TEST_CASE("draw list: shapes cover their area") {
