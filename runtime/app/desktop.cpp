@@ -34,6 +34,10 @@ void Desktop::draw(const View& view) {
     picture->draw(view, window->width_px(), window->height_px());
 }
 
+MenuLayout Desktop::menu_layout(const View& view) const {
+    return picture->menu_layout(view, window->width_px(), window->height_px());
+}
+
 void Desktop::play(const std::vector<std::string>& names) {
     if (!sound) {
         return;

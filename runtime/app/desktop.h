@@ -21,6 +21,8 @@ struct Desktop {
 
     /// Draws a view; it is seen after `window->swap()`, which waits for the screen.
     void draw(const View& view);
+    /// Where `draw` puts the cards of a view's list of lessons.
+    [[nodiscard]] MenuLayout menu_layout(const View& view) const;
     /// Plays what a frame asked for; an unknown name is a sentence on the terminal, once.
     void play(const std::vector<std::string>& names);
 };

@@ -1,5 +1,6 @@
 #include "runtime/app/menu_screen.h"
 
+#include "haptics/base/clock.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/lua/lesson_process.h"
 
@@ -21,31 +22,80 @@ std::string icon_of(const LessonDescription& lesson) {
     return lesson.bodies.empty() ? "" : lesson.bodies.front().model;
 }
 
-// What the keyboard asked of the list since the last frame.
-struct MenuKeys {
-    int move = 0;  // cards onwards
-    bool chosen = false;
-    bool leave = false;
-};
+constexpr double kLongestWait_s = 1.0 / 60.0;  // the sound goes on while nothing else happens
 
-MenuKeys read_keys(Desktop& desktop) {
-    const WindowEvents& events = desktop.window->poll();
-    MenuKeys keys;
-    keys.leave = events.close || interrupted();
-    for (const KeyPress& press : events.pressed) {
-        keys.leave |= press.key == "escape";
-        keys.chosen |= press.key == "return" || press.key == "space";
-        keys.move += press.key == "down" || press.key == "right" ? 1 : 0;
-        keys.move -= press.key == "up" || press.key == "left" ? 1 : 0;
-        if (press.key == "f11") {
-            desktop.window->set_fullscreen(!desktop.window->fullscreen());
-        }
-    }
-    keys.chosen |= events.button_press[0];
-    return keys;
+// Brings other rows into sight; the chosen card changes with them and keeps its place on the screen.
+void scroll(int rows, const MenuLayout& layout, int last, MenuChoice& choice) {
+    const int before = choice.first_row;
+    choice.first_row = std::clamp(before + rows, 0, layout.all_rows - layout.rows);
+    choice.selected =
+        std::clamp(choice.selected + (choice.first_row - before) * layout.columns, 0, last);
 }
 
 }  // namespace
+
+MenuInput read_menu_input(const WindowEvents& events, double& wheel) {
+    MenuInput input;
+    input.leave = events.close;
+    for (const KeyPress& press : events.pressed) {
+        input.leave |= press.key == "escape";
+        input.start |= press.key == "return" || press.key == "space";
+        input.across += press.key == "right" ? 1 : press.key == "left" ? -1 : 0;
+        input.down += press.key == "down" ? 1 : press.key == "up" ? -1 : 0;
+    }
+    // Away from the user is up.
+    wheel -= events.wheel;
+    input.scroll = static_cast<int>(wheel);
+    wheel -= input.scroll;
+    input.pointed = events.pointer_moved;
+    input.pointer_x_px = events.pointer_x_px;
+    input.pointer_y_px = events.pointer_y_px;
+    input.clicked = events.button_press[0];
+    input.click_x_px = events.press_x_px;
+    input.click_y_px = events.press_y_px;
+    return input;
+}
+
+MenuAnswer answer_menu(const MenuInput& input, const MenuLayout& layout, int n_cards,
+                       const MenuChoice& before) {
+    MenuAnswer answer;
+    if (n_cards <= 0 || layout.columns <= 0) {
+        return answer;
+    }
+    const int last = n_cards - 1;
+    MenuChoice& choice = answer.choice;
+    choice = {std::clamp(before.selected, 0, last), layout.first_row};
+
+    // The mouse, over what was seen.
+    if (input.pointed) {
+        const MenuSpot spot = menu_spot_at(layout, input.pointer_x_px, input.pointer_y_px);
+        if (spot.place == MenuPlace::card) {
+            choice.selected = static_cast<int>(spot.index);
+        }
+    }
+    if (input.clicked) {
+        const MenuSpot spot = menu_spot_at(layout, input.click_x_px, input.click_y_px);
+        if (spot.place == MenuPlace::card) {
+            choice.selected = static_cast<int>(spot.index);
+            answer.start = true;
+            return answer;
+        }
+        scroll(spot.place == MenuPlace::later     ? 1
+               : spot.place == MenuPlace::earlier ? -1
+                                                  : 0,
+               layout, last, choice);
+    }
+    scroll(input.scroll, layout, last, choice);
+
+    // The keys: a step down ends on the last card when the row below is shorter, and stays in the last row.
+    const int last_row = last / layout.columns;
+    const int row = choice.selected / layout.columns;
+    const int rows = std::clamp(row + input.down, 0, last_row) - row;
+    choice.selected =
+        std::clamp(std::min(choice.selected + rows * layout.columns, last) + input.across, 0, last);
+    answer.start = input.start;
+    return answer;
+}
 
 std::vector<LessonCard> read_lesson_cards(const Places& places) {
     std::vector<LessonCard> cards;
@@ -71,7 +121,7 @@ std::vector<LessonCard> read_lesson_cards(const Places& places) {
     return cards;
 }
 
-View menu_view(const std::vector<LessonCard>& cards, int selected,
+View menu_view(const std::vector<LessonCard>& cards, const MenuChoice& choice,
                const dialogue::Catalogue& catalogue) {
     View view;
     view.tool_visible = false;
@@ -89,7 +139,9 @@ View menu_view(const std::vector<LessonCard>& cards, int selected,
                 : card.error;
         view.menu.push_back(std::move(item));
     }
+    const int selected = choice.selected;
     view.menu_selected = selected;
+    view.menu_first_row = choice.first_row;
     if (selected >= 0 && static_cast<std::size_t>(selected) < cards.size() &&
         !cards[static_cast<std::size_t>(selected)].error.empty()) {
         view.banner = cards[static_cast<std::size_t>(selected)].error;
@@ -100,24 +152,43 @@ View menu_view(const std::vector<LessonCard>& cards, int selected,
 
 std::optional<LessonCard> choose_lesson(Desktop& desktop, const std::vector<LessonCard>& cards,
                                         const dialogue::Catalogue& catalogue) {
-    int selected = 0;
-    const int last = std::max(static_cast<int>(cards.size()) - 1, 0);
+    MenuChoice choice;
+    double wheel = 0.0;
+    double now_s = monotonic_now_s();
+    bool stale = true;
     while (true) {
-        const MenuKeys keys = read_keys(desktop);
-        if (keys.leave) {
+        const View view = menu_view(cards, choice, catalogue);
+        if (stale) {
+            desktop.draw(view);
+            desktop.window->swap();
+        }
+        const WindowEvents& events = desktop.window->wait(kLongestWait_s);
+        const MenuInput input = read_menu_input(events, wheel);
+        if (input.leave || interrupted()) {
             return std::nullopt;
         }
-        const int before = std::exchange(selected, std::clamp(selected + keys.move, 0, last));
-        if (selected != before) {
+        for (const KeyPress& press : events.pressed) {
+            if (press.key == "f11") {
+                desktop.window->set_fullscreen(!desktop.window->fullscreen());
+            }
+        }
+        const MenuAnswer answer =
+            answer_menu(input, desktop.menu_layout(view), static_cast<int>(cards.size()), choice);
+        if (answer.start) {
+            desktop.play({"click"});
+            return cards[static_cast<std::size_t>(answer.choice.selected)];
+        }
+        // Nothing moves by itself, so that only a change needs a new picture.
+        const bool moved = answer.choice.selected != choice.selected;
+        if (moved && (input.across != 0 || input.down != 0)) {
             desktop.play({"click"});
         }
-        if (keys.chosen && !cards.empty()) {
-            return cards[static_cast<std::size_t>(selected)];
-        }
-        desktop.draw(menu_view(cards, selected, catalogue));
-        desktop.window->swap();
+        stale = moved || answer.choice.first_row != choice.first_row || events.resized ||
+                events.uncovered;
+        choice = answer.choice;
+        const double before_s = std::exchange(now_s, monotonic_now_s());
         if (desktop.sound) {
-            desktop.sound->update(1.0 / 60.0);
+            desktop.sound->update(now_s - before_s);
         }
     }
 }

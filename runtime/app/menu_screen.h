@@ -1,4 +1,7 @@
-// The list of lessons in a window: arrow keys or mouse, return or click.
+// The list of lessons in a window: arrow keys and return, or the mouse.
+//
+//   The card under the mouse is the chosen one; a click on it starts it, a click beside the cards does nothing. The wheel,
+//   and the signs above and below the cards, bring other rows into sight.
 #pragma once
 
 #include "dialogue/catalogue.h"
@@ -23,6 +26,40 @@ struct LessonCard {
     std::string error;  ///< why it cannot be loaded; empty when it can
 };
 
+/// Which card is chosen, and which row of cards is seen first.
+struct MenuChoice {
+    int selected = 0;
+    int first_row = 0;
+};
+
+/// What was asked of the list since the last frame; places in pixels from the picture's upper left corner.
+struct MenuInput {
+    int across = 0;      ///< cards onwards, by keys
+    int down = 0;        ///< rows onwards, by keys
+    int scroll = 0;      ///< rows onwards, by the wheel
+    bool start = false;  ///< by a key
+    bool pointed = false;
+    double pointer_x_px = 0.0;
+    double pointer_y_px = 0.0;
+    bool clicked = false;
+    double click_x_px = 0.0;
+    double click_y_px = 0.0;
+    bool leave = false;
+};
+
+/// What follows from it.
+struct MenuAnswer {
+    MenuChoice choice;
+    bool start = false;  ///< the lesson of the chosen card
+};
+
+/// What the window's events ask of the list. `wheel` keeps what is left of a turn of the wheel until it makes a row.
+[[nodiscard]] MenuInput read_menu_input(const WindowEvents& events, double& wheel);
+
+/// Changes the choice as asked. `layout` is what was seen when it was asked, of `n_cards` cards.
+[[nodiscard]] MenuAnswer answer_menu(const MenuInput& input, const MenuLayout& layout, int n_cards,
+                                     const MenuChoice& before);
+
 /// Loads every lesson once to see how it calls itself.
 [[nodiscard]] std::vector<LessonCard> read_lesson_cards(const Places& places);
 
@@ -32,7 +69,7 @@ struct LessonCard {
                                                       const dialogue::Catalogue& catalogue);
 
 /// The list as a picture; for tests and screenshots.
-[[nodiscard]] View menu_view(const std::vector<LessonCard>& cards, int selected,
+[[nodiscard]] View menu_view(const std::vector<LessonCard>& cards, const MenuChoice& choice,
                              const dialogue::Catalogue& catalogue);
 
 }  // namespace fulcrum::runtime

@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# menu.sh PROGRAM ROOT: points at the list of lessons in a real window, on a screen of its own. A click between the cards
+# does nothing; a click on a card plays its lesson, and no other; escape goes back to the list and then leaves.
+set -euo pipefail
+program=$1
+root=$2
+command -v Xvfb >/dev/null || { echo "no Xvfb: skipped"; exit 77; }
+command -v xdotool >/dev/null || { echo "no xdotool: skipped"; exit 77; }
+
+folder=$(mktemp -d)
+export HOME=$folder
+unset XDG_DATA_HOME WAYLAND_DISPLAY
+mkfifo "$folder/display"
+Xvfb -noreset -displayfd 3 -screen 0 1280x720x24 3>"$folder/display" 2>/dev/null &
+server=$!
+menu=
+finish() {
+    [[ -z $menu ]] || kill "$menu" 2>/dev/null || true
+    kill "$server" 2>/dev/null || true
+    wait 2>/dev/null || true
+    rm -rf -- "$folder"
+}
+trap finish EXIT
+DISPLAY=:$(head -n 1 "$folder/display")
+export DISPLAY
+
+# until_true SECONDS COMMAND…: waits until the command succeeds.
+until_true() {
+    local deadline=$((SECONDS + $1))
+    until "${@:2}" >/dev/null; do
+        if ((SECONDS > deadline)); then
+            echo "never true: ${*:2}"
+            cat "$folder/said"
+            exit 1
+        fi
+        sleep 0.1
+    done
+}
+said() { grep -qF -- "$1" "$folder/said"; }
+ended() { ! kill -0 "$menu" 2>/dev/null; }
+# Cards are 275 wide and 28 apart, the first at 48, in a window of 1280 x 720 with four lessons.
+click_at() { xdotool mousemove "$1" "$2" sleep 0.2 click 1; }
+
+# The first escape stops the arm, the second leaves.
+leave_lesson() { xdotool key Escape Escape; }
+leaves() { xdotool key Escape && sleep 0.3 && ended; }
+# Leaving a lesson takes a moment, in which a click means nothing: the hand clicks again.
+plays() { "${@:2}" && said "playing $1"; }
+
+# A place of its own, with four lessons that say who they are.
+mkdir -p "$folder/assets" "$folder/scripts"
+cp "$program" "$folder/fulcrum"
+cp -r "$root/assets/words" "$folder/assets/words"
+cp -r "$root/scripts/lib" "$folder/scripts/lib"
+for name in one three two zero; do
+    mkdir -p "$folder/scenarios/$name"
+    printf '%s\n' "local L = lesson { id = \"$name\", title = \"$name\", level = \"A1\", minutes = 1 }" \
+        "function L:start(world) print(\"playing $name\") end" 'return L' >"$folder/scenarios/$name/lesson.lua"
+done
+
+stdbuf -oL "$folder/fulcrum" >"$folder/said" 2>&1 &
+menu=$!
+until_true 30 xdotool search --name '^Fulcrum$'
+sleep 1
+
+click_at 337 360 # between the first card and the second
+click_at 640 20  # the headline
+sleep 1
+! said playing || { echo "a click beside the cards started a lesson"; exit 1; }
+
+until_true 20 plays two click_at 791 360 # the third card
+leave_lesson
+until_true 20 plays one click_at 186 360 # the first card
+leave_lesson
+sleep 1
+until_true 20 plays three xdotool key Right Return # the second card
+! said "playing zero" || { echo "another lesson was started"; exit 1; }
+
+leave_lesson
+until_true 20 leaves
+wait "$menu" || { echo "exit code $?"; cat "$folder/said"; exit 1; }
+menu=
