@@ -48,9 +48,12 @@ bool remove_active_part(Matrix3& damping) noexcept {
 Wrench compute_linearised_wrench(const LinearisedWrench& model, const Vector3& position_W,
                                  const Vector3& velocity_W) noexcept {
     const Vector3 away_m = position_W - model.at_position_W;
-    return {model.force_W + model.stiffness_N_per_m * away_m +
-                model.damping_Ns_per_m * (velocity_W - model.at_velocity_W),
-            model.torque_W + model.torque_stiffness_Nm_per_m * away_m};
+    const Vector3 faster_m_per_s = velocity_W - model.at_velocity_W;
+    Wrench wrench_W{model.force_W, model.torque_W};
+    wrench_W.force.noalias() += model.stiffness_N_per_m * away_m;
+    wrench_W.force.noalias() += model.damping_Ns_per_m * faster_m_per_s;
+    wrench_W.torque.noalias() += model.torque_stiffness_Nm_per_m * away_m;
+    return wrench_W;
 }
 
 LinearisationNote bound_gains(LinearisedWrench& model) noexcept {

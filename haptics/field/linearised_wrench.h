@@ -20,7 +20,7 @@
 // may gain |S| times what it encloses. Like K, which may push away from a point, it is what the lesson
 // asked for, not bounded to be passive but in size.
 //
-// Thread: haptic loop. Cost: about 20 ns; about 0.3 us when a new answer comes (a 3 x 3 eigenproblem).
+// Thread: haptic loop. Cost: about 30 ns; about 0.3 us when a new answer comes (a 3 x 3 eigenproblem).
 // Source: J. E. Colgate, G. Schenkel 1997, Passivity of a class of sampled-data systems: application to
 // haptic interfaces, J. Robotic Systems 14(1), for why active damping is taken out; the rest is ours.
 #pragma once
