@@ -12,8 +12,10 @@
 #include <sched.h>
 #include <sstream>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <system_error>
 #include <time.h>
+#include <unistd.h>
 
 namespace fulcrum {
 namespace {
@@ -33,6 +35,17 @@ void wait_until(double deadline_s, double spin_s) noexcept {
         __builtin_ia32_pause();
 #endif
     }
+}
+
+// 0, or why not. Under a limit nothing is locked: what the program asks for later could no longer be had
+// (mlockall(2), MCL_FUTURE).
+int lock_memory() noexcept {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
+        geteuid() != 0) {
+        return EPERM;
+    }
+    return mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0 ? 0 : errno;
 }
 
 std::string describe_privilege(const char* granted, const char* refused, int error) {
@@ -109,8 +122,7 @@ void RealtimeThread::ask_for_privileges() noexcept {
                           std::memory_order_release);
     }
     if (settings_.lock_memory) {
-        memory_errno_.store(mlockall(MCL_CURRENT | MCL_FUTURE) == 0 ? 0 : errno,
-                            std::memory_order_release);
+        memory_errno_.store(lock_memory(), std::memory_order_release);
     }
 }
 

@@ -31,7 +31,7 @@ struct RealtimeSettings {
     double rate_Hz = 1000.0;   ///< 1 to 10000
     double spin_s = 100.0e-6;  ///< 0 to kLongestSpin_s, and at most a third of the period
     int fifo_priority = 80;    ///< 1 to 99 asks for SCHED_FIFO; 0 does not
-    bool lock_memory = false;  ///< asks for mlockall: no page of this program is swapped out
+    bool lock_memory = false;  ///< asks that no page that this program has touched is swapped out
     double epoch_s = 0.0;      ///< monotonic_now_s() at the run's zero: tasks see time since then
 };
 
@@ -65,9 +65,9 @@ class RealtimeThread {
     void stop() noexcept;
 
     [[nodiscard]] RealtimeStatus status() const;
-    /// How late rounds began.
+    /// How late rounds began, over all starts.
     [[nodiscard]] const LatencyHistogram& lateness() const noexcept { return lateness_; }
-    /// How long the task's rounds took.
+    /// How long the task's rounds took, over all starts.
     [[nodiscard]] const LatencyHistogram& duration() const noexcept { return duration_; }
 
   private:

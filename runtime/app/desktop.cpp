@@ -1,10 +1,24 @@
 #include "runtime/app/desktop.h"
 
+#include "haptics/base/clock.h"
+
+#include <algorithm>
+
+#include <chrono>
 #include <cstdio>
+#include <thread>
 
 namespace fulcrum::runtime {
 
-Expected<Desktop> Desktop::open(const Places& places, bool mute) {
+namespace {
+
+// A window that is hidden or minimised is not held back by the screen; it must not take a processor for itself.
+constexpr double kShortestFrame_s = 1.0 / 120.0;
+constexpr double kLongestFrame_s = 0.1;  // as sound is told
+
+}  // namespace
+
+Expected<Desktop> Desktop::open(const Places& places, bool with_sound) {
     Desktop desktop;
     auto window = Window::create("Fulcrum", 1280, 720);
     if (!window) {
@@ -16,7 +30,7 @@ Expected<Desktop> Desktop::open(const Places& places, bool mute) {
         return tl::unexpected(picture.error());
     }
     desktop.picture = std::move(*picture);
-    if (mute) {
+    if (!with_sound) {
         return desktop;
     }
     auto sound = open_sound_player({});
@@ -38,12 +52,24 @@ MenuLayout Desktop::menu_layout(const View& view) const {
     return picture->menu_layout(view, window->width_px(), window->height_px());
 }
 
+void Desktop::finish_frame() {
+    window->swap();
+    const double left_s = shown_s_ + kShortestFrame_s - monotonic_now_s();
+    if (left_s > 0.0) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(left_s));
+    }
+    const double now_s = monotonic_now_s();
+    if (sound) {
+        sound->update(std::min(now_s - shown_s_, kLongestFrame_s));
+    }
+    shown_s_ = now_s;
+}
+
 void Desktop::play(const std::vector<std::string>& names) {
     if (!sound) {
         return;
     }
     for (const std::string& name : names) {
-        // A body without a sound of its own makes the common one.
         if (!sound->play(name) && name.rfind("catch_", 0) == 0) {
             (void)sound->play("pop");
         }

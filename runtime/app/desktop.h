@@ -15,15 +15,18 @@ struct Desktop {
     std::unique_ptr<Window> window;
     std::unique_ptr<Picture> picture;    ///< needs the window's context
     std::unique_ptr<SoundPlayer> sound;  ///< null when the plan has no sound: nothing is opened
+    double shown_s_ = 0.0;               // when the last frame was, monotonic clock
 
-    /// Opens the window, and the sound card unless muted. A missing sound card is a sentence on the terminal.
-    [[nodiscard]] static Expected<Desktop> open(const Places& places, bool mute);
+    /// Opens the window, and the sound card when it is wanted. A missing sound card is a sentence on the terminal.
+    [[nodiscard]] static Expected<Desktop> open(const Places& places, bool with_sound);
 
-    /// Draws a view; it is seen after `window->swap()`, which waits for the screen.
+    /// Draws a view; it is seen after `finish_frame`.
     void draw(const View& view);
     /// Where `draw` puts the cards of a view's list of lessons.
     [[nodiscard]] MenuLayout menu_layout(const View& view) const;
-    /// Plays what a frame asked for; an unknown name is a sentence on the terminal, once.
+    /// Shows what was drawn, waits for the screen, and lets the sound go on by the time that has passed.
+    void finish_frame();
+    /// Plays what a frame asked for; a body without a sound of its own makes the common one.
     void play(const std::vector<std::string>& names);
 };
 

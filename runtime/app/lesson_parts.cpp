@@ -2,9 +2,14 @@
 
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/geometry/shape.h"
-#include "runtime/app/lesson_run.h"
 #include "runtime/scene/gltf/collision_from_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
+
+#include <algorithm>
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
 
 namespace fulcrum::runtime {
 namespace fs = std::filesystem;
@@ -33,7 +38,8 @@ Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
     auto process = LessonProcess::start(files);
     const bool wants_own_hand = process && request.own_test && request.hand == HandKind::scripted &&
                                 request.hand_file.empty() &&
-                                !(*process)->description().tests.empty();
+                                !(*process)->description().tests.empty() &&
+                                !(*process)->description().tests.front().hand.empty();
     if (!wants_own_hand) {
         return process;
     }
@@ -64,6 +70,19 @@ SolidLoader make_solid_loader(const Places& places, const fs::path& lesson_folde
         }
         return to_collision(collision_from_model(*model));
     };
+}
+
+std::string version_of(const std::vector<fs::path>& files) {
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    for (const fs::path& path : files) {
+        std::ifstream file(path, std::ios::binary);
+        std::for_each(std::istreambuf_iterator<char>(file), {}, [&](char c) {
+            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+        });
+    }
+    std::ostringstream text;
+    text << std::hex << hash;
+    return text.str();
 }
 
 }  // namespace fulcrum::runtime

@@ -3,15 +3,15 @@
 
 #include "haptics/base/error.h"
 #include "runtime/app/places.h"
+#include "runtime/app/run_request.h"
 #include "runtime/lua/lesson_process.h"
-#include "runtime/scene/plan.h"
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace fulcrum::runtime {
-
-struct RunRequest;
 
 /// Starts the lesson; with `own_test` and no hand file, the hand of its first L:test is loaded beside it.
 [[nodiscard]] Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
@@ -20,5 +20,8 @@ struct RunRequest;
 /// The touchable mesh of a body: "sphere" and "box" by rule, anything else from its model.
 [[nodiscard]] SolidLoader make_solid_loader(const Places& places,
                                             const std::filesystem::path& lesson_folder);
+
+/// Changes when the lesson's files change: FNV-1a, 64 bits (Fowler, Noll, Vo), over their bytes, as hexadecimal digits.
+[[nodiscard]] std::string version_of(const std::vector<std::filesystem::path>& files);
 
 }  // namespace fulcrum::runtime

@@ -1,43 +1,17 @@
 #include "runtime/app/lesson_run.h"
 
-#include "haptics/loop/workspace.h"
-#include "haptics/record/record.h"
 #include "runtime/app/lesson_parts.h"
 #include "runtime/lesson/compose_view.h"
 
 #include <algorithm>
 
 #include <cstdio>
-#include <fstream>
-#include <sstream>
 
 namespace fulcrum::runtime {
 namespace {
 
 constexpr const char* kGuest = "guest";
 constexpr std::size_t kMostPrints = 8;  // lines a frame: a terminal must not hold the lesson up
-// With a mouse, weight is seen: 5 N hang 2 cm lower in the device's frame and follow half as fast.
-constexpr double kMouseSag_m_per_N = 0.004;
-constexpr double kMouseSlow_per_N = 0.2;
-
-// Changes when the lesson's files change: FNV-1a, 64 bits (Fowler, Noll, Vo), over their bytes.
-std::string version_of(const std::vector<std::filesystem::path>& files) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const auto& path : files) {
-        std::ifstream file(path, std::ios::binary);
-        for (char c = 0; file.get(c);) {
-            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-        }
-    }
-    std::ostringstream text;
-    text << std::hex << hash;
-    return text.str();
-}
-
-RecordEventKind record_kind(WorldEvent::Kind kind) {
-    return kind == WorldEvent::Kind::caught ? RecordEventKind::caught : RecordEventKind::landed;
-}
-
 }  // namespace
 
 LessonRun::~LessonRun() = default;
@@ -47,44 +21,50 @@ Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
                                                        ProgressStore& store,
                                                        const dialogue::Catalogue& catalogue) {
     std::unique_ptr<LessonRun> run(new LessonRun);
-    if (auto built = run->build(places, request, store, catalogue); !built) {
+    const auto built = run->load(places, request)
+                           .and_then([&] { return run->build_loops(request); })
+                           .and_then([&] { return run->build_session(request, store, catalogue); });
+    if (!built) {
         return tl::unexpected(built.error());
     }
     return run;
 }
 
-Expected<void> LessonRun::build(const Places& places, const RunRequest& request,
-                                ProgressStore& store, const dialogue::Catalogue& catalogue) {
-    // The lesson says what it needs …
+// The lesson says what it needs, and the plan holds exactly that.
+Expected<void> LessonRun::load(const Places& places, const RunRequest& request) {
     auto process = start_lesson(places, request);
     if (!process) {
         return tl::unexpected(process.error());
     }
     process_ = std::move(*process);
-    LessonDescription description = process_->description();
-
-    // … the plan holds exactly that …
-    auto plan = compile_plan(description, request.plan, make_solid_loader(places, request.folder));
+    auto plan = compile_plan(process_->description(), request.plan,
+                             make_solid_loader(places, request.folder));
     if (!plan) {
         return tl::unexpected(plan.error());
     }
     plan_ = std::move(*plan);
-    if (auto valid = validate(plan_.haptic); !valid) {
-        return valid;
-    }
-    if (auto device = open_device(request); !device) {
-        return device;
-    }
+    return validate(plan_.haptic).and_then([&] {
+        return plan_.world ? validate(*plan_.world) : Expected<void>{};
+    });
+}
 
-    // … and only what is in it is built.
-    if (auto recorder = open_record(request.record_file, description.id); !recorder) {
-        return recorder;
+// Only what is in the plan is built.
+Expected<void> LessonRun::build_loops(const RunRequest& request) {
+    auto hand = HandDevice::open(request, plan_.haptic);
+    if (!hand) {
+        return tl::unexpected(hand.error());
     }
-    haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, *device_, channels_);
-    if (plan_.world) {
-        if (auto valid = validate(*plan_.world); !valid) {
-            return valid;
+    hand_ = std::move(*hand);
+    if (plan_.record) {
+        auto recorder = RunRecorder::create(
+            request.record_file, {plan_.haptic.rate_hz, process_->description().id}, channels_);
+        if (!recorder) {
+            return tl::unexpected(recorder.error());
         }
+        recorder_ = std::move(*recorder);
+    }
+    haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, hand_->device(), channels_);
+    if (plan_.world) {
         std::vector<std::int32_t> solid_bodies;
         for (const SolidPlan& solid : plan_.haptic.solids) {
             solid_bodies.push_back(solid.body);
@@ -94,8 +74,13 @@ Expected<void> LessonRun::build(const Places& places, const RunRequest& request,
                                                   *world_channels_, channels_);
     }
     fill_in_memory(plan_, *haptic_loop_);
+    return {};
+}
 
-    // Who plays, and who answers.
+// Who plays, and who answers.
+Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore& store,
+                                        const dialogue::Catalogue& catalogue) {
+    LessonDescription description = process_->description();
     const auto learner = store.enrol(request.learner.empty() ? kGuest : request.learner);
     if (!learner) {
         return tl::unexpected(learner.error());
@@ -115,51 +100,6 @@ Expected<void> LessonRun::build(const Places& places, const RunRequest& request,
     return {};
 }
 
-Expected<void> LessonRun::open_record(const std::string& file, const std::string& lesson) {
-    if (!plan_.record) {
-        return {};
-    }
-    record_ring_ = std::make_unique<RecordRing>();
-    channels_.record = record_ring_.get();
-    auto writer = RecordWriter::create(file, {plan_.haptic.rate_hz, lesson});
-    if (!writer) {
-        return tl::unexpected(writer.error());
-    }
-    record_.emplace(std::move(*writer));
-    return {};
-}
-
-Expected<void> LessonRun::open_device(const RunRequest& request) {
-    switch (request.hand) {
-        case HandKind::scripted: {
-            SimulatedHandSettings settings;
-            device_ = std::make_unique<SimulatedHand>(settings, hand_target_);
-            hand_target_.publish(last_hand_target_);
-            return {};
-        }
-        case HandKind::mouse: {
-            PointerSettings settings;
-            settings.sag_m_per_N = kMouseSag_m_per_N;
-            settings.slow_per_N = kMouseSlow_per_N;
-            settings.half_extent_D =
-                Vector3::Constant(1.0 / std::max(plan_.haptic.workspace.scale, 0.1));
-            device_ = std::make_unique<PointerDevice>(settings, pointer_target_);
-            pointer_W_ = plan_.haptic.workspace.pose_WD;
-            pointer_target_.publish({});
-            return {};
-        }
-        case HandKind::replay: {
-            const auto record = load_record(request.hand_file.string());
-            if (!record) {
-                return tl::unexpected(record.error());
-            }
-            device_ = std::make_unique<ReplayDevice>(*record);
-            return {};
-        }
-    }
-    return {};
-}
-
 void LessonRun::place_visible_bodies() {
     if (!world_channels_) {
         return;
@@ -171,7 +111,7 @@ void LessonRun::place_visible_bodies() {
             place.kind = WorldCommand::Kind::place;
             place.body = static_cast<std::int32_t>(i);
             place.position_W = bodies[i].position_W;
-            world_channels_->commands.push(place);
+            (void)world_channels_->commands.push(place);  // as many as bodies: they fit
         }
     }
 }
@@ -196,7 +136,9 @@ SessionInput LessonRun::gather(const FrameInput& input) {
     if (pupil_ && hud.question_open && !hud.invited && !gathered.heard) {
         gathered.heard = pupil_->answer(hud.question_asked_at_s, input.time_s);
     }
-    record_events(gathered);
+    if (recorder_) {
+        recorder_->keep_frame(gathered);
+    }
     return gathered;
 }
 
@@ -204,25 +146,6 @@ SessionInput LessonRun::gather(const FrameInput& input) {
 const WorldSnapshot* LessonRun::newest_world() const {
     const bool is_there = world_channels_ && world_channels_->snapshot.value().n_bodies > 0;
     return is_there ? &world_channels_->snapshot.value() : nullptr;
-}
-
-void LessonRun::record_events(const SessionInput& input) {
-    if (!record_) {
-        return;
-    }
-    const auto keep = [this](const Expected<void>& written) {
-        if (!written && trouble_.empty()) {
-            trouble_ = to_sentence(written.error());
-        }
-    };
-    keep(record_->drain(*record_ring_));
-    for (const WorldEvent& event : input.world_events) {
-        keep(record_->append(RecordEvent{event.time_s, record_kind(event.kind), event.body, {}}));
-    }
-    if (input.heard) {
-        keep(record_->append(
-            RecordEvent{input.time_s, RecordEventKind::answered, kNoBody, *input.heard}));
-    }
 }
 
 Expected<FrameReport> LessonRun::exchange_frame(const FrameInput& input) {
@@ -254,16 +177,11 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
         return tl::unexpected(output.error());
     }
     channels_.command.publish(output->force);
-    for (const WorldCommand& command : output->world) {
-        if (world_channels_) {
-            world_channels_->commands.push(command);
-        }
+    if (auto commanded = command_world(output->world); !commanded) {
+        return tl::unexpected(commanded.error());
     }
     if (output->has_hand_target) {
-        last_hand_target_.pose_D =
-            compute_device_pose(plan_.haptic.workspace, output->hand_target_W);
-        last_hand_target_.buttons = output->hand_buttons;
-        hand_target_.publish(last_hand_target_);
+        hand_->follow(output->hand_target_W, output->hand_buttons);
     }
     if (output->printed.size() > kMostPrints) {
         output->printed.resize(kMostPrints);
@@ -272,32 +190,54 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
     return FrameReport{std::move(output->sounds), std::move(output->printed)};
 }
 
+// A command that got lost would leave the lesson waiting for ever for what it asked.
+Expected<void> LessonRun::command_world(const std::vector<WorldCommand>& commands) {
+    for (const WorldCommand& command : commands) {
+        if (world_channels_ && !world_channels_->commands.push(command)) {
+            return fail("the lesson moves more bodies at once than the world can take in", {},
+                        "drop, place and hide fewer bodies in one frame");
+        }
+    }
+    return {};
+}
+
 void LessonRun::point_at(const Vector3& position_W, std::uint32_t buttons) {
-    pointer_W_ = Pose::at(position_W);
-    pointer_target_.publish(
-        {compute_device_pose(plan_.haptic.workspace, pointer_W_).position, buttons});
+    hand_->point_at(position_W, buttons);
 }
 
 void LessonRun::fail_softly(const std::string& sentence) {
     channels_.lesson_failed.store(true, std::memory_order_release);
     session_->end(EndReason::failed);
-    if (record_) {
-        (void)record_->append(
-            RecordEvent{last_frame_s_, RecordEventKind::failed, kNoBody, sentence});
+    if (recorder_) {
+        recorder_->keep_failure(last_frame_s_, sentence);
     }
 }
 
+bool LessonRun::device_is_lost() const {
+    return any(channels_.state_for_lesson.value().faults &
+               (Fault::device_read | Fault::device_stale | Fault::device_write));
+}
+
+std::vector<std::string> LessonRun::losses() const {
+    std::vector<std::string> sentences;
+    const auto tell = [&](std::uint64_t n, const char* what) {
+        if (n > 0) {
+            sentences.push_back(std::to_string(n) + " " + what);
+        }
+    };
+    tell(recorder_ ? recorder_->dropped() : 0,
+         "rounds are missing in the record: the disk was too slow.");
+    if (world_channels_) {
+        tell(world_channels_->events.dropped(),
+             "catches or landings were not told to the lesson: it answered too slowly.");
+        tell(world_loop_->world().ignored_commands(),
+             "commands to bodies were ignored: no such body, or no finite place.");
+    }
+    return sentences;
+}
+
 Expected<void> LessonRun::finish_record() {
-    if (!record_) {
-        return {};
-    }
-    if (auto drained = record_->drain(*record_ring_); !drained) {
-        return drained;
-    }
-    if (!trouble_.empty()) {
-        return fail(trouble_);
-    }
-    return record_->finish();
+    return recorder_ ? recorder_->finish() : Expected<void>{};
 }
 
 View LessonRun::view(const dialogue::Catalogue& catalogue) const {
@@ -305,9 +245,9 @@ View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     scenery.time_s = last_frame_s_;
     scenery.hand = channels_.state_for_lesson.value();
     scenery.world = newest_world();
-    scenery.renders_force = device_->traits().renders_force;
+    scenery.renders_force = device().traits().renders_force;
     scenery.ghost = !scenery.renders_force;
-    scenery.ghost_pose_W = scenery.ghost ? pointer_W_ : scenery.hand.tool_pose_W;
+    scenery.ghost_pose_W = scenery.ghost ? hand_->pointer_W() : scenery.hand.tool_pose_W;
     return compose_view(session_->description(), plan_, session_->hud(), scenery, catalogue);
 }
 
@@ -317,6 +257,12 @@ void print_lines(const std::vector<std::string>& lines) {
     }
     if (!lines.empty()) {
         (void)std::fflush(stdout);
+    }
+}
+
+void say_losses(const LessonRun& run) {
+    for (const std::string& sentence : run.losses()) {
+        std::fprintf(stderr, "%s\n", sentence.c_str());
     }
 }
 

@@ -1,26 +1,24 @@
 // One play of one lesson with everything it needs, built from its plan and nothing more:
 //
-//   lesson's process -> description -> plan -> device, haptic loop, world loop, session, recorder
+//   lesson's process -> description -> plan -> hand, haptic loop, world loop, recorder -> session
 //
-// It owns no thread and no clock: a driver (headless.h, live.h) calls the loops. `frame` halves belong to the lesson
+// It owns no thread and no clock: a driver (headless.h, live_loops.h) calls the loops. `frame` halves belong to the lesson
 // loop, `haptic_loop` and `world_loop` to their threads or to the same virtual clock.
 #pragma once
 
 #include "dialogue/catalogue.h"
 #include "haptics/base/error.h"
-#include "haptics/device/mouse/pointer_device.h"
-#include "haptics/device/replay/replay_device.h"
-#include "haptics/device/simulated/simulated_hand.h"
 #include "haptics/dynamics/world_loop.h"
 #include "haptics/handover/channels.h"
 #include "haptics/loop/haptic_loop.h"
-#include "haptics/record/record_writer.h"
+#include "runtime/app/hand_device.h"
 #include "runtime/app/places.h"
+#include "runtime/app/run_recorder.h"
+#include "runtime/app/run_request.h"
 #include "runtime/lesson/session.h"
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/lua/lesson_process.h"
 #include "runtime/progress/store.h"
-#include "runtime/scene/plan.h"
 #include "runtime/scene/view.h"
 
 #include <filesystem>
@@ -30,21 +28,6 @@
 #include <vector>
 
 namespace fulcrum::runtime {
-
-enum class HandKind : std::uint8_t { scripted, mouse, replay };
-
-/// What is to be played, how and by whom.
-struct RunRequest {
-    std::filesystem::path folder;  ///< of the lesson
-    PlanOptions plan{};
-    HandKind hand = HandKind::scripted;
-    std::filesystem::path
-        hand_file;  ///< scripted: a Lua file, empty for the lesson's own test; replay: a record
-    std::vector<std::string> say;  ///< answers of a simulated pupil; empty: somebody types
-    bool own_test = false;         ///< use the hand and the answers of the lesson's first L:test
-    std::string record_file;       ///< empty: nothing is recorded
-    std::string learner;           ///< nickname; empty: "guest"
-};
 
 /// What came in since the last frame besides the hand.
 struct FrameInput {
@@ -73,12 +56,11 @@ class LessonRun {
     [[nodiscard]] const LessonDescription& description() const { return session_->description(); }
     [[nodiscard]] LessonSession& session() { return *session_; }
     [[nodiscard]] HapticLoop& haptic_loop() { return *haptic_loop_; }
-    [[nodiscard]] WorldLoop* world_loop() {
-        return world_loop_.get();
-    }  ///< null when the plan has none
+    /// Null when the plan has none.
+    [[nodiscard]] WorldLoop* world_loop() { return world_loop_.get(); }
     [[nodiscard]] HapticChannels& channels() { return channels_; }
     [[nodiscard]] const LessonProcess& process() const { return *process_; }
-    [[nodiscard]] const Device& device() const { return *device_; }
+    [[nodiscard]] const Device& device() const { return hand_->device(); }
 
     /// One frame, waiting for the lesson's answer. An error means that the lesson has failed.
     [[nodiscard]] Expected<FrameReport> exchange_frame(const FrameInput& input);
@@ -90,6 +72,10 @@ class LessonRun {
     void point_at(const Vector3& position_W, std::uint32_t buttons);
     /// Makes the force fade at once and stay away: the lesson has failed with this sentence.
     void fail_softly(const std::string& sentence);
+    /// True while the device gives no poses or takes no forces.
+    [[nodiscard]] bool device_is_lost() const;
+    /// What got lost between the loops, a sentence each; none in a good run. Call it when the loops stand still.
+    [[nodiscard]] std::vector<std::string> losses() const;
     /// Closes the record.
     [[nodiscard]] Expected<void> finish_record();
     /// The picture as things stand.
@@ -97,40 +83,36 @@ class LessonRun {
 
   private:
     LessonRun() = default;
-    Expected<void> build(const Places& places, const RunRequest& request, ProgressStore& store,
-                         const dialogue::Catalogue& catalogue);
-    Expected<void> open_record(const std::string& file, const std::string& lesson);
-    Expected<void> open_device(const RunRequest& request);
+    // In this order.
+    [[nodiscard]] Expected<void> load(const Places& places, const RunRequest& request);
+    [[nodiscard]] Expected<void> build_loops(const RunRequest& request);
+    [[nodiscard]] Expected<void> build_session(const RunRequest& request, ProgressStore& store,
+                                               const dialogue::Catalogue& catalogue);
+
     void place_visible_bodies();
-    SessionInput gather(const FrameInput& input);
-    Expected<FrameReport> conclude(const LessonReply& reply);
+    [[nodiscard]] SessionInput gather(const FrameInput& input);
+    [[nodiscard]] Expected<FrameReport> conclude(const LessonReply& reply);
+    [[nodiscard]] Expected<void> command_world(const std::vector<WorldCommand>& commands);
     [[nodiscard]] const WorldSnapshot* newest_world() const;
-    void record_events(const SessionInput& input);
 
     std::unique_ptr<LessonProcess> process_;
     Plan plan_{};
     HapticChannels channels_{};
     std::unique_ptr<WorldChannels> world_channels_;
-    std::unique_ptr<RecordRing> record_ring_;
-
-    // Exactly one device; its target, when somebody moves it.
-    LatestValue<HandTarget> hand_target_{};
-    LatestValue<PointerTarget> pointer_target_{};
-    HandTarget last_hand_target_{};
-    Pose pointer_W_{};
-    std::unique_ptr<Device> device_;
-
+    std::unique_ptr<HandDevice> hand_;
     std::unique_ptr<HapticLoop> haptic_loop_;
     std::unique_ptr<WorldLoop> world_loop_;
+    std::unique_ptr<RunRecorder> recorder_;  // null when nothing is recorded
     std::unique_ptr<LessonSession> session_;
     std::optional<SimulatedPupil> pupil_;
-    std::optional<RecordWriter> record_;
     double last_frame_s_ = 0.0;
-    std::string trouble_;
 };
 
 /// What a lesson's print() said, on the terminal, at once.
 void print_lines(const std::vector<std::string>& lines);
+
+/// What got lost in a run, on the terminal.
+void say_losses(const LessonRun& run);
 
 /// Writes into the plan's stages how much memory the loop that was built from it uses for each.
 void fill_in_memory(Plan& plan, const HapticLoop& loop);

@@ -34,13 +34,8 @@ fs::file_time_type newest_of(const std::vector<fs::path>& files) {
 
 // What may have to be mended when a lesson could not even be loaded.
 std::vector<fs::path> lua_files_in(const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-        if (entry.path().extension() == ".lua") {
-            files.push_back(entry.path());
-        }
-    }
+    std::vector<fs::path> files = entries_of(folder);
+    std::erase_if(files, [](const fs::path& file) { return file.extension() != ".lua"; });
     return files;
 }
 
@@ -107,6 +102,7 @@ void LessonScreen::stop() {
         if (auto kept = run_->finish_record(); !kept) {
             std::fprintf(stderr, "%s\n", to_sentence(kept.error()).c_str());
         }
+        say_losses(*run_);
         run_.reset();
     }
 }
@@ -129,13 +125,12 @@ Left LessonScreen::play() {
         last_view_ = compose();
         desktop_.draw(last_view_);
         save_wanted_screenshot();
-        desktop_.window->swap();
         if (desktop_.sound) {
             const bool unfelt = run_ && !run_->device().traits().renders_force;
             desktop_.sound->set_force_sound(
                 unfelt && error_.empty() ? last_view_.force.force_W.norm() : 0.0);
-            desktop_.sound->update(1.0 / 60.0);
         }
+        desktop_.finish_frame();
         if (options_.seconds && run_ && monotonic_now_s() - epoch_s_ >= *options_.seconds) {
             left_ = Left::time_is_up;
         }
@@ -278,6 +273,9 @@ View LessonScreen::compose() const {
         view.force.visible = false;
     } else if (stopped_) {
         view.banner = catalogue_.say("hud.emergency", {{"key", "Enter"}});
+        view.banner_is_error = true;
+    } else if (run_ && run_->device_is_lost()) {
+        view.banner = catalogue_.say("banner.device_lost");
         view.banner_is_error = true;
     } else if (run_ && !run_->session().store_trouble().empty()) {
         view.banner = catalogue_.say("banner.not_saved");

@@ -6,6 +6,7 @@ Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
     RealtimeSettings settings;
     settings.epoch_s = epoch_s;
     settings.rate_Hz = run.plan().haptic.rate_hz;
+    settings.lock_memory = true;
     if (auto started = haptic_.start(run.haptic_loop(), settings); !started) {
         return started;
     }
@@ -13,6 +14,7 @@ Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
         settings.rate_Hz = run.plan().world->rate_hz;
         settings.spin_s = 0.0;  // a late world is felt as a held force; it needs no spinning
         settings.fifo_priority = 0;
+        settings.lock_memory = false;
         return world_.start(*run.world_loop(), settings);
     }
     return {};

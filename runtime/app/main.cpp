@@ -5,11 +5,14 @@
 #include "runtime/lua/lesson_process.h"
 
 #include <cstdio>
+#include <exception>
 #include <string>
 #include <vector>
 
-int main(int argc, char** argv) {
-    using namespace fulcrum::runtime;
+namespace fulcrum::runtime {
+namespace {
+
+int run_program(int argc, char** argv) {
     if (const auto socket = lesson_process_socket(argc, argv)) {
         return lesson_process_main(*socket);
     }
@@ -47,7 +50,31 @@ int main(int argc, char** argv) {
             return test_command(*installation, *options);
         case Command::explain:
             return explain_command(*installation, *options);
-        default:
-            return menu_command(*installation, *options);
+        case Command::menu:
+        case Command::help:
+        case Command::version:
+        case Command::report:
+            break;
     }
+    return menu_command(*installation, *options);
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime
+
+// Whatever was thrown has unwound by now, so that the force has faded. What was said must have arrived.
+int main(int argc, char** argv) {
+    using namespace fulcrum::runtime;
+    int code = 2;
+    try {
+        code = run_program(argc, argv);
+    } catch (const std::exception& error) {
+        return complain({std::string("the program cannot go on: ") + error.what(), {}, {}}, 2);
+    }
+    if (std::fflush(stdout) != 0) {
+        return complain(
+            {"what the program said could not be written", "standard output", "make room there"},
+            2);
+    }
+    return code;
 }

@@ -4,6 +4,8 @@
 #include "runtime/render/image.h"
 #include "runtime/scene/gltf/gltf_model.h"
 
+#include <system_error>
+
 namespace fulcrum::runtime {
 namespace {
 
@@ -39,9 +41,12 @@ std::vector<std::string> Picture::load_models(const std::vector<std::string>& na
     std::vector<std::string> notices;
     for (const std::string& name : names) {
         const std::filesystem::path file = find_model(places_, lesson_folder, name);
-        if (file.empty() || !loaded_.insert(file).second) {
+        std::error_code error;
+        const Loaded wanted{file, std::filesystem::last_write_time(file, error)};
+        if (file.empty() || loaded_[name] == wanted) {
             continue;
         }
+        loaded_[name] = wanted;
         auto model = load_gltf(file);
         if (!model) {
             notices.push_back(to_sentence(model.error()));

@@ -7,8 +7,8 @@
 #include "runtime/scene/view.h"
 
 #include <filesystem>
+#include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -19,7 +19,7 @@ class Picture {
   public:
     [[nodiscard]] static Expected<std::unique_ptr<Picture>> create(const Places& places);
 
-    /// Loads the models that a lesson names and were not loaded yet. A model that cannot be used is drawn as a ball and
+    /// Loads the models that a lesson names, unless the same files are loaded already. A model that cannot be used is drawn as a ball and
     /// gives one sentence here.
     [[nodiscard]] std::vector<std::string> load_models(const LessonDescription& lesson,
                                                        const std::filesystem::path& lesson_folder);
@@ -36,7 +36,13 @@ class Picture {
     explicit Picture(const Places& places) : places_(places) {}
     Places places_;
     std::unique_ptr<Renderer> renderer_;
-    std::set<std::filesystem::path> loaded_;
+    // Which file each model's name stands for, as it was when it was loaded. Lessons may use one name for different models.
+    struct Loaded {
+        std::filesystem::path file;
+        std::filesystem::file_time_type written;
+        friend bool operator==(const Loaded&, const Loaded&) = default;
+    };
+    std::map<std::string, Loaded> loaded_;
 };
 
 /// Draws one view without a display and keeps it as PNG.

@@ -74,13 +74,24 @@ Expected<fs::path> find_lesson(const Places& places, const std::string& name_or_
 std::vector<std::string> list_lesson_names(const Places& places) {
     std::vector<std::string> names;
     std::error_code error;
-    for (const auto& entry : fs::directory_iterator(places.scenarios, error)) {
-        if (fs::is_regular_file(entry.path() / "lesson.lua", error)) {
-            names.push_back(entry.path().filename().string());
+    for (const fs::path& entry : entries_of(places.scenarios)) {
+        if (fs::is_regular_file(entry / "lesson.lua", error)) {
+            names.push_back(entry.filename().string());
         }
     }
-    std::sort(names.begin(), names.end());
     return names;
+}
+
+std::vector<fs::path> entries_of(const fs::path& folder) {
+    std::vector<fs::path> entries;
+    std::error_code error;
+    // Not a range-for: its ++ throws when the folder goes away meanwhile.
+    for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator();
+         at.increment(error)) {
+        entries.push_back(at->path());
+    }
+    std::sort(entries.begin(), entries.end());
+    return entries;
 }
 
 fs::path find_model(const Places& places, const fs::path& lesson_folder, const std::string& model) {

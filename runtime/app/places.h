@@ -30,6 +30,9 @@ struct Places {
 /// The names of all lessons under scenarios/, in alphabetical order.
 [[nodiscard]] std::vector<std::string> list_lesson_names(const Places& places);
 
+/// What lies in a folder, in alphabetical order; nothing when it cannot be read.
+[[nodiscard]] std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folder);
+
 /// A model's file: the lesson's own folder first, then the shared models; empty when neither has
 /// it.
 [[nodiscard]] std::filesystem::path find_model(const Places& places,

@@ -8,6 +8,7 @@
 #include "runtime/app/picture.h"
 
 #include <cstdio>
+#include <system_error>
 
 namespace fulcrum::runtime {
 namespace {
@@ -34,7 +35,8 @@ Expected<RunRequest> make_request(const Installation& installation, const Option
     if (options.hand.rfind(kReplay, 0) == 0) {
         request.hand = HandKind::replay;
         request.hand_file = options.hand.substr(kReplay.size());
-        if (!std::filesystem::is_regular_file(request.hand_file)) {
+        std::error_code error;
+        if (!std::filesystem::is_regular_file(request.hand_file, error)) {
             return fail("there is no such record", request.hand_file.string(),
                         "give --hand replay: a file that --record wrote");
         }
@@ -64,7 +66,7 @@ Expected<RunRequest> make_request(const Installation& installation, const Option
 }
 
 int run_in_window(const Installation& installation, const Options& options, RunRequest request) {
-    auto desktop = Desktop::open(installation.places, options.mute);
+    auto desktop = Desktop::open(installation.places, request.plan.sound);
     if (!desktop) {
         return complain(desktop.error(), 2);
     }
@@ -129,6 +131,7 @@ int run_without_window(const Installation& installation, const Options& options,
     }
     const auto outcome = run_headless(**run, settings);
     const auto recorded = (*run)->finish_record();
+    say_losses(**run);
     if (!outcome) {
         return complain(outcome.error(), 1);
     }
@@ -179,7 +182,7 @@ int menu_command(const Installation& installation, const Options& options) {
                      "--headless\n");
         return list_command(installation);
     }
-    auto desktop = Desktop::open(installation.places, options.mute);
+    auto desktop = Desktop::open(installation.places, !options.mute);
     if (!desktop) {
         return complain(desktop.error(), 2);
     }

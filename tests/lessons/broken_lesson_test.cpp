@@ -128,3 +128,27 @@ TEST_CASE(
     (void)std::fclose(file);
     CHECK(after == garbage);
 }
+
+TEST_CASE("lessons: a test without a hand is played without one") {
+    const Sandbox sandbox;
+    sandbox.write("idle/lesson.lua", kHead +
+                                         "function L:start(world) world:finish { stars = 1 } end\n"
+                                         "L:test { expect = { finished = true } }\nreturn L\n");
+    for (const char* command : {"check idle", "explain idle", "test idle", "run idle --headless"}) {
+        const ProgramRun run = sandbox.run(command);
+        INFO(command << ": " << run.output);
+        CHECK(run.exit_code == 0);
+    }
+}
+
+TEST_CASE("program: a path that no file can have, and a full disk, each end in one sentence") {
+    const Sandbox sandbox;
+    for (const std::string& arguments :
+         {"run gravity --headless --hand replay:" + std::string(300, 'a'),
+          "run " + std::string(5000, 'b') + " --headless", std::string("list > /dev/full")}) {
+        const ProgramRun run = sandbox.run(arguments);
+        INFO(run.output);
+        CHECK(run.exit_code == 2);
+        CHECK(std::count(run.output.begin(), run.output.end(), '\n') <= 1);
+    }
+}

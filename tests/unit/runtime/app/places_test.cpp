@@ -60,3 +60,12 @@ TEST_CASE("places: a model's name cannot leave its folder") {
     CHECK(find_model(places, lesson, "../models/apple").empty());
     CHECK(find_model(places, lesson, "").empty());
 }
+
+TEST_CASE("places: what lies in a folder comes in order; a folder that cannot be read is empty") {
+    const Installation installation;
+    const fs::path scenarios = installation.root / "scenarios";
+    CHECK(entries_of(scenarios) ==
+          std::vector<fs::path>{scenarios / "empty", scenarios / "gravity"});
+    CHECK(entries_of(scenarios / "nowhere").empty());
+    CHECK(entries_of(scenarios / std::string(300, 'a')).empty());
+}

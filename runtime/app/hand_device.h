@@ -1,0 +1,45 @@
+// The one device of a run, and what moves it when that is not the device itself: a lesson's simulated hand, or the mouse.
+//
+// Thread: made and moved by the lesson loop; `device` is read and written by the haptic loop. Targets cross as newest values.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/device/device.h"
+#include "haptics/device/mouse/pointer_device.h"
+#include "haptics/device/simulated/simulated_hand.h"
+#include "haptics/loop/haptic_plan.h"
+#include "runtime/app/run_request.h"
+
+#include <memory>
+
+namespace fulcrum::runtime {
+
+class HandDevice {
+  public:
+    /// Opens the device that `request` names, in the workspace of `plan`. Refuses a record that cannot be read.
+    [[nodiscard]] static Expected<std::unique_ptr<HandDevice>> open(const RunRequest& request,
+                                                                    const HapticPlan& plan);
+
+    [[nodiscard]] Device& device() noexcept { return *device_; }
+    [[nodiscard]] const Device& device() const noexcept { return *device_; }
+
+    /// Where the simulated person wants the hand, in the world; does nothing to other devices.
+    void follow(const Pose& target_W, std::uint32_t buttons);
+    /// Where the mouse points, in the world; does nothing to other devices.
+    void point_at(const Vector3& position_W, std::uint32_t buttons);
+    /// Where the mouse pointed last, whatever the hand on the screen does.
+    [[nodiscard]] const Pose& pointer_W() const noexcept { return pointer_W_; }
+
+  private:
+    explicit HandDevice(const HapticPlan& plan)
+        : workspace_(plan.workspace), pointer_W_(plan.workspace.pose_WD) {}
+    [[nodiscard]] Expected<void> make(const RunRequest& request);
+
+    Workspace workspace_;
+    LatestValue<HandTarget> hand_target_;
+    LatestValue<PointerTarget> pointer_target_;
+    Pose pointer_W_;
+    std::unique_ptr<Device> device_;
+};
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,26 @@
+// What is to be played, how and by whom.
+#pragma once
+
+#include "runtime/scene/plan.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+enum class HandKind : std::uint8_t { scripted, mouse, replay };
+
+struct RunRequest {
+    std::filesystem::path folder;  ///< of the lesson
+    PlanOptions plan{};
+    HandKind hand = HandKind::scripted;
+    /// Scripted: a Lua file, empty for the lesson's own test. Replay: a record.
+    std::filesystem::path hand_file;
+    std::vector<std::string> say;  ///< answers of a simulated pupil; empty: somebody types
+    bool own_test = false;         ///< use the hand and the answers of the lesson's first L:test
+    std::string record_file;       ///< empty: nothing is recorded
+    std::string learner;           ///< nickname; empty: "guest"
+};
+
+}  // namespace fulcrum::runtime
