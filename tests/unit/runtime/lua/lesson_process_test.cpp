@@ -127,42 +127,6 @@ TEST_CASE("lesson process: felt weights are known from the ready event on") {
     CHECK(commands_of<PrintCommand>(*reply).at(0).text == "6.0");
 }
 
-TEST_CASE("lesson process: a force function is handed over with its slope") {
-    const LessonFolder folder;
-    // F = -K (x - 0.1) - B v with coupling between axes.
-    auto process = folder.start(lesson_text(R"(
-function L:start(world)
-  world:hand {}:force(function(tool)
-    return -200 * (tool.x - 0.1) + 30 * tool.y, -50 * tool.y - 2 * tool.vy, 7 * tool.vx,
-           0.25, -3 * tool.z, 4 * tool.x + 9 * tool.vz
-  end)
-end)"));
-    REQUIRE(process);
-    CHECK((*process)->description().hand.lesson_force);
-    CHECK((*process)->description().hand.force_line == 4);
-    LessonFrame frame = frame_for((*process)->description(), 2.0);
-    frame.tool_pose_W.position = Vector3(0.11, 0.02, -0.3);
-    frame.tool_twist_W.linear = Vector3(0.5, -0.25, 0.0);
-    const auto reply = (*process)->exchange(frame);
-    REQUIRE(reply);
-    const LinearisedWrench force = commands_of<LessonForceCommand>(*reply).at(0).force;
-    Matrix3 stiffness;
-    stiffness << -200, 30, 0, 0, -50, 0, 0, 0, 0;
-    Matrix3 damping;
-    damping << 0, 0, 0, 0, -2, 0, 7, 0, 0;
-    Matrix3 torque_stiffness;
-    torque_stiffness << 0, 0, 0, 0, 0, -3, 4, 0, 0;
-    constexpr double kRounding = 1e-7;  // of a difference of numbers near 1, divided by 2e-4
-    CHECK((force.force_W - Vector3(-1.4, -0.5, 3.5)).norm() < 1e-12);
-    CHECK((force.torque_W - Vector3(0.25, 0.9, 0.44)).norm() < 1e-12);
-    CHECK((force.torque_stiffness_Nm_per_m - torque_stiffness).norm() < kRounding);
-    CHECK((force.stiffness_N_per_m - stiffness).norm() < kRounding);
-    CHECK((force.damping_Ns_per_m - damping).norm() < kRounding);
-    CHECK(force.at_position_W == frame.tool_pose_W.position);
-    CHECK(force.at_velocity_W == frame.tool_twist_W.linear);
-    CHECK(force.stamp_s == 2.0);
-}
-
 TEST_CASE("lesson process: a simulated hand gives targets and buttons, and may look but not act") {
     const LessonFolder folder;
     folder.write("sweep.lua", R"(
