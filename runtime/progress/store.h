@@ -1,7 +1,8 @@
 // Where learners' progress is kept. Append-only: facts are added, never changed.
 //
 // A write that returned success is acknowledged: it is on the disk, and neither a killed process
-// nor a power cut takes it away. A write that returned an error has an unknown outcome: repeating
+// nor a power cut takes it away. (A store that writes on a thread of its own, `queued_store.h`, only
+// takes a write in, in order, and acknowledges with `settle`.) A write that returned an error has an unknown outcome: repeating
 // it with the same ids is safe, leaves one record, and on success acknowledges it. Repeating it
 // with other content under the same id is refused.
 //
@@ -14,6 +15,7 @@
 #include "runtime/progress/records.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -65,6 +67,14 @@ class ProgressStore {
 
     /// Reads one consistent picture. Cost: in proportion to what is kept.
     [[nodiscard]] virtual Expected<ProgressData> read(const ProgressFilter& filter) = 0;
+
+    /// For a store that keeps later: the first write that was taken in and could not be kept, since
+    /// this was last asked. Never waits.
+    [[nodiscard]] virtual std::optional<Error> take_trouble() { return std::nullopt; }
+
+    /// For a store that keeps later: waits, at most `patience_s`, until each write that was taken in
+    /// has been kept or refused. Success means that none still waits; one sentence tells how many do.
+    [[nodiscard]] virtual Expected<void> settle(double /*patience_s*/) { return {}; }
 };
 
 /// Plays without keeping anything: checks what it is given, as a real store does, and forgets it.

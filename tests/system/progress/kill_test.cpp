@@ -25,6 +25,7 @@ using test::TemporaryFolder;
 using test::Workload;
 
 constexpr int kKills = 60;
+constexpr int kQueuedKills = 45;
 
 int trials(int base) {
     const char* factor = std::getenv("FULCRUM_PROGRESS_TRIALS");
@@ -34,7 +35,9 @@ int trials(int base) {
 // A running writer, its acknowledgements at the other end of a pipe.
 class Writer {
   public:
-    Writer(const std::string& path, int seed, const Workload& work, std::int64_t first) {
+    enum class Writes : std::uint8_t { one_by_one, queued };
+    Writer(const std::string& path, int seed, const Workload& work, std::int64_t first,
+           Writes how = Writes::one_by_one) {
         int ends[2];
         REQUIRE(pipe2(ends, O_CLOEXEC) == 0);
         const std::string seed_text = std::to_string(seed);
@@ -45,7 +48,8 @@ class Writer {
         if (process_ == 0) {
             dup2(ends[1], STDOUT_FILENO);
             execl(FULCRUM_PROGRESS_WRITER, FULCRUM_PROGRESS_WRITER, path.c_str(), seed_text.c_str(),
-                  records.c_str(), first_text.c_str(), nullptr);
+                  records.c_str(), first_text.c_str(), how == Writes::queued ? "queued" : nullptr,
+                  nullptr);
             _exit(127);
         }
         close(ends[1]);
@@ -102,19 +106,18 @@ void check_kept(const std::string& path, const Workload& work,
     CHECK(query(path, "SELECT count(*) - count(DISTINCT question) FROM attempt") == "0");
 }
 
-TEST_CASE("kill: at random moments nothing acknowledged is lost and nothing is there twice") {
+// One lesson on one database, killed again and again; each new writer begins with what was not acknowledged.
+void kill_at_random(int kills, int seed, Writer::Writes how) {
     std::mt19937 random(17);
     int killed = 0;
-    int seed = 100;
-    while (killed < trials(kKills)) {
-        // One lesson on one database, killed again and again; each new writer begins with what was not acknowledged.
+    while (killed < trials(kills)) {
         const TemporaryFolder folder;
         const std::string path = folder.file("progress.db");
         const Workload work(static_cast<std::uint64_t>(++seed), 4'000);
         std::set<std::int64_t> acknowledged;
         for (int round = 0; round < 15; ++round) {
             const std::int64_t first = acknowledged.empty() ? 0 : *acknowledged.rbegin() + 1;
-            Writer writer(path, seed, work, first);
+            Writer writer(path, seed, work, first, how);
             // Half of them while the database is being opened or made, half while records are written.
             if (round % 2 == 1) {
                 writer.await_first();
@@ -129,11 +132,20 @@ TEST_CASE("kill: at random moments nothing acknowledged is lost and nothing is t
     }
 }
 
+TEST_CASE("kill: at random moments nothing acknowledged is lost and nothing is there twice") {
+    kill_at_random(kKills, 100, Writer::Writes::one_by_one);
+}
+
+TEST_CASE("kill: with a store thread, too, nothing that it counts as kept is lost") {
+    kill_at_random(kQueuedKills, 200, Writer::Writes::queued);
+}
+
 TEST_CASE("kill: a writer that is left alone keeps every record") {
+    const auto how = GENERATE(Writer::Writes::one_by_one, Writer::Writes::queued);
     const TemporaryFolder folder;
-    const Workload work(9, 40);
-    Writer writer(folder.file("progress.db"), 9, work, 0);
-    CHECK(writer.finish().size() == 40);
+    const Workload work(9, 200);
+    Writer writer(folder.file("progress.db"), 9, work, 0, how);
+    CHECK(writer.finish().size() == 200);
     CHECK(writer.went_well());
     auto store = open_sqlite_store(folder.file("progress.db"));
     REQUIRE(store);
