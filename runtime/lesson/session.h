@@ -1,24 +1,24 @@
 // One play of one lesson: turns what happened into a frame for the lesson's Lua, and the Lua's
-// commands into what the loops, the picture, the sound and the store do. Holds the questions, the
-// marks and the score.
+// commands into what the loops, the picture, the sound and the store do.
 //
-//   begin_frame(what happened) -> LessonFrame -> lesson's process -> LessonReply -> finish_frame ->
-//   what to do
+//   what happened --begin_frame--> LessonFrame --lesson's process--> LessonReply --finish_frame--> what to do
 //
-// Thread: lesson loop. Cost: microseconds; an attempt waits for the store's disk.
+// The question of now is question_dialogue.h's, what is kept session_log.h's; the commands one by one stand in
+// carry_out.cpp.
+//
+// Thread: lesson loop. Cost: microseconds, and what the store takes for an answer.
 #pragma once
 
 #include "dialogue/catalogue.h"
-#include "dialogue/conversation/conversation.h"
 #include "haptics/base/error.h"
 #include "haptics/handover/messages.h"
+#include "runtime/lesson/question_dialogue.h"
+#include "runtime/lesson/session_log.h"
 #include "runtime/progress/store.h"
 #include "runtime/scene/description.h"
 #include "runtime/scene/lesson_messages.h"
 #include "runtime/scene/plan.h"
 
-#include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -90,57 +90,43 @@ class LessonSession {
     [[nodiscard]] const SessionResult& result() const { return result_; }
     /// Keeps the session's end, once; a session that is dropped without it counts as left.
     void end(EndReason reason);
-    /// The sentence of the first write that the store refused, or empty; the lesson goes on without
-    /// it.
-    [[nodiscard]] const std::string& store_trouble() const { return store_trouble_; }
+    /// Waits until the store has kept everything, at most so long; call it when the hand feels nothing any more.
+    void settle(double patience_s) { log_.settle(patience_s); }
+    /// The sentence of the first write that was not kept, or empty; the lesson goes on without it.
+    [[nodiscard]] const std::string& store_trouble() const { return log_.trouble(); }
 
   private:
-    LessonSession(LessonDescription description, const Plan& plan,
-                  const dialogue::Catalogue& catalogue, ProgressStore& store);
+    LessonSession(LessonDescription description, const Plan& plan, QuestionDialogue dialogue,
+                  SessionLog log);
 
-    void hear(const std::string& said);
     void queue_world_events(const std::vector<WorldEvent>& events);
     void queue_touch_events(std::int32_t touched_body);
-    void answer(bool right);
-    void close_question();
-    void open_question(const std::string& id);
-    void end_invitation();
-    [[nodiscard]] AnsweredEvent answered_event(const dialogue::Mark& mark, bool right,
-                                               const dialogue::Feedback& feedback) const;
-    void keep_attempt(const dialogue::Mark& mark, int attempt_number, bool right);
-    void keep(const std::function<Expected<void>()>& write);
+    [[nodiscard]] std::string catch_sound(std::int32_t body) const;
+    void hear(const std::string& said);
+    void take(QuestionTurn turn);
+    void show_question();
 
-    // One for each command a lesson can send; false when it names something that isn't there.
-    bool carry_out(const MoveCommand& command, SessionOutput& output);
-    bool carry_out(const FieldChangeCommand& command, SessionOutput& output);
-    bool carry_out(const LessonForceCommand& command, SessionOutput& output);
-    bool carry_out(const CaptionCommand& command, SessionOutput& output);
-    bool carry_out(const AskCommand& command, SessionOutput& output);
-    bool carry_out(const VerdictCommand& command, SessionOutput& output);
-    bool carry_out(const ScoreCommand& command, SessionOutput& output);
-    bool carry_out(const LevelCommand& command, SessionOutput& output);
-    bool carry_out(const SoundCommand& command, SessionOutput& output);
-    bool carry_out(const FinishCommand& command, SessionOutput& output);
-    bool carry_out(const PrintCommand& command, SessionOutput& output);
+    // One for each command a lesson can send; an error when it names something that isn't there.
+    Expected<void> carry_out(const MoveCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const FieldChangeCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const LessonForceCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const CaptionCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const AskCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const VerdictCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const ScoreCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const LevelCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const SoundCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const FinishCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const PrintCommand& command, SessionOutput& output);
 
-    // What is fixed for the whole play.
     LessonDescription description_;
-    std::map<std::string, dialogue::Question> questions_;
-    ProgressStore* store_;
-    SessionRecord record_;
+    QuestionDialogue dialogue_;
+    SessionLog log_;
 
     // What the lesson has asked for so far.
     ForceCommand force_{};
     SessionHud hud_{};
     SessionResult result_{};
-
-    // The question that is open, if any, and the answer that waits for the lesson's verdict.
-    dialogue::Conversation conversation_;
-    std::string open_question_;
-    std::optional<dialogue::Mark> awaiting_verdict_;
-    std::optional<AnsweredEvent>
-        pending_answer_;  ///< right already, while it may be said once more
-    double repeat_until_s_ = 0.0;
 
     // One frame.
     LessonFrame frame_{};
@@ -148,8 +134,6 @@ class LessonSession {
     std::vector<std::string> sounds_;
     std::int32_t touched_body_ = kNoBody;
     double time_s_ = 0.0;
-    std::string store_trouble_;
-    bool ended_ = false;
 };
 
 }  // namespace fulcrum::runtime

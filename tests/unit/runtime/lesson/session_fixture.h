@@ -85,11 +85,26 @@ class MemoryStore final : public ProgressStore {
     }
 };
 
+/// The same with a second question, "lightest".
+inline LessonDescription two_questions() {
+    LessonDescription lesson = two_things();
+    QuestionDescription question = lesson.questions[0];
+    question.id = "lightest";
+    question.prompt = "Which one is the lightest?";
+    question.answers = {"[a|an|the] {thing} is the <superlative:light> [one]"};
+    question.line = 9;
+    lesson.questions.push_back(question);
+    return lesson;
+}
+
 struct Play {
+    explicit Play(LessonDescription played = two_things()) : lesson(std::move(played)) {}
+
+    LessonDescription lesson;
     MemoryStore store;
-    Plan plan = compile_plan(two_things(), {}, nullptr).value();
+    Plan plan = compile_plan(lesson, {}, nullptr).value();
     std::unique_ptr<LessonSession> session =
-        LessonSession::create(two_things(), plan, words(), store, random_record_id(), "v1").value();
+        LessonSession::create(lesson, plan, words(), store, random_record_id(), "v1").value();
     double time_s = 0.0;
 
     const LessonFrame& frame(SessionInput input = {}) {

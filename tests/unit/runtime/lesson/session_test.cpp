@@ -128,6 +128,48 @@ TEST_CASE("session: what is said after an invitation is told once, as the answer
     CHECK(play.store.data.attempts.size() == 3);
 }
 
+TEST_CASE("session: another question asked in the frame of the answer takes its place") {
+    Play play(two_questions());
+    play.frame();
+    play.reply({AskCommand{"heaviest"}});
+    REQUIRE(find<JudgeEvent>(play.hear("the apple is the heaviest")) != nullptr);
+    // What landed is handled before the answer: world:ask "lightest" comes first, then the verdict.
+    play.reply({AskCommand{"lightest"}, VerdictCommand{"heaviest", true}});
+    CHECK(play.session->hud().question_open);
+    CHECK(play.session->hud().caption == "Which one is the lightest?");
+    const auto* judge = find<JudgeEvent>(play.hear("the egg is the lightest"));
+    REQUIRE(judge != nullptr);
+    CHECK(judge->question == "lightest");
+    play.reply({VerdictCommand{"lightest", true}});
+    CHECK(play.wait(0.1).size() == 1);
+}
+
+TEST_CASE("session: a lesson may finish inside right()") {
+    Play play;
+    play.frame();
+    play.reply({AskCommand{"heaviest"}});
+    play.hear("the apple is the heaviest");
+    play.reply({FinishCommand{2}, VerdictCommand{"heaviest", true}});
+    CHECK(play.session->result().finished);
+    CHECK_FALSE(play.session->hud().question_open);
+    CHECK(play.wait(30.0).empty());
+    // It may be played again.
+    play.say_rightly("the apple is the heaviest");
+    CHECK(play.wait(0.1).size() == 1);
+}
+
+TEST_CASE("session: an answer without a verdict may be given again") {
+    Play play;
+    play.frame();
+    play.reply({AskCommand{"heaviest"}});
+    play.hear("the apple is the heaviest");
+    play.reply();
+    play.frame();
+    play.reply({VerdictCommand{"heaviest", true}});  // too late
+    CHECK(play.session->hud().question_open);
+    CHECK(find<JudgeEvent>(play.hear("the apple is the heaviest")) != nullptr);
+}
+
 TEST_CASE("session: words that fit no template leave the question open and are kept as such") {
     Play play;
     play.frame();
@@ -140,12 +182,15 @@ TEST_CASE("session: words that fit no template leave the question open and are k
     CHECK_FALSE(play.store.data.attempts[0].understood);
 }
 
-TEST_CASE(
-    "session: a verdict that nobody asked for, and names that were never declared, are the "
-    "lesson's error") {
+TEST_CASE("session: names that were never declared are the lesson's error; a late verdict is not") {
     Play play;
     play.frame();
-    CHECK(play.refuses(VerdictCommand{"heaviest", true}));
+    CHECK_FALSE(play.refuses(VerdictCommand{"heaviest", true}));
+    LessonReply unknown;
+    unknown.commands = {VerdictCommand{"oldest", true}};
+    const auto refused = play.session->finish_frame(unknown);
+    REQUIRE_FALSE(refused);
+    CHECK(to_sentence(refused.error()).find("\"oldest\"") != std::string::npos);
     CHECK(play.refuses(AskCommand{"lightest"}));
     CHECK(play.refuses(FieldChangeCommand{0, {}}));
     CHECK(play.refuses(LessonForceCommand{}));

@@ -1,0 +1,114 @@
+// What each command of a lesson does.
+#include "runtime/lesson/session.h"
+
+#include <algorithm>
+
+#include <utility>
+
+namespace fulcrum::runtime {
+namespace {
+
+bool is_index(std::int32_t index, std::size_t size) {
+    return index >= 0 && static_cast<std::size_t>(index) < size;
+}
+
+tl::unexpected<Error> undeclared() {
+    return fail("the lesson named something that it never declared", "lesson.lua",
+                "use the bodies, forces and questions that L:start and L:question made");
+}
+
+}  // namespace
+
+Expected<void> LessonSession::carry_out(const MoveCommand& command, SessionOutput& output) {
+    const bool needs_body = command.move.kind != WorldCommand::Kind::release;
+    if (needs_body && !is_index(command.move.body, description_.bodies.size())) {
+        return undeclared();
+    }
+    if (command.move.kind == WorldCommand::Kind::drop) {
+        sounds_.push_back("pop");
+    } else if (command.move.kind == WorldCommand::Kind::hold) {
+        sounds_.push_back(catch_sound(command.move.body));
+    }
+    output.world.push_back(command.move);
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const FieldChangeCommand& command, SessionOutput&) {
+    if (!is_index(command.force, description_.forces.size())) {
+        return undeclared();
+    }
+    force_.fields[static_cast<std::size_t>(command.force)] = command.field;
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const LessonForceCommand& command, SessionOutput&) {
+    if (!description_.hand.lesson_force) {
+        return undeclared();
+    }
+    force_.linearised = command.force;
+    force_.linearised.stamp_s = time_s_;
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const CaptionCommand& command, SessionOutput&) {
+    hud_.caption = command.text;
+    hud_.feedback.clear();
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const AskCommand& command, SessionOutput&) {
+    if (!dialogue_.declares(command.question)) {
+        return undeclared();
+    }
+    QuestionTurn turn = dialogue_.ask(command.question, time_s_);
+    hud_.caption = turn.prompt;
+    hud_.feedback.clear();
+    take(std::move(turn));
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const VerdictCommand& command, SessionOutput&) {
+    if (!dialogue_.declares(command.question)) {
+        return fail("the lesson judged an answer to \"" + command.question +
+                        "\", a question that it never declared",
+                    "lesson.lua", "judge the questions that L:question made");
+    }
+    take(dialogue_.judge(command.question, command.right, time_s_));
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const ScoreCommand& command, SessionOutput&) {
+    hud_.score = result_.score = command.score;
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const LevelCommand& command, SessionOutput&) {
+    if (hud_.level > 0 && command.level > hud_.level) {
+        sounds_.push_back("level_up");
+    }
+    hud_.level = result_.level = command.level;
+    hud_.level_title = command.title;
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const SoundCommand& command, SessionOutput&) {
+    sounds_.push_back(command.name);
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const FinishCommand& command, SessionOutput&) {
+    hud_.stars = result_.stars = std::clamp(command.stars, 0, 3);
+    result_.finished = true;
+    dialogue_.close();
+    show_question();
+    sounds_.push_back("finish");
+    end(EndReason::finished);
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const PrintCommand& command, SessionOutput& output) {
+    output.printed.push_back(command.text);
+    return {};
+}
+
+}  // namespace fulcrum::runtime

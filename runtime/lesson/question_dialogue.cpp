@@ -1,0 +1,139 @@
+#include "runtime/lesson/question_dialogue.h"
+
+#include <algorithm>
+
+#include <cassert>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr double kRepeatPatience_s = 12.0;  // an invitation to say it once more waits this long
+
+AnsweredEvent answered_event(const MarkedAnswer& answer) {
+    AnsweredEvent answered;
+    answered.question = answer.question;
+    answered.said = answer.mark.said;
+    answered.slots = answer.mark.slots;
+    answered.understood = answer.mark.understood;
+    answered.right = answer.right;
+    answered.form_right = answer.mark.understood && answer.mark.form_right();
+    answered.over = !answer.feedback.ask_again;
+    answered.attempt = answer.feedback.attempt;
+    return answered;
+}
+
+// The learner only has to speak again: there is nothing in it for the lesson.
+bool same_words_again(const dialogue::Feedback& feedback) {
+    return feedback.ask_again && (feedback.kind == dialogue::FeedbackKind::not_understood ||
+                                  feedback.kind == dialogue::FeedbackKind::heard_badly);
+}
+
+}  // namespace
+
+QuestionDialogue::QuestionDialogue(Questions questions, const dialogue::Catalogue& catalogue)
+    : questions_(std::move(questions)), conversation_(catalogue) {}
+
+QuestionTurn QuestionDialogue::ask(const std::string& question, double time_s) {
+    const auto declared = questions_.find(question);
+    assert(declared != questions_.end());
+    QuestionTurn turn;
+    if (right_ && question != question_) {
+        turn.events.push_back(*right_);
+    }
+    // The same question, asked again after it was felt again, goes on where it was.
+    const bool goes_on = state_ == QuestionState::set_aside && question == question_;
+    const std::vector<std::string> prompt =
+        goes_on ? conversation_.prompt_again() : conversation_.ask(declared->second);
+    for (const std::string& line : prompt) {
+        turn.prompt += (turn.prompt.empty() ? "" : "\n") + line;
+    }
+    heard_.reset();
+    right_.reset();
+    question_ = question;
+    listen(QuestionState::open, time_s);
+    return turn;
+}
+
+QuestionTurn QuestionDialogue::hear(std::string_view words, double confidence, double time_s) {
+    if (!listens()) {
+        return {};
+    }
+    heard_ = conversation_.hear(words, confidence);
+    state_ =
+        state_ == QuestionState::invited ? QuestionState::judging_again : QuestionState::judging;
+    if (!heard_->understood) {
+        return answer(false, time_s);
+    }
+    // The words are understood; the simulated physics says whether their meaning is right.
+    QuestionTurn turn;
+    turn.events.push_back(JudgeEvent{question_, heard_->slots});
+    return turn;
+}
+
+QuestionTurn QuestionDialogue::judge(const std::string& question, bool right, double time_s) {
+    return heard_ && question == question_ ? answer(right, time_s) : QuestionTurn{};
+}
+
+// The verdict is there: something that helps is said, and the state follows from what was said.
+QuestionTurn QuestionDialogue::answer(bool right, double time_s) {
+    QuestionTurn turn;
+    MarkedAnswer& answer = turn.answer.emplace();
+    answer.question = question_;
+    answer.mark = std::move(*heard_);
+    answer.right = right;
+    answer.answer_s = std::max(0.0, time_s - asked_at_s_);
+    heard_.reset();
+    answer.feedback = conversation_.respond(answer.mark, right);
+
+    if (answer.feedback.may_repeat) {
+        right_ = answered_event(answer);
+        invited_until_s_ = time_s + kRepeatPatience_s;
+        listen(QuestionState::invited, time_s);
+    } else if (same_words_again(answer.feedback)) {
+        listen(QuestionState::open, time_s);
+    } else {
+        turn.events.push_back(right_ ? *right_ : answered_event(answer));
+        if (answer.feedback.ask_again) {
+            state_ = QuestionState::set_aside;
+        } else {
+            close();
+        }
+    }
+    return turn;
+}
+
+QuestionTurn QuestionDialogue::step(double time_s) {
+    QuestionTurn turn;
+    if (state_ == QuestionState::invited && time_s >= invited_until_s_) {
+        turn.events.push_back(*right_);
+        close();
+    }
+    return turn;
+}
+
+void QuestionDialogue::end_exchange() {
+    if (heard_) {
+        heard_.reset();
+        state_ = right_ ? QuestionState::invited : QuestionState::open;
+    }
+}
+
+void QuestionDialogue::close() {
+    state_ = QuestionState::closed;
+    question_.clear();
+    heard_.reset();
+    right_.reset();
+}
+
+void QuestionDialogue::listen(QuestionState state, double time_s) {
+    state_ = state;
+    asked_at_s_ = time_s;
+    ++turns_;
+}
+
+std::shared_ptr<const dialogue::TemplateSet> QuestionDialogue::templates() const {
+    const auto question = questions_.find(question_);
+    return question == questions_.end() ? nullptr : question->second.templates;
+}
+
+}  // namespace fulcrum::runtime

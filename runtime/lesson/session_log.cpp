@@ -1,0 +1,79 @@
+#include "runtime/lesson/session_log.h"
+
+#include <algorithm>
+
+#include <utility>
+
+namespace fulcrum::runtime {
+
+SessionLog::SessionLog(ProgressStore& store, SessionRecord session)
+    : store_(&store), session_(std::move(session)) {
+    keep([&] { return store_->begin_session(session_); });
+}
+
+void SessionLog::keep_attempt(const MarkedAnswer& answer) {
+    const dialogue::Mark& mark = answer.mark;
+    AttemptRecord attempt;
+    attempt.id = random_record_id();
+    attempt.session = session_.id;
+    attempt.question = answer.question;
+    attempt.attempt = answer.feedback.attempt;
+    attempt.said = mark.said;
+    attempt.understood = mark.understood;
+    attempt.meaning_right = answer.right;
+    attempt.form_right = mark.understood && mark.form_right();
+    for (const auto& [name, value] : mark.slots) {
+        attempt.slots.append(attempt.slots.empty() ? "" : " ")
+            .append(name)
+            .append("=")
+            .append(value);
+    }
+    attempt.answer_s = answer.answer_s;
+    attempt.said_utc_ms = utc_now_ms();
+    for (const dialogue::FormError& error : mark.form_errors) {
+        attempt.errors.push_back({std::string(error.errant()), error.said, error.right});
+    }
+    keep([&] { return store_->add_attempt(attempt); });
+}
+
+void SessionLog::keep_end(EndReason reason, int stars, int score, int level) {
+    if (std::exchange(ended_, true)) {
+        return;
+    }
+    const SessionEnd end{session_.id,        utc_now_ms(), reason,
+                         std::max(stars, 0), score,        std::max(level, 1)};
+    keep([&] { return store_->end_session(end); });
+}
+
+// A write whose outcome is unknown may be repeated: it carries its own id.
+void SessionLog::keep(const std::function<Expected<void>()>& write) {
+    Expected<void> written = write();
+    if (!written) {
+        written = write();
+    }
+    if (!written) {
+        note(written.error());
+    }
+}
+
+void SessionLog::look_for_trouble() {
+    if (const auto error = store_->take_trouble()) {
+        note(*error);
+    }
+}
+
+void SessionLog::settle(double patience_s) {
+    const Expected<void> settled = store_->settle(patience_s);
+    look_for_trouble();
+    if (!settled) {
+        note(settled.error());
+    }
+}
+
+void SessionLog::note(const Error& error) {
+    if (trouble_.empty()) {
+        trouble_ = to_sentence(error);
+    }
+}
+
+}  // namespace fulcrum::runtime

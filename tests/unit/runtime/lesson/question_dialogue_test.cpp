@@ -1,0 +1,286 @@
+#include "runtime/lesson/question_dialogue.h"
+
+#include "runtime/lesson/questions.h"
+#include "tests/unit/runtime/lesson/session_fixture.h"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+#include <rapidcheck.h>
+#include <string>
+#include <vector>
+
+using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
+
+namespace {
+
+constexpr const char* kRight = "the apple is the heaviest";
+constexpr const char* kSlip = "the apple is the most heavy";
+constexpr const char* kWrong = "the egg is the heaviest";
+constexpr const char* kNonsense = "bla bla bla";
+constexpr double kLongEnough_s = 30.0;  // longer than any invitation
+
+QuestionDialogue make_dialogue() {
+    return {compile_questions(two_questions()).value(), words()};
+}
+
+// Brings a dialogue about "heaviest" into each state, at time 0.
+QuestionDialogue in_state(QuestionState state) {
+    QuestionDialogue dialogue = make_dialogue();
+    const auto answer = [&](const char* said, bool right) {
+        (void)dialogue.ask("heaviest", 0.0);
+        (void)dialogue.hear(said, 1.0, 0.0);
+        (void)dialogue.judge("heaviest", right, 0.0);
+    };
+    switch (state) {
+        case QuestionState::closed:
+            break;
+        case QuestionState::open:
+            (void)dialogue.ask("heaviest", 0.0);
+            break;
+        case QuestionState::judging:
+            (void)dialogue.ask("heaviest", 0.0);
+            (void)dialogue.hear(kRight, 1.0, 0.0);
+            break;
+        case QuestionState::set_aside:
+            answer(kWrong, false);
+            break;
+        case QuestionState::invited:
+        case QuestionState::judging_again:
+            answer(kSlip, true);
+            answer(kSlip, true);
+            if (state == QuestionState::judging_again) {
+                (void)dialogue.hear(kRight, 1.0, 0.0);
+            }
+            break;
+    }
+    REQUIRE(dialogue.state() == state);
+    return dialogue;
+}
+
+using State = QuestionState;
+constexpr State kStates[] = {State::closed,    State::open,    State::judging,
+                             State::set_aside, State::invited, State::judging_again};
+
+std::vector<AnsweredEvent> told(const QuestionTurn& turn) {
+    std::vector<AnsweredEvent> answers;
+    for (const LessonEvent& event : turn.events) {
+        if (const auto* answered = std::get_if<AnsweredEvent>(&event)) {
+            answers.push_back(*answered);
+        }
+    }
+    return answers;
+}
+
+struct Step {
+    State from;
+    const char* what;
+    State to;
+    int n_told;
+};
+
+QuestionTurn take(QuestionDialogue& dialogue, const std::string& what) {
+    if (what == "ask the same") {
+        return dialogue.ask("heaviest", 1.0);
+    }
+    if (what == "ask another") {
+        return dialogue.ask("lightest", 1.0);
+    }
+    if (what == "right" || what == "wrong") {
+        return dialogue.judge("heaviest", what == "right", 1.0);
+    }
+    if (what == "other verdict") {
+        return dialogue.judge("lightest", true, 1.0);
+    }
+    if (what == "little time" || what == "much time") {
+        return dialogue.step(what == "little time" ? 1.0 : kLongEnough_s);
+    }
+    if (what == "close") {
+        dialogue.close();
+        return {};
+    }
+    if (what == "end of exchange") {
+        dialogue.end_exchange();
+        return {};
+    }
+    return dialogue.hear(what, 1.0, 1.0);
+}
+
+}  // namespace
+
+TEST_CASE("question dialogue: every state goes where the header says") {
+    const Step step = GENERATE(values<Step>({
+        {State::closed, kRight, State::closed, 0},
+        {State::closed, "right", State::closed, 0},
+        {State::closed, "ask the same", State::open, 0},
+        {State::closed, "much time", State::closed, 0},
+        {State::closed, "end of exchange", State::closed, 0},
+        {State::open, kRight, State::judging, 0},
+        {State::open, kNonsense, State::open, 0},
+        {State::open, "right", State::open, 0},
+        {State::open, "ask the same", State::open, 0},
+        {State::open, "ask another", State::open, 0},
+        {State::open, "much time", State::open, 0},
+        {State::open, "close", State::closed, 0},
+        {State::judging, "right", State::closed, 1},
+        {State::judging, "wrong", State::set_aside, 1},
+        {State::judging, "other verdict", State::judging, 0},
+        {State::judging, kRight, State::judging, 0},
+        {State::judging, "much time", State::judging, 0},
+        {State::judging, "ask the same", State::open, 0},
+        {State::judging, "ask another", State::open, 0},
+        {State::judging, "close", State::closed, 0},
+        {State::judging, "end of exchange", State::open, 0},
+        {State::set_aside, kRight, State::set_aside, 0},
+        {State::set_aside, "right", State::set_aside, 0},
+        {State::set_aside, "ask the same", State::open, 0},
+        {State::set_aside, "ask another", State::open, 0},
+        {State::set_aside, "much time", State::set_aside, 0},
+        {State::set_aside, "close", State::closed, 0},
+        {State::invited, kRight, State::judging_again, 0},
+        {State::invited, kNonsense, State::closed, 1},
+        {State::invited, "right", State::invited, 0},
+        {State::invited, "little time", State::invited, 0},
+        {State::invited, "much time", State::closed, 1},
+        {State::invited, "ask the same", State::open, 0},
+        {State::invited, "ask another", State::open, 1},
+        {State::invited, "close", State::closed, 0},
+        {State::judging_again, "right", State::closed, 1},
+        {State::judging_again, "wrong", State::closed, 1},
+        {State::judging_again, "much time", State::judging_again, 0},
+        {State::judging_again, "ask the same", State::open, 0},
+        {State::judging_again, "ask another", State::open, 1},
+        {State::judging_again, "close", State::closed, 0},
+        {State::judging_again, "end of exchange", State::invited, 0},
+    }));
+    CAPTURE(static_cast<int>(step.from), step.what);
+    QuestionDialogue dialogue = in_state(step.from);
+    const std::vector<AnsweredEvent> answers = told(take(dialogue, step.what));
+    CHECK(dialogue.state() == step.to);
+    CHECK(static_cast<int>(answers.size()) == step.n_told);
+    for (const AnsweredEvent& answered : answers) {
+        CHECK(answered.question == "heaviest");
+        // What was right stays right, whatever is made of the invitation.
+        const bool set_aside = step.to == State::set_aside;
+        CHECK(answered.right == !set_aside);
+        CHECK(answered.over == !set_aside);
+    }
+}
+
+TEST_CASE("question dialogue: whatever state another question interrupts, it can be answered") {
+    for (const State state : kStates) {
+        CAPTURE(static_cast<int>(state));
+        QuestionDialogue dialogue = in_state(state);
+        CHECK(dialogue.ask("lightest", 1.0).prompt == "Which one is the lightest?");
+        (void)dialogue.judge("heaviest", true, 1.0);
+        const QuestionTurn heard = dialogue.hear("the egg is the lightest", 1.0, 2.0);
+        REQUIRE(heard.events.size() == 1);
+        CHECK(std::get<JudgeEvent>(heard.events[0]).question == "lightest");
+        const QuestionTurn judged = dialogue.judge("lightest", true, 2.5);
+        REQUIRE(told(judged).size() == 1);
+        CHECK(told(judged)[0].question == "lightest");
+        CHECK(told(judged)[0].attempt == 1);
+        CHECK(judged.answer->answer_s == Approx(1.5));
+    }
+}
+
+TEST_CASE(
+    "question dialogue: a question that was set aside counts on, one asked anew begins anew") {
+    QuestionDialogue dialogue = in_state(State::set_aside);
+    (void)dialogue.ask("heaviest", 0.0);
+    (void)dialogue.hear(kRight, 1.0, 0.0);
+    CHECK(told(dialogue.judge("heaviest", true, 0.0)).at(0).attempt == 2);
+    (void)dialogue.ask("heaviest", 0.0);
+    (void)dialogue.hear(kRight, 1.0, 0.0);
+    CHECK(told(dialogue.judge("heaviest", true, 0.0)).at(0).attempt == 1);
+}
+
+TEST_CASE("question dialogue: words heard badly are asked for again and never told as wrong") {
+    QuestionDialogue dialogue = in_state(State::open);
+    (void)dialogue.hear(kWrong, 0.1, 0.0);
+    const QuestionTurn turn = dialogue.judge("heaviest", false, 0.0);
+    CHECK(turn.events.empty());
+    REQUIRE(turn.answer);
+    CHECK(turn.answer->feedback.kind == fulcrum::dialogue::FeedbackKind::heard_badly);
+    CHECK(dialogue.state() == State::open);
+}
+
+TEST_CASE("question dialogue: words that never fit leave the question in the end, and it is told") {
+    QuestionDialogue dialogue = in_state(State::open);
+    std::vector<AnsweredEvent> answers;
+    for (int i = 0; i < 20 && answers.empty(); ++i) {
+        CHECK(dialogue.state() == State::open);
+        answers = told(dialogue.hear(kNonsense, 1.0, 0.0));
+    }
+    REQUIRE(answers.size() == 1);
+    CHECK(answers[0].over);
+    CHECK_FALSE(answers[0].understood);
+    CHECK(dialogue.state() == State::closed);
+}
+
+TEST_CASE(
+    "question dialogue: whatever the order, an open question hears its answer and each asking is "
+    "over at most once") {
+    rc::check([] {
+        QuestionDialogue dialogue = make_dialogue();
+        const std::vector<std::string> ids{"heaviest", "lightest"};
+        std::map<std::string, int> asked;
+        std::map<std::string, int> over;
+        double time_s = 0.0;
+        const auto count = [&](const QuestionTurn& turn) {
+            for (const AnsweredEvent& answered : told(turn)) {
+                over[answered.question] += answered.over ? 1 : 0;
+                RC_ASSERT(over[answered.question] <= asked[answered.question]);
+            }
+        };
+        const int n_steps = *rc::gen::inRange(1, 60);
+        for (int i = 0; i < n_steps; ++i) {
+            time_s += *rc::gen::element(0.0, 1.0 / 60.0, 5.0, 13.0);
+            const std::string id = *rc::gen::elementOf(ids);
+            switch (*rc::gen::inRange(0, 6)) {
+                case 0:
+                    ++asked[id];
+                    count(dialogue.ask(id, time_s));
+                    RC_ASSERT(dialogue.state() == State::open);
+                    break;
+                case 1:
+                    count(dialogue.judge(id, *rc::gen::arbitrary<bool>(), time_s));
+                    break;
+                case 2:
+                    count(dialogue.step(time_s));
+                    break;
+                case 3:
+                    dialogue.end_exchange();
+                    RC_ASSERT(dialogue.is_open() == dialogue.listens());
+                    break;
+                case 4:
+                    if (*rc::gen::inRange(0, 4) == 0) {
+                        dialogue.close();
+                        RC_ASSERT(dialogue.state() == State::closed);
+                    }
+                    break;
+                default:
+                    count(dialogue.hear(*rc::gen::element<std::string>(
+                                            kRight, kSlip, kWrong, kNonsense,
+                                            "the egg is the lightest", "the egg is the most light"),
+                                        1.0, time_s));
+            }
+        }
+        // After any history the question that is open can be answered, and time ends an invitation.
+        dialogue.end_exchange();
+        if (dialogue.state() == State::open) {
+            bool judged = false;
+            for (const char* said : {kRight, "the egg is the lightest"}) {
+                judged |= dialogue.state() == State::judging ||
+                          !dialogue.hear(said, 1.0, time_s).events.empty();
+            }
+            RC_ASSERT(judged);
+        } else if (dialogue.state() == State::invited) {
+            const QuestionTurn turn = dialogue.step(time_s + kLongEnough_s);
+            RC_ASSERT(told(turn).size() == 1U);
+            RC_ASSERT(told(turn)[0].right);
+            RC_ASSERT(dialogue.state() == State::closed);
+        }
+    });
+}

@@ -1,0 +1,137 @@
+#include "runtime/lesson/session_log.h"
+
+#include "tests/unit/runtime/lesson/session_fixture.h"
+
+#include <catch2/catch.hpp>
+
+#include <deque>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
+
+namespace {
+
+SessionRecord some_session() {
+    SessionRecord session;
+    session.id = random_record_id();
+    session.lesson = "two";
+    return session;
+}
+
+MarkedAnswer some_answer() {
+    MarkedAnswer answer;
+    answer.question = "heaviest";
+    answer.mark.said = "apple is most heavy";
+    answer.mark.understood = true;
+    answer.mark.slots = {{"thing", "apple"}, {"other", "egg"}};
+    answer.mark.form_errors.resize(1);
+    answer.mark.form_errors[0].said = "most heavy";
+    answer.mark.form_errors[0].right = "heaviest";
+    answer.feedback.attempt = 3;
+    answer.right = true;
+    answer.answer_s = 2.5;
+    return answer;
+}
+
+// Takes everything in and tells later that one write was not kept.
+class LateStore final : public ProgressStore {
+  public:
+    [[nodiscard]] bool keeps() const noexcept override { return true; }
+    [[nodiscard]] Expected<Learner> enrol(std::string_view) override { return Learner{}; }
+    [[nodiscard]] Expected<void> add_learner(const Learner&) override { return {}; }
+    [[nodiscard]] Expected<void> begin_session(const SessionRecord&) override { return {}; }
+    [[nodiscard]] Expected<void> end_session(const SessionEnd&) override { return {}; }
+    [[nodiscard]] Expected<void> add_attempt(const AttemptRecord&) override { return {}; }
+    [[nodiscard]] Expected<ProgressData> read(const ProgressFilter&) override {
+        return ProgressData{};
+    }
+    [[nodiscard]] std::optional<Error> take_trouble() override {
+        return std::exchange(trouble, std::nullopt);
+    }
+    [[nodiscard]] Expected<void> settle(double) override { return settled; }
+
+    std::optional<Error> trouble;
+    Expected<void> settled{};
+};
+
+}  // namespace
+
+TEST_CASE("session log: beginning, answers and end are kept as they were") {
+    MemoryStore store;
+    const SessionRecord session = some_session();
+    SessionLog log(store, session);
+    log.keep_attempt(some_answer());
+    log.keep_end(EndReason::finished, 2, 9, 3);
+    log.keep_end(EndReason::left, 0, 0, 0);  // once is enough
+
+    REQUIRE(store.data.sessions.size() == 1);
+    CHECK(store.data.sessions[0] == session);
+    REQUIRE(store.data.attempts.size() == 1);
+    const AttemptRecord& attempt = store.data.attempts[0];
+    CHECK(attempt.session == session.id);
+    CHECK(is_record_id(attempt.id));
+    CHECK(attempt.question == "heaviest");
+    CHECK(attempt.said == "apple is most heavy");
+    CHECK(attempt.slots == "thing=apple other=egg");
+    CHECK(attempt.attempt == 3);
+    CHECK(attempt.meaning_right);
+    CHECK_FALSE(attempt.form_right);
+    CHECK(attempt.answer_s == 2.5);
+    REQUIRE(attempt.errors.size() == 1);
+    CHECK(attempt.errors[0].span == "most heavy");
+    CHECK(attempt.errors[0].correction == "heaviest");
+    REQUIRE(store.data.ends.size() == 1);
+    CHECK(store.data.ends[0].reason == EndReason::finished);
+    CHECK(store.data.ends[0].stars == 2);
+    CHECK(store.data.ends[0].score == 9);
+    CHECK(store.data.ends[0].level_reached == 3);
+    CHECK(log.trouble().empty());
+}
+
+TEST_CASE(
+    "session log: a write that is refused once is repeated with its id, and leaves one record") {
+    MemoryStore store;
+    SessionLog log(store, some_session());
+    store.refusals = 1;
+    log.keep_attempt(some_answer());
+    CHECK(store.data.attempts.size() == 1);
+    CHECK(log.trouble().empty());
+}
+
+TEST_CASE("session log: the first write that is not kept is told, the next ones are tried") {
+    MemoryStore store;
+    SessionLog log(store, some_session());
+    store.refusals = 2;
+    log.keep_attempt(some_answer());
+    log.keep_attempt(some_answer());
+    CHECK(store.data.attempts.size() == 1);
+    CHECK(log.trouble().find("the disk is full") != std::string::npos);
+}
+
+TEST_CASE("session log: what a store tells later is told, and so is what still waits") {
+    LateStore store;
+    SessionLog log(store, some_session());
+    log.keep_attempt(some_answer());
+    log.look_for_trouble();
+    CHECK(log.trouble().empty());
+    SECTION("refused later") {
+        store.trouble = Error{"the disk is full", "", ""};
+        log.look_for_trouble();
+        CHECK(log.trouble().find("the disk is full") != std::string::npos);
+    }
+    SECTION("refused while the log settles") {
+        store.trouble = Error{"the disk is full", "", ""};
+        log.settle(1.0);
+        CHECK(log.trouble().find("the disk is full") != std::string::npos);
+    }
+    SECTION("still waiting") {
+        store.settled = fail("2 records still wait");
+        log.settle(1.0);
+        CHECK(log.trouble().find("2 records") != std::string::npos);
+    }
+    SECTION("all kept") {
+        log.settle(1.0);
+        CHECK(log.trouble().empty());
+    }
+}
