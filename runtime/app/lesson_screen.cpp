@@ -17,8 +17,10 @@ namespace {
 
 constexpr double kWatchPeriod_s = 0.25;  // how often the lesson's files are looked at
 constexpr double kFadeMargin_s = 0.02;   // beyond the gate's own fade
-constexpr double kWheelStep_m = 0.02;    // depth of one notch
-constexpr double kWheelReach_m = 0.3;    // either way
+constexpr double kStorePatience_s =
+    15.0;                              // for what the disk still has to keep when a play is over
+constexpr double kWheelStep_m = 0.02;  // depth of one notch
+constexpr double kWheelReach_m = 0.3;  // either way
 constexpr double kAnswerPatience_s =
     0.004;  // a frame waits so long for Lua before it draws without it
 
@@ -98,7 +100,12 @@ void LessonScreen::stop() {
     }
     loops_.stop();
     if (run_) {
+        // No hand feels anything now, so this may wait for the disk.
         run_->session().end(EndReason::left);
+        run_->session().settle(kStorePatience_s);
+        if (!run_->session().store_trouble().empty()) {
+            std::fprintf(stderr, "%s\n", run_->session().store_trouble().c_str());
+        }
         if (auto kept = run_->finish_record(); !kept) {
             std::fprintf(stderr, "%s\n", to_sentence(kept.error()).c_str());
         }

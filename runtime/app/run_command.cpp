@@ -70,7 +70,7 @@ int run_in_window(const Installation& installation, const Options& options, RunR
     if (!desktop) {
         return complain(desktop.error(), 2);
     }
-    const auto store = open_store_or_none(options.database);
+    const auto store = open_store_beside_window(options.database);
     LessonScreen screen(installation.places, *desktop, *store, installation.catalogue,
                         std::move(request), options);
     (void)screen.play();
@@ -139,11 +139,11 @@ int run_without_window(const Installation& installation, const Options& options,
         return complain(recorded.error(), 2);
     }
     screenshot.at_end();
+    (*run)->session().end(EndReason::left);
     if (!(*run)->session().store_trouble().empty()) {
         std::fprintf(stderr, "%s\n", (*run)->session().store_trouble().c_str());
     }
     const SessionResult& result = (*run)->session().result();
-    (*run)->session().end(EndReason::left);
     std::printf(
         "%s: %s after %.1f s (%.0f times real time), score %d, %d of 3 stars, %d answers.\n",
         (*run)->description().id.c_str(), outcome->finished ? "finished" : "ended",
@@ -186,7 +186,7 @@ int menu_command(const Installation& installation, const Options& options) {
     if (!desktop) {
         return complain(desktop.error(), 2);
     }
-    const auto store = open_store_or_none(options.database);
+    const auto store = open_store_beside_window(options.database);
     const auto cards = read_lesson_cards(installation.places);
     for (const LessonCard& card : cards) {
         (void)desktop->picture->load_models(std::vector<std::string>{card.icon}, card.folder);
