@@ -6,9 +6,9 @@ namespace fulcrum::runtime {
 
 namespace {
 // As parts of the camera's distance.
-constexpr double kShaftRadius = 0.0105;
-constexpr double kHeadRadius = 0.027;
-constexpr double kHeadLength = 0.050;
+constexpr double kShaftRadius = 0.0095;
+constexpr double kHeadRadius = 0.023;
+constexpr double kHeadLength = 0.040;
 }  // namespace
 
 std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera) {

@@ -15,9 +15,9 @@
 namespace fulcrum::runtime {
 
 /// Arrow length for 1 N seen from 1 m.
-inline constexpr double kLengthPerNewton = 0.055;
+inline constexpr double kLengthPerNewton = 0.037;
 /// The longest arrow, as a part of the camera's distance: about 6 N.
-inline constexpr double kLongestArrow = 0.33;
+inline constexpr double kLongestArrow = 0.222;
 /// Below this no arrow is drawn: the hand does not feel it.
 inline constexpr double kLeastForce_N = 0.05;
 

@@ -77,6 +77,9 @@ void ObjectPass::begin(const SceneFrame& frame, const ShadowPass& shadows) const
         program->set("u_horizon", Eigen::Vector3f(theme::kWallBottom.r, theme::kWallBottom.g,
                                                   theme::kWallBottom.b));
     }
+    lit_unshaded_.use();
+    lit_unshaded_.set("u_meadow",
+                      Eigen::Vector3f(theme::kFloor.r, theme::kFloor.g, theme::kFloor.b));
     outline_.use();
     outline_.set("u_clip_from_world", frame.clip_from_world);
     outline_.set("u_pixel", Eigen::Vector2f(2.0F / static_cast<float>(frame.width_px),
@@ -86,10 +89,21 @@ void ObjectPass::begin(const SceneFrame& frame, const ShadowPass& shadows) const
     ghost_.set("u_eye", frame.eye_W);
 }
 
-void ObjectPass::draw_lit(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
-                          bool shaded) const {
-    const gl::Program& program = shaded ? lit_ : lit_unshaded_;
-    program.use();
+void ObjectPass::draw_lit(const gl::Mesh& mesh, const Placement& placement,
+                          std::size_t level) const {
+    lit_.use();
+    draw_with(lit_, mesh, placement, level);
+}
+
+void ObjectPass::draw_far(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
+                          double foot_m) const {
+    lit_unshaded_.use();
+    lit_unshaded_.set("u_foot_m", static_cast<float>(foot_m));
+    draw_with(lit_unshaded_, mesh, placement, level);
+}
+
+void ObjectPass::draw_with(const gl::Program& program, const gl::Mesh& mesh,
+                           const Placement& placement, std::size_t level) const {
     set_model(program, placement);
     glActiveTexture(GL_TEXTURE0);
     for (const gl::MeshPart& part : mesh.levels[level]) {

@@ -35,9 +35,12 @@ class ObjectPass {
     /// Sets up all programs for a frame; the shadow map stays on texture unit 1.
     void begin(const SceneFrame& frame, const ShadowPass& shadows) const;
 
-    /// A lit model at a level of detail, see gl::Mesh; `shaded` when others' shadows can fall on it.
-    void draw_lit(const gl::Mesh& mesh, const Placement& placement, std::size_t level = 0,
-                  bool shaded = true) const;
+    /// A lit model at a level of detail, see gl::Mesh, on which others' shadows can fall.
+    void draw_lit(const gl::Mesh& mesh, const Placement& placement, std::size_t level = 0) const;
+    /// A lit model on which no shadow falls. Up to `foot_m` above the floor it has the floor's
+    /// colour, more so the lower: a far hill grows out of its meadow.
+    void draw_far(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
+                  double foot_m) const;
     /// Marks a model's pixels with a number, so that an outline can go around them: before
     /// `draw_outline`.
     void draw_stencil(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
@@ -50,6 +53,9 @@ class ObjectPass {
                     const Colour& colour) const;
 
   private:
+    void draw_with(const gl::Program& program, const gl::Mesh& mesh, const Placement& placement,
+                   std::size_t level) const;
+
     gl::Program lit_;
     gl::Program lit_unshaded_;
     gl::Program outline_;

@@ -36,14 +36,21 @@ std::optional<SceneItem> item_of(const ViewBody& body, const Camera& camera,
     return item;
 }
 
-void add_mark(SceneContent& content, const SceneItem& item, double unit_m, double floor_m,
-              bool is_hand) {
+/// Marks lie where the lamp reaches; beyond, nothing falls that a hand could catch.
+void add_mark(SceneContent& content, const SceneItem& item, double floor_m, bool is_hand) {
     const double height_m = item.bounds.lowest_m - floor_m;
-    if (item.bounds.radius_m < kLightReach * unit_m &&
-        height_m > -kBelowFloor * item.bounds.radius_m) {
+    if (item.near && height_m > -kBelowFloor * item.bounds.radius_m) {
         content.marks.push_back(
             {item.bounds.centre_W, item.bounds.half_width_m, std::max(height_m, 0.0), is_hand});
     }
+}
+
+/// Whether a thing's lowest point is within the hand, as an apple's in a bucket: then it lands nowhere.
+bool lies_in(const SceneItem& item, const SceneItem& hand) {
+    const Vector3 apart = item.bounds.centre_W - hand.bounds.centre_W;
+    const double top_m = 2.0 * hand.bounds.centre_W.y() - hand.bounds.lowest_m;
+    return std::hypot(apart.x(), apart.z()) < hand.bounds.half_width_m &&
+           item.bounds.lowest_m >= hand.bounds.lowest_m && item.bounds.lowest_m < top_m;
 }
 
 /// Half of an item's extent across the picture.
@@ -102,19 +109,21 @@ void add_force_label(SceneContent& content, const Camera& camera, const ViewForc
 SceneContent content_of(const View& view, const Camera& camera, const FindMesh& find_mesh) {
     SceneContent content;
     const double floor_m = std::isfinite(view.ground_height_m) ? view.ground_height_m : 0.0;
+    const auto hand = view.tool_visible ? item_of(view.tool, camera, find_mesh) : std::nullopt;
     for (std::size_t i = 0; i < std::min(view.bodies.size(), kMostBodies); ++i) {
-        if (const auto item = item_of(view.bodies[i], camera, find_mesh)) {
+        if (auto item = item_of(view.bodies[i], camera, find_mesh)) {
+            item->sunk_m = std::max(floor_m - item->bounds.lowest_m, 0.0);
             content.items.push_back(*item);
-            add_mark(content, *item, camera.distance_m(), floor_m, false);
+            if (!hand || !lies_in(*item, *hand)) {
+                add_mark(content, *item, floor_m, false);
+            }
             add_label(content, camera, view.bodies[i], *item);
         }
     }
-    if (view.tool_visible) {
-        if (const auto item = item_of(view.tool, camera, find_mesh)) {
-            content.items.push_back(*item);
-            add_mark(content, *item, camera.distance_m(), floor_m, true);
-            add_label(content, camera, view.tool, *item);
-        }
+    if (hand) {
+        content.items.push_back(*hand);
+        add_mark(content, *hand, floor_m, true);
+        add_label(content, camera, view.tool, *hand);
     }
     if (view.ghost_visible) {
         ViewBody ghost = view.tool;

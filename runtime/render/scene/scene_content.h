@@ -27,6 +27,7 @@ struct SceneItem {
     float highlight = 0.0F;  ///< 0 to 1
     std::size_t level = 0;   ///< of detail
     bool near = true;        ///< where the lamp's shadows reach
+    double sunk_m = 0.0;     ///< how deep its lowest point is below the floor
 };
 
 /// Everything in one frame's scene.

@@ -125,9 +125,11 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
     objects_.begin(frame, shadows_);
     std::vector<Bounds> casters;
     for (const SceneItem& item : content.items) {
-        objects_.draw_lit(*item.mesh, item.placement, item.level, item.near);
         if (item.near) {
+            objects_.draw_lit(*item.mesh, item.placement, item.level);
             casters.push_back(item.bounds);
+        } else {
+            objects_.draw_far(*item.mesh, item.placement, item.level, item.sunk_m);
         }
     }
     room_.draw(frame, camera);
@@ -170,7 +172,7 @@ void ScenePainter::draw_arrow(const Arrow& arrow, const Camera& camera, float sc
     }
     glDisable(GL_DEPTH_TEST);
     for (const auto& [mesh, placement] : parts) {
-        objects_.draw_lit(*mesh, *placement, 0, false);
+        objects_.draw_far(*mesh, *placement, 0, 0.0);
         objects_.draw_stencil(*mesh, *placement, 0, kArrowMark);
     }
     for (const auto& [mesh, placement] : parts) {
@@ -214,7 +216,7 @@ void ScenePainter::draw_icon(const std::string& model, const Box& box, int width
                height);
     glEnable(GL_DEPTH_TEST);
     objects_.begin(frame, shadows_);
-    objects_.draw_lit(mesh, Placement{}, 1, true);
+    objects_.draw_lit(mesh, Placement{}, 1);
     glViewport(0, 0, width_px, height_px);
 }
 

@@ -81,6 +81,10 @@ uniform float u_roughness;
 uniform vec3 u_centre;
 uniform vec3 u_horizon;
 uniform float u_fade_m;
+#ifdef NO_SHADOWS
+uniform vec3 u_meadow;  // as stored
+uniform float u_foot_m;
+#endif
 in vec3 v_position;
 in vec3 v_normal;
 in vec2 v_uv;
@@ -106,10 +110,16 @@ void main() {
   edge *= edge;
   light += kKey * min(gloss, 1.2) * max(facing, 0.0);
   light += (0.22 - 0.12 * u_roughness) * edge * (0.6 + 0.4 * n.y) * vec3(0.85, 0.95, 1.0);
+  vec3 colour = to_screen(light);
+#ifdef NO_SHADOWS
+  // What is sunk in the floor grows out of it without an edge.
+  if (u_foot_m > 0.0)
+    colour = mix(u_meadow, colour, smoothstep(0.0, u_foot_m, v_position.y - u_centre.y));
+#endif
   // Far things fade like the floor that they stand on.
   float away = length(v_position.xz - u_centre.xz);
   float haze = smoothstep(0.10 * u_fade_m, u_fade_m, away);
-  o_colour = vec4(mix(to_screen(light), u_horizon, haze), 1.0);
+  o_colour = vec4(mix(colour, u_horizon, haze), 1.0);
 }
 )";
 

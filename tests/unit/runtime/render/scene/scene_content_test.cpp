@@ -77,6 +77,35 @@ TEST_CASE("content: the hand has a mark of its own kind") {
     CHECK(content.items.size() == 1);
 }
 
+TEST_CASE("content: what lies in the hand has no mark of its own, what falls towards it has") {
+    View view;
+    view.tool = body_at(0.0, 0.3, 0.0);
+    const auto marks_with = [&](double x, double y) {
+        view.bodies = {body_at(x, y, 0.0)};
+        return read(view).marks.size();
+    };
+    // Things and hand are boxes of 0.1 m half side: what lies in the hand starts between 0.2 and 0.4.
+    CHECK(marks_with(0.0, 0.35) == 1);
+    CHECK(marks_with(0.05, 0.48) == 1);
+    CHECK(marks_with(0.0, 0.52) == 2);
+    CHECK(marks_with(0.0, 0.28) == 2);
+    CHECK(marks_with(0.15, 0.35) == 2);
+    view.tool_visible = false;
+    CHECK(marks_with(0.0, 0.35) == 1);
+}
+
+TEST_CASE("content: far things have no mark, and how deep one is sunk is known") {
+    View view = without_tool();
+    view.ground_height_m = 0.5;
+    view.bodies = {body_at(0.0, 0.58, 0.0), body_at(0.0, 0.58, -30.0), body_at(0.0, 0.7, 0.0)};
+    const SceneContent content = read(view);
+    REQUIRE(content.items.size() == 3);
+    CHECK(content.marks.size() == 2);
+    CHECK(content.items[0].sunk_m == Approx(0.02));
+    CHECK(content.items[1].sunk_m == Approx(0.02));
+    CHECK(content.items[2].sunk_m == 0.0);
+}
+
 TEST_CASE("content: the ghost appears as the arm leaves the tool") {
     View view;
     view.tool = body_at(0.0, 0.4, 0.0);

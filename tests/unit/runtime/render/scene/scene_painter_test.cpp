@@ -2,6 +2,8 @@
 
 #include "tests/unit/runtime/render/picture_fixture.h"
 
+#include <numbers>
+
 using namespace fulcrum;
 using namespace fulcrum::runtime;
 using namespace fulcrum::runtime::test;
@@ -152,6 +154,77 @@ TEST_CASE("picture: the mark on the floor shows where a falling body will land")
                                         brightness(pixel_at(bare, view, place)));
     }
     CHECK(darkest < -60);
+}
+
+TEST_CASE("picture: the hand's mark is dashed, a falling thing's is whole") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    // How often brightness, on the way around the mark's ring, passes the mean of a dash and a gap.
+    const auto changes = [&](const View& view) {
+        const Image image = studio->draw(view);
+        // The ring is a quarter larger where a thing is one reach of the light above the floor.
+        const double reach_m = kLightReach * Camera(view.camera, kWidth, kHeight).distance_m();
+        const double ring_m = 0.1 * (1.0 + 0.25 * 0.45 / reach_m);
+        constexpr int kPlaces = 364;
+        constexpr int kDash = kPlaces / 28;
+        const auto seen = [&](int i) {
+            const double turn = 2.0 * std::numbers::pi * i / kPlaces;
+            return brightness(
+                pixel_at(image, view, ring_m * Vector3(std::cos(turn), 0.0, std::sin(turn))));
+        };
+        int count = 0;
+        bool was_dark = false;
+        for (int i = 0; i < kPlaces; ++i) {
+            int around = 0;
+            for (int j = -kDash; j < kDash; ++j) {
+                around += seen(i + j);
+            }
+            constexpr int kClearly = 6;
+            const int darker = around / (2 * kDash) - seen(i);
+            const bool dark = darker > kClearly || (was_dark && darker > -kClearly);
+            count += dark != was_dark ? 1 : 0;
+            was_dark = dark;
+        }
+        return count;
+    };
+    View falling = nothing();
+    falling.camera.eye_W = Vector3(0.0, 0.9, 0.9);
+    falling.camera.target_W = Vector3(0.0, 0.1, 0.0);
+    View held = falling;
+    falling.bodies.push_back(body("red", {0.0, 0.55, 0.0}));
+    held.tool = body("red", {0.0, 0.55, 0.0});
+    held.tool_visible = true;
+    INFO("changes: held " << changes(held) << ", falling " << changes(falling));
+    CHECK(changes(held) >= 20);  // 14 dashes
+    CHECK(changes(held) > 2 * changes(falling));
+}
+
+TEST_CASE("picture: a far thing that is sunk in the floor grows out of it without an edge") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View hill = nothing();
+    hill.camera.eye_W = Vector3(0.0, 1.0, 1.5);
+    hill.camera.target_W = Vector3(0.0, 0.4, 0.0);
+    hill.bodies.push_back(body("red", {0.0, -0.4, -3.0}));
+    hill.bodies.back().scale.setConstant(10.0);  // a ball of 1 m radius, 1.4 m of it sunk
+    const auto difference = [](const std::array<int, 3>& a, const std::array<int, 3>& b) {
+        return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
+    };
+    const Image image = studio->draw(hill);
+    const double edge_m = -3.0 + std::sqrt(1.0 - 0.4 * 0.4);
+    const auto floor = pixel_at(image, hill, {0.0, 0.0, edge_m + 0.3});
+    const auto foot = pixel_at(image, hill, {0.0, 0.03, edge_m});
+    const auto top = pixel_at(image, hill, {0.0, 0.57, -3.0});
+    CHECK(difference(floor, foot) < 20);
+    CHECK(difference(floor, top) > 60);
+    // What stands on the floor keeps its colour down to it.
+    hill.bodies.back().pose_W.position.y() = 1.0;
+    const Image standing = studio->draw(hill);
+    CHECK(difference(pixel_at(standing, hill, {0.0, 0.2, -2.4}), floor) > 150);
 }
 
 TEST_CASE("picture: a highlight draws a line around a body") {
