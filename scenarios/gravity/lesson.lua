@@ -37,12 +37,12 @@ local next_place = 1
 function L:start(world)
   world:gravity(9.81)
   world:ground(0)
-  world:camera { eye = { 0, 0.95, 1.45 }, target = { 0, 0.44, 0 } }
+  world:camera { eye = { 0, 1.0, 1.95 }, target = { 0, 0.45, 0 } }
   world:hand { centre = { 0, 0.3, 0 }, scale = 2 }
   world:bucket { model = "bucket", radius = 0.11, depth = 0.085 }
-  world:body { name = "tree", model = "tree", visible = true, at = { -1.0, 0, -1.1 } }
-  world:body { name = "hill", model = "hill", visible = true, at = { 1.1, -0.22, -4.2 } }
-  world:body { name = "flower", model = "flower", visible = true, at = { 0.52, 0, -0.25 } }
+  world:body { name = "tree", model = "tree", visible = true, at = { 0.95, 0, -1.3 } }
+  world:body { name = "hill", model = "hill", visible = true, at = { -1.5, -0.2, -5.5 } }
+  world:body { name = "flower", model = "flower", visible = true, at = { -0.6, 0, -0.3 } }
   for _, name in ipairs(names) do
     local f = fruit[name]
     bodies[name] = world:body {

@@ -35,15 +35,15 @@ ViewBody body(const std::string& model, const Vector3& position_W, double turn_r
 /// Falling fruit, the bucket, a force and the arm's true pose.
 View falling() {
     View view;
-    view.camera.eye_W = Vector3(0.0, 0.95, 1.45);
-    view.camera.target_W = Vector3(0.0, 0.44, 0.0);
+    view.camera.eye_W = Vector3(0.0, 1.0, 1.95);
+    view.camera.target_W = Vector3(0.0, 0.45, 0.0);
     view.title = "Which fruit is the heaviest?";
     view.level = 2;
     view.level_title = "Three fruits";
     view.score = 7;
-    view.bodies.push_back(body("tree", {-1.0, 0.0, -1.1}));
-    view.bodies.push_back(body("hill", {1.1, -0.22, -4.2}));
-    view.bodies.push_back(body("flower", {0.52, 0.0, -0.25}));
+    view.bodies.push_back(body("tree", {0.95, 0.0, -1.3}));
+    view.bodies.push_back(body("hill", {-1.5, -0.2, -5.5}));
+    view.bodies.push_back(body("flower", {-0.6, 0.0, -0.3}));
     view.bodies.push_back(body("watermelon", {-0.38, 0.62, 0.02}, 0.5));
     view.bodies.back().label = "watermelon";
     view.bodies.push_back(body("apple", {0.42, 0.36, -0.05}, 0.2));
