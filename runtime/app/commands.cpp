@@ -133,6 +133,9 @@ int test_command(const Installation& installation, const Options& options) {
     if (!outcome) {
         return complain(outcome.error(), 1);
     }
+    if (const std::string trouble = trouble_of(*outcome); !trouble.empty()) {
+        std::fprintf(stderr, "%s\n", trouble.c_str());
+    }
     const int unmet = count_unmet((*run)->description().tests.front(), (*run)->session().result());
     std::printf("%s: %s after %.1f s of play.\n", (*run)->description().id.c_str(),
                 unmet == 0 ? "passed" : "failed", outcome->simulated_s);

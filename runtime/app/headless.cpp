@@ -3,6 +3,8 @@
 #include "haptics/base/clock.h"
 #include "runtime/app/interrupt.h"
 
+#include <algorithm>
+
 #include <cmath>
 #include <cstdio>
 
@@ -11,6 +13,8 @@ namespace {
 
 constexpr double kFadeShown_s =
     0.2;  // twice the gate's default fade: the record shows it to its end
+
+constexpr double kLeastMinutes = 1.0;
 
 // The virtual clock: time is a count of haptic ticks, so that nothing drifts and nothing depends on the machine.
 class VirtualClock {
@@ -54,11 +58,25 @@ void fade_out(LessonRun& run, VirtualClock& clock, const std::string& sentence) 
 
 }  // namespace
 
+std::string trouble_of(const HeadlessOutcome& outcome) {
+    if (outcome.nobody_answered) {
+        return "The lesson asked and nobody answered; give --say a file with one answer a line.";
+    }
+    if (outcome.never_ended) {
+        return "The lesson had not finished after " +
+               std::to_string(std::lround(outcome.simulated_s / 60.0)) +
+               " minutes of play; it may wait for something that never happens, or give --seconds.";
+    }
+    return {};
+}
+
 Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& settings) {
     HeadlessOutcome outcome;
     VirtualClock clock(run);
     const double began_s = monotonic_now_s();
-    double end_s = settings.end_s.value_or(1.0e9);
+    const double longest_s =
+        60.0 * std::max(run.description().minutes, kLeastMinutes) * settings.most_lengths;
+    double end_s = settings.end_s.value_or(longest_s);
     print_lines(run.process().prints_while_loading());
 
     while (clock.now_s() < end_s && !interrupted()) {
@@ -90,6 +108,7 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
         }
         clock.tick();
     }
+    outcome.never_ended = !outcome.finished && !settings.end_s && clock.now_s() >= longest_s;
     run.haptic_loop().silence(clock.now_s());
     outcome.simulated_s = clock.now_s();
     outcome.wall_s = monotonic_now_s() - began_s;

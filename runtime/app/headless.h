@@ -16,6 +16,8 @@ struct HeadlessSettings {
     std::optional<double> end_s;     ///< end then, finished or not
     double afterglow_s = 1.0;        ///< goes on so long after the lesson has finished
     double nobody_answers_s = 30.0;  ///< a question open for longer than this ends the run
+    /// Without `end_s`, a lesson that has not finished after so many times the minutes that it names is ended.
+    double most_lengths = 3.0;
     /// Called after each frame with the run's time; for pictures on the way. May be empty.
     std::function<void(double)> after_frame;
 };
@@ -23,9 +25,13 @@ struct HeadlessSettings {
 struct HeadlessOutcome {
     bool finished = false;         ///< the lesson came to its end
     bool nobody_answered = false;  ///< it waited in vain for an answer
+    bool never_ended = false;      ///< it went on for much longer than it says
     double simulated_s = 0.0;
     double wall_s = 0.0;
 };
+
+/// Why the run did not come to the lesson's end, one sentence; empty when it did or was told when to stop.
+[[nodiscard]] std::string trouble_of(const HeadlessOutcome& outcome);
 
 /// Plays to the end. An error is the lesson's failure: by then the force has faded and the record tells so.
 [[nodiscard]] Expected<HeadlessOutcome> run_headless(LessonRun& run,

@@ -17,12 +17,13 @@ namespace {
 
 constexpr double kWatchPeriod_s = 0.25;  // how often the lesson's files are looked at
 constexpr double kFadeMargin_s = 0.02;   // beyond the gate's own fade
-constexpr double kStorePatience_s =
-    15.0;                              // for what the disk still has to keep when a play is over
+// For what the disk still has to keep when a play is over.
+constexpr double kStorePatience_s = 15.0;
 constexpr double kWheelStep_m = 0.02;  // depth of one notch
 constexpr double kWheelReach_m = 0.3;  // either way
-constexpr double kAnswerPatience_s =
-    0.004;  // a frame waits so long for Lua before it draws without it
+constexpr double kHelp_s = 8.0;        // how long a new play says how to move
+// A frame waits so long for Lua before it draws without it.
+constexpr double kAnswerPatience_s = 0.004;
 
 fs::file_time_type newest_of(const std::vector<fs::path>& files) {
     fs::file_time_type newest = fs::file_time_type::min();  // not {}: that lies in the year 2174
@@ -157,16 +158,16 @@ void LessonScreen::take_input(const WindowEvents& events) {
         press_stop();
     }
     for (const KeyPress& press : events.pressed) {
-        take_key(press);
-    }
-    const bool question_open = run_ && error_.empty() && run_->session().hud().question_open;
-    if (question_open && !stopped_) {
-        typing_.add(events.text);
+        if (press.text.empty()) {
+            take_key(press);
+        } else if (run_ && error_.empty() && !stopped_ && run_->session().hud().question_open) {
+            typing_.add(press.text);
+        }
     }
     move_pointer(events);
 }
 
-// Escape stops the arm, and leaves when it is stopped already; return lets it go on.
+// Escape stops the arm, and leaves when it is stopped already or the lesson is over; return lets it go on.
 void LessonScreen::take_key(const KeyPress& press) {
     const bool is_escape = press.key == "escape" && !press.repeat;
     if (!run_ || !error_.empty()) {
@@ -177,7 +178,7 @@ void LessonScreen::take_key(const KeyPress& press) {
         }
         return;
     }
-    if (is_escape && stopped_) {
+    if (is_escape && (stopped_ || run_->session().result().finished)) {
         left_ = Left::to_menu;
     } else if (is_escape) {
         press_stop();
@@ -192,7 +193,10 @@ void LessonScreen::take_key(const KeyPress& press) {
     } else if (press.key == "backspace") {
         typing_.backspace();
     } else if (press.key == "return" && run_->session().hud().question_open) {
-        input_.typed = typing_.take();
+        if (!input_
+                 .typed) {  // the lesson has not heard the last line yet: this one stays in the box
+            input_.typed = typing_.take();
+        }
     } else if (!press.repeat && !run_->session().hud().question_open) {
         input_.keys.push_back(press.key);
     }
@@ -287,7 +291,19 @@ View LessonScreen::compose() const {
     } else if (run_ && !run_->session().store_trouble().empty()) {
         view.banner = catalogue_.say("banner.not_saved");
     }
+    if (view.caption.empty() && run_ && error_.empty()) {
+        view.caption = help();
+    }
     return view;
+}
+
+// What somebody who sees this for the first time must know, while the lesson says nothing itself.
+std::string LessonScreen::help() const {
+    if (run_->session().result().finished) {
+        return catalogue_.say("hud.leave", {{"key", "Escape"}});
+    }
+    const bool begins = monotonic_now_s() - epoch_s_ < kHelp_s;
+    return begins && request_.hand == HandKind::mouse ? catalogue_.say("hud.mouse_help") : "";
 }
 
 void LessonScreen::save_wanted_screenshot() {

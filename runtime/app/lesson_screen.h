@@ -48,6 +48,7 @@ class LessonScreen {
     void exchange();
     void watch_files();
     [[nodiscard]] View compose() const;
+    [[nodiscard]] std::string help() const;
     void save_wanted_screenshot();
 
     const Places& places_;

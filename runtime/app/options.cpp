@@ -18,7 +18,7 @@ struct CommandWord {
     std::string_view flags;  // the flags it understands, each between spaces
 };
 
-constexpr std::array<CommandWord, 9> kCommands{{
+constexpr std::array<CommandWord, 10> kCommands{{
     {"run", Command::run, true,
      " --headless --seconds --hand --say --learner --db --record --screenshot --screenshot-at "
      "--speech --watch"
@@ -31,6 +31,7 @@ constexpr std::array<CommandWord, 9> kCommands{{
     {"help", Command::help, false, " "},
     {"--help", Command::help, false, " "},
     {"--version", Command::version, false, " "},
+    {"menu", Command::menu, false, " --learner --db --force-limit --mute --speech --watch "},
 }};
 
 Expected<double> number_in(const std::string& flag, const std::string& text, double low,
@@ -115,7 +116,9 @@ std::string nearest(const std::string& word, const std::vector<std::string>& kno
         std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
             return edit_distance(word, a) < edit_distance(word, b);
         });
-    return best != known.end() && edit_distance(word, *best) <= 3 ? *best : std::string{};
+    // A third of the letters may be wrong; a guess that is further off would puzzle more than help.
+    const int most = std::clamp(static_cast<int>(word.size()) / 3, 2, 3);
+    return best != known.end() && edit_distance(word, *best) <= most ? *best : std::string{};
 }
 
 tl::unexpected<Error> unknown(const std::string& what, const std::string& word,
@@ -159,8 +162,13 @@ Expected<Options> parse_options(std::span<const std::string> words) {
     if (words.empty()) {
         return options;
     }
-    const auto command = std::find_if(kCommands.begin(), kCommands.end(),
-                                      [&](const CommandWord& c) { return c.word == words[0]; });
+    const auto find = [](std::string_view word) {
+        return std::find_if(kCommands.begin(), kCommands.end(),
+                            [&](const CommandWord& c) { return c.word == word; });
+    };
+    // Options alone are those of the list of lessons.
+    const bool only_options = words[0].starts_with("--") && find(words[0]) == kCommands.end();
+    const auto command = find(only_options ? "menu" : words[0]);
     if (command == kCommands.end()) {
         std::vector<std::string> known;
         known.reserve(kCommands.size());
@@ -171,7 +179,7 @@ Expected<Options> parse_options(std::span<const std::string> words) {
     }
     options.command = command->command;
 
-    for (std::size_t i = 1; i < words.size(); ++i) {
+    for (std::size_t i = only_options ? 0 : 1; i < words.size(); ++i) {
         const std::string& word = words[i];
         if (word.rfind("--", 0) != 0) {
             if (!command->takes_lesson || !options.lesson.empty()) {
@@ -179,7 +187,8 @@ Expected<Options> parse_options(std::span<const std::string> words) {
             }
             options.lesson = word;
         } else if (command->flags.find(" " + word + " ") == std::string_view::npos) {
-            return unknown("for " + words[0] + ", the option", word, flags_of(*command));
+            return unknown("for " + std::string(command->word) + ", the option", word,
+                           flags_of(*command));
         } else if (!takes_value(word)) {
             set_switch(options, word);
         } else if (i + 1 == words.size()) {
@@ -197,7 +206,7 @@ Expected<Options> parse_options(std::span<const std::string> words) {
 std::string usage() {
     return R"(Fulcrum: lessons that are felt.
 
-  fulcrum                    the list of lessons, in a window
+  fulcrum                    the list of lessons, in a window  (--learner NAME --db FILE --force-limit N --mute --watch)
   fulcrum run LESSON         play a lesson
       --headless             without a window, faster than real time, repeatable to the byte
       --hand FILE.lua|mouse|replay:FILE
@@ -208,7 +217,9 @@ std::string usage() {
       --screenshot FILE      write the picture when the run ends  (--screenshot-at S: at that second)
       --seconds N            end early
       --force-limit N        newtons this site allows, 0.5 to 10 (5)
-      --mute   --watch   --speech text
+      --mute                 without sound
+      --watch                runs again whenever a file of the lesson is saved, not only after a mistake
+      --speech text          answers are typed (the only way yet)
   fulcrum list               the lessons
   fulcrum check LESSON       look for mistakes without playing
   fulcrum test LESSON        play the lesson's own tests

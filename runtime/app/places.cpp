@@ -59,6 +59,10 @@ Expected<fs::path> find_lesson(const Places& places, const std::string& name_or_
     if (holds_lesson(name_or_folder)) {
         return fs::path(name_or_folder);
     }
+    if (const fs::path file(name_or_folder);
+        file.filename() == "lesson.lua" && fs::is_regular_file(file, error)) {
+        return file.has_parent_path() ? file.parent_path() : fs::path(".");
+    }
     const auto names = list_lesson_names(places);
     const auto best =
         std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {

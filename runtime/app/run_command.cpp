@@ -42,6 +42,9 @@ Expected<RunRequest> make_request(const Installation& installation, const Option
         }
     } else if (options.hand == "mouse" || (options.hand.empty() && in_window)) {
         request.hand = HandKind::mouse;
+    } else if (!options.hand.empty() && !options.hand.ends_with(".lua")) {
+        return fail("there is no hand \"" + options.hand + "\"", "",
+                    "give --hand mouse, replay:FILE, or a Lua file's name");
     } else {
         request.hand_file = options.hand;
     }
@@ -56,10 +59,19 @@ Expected<RunRequest> make_request(const Installation& installation, const Option
         if (!lines) {
             return tl::unexpected(lines.error());
         }
+        if (lines->empty()) {
+            return fail("there are no answers in this file", options.say, "write one a line");
+        }
         request.say = *lines;
     }
     request.own_test = !in_window;
-    if (!in_window && request.learner.empty()) {
+    if (!in_window && request.say.empty()) {
+        if (!request.learner.empty()) {
+            std::fprintf(
+                stderr,
+                "The answers are the lesson's own, so they are kept for the %s, not for %s.\n",
+                kSimulatedPupil, request.learner.c_str());
+        }
         request.learner = kSimulatedPupil;
     }
     return request;
@@ -149,10 +161,8 @@ int run_without_window(const Installation& installation, const Options& options,
         (*run)->description().id.c_str(), outcome->finished ? "finished" : "ended",
         outcome->simulated_s, outcome->wall_s > 0.0 ? outcome->simulated_s / outcome->wall_s : 0.0,
         result.score, result.stars, result.attempts);
-    if (outcome->nobody_answered) {
-        std::fprintf(
-            stderr,
-            "The lesson asked and nobody answered; give --say a file with one answer a line.\n");
+    if (const std::string trouble = trouble_of(*outcome); !trouble.empty()) {
+        std::fprintf(stderr, "%s\n", trouble.c_str());
         return 1;
     }
     return screenshot.failed() ? 2 : 0;

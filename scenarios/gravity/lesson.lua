@@ -159,7 +159,7 @@ local function best_score()
 end
 
 function play(world)
-  wait(1)
+  wait(2.5)
   while true do
     score, next_place = 0, 1
     world:score(0)

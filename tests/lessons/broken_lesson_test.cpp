@@ -152,3 +152,29 @@ TEST_CASE("program: a path that no file can have, and a full disk, each end in o
         CHECK(std::count(run.output.begin(), run.output.end(), '\n') <= 1);
     }
 }
+
+TEST_CASE("lessons: one that never ends is ended, and says how long it went on") {
+    const Sandbox sandbox;
+    sandbox.write("endless/lesson.lua", kHead +
+                                            "function L:update() end\n"
+                                            "L:test { expect = { finished = true } }\nreturn L\n");
+    for (const char* command : {"test endless", "run endless --headless"}) {
+        const ProgramRun run = sandbox.run(command);
+        INFO(command << ": " << run.output);
+        CHECK(run.exit_code == 1);
+        CHECK(run.output.find("had not finished after 3 minutes of play") != std::string::npos);
+    }
+    // Told when to stop, it has done what was asked.
+    CHECK(sandbox.run("run endless --headless --seconds 200").exit_code == 0);
+}
+
+TEST_CASE("program: what the lesson's own test answers is nobody's progress") {
+    const Sandbox sandbox;
+    const ProgramRun run = sandbox.run("run gravity --headless --learner Mina");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(run.output.find("not for Mina") != std::string::npos);
+    CHECK(sandbox.run("report").output.find("Mina") == std::string::npos);
+    sandbox.write("empty.txt", "\n\n");
+    CHECK(sandbox.run("run gravity --headless --say empty.txt").exit_code == 2);
+}

@@ -55,7 +55,9 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers
 }
 
 void on_text(GLFWwindow* window, unsigned int code_point) {
-    events_of(window).text += utf8_of(code_point);
+    KeyPress typed;
+    typed.text = utf8_of(code_point);
+    events_of(window).pressed.push_back(std::move(typed));
 }
 
 void on_pointer(GLFWwindow* window, double x, double y) {
@@ -107,7 +109,6 @@ void on_focus(GLFWwindow* window, int focused) {
 void forget_last_poll(WindowEvents& events) {
     events.pressed.clear();
     events.released.clear();
-    events.text.clear();
     events.button_press = {};
     events.pointer_moved = false;
     events.wheel = 0.0;

@@ -14,12 +14,14 @@
 
 namespace fulcrum::runtime {
 
-/// One press of a key (also each repetition while it is held).
+/// One press of a key (also each repetition while it is held), or a character that pressing keys has made.
 struct KeyPress {
     /// "space" "return" "escape" "backspace" "delete" "tab" "left" "right" "up" "down" "home" "end"
     /// "page_up" "page_down" "insert" "f1" to "f25", "shift" "control" "alt" "super", or what
-    /// stands on the key in small letters: "a", "ö", "1".
+    /// stands on the key in small letters: "a", "ö", "1". Empty for text.
     std::string key;
+    /// What was typed, UTF-8, keyboard layout applied; empty for a key. It comes after the key that makes it.
+    std::string text{};
     bool repeat = false;
     bool shift = false;
     bool control = false;
@@ -28,9 +30,8 @@ struct KeyPress {
 
 /// What happened since the last poll, and how things stand.
 struct WindowEvents {
-    std::vector<KeyPress> pressed;       ///< in order
+    std::vector<KeyPress> pressed;       ///< keys and text, in the order of typing
     std::vector<std::string> released;   ///< names as in KeyPress
-    std::string text;                    ///< what was typed, UTF-8, keyboard layout applied
     double pointer_x_px = 0.0;           ///< from the left of the framebuffer
     double pointer_y_px = 0.0;           ///< from the top of the framebuffer
     bool pointer_moved = false;          ///< since the last poll

@@ -71,3 +71,20 @@ TEST_CASE("options: edit distance counts letters") {
     CHECK(edit_distance("kitten", "sitting") == 3);
     CHECK(edit_distance("same", "same") == 0);
 }
+
+TEST_CASE("options: options without a command are those of the list of lessons") {
+    const auto options = parse({"--learner", "Mina", "--mute"});
+    REQUIRE(options);
+    CHECK(options->command == Command::menu);
+    CHECK(options->learner == "Mina");
+    CHECK(options->mute);
+    CHECK(to_sentence(parse({"--lerner", "Mina"}).error()).find("did you mean --learner") !=
+          std::string::npos);
+    CHECK_FALSE(parse({"--headless"}));
+    CHECK_FALSE(parse({"--learner"}));
+}
+
+TEST_CASE("options: a guess that would puzzle is not made") {
+    CHECK(to_sentence(parse({"run", "gravity", "--sped", "x"}).error()).find("did you mean") ==
+          std::string::npos);
+}

@@ -44,6 +44,9 @@ TEST_CASE("places: a lesson is found by name and by folder; a slip gets the near
     const Places places = installation.places();
     CHECK(find_lesson(places, "gravity") == installation.root / "scenarios" / "gravity");
     CHECK(find_lesson(places, (installation.root / "scenarios" / "gravity").string()));
+    CHECK(find_lesson(places,
+                      (installation.root / "scenarios" / "gravity" / "lesson.lua").string()) ==
+          installation.root / "scenarios" / "gravity");
     CHECK(list_lesson_names(places) == std::vector<std::string>{"gravity"});
     const auto slip = find_lesson(places, "gravty");
     REQUIRE_FALSE(slip);
