@@ -61,7 +61,7 @@ int count_unmet(const LessonTestDescription& test, const SessionResult& result) 
 
 }  // namespace
 
-Expected<Installation> open_installation() {
+Expected<Installation> open_installation(double started_s) {
     auto places = find_places();
     if (!places) {
         return tl::unexpected(places.error());
@@ -79,7 +79,7 @@ Expected<Installation> open_installation() {
                     words.string() + ":" + std::to_string(catalogue.error().line),
                     "mend that line");
     }
-    return Installation{std::move(*places), std::move(*catalogue)};
+    return Installation{std::move(*places), std::move(*catalogue), started_s};
 }
 
 int complain(const Error& error, int exit_code) {

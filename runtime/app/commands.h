@@ -12,10 +12,11 @@ namespace fulcrum::runtime {
 struct Installation {
     Places places;
     dialogue::Catalogue catalogue;
+    double started_s = 0.0;  ///< when the program began, monotonic clock
 };
 
 /// Finds the folders and reads the words.
-[[nodiscard]] Expected<Installation> open_installation();
+[[nodiscard]] Expected<Installation> open_installation(double started_s);
 
 /// Says an error in one sentence on the terminal and gives the exit code.
 int complain(const Error& error, int exit_code);

@@ -86,6 +86,7 @@ void LessonScreen::begin() {
     // An emergency stop outlives the lesson: only the key that lifts it does.
     run_->channels().emergency_stop.store(stopped_, std::memory_order_release);
     epoch_s_ = monotonic_now_s();
+    first_epoch_s_ = first_epoch_s_.value_or(epoch_s_);
     next_frame_s_ = 0.0;
     if (auto started = loops_.start(*run_, epoch_s_); !started) {
         fail_with(started.error());
@@ -322,16 +323,17 @@ void LessonScreen::save_wanted_screenshot() {
     }
 }
 
-std::string LessonScreen::statistics() const {
+std::string LessonScreen::statistics(double since_s) const {
     const RealtimeStatus status = loops_.haptic_status();
-    std::array<char, 256> text{};
+    std::array<char, 512> text{};
     std::snprintf(text.data(), text.size(),
                   "Haptic loop: %llu rounds, late by %.0f us (median) and %.0f us (99 %%), "
-                  "%llu missed; %s.",
+                  "%llu missed; %s. The first round came %.2f s after the start.",
                   static_cast<unsigned long long>(status.rounds),
                   1e6 * loops_.lateness().compute_quantile_s(0.5),
                   1e6 * loops_.lateness().compute_quantile_s(0.99),
-                  static_cast<unsigned long long>(status.misses), status.sentence.c_str());
+                  static_cast<unsigned long long>(status.misses), status.sentence.c_str(),
+                  first_epoch_s_.value_or(since_s) - since_s);
     return text.data();
 }
 

@@ -34,8 +34,8 @@ class LessonScreen {
     Left play();
     /// True when the lesson failed and was not mended; then `play` has told why.
     [[nodiscard]] bool failed() const { return !error_.empty(); }
-    /// How the haptic loop did, one sentence for the terminal.
-    [[nodiscard]] std::string statistics() const;
+    /// How the haptic loop did and how long after `since_s` of the monotonic clock it first ran, for the terminal.
+    [[nodiscard]] std::string statistics(double since_s) const;
 
   private:
     void begin();
@@ -61,6 +61,7 @@ class LessonScreen {
     std::unique_ptr<LessonRun> run_;
     LiveLoops loops_;
     double epoch_s_ = 0.0;
+    std::optional<double> first_epoch_s_;  // of the first play
     double next_frame_s_ = 0.0;
     std::string error_;  // the sentence of the failure, empty while all is well
     std::vector<std::filesystem::path> files_;

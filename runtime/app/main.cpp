@@ -1,4 +1,5 @@
 // The program: a lesson's process when it was started as one, else what the command line asks for.
+#include "haptics/base/clock.h"
 #include "runtime/app/commands.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/options.h"
@@ -17,6 +18,7 @@ int run_program(int argc, char** argv) {
         return lesson_process_main(*socket);
     }
 
+    const double started_s = monotonic_now_s();
     watch_for_interrupts();
     const std::vector<std::string> words(argv + 1, argv + argc);
     const auto options = parse_options(words);
@@ -35,7 +37,7 @@ int run_program(int argc, char** argv) {
         return report_command(*options);
     }
 
-    const auto installation = open_installation();
+    const auto installation = open_installation(started_s);
     if (!installation) {
         return complain(installation.error(), 2);
     }

@@ -86,7 +86,7 @@ int run_in_window(const Installation& installation, const Options& options, RunR
     LessonScreen screen(installation.places, *desktop, *store, installation.catalogue,
                         std::move(request), options);
     (void)screen.play();
-    std::fprintf(stderr, "%s\n", screen.statistics().c_str());
+    std::fprintf(stderr, "%s\n", screen.statistics(installation.started_s).c_str());
     return screen.failed() ? 1 : 0;
 }
 
