@@ -23,7 +23,7 @@ if(CCACHE)
 endif()
 
 add_library(fulcrum_options INTERFACE)
-# The same numbers on every machine: no contraction of a*b+c, no fast math.
+# No contraction of a*b+c, no fast math: the same source gives the same numbers on every machine of one level (below).
 target_compile_options(fulcrum_options INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
                                                  -Wshadow $<$<BOOL:${FULCRUM_WERROR}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
