@@ -147,13 +147,11 @@ Feedback Conversation::wrong_meaning() {
         return move_on();
     }
     state_ = State::asked;
-    Feedback feedback =
-        say(FeedbackKind::wrong_meaning,
-            question_->compares_two ? "feedback.wrong_meaning.two" : "feedback.wrong_meaning.many");
-    if (!question_->hint.empty()) {
-        feedback.text = question_->hint;
-        feedback.keys.clear();
-    }
+    // What comes next depends on the lesson: only the question itself may tell more than "try again".
+    Feedback feedback = question_->again.empty()
+                            ? say(FeedbackKind::wrong_meaning, "feedback.wrong_meaning")
+                            : say(FeedbackKind::wrong_meaning, "feedback.wrong_meaning.again",
+                                  {{"again", question_->again}});
     feedback.ask_again = true;
     feedback.replay = true;
     return feedback;

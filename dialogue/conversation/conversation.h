@@ -45,7 +45,7 @@ enum class FeedbackKind : std::uint8_t {
     recast,          ///< meaning right; the right sentence is said back
     prompt,          ///< meaning right; the learner may say it once more
     rule,            ///< meaning right; the right sentence and its rule
-    wrong_meaning,   ///< weigh again, asked again
+    wrong_meaning,   ///< asked again, with what the question itself says then
     not_understood,  ///< no sentence fits; asked again
     heard_badly,     ///< the recogniser isn't sure; asked again
     moved_on         ///< left for now

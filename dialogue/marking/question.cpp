@@ -1,20 +1,6 @@
 #include "dialogue/marking/question.h"
 
-#include <algorithm>
-
 namespace fulcrum::dialogue {
-namespace {
-
-bool teaches(const TemplateSet& set, Degree degree) {
-    return std::any_of(set.graphs.begin(), set.graphs.end(), [&](const Graph& graph) {
-        return std::any_of(graph.elements.begin(), graph.elements.end(),
-                           [&](const Element& element) {
-                               return element.role == Role::adjective && element.degree == degree;
-                           });
-    });
-}
-
-}  // namespace
 
 Expected<Question> compile_question(const QuestionSource& source) {
     const std::string where = "question \"" + source.id + "\"";
@@ -28,11 +14,8 @@ Expected<Question> compile_question(const QuestionSource& source) {
     if (!set) {
         return fail(where + ", " + set.error().message, set.error().column);
     }
-    Question question{source.id, source.prompt, source.hint, nullptr, false};
-    question.compares_two =
-        teaches(*set, Degree::comparative) && !teaches(*set, Degree::superlative);
-    question.templates = std::make_shared<const TemplateSet>(std::move(*set));
-    return question;
+    return Question{source.id, source.prompt, source.again,
+                    std::make_shared<const TemplateSet>(std::move(*set))};
 }
 
 }  // namespace fulcrum::dialogue

@@ -23,17 +23,15 @@ struct QuestionSource {
     std::vector<std::string> answers;  ///< templates
     NamedLists lists{};                ///< {name} -> its words
     NamedTexts rules{};                ///< <name> -> a template
-    std::string
-        hint{};  ///< said after a wrong meaning instead of the catalogue's line; may be empty
+    std::string again{};               ///< said after "Not yet."; empty: the catalogue's own line
 };
 
 /// A compiled question.
 struct Question {
     std::string id;
     std::string prompt;
-    std::string hint;
+    std::string again;
     std::shared_ptr<const TemplateSet> templates;
-    bool compares_two = false;  ///< its answers hold a comparative and no superlative
 };
 
 /// Compiles a question; an error names the question, the answer or rule, and its column.

@@ -66,6 +66,7 @@ void question(Archive& a, Question& q) {
         each.name("a list's name", value.first);
         texts(each, "a list", value.second);
     });
+    a.text("what is said after a wrong meaning", q.again, kMaxTextBytes);
     a.integer("a line", q.line, 0, kMaxLine);
 }
 

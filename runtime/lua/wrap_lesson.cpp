@@ -30,6 +30,7 @@ int add_question(lua_State* lua, LessonContext& context, const Arguments& argume
     question.prompt = arguments["prompt"].text;
     question.answers = arguments["answers"].texts;
     question.lists = arguments["lists"].lists;
+    question.again = arguments["again"].text;
     question.line = place_in_lesson(lua).line;
     auto& known = context.description.questions;
     if (std::any_of(known.begin(), known.end(),
@@ -104,6 +105,9 @@ void add_lesson_api(ApiTable& table) {
           {"lists", lists, "", 0, 0, "nil",
            "words that {name} in a template may stand for; {thing} is the bodies' nouns by "
            "default"},
+          {"again", text, "", 0, 200, "",
+           "what is said after \"Not yet.\" when the meaning is wrong, such as \"Let's weigh both "
+           "again.\"; \"Try again.\" by default"},
           {"right", function, "", 0, 0, kRequired, "function(answer): is the meaning right?"}},
          "",
          "Declares a question.",

@@ -70,6 +70,7 @@ local function lightest() return extreme(function(a, b) return a < b end) end
 
 L:question "heavier" {
   prompt = "Which one is heavier, the apple or the egg?",
+  again = "Let's weigh both again.",
   answers = { "[a|an|the] {thing} is <comparative:heavy> [than [a|an|the] {other}]" },
   right = function(a)
     local thing, other = bodies[a.thing], bodies[a.other]
@@ -79,12 +80,14 @@ L:question "heavier" {
 
 L:question "heaviest" {
   prompt = "Which one is the heaviest?",
+  again = "Let's weigh them again.",
   answers = { "[a|an|the] {thing} is the <superlative:heavy> [one|thing|object]" },
   right = function(a) return bodies[a.thing] == heaviest() end,
 }
 
 L:question "lightest" {
   prompt = "Which one is the lightest?",
+  again = "Let's weigh them again.",
   answers = { "[a|an|the] {thing} is the <superlative:light> [one|thing|object]" },
   right = function(a) return bodies[a.thing] == lightest() end,
 }

@@ -81,6 +81,7 @@ function lesson(options) end
 ---@field prompt string what the learner is asked; of at most 1000 bytes
 ---@field answers string[] templates of the sentences that answer it
 ---@field lists? table<string, string[]> words that {name} in a template may stand for; {thing} is the bodies' nouns by default
+---@field again? string what is said after "Not yet." when the meaning is wrong, such as "Let's weigh both again."; "Try again." by default; of at most 200 bytes
 ---@field right function function(answer): is the meaning right?
 
 ---Declares a question.

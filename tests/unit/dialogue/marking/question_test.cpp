@@ -6,11 +6,13 @@
 
 using namespace fulcrum::dialogue;
 
-TEST_CASE("question: compiles, and knows whether it compares two") {
-    CHECK(heavier().compares_two);
-    CHECK_FALSE(heaviest().compares_two);
-    CHECK_FALSE(moons().compares_two);
-    CHECK(heaviest().templates->answers == 2);
+TEST_CASE("question: compiles, and keeps what its author wrote") {
+    const Question question =
+        compiled({"q", "What is it?", {"it is big", "it is small"}, {}, {}, "Feel it again."});
+    CHECK(question.templates->answers == 2);
+    CHECK(question.id == "q");
+    CHECK(question.prompt == "What is it?");
+    CHECK(question.again == "Feel it again.");
 }
 
 TEST_CASE("question: errors name the question, the answer and the column") {

@@ -16,6 +16,13 @@ TEST_CASE("questions: a {thing} without a list means the nouns of the scene") {
     CHECK_FALSE(fulcrum::dialogue::mark_answer(question, "a planet is the heaviest").understood);
 }
 
+TEST_CASE("questions: what the teacher wants said after a wrong meaning is kept") {
+    LessonDescription lesson = two_things();
+    CHECK(compile_questions(lesson)->at("heaviest").again.empty());
+    lesson.questions[0].again = "Let's weigh them again.";
+    CHECK(compile_questions(lesson)->at("heaviest").again == "Let's weigh them again.");
+}
+
 TEST_CASE("questions: the teacher's own list wins over the scene's nouns") {
     LessonDescription lesson = two_things();
     lesson.questions[0].lists = {{"thing", {"planet"}}};

@@ -45,7 +45,7 @@ inline const dialogue::Catalogue& words() {
                                                      "feedback.recast = Yes. {sentence}\n"
                                                      "feedback.prompt = Once more: {gap}\n"
                                                      "feedback.repaired = Now right.\n"
-                                                     "feedback.wrong_meaning.many = Not yet.\n"
+                                                     "feedback.wrong_meaning = Not yet.\n"
                                                      "feedback.not_understood.1 = Say it again.\n")
                                                      .value();
     return catalogue;

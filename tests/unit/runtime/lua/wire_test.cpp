@@ -39,8 +39,12 @@ LessonDescription full_description() {
     d.bucket = {true, "bucket", 0.2, 0.3, 3, 16};
     d.camera = {Vector3(0, 0.5, 1.5), Vector3(0, 0.3, 0), 50};
     d.hand = {Vector3(0, 0.4, 0), 2.0, 2000.0, true, 17};
-    d.questions = {
-        {"heaviest", "Which?", {"the {thing}", "{thing}"}, {{"thing", {"apple", "egg"}}}, 18}};
+    d.questions = {{"heaviest",
+                    "Which?",
+                    {"the {thing}", "{thing}"},
+                    {{"thing", {"apple", "egg"}}},
+                    "Lift it.",
+                    18}};
     d.tests = {{"sweep.lua", {"an apple"}, {{"score", "7"}}, 19}};
     d.sounds = {"pop"};
     return d;
@@ -101,6 +105,7 @@ TEST_CASE("wire: a description, a reply and a frame come back as they were") {
     CHECK(bytes_of(*d) == description);
     CHECK(d->bodies[0].solid);
     CHECK(d->questions[0].lists[0].second[1] == "egg");
+    CHECK(d->questions[0].again == "Lift it.");
     const Bytes reply = bytes_of(full_reply());
     const auto r = decode_reply(body_of(reply), *d);
     REQUIRE(r);

@@ -9,17 +9,19 @@ using test::HostedLesson;
 
 TEST_CASE("lesson: head, questions and tests arrive, with their lines") {
     HostedLesson lesson;
-    REQUIRE(lesson.load("\nL:question \"heaviest\" {\n prompt = 'Which?', answers = { 'the "
-                        "{thing}' }, right = print }\n"
-                        "L:question('lightest', { prompt = 'Which?', answers = { 'a' }, right = "
-                        "print })\nL:test { hand = 'sweep.lua', say = { 'a' }, expect = {} }") ==
-            "");
+    REQUIRE(
+        lesson.load("\nL:question \"heaviest\" {\n prompt = 'Which?', answers = { 'the "
+                    "{thing}' }, right = print }\n"
+                    "L:question('lightest', { prompt = 'Which?', answers = { 'a' }, again = 'Lift "
+                    "both.', right = print })\nL:test { hand = 'sweep.lua', say = { 'a' }, expect "
+                    "= {} }") == "");
     const LessonDescription& d = lesson.host->description();
     CHECK((d.id == "t" && d.title == "T"));
     REQUIRE(d.questions.size() == 2);
     CHECK((d.questions[0].id == "heaviest" && d.questions[0].prompt == "Which?"));
     CHECK(d.questions[0].line == 3);
     CHECK((d.questions[1].id == "lightest" && d.questions[1].line == 5));
+    CHECK((d.questions[0].again.empty() && d.questions[1].again == "Lift both."));
     CHECK((d.tests.at(0).hand == "sweep.lua" && d.tests[0].say == std::vector<std::string>{"a"} &&
            d.tests[0].line == 6));
 }
