@@ -3,6 +3,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <fstream>
+#include <sstream>
+
 using namespace fulcrum;
 using namespace fulcrum::test;
 
@@ -68,4 +71,22 @@ TEST_CASE(
                     1e-3);
         }
     }
+}
+
+TEST_CASE("lessons: the one that README shows runs as it stands there") {
+    std::ifstream file(std::string(FULCRUM_TEST_LESSONS) + "/../../README.md");
+    std::ostringstream text;
+    text << file.rdbuf();
+    const std::string readme = text.str();
+    const std::size_t begin = readme.find("```lua\n");
+    REQUIRE(begin != std::string::npos);
+    const std::size_t end = readme.find("```", begin + 7);
+    REQUIRE(end != std::string::npos);
+    const Sandbox sandbox;
+    sandbox.write("stone/lesson.lua", readme.substr(begin + 7, end - begin - 7));
+    CHECK(sandbox.run("check stone").exit_code == 0);
+    const ProgramRun run = sandbox.run("run stone --headless");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(run.output.find("stone: finished") != std::string::npos);
 }
