@@ -33,8 +33,8 @@ class Catcher {
     /// opening between them?
     [[nodiscard]] Crossing compute_crossing(const Vector3& before_T, const Vector3& after_T,
                                             double body_radius_m) const noexcept;
-    /// Where the body comes to rest on those already held, in the tool's frame: on the floor, or on
-    /// top of the highest one, a little to alternate sides.
+    /// Where the body comes to rest on those already held, in the tool's frame: aside from the
+    /// middle, each in another direction, as low as the floor and those spheres allow.
     [[nodiscard]] Vector3 compute_resting_place(double body_radius_m,
                                                 std::span<const RigidBody> bodies) const noexcept;
 

@@ -50,7 +50,9 @@ void World::step(double dt_s, const HapticState& tool) noexcept {
         if (bodies_[i].where == BodyWhere::falling) {
             move_falling(i, dt_s, before_WT);
         } else if (bodies_[i].where == BodyWhere::held) {
+            const Vector3 before_W = bodies_[i].pose_W.position;
             move_held(bodies_[i], dt_s);
+            bodies_[i].velocity_W = (bodies_[i].pose_W.position - before_W) / dt_s;
         } else if (bodies_[i].where == BodyWhere::landed && bodies_[i].moving) {
             move_landed(bodies_[i], dt_s);
         }
@@ -77,8 +79,9 @@ void World::apply(const WorldCommand& command) noexcept {
         } else if (body.where != BodyWhere::held && is_full()) {
             ++ignored_commands_;
         } else if (body.where != BodyWhere::held) {
-            const Vector3 place_T = catcher_.compute_resting_place(body.radius_m, bodies_);
-            hold_body(body, {place_T, Quaternion::Identity()});
+            hold_body(body);
+            body.pose_T = Pose::at(body.resting_place_T);
+            body.velocity_W.setZero();
             move_held(body, 0.0);
         }
     }
@@ -125,17 +128,18 @@ void World::free_body(RigidBody& body, const WorldCommand& command) noexcept {
     }
 }
 
-void World::hold_body(RigidBody& body, const Pose& pose_T) noexcept {
+// From now on it rides in the tool; the caller says from where in it.
+void World::hold_body(RigidBody& body) noexcept {
     body.resting_place_T = catcher_.compute_resting_place(body.radius_m, bodies_);
     body.where = BodyWhere::held;
-    body.pose_T = pose_T;
     body.spin_W.setZero();
     body.moving = true;
 }
 
 void World::move_falling(std::size_t index, double dt_s, const Pose& tool_before_WT) noexcept {
     RigidBody& body = bodies_[index];
-    const Vector3 before_T = tool_before_WT.inverse() * body.pose_W.position;
+    const Vector3 before_W = body.pose_W.position;
+    const Vector3 before_T = tool_before_WT.inverse() * before_W;
     step_flight(body, plan_.gravity_W, dt_s);
     // Through the opening?
     if (catcher_.present() && has_tool_ && !is_full()) {
@@ -144,9 +148,12 @@ void World::move_falling(std::size_t index, double dt_s, const Pose& tool_before
         const Crossing crossing = catcher_.compute_crossing(before_T, after_T, body.radius_m);
         if (crossing.inside) {
             const double speed_m_per_s = (after_T - before_T).norm() / dt_s;
-            hold_body(body, {before_T + crossing.share * (after_T - before_T),
-                             (inverse_TW.orientation * body.pose_W.orientation).normalized()});
+            hold_body(body);
+            body.pose_T = {before_T + crossing.share * (after_T - before_T),
+                           (inverse_TW.orientation * body.pose_W.orientation).normalized()};
             move_held(body, (1.0 - crossing.share) * dt_s);
+            // The mean of the whole step, half flight and half glide: no leap at the catch.
+            body.velocity_W = (body.pose_W.position - before_W) / dt_s;
             add_event(WorldEvent::Kind::caught, index, speed_m_per_s);
             return;
         }
@@ -188,10 +195,7 @@ void World::move_held(RigidBody& body, double dt_s) noexcept {
             body.moving ? Vector3(body.resting_place_T + std::exp(-dt_s / kGlideTime_s) * away_T)
                         : body.resting_place_T;
     }
-    const Vector3 before_W = body.pose_W.position;
     body.pose_W = tool_WT_ * body.pose_T;
-    body.velocity_W =
-        dt_s > 0.0 ? Vector3((body.pose_W.position - before_W) / dt_s) : Vector3(Vector3::Zero());
 }
 
 void World::add_event(WorldEvent::Kind kind, std::size_t index, double speed_m_per_s) noexcept {
@@ -229,18 +233,6 @@ WorldFrame World::make_frame(double stamp_s,
         }
     }
     return frame;
-}
-
-void World::reset() noexcept {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        bodies_[i] = make_rigid_body(plan_.bodies[i]);
-    }
-    has_tool_ = false;
-    n_drops_ = 0;
-    n_events_ = 0;
-    ignored_commands_ = 0;
-    snapshot_.time_s = 0.0;
-    describe();
 }
 
 }  // namespace fulcrum

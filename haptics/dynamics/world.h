@@ -47,8 +47,6 @@ class World {
     void step(double dt_s, const HapticState& tool) noexcept;
     /// Puts the world's clock to `time_s` of the run's clock; `step` adds its dt to it.
     void set_time(double time_s) noexcept { snapshot_.time_s = time_s; }
-    /// All bodies hidden, time zero.
-    void reset() noexcept;
 
     /// What the picture and the lesson see; valid until the next call.
     [[nodiscard]] const WorldSnapshot& snapshot() const noexcept { return snapshot_; }
@@ -72,7 +70,7 @@ class World {
     [[nodiscard]] bool is_full() const noexcept;
     [[nodiscard]] bool is_usable(const WorldCommand& command) const noexcept;
     void free_body(RigidBody& body, const WorldCommand& command) noexcept;
-    void hold_body(RigidBody& body, const Pose& pose_T) noexcept;
+    void hold_body(RigidBody& body) noexcept;
     void move_falling(std::size_t index, double dt_s, const Pose& tool_before_WT) noexcept;
     void move_landed(RigidBody& body, double dt_s) noexcept;
     void move_held(RigidBody& body, double dt_s) noexcept;

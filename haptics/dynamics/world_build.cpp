@@ -60,9 +60,12 @@ Expected<void> validate(const WorldPlan& plan) {
 }
 
 World::World(const WorldPlan& plan) : plan_(plan), catcher_(plan.catcher) {
-    bodies_.resize(plan.bodies.size());
+    bodies_.reserve(plan.bodies.size());
+    for (const WorldBodyPlan& body : plan.bodies) {
+        bodies_.push_back(make_rigid_body(body));
+    }
     snapshot_.n_bodies = static_cast<std::int32_t>(plan.bodies.size());
-    reset();
+    describe();
 }
 
 }  // namespace fulcrum

@@ -3,18 +3,37 @@
 
 #include <algorithm>
 
+#include <cmath>
+
 namespace fulcrum {
 
 void WorldLoop::step(double now_s) noexcept {
+    if (!std::isfinite(now_s)) {
+        return;
+    }
     const double since_s = started_ ? now_s - now_s_ : period_s_;
     started_ = true;
     now_s_ = now_s;
-    const double dt_s = std::min(since_s, kLongestWorldStep_s);
-    (void)haptics_.state_for_world.take();
+    const double dt_s = std::clamp(since_s, 0.0, kLongestWorldStep_s);
+    take_hand();
     take_commands();
     world_.set_time(now_s - dt_s);
-    world_.step(dt_s, haptics_.state_for_world.value());
+    world_.step(dt_s, hand_);
     publish(now_s);
+}
+
+// Before the device's first good reading a state holds no pose. After it a faulty one holds the
+// last that was good.
+void WorldLoop::take_hand() noexcept {
+    constexpr Fault kNoPose = Fault::device_read | Fault::device_stale | Fault::device_invalid;
+    if (!haptics_.state_for_world.take()) {
+        return;
+    }
+    const HapticState& newest = haptics_.state_for_world.value();
+    heard_hand_ = heard_hand_ || !any(newest.faults & kNoPose);
+    if (heard_hand_) {
+        hand_ = newest;
+    }
 }
 
 void WorldLoop::take_commands() noexcept {
@@ -39,11 +58,6 @@ void WorldLoop::silence(double now_s) noexcept {
     WorldFrame frame = world_.make_frame(now_s, solid_bodies_);
     frame.carried_force_W.setZero();
     haptics_.world.publish(frame);
-}
-
-void WorldLoop::reset() noexcept {
-    world_.reset();
-    started_ = false;
 }
 
 }  // namespace fulcrum

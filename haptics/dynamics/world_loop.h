@@ -22,17 +22,18 @@ class WorldLoop final : public PeriodicTask {
     ~WorldLoop() override;
 
     /// One round at `now_s` of the run's clock. The world moves by the time since the last round,
-    /// at most kLongestWorldStep_s.
+    /// at most kLongestWorldStep_s; when the clock goes backwards it stands still. A time that is
+    /// not finite is no round at all. The tool is nowhere, and catches nothing, until the haptic
+    /// loop has told of a pose.
     void step(double now_s) noexcept override;
     /// Nothing is carried any more: the haptic loop is told so.
     void silence(double now_s) noexcept override;
-    /// All bodies hidden, as at the start.
-    void reset() noexcept;
 
     /// The world itself, for the world's own thread.
     [[nodiscard]] const World& world() const noexcept { return world_; }
 
   private:
+    void take_hand() noexcept;
     void take_commands() noexcept;
     void publish(double now_s) noexcept;
 
@@ -41,6 +42,8 @@ class WorldLoop final : public PeriodicTask {
     std::vector<std::int32_t> solid_bodies_;
     WorldChannels& channels_;
     HapticChannels& haptics_;
+    HapticState hand_{};  // nowhere, until one is heard of
+    bool heard_hand_ = false;
     bool started_ = false;
     double now_s_ = 0.0;
 };

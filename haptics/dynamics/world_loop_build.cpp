@@ -1,6 +1,7 @@
 // The load-path half of world_loop.h.
 #include "haptics/dynamics/world_loop.h"
 
+#include <limits>
 #include <utility>
 
 namespace fulcrum {
@@ -11,7 +12,9 @@ WorldLoop::WorldLoop(const WorldPlan& plan, std::vector<std::int32_t> solid_bodi
       period_s_(1.0 / plan.rate_hz),
       solid_bodies_(std::move(solid_bodies)),
       channels_(channels),
-      haptics_(haptics) {}
+      haptics_(haptics) {
+    hand_.proxy_position_W.setConstant(std::numeric_limits<double>::quiet_NaN());
+}
 
 WorldLoop::~WorldLoop() = default;
 

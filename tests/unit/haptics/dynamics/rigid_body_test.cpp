@@ -106,3 +106,18 @@ TEST_CASE("rigid body: a constant spin turns by its angle and stays a rotation")
     CHECK((body.pose_W.orientation * Vector3::UnitX() - Vector3::UnitY()).norm() < 1e-9);
     CHECK(body.pose_W.orientation.coeffs().norm() == Approx(1.0).epsilon(1e-14));
 }
+
+TEST_CASE("rigid body: a spin turns about the world's axes, whatever the body's own stand like") {
+    RigidBody body = make_body(0.0);
+    // Turned about x first, y lies along z; a quarter turn about the world's z leaves it there.
+    body.pose_W.orientation = Eigen::AngleAxisd(1.5707963267948966, Vector3::UnitX());
+    body.spin_W = Vector3(0.0, 0.0, 1.5707963267948966);
+    step_flight(body, Vector3::Zero(), 1.0);
+    CHECK((body.pose_W.orientation * Vector3::UnitY() - Vector3::UnitZ()).norm() < 1e-12);
+    CHECK((body.pose_W.orientation * Vector3::UnitX() - Vector3::UnitY()).norm() < 1e-12);
+}
+
+TEST_CASE("rigid body: drag in air of 1.204 kilograms a cubic metre") {
+    // c = 1.204 * 0.02 / (2 * 0.2)
+    CHECK(make_body(0.02).drag_per_m == Approx(0.0602));
+}

@@ -1,44 +1,24 @@
 #include "haptics/dynamics/world_loop.h"
 
+#include "tests/unit/haptics/dynamics/world_fixture.h"
+
 #include <catch2/catch.hpp>
 
+#include <limits>
 #include <memory>
 
 using namespace fulcrum;
 
 namespace {
 
-constexpr double kDt_s = 0.002;
 using Kind = WorldCommand::Kind;
-
-WorldPlan make_plan() {
-    WorldPlan plan;
-    plan.bodies = {{5.0, 4.0, 0.09, 0.0}, {0.2, 0.6, 0.04, 0.0}, {0.12, 0.4, 0.04, 0.0}};
-    plan.catcher.present = true;
-    plan.catcher.opening_radius_m = 0.1;
-    plan.catcher.depth_m = 0.12;
-    plan.catcher.capacity = 3;
-    return plan;
-}
-
-WorldCommand make_command(Kind kind, std::int32_t body, const Vector3& position_W = Vector3::Zero(),
-                          const Vector3& velocity_W = Vector3::Zero()) {
-    return {kind, body, position_W, velocity_W};
-}
-
-HapticState tool_at(const Vector3& position_W) {
-    HapticState tool;
-    tool.tool_pose_W.position = position_W;
-    tool.proxy_position_W = position_W;
-    return tool;
-}
 
 }  // namespace
 
 TEST_CASE("world loop: commands go in, frames, snapshots and events come out, on the run's clock") {
     auto channels = std::make_unique<WorldChannels>();
     auto haptics = std::make_unique<HapticChannels>();
-    WorldLoop loop(make_plan(), {2}, *channels, *haptics);
+    WorldLoop loop(make_world_plan(), {2}, *channels, *haptics);
     haptics->state_for_world.publish(tool_at(Vector3(0.0, 0.3, 0.0)));
     channels->commands.push(make_command(Kind::place, 2, Vector3(1.0, 1.0, 1.0)));
     channels->commands.push(make_command(Kind::drop, 1, Vector3(0.0, 0.5, 0.0)));
@@ -67,4 +47,93 @@ TEST_CASE("world loop: commands go in, frames, snapshots and events come out, on
     loop.step(now_s);
     loop.step(now_s + 60.0);
     CHECK(loop.world().snapshot().bodies[0].pose_W.position.y() > 4.9);
+}
+
+namespace {
+
+// A world loop with its channels, stepped by hand.
+struct Loop {
+    std::unique_ptr<WorldChannels> channels = std::make_unique<WorldChannels>();
+    std::unique_ptr<HapticChannels> haptics = std::make_unique<HapticChannels>();
+    WorldLoop loop{make_world_plan(), {1}, *channels, *haptics};
+
+    const BodyState& body(std::size_t index = 1) const {
+        return loop.world().snapshot().bodies[index];
+    }
+};
+
+}  // namespace
+
+TEST_CASE("world loop: the first round is one period long, and a pause is left out of the motion") {
+    Loop world;
+    world.channels->commands.push(make_command(Kind::drop, 1, Vector3(2.0, 5.0, 0.0)));
+    world.loop.step(7.0);
+    // Semi-implicit Euler: one step of 2 ms is g dt^2, the next of 50 ms adds g (dt + 0.05) 0.05.
+    double fallen_m = 9.81 * kDt_s * kDt_s;
+    CHECK(world.body().pose_W.position.y() == Approx(5.0 - fallen_m).epsilon(1e-13));
+    CHECK(world.loop.world().snapshot().time_s == Approx(7.0));
+    world.loop.step(67.0);
+    fallen_m += 9.81 * (kDt_s + 0.05) * 0.05;
+    CHECK(world.body().pose_W.position.y() == Approx(5.0 - fallen_m).epsilon(1e-13));
+    // Its clock has not stood still.
+    CHECK(world.loop.world().snapshot().time_s == Approx(67.0));
+}
+
+TEST_CASE("world loop: a time that is not finite is no round, one that goes back moves nothing") {
+    Loop world;
+    world.channels->commands.push(make_command(Kind::drop, 1, Vector3(2.0, 5.0, 0.0)));
+    world.loop.step(7.0);
+    const Vector3 before_W = world.body().pose_W.position;
+    (void)world.haptics->world.take();
+    (void)world.channels->snapshot.take();
+    for (const double bad_s :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+          -std::numeric_limits<double>::infinity()}) {
+        world.loop.step(bad_s);
+        CHECK_FALSE(world.haptics->world.take());
+        CHECK_FALSE(world.channels->snapshot.take());
+    }
+    world.loop.step(6.9);
+    CHECK(world.body().pose_W.position == before_W);
+    REQUIRE(world.channels->snapshot.take());
+    CHECK(world.channels->snapshot.value().time_s == Approx(6.9));
+    // And goes on from there.
+    world.loop.step(6.9 + kDt_s);
+    CHECK(world.body().pose_W.position.y() ==
+          Approx(before_W.y() - 9.81 * 2.0 * kDt_s * kDt_s).epsilon(1e-13));
+}
+
+TEST_CASE("world loop: until the hand has a pose there is no bucket, at the origin or elsewhere") {
+    Loop world;
+    double now_s = 0.0;
+    const auto step_for = [&](int n) {
+        for (int k = 0; k < n; ++k) {
+            world.loop.step(now_s += kDt_s);
+        }
+    };
+    // Nothing heard: the body falls past the origin onto the ground.
+    world.channels->commands.push(make_command(Kind::drop, 1, Vector3(0.0, 0.2, 0.0)));
+    step_for(10);
+    // A device that has given no pose yet: its state stands at the origin and says so in its faults.
+    for (const Fault fault : {Fault::device_read, Fault::device_stale, Fault::device_invalid}) {
+        HapticState unread;
+        unread.faults = fault;
+        world.haptics->state_for_world.publish(unread);
+        step_for(100);
+    }
+    CHECK(world.body().where == BodyWhere::landed);
+    // The first pose makes no sweep from the origin: the body is above it there and below it here.
+    world.channels->commands.push(
+        make_command(Kind::drop, 2, Vector3(0.0, 0.5, 0.0), Vector3(0.0, 0.02, 0.0)));
+    step_for(1);
+    world.haptics->state_for_world.publish(tool_at(Vector3(0.0, 1.0, 0.0)));
+    step_for(1);
+    CHECK(world.body(2).where == BodyWhere::falling);
+    // From now on there is one, also while the device is lost: where it was last.
+    HapticState lost = tool_at(Vector3(0.0, 1.0, 0.0));
+    lost.faults = Fault::device_read;
+    world.haptics->state_for_world.publish(lost);
+    world.channels->commands.push(make_command(Kind::drop, 2, Vector3(0.0, 1.1, 0.0)));
+    step_for(100);
+    CHECK(world.body(2).where == BodyWhere::held);
 }
