@@ -137,6 +137,7 @@ Expected<Graph> build_sentence(TemplateSet& set, const ParsedRules& rules,
     Graph graph = writer.finish(start, end);
     graph.slots = built->slots;
     graph.required = built->required;
+    graph.definite = built->definite;
     if (may_be_empty(graph)) {
         return fail("the sentence may be empty; keep at least one word outside [ ]", 1);
     }
@@ -165,8 +166,10 @@ Expected<bool> add_short_answers(TemplateSet& set, const ParsedRules& rules, int
     set.graphs.push_back(std::move(bare));
 
     const std::string name = set.slots[static_cast<std::size_t>(slot)];
-    auto it_is =
-        build_sentence(set, rules, "(it|this|that) is <article> {" + list.name + ":" + name + "}");
+    const bool definite = (set.graphs[static_cast<std::size_t>(sentence)].definite & bit) != 0;
+    const std::string article = definite ? "the" : "<article>";
+    auto it_is = build_sentence(
+        set, rules, concat({"(it|this|that) is ", article, " {", list.name, ":", name, "}"}));
     if (!it_is) {
         return tl::unexpected(it_is.error());
     }

@@ -4,7 +4,9 @@
 //   lists      thing = watermelon, apple, an hour, the Moon, Jupiter, "bike|bicycle" (the first is what a recast says)
 //   rules      name = a template used as <name>
 //
-// Grammar-aware: an article or a bracket of articles before a {list} asks for the article that the noun needs; verbs agree
+// Grammar-aware: an article or a bracket of articles before a {list} asks for the article that the noun needs, and the first
+// of a bracket is the one that is said back: "[a|an|the] {thing}" any such thing ("An apple is …", as <article> does),
+// "[the|a|an] {thing}" and "the {thing}" the one that is there ("The apple is …"). Verbs agree
 // with the noun before them; <superlative:…>, <comparative:…>, <plural:…> and <article> know their right forms and the
 // wrong ones that learners say. A question that a single word answers is given short answers too ("The watermelon.").
 //

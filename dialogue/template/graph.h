@@ -93,6 +93,7 @@ struct Graph {
     std::vector<int> said;       ///< word numbers, arc after arc
     std::uint32_t slots = 0;     ///< bit i: slot i can be filled
     std::uint32_t required = 0;  ///< bit i: slot i is filled in every sentence
+    std::uint32_t definite = 0;  ///< bit i: slot i stands behind "the": one thing that is there
     bool short_answer = false;   ///< "The watermelon."
     bool whole_sentence = true;  ///< false for a noun alone: a recast completes it
     int answer = kNone;          ///< the answer that this is, or is short for

@@ -2,6 +2,8 @@
 // NOLINTBEGIN(misc-no-recursion)
 #include "dialogue/template/graph_builder.h"
 
+#include "dialogue/english/letters.h"
+
 #include <algorithm>
 
 #include <optional>
@@ -26,7 +28,8 @@ const SyntaxNode& unwrapped(const Syntax& syntax, int index) {
     return *part;
 }
 
-/// The article that a part asks for when it consists of articles only: "the", "[a|an|the]", "(a|an)", <article>.
+/// The article that a part asks for when it consists of articles only: "the", "[the|a|an]", "(a|an)", <article>. The one
+/// that stands first is the author's own; the others are only let pass.
 std::optional<ArticlePolicy> article_policy(const Syntax& syntax, int index) {
     const SyntaxNode& part = unwrapped(syntax, index);
     if (part.kind == Kind::word && is_article(part.text)) {
@@ -41,23 +44,34 @@ std::optional<ArticlePolicy> article_policy(const Syntax& syntax, int index) {
     if (part.kind != Kind::alternatives) {
         return std::nullopt;
     }
-    auto policy = ArticlePolicy::definite;
+    std::optional<ArticlePolicy> first;
     for (const int child : part.children) {
         const auto inner = article_policy(syntax, child);
         if (!inner) {
             return std::nullopt;
         }
-        policy = *inner == ArticlePolicy::indefinite ? *inner : policy;
+        first = first ? first : inner;
     }
-    return policy;
+    return first;
 }
 
-std::string names_of(const std::vector<WordList>& lists) {
+/// What to write instead of a list's `name` that isn't there: the one that it is a slip of, or which there are.
+std::string known_lists(const std::vector<WordList>& lists, std::string_view name) {
     std::string names;
+    std::string nearest;
+    int least =
+        std::min(3, static_cast<int>(name.size() + 1) / 2);  // a slip is less than half of the name
     for (const WordList& list : lists) {
         names += (names.empty() ? "" : ", ") + list.name;
+        if (const int distance = edit_distance(list.name, name); distance < least) {
+            least = distance;
+            nearest = list.name;
+        }
     }
-    return names.empty() ? "none" : names;
+    if (!nearest.empty()) {
+        return "did you mean " + nearest + "?";
+    }
+    return "the lists are: " + (names.empty() ? "none" : names);
 }
 
 }  // namespace
@@ -124,7 +138,8 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
                 "{thing:other}",
                 at(syntax, part.children[i]).column);
         }
-        built = {made->to, built.slots | made->slots, built.required | made->required};
+        built = {made->to, built.slots | made->slots, built.required | made->required,
+                 built.definite | made->definite};
         neighbours.after_article = policy.has_value() && !noun_phrase;
         neighbours.after_list = noun_phrase || unwrapped(syntax, child).kind == Kind::list;
     }
@@ -146,6 +161,7 @@ Expected<Built> GraphBuilder::alternatives(const Syntax& syntax, const SyntaxNod
         }
         writer_.join(made->to, built.to);
         built.slots |= made->slots;
+        built.definite |= made->definite;
         built.required = first ? made->required : (built.required & made->required);
         first = false;
     }
@@ -174,6 +190,7 @@ Expected<Built> GraphBuilder::permutation(const Syntax& syntax, const SyntaxNode
             writer_.join(made->to, nodes[set | bit]);
             built.slots |= made->slots;
             built.required |= made->required;
+            built.definite |= made->definite;
         }
     }
     return built;
@@ -205,16 +222,15 @@ Expected<Built> GraphBuilder::list(const SyntaxNode& part, ArticlePolicy policy,
         std::find_if(set_.lists.begin(), set_.lists.end(),
                      [&](const WordList& candidate) { return candidate.name == part.text; });
     if (found == set_.lists.end()) {
-        return fail(
-            "there is no list \"" + part.text + "\"; the lists are: " + names_of(set_.lists),
-            part.column);
+        return fail("there is no list \"" + part.text + "\"; " + known_lists(set_.lists, part.text),
+                    part.column);
     }
     const auto slot = slot_number(part, static_cast<int>(found - set_.lists.begin()));
     if (!slot) {
         return tl::unexpected(slot.error());
     }
     const std::uint32_t bit = 1U << static_cast<unsigned>(*slot);
-    Built built{writer_.add_node(), bit, bit};
+    Built built{writer_.add_node(), bit, bit, policy == ArticlePolicy::definite ? bit : 0};
     add_noun_phrase(writer_, *found, *slot, policy, from, built.to);
     return built;
 }

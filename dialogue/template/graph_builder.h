@@ -18,6 +18,7 @@ struct Built {
     int to = 0;                  ///< the node after it
     std::uint32_t slots = 0;     ///< those it can fill
     std::uint32_t required = 0;  ///< those it always fills
+    std::uint32_t definite = 0;  ///< those that stand behind "the"
 };
 
 /// The rules of a question, parsed.

@@ -16,7 +16,8 @@ enum class Branch : std::uint8_t {
     with_both,        // a herb, an herb
     bare_or_the,      // water
     bare_plural,      // scissors
-    made_plural,      // watermelons, where the list has watermelon
+    made_plural,      // watermelons in general, where the list has watermelon
+    plural_of_one,    // "the watermelons", where there is one
     name,             // Jupiter
     the_name,         // the Moon
     name_or_the,      // Earth, the Earth
@@ -39,11 +40,13 @@ class ArticleWriter {
             case Branch::with_both:
                 return count_noun("a", "");
             case Branch::bare_or_the:
-                return without({"some", "this", "that"}, true);
+                return without({"some", "this", "that"});
             case Branch::bare_plural:
-                return without({"some", "these", "those"}, true);
+                return without({"some", "these", "those"});
             case Branch::made_plural:
-                return without({"some", "these", "those"}, false);
+                return plurals_in_general();
+            case Branch::plural_of_one:
+                return plurals_that_are_there();
             case Branch::name:
                 return only_name();
             case Branch::the_name:
@@ -61,6 +64,10 @@ class ArticleWriter {
     void right(std::string_view said, bool canonical) {
         writer_.add_arc(from_, to_, element_, {said, said, ErrorCode::none, 0, canonical});
     }
+    /// As good as `belongs`, which is said back.
+    void passes(std::string_view said, std::string_view belongs) {
+        writer_.add_arc(from_, to_, element_, {said, belongs, ErrorCode::none, 0});
+    }
     void wrong(std::string_view said, std::string_view belongs, ErrorCode code) {
         writer_.add_arc(from_, to_, element_, {said, belongs, code, kSlipCost});
     }
@@ -68,13 +75,17 @@ class ArticleWriter {
     void count_noun(std::string_view own, std::string_view other) {
         const bool definite = policy_ == ArticlePolicy::definite;
         const bool bare = policy_ == ArticlePolicy::bare;
-        right(own, !definite && !bare);
+        if (definite) {
+            passes(own, "the");
+        } else {
+            right(own, !bare);
+        }
         right("the", definite);
         for (const std::string_view said : {"this", "that", "my", "your", "our"}) {
             right(said, false);
         }
         if (other.empty()) {
-            right("an", false);
+            passes("an", definite ? "the" : "an");
         } else {
             wrong(other, own, ErrorCode::wrong_determiner);
         }
@@ -88,16 +99,33 @@ class ArticleWriter {
         }
     }
 
-    void without(const std::array<std::string_view, 3>& determiners, bool indefinite_is_wrong) {
+    void without(const std::array<std::string_view, 3>& determiners) {
         const bool definite = policy_ == ArticlePolicy::definite;
         right("", !definite);
         right("the", definite);
         for (const std::string_view said : determiners) {
             right(said, false);
         }
-        if (indefinite_is_wrong) {
-            wrong("a", "", ErrorCode::extra_determiner);
-            wrong("an", "", ErrorCode::extra_determiner);
+        wrong("a", "", ErrorCode::extra_determiner);
+        wrong("an", "", ErrorCode::extra_determiner);
+    }
+
+    /// "Apples are heavier": right where any will do; what is there is one thing, see below.
+    void plurals_in_general() {
+        if (policy_ != ArticlePolicy::definite) {
+            right("", false);
+            right("some", false);
+        }
+    }
+
+    /// "The apples": there is one, so the noun is wrong (the arc of the noun says so) and its determiner goes with it.
+    void plurals_that_are_there() {
+        right("the", false);
+        passes("these", "this");
+        passes("those", "that");
+        if (policy_ == ArticlePolicy::definite) {
+            passes("some", "the");
+            wrong("", "the", ErrorCode::missing_determiner);
         }
     }
 
@@ -184,12 +212,13 @@ void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticleP
                 lower_case(plural) == lower_case(noun.text)) {
                 continue;
             }
-            // The plural: right by itself, wrong after a or an.
+            // The plural: right by itself, wrong after a or an, and wrong of the one thing that is there.
             const bool with_an = branch == Branch::with_an;
             arc = {plural,    noun.text, ErrorCode::noun_number,
                    kSlipCost, false,     static_cast<int>(i)};
             writer.add_arc(node_of(with_an ? Branch::plural_after_an : Branch::plural_after_a), to,
                            place, arc);
+            writer.add_arc(node_of(Branch::plural_of_one), to, place, arc);
             arc = {plural, plural, ErrorCode::none, 0, false, static_cast<int>(i), Number::plural};
             writer.add_arc(node_of(Branch::made_plural), to, place, arc);
         }

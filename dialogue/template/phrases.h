@@ -20,9 +20,9 @@ inline constexpr int kOtherDegreeCost = 30;
 
 /// The article that a template asks for before a list.
 enum class ArticlePolicy : std::uint8_t {
-    bare,          ///< {thing}: none asked for, any accepted
-    indefinite,    ///< [a|an|the], <article>, a: a or an by sound where the noun needs one
-    definite,      ///< the
+    bare,        ///< {thing}: none asked for, any accepted
+    indefinite,  ///< [a|an|the], <article>, a: any such thing; a or an by sound where the noun needs one
+    definite,  ///< the, [the|a|an]: the one that is there; "an apple" passes, and is said back with "the"
     short_answer,  ///< the noun alone is a whole answer: it may go without
 };
 

@@ -50,7 +50,8 @@ std::optional<Number> subject_number(const std::vector<Piece>& pieces, int verb)
                   : std::optional<Number>(pieces[static_cast<std::size_t>(noun)].number);
 }
 
-void agree(Piece& verb, Number number) {
+/// The verb goes with `number`; `excused` when its noun was said in another number, which is one error and not two.
+void agree(Piece& verb, Number number, bool excused) {
     // An arc without an error says the template's own form, one of agreement the other; "'s" has its arc too.
     const VerbForms& forms = verb.element.verb;
     const bool own_is_singular = verb.right == forms.singular;
@@ -60,7 +61,7 @@ void agree(Piece& verb, Number number) {
         return;  // missing, misspelt or another form: only what belongs there changes
     }
     const bool says_singular = says_own == own_is_singular;
-    const bool same = verb.said.empty() || says_singular == (number == Number::singular);
+    const bool same = excused || verb.said.empty() || says_singular == (number == Number::singular);
     verb.code = same ? ErrorCode::none : ErrorCode::agreement;
     verb.cost = same ? 0 : kSlipCost;
 }
@@ -108,7 +109,8 @@ void resolve(std::vector<Piece>& pieces) {
         Piece& piece = pieces[static_cast<std::size_t>(i)];
         if (piece.element.role == Role::verb) {
             if (const auto number = subject_number(pieces, i)) {
-                agree(piece, *number);
+                const Piece& noun = pieces[static_cast<std::size_t>(before(pieces, i))];
+                agree(piece, *number, noun.code == ErrorCode::noun_number);
             }
         } else if (piece.element.role == Role::adjective &&
                    piece.element.degree == Degree::comparative) {

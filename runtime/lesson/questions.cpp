@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <array>
+
 namespace fulcrum::runtime {
 namespace {
 
@@ -17,23 +19,17 @@ std::vector<std::string> nouns_of(const LessonDescription& lesson) {
     return nouns;
 }
 
-// Every {name} that the templates use and the teacher did not list means a thing of the scene.
+/// The lists that the teacher need not give: they mean the things of the scene.
+constexpr std::array<const char*, 2> kThingsOfTheScene = {"thing", "other"};
+
 dialogue::NamedLists lists_of(const QuestionDescription& question,
                               const std::vector<std::string>& nouns) {
     dialogue::NamedLists lists = question.lists;
-    for (const std::string& answer : question.answers) {
-        for (std::size_t open = answer.find('{'); open != std::string::npos;
-             open = answer.find('{', open + 1)) {
-            const std::size_t close = answer.find('}', open);
-            if (close == std::string::npos) {
-                break;
-            }
-            const std::string name = answer.substr(open + 1, close - open - 1);
-            const bool known = std::any_of(lists.begin(), lists.end(),
-                                           [&](const auto& list) { return list.first == name; });
-            if (!known) {
-                lists.emplace_back(name, nouns);
-            }
+    for (const std::string name : kThingsOfTheScene) {
+        const bool given = std::any_of(lists.begin(), lists.end(),
+                                       [&](const auto& list) { return list.first == name; });
+        if (!given && !nouns.empty()) {
+            lists.emplace_back(name, nouns);
         }
     }
     return lists;

@@ -10,7 +10,7 @@
 
 namespace fulcrum::runtime {
 
-/// Compiles every question; a {thing} that no list explains means the nouns of the lesson's bodies. An error names the
+/// Compiles every question; {thing} and {other}, where no list explains them, mean the nouns of the lesson's bodies. An error names the
 /// line of the question and the column of the template.
 [[nodiscard]] Expected<std::map<std::string, dialogue::Question>> compile_questions(
     const LessonDescription& lesson);

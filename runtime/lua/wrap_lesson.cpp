@@ -101,10 +101,16 @@ void add_lesson_api(ApiTable& table) {
          CallTime::loading,
          {{"id", name, "", 0, 0, kRequired, "what world:ask calls it"},
           {"prompt", text, "", 0, 1000, kRequired, "what the learner is asked"},
-          {"answers", texts, "", 0, 0, kRequired, "templates of the sentences that answer it"},
+          {"answers", texts, "", 0, 0, kRequired,
+           "templates of the sentences that answer it; the first of several articles is the one "
+           "that is said "
+           "back: \"[a|an|the] {thing}\" gives \"An apple is …\", \"[the|a|an] {thing}\" gives "
+           "\"The "
+           "apple is …\""},
           {"lists", lists, "", 0, 0, "nil",
-           "words that {name} in a template may stand for; {thing} is the bodies' nouns by "
-           "default"},
+           "words that {name} in a template may stand for; {thing} and {other} are the bodies' "
+           "nouns "
+           "by default"},
           {"again", text, "", 0, 200, "",
            "what is said after \"Not yet.\" when the meaning is wrong, such as \"Let's weigh both "
            "again.\"; \"Try again.\" by default"},

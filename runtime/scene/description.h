@@ -70,7 +70,7 @@ struct QuestionDescription {
     std::string prompt;
     std::vector<std::string> answers;  ///< hassil templates with grammar slots
     std::vector<std::pair<std::string, std::vector<std::string>>>
-        lists;          ///< {thing} -> words; bodies' nouns by default
+        lists;          ///< {name} -> words; {thing}, {other}: bodies' nouns by default
     std::string again;  ///< said after a wrong meaning, behind "Not yet."; empty: "Try again."
     SourceLine line = 0;
 };

@@ -71,7 +71,7 @@ local function lightest() return extreme(function(a, b) return a < b end) end
 L:question "heavier" {
   prompt = "Which one is heavier, the apple or the egg?",
   again = "Let's weigh both again.",
-  answers = { "[a|an|the] {thing} is <comparative:heavy> [than [a|an|the] {other}]" },
+  answers = { "[the|a|an] {thing} is <comparative:heavy> [than [the|a|an] {other}]" },
   right = function(a)
     local thing, other = bodies[a.thing], bodies[a.other]
     return thing == heaviest() and (other == nil or other.weight < thing.weight)

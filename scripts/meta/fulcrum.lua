@@ -79,8 +79,8 @@ function lesson(options) end
 
 ---@class QuestionOptions
 ---@field prompt string what the learner is asked; of at most 1000 bytes
----@field answers string[] templates of the sentences that answer it
----@field lists? table<string, string[]> words that {name} in a template may stand for; {thing} is the bodies' nouns by default
+---@field answers string[] templates of the sentences that answer it; the first of several articles is the one that is said back: "[a|an|the] {thing}" gives "An apple is …", "[the|a|an] {thing}" gives "The apple is …"
+---@field lists? table<string, string[]> words that {name} in a template may stand for; {thing} and {other} are the bodies' nouns by default
 ---@field again? string what is said after "Not yet." when the meaning is wrong, such as "Let's weigh both again."; "Try again." by default; of at most 200 bytes
 ---@field right function function(answer): is the meaning right?
 

@@ -171,6 +171,46 @@ TEST_CASE("mark: long adjectives, names, materials, plurals, other verbs") {
                });
 }
 
+TEST_CASE("mark: the template's own first article is the one that is said back") {
+    const auto asked = [](const char* answer) {
+        return compiled(
+            {"heavier", "Which one is heavier, the apple or the egg?", {answer}, fruit()});
+    };
+    for (const char* answer : {"[the|a|an] {thing} is <comparative:heavy> [than the {thing:other}]",
+                               "the {thing} is <comparative:heavy> [than the {thing:other}]"}) {
+        INFO(answer);
+        const Question question = asked(answer);
+        check_rows(question,
+                   {{"the apple is heavier", "", "The apple is heavier."},
+                    {"apple is heavier", "M:DET", "*The apple* is heavier."},
+                    {"the apple is more heavy", "R:ADJ:FORM", "The apple is *heavier*."},
+                    {"an apple is more heavy than an egg", "R:ADJ:FORM",
+                     "The apple is *heavier* than the egg."},
+                    {"a apple is heavier", "R:DET", "*An apple* is heavier."},
+                    {"the apples are heavier", "R:NOUN:NUM", "*The apple* is heavier."},
+                    {"apples are heavier", "M:DET R:NOUN:NUM", "*The apple* is heavier."},
+                    {"the apples are more heavy than the eggs", "R:NOUN:NUM R:ADJ:FORM R:NOUN:NUM",
+                     "The apple is *heavier* than the egg."},
+                    {"it is apple", "M:DET", "It is *the apple*."}});
+        CHECK(mark_answer(question, "apple").corrected == "The apple is heavier.");
+        CHECK(mark_answer(question, "an apple").corrected == "The apple is heavier.");
+        CHECK(mark_answer(question, "apple").form_right());
+        CHECK(choices(question)[1] == "the apple");
+    }
+    for (const char* answer : {"[a|an|the] {thing} is <comparative:heavy>",
+                               "<article> {thing} is <comparative:heavy>"}) {
+        INFO(answer);
+        const Question question = asked(answer);
+        check_rows(question, {{"apple is heavier", "M:DET", "*An apple* is heavier."},
+                              {"the apple is more heavy", "R:ADJ:FORM", "The apple is *heavier*."},
+                              {"apples are heavier", "", "Apples are heavier."},
+                              {"the apples are heavier", "R:NOUN:NUM", "*The apple* is heavier."},
+                              {"it is apple", "M:DET", "It is *an apple*."}});
+        CHECK(mark_answer(question, "apple").corrected == "An apple is heavier.");
+        CHECK(choices(question)[1] == "an apple");
+    }
+}
+
 TEST_CASE("mark: short answers are understood and fine") {
     for (const char* said :
          {"watermelon", "the watermelon", "A watermelon!", "It is the watermelon.",

@@ -42,6 +42,8 @@ TEST_CASE("compile: mistakes name their place") {
                Catch::Contains("there is no form <biggest:"));
     CHECK_THAT(error_of({{"<superlative>"}, {}, {}}),
                Catch::Contains("there is no rule <superlative>"));
+    CHECK_THAT(error_of({{"{thng} is"}, {{"other", {"x"}}, {"thing", {"y"}}}, {}}),
+               Catch::Contains("there is no list \"thng\"; did you mean thing?"));
     CHECK_THAT(error_of({{"{a} is"}, {{"b", {"x"}}, {"c", {"y"}}}, {}}),
                Catch::Contains("the lists are: b, c"));
     CHECK_THAT(error_of({{"{a}"}, {{"a", {}}}, {}}), Catch::Contains("is empty"));

@@ -26,10 +26,22 @@ TEST_CASE("resolve: the verb agrees with the noun right before it") {
     const TemplateSource is{{"the {thing} is here"}, things(), {}};
     CHECK(put_right(is, "the apple is here") == "The apple is here. 0");
     CHECK(put_right(is, "the apple are here") == "The apple is here. 10");
-    CHECK(put_right(is, "the apples are here") == "The apples are here. 0");
+    const TemplateSource any{{"<article> {thing} is here"}, things(), {}};
+    CHECK(put_right(any, "apples are here") == "Apples are here. 0");
+    CHECK(put_right(any, "apples is here") == "Apples are here. 10");
     CHECK(put_right(is, "the scissors is here") == "The scissors are here. 10");
     CHECK(put_right(is, "the water are here") == "The water is here. 10");
     CHECK(put_right(is, "the scissors here") == "The scissors are here. 20");
+}
+
+TEST_CASE("resolve: a noun in the wrong number takes its verb along: one error, not two") {
+    const TemplateSource is{{"the {thing} is here"}, things(), {}};
+    CHECK(put_right(is, "the apples are here") == "The apple is here. 10");
+    CHECK(put_right(is, "the apples is here") == "The apple is here. 10");
+    CHECK(put_right(is, "these apples are here") == "This apple is here. 10");
+    CHECK(put_right(is, "the apples here") == "The apple is here. 30");
+    const TemplateSource were{{"the {thing} are here"}, things(), {}};
+    CHECK(put_right(were, "the apples are here") == "The apple is here. 10");
 }
 
 TEST_CASE("resolve: a noun inside a longer subject doesn't decide") {

@@ -16,6 +16,33 @@ TEST_CASE("questions: a {thing} without a list means the nouns of the scene") {
     CHECK_FALSE(fulcrum::dialogue::mark_answer(question, "a planet is the heaviest").understood);
 }
 
+TEST_CASE("questions: {other} is a second thing of the scene") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].answers = {"the {thing} is <comparative:heavy> than the {other}"};
+    const auto mark = fulcrum::dialogue::mark_answer(compile_questions(lesson)->at("heaviest"),
+                                                     "the apple is heavier than the egg");
+    CHECK(mark.slot("thing") == "apple");
+    CHECK(mark.slot("other") == "egg");
+}
+
+TEST_CASE("questions: a list that isn't there is named, with its line and what was meant") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].answers = {"the {thng} is the <superlative:heavy>"};
+    const auto slip = compile_questions(lesson);
+    REQUIRE_FALSE(slip.has_value());
+    CHECK(slip.error().where == "lesson.lua:7");
+    CHECK_THAT(slip.error().message,
+               Catch::Contains("there is no list \"thng\"; did you mean thing?"));
+    lesson.questions[0].answers = {"the {planet} is the <superlative:heavy>"};
+    CHECK_THAT(compile_questions(lesson).error().message,
+               Catch::Contains("there is no list \"planet\"; the lists are: thing, other"));
+    // Without bodies nothing is a thing of the scene.
+    lesson.bodies.clear();
+    lesson.questions[0].answers = {"the {thing} is the <superlative:heavy>"};
+    CHECK_THAT(compile_questions(lesson).error().message,
+               Catch::Contains("there is no list \"thing\"; the lists are: none"));
+}
+
 TEST_CASE("questions: what the teacher wants said after a wrong meaning is kept") {
     LessonDescription lesson = two_things();
     CHECK(compile_questions(lesson)->at("heaviest").again.empty());
