@@ -11,7 +11,10 @@ std::string to_sentence(const Error& error) {
     if (!error.what_to_do.empty()) {
         sentence += "; " + error.what_to_do;
     }
-    sentence += '.';
+    // A question such as "did you mean …?" ends by itself.
+    if (!sentence.ends_with('?') && !sentence.ends_with('!') && !sentence.ends_with('.')) {
+        sentence += '.';
+    }
     return sentence;
 }
 

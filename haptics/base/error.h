@@ -24,7 +24,7 @@ using Expected = tl::expected<T, Error>;
         Error{std::move(message), std::move(where), std::move(what_to_do)});
 }
 
-/// One sentence: "where: message; what_to_do."
+/// One sentence: "where: message; what_to_do." No full stop is put behind a ?, a ! or another full stop.
 [[nodiscard]] std::string to_sentence(const Error& error);
 
 }  // namespace fulcrum

@@ -40,33 +40,6 @@ const char* type_words(ParameterType type) {
     return "something else";
 }
 
-/// What was given, as people say it.
-std::string given_text(lua_State* lua, int index) {
-    switch (lua_type(lua, index)) {
-        case LUA_TNONE:
-        case LUA_TNIL:
-            return "nothing";
-        case LUA_TNUMBER: {
-            char text[32];
-            std::snprintf(text, sizeof(text), "%.14g", lua_tonumber(lua, index));
-            return text;
-        }
-        case LUA_TBOOLEAN:
-            return lua_toboolean(lua, index) != 0 ? "true" : "false";
-        case LUA_TSTRING: {
-            std::size_t n = 0;
-            const char* text = lua_tolstring(lua, index, &n);
-            return "the text \"" + clean_text({text, n}, kMaxShownBytes) + '"';
-        }
-        case LUA_TFUNCTION:
-            return "a function";
-        case LUA_TTABLE:
-            return "a table";
-        default:
-            return text_of(lua, index);
-    }
-}
-
 /// One parameter of one call: where to find it, and how errors call it.
 struct Place {
     const Parameter& parameter;
@@ -314,6 +287,32 @@ void check_field_names(lua_State* lua, int index, const Binding& binding,
 }
 
 }  // namespace
+
+std::string given_text(lua_State* lua, int index) {
+    switch (lua_type(lua, index)) {
+        case LUA_TNONE:
+        case LUA_TNIL:
+            return "nothing";
+        case LUA_TNUMBER: {
+            char text[32];
+            std::snprintf(text, sizeof(text), "%.14g", lua_tonumber(lua, index));
+            return text;
+        }
+        case LUA_TBOOLEAN:
+            return lua_toboolean(lua, index) != 0 ? "true" : "false";
+        case LUA_TSTRING: {
+            std::size_t n = 0;
+            const char* text = lua_tolstring(lua, index, &n);
+            return "the text \"" + clean_text({text, n}, kMaxShownBytes) + '"';
+        }
+        case LUA_TFUNCTION:
+            return "a function";
+        case LUA_TTABLE:
+            return "a table";
+        default:
+            return text_of(lua, index);
+    }
+}
 
 Arguments check_arguments(lua_State* lua, int first, const Binding& binding) {
     std::vector<Argument> values;

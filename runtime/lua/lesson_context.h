@@ -26,6 +26,12 @@ struct Handle {
     std::uint32_t generation = 0;
 };
 
+/// What a part of a lesson may need of another.
+enum class Need : std::uint8_t {
+    bucket,   ///< world:bucket
+    movable,  ///< a body that is movable, so that there is a world that moves bodies
+};
+
 struct LessonContext {
     LessonPhase phase = LessonPhase::loading;
     bool is_hand = false;          ///< a simulated hand: it looks and does nothing
@@ -41,6 +47,7 @@ struct LessonContext {
     int force_function_ref = LUA_NOREF;
     std::vector<std::pair<std::string, int>> judges;  ///< question -> its `right`
     std::vector<int> listeners;                       ///< L:listen
+    std::vector<std::pair<Need, ScriptError>> needs;  ///< noted in L:start, judged after it
 };
 
 /// The context of the script that runs.
@@ -57,8 +64,14 @@ void push_handle(lua_State* lua, Handle::Kind kind, std::int32_t index);
 /// Pushes {x, y, z} that also has fields x, y and z.
 void push_vector(lua_State* lua, const Vector3& v);
 
-/// Puts metatables of all handles and the global functions into the state.
+/// Puts metatables of all handles and the global functions into the state, and makes its globals strict.
 void register_api(lua_State* lua);
+/// Reading a global that was never assigned raises a sentence from now on.
+void make_globals_strict(lua_State* lua);
+/// Puts what the shared library gets from the program into the registry, as kLibraryServices.
+void register_library_services(lua_State* lua);
+/// What was given, as people say it: "nothing", "3", "the text \"x\"", "a table".
+[[nodiscard]] std::string given_text(lua_State* lua, int index);
 /// Checks the arguments of `binding` from stack index `first` on; raises the sentence that says what is wrong.
 [[nodiscard]] Arguments check_arguments(lua_State* lua, int first, const Binding& binding);
 

@@ -1,5 +1,9 @@
 #include "runtime/lua/lesson_host.h"
 
+#include "runtime/lua/needs.h"
+
+#include <algorithm>
+
 #include <cmath>
 #include <utility>
 
@@ -26,20 +30,30 @@ bool push_callback(lua_State* lua, const LessonContext& context, const char* nam
     return false;
 }
 
+/// The number of the last line with anything on it.
+int last_line(const std::string& text) {
+    const std::size_t end = text.find_last_not_of(" \t\r\n");
+    const auto begin = text.begin();
+    return 1 +
+           static_cast<int>(std::count(
+               begin, end == std::string::npos ? begin : begin + static_cast<std::ptrdiff_t>(end),
+               '\n'));
+}
+
 /// The file must end with `return L`.
-void check_returned_lesson(lua_State* lua, const LessonContext& context, const std::string& file) {
+void check_returned_lesson(lua_State* lua, const LessonContext& context, const LuaSource& source) {
     if (context.lesson_ref == LUA_NOREF) {
         lua_pushfstring(
             lua,
             "%s:1: this file makes no lesson; begin with local L = lesson { id = …, title = … }",
-            file.c_str());
+            source.name.c_str());
         lua_error(lua);
     }
     lua_rawgeti(lua, LUA_REGISTRYINDEX, context.lesson_ref);
     if (lua_rawequal(lua, -1, -2) == 0) {
         lua_pushfstring(lua,
-                        "%s:1: the file must end with return L, the lesson that lesson { … } gave",
-                        file.c_str());
+                        "%s:%d: the file must end with return L, the lesson that lesson { … } gave",
+                        source.name.c_str(), last_line(source.text));
         lua_error(lua);
     }
     lua_pop(lua, 1);
@@ -124,11 +138,16 @@ std::optional<ScriptError> LessonHost::load_lesson() {
         register_api(lua);
         script.load_text(lua, message_.lesson);
         script.call(lua, 0, 1);
-        check_returned_lesson(lua, lesson_, message_.lesson.name);
+        check_returned_lesson(lua, lesson_, message_.lesson);
         lesson_.phase = LessonPhase::starting;
         if (push_callback(lua, lesson_, "start")) {
             push_handle(lua, Handle::Kind::world, 0);
             script.call(lua, 2, 0);
+        }
+        if (const auto unmet = find_unmet(lua, lesson_)) {
+            lua_pushfstring(lua, "%s:%d: %s", unmet->file.c_str(), static_cast<int>(unmet->line),
+                            unmet->message.c_str());
+            lua_error(lua);
         }
         lesson_.description.sounds = find_sounds(message_.lesson.text);
     });

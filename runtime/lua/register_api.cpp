@@ -322,9 +322,11 @@ void register_api(lua_State* lua) {
     for (lua_pushnil(lua); lua_next(lua, -3) != 0; lua_pop(lua, 1)) {
         lua_pushvalue(lua, -2);
         lua_pushvalue(lua, -2);
-        lua_settable(lua, -5);
+        lua_rawset(lua, -5);
     }
     lua_pop(lua, 2);
+    register_library_services(lua);
+    make_globals_strict(lua);
 }
 
 }  // namespace fulcrum::runtime

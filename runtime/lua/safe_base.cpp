@@ -105,7 +105,12 @@ void run_module(lua_State* lua, const char* name) {
     }
     state.load_text(lua, answer.source);
     lua_pushstring(lua, name);
-    lua_call(lua, 1, 1);
+    int n_arguments = 1;
+    if (answer.source.name.starts_with(kLibraryFolder)) {
+        lua_getfield(lua, LUA_REGISTRYINDEX, kLibraryServices);
+        ++n_arguments;
+    }
+    lua_call(lua, n_arguments, 1);
     if (lua_isnil(lua, -1)) {
         lua_pop(lua, 1);
         lua_pushboolean(lua, 1);

@@ -15,6 +15,10 @@ inline constexpr std::size_t kMaxStringBytes =
     1U << 20U;                             ///< longest text that one library call makes
 inline constexpr int kMaxCloseDepth = 16;  ///< coroutine.close inside coroutine.close
 inline constexpr int kMaxModules = 32;     ///< files that one script may require
+/// In the registry: what a file of the shared library is given beside its name; nil where there is nothing.
+inline constexpr const char* kLibraryServices = "fulcrum.library";
+/// How files of the shared library are shown.
+inline constexpr const char* kLibraryFolder = "lib/";
 
 /// Puts the allowed globals into the state of `lua`; called once, protected.
 void open_safe_library(lua_State* lua);

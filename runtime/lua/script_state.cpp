@@ -16,7 +16,6 @@ namespace {
 constexpr int kHookEvery = 1000;                  // instructions between two looks
 constexpr std::size_t kBytesAnInstruction = 128;  // what filling memory counts as
 constexpr std::size_t kLargeBlockBytes = 16U << 10U;
-constexpr std::string_view kLibraryFolder = "lib/";
 
 std::size_t sane_memory(std::size_t bytes) {
     return std::clamp<std::size_t>(bytes, 1U << 20U, 256U << 20U);

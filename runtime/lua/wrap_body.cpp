@@ -1,6 +1,7 @@
 // A body: what a lesson asks of it and reads from it.
 #include "runtime/lua/binding_table.h"
 #include "runtime/lua/lesson_context.h"
+#include "runtime/lua/needs.h"
 
 namespace fulcrum::runtime {
 namespace {
@@ -35,6 +36,10 @@ void move_body(lua_State* lua, LessonContext& context, Kind kind, const Argument
     if (!body.movable && (kind == Kind::drop || kind == Kind::hold)) {
         raise_in_lesson(lua, body.name + " can't fall or be held; declare it with movable = true");
     }
+    require_need(lua, context, Need::movable,
+                 body.name +
+                     " stays as it is, for no body of this lesson is movable; declare it with "
+                     "movable = true");
     add_command(lua, MoveCommand{move});
 }
 

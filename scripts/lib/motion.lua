@@ -8,7 +8,12 @@
 ---     motion.follow(world:find "apple", { seconds = 2, y = 0.2 }) -- stays under it, at that height
 ---   end)
 ---
---- When the function ends the hand stays where it is.
+--- When the function ends the hand stays where it is. Without `motion` a hand's file returns a function of its own:
+--- `return function(hand, t, world) return x, y, z end`, called 60 times a second.
+
+-- What the program gives to the shared library: mistakes are told at the hand's own line.
+local module_name, program = ...
+local mistake, shown = program.mistake, program.shown
 
 local motion = {}
 
@@ -16,70 +21,118 @@ local motion = {}
 local x, y, z, buttons = 0, 0.3, 0, 0
 local now = 0
 
+-- Lets a frame go by.
+local function next_frame(called)
+  if not coroutine.isyieldable() then
+    mistake(called .. " belongs inside motion.play(function(world) … end)")
+  end
+  coroutine.yield()
+end
+
+local function check_seconds(called, seconds)
+  if type(seconds) ~= "number" then mistake(called .. " takes seconds; got " .. shown(seconds)) end
+end
+
+local function check_function(called, given)
+  if type(given) ~= "function" then mistake(called .. " takes a function; got " .. shown(given)) end
+end
+
 --- The way from 0 to 1 with the least jerk (Flash & Hogan 1985): 10 s^3 - 15 s^4 + 6 s^5.
 ---@param s number 0 to 1; beyond, the ends
 ---@return number
 function motion.minimum_jerk(s)
+  if type(s) ~= "number" then mistake("motion.minimum_jerk takes a number; got " .. shown(s)) end
   if s <= 0 then return 0 end
   if s >= 1 then return 1 end
   return s * s * s * (10 + s * (-15 + 6 * s))
 end
 
-local function coordinates(place)
-  local px, py, pz = place.x or place[1], place.y or place[2], place.z or place[3]
+local function coordinates(called, place)
+  if type(place) ~= "table" and type(place) ~= "userdata" then
+    mistake(called .. " takes a place, { x, y, z }, a body or the tool; got " .. shown(place))
+  end
+  local listed = type(place) == "table"
+  local px = listed and place[1] or place.x
+  local py = listed and place[2] or place.y
+  local pz = listed and place[3] or place.z
   if type(px) ~= "number" or type(py) ~= "number" or type(pz) ~= "number" then
-    error("a place is { x, y, z }, a body or the tool", 3)
+    mistake(called .. " takes a place of three numbers, { x, y, z }; got { " .. shown(px) .. ", " .. shown(py)
+      .. ", " .. shown(pz) .. " }")
   end
   return px, py, pz
 end
 
 --- Is there at once; only sensible at the beginning.
+---@param place Vector|Body|Tool
 function motion.start_at(place)
-  x, y, z = coordinates(place)
+  x, y, z = coordinates("motion.start_at", place)
 end
 
 --- Stays for so many seconds.
 ---@param seconds number
 function motion.wait(seconds)
+  check_seconds("motion.wait", seconds)
   local finish = now + seconds
-  while now < finish - 1e-9 do coroutine.yield() end
+  while now < finish - 1e-9 do next_frame "motion.wait" end
 end
 
---- Stays until test() gives true, or so many seconds have gone by (nil: for ever). Gives whether it became true.
+--- Stays until `test()` gives true, or so many seconds have gone by (nil: for ever). Gives whether it became true.
 ---@param test fun(): any
 ---@param seconds number|nil
 ---@return boolean
 function motion.wait_until(test, seconds)
+  check_function("motion.wait_until", test)
+  if seconds ~= nil then check_seconds("motion.wait_until's second value", seconds) end
   local finish = seconds and now + seconds
   while not test() do
     if finish and now >= finish - 1e-9 then return false end
-    coroutine.yield()
+    next_frame "motion.wait_until"
   end
   return true
 end
 
 --- Moves there smoothly in so many seconds.
----@param place table
+---@param place Vector|Body|Tool
 ---@param seconds number
 function motion.move_to(place, seconds)
-  local tx, ty, tz = coordinates(place)
+  local tx, ty, tz = coordinates("motion.move_to", place)
+  check_seconds("motion.move_to's second value", seconds)
   local fx, fy, fz, from = x, y, z, now
   repeat
-    coroutine.yield()
+    next_frame "motion.move_to"
     local s = seconds > 0 and motion.minimum_jerk((now - from) / seconds) or 1
     x, y, z = fx + (tx - fx) * s, fy + (ty - fy) * s, fz + (tz - fz) * s
   until now >= from + seconds - 1e-9
 end
 
---- Goes after a body: each second it covers most of the distance. Options: seconds (how long, default 1), until_ (a function: stop
---- when it gives true), quickness (1/s, default 12), and x, y or z to hold one of them instead.
+local follow_options = { seconds = "number", quickness = "number", until_ = "function", x = "number", y = "number",
+  z = "number" }
+
+local function check_follow(body, options)
+  if type(body) ~= "userdata" then mistake("motion.follow takes a body; got " .. shown(body)) end
+  if type(options) ~= "table" then
+    mistake("motion.follow's options are a table, such as { seconds = 2 }; got " .. shown(options))
+  end
+  for name, value in pairs(options) do
+    if follow_options[name] == nil then program.unknown("motion.follow", follow_options, name) end
+    if type(value) ~= follow_options[name] then
+      mistake("motion.follow's " .. name .. " is a " .. follow_options[name] .. "; got " .. shown(value))
+    end
+  end
+end
+
+--- Goes after a body: each second it covers most of the distance. Options: `seconds` (how long, default 1), `until_` (a
+--- function: stop when it gives true), `quickness` (1/s, default 12), and `x`, `y` or `z` to hold one of them instead.
+---@param body Body
+---@param options table|nil
 function motion.follow(body, options)
   options = options or {}
+  check_follow(body, options)
   local finish = now + (options.seconds or 1)
   local quickness = options.quickness or 12
   local last = now
   while now < finish - 1e-9 and not (options.until_ and options.until_()) do
-    coroutine.yield()
+    next_frame "motion.follow"
     local share = 1 - math.exp(-quickness * (now - last))
     last = now
     x = x + ((options.x or body.x) - x) * share
@@ -90,7 +143,12 @@ end
 
 --- Presses buttons: 1 for the first, 2 for the second, 3 for both; 0 lets go.
 ---@param which integer
-function motion.press(which) buttons = which end
+function motion.press(which)
+  if math.type(which) ~= "integer" or which < 0 then
+    mistake("motion.press takes 0, 1, 2 or 3; got " .. shown(which))
+  end
+  buttons = which
+end
 
 --- Where the hand wants to be now.
 ---@return number x, number y, number z
@@ -99,6 +157,7 @@ function motion.place() return x, y, z end
 --- Makes a simulated hand out of a function that moves it step by step.
 ---@param script fun(world: World, hand: Tool)
 function motion.play(script)
+  check_function("motion.play", script)
   local playing = coroutine.create(script)
   local begun = false
   return function(hand, t, world)
@@ -115,4 +174,6 @@ function motion.play(script)
   end
 end
 
-return motion
+return setmetatable(motion, {
+  __index = function(_, field) program.unknown(module_name, motion, field) end,
+})

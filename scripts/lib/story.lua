@@ -14,26 +14,76 @@
 ---     end)
 ---   end
 ---
---- An event that comes while nobody waits for it is gone: wait for it right after you ask for it.
---- Two stories may run side by side.
+--- `story(L, function() … end)` begins telling at once and goes on with each event. An event that comes while nobody waits
+--- for it is gone: wait for it right after you ask for it. Two stories may run side by side.
+
+-- What the program gives to the shared library: mistakes are told at the lesson's own line.
+local module_name, program = ...
+local mistake, shown = program.mistake, program.shown
 
 local story = {}
+
+-- Gives the rest of the story to the program until the next event.
+local function next_event(called)
+  if not coroutine.isyieldable() then mistake(called .. " belongs inside story(L, function() … end)") end
+  return coroutine.yield()
+end
 
 --- Waits so many seconds.
 ---@param seconds number
 function story.wait(seconds)
+  if type(seconds) ~= "number" then mistake("story.wait takes seconds; got " .. shown(seconds)) end
   local left = seconds
   while left > 0 do
-    local event = coroutine.yield()
+    local event = next_event "story.wait"
     if event.name == "update" then left = left - event.dt end
   end
 end
 
---- Waits until test() gives true; test is tried once a frame.
+--- Waits until `test()` gives true; it is tried once a frame.
 ---@param test fun(): any
 function story.wait_until(test)
+  if type(test) ~= "function" then mistake("story.wait_until takes a function; got " .. shown(test)) end
   while not test() do
-    repeat local event = coroutine.yield() until event.name == "update"
+    repeat local event = next_event "story.wait_until" until event.name == "update"
+  end
+end
+
+-- What an event has, by its name; an answer's slots come on top.
+local fields = {
+  caught = { body = "userdata", speed = "number" },
+  landed = { body = "userdata", speed = "number" },
+  touched = { body = "userdata" },
+  released = { body = "userdata" },
+  key = { key = "string" },
+  answered = false,
+}
+local names = "caught, landed, touched, released, key and answered"
+
+local function check_field(wanted, field)
+  local value = wanted[field]
+  if field == "timeout" then
+    if type(value) ~= "number" then mistake("story.wait_for's timeout is seconds; got " .. shown(value)) end
+    return
+  end
+  for i = 1, #wanted do
+    local has = fields[wanted[i]]
+    if not has or type(value) == has[field] then return end
+  end
+  mistake("story.wait_for: no event \"" .. wanted[1] .. "\" has " .. tostring(field) .. " = " .. shown(value)
+    .. "; an event has body, speed or key, and timeout is in seconds")
+end
+
+local function check_wanted(wanted)
+  if #wanted == 0 then mistake "story.wait_for takes the name of an event, such as \"caught\"; got nothing" end
+  for i = 1, #wanted do
+    if fields[wanted[i]] == nil then
+      mistake("story.wait_for knows " .. names .. "; got " .. shown(wanted[i]))
+    end
+    program.awaits(wanted[i])
+  end
+  for field in pairs(wanted) do
+    if type(field) == "string" then check_field(wanted, field) end
   end
 end
 
@@ -50,25 +100,22 @@ local function fits(event, wanted)
   return true
 end
 
-local known = { caught = true, landed = true, touched = true, released = true, key = true, answered = true }
-
---- Waits for an event and gives it; nil when the timeout (in seconds) came first.
+--- Waits for an event and gives it; gives nil when the timeout (in seconds) came first.
+---
 ---   wait_for "caught"                                   any of this name
 ---   wait_for("caught", "landed")                        one of several
 ---   wait_for { "caught", body = apple, timeout = 10 }   only if its fields are so
----@return table|nil event  event.name, and as the event has it: body, speed, key, question, said, right, …
+---   wait_for { "key", key = "space" }
+---
+--- The events and their fields stand under "Events".
+---@return table|nil event
 function story.wait_for(...)
   local wanted = ...
   if type(wanted) ~= "table" then wanted = { ... } end
-  if #wanted == 0 then error("wait_for needs the name of an event, such as \"caught\"", 2) end
-  for i = 1, #wanted do
-    if not known[wanted[i]] then
-      error("wait_for knows caught, landed, touched, released, key and answered; not " .. tostring(wanted[i]), 2)
-    end
-  end
+  check_wanted(wanted)
   local left = wanted.timeout
   while true do
-    local event = coroutine.yield()
+    local event = next_event "story.wait_for"
     if fits(event, wanted) then return event end
     if event.name == "update" and left then
       left = left - event.dt
@@ -77,19 +124,24 @@ function story.wait_for(...)
   end
 end
 
---- Asks a question and waits for the answer.
+--- Asks a question and waits until the answer has been marked and answered to; a wrong answer is an answer too: ask again
+--- until `answer.over`.
 ---@param world World
 ---@param question string
----@return table answer  said, understood, right, form_right, attempt, and the slots of the template
+---@return Answer answer
 function story.ask(world, question)
+  if type(world) ~= "userdata" or type(question) ~= "string" then
+    mistake("story.ask takes the world and the name of a question, story.ask(world, \"heaviest\"); got "
+      .. shown(world) .. " and " .. shown(question))
+  end
   world:ask(question)
   return story.wait_for { "answered", question = question }
 end
 
--- story(L, function() … end) begins telling at once and goes on with each event.
 return setmetatable(story, {
+  __index = function(_, field) program.unknown(module_name, story, field) end,
   __call = function(_, lesson, tell)
-    if type(tell) ~= "function" then error("write story(L, function() … end)", 2) end
+    if type(lesson) ~= "table" or type(tell) ~= "function" then mistake "write story(L, function() … end)" end
     local telling = coroutine.create(tell)
     local function go_on(event)
       if coroutine.status(telling) == "dead" then return end

@@ -112,7 +112,7 @@ std::string play(const LessonFiles& files, const LessonProcessOptions& options,
 
 /// What is wrong with how it ended; empty when nothing is.
 std::string judge(const std::string& wanted, const std::string& sentence) {
-    static const std::regex kPlaced("^[a-z_/]+\\.lua:[0-9]+: [^\n]+\\.$");
+    static const std::regex kPlaced("^[a-z_/]+\\.lua:[0-9]+: [^\n]+[.?]$");
     const bool is_long = sentence.find("ran for too long") != std::string::npos ||
                          sentence.find("did not answer") != std::string::npos;
     const bool is_memory = sentence.find("memory") != std::string::npos;

@@ -1,6 +1,6 @@
 -- Puts a metatable on the globals.
 -- Known as: CVE-2022-24735 (Redis)
--- Ends: fine
+-- Ends: error
 local L = lesson { id = "hostile", title = "Hostile" }
 
 function L:start(world)

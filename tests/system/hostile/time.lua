@@ -1,5 +1,5 @@
 -- Measures time, to tell other processes apart.
--- Ends: fine
+-- Ends: error
 local L = lesson { id = "hostile", title = "Hostile" }
 
 function L:start(world)

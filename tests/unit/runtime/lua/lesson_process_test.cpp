@@ -86,6 +86,8 @@ end)"));
 TEST_CASE("lesson process: events reach their functions with what belongs to them") {
     const LessonFolder folder;
     auto process = folder.start(lesson_text(std::string(kApple) + R"(
+local start = L.start
+function L:start(world) start(self, world) world:bucket {} end
 function L:caught(body, speed) print("caught", body.name, speed, body == apple) end
 function L:landed(body, speed) print("landed", body, speed) end
 function L:key(name) print("key", name) end
@@ -163,7 +165,7 @@ TEST_CASE("lesson process: one sentence with file and line for each mistake of a
     CHECK(in_start("world:body { name = 'a', mass = -3 }") ==
           "lesson.lua:3: body.mass is in kilograms, 0 to 10000; got -3.");
     CHECK(in_start("world:body { name = 'a', mas = 3 }") ==
-          "lesson.lua:3: body has no field \"mas\"; did you mean \"mass\"?.");
+          "lesson.lua:3: body has no field \"mas\"; did you mean \"mass\"?");
     CHECK(in_start("world:body { mass = 3 }") ==
           "lesson.lua:3: body.name is missing; it is a plain name (a to z, 0 to 9, _ and -).");
     CHECK(in_start("world:body { name = '../x' }") ==
@@ -175,7 +177,7 @@ TEST_CASE("lesson process: one sentence with file and line for each mistake of a
           "lesson.lua:3: world:gravity is a number in metres per second squared, 0 to 100; got the "
           "text \"9\".");
     CHECK(in_start("world:gravitty(9)") ==
-          "lesson.lua:3: world has no \"gravitty\"; did you mean \"gravity\"?.");
+          "lesson.lua:3: world has no \"gravitty\"; did you mean \"gravity\"?");
     CHECK(in_start("world.gravity(9)") ==
           "lesson.lua:3: write world:gravity with a colon, after a world.");
     CHECK(in_start("local b = world:body { name = 'b', at = {0, 1} }") ==
@@ -187,7 +189,7 @@ TEST_CASE("lesson process: one sentence with file and line for each mistake of a
     CHECK(in_start("world:ask 'x'") == "lesson.lua:3: there is no question \"x\".");
     CHECK(in_start("local b = world:body { name = 'b' } b:drop()") ==
           "lesson.lua:3: b can't fall or be held; declare it with movable = true.");
-    CHECK(in_start("x.y = 3") == "lesson.lua:3: attempt to index a nil value (global 'x').");
+    CHECK(in_start("x.y = 3") == "lesson.lua:3: x has no value; is it spelt right?");
     CHECK(sentence_of(folder,
                       "local L = lesson { id = 't', title = 'T' }\nlocal x = = 3\nreturn L") ==
           "lesson.lua:2: unexpected symbol near '='.");
@@ -196,8 +198,11 @@ TEST_CASE("lesson process: one sentence with file and line for each mistake of a
           "… }.");
     CHECK(sentence_of(folder, "local L = lesson { id = 't', title = 'T' }") ==
           "lesson.lua:1: the file must end with return L, the lesson that lesson { … } gave.");
+    CHECK(sentence_of(folder,
+                      "local L = lesson { id = 't', title = 'T' }\n\nfunction L:start() end\n\n") ==
+          "lesson.lua:3: the file must end with return L, the lesson that lesson { … } gave.");
     CHECK(sentence_of(folder, lesson_text("function L:udpate() end")) ==
-          "lesson.lua:2: nothing calls L:udpate; did you mean L:update?.");
+          "lesson.lua:2: nothing calls L:udpate; did you mean L:update?");
     CHECK(frame_sentence(
               lesson_text("function L:update(world)\n world:body { name = 'late' } end")) ==
           "lesson.lua:3: world:body declares something; that is only possible in L:start.");

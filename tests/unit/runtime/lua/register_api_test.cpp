@@ -34,7 +34,7 @@ TEST_CASE("api: methods insist on their colon and their owner") {
 
 TEST_CASE("api: unknown fields suggest the nearest; nothing can be set") {
     CHECK(sentence("local b = world:body { name = 'b' } print(b.wieght)") ==
-          "lesson.lua:2: body has no \"wieght\"; did you mean \"weight\"?.");
+          "lesson.lua:2: body has no \"wieght\"; did you mean \"weight\"?");
     CHECK(sentence("print(world:tool().velocity)") == "lesson.lua:2: tool has no \"velocity\".");
     // What another thing has is told with its place; a force was once the world's.
     CHECK(sentence("world:force(function(tool) return 0, 0, 0 end)") ==
@@ -68,7 +68,7 @@ TEST_CASE("api: each function has its time") {
 TEST_CASE(
     "api: a lesson's function that is nearly a callback's is told; others are the teacher's own") {
     CHECK(HostedLesson().load("function L:cauhgt() end") ==
-          "lesson.lua:2: nothing calls L:cauhgt; did you mean L:caught?.");
+          "lesson.lua:2: nothing calls L:cauhgt; did you mean L:caught?");
     CHECK(HostedLesson().load(
               "function L:restart() end function L:weigh() end L.score = 3 L.keys = {}") == "");
 }

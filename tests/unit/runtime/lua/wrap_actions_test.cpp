@@ -40,14 +40,14 @@ TEST_CASE("actions: looking things up") {
     REQUIRE(lesson.play(frame) == "");
     CHECK(lesson.prints == "2\tegg\tegg\t1.5\t1.0\t-4.0\t3.0\t5.0;");
     CHECK(HostedLesson().start("world:body { name = 'apple' } world:find 'aple'") ==
-          "lesson.lua:2: there is no body \"aple\"; did you mean \"apple\"?.");
+          "lesson.lua:2: there is no body \"aple\"; did you mean \"apple\"?");
 }
 
 TEST_CASE("actions: a question that was never declared suggests the nearest") {
     HostedLesson lesson;
     CHECK(lesson.load("L:question 'heaviest' { prompt = '?', answers = { 'a' }, right = print "
                       "}\nfunction L:start(world) world:ask 'heavist' end") ==
-          "lesson.lua:3: there is no question \"heavist\"; did you mean \"heaviest\"?.");
+          "lesson.lua:3: there is no question \"heavist\"; did you mean \"heaviest\"?");
 }
 
 }  // namespace
