@@ -136,6 +136,10 @@ Expected<TriangleMesh> TriangleMesh::build(std::vector<Vector3> vertices_B,
     }
     drop_unused_vertices(vertices_B, triangles);
     find_extents(vertices_B, triangles, mesh.lower_B_, mesh.upper_B_);
+    if (!(mesh.diagonal_m() >= TriangleMesh::kSmallestDiagonal_m)) {
+        return fail("the mesh is smaller than 1e-30 metres", where,
+                    "export the model again, in metres");
+    }
     mesh.vertices_B_ = std::move(vertices_B);
     mesh.triangles_ = std::move(triangles);
     return mesh;

@@ -33,11 +33,13 @@ class TriangleMesh {
   public:
     /// Largest coordinate accepted, metres: products of nine of them still fit a double.
     static constexpr double kLargestCoordinate_m = 1.0e30;
+    /// Smallest diagonal accepted, metres: products of nine lengths stay above a double's least.
+    static constexpr double kSmallestDiagonal_m = 1.0e-30;
     /// A triangle thinner than this times its longest edge has no direction and is dropped.
     static constexpr double kThinnest = 1.0e-14;
 
     /// Checks and builds. Refuses coordinates that are not finite or too large, indices out of
-    /// range, and a mesh of which no triangle remains. `where` names the file in the error.
+    /// range, and a mesh of which no triangle remains or that is smaller than kSmallestDiagonal_m. `where` names the file in the error.
     [[nodiscard]] static Expected<TriangleMesh> build(std::vector<Vector3> vertices_B,
                                                       std::vector<TriangleCorners> triangles,
                                                       const MeshBuildSettings& settings = {},

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 
 namespace fulcrum {
@@ -82,6 +83,27 @@ TEST_CASE("segment and triangle: the nearer of two comes first, of equals the lo
     CHECK(near.is_before(equal));
     CHECK_FALSE(equal.is_before(near));
     CHECK(near.is_before(SegmentHit{}));
+}
+
+TEST_CASE("segment and triangle: within the plane each edge belongs to it, also along itself") {
+    const std::array corners{kTriangle.a, kTriangle.b, kTriangle.c};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vector3& from = corners[i];
+        const Vector3& to = corners[(i + 1) % 3];
+        const Vector3 near = 0.75 * from + 0.25 * to;
+        const Vector3 far = 0.25 * from + 0.75 * to;
+        const SegmentHit along = meet(kTriangle, near, far);
+        CHECK(along.found());
+        CHECK(along.t == 0.0);
+        CHECK(meet(kTriangle, near, near).found());
+    }
+}
+
+TEST_CASE("segment and triangle: a height that rounding eats in every sign is a meeting still") {
+    // The three orientations are 1/4, 1/2 and 1/4 of the smallest number: all of them come out as zero.
+    const Vector3 just_above(0.25, 0.25, 5e-324);
+    CHECK(meet(kTriangle, just_above, Vector3(0.25, 0.25, 0.0)).found());
+    CHECK(meet(kTriangle, Vector3(0.25, 0.25, 0.0), just_above).found());
 }
 
 }  // namespace

@@ -104,5 +104,19 @@ TEST_CASE("triangle mesh: the weld can be left out") {
           5);
 }
 
+TEST_CASE("triangle mesh: one smaller than 1e-30 m is refused, for its products leave a double") {
+    for (const double scale : {1e-29, 1e-30, 5e-31, 1e-32, 1e-100, 1e-160, 1e-300}) {
+        std::vector<Vector3> vertices = corner_points();
+        for (Vector3& vertex : vertices) {
+            vertex *= scale;
+        }
+        const auto mesh = TriangleMesh::build(vertices, kTetrahedron, {}, "dust.glb");
+        CHECK(mesh.has_value() == (scale >= 1e-30));
+        if (!mesh) {
+            CHECK(mesh.error().where == "dust.glb");
+        }
+    }
+}
+
 }  // namespace
 }  // namespace fulcrum

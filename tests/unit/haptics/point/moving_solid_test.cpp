@@ -121,5 +121,27 @@ TEST_CASE("moving solid: poses that are not finite are ignored") {
     CHECK((plate.find_plane(0, 1).normal_W - kPose.orientation * Vector3::UnitY()).norm() < 1e-15);
 }
 
+TEST_CASE("moving solid: far from the origin the clearance stays above the rounding of places") {
+    for (const double scale : {1e-6, 1e-3, 1.0}) {
+        const Pose far_away = Pose::at(Vector3(700.0, -1000.0, 300.0));
+        const TouchedPlane plane =
+            make_solid(make_plate(scale, scale, 1), far_away).find_plane(0, 1);
+        const double rounding_m = std::numeric_limits<double>::epsilon() * 1000.0;
+        CHECK(plane.clearance_m > 64.0 * rounding_m);
+        CHECK(plane.clearance_m < 256.0 * rounding_m + 1e-10 * scale);
+    }
+}
+
+TEST_CASE("moving solid: a foot on the edge, to within rounding, counts as beside") {
+    MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), Pose{});
+    const auto over_any = [&](double x) {
+        plate.put_proxy(Vector3(x, 0.3, 0.1));
+        return plate.is_over(0) || plate.is_over(1);
+    };
+    CHECK(over_any(0.5 - 1e-12));
+    CHECK_FALSE(over_any(0.5 - 2e-14));
+    CHECK_FALSE(over_any(0.5));
+}
+
 }  // namespace
 }  // namespace fulcrum

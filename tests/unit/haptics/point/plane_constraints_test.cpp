@@ -118,5 +118,33 @@ TEST_CASE("plane constraints: a gap that is closed has no answer") {
     CHECK(found.position == Vector3::Zero());
 }
 
+TEST_CASE("plane constraints: in a groove of a millionth of a radian both walls hold it exactly") {
+    constexpr double kAngle_rad = 1.0e-6;
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Vector3(0.3, -0.5, 0.8).normalized()));
+    const std::array walls{
+        PlaneConstraint{turn * Vector3(std::cos(kAngle_rad), std::sin(kAngle_rad), 0.0), 0.0},
+        PlaneConstraint{turn * Vector3(-std::cos(kAngle_rad), std::sin(kAngle_rad), 0.0), 0.0}};
+    const ConstrainedPoint found =
+        compute_constrained_point(turn * Vector3(0.1, -1.0, 0.3), walls, kSlack);
+    REQUIRE(found.n_active == 2);
+    // Across the walls to the rounding, along the groove's depth to the rounding over the angle.
+    for (const PlaneConstraint& wall : walls) {
+        CHECK(std::abs(wall.normal.dot(found.position)) < 1e-15);
+    }
+    CHECK((found.position - turn * Vector3(0.0, 0.0, 0.3)).norm() < 1e-15 / kAngle_rad);
+}
+
+TEST_CASE("plane constraints: a plane that would have to pull, by a millionth, does not act") {
+    // The floor lets x be; the left wall is behind the wish by 1e-6, the right one before it by half of that.
+    const PlaneConstraint floor{Vector3::UnitY(), 0.0};
+    const PlaneConstraint left{Vector3::UnitX(), 0.0};
+    const PlaneConstraint right{-Vector3::UnitX(), -5.0e-7};
+    const ConstrainedPoint found = solve(Vector3(1.0e-6, -1.0, 0.3), {floor, left, right});
+    CHECK((found.position - Vector3(5.0e-7, 0.0, 0.3)).norm() < 1e-15);
+    REQUIRE(found.n_active == 2);
+    CHECK(found.active[1] == 2);
+    CHECK(found.multiplier[1] == Approx(5.0e-7));
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -1,0 +1,120 @@
+// The god-object at the limits of its own lengths: clearance, slack, gain; and where one answer hides another.
+#include "haptics/geometry/shape.h"
+#include "haptics/point/god_object.h"
+
+#include <catch2/catch.hpp>
+
+namespace fulcrum {
+namespace {
+
+// Of a solid's radius: the proxy's clearance over it. See moving_solid.cpp.
+constexpr double kClearance = 1.0e-10;
+
+SolidPlan touchable(const Expected<TriangleMesh>& mesh, const Pose& pose_W = {}) {
+    REQUIRE(mesh);
+    const auto made = CollisionMesh::create(*mesh);
+    REQUIRE(made);
+    return {.body = 0, .mesh = *made, .initial_pose_W = pose_W};
+}
+
+Pose at(const Vector3& position_W) {
+    return {position_W, Quaternion::Identity()};
+}
+
+TEST_CASE("god object: pressed by less than its clearance it stands still and costs no search") {
+    GodObject proxy({touchable(make_plate(1.0, 1.0, 3))});
+    const double clearance_m = kClearance * std::sqrt(0.5);
+    const std::array<Pose, 1> poses{at(Vector3::Zero())};
+    proxy.reset(Vector3(0.1, 0.2, 0.03));
+    proxy.step(Vector3(0.1, -0.2, 0.03), poses);
+    for (const double depth : {2.0, 0.4, 0.1, 0.4, 2.0}) {
+        const ProxyContact& contact = proxy.step(Vector3(0.1, -depth * clearance_m, 0.03), poses);
+        CHECK(contact.n_constraints == 1);
+        CHECK(contact.position_W.y() == Approx(clearance_m).epsilon(1e-3));
+        CHECK(proxy.n_sweeps() <= 2);
+    }
+}
+
+TEST_CASE("god object: past an edge it lets go however little there is to gain") {
+    GodObject proxy({touchable(make_box(Vector3::Ones()))});
+    const std::array<Pose, 1> poses{at(Vector3::Zero())};
+    proxy.reset(Vector3(0.45, 0.6, 0.1));
+    // Five thousand-millionths of a metre below the top: some fifty clearances.
+    for (const double x : {0.45, 0.49, 0.5001, 0.52}) {
+        proxy.step(Vector3(x, 0.5 - 5.0e-9, 0.1), poses);
+        CHECK(proxy.contact().solid == (x < 0.5 ? 0 : kNoBody));
+    }
+    CHECK(proxy.contact().position_W == Vector3(0.52, 0.5 - 5.0e-9, 0.1));
+}
+
+TEST_CASE("god object: in a gap narrower than its clearances it slides along, and stays between") {
+    constexpr double kGap_m = 1.0e-10;  // the plates' clearances are 0.7e-10 each
+    const auto plate = make_plate(1.0, 1.0, 3);
+    const std::array<Pose, 2> poses{at(Vector3::Zero()), at(Vector3(0.0, kGap_m, 0.0))};
+    GodObject proxy({touchable(plate, poses[0]), touchable(plate, poses[1])});
+    proxy.reset(Vector3(-0.3, 0.5 * kGap_m, 0.05));
+    for (int i = 0; i <= 100; ++i) {
+        const Vector3 hand(-0.3 + 0.006 * i, i % 2 == 0 ? -0.1 : 0.1, 0.05 + 0.001 * i);
+        const ProxyContact& contact = proxy.step(hand, poses);
+        REQUIRE(contact.position_W.x() == Approx(hand.x()).margin(1e-12));
+        REQUIRE(contact.position_W.z() == Approx(hand.z()).margin(1e-12));
+        REQUIRE(contact.position_W.y() > 0.0);
+        REQUIRE(contact.position_W.y() < kGap_m);
+    }
+}
+
+TEST_CASE("god object: what it touches takes it along, and over nothing that stands on it") {
+    // A tray with a low wall across its middle; the proxy stands left of the wall, pressed down.
+    const auto tray = TriangleMesh::build(
+        {Vector3(-1, 0, -1), Vector3(1, 0, -1), Vector3(1, 0, 1), Vector3(-1, 0, 1),
+         Vector3(0, 0, -1), Vector3(0, 0, 1), Vector3(0, 0.1, -1), Vector3(0, 0.1, 1)},
+        {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {5, 7, 6}});
+    GodObject proxy({touchable(tray)});
+    const Vector3 hand(-0.1, -0.5, 0.0);
+    proxy.reset(Vector3(-0.1, 0.5, 0.0));
+    proxy.step(hand, std::array{at(Vector3::Zero())});
+    REQUIRE(proxy.contact().solid == 0);
+    // Down and left in one step: a proxy that stayed where it was would fly over the wall, and the hand is beyond it.
+    const Pose moved = at(Vector3(-0.2, -0.3, 0.0));
+    const ProxyContact& contact = proxy.step(hand, std::array{moved});
+    CHECK((contact.position_W - moved.position).norm() < 1e-9);
+    CHECK(contact.n_constraints == 2);
+}
+
+TEST_CASE("god object: a start in a face with another right before it goes behind the face") {
+    const SolidPlan lower = touchable(make_plate(1.0, 1.0, 3));
+    const Vector3 start(0.1, 0.0, 0.03);
+    MovingSolid solid(lower, 0);
+    solid.put_proxy(start);
+    const double clearance_m = solid.find_plane(solid.find_touching().triangle, 1).clearance_m;
+    SolidPlan upper = lower;
+    upper.initial_pose_W = at(Vector3(0.0, clearance_m, 0.0));
+    GodObject proxy({lower, upper});
+    proxy.reset(start);
+    CHECK(proxy.contact().position_W == Vector3(0.1, -clearance_m, 0.03));
+}
+
+TEST_CASE("god object: a hand up to 1e30 metres away is followed, one beyond is not") {
+    GodObject proxy({touchable(make_plate(1.0, 1.0, 3))});
+    const std::array<Pose, 1> poses{at(Vector3::Zero())};
+    CHECK(proxy.step(Vector3(0.0, 1.0e30, 0.0), poses).position_W.y() == 1.0e30);
+    CHECK(proxy.step(Vector3(0.0, 1.001e30, 0.0), poses).position_W.y() == 1.0e30);
+}
+
+TEST_CASE("god object: the smallest mesh that is built can be touched") {
+    constexpr double kScale = 1.0e-30;
+    const std::array<Pose, 1> poses{at(Vector3::Zero())};
+    auto vertices = make_box(Vector3::Ones())->vertices_B();
+    for (Vector3& vertex : vertices) {
+        vertex *= kScale;
+    }
+    GodObject proxy(
+        {touchable(TriangleMesh::build(vertices, make_box(Vector3::Ones())->triangles()))});
+    proxy.reset(kScale * Vector3(0.1, 0.9, -0.2));
+    const ProxyContact& contact = proxy.step(kScale * Vector3(0.13, 0.3, -0.22), poses);
+    CHECK((contact.position_W / kScale - Vector3(0.13, 0.5, -0.22)).norm() < 1e-9);
+    CHECK(contact.n_constraints == 1);
+}
+
+}  // namespace
+}  // namespace fulcrum
