@@ -39,7 +39,7 @@ function L:start(world)
   world:ground(0)
   world:camera { eye = { 0, 1.0, 1.95 }, target = { 0, 0.45, 0 } }
   world:hand { centre = { 0, 0.3, 0 }, scale = 2 }
-  world:bucket { model = "bucket", radius = 0.11, depth = 0.085 }
+  world:bucket { model = "bucket", radius = 0.11, depth = 0.04 }
   world:body { name = "tree", model = "tree", visible = true, at = { 0.95, 0, -1.3 } }
   world:body { name = "hill", model = "hill", visible = true, at = { -1.5, -0.2, -5.5 } }
   world:body { name = "flower", model = "flower", visible = true, at = { -0.6, 0, -0.3 } }
@@ -112,6 +112,7 @@ local function catch(world, body)
   add_score(world, 1)
   world:caption("This is " .. a .. ". Feel how heavy it is.")
   wait(3)
+  world:caption ""
   world:release()
   wait(0.6)
 end
