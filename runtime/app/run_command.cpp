@@ -13,8 +13,6 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr const char* kSimulatedPupil = "simulated pupil";
-
 Expected<RunRequest> make_request(const Installation& installation, const Options& options,
                                   bool in_window) {
     RunRequest request;

@@ -32,6 +32,9 @@ using LearnerId = RecordId;
 /// Milliseconds since 1970-01-01 00:00 UTC, by the machine's clock.
 [[nodiscard]] std::int64_t utc_now_ms() noexcept;
 
+/// The learner under whom answers from a file are kept; left out of a class's report.
+inline constexpr const char* kSimulatedPupil = "simulated pupil";
+
 /// A pupil under a nickname; a real name is never asked for.
 struct Learner {
     LearnerId id;

@@ -13,6 +13,24 @@ bool is_right(const AttemptRecord& attempt) noexcept {
     return attempt.understood && attempt.meaning_right;
 }
 
+void add_example(std::vector<FormExample>& examples, const ErrorRecord& error) {
+    const auto known = std::find_if(examples.begin(), examples.end(), [&](const FormExample& one) {
+        return one.span == error.span && one.correction == error.correction;
+    });
+    if (known == examples.end()) {
+        examples.push_back({error.span, error.correction, 1});
+    } else {
+        ++known->count;
+    }
+}
+
+// The most frequent first; equal ones as they came.
+template <class Counted>
+void sort_by_count(std::vector<Counted>& list) {
+    std::stable_sort(list.begin(), list.end(),
+                     [](const auto& a, const auto& b) { return a.count > b.count; });
+}
+
 // One question's attempts, taken in the order of their writing.
 class QuestionTally {
   public:
@@ -35,7 +53,11 @@ class QuestionTally {
         report_.wrong_in_a_row = std::max(report_.wrong_in_a_row, wrong_run_);
         for (const ErrorRecord& error : attempt.errors) {
             FormErrorReport& kind = errors_[error.code];
-            kind = {error.code, kind.count + 1, error.span, error.correction};
+            kind.code = error.code;
+            kind.count += 1;
+            kind.span = error.span;
+            kind.correction = error.correction;
+            add_example(kind.examples, error);
         }
     }
 
@@ -45,11 +67,12 @@ class QuestionTally {
         if (report_.wrong_in_a_row >= kStuckAfter) {
             report_.stuck = wrong_run_ >= kStuckAfter ? Stuck::now : Stuck::before;
         }
+        report_.wrong_now = wrong_run_;
         for (auto& [code, kind] : errors_) {
+            sort_by_count(kind.examples);
             report_.form_errors.push_back(std::move(kind));
         }
-        std::stable_sort(report_.form_errors.begin(), report_.form_errors.end(),
-                         [](const auto& a, const auto& b) { return a.count > b.count; });
+        sort_by_count(report_.form_errors);
         return std::move(report_);
     }
 
@@ -138,7 +161,11 @@ std::string lower_ascii(std::string text) {
 Report compute_report(const ProgressData& data, const ProgressFilter& filter) {
     auto tallies = tally(data);
     Report report{filter, {}};
+    bool played = false;
     for (const Learner& learner : data.learners) {
+        if (filter.nickname.empty() && learner.nickname == kSimulatedPupil) {
+            continue;
+        }
         LearnerReport of_learner{learner, {}};
         for (auto& [lesson, lesson_tally] : tallies[learner.id]) {
             LessonReport of_lesson = std::move(lesson_tally.report);
@@ -147,8 +174,13 @@ Report compute_report(const ProgressData& data, const ProgressFilter& filter) {
                 of_lesson.questions.push_back(question_tally.finish(question));
             }
             of_learner.lessons.push_back(std::move(of_lesson));
+            played = true;
         }
         report.learners.push_back(std::move(of_learner));
+    }
+    // A lesson's name with a slip in it: a list of all who have not played it would hide that.
+    if (!played && !filter.lesson.empty() && filter.nickname.empty()) {
+        report.learners.clear();
     }
     std::sort(report.learners.begin(), report.learners.end(), [](const auto& a, const auto& b) {
         return std::pair(lower_ascii(a.learner.nickname), a.learner.id) <

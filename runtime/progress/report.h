@@ -6,8 +6,10 @@
 //   again) right             the meaning was right; a wrong form is counted apart right_first_time
 //   of `asked`, those whose first attempt was right;   right_in_the_end: whose last attempt was
 //   wrong_in_a_row    longest run of attempts that were not right, over all sessions, in the order
-//   of their writing stuck             wrong_in_a_row ≥ 3: `now` while the last three attempts are
-//   not right, else `before`
+//   of their writing          wrong_now    the run that the last attempt belongs to, 0 when that was right
+//   stuck             wrong_in_a_row ≥ 3: `now` while the last three attempts are not right, else `before`
+//
+// The simulated pupil is no learner of the class: it is left out unless it is asked for by its nickname.
 //
 // Thread: any. Cost: in proportion to the attempts.
 #pragma once
@@ -27,12 +29,20 @@ inline constexpr std::int64_t kStuckAfter = 3;
 
 enum class Stuck : std::uint8_t { no, before, now };
 
+/// The same words for the same right words, and how often.
+struct FormExample {
+    std::string span;        ///< the learner's words; empty when something was left out
+    std::string correction;  ///< what belongs there; empty when nothing does
+    std::int64_t count = 0;
+};
+
 /// One kind of error of form in the answers to one question.
 struct FormErrorReport {
-    std::string code;        ///< e.g. "R:ADJ:FORM"
-    std::int64_t count = 0;  ///< how often it was found
-    std::string span;        ///< the newest example, the learner's words
-    std::string correction;  ///< what belongs there
+    std::string code;                   ///< e.g. "R:ADJ:FORM"
+    std::int64_t count = 0;             ///< how often it was found
+    std::string span;                   ///< the newest example, the learner's words
+    std::string correction;             ///< what belongs there
+    std::vector<FormExample> examples;  ///< all of them, the most frequent first
 };
 
 struct QuestionReport {
@@ -44,6 +54,7 @@ struct QuestionReport {
     std::int64_t not_understood = 0;  ///< attempts that no template fitted; they are not right
     std::int64_t form_wrong = 0;      ///< attempts that were understood and had an error of form
     std::int64_t wrong_in_a_row = 0;
+    std::int64_t wrong_now = 0;
     Stuck stuck = Stuck::no;
     std::vector<FormErrorReport> form_errors;  ///< the most frequent first
 };
@@ -77,7 +88,8 @@ struct ReportStyle {
         false;  ///< begin the CSV with one: spreadsheets then read Korean names rightly
 };
 
-/// Pure: the same data give the same report.
+/// Pure: the same data give the same report. A lesson that nobody has played gives a report without learners, unless one
+/// learner is asked for.
 [[nodiscard]] Report compute_report(const ProgressData& data, const ProgressFilter& filter = {});
 
 /// Reads what the filter matches and computes the report.

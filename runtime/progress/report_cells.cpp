@@ -1,5 +1,7 @@
 #include "runtime/progress/report_cells.h"
 
+#include <algorithm>
+
 #include <array>
 #include <ctime>
 
@@ -25,6 +27,33 @@ const char* stuck_cell(Stuck stuck) noexcept {
             break;
     }
     return "no";
+}
+
+std::string times(std::int64_t count) {
+    return count == 1 ? "once" : std::to_string(count) + " times";
+}
+
+std::string plain_words(const FormErrorReport& error) {
+    constexpr std::size_t kMostExamples = 3;
+    const std::size_t shown = std::min(kMostExamples, error.examples.size());
+    std::string text;
+    std::int64_t rest = error.count;
+    for (std::size_t i = 0; i < shown; ++i) {
+        const FormExample& example = error.examples[i];
+        const std::string said = '"' + example.span + '"';
+        const std::string right = '"' + example.correction + '"';
+        text += i == 0 ? "" : ", ";
+        if (example.span.empty()) {
+            text += "left out " + right;
+        } else if (example.correction.empty()) {
+            text += said + " where no word belongs";
+        } else {
+            text += said + " for " + right;
+        }
+        text += " (" + times(example.count) + ")";
+        rest -= example.count;
+    }
+    return text + (rest > 0 ? ", and others (" + times(rest) + ")" : "");
 }
 
 std::string error_cell(const FormErrorReport& error) {

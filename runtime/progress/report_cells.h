@@ -14,7 +14,14 @@ namespace fulcrum::runtime {
 /// "no", "before", "now".
 [[nodiscard]] const char* stuck_cell(Stuck stuck) noexcept;
 
-/// `R:ADJ:FORM 2`: a code and how often.
+/// "once", "4 times".
+[[nodiscard]] std::string times(std::int64_t count);
+
+/// An error as a teacher reads it: `left out "the" (4 times), "an" (once)`, `"most heavy" for "heaviest" (once)`, `"it" where no
+/// word belongs (once)`. The most frequent examples stand there, the rest is counted.
+[[nodiscard]] std::string plain_words(const FormErrorReport& error);
+
+/// `R:ADJ:FORM 2`: a code and how often; for the CSV.
 [[nodiscard]] std::string error_cell(const FormErrorReport& error);
 
 /// `"most heavy" -> "the heaviest"`; a missing word is `"" -> "the"`.

@@ -11,9 +11,10 @@ namespace {
 
 constexpr const char* kHeader =
     "learner,learner_id,lesson,played,finished,last_played,best_stars,best_score,question,asked,"
-    "attempts,right_first_time,right_in_the_end,not_understood,form_wrong,wrong_in_a_row,stuck,"
+    "attempts,right_first_time,right_in_the_end,not_understood,form_wrong,wrong_now,wrong_in_a_row,"
+    "stuck,"
     "form_errors,examples";
-constexpr std::size_t kColumns = 19;
+constexpr std::size_t kColumns = 20;
 constexpr std::size_t kQuestionColumn = 8;
 
 using Row = std::array<std::string, kColumns>;
@@ -71,7 +72,8 @@ void fill_question(const QuestionReport& question, Row& row) {
     row[at++] = text_cell(question.question);
     for (const std::int64_t number :
          {question.asked, question.attempts, question.right_first_time, question.right_in_the_end,
-          question.not_understood, question.form_wrong, question.wrong_in_a_row}) {
+          question.not_understood, question.form_wrong, question.wrong_now,
+          question.wrong_in_a_row}) {
         row[at++] = std::to_string(number);
     }
     row[at++] = stuck_cell(question.stuck);

@@ -28,7 +28,7 @@ constexpr std::array<Column, 7> kNumbers{{{"", "asked", 6},
                                           {"right", "in end", 7},
                                           {"not un-", "derstood", 9},
                                           {"form", "wrong", 6},
-                                          {"wrong in", "a row", 9}}};
+                                          {"wrong in", "a row now", 10}}};
 
 // Whatever the database holds, the terminal gets no control characters.
 std::string printable(const std::string& text) {
@@ -88,21 +88,18 @@ void write_wrapped(const std::string& text, std::size_t indent, std::string& out
     out += line + '\n';
 }
 
-std::string times(std::int64_t count) {
-    return count == 1 ? "once" : std::to_string(count) + " times";
-}
-
 void write_notes(const QuestionReport& question, std::string& out) {
     for (const FormErrorReport& error : question.form_errors) {
-        const std::string found = printable(error_cell(error));
-        write_wrapped(found + ": " + printable(example_cell(error)), kNoteIndent, out);
+        write_wrapped(printable(plain_words(error)), kNoteIndent, out);
     }
     if (question.stuck == Stuck::now) {
-        write_wrapped("STUCK now: the last " + std::to_string(kStuckAfter) +
-                          " or more answers were not right",
-                      kNoteIndent, out);
+        write_wrapped(
+            "STUCK now: the last " + std::to_string(question.wrong_now) + " answers were not right",
+            kNoteIndent, out);
     } else if (question.stuck == Stuck::before) {
-        write_wrapped("was stuck before, and went on", kNoteIndent, out);
+        write_wrapped("was stuck before (" + std::to_string(question.wrong_in_a_row) +
+                          " answers in a row were not right), and went on",
+                      kNoteIndent, out);
     }
 }
 
@@ -120,7 +117,7 @@ void write_question(const QuestionReport& question, std::string& out) {
                                                             question.right_in_the_end,
                                                             question.not_understood,
                                                             question.form_wrong,
-                                                            question.wrong_in_a_row};
+                                                            question.wrong_now};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         out += right_aligned(std::to_string(numbers[i]), kNumbers[i].width);
     }
@@ -181,6 +178,10 @@ std::string nobody(const ProgressFilter& filter) {
     if (!filter.nickname.empty()) {
         return "There is no learner called \"" + printable(filter.nickname) +
                "\" here; fulcrum report without --learner shows everybody.";
+    }
+    if (!filter.lesson.empty()) {
+        return "Nobody has played a lesson called \"" + printable(filter.lesson) +
+               "\" here; fulcrum report without --lesson shows all that was played.";
     }
     return "Nobody has played yet. Play a lesson first, for example: fulcrum run gravity";
 }

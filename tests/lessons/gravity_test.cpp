@@ -137,8 +137,8 @@ TEST_CASE(
     INFO(report.output);
     CHECK(report.exit_code == 0);
     CHECK(report.output.find("Mina") != std::string::npos);
-    CHECK(report.output.find("R:ADJ:FORM") != std::string::npos);
-    CHECK(report.output.find("M:DET") != std::string::npos);
+    CHECK(report.output.find("\"most heavy\" for \"heaviest\"") != std::string::npos);
+    CHECK(report.output.find("left out \"the\"") != std::string::npos);
     const ProgramRun csv = sandbox.run("report --format csv");
     CHECK(csv.output.find("Mina,") != std::string::npos);
 }

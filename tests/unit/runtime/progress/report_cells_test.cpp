@@ -25,11 +25,23 @@ TEST_CASE("report cells: times say their offset, in UTC and in the computer's zo
     tzset();
 }
 
+TEST_CASE("report cells: an error in plain words shows the most frequent examples") {
+    const FormErrorReport many{
+        "R:SPELL", 9, "d", "D", {{"a", "A", 4}, {"b", "B", 2}, {"c", "C", 1}, {"d", "D", 2}}};
+    CHECK(plain_words(many) ==
+          "\"a\" for \"A\" (4 times), \"b\" for \"B\" (2 times), \"c\" for \"C\" (once), and "
+          "others (2 "
+          "times)");
+    CHECK(plain_words({"M:DET", 1, "", "the", {{"", "the", 1}}}) == "left out \"the\" (once)");
+    CHECK(times(1) == "once");
+    CHECK(times(2) == "2 times");
+}
+
 TEST_CASE("report cells: stuck, errors and examples in words") {
     CHECK(std::string(stuck_cell(Stuck::no)) == "no");
     CHECK(std::string(stuck_cell(Stuck::before)) == "before");
     CHECK(std::string(stuck_cell(Stuck::now)) == "now");
-    const FormErrorReport error{"M:DET", 2, "", "the"};
+    const FormErrorReport error{"M:DET", 2, "", "the", {{"", "the", 2}}};
     CHECK(error_cell(error) == "M:DET 2");
     CHECK(example_cell(error) == "\"\" -> \"the\"");
 }

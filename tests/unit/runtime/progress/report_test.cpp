@@ -50,6 +50,28 @@ TEST_CASE("report: three answers in a row that are not right make stuck, over se
     CHECK(stuck("UUU", "F") == Stuck::before);
 }
 
+TEST_CASE("report: the run of wrong answers that goes on is counted apart from the longest") {
+    Diary diary("Mina");
+    diary.session("gravity").answers("heaviest", "WWWRWU");
+    CHECK(only_question(diary).wrong_in_a_row == 3);
+    CHECK(only_question(diary).wrong_now == 2);
+    diary.answers("heaviest", "F");
+    CHECK(only_question(diary).wrong_now == 0);
+}
+
+TEST_CASE("report: the simulated pupil stands in it only when asked for") {
+    Diary diary("Mina");
+    diary.session("gravity").answers("heaviest", "R");
+    diary.learner(kSimulatedPupil).session("gravity").answers("heaviest", "WWW");
+    const Report class_report = compute_report(diary.data);
+    REQUIRE(class_report.learners.size() == 1);
+    CHECK(class_report.learners[0].learner.nickname == "Mina");
+    Diary alone(kSimulatedPupil);
+    alone.session("gravity").answers("heaviest", "WWW");
+    CHECK(compute_report(alone.data, {"Simulated Pupil", ""}).learners.size() == 1);
+    CHECK(compute_report(alone.data).learners.empty());
+}
+
 TEST_CASE("report: a right meaning that was not understood is not right") {
     Diary diary("Mina");
     diary.session("gravity").answers("heaviest", "R");

@@ -34,12 +34,12 @@ Joon
 mina
   gravity: played once, finished once, last on 2026-03-02 10:15 +0000
     best: 2 stars, score 70
-                                          right  right  not un-  form wrong in
-    question             asked attempts at once in end derstood wrong    a row
-    heaviest                 1        2       0      1        0     1        1
-      R:ADJ:FORM 1: "most heavy" -> "heaviest"
-    lighter-than-egg         1        3       0      0        0     0        3
-      STUCK now: the last 3 or more answers were not right
+                                          right  right  not un-  form  wrong in
+    question             asked attempts at once in end derstood wrong a row now
+    heaviest                 1        2       0      1        0     1         0
+      "most heavy" for "heaviest" (once)
+    lighter-than-egg         1        3       0      0        0     0         3
+      STUCK now: the last 3 answers were not right
 )");
 }
 
@@ -54,8 +54,51 @@ TEST_CASE("report: nobody yet is one friendly sentence") {
 
 TEST_CASE("report: a lesson that one learner has not played is said so") {
     Diary diary("Mina");
-    CHECK(to_text(compute_report(diary.data, {"", "kite"})).find("has not played kite yet") !=
-          std::string::npos);
+    diary.session("kite").answers("faster", "R").learner("Joon");
+    const std::string everybody = to_text(compute_report(diary.data, {"", "kite"}));
+    CHECK_THAT(everybody, Catch::Contains("Joon\n  has not played kite yet"));
+    Diary one("Mina");
+    CHECK_THAT(to_text(compute_report(one.data, {"Mina", "kite"})),
+               Catch::Contains("Mina\n  has not played kite yet"));
+}
+
+TEST_CASE("report: a lesson that nobody has played is one sentence, not a list of everybody") {
+    Diary diary("Mina");
+    diary.learner("Joon");
+    const Report report = compute_report(diary.data, {"", "gravty"});
+    CHECK(report.learners.empty());
+    CHECK(to_text(report) ==
+          "Nobody has played a lesson called \"gravty\" here; fulcrum report without --lesson\n"
+          "  shows all that was played.\n");
+}
+
+TEST_CASE("report: wrong in a row is how it stands now; what is over is said in words") {
+    Diary diary("Mina");
+    diary.session("gravity").answers("heaviest", "WWWWRW");
+    const std::string text = to_text(compute_report(diary.data), kUtc);
+    CHECK_THAT(text, Catch::Contains("    0     0         1\n"));
+    CHECK_THAT(
+        text, Catch::Contains("was stuck before (4 answers in a row were not right), and went on"));
+}
+
+TEST_CASE("report: errors of form are told in words, without codes") {
+    Diary diary("Mina");
+    diary.session("gravity").answers("heaviest", "FFFFF");
+    const std::vector<ErrorRecord> errors[] = {{{"M:DET", "", "the"}, {"U:PRON", "it", ""}},
+                                               {{"M:DET", "", "an"}},
+                                               {{"M:DET", "", "the"}},
+                                               {{"R:ADJ:FORM", "most heavy", "heaviest"}},
+                                               {{"M:DET", "", "the"}}};
+    for (std::size_t i = 0; i < 5; ++i) {
+        diary.data.attempts[i].errors = errors[i];
+    }
+    const std::string text = to_text(compute_report(diary.data), kUtc);
+    CHECK_THAT(text, Catch::Contains("      left out \"the\" (3 times), left out \"an\" (once)\n"));
+    CHECK_THAT(text, Catch::Contains("      \"most heavy\" for \"heaviest\" (once)\n"));
+    CHECK_THAT(text, Catch::Contains("      \"it\" where no word belongs (once)\n"));
+    CHECK_THAT(text, !Catch::Contains("DET") && !Catch::Contains("ADJ"));
+    CHECK_THAT(to_csv(compute_report(diary.data)),
+               Catch::Contains("M:DET 4; R:ADJ:FORM 1; U:PRON 1"));
 }
 
 TEST_CASE("report: lines are broken between words, and no word is lost") {
