@@ -17,9 +17,21 @@ constexpr std::array<std::string_view, 24> kFillers = {
     "maybe", "like", "definitely", "really", "teacher", "miss", "sir",    "actually"};
 
 /// Openings and endings of the same kind.
-constexpr std::array<std::string_view, 12> kPhrases = {
-    "i think that", "i think",      "i believe that", "i believe",      "i guess",   "i know",
-    "of course",    "my answer is", "the answer is",  "i am sure that", "i am sure", "let me see"};
+constexpr std::array<std::string_view, 22> kPhrases = {
+    "i think that",   "i think",     "i believe that", "i believe",     "i guess that",
+    "i guess",        "i feel that", "i feel",         "i know that",   "i know",
+    "i would say",    "of course",   "for sure",       "my answer is",  "the answer is",
+    "i am sure that", "i am sure",   "let me see",     "in my opinion", "it feels like",
+    "you know",       "you see"};
+
+/// Begin a reason: what follows is not the answer, and is let pass whatever it says.
+constexpr std::array<std::string_view, 4> kReasons = {"because", "cause", "cos", "coz"};
+
+/// Words of two letters that are never taken for a slip.
+constexpr std::array<std::string_view, 35> kShortWords = {
+    "am", "an", "as", "at", "be", "by", "do", "eh", "go", "ha", "he", "hi",
+    "if", "in", "is", "it", "la", "me", "my", "no", "of", "oh", "on", "or",
+    "ox", "pi", "so", "to", "tv", "up", "us", "we", "ye", "yo", "ax"};
 
 /// Contractions without their apostrophe.
 struct Contraction {
@@ -48,9 +60,26 @@ bool contains(const Table& table, std::string_view word) {
     return std::find(table.begin(), table.end(), word) != table.end();
 }
 
-/// The one word of the templates that `text` is a slip of, or kNone.
+/// True when `word` is, or is a part of, what a list gives.
+bool is_listed(const TemplateSet& set, std::string_view word) {
+    for (const WordList& list : set.lists) {
+        for (const ListItem& item : list.items) {
+            for (const Noun& noun : item.spoken) {
+                const std::vector<std::string> words = words_of(noun.text);
+                if (contains(words, word)) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+/// The one word of the templates that `text` is a slip of, or kNone. Two letters are too few to tell one little word from
+/// another; they may be a slip of a listed noun ("eg").
 int nearest_word(const TemplateSet& set, const std::string& text, std::size_t& comparisons) {
-    const int allowed = allowed_slip(text.size());
+    const bool is_short = text.size() == 2 && !contains(kShortWords, text);
+    const int allowed = is_short ? 1 : allowed_slip(text.size());
     if (allowed == 0 || contains(kRealWords, text)) {
         return kNone;
     }
@@ -71,16 +100,18 @@ int nearest_word(const TemplateSet& set, const std::string& text, std::size_t& c
         }
         ++comparisons;
         const int distance = edit_distance(word, text);
-        if (distance < best_distance || (distance == best_distance && standing > best_standing)) {
+        const bool more_usual = !is_short && standing > best_standing;
+        if (distance < best_distance || (distance == best_distance && more_usual)) {
             best = number;
             best_distance = distance;
             best_standing = standing;
             unique = true;
-        } else if (distance == best_distance && standing == best_standing) {
+        } else if (distance == best_distance && (is_short || standing == best_standing)) {
             unique = false;
         }
     }
-    return unique && best_distance <= allowed ? best : kNone;
+    const bool found = unique && best_distance <= allowed;
+    return found && (!is_short || is_listed(set, set.words.text(best))) ? best : kNone;
 }
 
 bool stands_at(const std::vector<Token>& tokens, std::size_t at,
@@ -91,22 +122,41 @@ bool stands_at(const std::vector<Token>& tokens, std::size_t at,
                [](const std::string& word, const Token& token) { return word == token.text; });
 }
 
-/// Marks the words of known phrases at the beginning (behind other fillers) and the end as fillers.
-void mark_phrases(const std::vector<Token>& tokens, std::vector<HeardWord>& heard) {
-    for (const std::string_view phrase : kPhrases) {
-        const std::vector<std::string> words = words_of(phrase);
-        if (words.size() >= tokens.size()) {
-            continue;
+/// Marks the words `at` and after as fillers when they are `words`; false when they aren't, or are fillers already.
+bool mark_phrase(const std::vector<Token>& tokens, std::size_t at,
+                 const std::vector<std::string>& words, std::vector<HeardWord>& heard) {
+    if (!stands_at(tokens, at, words) || heard[at + words.size() - 1].filler) {
+        return false;
+    }
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        heard[at + i].filler = true;
+    }
+    return true;
+}
+
+/// Marks what frames an answer as fillers: known phrases at its beginning and end, one behind the other.
+void mark_phrases(const std::vector<Token>& tokens, std::size_t end,
+                  std::vector<HeardWord>& heard) {
+    bool again = true;
+    while (again) {
+        again = false;
+        const auto is_said = [](const HeardWord& word) { return !word.filler; };
+        const auto stop = heard.begin() + static_cast<std::ptrdiff_t>(end);
+        const auto first = std::find_if(heard.begin(), stop, is_said);
+        std::size_t last = end;
+        while (last > 0 && heard[last - 1].filler) {
+            --last;
         }
-        const auto first = std::find_if(heard.begin(), heard.end(),
-                                        [](const HeardWord& word) { return !word.filler; });
-        for (const auto at :
-             {static_cast<std::size_t>(first - heard.begin()), tokens.size() - words.size()}) {
-            if (!stands_at(tokens, at, words)) {
-                continue;
+        for (const std::string_view phrase : kPhrases) {
+            const std::vector<std::string> words = words_of(phrase);
+            const auto begin = static_cast<std::size_t>(first - heard.begin());
+            if (begin + words.size() >= last) {
+                continue;  // nothing would be left to understand
             }
-            for (std::size_t i = 0; i < words.size(); ++i) {
-                heard[at + i].filler = true;
+            if (mark_phrase(tokens, begin, words, heard) ||
+                mark_phrase(tokens, last - words.size(), words, heard)) {
+                again = true;
+                break;
             }
         }
     }
@@ -117,6 +167,17 @@ struct MendedToken {
     Token token;
     ErrorCode slip = ErrorCode::none;
 };
+
+/// Where a reason begins that the templates don't ask for: "… because it is big"; the number of tokens without one.
+std::size_t reason_of(const TemplateSet& set, const std::vector<MendedToken>& tokens) {
+    for (std::size_t i = 1; i < tokens.size(); ++i) {
+        const std::string& word = tokens[i].token.text;
+        if (contains(kReasons, word) && set.words.find(word) == kNone) {
+            return i;
+        }
+    }
+    return tokens.size();
+}
 
 /// "its": the first part of a contraction without its apostrophe, then the second; empty for other words.
 std::vector<MendedToken> parted(const TemplateSet& set, const Token& token) {
@@ -156,13 +217,19 @@ std::vector<MendedToken> mended(const TemplateSet& set, const std::vector<Token>
 
 std::vector<HeardWord> hear_words(const TemplateSet& set, std::string_view utterance,
                                   std::size_t& comparisons) {
+    std::vector<MendedToken> said = mended(set, tokenise(utterance));
+    const std::size_t reason = reason_of(set, said);
     std::vector<Token> tokens;
     std::vector<HeardWord> heard;
-    for (MendedToken& mended_token : mended(set, tokenise(utterance))) {
+    for (MendedToken& mended_token : said) {
         const Token& token = mended_token.token;
-        HeardWord word{set.words.find(token.text), token.begin, token.end, mended_token.slip,
-                       false};
-        if (word.word == kNone) {
+        HeardWord word{kNone, token.begin, token.end, mended_token.slip, false};
+        if (heard.size() >= reason) {
+            word.filler = true;
+        } else {
+            word.word = set.words.find(token.text);
+        }
+        if (word.word == kNone && !word.filler) {
             word.filler = contains(kFillers, token.text);
             word.word = word.filler ? kNone : nearest_word(set, token.text, comparisons);
             word.slip = word.word == kNone ? word.slip : ErrorCode::spelling;
@@ -170,7 +237,7 @@ std::vector<HeardWord> hear_words(const TemplateSet& set, std::string_view utter
         heard.push_back(word);
         tokens.push_back(std::move(mended_token.token));
     }
-    mark_phrases(tokens, heard);
+    mark_phrases(tokens, reason, heard);
     return heard;
 }
 

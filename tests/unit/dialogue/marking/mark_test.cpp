@@ -223,6 +223,18 @@ TEST_CASE("mark: short answers are understood and fine") {
         CHECK(mark.slot("thing") == "watermelon");
         CHECK(mark.answer == 0);
     }
+    for (const char* said :
+         {"I think the apple is heavier because it is big", "Well, of course the apple is heavier.",
+          "the apple is heavier, I think, because the egg is not heavier"}) {
+        INFO(said);
+        const Mark mark = mark_answer(heavier(), said);
+        CHECK(mark.corrected == "The apple is heavier.");
+        CHECK(mark.form_right());
+        CHECK(mark.slot("other").empty());
+    }
+    CHECK(mark_answer(heavier(), "the eg is heavier").slot("thing") == "egg");
+    CHECK(codes_of(mark_answer(heavier(), "the eg is heavier")) == "R:SPELL");
+    CHECK_FALSE(mark_answer(heavier(), "the apple is not heavier because it is big").understood);
     CHECK(mark_answer(heaviest(), "watermelon").corrected == "A watermelon is the heaviest.");
     CHECK(mark_answer(heaviest(), "a apple").emphasised == "*An apple* is the heaviest.");
     CHECK(mark_answer(heaviest(), "it is watermelon").emphasised == "It is *a watermelon*.");
