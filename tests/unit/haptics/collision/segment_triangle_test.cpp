@@ -100,10 +100,16 @@ TEST_CASE("segment and triangle: within the plane each edge belongs to it, also 
 }
 
 TEST_CASE("segment and triangle: a height that rounding eats in every sign is a meeting still") {
-    // The three orientations are 1/4, 1/2 and 1/4 of the smallest number: all of them come out as zero.
-    const Vector3 just_above(0.25, 0.25, 5e-324);
-    CHECK(meet(kTriangle, just_above, Vector3(0.25, 0.25, 0.0)).found());
-    CHECK(meet(kTriangle, Vector3(0.25, 0.25, 0.0), just_above).found());
+    // Seen from its middle each edge spans products below a half: times the smallest number, zero.
+    const PreparedTriangle even = prepare_triangle(Vector3(0.0, 0.0, 0.0), Vector3(1.0, 0.0, 0.0),
+                                                   Vector3(0.5, 0.875, 0.0), 1);
+    const Vector3 middle(0.5, 0.29, 0.0);
+    const Vector3 just_above(0.5, 0.29, 5e-324);
+    REQUIRE(orientation(just_above, middle, even.a, even.b) == 0);
+    REQUIRE(orientation(just_above, middle, even.b, even.c) == 0);
+    REQUIRE(orientation(just_above, middle, even.c, even.a) == 0);
+    CHECK(meet(even, just_above, middle).found());
+    CHECK(meet(even, middle, just_above).found());
 }
 
 }  // namespace

@@ -129,11 +129,12 @@ TEST_CASE("world loop: until the hand has a pose there is no bucket, at the orig
     world.haptics->state_for_world.publish(tool_at(Vector3(0.0, 1.0, 0.0)));
     step_for(1);
     CHECK(world.body(2).where == BodyWhere::falling);
-    // From now on there is one, also while the device is lost: where it was last.
-    HapticState lost = tool_at(Vector3(0.0, 1.0, 0.0));
-    lost.faults = Fault::device_read;
-    world.haptics->state_for_world.publish(lost);
-    world.channels->commands.push(make_command(Kind::drop, 2, Vector3(0.0, 1.1, 0.0)));
+    // From now on there is one, wherever the haptic loop says, also while the device is faulty.
+    HapticState jumped = tool_at(Vector3(0.5, 1.0, 0.0));
+    jumped.faults = Fault::device_invalid;
+    world.haptics->state_for_world.publish(jumped);
+    step_for(1);
+    world.channels->commands.push(make_command(Kind::drop, 2, Vector3(0.5, 1.1, 0.0)));
     step_for(100);
     CHECK(world.body(2).where == BodyWhere::held);
 }

@@ -48,7 +48,7 @@ TEST_CASE("god object: past an edge it lets go however little there is to gain")
 }
 
 TEST_CASE("god object: in a gap narrower than its clearances it slides along, and stays between") {
-    constexpr double kGap_m = 1.0e-10;  // the plates' clearances are 0.7e-10 each
+    constexpr double kGap_m = 0.5e-10;  // the plates' clearances are 0.7e-10 each
     const auto plate = make_plate(1.0, 1.0, 3);
     const std::array<Pose, 2> poses{at(Vector3::Zero()), at(Vector3(0.0, kGap_m, 0.0))};
     GodObject proxy({touchable(plate, poses[0]), touchable(plate, poses[1])});
@@ -79,6 +79,51 @@ TEST_CASE("god object: what it touches takes it along, and over nothing that sta
     const ProxyContact& contact = proxy.step(hand, std::array{moved});
     CHECK((contact.position_W - moved.position).norm() < 1e-9);
     CHECK(contact.n_constraints == 2);
+}
+
+TEST_CASE(
+    "god object: carried into a second solid it stays where it was rather than go with that") {
+    // The plate slides under it, towards a wall that moves sideways with a rib on it.
+    const auto wall =
+        TriangleMesh::build({Vector3(0.2, -1, -1), Vector3(0.2, 1, -1), Vector3(0.2, 1, 1),
+                             Vector3(0.2, -1, 1), Vector3(0.05, -1, -0.15), Vector3(0.2, -1, -0.15),
+                             Vector3(0.2, 1, -0.15), Vector3(0.05, 1, -0.15)},
+                            {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
+    GodObject proxy({touchable(make_plate(4.0, 4.0, 3)), touchable(wall)});
+    proxy.reset(Vector3(0.0, 0.1, 0.0));
+    proxy.step(Vector3(0.0, -0.1, 0.0), std::array{at(Vector3::Zero()), at(Vector3::Zero())});
+    REQUIRE(proxy.contact().solid == 0);
+    const ProxyContact& contact =
+        proxy.step(Vector3(0.19, -0.1, 0.0),
+                   std::array{at(Vector3(0.3, 0.0, 0.0)), at(Vector3(0.0, 0.0, 0.3))});
+    // From there the way to the hand is free; from where the wall would have taken it the rib is before the hand.
+    CHECK((contact.position_W - Vector3(0.19, 0.0, 0.0)).norm() < 1e-9);
+    CHECK(contact.n_constraints == 1);
+}
+
+TEST_CASE("god object: on a floor beside a ridge only what it stands on holds it") {
+    // Three roofs that meet in a spike, cut by a floor.
+    const auto spike = TriangleMesh::build(
+        {Vector3(0, 0.4, 0), Vector3(1, 0.4, 0), Vector3(-0.5, -0.4, 0.8),
+         Vector3(-0.5, -0.2, -0.8), Vector3(-3, 0, -3), Vector3(3, 0, -3), Vector3(0, 0, 4)},
+        {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {4, 6, 5}});
+    const std::array<Pose, 1> poses{at(Vector3::Zero())};
+    GodObject proxy({touchable(spike)});
+    proxy.reset(Vector3(0.1, 1.0, -0.15));
+    // In the groove of the first roof, y + z = 0.4, and the floor.
+    proxy.step(Vector3(-0.05, -0.35, 0.3), poses);
+    CHECK((proxy.contact().position_W - Vector3(-0.05, 0.0, 0.4)).norm() < 1e-9);
+    CHECK(proxy.contact().n_constraints == 2);
+    // Along the groove's line, but past the ridge where that roof ends: the floor alone.
+    proxy.step(Vector3(-0.3, 0.0, 0.4), poses);
+    CHECK((proxy.contact().position_W - Vector3(-0.3, 0.0, 0.4)).norm() < 1e-9);
+    CHECK(proxy.contact().n_constraints == 1);
+    // And on to the foot on the second roof.
+    const Vector3 hand(0.1, -0.1, -0.35);
+    const Vector3 normal = Vector3(-0.5, -0.6, -0.8).cross(Vector3(-0.5, -0.8, 0.8)).normalized();
+    const Vector3 foot = hand - normal.dot(hand - Vector3(0.0, 0.4, 0.0)) * normal;
+    proxy.step(hand, poses);
+    CHECK((proxy.contact().position_W - foot).norm() < 1e-9);
 }
 
 TEST_CASE("god object: a start in a face with another right before it goes behind the face") {
