@@ -205,11 +205,13 @@ TEST_CASE("menu: the window's events are read as they are meant") {
     CHECK_FALSE(first.clicked);  // only the left button starts
 
     events.pressed = {{"space"}};
+    events.pointer_moved = false;
     events.button_press = {true, false, false};
     events.press_x_px = 7.0;
     events.press_y_px = 9.0;
     const MenuInput second = read_menu_input(events, wheel);
     CHECK(second.scroll == 1);
+    CHECK_FALSE(second.pointed);
     CHECK(wheel == Approx(0.2));
     CHECK(second.start);
     CHECK(second.clicked);
