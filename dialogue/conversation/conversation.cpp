@@ -175,11 +175,6 @@ std::string Conversation::ladder_key(const FormError& error) const {
     return std::string(error.errant()) + "/" + rule_key(error);
 }
 
-int Conversation::sightings(const FormError& error) const {
-    const auto found = seen_.find(ladder_key(error));
-    return found == seen_.end() ? 0 : found->second;
-}
-
 std::vector<std::string> sentences_of(std::string_view text) {
     std::vector<std::string> lines;
     std::string line;

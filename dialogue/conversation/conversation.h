@@ -87,8 +87,6 @@ class Conversation {
 
     [[nodiscard]] State state() const { return state_; }
     [[nodiscard]] int attempt() const { return attempt_; }
-    /// How often the error has been made since its form was last right.
-    [[nodiscard]] int sightings(const FormError& error) const;
 
   private:
     Feedback respond_to_form(const Mark& mark);

@@ -21,6 +21,7 @@ RunRequest quiet_request(const std::filesystem::path& folder, const Options& opt
     RunRequest request;
     request.folder = folder;
     request.plan.force_limit_N = options.force_limit_N;
+    request.plan.speech = options.speech;
     request.plan.picture = false;
     request.plan.sound = false;
     request.own_test = true;

@@ -71,9 +71,13 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
         return into_number(options.force_limit_N, 0.5, 10.0);
     }
     if (flag == "--speech") {
-        if (value != "text") {
+        constexpr std::array<SpeechInput, 1> kInputs{SpeechInput::text};
+        const auto input = std::find_if(kInputs.begin(), kInputs.end(),
+                                        [&](SpeechInput i) { return name_of(i) == value; });
+        if (input == kInputs.end()) {
             return fail("--speech " + value + " is not known", "", "use --speech text");
         }
+        options.speech = *input;
         return {};
     }
     if (flag == "--format") {

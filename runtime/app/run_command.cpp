@@ -22,6 +22,7 @@ Expected<RunRequest> make_request(const Installation& installation, const Option
     }
     request.folder = *folder;
     request.plan.force_limit_N = options.force_limit_N;
+    request.plan.speech = options.speech;
     request.plan.picture = in_window || !options.screenshot.empty();
     request.plan.sound = in_window && !options.mute;
     request.plan.record = !options.record.empty();

@@ -51,8 +51,8 @@ Expected<void> LessonSession::carry_out(const LessonForceCommand& command, Sessi
 }
 
 Expected<void> LessonSession::carry_out(const CaptionCommand& command, SessionOutput&) {
-    hud_.caption = command.text;
-    hud_.feedback.clear();
+    speech_.instruct(command.text);
+    show();
     return {};
 }
 
@@ -61,8 +61,7 @@ Expected<void> LessonSession::carry_out(const AskCommand& command, SessionOutput
         return undeclared();
     }
     QuestionTurn turn = dialogue_.ask(command.question, time_s_);
-    hud_.caption = turn.prompt;
-    hud_.feedback.clear();
+    speech_.instruct(turn.prompt);
     take(std::move(turn));
     return {};
 }
@@ -100,7 +99,7 @@ Expected<void> LessonSession::carry_out(const FinishCommand& command, SessionOut
     hud_.stars = result_.stars = std::clamp(command.stars, 0, 3);
     result_.finished = true;
     dialogue_.close();
-    show_question();
+    show();
     sounds_.push_back("finish");
     end(EndReason::finished);
     return {};

@@ -17,7 +17,10 @@ constexpr std::size_t kLongestAnswer_bytes = 400;
 
 LessonSession::LessonSession(LessonDescription description, const Plan& plan,
                              QuestionDialogue dialogue, SessionLog log)
-    : description_(std::move(description)), dialogue_(std::move(dialogue)), log_(std::move(log)) {
+    : description_(std::move(description)),
+      dialogue_(std::move(dialogue)),
+      log_(std::move(log)),
+      speech_(Speech::build(plan)) {
     // Until the lesson says otherwise every declared force is on, where it was declared.
     for (std::size_t i = 0; i < description_.forces.size(); ++i) {
         force_.fields[i].anchor_W = description_.forces[i].field.anchor_W;
@@ -65,6 +68,7 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
     }
 
     log_.look_for_trouble();
+    speech_.step(input.dt_s);
     take(dialogue_.step(time_s_));
     queue_world_events(input.world_events);
     queue_touch_events(input.hand.touched_body);
@@ -72,7 +76,10 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
         queued_.push_back(KeyEvent{key});
     }
     if (input.heard) {
-        hear(*input.heard);
+        speech_.type(*input.heard);
+    }
+    if (const auto heard = speech_.poll()) {
+        hear(*heard);
     }
     frame_.events = std::move(queued_);
     queued_.clear();
@@ -107,13 +114,13 @@ std::string LessonSession::catch_sound(std::int32_t body) const {
     return "catch_" + description_.bodies[static_cast<std::size_t>(body)].model;
 }
 
-// Whatever a keyboard or a file gives: clean UTF-8 of a sentence's length.
-void LessonSession::hear(const std::string& said) {
-    std::string words = kept_text(said);
+// Whatever a keyboard, a file or a recogniser gives: clean UTF-8 of a sentence's length.
+void LessonSession::hear(const dialogue::Hypothesis& heard) {
+    std::string words = kept_text(heard.text);
     if (words.size() > kLongestAnswer_bytes) {
         words = kept_text(std::string_view(words).substr(0, kLongestAnswer_bytes));
     }
-    take(dialogue_.hear(words, 1.0, time_s_));
+    take(dialogue_.hear(words, heard.confidence, time_s_));
 }
 
 // What the dialogue came to: the lesson is told, and the learner hears, sees and is kept.
@@ -121,19 +128,34 @@ void LessonSession::take(QuestionTurn turn) {
     std::move(turn.events.begin(), turn.events.end(), std::back_inserter(queued_));
     if (turn.answer) {
         const MarkedAnswer& answer = *turn.answer;
-        hud_.feedback = answer.feedback.text;
+        speech_.reply(answer.feedback.text);
         sounds_.push_back(answer.right ? "right" : "try_again");
         ++result_.attempts;
         result_.form_errors += static_cast<int>(answer.mark.form_errors.size());
         log_.keep_attempt(answer);
     }
-    show_question();
+    show();
 }
 
-void LessonSession::show_question() {
+void LessonSession::show() {
+    hud_.caption = speech_.instruction();
+    hud_.feedback = speech_.last_reply();
     hud_.question_open = dialogue_.is_open();
     hud_.invited = dialogue_.is_invited();
     hud_.question_asked_at_s = dialogue_.asked_at_s();
+}
+
+// The recogniser listens while the learner may speak, and anew each time that they are asked to.
+Expected<void> LessonSession::keep_listening() {
+    if (!dialogue_.listens()) {
+        speech_.stop_listening();
+        return {};
+    }
+    if (speech_.listening() && turn_ == dialogue_.turns()) {
+        return {};
+    }
+    turn_ = dialogue_.turns();
+    return speech_.listen(dialogue_.templates());
 }
 
 void LessonSession::end(EndReason reason) {
@@ -149,7 +171,10 @@ Expected<SessionOutput> LessonSession::finish_frame(const LessonReply& reply) {
         }
     }
     dialogue_.end_exchange();
-    show_question();
+    show();
+    if (auto listening = keep_listening(); !listening) {
+        return tl::unexpected(listening.error());
+    }
     force_.stamp_s = time_s_;
     force_.lesson_alive = true;
     output.force = force_;

@@ -3,7 +3,8 @@
 //
 //   what happened --begin_frame--> LessonFrame --lesson's process--> LessonReply --finish_frame--> what to do
 //
-// The question of now is question_dialogue.h's, what is kept session_log.h's; the commands one by one stand in
+// The question of now is question_dialogue.h's, who hears and says it speech.h's, what is kept session_log.h's; the
+// commands one by one stand in
 // carry_out.cpp.
 //
 // Thread: lesson loop. Cost: microseconds, and what the store takes for an answer.
@@ -14,6 +15,7 @@
 #include "haptics/handover/messages.h"
 #include "runtime/lesson/question_dialogue.h"
 #include "runtime/lesson/session_log.h"
+#include "runtime/lesson/speech.h"
 #include "runtime/progress/store.h"
 #include "runtime/scene/description.h"
 #include "runtime/scene/lesson_messages.h"
@@ -34,7 +36,8 @@ struct SessionInput {
     const WorldSnapshot* world = nullptr;  ///< null when the plan has no world
     std::vector<WorldEvent> world_events;
     std::vector<std::string> keys;
-    std::optional<std::string> heard;  ///< the learner's words, typed or scripted
+    std::optional<std::string>
+        heard;  ///< the learner's words, typed or scripted: for the recogniser
 };
 
 /// What is to be done before the next frame.
@@ -102,9 +105,10 @@ class LessonSession {
     void queue_world_events(const std::vector<WorldEvent>& events);
     void queue_touch_events(std::int32_t touched_body);
     [[nodiscard]] std::string catch_sound(std::int32_t body) const;
-    void hear(const std::string& said);
+    void hear(const dialogue::Hypothesis& heard);
+    [[nodiscard]] Expected<void> keep_listening();
     void take(QuestionTurn turn);
-    void show_question();
+    void show();
 
     // One for each command a lesson can send; an error when it names something that isn't there.
     Expected<void> carry_out(const MoveCommand& command, SessionOutput& output);
@@ -122,6 +126,8 @@ class LessonSession {
     LessonDescription description_;
     QuestionDialogue dialogue_;
     SessionLog log_;
+    Speech speech_;
+    int turn_ = 0;  // of the dialogue's, the one that is listened for
 
     // What the lesson has asked for so far.
     ForceCommand force_{};

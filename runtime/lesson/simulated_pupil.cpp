@@ -1,7 +1,10 @@
 #include "runtime/lesson/simulated_pupil.h"
 
+#include "dialogue/speech/text/text_recogniser.h"
+
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace fulcrum::runtime {
 
@@ -18,14 +21,9 @@ Expected<std::vector<std::string>> SimulatedPupil::read_lines(const std::string&
         return fail("the answers cannot be read", path,
                     "give --say a text file with one answer a line");
     }
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(file, line);) {
-        const std::size_t first = line.find_first_not_of(" \t\r");
-        if (first != std::string::npos && line[first] != '#') {
-            lines.push_back(line.substr(first, line.find_last_not_of(" \t\r") - first + 1));
-        }
-    }
-    return lines;
+    std::ostringstream text;
+    text << file.rdbuf();
+    return dialogue::script_lines(text.str());
 }
 
 std::optional<std::string> SimulatedPupil::answer(double asked_at_s, double now_s) {

@@ -151,7 +151,9 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
     }
     add("lesson", "lua", plan.lesson_rate_hz, "every lesson is a Lua file", 0);
     if (plan.dialogue) {
-        add("lesson", "dialogue", 0.0, "it asks questions", lesson.questions.front().line);
+        add("lesson", "dialogue", 0.0,
+            "it asks questions, answered as " + std::string(name_of(plan.speech)),
+            lesson.questions.front().line);
     }
     if (plan.recogniser) {
         add("speech", "recogniser", 0.0, "answers are spoken", lesson.questions.front().line);
@@ -271,10 +273,19 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
     plan.sound = options.sound;
     plan.record = options.record;
     plan.dialogue = !lesson.questions.empty();
+    plan.speech = options.speech;
     plan.recogniser = plan.dialogue && options.speech != SpeechInput::text;
     list_haptic_stages(lesson, plan);
     list_other_loops(lesson, plan);
     return plan;
+}
+
+std::string_view name_of(SpeechInput speech) {
+    switch (speech) {
+        case SpeechInput::text:
+            return "text";
+    }
+    return "";
 }
 
 }  // namespace fulcrum::runtime

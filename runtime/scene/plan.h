@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fulcrum::runtime {
@@ -28,6 +29,9 @@ inline constexpr double kMaxFeltDamping_Ns_per_m = 50.0;
 
 /// How a learner's words arrive.
 enum class SpeechInput : std::uint8_t { text };
+
+/// As the command line, the plan and the recogniser name it: "text".
+[[nodiscard]] std::string_view name_of(SpeechInput speech);
 
 /// What the person at the keyboard chose; the rest follows from the lesson.
 struct PlanOptions {
@@ -55,7 +59,8 @@ struct Plan {
     bool picture = false;
     bool sound = false;
     bool record = false;
-    bool dialogue = false;    ///< the lesson asks questions
+    bool dialogue = false;                   ///< the lesson asks questions
+    SpeechInput speech = SpeechInput::text;  ///< how answers arrive, when there are any
     bool recogniser = false;  ///< a speech recogniser listens; never with SpeechInput::text
     std::vector<double> felt_weight_N;  ///< one a body, 0 when it can't be carried
     double felt_scale =

@@ -57,6 +57,7 @@ void CaptionVoice::next() {
     last_ = std::move(waiting_.front());
     waiting_.pop_front();
     caption_.text = part_emphasis(last_);
+    caption_.said = last_;
     caption_.duration_s = reading_time_s(caption_.text.plain);
     caption_.shown_s = 0.0;
 }

@@ -26,6 +26,7 @@ struct CaptionSettings {
 /// A caption on the screen.
 struct Caption {
     MarkedText text;
+    std::string said;         ///< the same as it was said, with its *asterisks*
     double shown_s = 0.0;     ///< how long it has stood
     double duration_s = 0.0;  ///< how long it will stand
 };

@@ -19,6 +19,7 @@ TEST_CASE("captions: stand as long as the words take to read") {
     voice.say("Yes. A watermelon is *the heaviest*.");
     CHECK(voice.caption().text.plain == "Yes. A watermelon is the heaviest.");
     CHECK(voice.caption().text.strong.size() == 1);
+    CHECK(voice.caption().said == "Yes. A watermelon is *the heaviest*.");
     CHECK(voice.caption().duration_s == Approx(4.0));
     CHECK(voice.speaking());
     voice.step(3.9);

@@ -36,6 +36,7 @@ TEST_CASE("options: run takes a lesson and every documented flag") {
     CHECK(options->record == "r.rec");
     CHECK(options->screenshot == "p.png");
     CHECK(options->screenshot_at_s == 1.0);
+    CHECK(options->speech == SpeechInput::text);
     CHECK(options->watch);
     CHECK(options->mute);
     CHECK(options->force_limit_N == 10.0);
@@ -63,7 +64,10 @@ TEST_CASE(
     CHECK_FALSE(parse({"list", "gravity"}));
     CHECK_FALSE(parse({"report", "--headless"}));
     CHECK_FALSE(parse({"report", "--format", "docx"}));
-    CHECK_FALSE(parse({"run", "gravity", "--speech", "telepathy"}));
+    const auto microphone = parse({"run", "gravity", "--speech", "microphone"});
+    REQUIRE_FALSE(microphone);
+    CHECK(to_sentence(microphone.error()) ==
+          "--speech microphone is not known; use --speech text.");
 }
 
 TEST_CASE("options: edit distance counts letters") {

@@ -127,6 +127,7 @@ TEST_CASE(
     CHECK_FALSE(plan->has("picture", "scene"));
     CHECK_FALSE(plan->has("record", "writer"));
     CHECK(plan->has("lesson", "dialogue"));
+    CHECK(plan->speech == SpeechInput::text);
 }
 
 TEST_CASE("plan: a lesson in which the lighter thing feels heavier is refused with its line") {

@@ -1,0 +1,59 @@
+// What listens to the learner and what speaks to them in one play: exactly what the plan has.
+//
+//   typed, scripted --type--> recogniser --poll--> heard        listens only while the learner may speak
+//   instruct, reply --> captions --> what the picture shows      an instruction makes what was said before void
+//
+// Another way to hear or to speak is another implementation of dialogue/speech's interfaces, chosen in `build`.
+//
+// Thread: lesson loop.  Cost: a queue.
+#pragma once
+
+#include "dialogue/speech/captions/caption_voice.h"
+#include "dialogue/speech/recogniser.h"
+#include "dialogue/speech/text/text_recogniser.h"
+#include "haptics/base/error.h"
+#include "runtime/scene/plan.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace fulcrum::runtime {
+
+class Speech {
+  public:
+    /// The recogniser of the plan's choice; for a lesson without questions one that never listens.
+    [[nodiscard]] static Speech build(const Plan& plan);
+
+    /// Words that were typed, or that a script says. Nothing comes of them unless somebody listens.
+    void type(std::string words);
+    /// Listens for one answer; what was half said before is forgotten. The error says why it cannot.
+    [[nodiscard]] Expected<void> listen(std::shared_ptr<const dialogue::TemplateSet> templates);
+    void stop_listening() { recogniser_->stop(); }
+    [[nodiscard]] bool listening() const { return recogniser_->listening(); }
+    /// The answer, once, as far as the recogniser is sure of it.
+    [[nodiscard]] std::optional<dialogue::Hypothesis> poll();
+    /// "text" or "null", as the command line names it.
+    [[nodiscard]] std::string_view recogniser_name() const { return recogniser_->name(); }
+
+    /// What to do now, or a question; empty: nothing.
+    void instruct(std::string_view text);
+    /// To the learner's answer; *asterisks* are emphasis.
+    void reply(std::string_view text);
+    void step(double dt_s);
+    /// As they stand in the picture, with their asterisks.
+    [[nodiscard]] const std::string& instruction() const { return instruction_->caption().said; }
+    [[nodiscard]] const std::string& last_reply() const { return reply_->caption().said; }
+
+  private:
+    Speech() = default;
+
+    std::unique_ptr<dialogue::Recogniser> recogniser_;
+    dialogue::TextRecogniser* typed_ = nullptr;  // the same one, when it is words that it takes
+    std::unique_ptr<dialogue::CaptionVoice> instruction_ =
+        std::make_unique<dialogue::CaptionVoice>();
+    std::unique_ptr<dialogue::CaptionVoice> reply_ = std::make_unique<dialogue::CaptionVoice>();
+};
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,95 @@
+#include "runtime/lesson/speech.h"
+
+#include "runtime/lesson/questions.h"
+#include "tests/unit/runtime/lesson/session_fixture.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+using namespace fulcrum::runtime::test;
+
+namespace {
+
+Speech for_lesson(const LessonDescription& lesson) {
+    return Speech::build(compile_plan(lesson, {}, nullptr).value());
+}
+
+std::shared_ptr<const dialogue::TemplateSet> some_templates() {
+    return compile_questions(two_things()).value().at("heaviest").templates;
+}
+
+}  // namespace
+
+TEST_CASE("speech: with text the recogniser that is built is the one for text") {
+    PlanOptions options;
+    options.speech = SpeechInput::text;
+    const Plan plan = compile_plan(two_things(), options, nullptr).value();
+    CHECK(plan.speech == SpeechInput::text);
+    CHECK_FALSE(plan.recogniser);
+    CHECK(Speech::build(plan).recogniser_name() == name_of(plan.speech));
+    CHECK(name_of(plan.speech) == "text");
+}
+
+TEST_CASE("speech: a lesson without questions has nobody who listens") {
+    LessonDescription lesson = two_things();
+    lesson.questions.clear();
+    Speech speech = for_lesson(lesson);
+    CHECK(speech.recogniser_name() == "null");
+    REQUIRE(speech.listen(some_templates()));
+    speech.type("the apple");
+    CHECK_FALSE(speech.poll());
+}
+
+TEST_CASE(
+    "speech: typed words are heard once, and only if somebody listened when they were typed") {
+    Speech speech = for_lesson(two_things());
+    speech.type("too early");
+    REQUIRE(speech.listen(some_templates()));
+    CHECK_FALSE(speech.poll());
+    speech.type("the apple");
+    const auto heard = speech.poll();
+    REQUIRE(heard);
+    CHECK(heard->text == "the apple");
+    CHECK(heard->confidence == 1.0);
+    CHECK_FALSE(speech.listening());
+    CHECK_FALSE(speech.poll());
+}
+
+TEST_CASE("speech: what was typed for one question does not answer the next") {
+    Speech speech = for_lesson(two_things());
+    REQUIRE(speech.listen(some_templates()));
+    speech.type("the apple");
+    SECTION("asked in its place") {}
+    SECTION("asked after a while") {
+        speech.stop_listening();
+        CHECK_FALSE(speech.listening());
+    }
+    REQUIRE(speech.listen(some_templates()));
+    CHECK_FALSE(speech.poll());
+}
+
+TEST_CASE("speech: nothing to listen for is one sentence") {
+    Speech speech = for_lesson(two_things());
+    const auto refused = speech.listen(nullptr);
+    REQUIRE_FALSE(refused);
+    CHECK(to_sentence(refused.error()).find("lesson.lua") != std::string::npos);
+}
+
+TEST_CASE(
+    "speech: an instruction stands until the next one, and ends the reply to the last answer") {
+    Speech speech = for_lesson(two_things());
+    CHECK(speech.instruction().empty());
+    speech.instruct("Which one is the heaviest?");
+    speech.reply("Yes. An apple is *the heaviest*.");
+    speech.step(100.0);
+    CHECK(speech.instruction() == "Which one is the heaviest?");
+    CHECK(speech.last_reply() == "Yes. An apple is *the heaviest*.");
+    speech.reply("Not yet.");
+    CHECK(speech.last_reply() == "Not yet.");
+    speech.instruct("Catch the egg!");
+    CHECK(speech.instruction() == "Catch the egg!");
+    CHECK(speech.last_reply().empty());
+    speech.instruct("");
+    CHECK(speech.instruction().empty());
+}
