@@ -12,7 +12,7 @@ namespace {
 
 const std::string kHead = R"(
 local L = lesson { id = "q", title = "Q", level = "A1", minutes = 1 }
-local apple
+local apple, the_world
 function L:start(world)
   world:gravity(9.81)
   world:ground(0)
