@@ -52,7 +52,7 @@ Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
         return feedback;
     }
     if (!mark.understood) {
-        return not_understood();
+        return not_understood(mark);
     }
     return meaning_right ? respond_to_form(mark) : wrong_meaning();
 }
@@ -110,15 +110,18 @@ Feedback Conversation::respond_to_repeat(const Mark& mark, bool meaning_right) {
     return feedback;
 }
 
-Feedback Conversation::not_understood() {
+Feedback Conversation::not_understood(const Mark& mark) {
     ++unheard_;
     if (settings_.unheard_tries > 0 && unheard_ >= settings_.unheard_tries) {
         return move_on();
     }
     state_ = State::asked;
-    // First only again, then how the sentence goes, then what can be said.
+    // An opposite is named; else first only again, then how the sentence goes, then what can be said.
     Feedback feedback;
-    if (unheard_ == 1) {
+    if (!mark.opposite_said.empty()) {
+        feedback = say(FeedbackKind::not_understood, "feedback.opposite",
+                       {{"said", mark.opposite_said}, {"asked", "*" + mark.opposite_of + "*"}});
+    } else if (unheard_ == 1) {
         feedback = say(FeedbackKind::not_understood, "feedback.not_understood.1");
     } else if (unheard_ == 2) {
         feedback = say(FeedbackKind::not_understood, "feedback.not_understood.2",

@@ -91,7 +91,7 @@ class Conversation {
   private:
     Feedback respond_to_form(const Mark& mark);
     Feedback respond_to_repeat(const Mark& mark, bool meaning_right);
-    Feedback not_understood();
+    Feedback not_understood(const Mark& mark);
     Feedback wrong_meaning();
     Feedback move_on();
     Feedback say(FeedbackKind kind, std::string key, const CatalogueSlots& slots = {});

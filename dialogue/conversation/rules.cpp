@@ -52,6 +52,7 @@ std::vector<CatalogueNeed> make_needs() {
                                      {"feedback.rule", {"sentence", "rule"}},
                                      {"feedback.wrong_meaning", {}},
                                      {"feedback.wrong_meaning.again", {"again"}},
+                                     {"feedback.opposite", {"said", "asked"}},
                                      {"feedback.not_understood.1", {}},
                                      {"feedback.not_understood.2", {"frame"}},
                                      {"feedback.not_understood.3", {"choices"}},

@@ -40,7 +40,10 @@ struct FormError {
 /// An answer, marked.
 struct Mark {
     std::string said;
-    bool understood = false;    ///< false: no template fits; all below is empty
+    bool understood = false;  ///< false: no template fits; all below but the opposite is empty
+    std::string
+        opposite_said;  ///< not understood, for "lighter" was said where "heavier" is asked; else empty
+    std::string opposite_of;    ///< what is asked: "heavier", "the heaviest"
     int answer = kNone;         ///< which of the question's answers it is, from 0
     bool short_answer = false;  ///< "The watermelon.": fine
     double confidence = 1.0;    ///< the recogniser's, 0 to 1; 1 for typed answers

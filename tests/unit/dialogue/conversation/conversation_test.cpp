@@ -151,6 +151,21 @@ TEST_CASE("conversation: after a wrong meaning a question says what comes next, 
     CHECK(feedback.keys == std::vector<std::string>{"feedback.wrong_meaning.again"});
 }
 
+TEST_CASE("conversation: the opposite of what is asked is named, called neither right nor wrong") {
+    ConversationSettings settings;
+    settings.unheard_tries = 3;
+    Conversation talk(words(), settings);
+    talk.ask(heavier());
+    for (int i = 0; i < 2; ++i) {
+        const Feedback feedback = talk.respond(talk.hear("the egg is lighter"), false);
+        CHECK(feedback.kind == FeedbackKind::not_understood);
+        CHECK(feedback.text == "You told me what is lighter. And what is *heavier*?");
+        CHECK(feedback.ask_again);
+        CHECK_FALSE(feedback.replay);
+    }
+    CHECK(talk.respond(talk.hear("the egg is lighter"), false).kind == FeedbackKind::moved_on);
+}
+
 TEST_CASE("conversation: nobody stays at one question for ever") {
     ConversationSettings settings;
     settings.tries = 3;

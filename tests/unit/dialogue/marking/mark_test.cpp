@@ -260,6 +260,23 @@ TEST_CASE("mark: what turns the meaning round, or says nothing known, is not und
     }
 }
 
+TEST_CASE("mark: the opposite of what is asked is no answer, but is known for what it is") {
+    const Mark lighter = mark_answer(heavier(), "I think the egg is Lighter than the apple!");
+    CHECK_FALSE(lighter.understood);
+    CHECK(lighter.slots.empty());
+    CHECK(lighter.opposite_said == "lighter");
+    CHECK(lighter.opposite_of == "heavier");
+    const Mark lightest = mark_answer(heaviest(), "egg is the lightest");
+    CHECK(lightest.opposite_said == "the lightest");
+    CHECK(lightest.opposite_of == "the heaviest");
+    CHECK(mark_answer(dearer(), "an egg is cheaper than an apple").opposite_of == "more expensive");
+    for (const char* said : {"an egg is heavier", "an egg is not lighter", "the sun is lighter",
+                             "lighter", "an egg is slighter", "an egg is bigger", ""}) {
+        INFO(said);
+        CHECK(mark_answer(heavier(), said).opposite_said.empty());
+    }
+}
+
 TEST_CASE("mark: an error has its place, its words and what belongs there") {
     const std::string said = "So, a apple is most heavy";
     const Mark mark = mark_answer(heaviest(), said);
