@@ -2,6 +2,7 @@
 
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/geometry/shape.h"
+#include "runtime/lua/binding_table.h"
 #include "runtime/scene/gltf/collision_from_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
 
@@ -25,7 +26,46 @@ Expected<std::shared_ptr<const CollisionMesh>> to_collision(Expected<TriangleMes
     return CollisionMesh::create(*mesh);
 }
 
+// Both are made by rule.
+bool has_no_file(const std::string& model) {
+    return model == "sphere" || model == "box";
+}
+
+// The models that the program has, and the one that a misspelt name most likely means.
+std::string nearest_model(const Places& places, const std::string& model) {
+    std::vector<std::string> known{"sphere", "box"};
+    for (const fs::path& file : entries_of(places.models)) {
+        known.push_back(file.stem().string());
+    }
+    return nearest_word(model, known);
+}
+
+tl::unexpected<Error> no_model(const Places& places, const std::string& model,
+                               const std::string& owner, SourceLine line) {
+    const std::string near = nearest_model(places, model);
+    return fail("there is no model \"" + model + "\" for " + owner,
+                "lesson.lua:" + std::to_string(line),
+                near.empty() ? "put " + model + ".glb beside the lesson, or use sphere or box"
+                             : "did you mean \"" + near + "\"?");
+}
+
 }  // namespace
+
+Expected<void> check_models(const Places& places, const fs::path& lesson_folder,
+                            const LessonDescription& lesson) {
+    const auto is_there = [&](const std::string& model) {
+        return has_no_file(model) || !find_model(places, lesson_folder, model).empty();
+    };
+    for (const BodyDescription& body : lesson.bodies) {
+        if (!is_there(body.model)) {
+            return no_model(places, body.model, body.name, body.line);
+        }
+    }
+    if (lesson.bucket.present && !is_there(lesson.bucket.model)) {
+        return no_model(places, lesson.bucket.model, "the bucket", lesson.bucket.line);
+    }
+    return {};
+}
 
 Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
                                                       const RunRequest& request) {
@@ -44,7 +84,13 @@ Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
         return process;
     }
     // The lesson names its hand only once it is loaded, so it is started a second time, with that hand.
-    files.hand = request.folder / (*process)->description().tests.front().hand;
+    const LessonTestDescription test = (*process)->description().tests.front();
+    files.hand = request.folder / test.hand;
+    if (std::error_code error; !fs::exists(files.hand, error)) {
+        return fail("there is no " + test.hand + " beside the lesson",
+                    "lesson.lua:" + std::to_string(test.line),
+                    "write the simulated hand, or leave hand = … away");
+    }
     process->reset();
     return LessonProcess::start(files);
 }
@@ -60,9 +106,7 @@ SolidLoader make_solid_loader(const Places& places, const fs::path& lesson_folde
         }
         const fs::path file = find_model(places, lesson_folder, body.model);
         if (file.empty()) {
-            return fail("there is no model \"" + body.model + "\" for " + body.name,
-                        "lesson.lua:" + std::to_string(body.line),
-                        "put " + body.model + ".glb beside the lesson, or use sphere or box");
+            return no_model(places, body.model, body.name, body.line);
         }
         const auto model = load_gltf(file);
         if (!model) {

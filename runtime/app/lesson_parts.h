@@ -17,6 +17,11 @@ namespace fulcrum::runtime {
 [[nodiscard]] Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
                                                                     const RunRequest& request);
 
+/// Every model that the lesson names is there; an error names the body, its line and the nearest name.
+[[nodiscard]] Expected<void> check_models(const Places& places,
+                                          const std::filesystem::path& lesson_folder,
+                                          const LessonDescription& lesson);
+
 /// The touchable mesh of a body: "sphere" and "box" by rule, anything else from its model.
 [[nodiscard]] SolidLoader make_solid_loader(const Places& places,
                                             const std::filesystem::path& lesson_folder);

@@ -37,6 +37,9 @@ Expected<void> LessonRun::load(const Places& places, const RunRequest& request) 
         return tl::unexpected(process.error());
     }
     process_ = std::move(*process);
+    if (auto models = check_models(places, request.folder, process_->description()); !models) {
+        return models;
+    }
     auto plan = compile_plan(process_->description(), request.plan,
                              make_solid_loader(places, request.folder));
     if (!plan) {

@@ -1,5 +1,9 @@
 #include "runtime/audio/synthesis.h"
 
+#include "runtime/scene/sounds.h"
+
+#include <algorithm>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -156,18 +160,16 @@ constexpr std::array<Recipe, 13> kRecipes{{{"catch", caught},
                                            {"pop", pop},
                                            {"click", click}}};
 
-constexpr auto kNames = [] {
-    std::array<std::string_view, kRecipes.size()> names{};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        names[i] = kRecipes[i].name;
-    }
-    return names;
-}();
+// A lesson may ask for exactly these.
+static_assert(std::equal(kRecipes.begin(), kRecipes.end(), kSoundNames.begin(), kSoundNames.end(),
+                         [](const Recipe& recipe, std::string_view name) {
+                             return recipe.name == name;
+                         }));
 
 }  // namespace
 
 std::span<const std::string_view> sound_names() {
-    return kNames;
+    return kSoundNames;
 }
 
 Expected<std::vector<float>> synthesise(std::string_view name) {
@@ -177,7 +179,7 @@ Expected<std::vector<float>> synthesise(std::string_view name) {
         }
     }
     std::string known;
-    for (const std::string_view each : kNames) {
+    for (const std::string_view each : kSoundNames) {
         known += (known.empty() ? "" : ", ") + std::string(each);
     }
     return fail("there is no sound named " + std::string(name.substr(0, 40)), {},

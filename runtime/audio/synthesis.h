@@ -17,8 +17,7 @@
 
 namespace fulcrum::runtime {
 
-/// All names that `synthesise` knows: catch, catch_watermelon, catch_apple, catch_banana,
-/// catch_egg, landed, splat, right, try_again, level_up, finish, pop, click.
+/// All names that `synthesise` knows: kSoundNames of scene/sounds.h.
 [[nodiscard]] std::span<const std::string_view> sound_names();
 
 /// Makes a sound: mono, 48 kHz, highest magnitude at most kPeak, first and last sample zero. An

@@ -65,23 +65,4 @@ void push_event(lua_State* lua, LessonContext& /*context*/, const LessonEvent& e
     }
 }
 
-std::vector<std::string> find_sounds(std::string_view text) {
-    constexpr std::string_view kCall = ":sound";
-    std::vector<std::string> sounds;
-    for (std::size_t at = text.find(kCall); at != std::string_view::npos;
-         at = text.find(kCall, at + 1)) {
-        std::size_t i = text.find_first_not_of(" \t(", at + kCall.size());
-        if (i == std::string_view::npos || (text[i] != '"' && text[i] != '\'')) {
-            continue;
-        }
-        const std::size_t end = text.find(text[i], i + 1);
-        const std::string name(text.substr(i + 1, end == std::string_view::npos ? 0 : end - i - 1));
-        const bool is_new = std::find(sounds.begin(), sounds.end(), name) == sounds.end();
-        if (is_name(name) && is_new && sounds.size() < kMaxListItems) {
-            sounds.push_back(name);
-        }
-    }
-    return sounds;
-}
-
 }  // namespace fulcrum::runtime

@@ -1,6 +1,7 @@
 #include "runtime/lua/lesson_host.h"
 
 #include "runtime/lua/needs.h"
+#include "runtime/lua/sound_names.h"
 
 #include <algorithm>
 
@@ -68,6 +69,16 @@ double check_target(lua_State* lua, int index) {
                         "if it presses any");
     }
     return value;
+}
+
+/// Sounds that the text names are checked before the first of them is played.
+void check_sounds(lua_State* lua, const LuaSource& source) {
+    for (const SoundUse& use : find_sounds(source.text)) {
+        if (const std::string problem = sound_problem(use.name); !problem.empty()) {
+            lua_pushfstring(lua, "%s:%d: %s", source.name.c_str(), use.line, problem.c_str());
+            lua_error(lua);
+        }
+    }
 }
 
 }  // namespace
@@ -139,6 +150,7 @@ std::optional<ScriptError> LessonHost::load_lesson() {
         script.load_text(lua, message_.lesson);
         script.call(lua, 0, 1);
         check_returned_lesson(lua, lesson_, message_.lesson);
+        check_sounds(lua, message_.lesson);
         lesson_.phase = LessonPhase::starting;
         if (push_callback(lua, lesson_, "start")) {
             push_handle(lua, Handle::Kind::world, 0);
@@ -149,7 +161,6 @@ std::optional<ScriptError> LessonHost::load_lesson() {
                             unmet->message.c_str());
             lua_error(lua);
         }
-        lesson_.description.sounds = find_sounds(message_.lesson.text);
     });
 }
 

@@ -74,7 +74,5 @@ class LessonHost {
 void push_event(lua_State* lua, LessonContext& context, const LessonEvent& event);
 /// Pushes `answer`: the slots as fields, and said, question, understood, right, form_right, over, attempt.
 void push_answer(lua_State* lua, const AnsweredEvent& answer);
-/// The sounds that a lesson's text names as :sound "x" or :sound("x"), each once, in the order they stand there.
-[[nodiscard]] std::vector<std::string> find_sounds(std::string_view text);
 
 }  // namespace fulcrum::runtime

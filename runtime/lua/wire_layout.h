@@ -114,7 +114,6 @@ void description(Archive& a, Description& d) {
     a.integer("a line", d.hand.force_line, 0, kMaxLine);
     a.list("questions", d.questions, kMaxQuestions, [](auto& each, auto& q) { question(each, q); });
     a.list("tests", d.tests, kMaxListItems, [](auto& each, auto& t) { test(each, t); });
-    a.list("sounds", d.sounds, kMaxListItems, [](auto& each, auto& s) { each.name("a sound", s); });
 }
 
 /// What no single field shows: names that are missing or used twice, too many solids. Null when all

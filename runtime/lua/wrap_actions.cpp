@@ -1,6 +1,7 @@
 // What a lesson does to the world and to the learner while it runs, and what it can look up.
 #include "runtime/lua/binding_table.h"
 #include "runtime/lua/lesson_context.h"
+#include "runtime/lua/sound_names.h"
 
 #include <algorithm>
 
@@ -46,6 +47,9 @@ int set_level(lua_State* lua, LessonContext& /*context*/, const Arguments& argum
 }
 
 int play_sound(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    if (const std::string problem = sound_problem(arguments["name"].text); !problem.empty()) {
+        raise_in_lesson(lua, problem);
+    }
     add_command(lua, SoundCommand{arguments["name"].text});
     return 0;
 }

@@ -83,6 +83,18 @@ int set_bucket(lua_State* lua, LessonContext& context, const Arguments& argument
     return 0;
 }
 
+/// The first of "spring1", "spring2" … that no force has.
+std::string free_name(const std::vector<ForceDescription>& forces, const std::string& kind) {
+    std::string name;
+    for (std::size_t number = 1;; ++number) {
+        name = kind + std::to_string(number);
+        if (std::none_of(forces.begin(), forces.end(),
+                         [&](const ForceDescription& force) { return force.name == name; })) {
+            return name;
+        }
+    }
+}
+
 int add_force(lua_State* lua, LessonContext& context, const Argument& name, const char* kind,
               const FieldPlan& field) {
     std::vector<ForceDescription>& forces = context.description.forces;
@@ -90,7 +102,7 @@ int add_force(lua_State* lua, LessonContext& context, const Argument& name, cons
         raise_in_lesson(lua, "a lesson has at most " + std::to_string(kMaxFields) +
                                  " springs, magnets and viscosities");
     }
-    ForceDescription force{name.given ? name.text : kind + std::to_string(forces.size() + 1), field,
+    ForceDescription force{name.given ? name.text : free_name(forces, kind), field,
                            place_in_lesson(lua).line};
     if (std::any_of(forces.begin(), forces.end(),
                     [&](const auto& f) { return f.name == force.name; })) {

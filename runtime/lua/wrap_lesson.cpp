@@ -4,10 +4,45 @@
 
 #include <algorithm>
 
+#include <array>
 #include <cctype>
 
 namespace fulcrum::runtime {
 namespace {
+
+template <std::size_t n>
+bool is_one_of(const std::array<std::string_view, n>& known, std::string_view word) {
+    return std::find(known.begin(), known.end(), word) != known.end();
+}
+
+/// "a, b or c".
+template <std::size_t n>
+std::string listed(const std::array<std::string_view, n>& words, const char* last) {
+    std::string text;
+    for (std::size_t i = 0; i < n; ++i) {
+        text += (i == 0 ? "" : i + 1 == n ? last : ", ") + std::string(words[i]);
+    }
+    return text;
+}
+
+/// What a test expects must be something that a lesson ends with.
+void check_expected(lua_State* lua, const std::string& name, const std::string& value) {
+    if (!is_one_of(kTestFacts, name)) {
+        const std::string near = nearest_word(name, {kTestFacts.begin(), kTestFacts.end()});
+        raise_in_lesson(lua, "test.expect has no \"" + clean_text(name, 40) + "\"; " +
+                                 (near.empty() ? "it has " + listed(kTestFacts, " and ")
+                                               : "did you mean \"" + near + "\"?"));
+    }
+    const bool is_flag = value == "true" || value == "false";
+    const std::size_t first_digit = value.starts_with('-') ? 1 : 0;
+    const bool is_whole = value.size() > first_digit &&
+                          value.find_first_not_of("0123456789", first_digit) == std::string::npos;
+    if (name == "finished" ? !is_flag : !is_whole) {
+        raise_in_lesson(lua, "test.expect." + name + " is " +
+                                 (name == "finished" ? "true or false" : "a whole number") +
+                                 "; got " + clean_text(value, 40));
+    }
+}
 
 int make_lesson(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     if (context.lesson_ref != LUA_NOREF) {
@@ -16,6 +51,10 @@ int make_lesson(lua_State* lua, LessonContext& context, const Arguments& argumen
     context.description.id = arguments["id"].text;
     context.description.title = arguments["title"].text;
     context.description.level = arguments["level"].text;
+    if (!is_one_of(kEnglishLevels, context.description.level)) {
+        raise_in_lesson(lua, "lesson.level is " + listed(kEnglishLevels, " or ") + "; got \"" +
+                                 clean_text(context.description.level, 16) + '"');
+    }
     context.description.minutes = arguments["minutes"].number;
     lua_newtable(lua);
     luaL_setmetatable(lua, "fulcrum.lesson");
@@ -58,6 +97,9 @@ int add_test(lua_State* lua, LessonContext& context, const Arguments& arguments)
     test.say = arguments["say"].texts;
     test.expect = arguments["expect"].values;
     test.line = place_in_lesson(lua).line;
+    for (const auto& [name, value] : test.expect) {
+        check_expected(lua, name, value);
+    }
     const std::string_view file = test.hand;
     if (!file.empty() && !(file.ends_with(".lua") && is_name(file.substr(0, file.size() - 4)))) {
         raise_in_lesson(

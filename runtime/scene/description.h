@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -75,6 +76,13 @@ struct QuestionDescription {
     SourceLine line = 0;
 };
 
+/// What L:test { expect = … } may name: "finished" is true or false, the others are whole numbers.
+inline constexpr std::array<std::string_view, 7> kTestFacts{
+    "finished", "stars", "score", "level", "attempts", "caught", "form_errors"};
+
+/// The levels of English of the Common European Framework of Reference for Languages.
+inline constexpr std::array<std::string_view, 6> kEnglishLevels{"A1", "A2", "B1", "B2", "C1", "C2"};
+
 /// L:test { … }: how the lesson is played in tests.
 struct LessonTestDescription {
     std::string hand;                                         ///< file beside lesson.lua
@@ -87,7 +95,7 @@ struct LessonTestDescription {
 struct LessonDescription {
     std::string id;
     std::string title;
-    std::string level;    ///< CEFR, e.g. "A1"
+    std::string level;    ///< one of kEnglishLevels
     double minutes = 10;  ///< planned length
     Vector3 gravity_W{0.0, -9.81, 0.0};
     double ground_height_m = 0.0;
@@ -98,8 +106,6 @@ struct LessonDescription {
     HandDescription hand{};
     std::vector<QuestionDescription> questions;
     std::vector<LessonTestDescription> tests;
-    std::vector<std::string>
-        sounds;  ///< names used by world:sound, known when declared by bodies and bucket
 };
 
 }  // namespace fulcrum::runtime

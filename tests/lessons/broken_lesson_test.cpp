@@ -59,6 +59,43 @@ TEST_CASE("broken lessons: one sentence with file and line, exit code 1") {
     }
 }
 
+TEST_CASE("broken lessons: check finds models, sounds, expectations and hands that are not there") {
+    struct Mistake {
+        std::string text;
+        std::string sentence;
+    };
+    const std::vector<Mistake> mistakes{
+        {kHead + "function L:start(world)\n  world:body { name = \"a\", model = \"aple\" }\nend\n"
+                 "return L\n",
+         "lesson.lua:3: there is no model \"aple\" for a; did you mean \"apple\"?\n"},
+        {kHead + "function L:start(world)\n  world:body { name = \"zebra\", visible = true }\nend\n"
+                 "return L\n",
+         "lesson.lua:3: there is no model \"zebra\" for zebra; put zebra.glb beside the lesson, or "
+         "use sphere or box.\n"},
+        {kHead + "function L:start(world)\n  world:body { name = \"zebra\", solid = true }\nend\n"
+                 "return L\n",
+         "lesson.lua:3: there is no model \"zebra\" for zebra; put zebra.glb beside the lesson, or "
+         "use sphere or box.\n"},
+        {kHead + "function L:start(world)\n  world:bucket { model = \"buckte\" }\nend\nreturn L\n",
+         "lesson.lua:3: there is no model \"buckte\" for the bucket; did you mean \"bucket\"?\n"},
+        {kHead + "function L:key(name)\n  world:sound \"pup\"\nend\nreturn L\n",
+         "lesson.lua:3: there is no sound \"pup\"; did you mean \"pop\"?\n"},
+        {kHead + "L:test { expect = { stras = 3 } }\nreturn L\n",
+         "lesson.lua:2: test.expect has no \"stras\"; did you mean \"stars\"?\n"},
+        {kHead + "\nL:test { hand = \"sweep.lua\" }\nreturn L\n",
+         "lesson.lua:3: there is no sweep.lua beside the lesson; write the simulated hand, or "
+         "leave "
+         "hand = … away.\n"},
+    };
+    for (const Mistake& mistake : mistakes) {
+        const Sandbox sandbox;
+        sandbox.write("broken/lesson.lua", mistake.text);
+        const ProgramRun run = sandbox.run("check broken");
+        CHECK(run.exit_code == 1);
+        CHECK(run.output == mistake.sentence);
+    }
+}
+
 TEST_CASE(
     "broken lessons: a lesson that fails in the middle fades its force to zero before the run "
     "ends") {

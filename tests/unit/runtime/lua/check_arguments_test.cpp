@@ -65,8 +65,8 @@ TEST_CASE("arguments: lists and tables are checked item by item, and come sorted
     HostedLesson lesson;
     REQUIRE(lesson.load("L:question 'q' { prompt = 'p', answers = { 'a', 'b' }, lists = { z = { "
                         "'1' }, a = { '2', '3' } }, right = print }\n"
-                        "L:test { say = { 'x' }, expect = { score = 7, done = true, name = 'n', "
-                        "half = 0.5 } }") == "");
+                        "L:test { say = { 'x' }, expect = { score = 7, finished = true, "
+                        "caught = '3' } }") == "");
     const auto& question = lesson.host->description().questions.at(0);
     CHECK(question.answers == std::vector<std::string>{"a", "b"});
     REQUIRE(question.lists.size() == 2);
@@ -74,7 +74,7 @@ TEST_CASE("arguments: lists and tables are checked item by item, and come sorted
     CHECK(question.lists[0].second == std::vector<std::string>{"2", "3"});
     using Pairs = std::vector<std::pair<std::string, std::string>>;
     CHECK(lesson.host->description().tests.at(0).expect ==
-          Pairs{{"done", "true"}, {"half", "0.5"}, {"name", "n"}, {"score", "7"}});
+          Pairs{{"caught", "3"}, {"finished", "true"}, {"score", "7"}});
     const auto wrong = [](const std::string& fields) {
         return HostedLesson().load("L:question 'q' { prompt = 'p', right = print, " + fields +
                                    " }");

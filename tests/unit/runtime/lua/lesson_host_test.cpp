@@ -103,11 +103,5 @@ TEST_CASE("lesson host: modules are loaded with the lesson only") {
           "at the top of the file.");
 }
 
-TEST_CASE("lesson host: sounds named in the text are known") {
-    CHECK(find_sounds("world:sound \"pop\" world:sound('ding') world:sound(name) w:sound  \"pop\" "
-                      "sound \"no\" :sound \"Bad Name\" :sound \"") ==
-          std::vector<std::string>{"pop", "ding"});
-}
-
 }  // namespace
 }  // namespace fulcrum::runtime

@@ -46,7 +46,6 @@ LessonDescription full_description() {
                     "Lift it.",
                     18}};
     d.tests = {{"sweep.lua", {"an apple"}, {{"score", "7"}}, 19}};
-    d.sounds = {"pop"};
     return d;
 }
 
@@ -246,7 +245,6 @@ TEST_CASE("wire: contradictions of a description are found") {
     CHECK_FALSE(taken([](auto& d) { d.questions.push_back(d.questions[0]); }));
     CHECK_FALSE(taken([](auto& d) { d.tests[0].hand = "../sweep.lua"; }));
     CHECK_FALSE(taken([](auto& d) { d.gravity_W.y() = kNaN; }));
-    CHECK_FALSE(taken([](auto& d) { d.sounds[0] = "a b"; }));
     CHECK_FALSE(taken([](auto& d) {
         d.bodies[0].solid = false;
         d.bodies.assign(kMaxBodies + 1, d.bodies[0]);

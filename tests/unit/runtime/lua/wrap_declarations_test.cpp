@@ -37,9 +37,9 @@ TEST_CASE("declarations: everything that is said arrives, with its line") {
     CHECK((d.forces[0].field.kind == FieldKind::spring &&
            d.forces[0].field.stiffness_N_per_m == 100 && d.forces[0].field.damping_Ns_per_m == 1));
     CHECK((d.forces[0].field.anchor_W == Vector3(1, 0, 0) && d.forces[0].line == 8));
-    CHECK((d.forces[1].name == "viscosity2" && d.forces[1].field.kind == FieldKind::viscosity &&
+    CHECK((d.forces[1].name == "viscosity1" && d.forces[1].field.kind == FieldKind::viscosity &&
            d.forces[1].field.damping_Ns_per_m == 2));
-    CHECK((d.forces[2].name == "magnet3" && d.forces[2].field.kind == FieldKind::magnet &&
+    CHECK((d.forces[2].name == "magnet1" && d.forces[2].field.kind == FieldKind::magnet &&
            d.forces[2].field.peak_force_N == 3));
     CHECK((d.forces[2].field.range_m == 0.2 && d.forces[2].field.anchor_W == Vector3(0, 1, 0)));
 }
@@ -86,6 +86,15 @@ TEST_CASE("declarations: what there is room for, and no more") {
     CHECK(HostedLesson().start(
               "local h = world:hand {} h:force(print) print('one') h:force(print)") ==
           "lesson.lua:2: a lesson has one force function; this is the second hand:force(…).");
+}
+
+TEST_CASE("declarations: forces without a name are counted by kind, past names that are taken") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start("local at = { 0, 0, 0 } local function spring(n) return world:spring { "
+                         "name = n, at = at, stiffness = 1 } end\n"
+                         "print(spring().name, world:viscosity { damping = 1 }.name, "
+                         "spring('spring3').name, spring().name, spring().name)") == "");
+    CHECK(lesson.prints == "spring1\tviscosity1\tspring3\tspring2\tspring4;");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST_CASE("forces: each change is sent whole, with what was changed before") {
     CHECK(changes[3].field.anchor_W == Vector3(4, 5, 6));
     CHECK(changes[4].force == 1);
     CHECK(changes[4].field.strength == 0.0);
-    CHECK(lesson.prints == "s\tmagnet2;");
+    CHECK(lesson.prints == "s\tmagnet1;");
 }
 
 }  // namespace

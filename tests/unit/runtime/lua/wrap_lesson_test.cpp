@@ -40,5 +40,43 @@ TEST_CASE("lesson: one lesson, questions of different names, hands beside it") {
           "lesson.lua:2: a lesson has at most 32 listeners.");
 }
 
+TEST_CASE("lesson: its level is one of English") {
+    const auto sentence = [](const std::string& level) {
+        HostedLesson lesson;
+        lesson.message.lesson = {
+            "lesson.lua", "return lesson { id = 'a', title = 'A', level = '" + level + "' }"};
+        LessonHost host(lesson.message, {});
+        const auto error = host.load();
+        return error ? to_sentence(to_error(*error)) : "";
+    };
+    for (const std::string_view level : kEnglishLevels) {
+        CHECK(sentence(std::string(level)) == "");
+    }
+    for (const char* level : {"Z9", "a1", "", "A1 "}) {
+        CHECK(sentence(level) ==
+              std::string("lesson.lua:1: lesson.level is A1, A2, B1, B2, C1 or C2; got \"") +
+                  level + "\".");
+    }
+}
+
+TEST_CASE("lesson: a test expects only what a lesson ends with") {
+    const auto sentence = [](const std::string& expect) {
+        return HostedLesson().load("L:test { expect = { " + expect + " } }");
+    };
+    CHECK(sentence("finished = true, stars = 3, score = -7, level = 1, attempts = 2, caught = 0, "
+                   "form_errors = 1") == "");
+    CHECK(sentence("scor = 7") ==
+          "lesson.lua:2: test.expect has no \"scor\"; did you mean \"score\"?");
+    CHECK(sentence("happiness = 7") ==
+          "lesson.lua:2: test.expect has no \"happiness\"; it has finished, stars, score, level, "
+          "attempts, caught and form_errors.");
+    CHECK(sentence("score = 7.5") == "lesson.lua:2: test.expect.score is a whole number; got 7.5.");
+    CHECK(sentence("score = '-'") == "lesson.lua:2: test.expect.score is a whole number; got -.");
+    CHECK(sentence("score = true") ==
+          "lesson.lua:2: test.expect.score is a whole number; got true.");
+    CHECK(sentence("finished = 1") ==
+          "lesson.lua:2: test.expect.finished is true or false; got 1.");
+}
+
 }  // namespace
 }  // namespace fulcrum::runtime
