@@ -123,9 +123,8 @@ std::string to_sentence(const MeshReport& report) {
                   report.size_m.y(), report.size_m.z());
     const std::string what =
         "The mesh of " + counted(report.n_triangles, "triangle", "triangles") + size;
-    const std::vector<std::string> defects = list_defects(report);
-    return defects.empty() ? what + "is closed and needs no mending."
-                           : what + "has " + join(defects) + ".";
+    return report.is_sound() ? what + "is closed and needs no mending."
+                             : what + "has " + join(list_defects(report)) + ".";
 }
 
 }  // namespace fulcrum

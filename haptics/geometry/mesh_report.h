@@ -29,6 +29,10 @@ struct MeshReport {
     [[nodiscard]] bool is_closed() const noexcept {
         return open_edges == 0 && non_manifold_edges == 0;
     }
+    /// Closed, all fronts outwards, and nothing was left out: there is nothing to tell.
+    [[nodiscard]] bool is_sound() const noexcept {
+        return is_closed() && inconsistent_edges == 0 && !inside_out && degenerate_triangles == 0;
+    }
 };
 
 [[nodiscard]] MeshReport compute_mesh_report(const TriangleMesh& mesh);

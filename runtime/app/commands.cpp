@@ -1,6 +1,8 @@
 #include "runtime/app/commands.h"
 
+#include "haptics/geometry/mesh_report.h"
 #include "runtime/app/headless.h"
+#include "runtime/app/lesson_parts.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/menu_screen.h"
 #include "runtime/app/open_store.h"
@@ -54,6 +56,23 @@ int count_unmet(const LessonTestDescription& test, const SessionResult& result) 
     return unmet;
 }
 
+// A surface with holes can be touched, so that is no mistake, but it may not feel as it looks.
+void say_of_mesh(const Places& places, const std::filesystem::path& folder,
+                 const BodyDescription& body) {
+    if (!body.solid) {
+        return;
+    }
+    const auto mesh = load_solid_mesh(places, folder, body);
+    if (!mesh) {
+        return;  // the plan was compiled from the same file a moment ago
+    }
+    const MeshReport report = compute_mesh_report(*mesh);
+    if (!report.is_sound()) {
+        std::printf("lesson.lua:%d: %s: %s\n", body.line, body.name.c_str(),
+                    to_sentence(report).c_str());
+    }
+}
+
 }  // namespace
 
 Expected<Installation> open_installation(double started_s) {
@@ -104,6 +123,9 @@ int check_command(const Installation& installation, const Options& options) {
                                        installation.catalogue);
     if (!run) {
         return complain(run.error(), 1);
+    }
+    for (const BodyDescription& body : (*run)->description().bodies) {
+        say_of_mesh(installation.places, *folder, body);
     }
     std::printf("%s: no mistakes found.\n", (*run)->description().id.c_str());
     return 0;

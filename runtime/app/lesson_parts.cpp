@@ -19,13 +19,6 @@ namespace {
 
 constexpr int kSphereFrequency = 24;  // 11 520 triangles: flat to 0.2 % of the radius
 
-Expected<std::shared_ptr<const CollisionMesh>> to_collision(Expected<TriangleMesh> mesh) {
-    if (!mesh) {
-        return tl::unexpected(mesh.error());
-    }
-    return CollisionMesh::create(*mesh);
-}
-
 // Both are made by rule.
 bool has_no_file(const std::string& model) {
     return model == "sphere" || model == "box";
@@ -95,24 +88,33 @@ Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
     return LessonProcess::start(files);
 }
 
+Expected<TriangleMesh> load_solid_mesh(const Places& places, const fs::path& lesson_folder,
+                                       const BodyDescription& body) {
+    if (body.model == "sphere") {
+        return make_sphere(body.radius_m, kSphereFrequency);
+    }
+    if (body.model == "box") {
+        return make_box(Vector3::Constant(2.0 * body.radius_m));
+    }
+    const fs::path file = find_model(places, lesson_folder, body.model);
+    if (file.empty()) {
+        return no_model(places, body.model, body.name, body.line);
+    }
+    const auto model = load_gltf(file);
+    if (!model) {
+        return tl::unexpected(model.error());
+    }
+    return collision_from_model(*model, file.string());
+}
+
 SolidLoader make_solid_loader(const Places& places, const fs::path& lesson_folder) {
     return [places, lesson_folder](
                const BodyDescription& body) -> Expected<std::shared_ptr<const CollisionMesh>> {
-        if (body.model == "sphere") {
-            return to_collision(make_sphere(body.radius_m, kSphereFrequency));
+        const auto mesh = load_solid_mesh(places, lesson_folder, body);
+        if (!mesh) {
+            return tl::unexpected(mesh.error());
         }
-        if (body.model == "box") {
-            return to_collision(make_box(Vector3::Constant(2.0 * body.radius_m)));
-        }
-        const fs::path file = find_model(places, lesson_folder, body.model);
-        if (file.empty()) {
-            return no_model(places, body.model, body.name, body.line);
-        }
-        const auto model = load_gltf(file);
-        if (!model) {
-            return tl::unexpected(model.error());
-        }
-        return to_collision(collision_from_model(*model));
+        return CollisionMesh::create(*mesh);
     };
 }
 

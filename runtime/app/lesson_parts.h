@@ -2,6 +2,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/geometry/triangle_mesh.h"
 #include "runtime/app/places.h"
 #include "runtime/app/run_request.h"
 #include "runtime/lua/lesson_process.h"
@@ -22,7 +23,12 @@ namespace fulcrum::runtime {
                                           const std::filesystem::path& lesson_folder,
                                           const LessonDescription& lesson);
 
-/// The touchable mesh of a body: "sphere" and "box" by rule, anything else from its model.
+/// The surface of a solid body: "sphere" and "box" by rule, anything else from its model.
+[[nodiscard]] Expected<TriangleMesh> load_solid_mesh(const Places& places,
+                                                     const std::filesystem::path& lesson_folder,
+                                                     const BodyDescription& body);
+
+/// The same, made ready to be touched.
 [[nodiscard]] SolidLoader make_solid_loader(const Places& places,
                                             const std::filesystem::path& lesson_folder);
 

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <fstream>
+#include <sstream>
+
 using namespace fulcrum;
 using namespace fulcrum::test;
 
@@ -164,6 +167,31 @@ TEST_CASE(
     after.resize(std::fread(after.data(), 1, after.size(), file));
     (void)std::fclose(file);
     CHECK(after == garbage);
+}
+
+TEST_CASE(
+    "check: a solid's mesh that is open is told in one sentence, a sound one is not spoken of") {
+    std::ifstream file(std::string(FULCRUM_TEST_LESSONS) + "/../fuzz/corpus/gltf/data_uri.gltf");
+    std::ostringstream triangle;
+    triangle << file.rdbuf();
+    REQUIRE_FALSE(triangle.str().empty());
+    const Sandbox sandbox;
+    sandbox.write("meshes/paper.gltf", triangle.str());
+    sandbox.write("meshes/lesson.lua",
+                  kHead +
+                      "function L:start(world)\n"
+                      "  world:body { name = \"ball\", model = \"sphere\", solid = true }\n"
+                      "  world:body { name = \"sheet\", model = \"paper\", solid = true }\n"
+                      "  world:body { name = \"seen\", model = \"paper\", visible = true }\n"
+                      "end\nreturn L\n");
+    const ProgramRun run = sandbox.run("check meshes");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(run.output.find("lesson.lua:4: sheet: The mesh of 1 triangle, ") == 0);
+    CHECK(run.output.find("has 3 open edges") != std::string::npos);
+    CHECK(run.output.find("ball") == std::string::npos);
+    CHECK(run.output.find("seen") == std::string::npos);
+    CHECK(run.output.ends_with("\nx: no mistakes found.\n"));
 }
 
 TEST_CASE("lessons: a test without a hand is played without one") {

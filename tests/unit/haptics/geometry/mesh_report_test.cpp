@@ -27,8 +27,13 @@ TEST_CASE("mesh report: an open plate, an inverted neighbour, an inside-out ball
     CHECK(mixed.is_closed());
     CHECK(mentions(to_sentence(mixed), "turned over"));
 
+    CHECK(compute_mesh_report(*box).is_sound());
+    CHECK_FALSE(plate.is_sound());
+    CHECK_FALSE(mixed.is_sound());
+
     const MeshReport inverted = compute_mesh_report(*make_inverted(*make_sphere(1.0, 3)));
     CHECK(inverted.inside_out);
+    CHECK_FALSE(inverted.is_sound());
     CHECK(inverted.inconsistent_edges == 0);
     CHECK(mentions(to_sentence(inverted), "inwards"));
 
@@ -47,6 +52,7 @@ TEST_CASE("mesh report: dropped triangles are told") {
     const MeshReport report =
         compute_mesh_report(*TriangleMesh::build(box->vertices_B(), triangles));
     CHECK(report.degenerate_triangles == 1);
+    CHECK_FALSE(report.is_sound());
     CHECK(to_sentence(report) ==
           "The mesh of 12 triangles, 1 x 1 x 1 m, has 1 triangle without area, left out.");
 }
