@@ -77,19 +77,6 @@ void write_sentences(const TemplateSet& set, const Parse& parse, int main_piece,
     mark.emphasis = render_phrase(pieces, range);
 }
 
-/// Where `words` stand in `text`, both in lower case, as whole words; npos when they don't.
-std::size_t find_words(std::string_view text, std::string_view words) {
-    const auto is_letter = [&](std::size_t at) {
-        return at < text.size() && text[at] >= 'a' && text[at] <= 'z';
-    };
-    std::size_t at = text.find(words);
-    while (at != std::string_view::npos &&
-           ((at > 0 && is_letter(at - 1)) || is_letter(at + words.size()))) {
-        at = text.find(words, at + 1);
-    }
-    return at;
-}
-
 /// Looks whether the answer fits once an opposite is turned round: "the egg is lighter" where "heavier" is asked. Whether
 /// that is true isn't known here, and it says nothing about what was asked.
 void find_opposite(const TemplateSet& set, std::string_view text, Mark& mark) {
@@ -103,7 +90,7 @@ void find_opposite(const TemplateSet& set, std::string_view text, Mark& mark) {
             }
             const std::string asked = degree_forms(element.base, element.degree).front();
             for (const std::string& form : degree_forms(opposite, element.degree)) {
-                const std::size_t at = find_words(said, form);
+                const std::size_t at = said.find(form);
                 if (at == std::string::npos ||
                     !match(set, std::string(said).replace(at, form.size(), asked))) {
                     continue;
