@@ -56,16 +56,25 @@ std::optional<dialogue::Hypothesis> Speech::poll() {
 
 void Speech::instruct(std::string_view text) {
     say_anew(*instruction_, text);
-    reply_->stop();
+    reply_is_past_ = true;
+    end_past_reply();
 }
 
 void Speech::reply(std::string_view text) {
     say_anew(*reply_, text);
+    reply_is_past_ = false;
 }
 
 void Speech::step(double dt_s) {
     instruction_->step(dt_s);
     reply_->step(dt_s);
+    end_past_reply();
+}
+
+void Speech::end_past_reply() {
+    if (reply_is_past_ && !reply_->speaking()) {
+        reply_->stop();
+    }
 }
 
 }  // namespace fulcrum::runtime

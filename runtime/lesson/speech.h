@@ -1,7 +1,7 @@
 // What listens to the learner and what speaks to them in one play: exactly what the plan has.
 //
 //   typed, scripted --type--> recogniser --poll--> heard        listens only while the learner may speak
-//   instruct, reply --> captions --> what the picture shows      an instruction makes what was said before void
+//   instruct, reply --> captions --> what the picture shows      an instruction ends a reply once it could be read
 //
 // Another way to hear or to speak is another implementation of dialogue/speech's interfaces, chosen in `build`.
 //
@@ -37,7 +37,7 @@ class Speech {
     /// "text" or "null", as the command line names it.
     [[nodiscard]] std::string_view recogniser_name() const { return recogniser_->name(); }
 
-    /// What to do now, or a question; empty: nothing.
+    /// What to do now, or a question; empty: nothing. A reply stands on below it until it has stood its reading time.
     void instruct(std::string_view text);
     /// To the learner's answer; *asterisks* are emphasis.
     void reply(std::string_view text);
@@ -48,12 +48,14 @@ class Speech {
 
   private:
     Speech() = default;
+    void end_past_reply();
 
     std::unique_ptr<dialogue::Recogniser> recogniser_;
     dialogue::TextRecogniser* typed_ = nullptr;  // the same one, when it is words that it takes
     std::unique_ptr<dialogue::CaptionVoice> instruction_ =
         std::make_unique<dialogue::CaptionVoice>();
     std::unique_ptr<dialogue::CaptionVoice> reply_ = std::make_unique<dialogue::CaptionVoice>();
+    bool reply_is_past_ = false;  // an instruction came after it
 };
 
 }  // namespace fulcrum::runtime

@@ -58,12 +58,17 @@ TEST_CASE("commands: a force of the lesson's own carries the time of its frame")
     CHECK(output.force.linearised.force_W.y() == 1.0);
 }
 
-TEST_CASE("commands: an instruction replaces the one before, and the last answer's answer") {
+TEST_CASE(
+    "commands: an instruction replaces the one before; the last answer's answer stands until it is "
+    "read") {
     Play play;
     play.frame();
     play.say_rightly("apple is most heavy");
     CHECK_FALSE(play.session->hud().feedback.empty());
     play.reply({CaptionCommand{"Catch the egg!"}});
+    CHECK(play.session->hud().caption == "Catch the egg!");
+    CHECK_FALSE(play.session->hud().feedback.empty());
+    (void)play.wait(10.0);
     CHECK(play.session->hud().caption == "Catch the egg!");
     CHECK(play.session->hud().feedback.empty());
 }

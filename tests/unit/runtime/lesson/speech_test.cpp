@@ -87,9 +87,34 @@ TEST_CASE(
     CHECK(speech.last_reply() == "Yes. An apple is *the heaviest*.");
     speech.reply("Not yet.");
     CHECK(speech.last_reply() == "Not yet.");
+    speech.step(100.0);
     speech.instruct("Catch the egg!");
     CHECK(speech.instruction() == "Catch the egg!");
     CHECK(speech.last_reply().empty());
     speech.instruct("");
     CHECK(speech.instruction().empty());
+}
+
+TEST_CASE("speech: a reply can be read to its end below the next instruction") {
+    const double needed_s =
+        dialogue::CaptionVoice().reading_time_s("Yes. An apple is the heaviest.");
+    CHECK(needed_s > 2.5);
+    Speech speech = for_lesson(two_things());
+    speech.reply("Yes. An apple is *the heaviest*.");
+    speech.step(1.0);
+    speech.instruct("Catch the egg!");
+    CHECK(speech.instruction() == "Catch the egg!");
+    speech.step(needed_s - 1.1);
+    CHECK(speech.last_reply() == "Yes. An apple is *the heaviest*.");
+    speech.instruct("Feel the egg.");
+    CHECK(speech.last_reply() == "Yes. An apple is *the heaviest*.");
+    SECTION("then it ends") {
+        speech.step(0.2);
+        CHECK(speech.last_reply().empty());
+    }
+    SECTION("and the next reply stands until an instruction comes") {
+        speech.reply("Not yet.");
+        speech.step(100.0);
+        CHECK(speech.last_reply() == "Not yet.");
+    }
 }
