@@ -18,6 +18,7 @@ struct lua_State;
 namespace fulcrum::runtime {
 
 struct LessonContext;
+struct LibraryModule;
 
 /// What a parameter may be in Lua.
 enum class ParameterType : std::uint8_t {
@@ -138,8 +139,9 @@ void add_force_api(ApiTable& table);
 
 /// The LuaLS annotations (scripts/meta/fulcrum.lua).
 [[nodiscard]] std::string make_annotations(const ApiTable& table);
-/// The reference page (scripts/meta/reference.md).
-[[nodiscard]] std::string make_reference(const ApiTable& table);
+/// The reference page (scripts/meta/reference.md), with the modules of scripts/lib.
+[[nodiscard]] std::string make_reference(const ApiTable& table,
+                                         const std::vector<LibraryModule>& library);
 /// "kilograms, 0 to 10000", as errors and texts say it; empty when there is nothing to say.
 [[nodiscard]] std::string range_text(const Parameter& parameter);
 /// The candidate that `word` most likely stands for, at most `most_steps` letters away; empty when none is so near.

@@ -1,5 +1,6 @@
 // The binding table as texts for people: annotations for editors, a page of reference.
 #include "runtime/lua/binding_table.h"
+#include "runtime/lua/reference_sections.h"
 
 #include <array>
 
@@ -30,21 +31,11 @@ constexpr const char* kAnnotationsHead = R"(---@meta fulcrum
 
 ---@alias Vector number[]|{x: number, y: number, z: number}
 
----@class Answer
----@field question string
----@field said string the learner's words
----@field understood boolean false: no template fitted
----@field right boolean the meaning is right
----@field form_right boolean no error of form was found
----@field over boolean the question is done: right, or left after many tries
----@field attempt integer
----@field [string] any the slots of the template
-
 )";
 
 constexpr const char* kReferenceHead = R"(# What a lesson can call
 
-Generated from the binding table in `runtime/lua`; do not edit. All numbers are in SI units; +Y is up. A place is `{x, y, z}`, or a body or the tool.
+Generated from the binding table in `runtime/lua` and the comments in `scripts/lib`; do not edit. All numbers are in SI units; +Y is up. A place is `{x, y, z}`, or a body or the tool.
 
 ## Functions you may define
 
@@ -239,10 +230,24 @@ void refer_to_function(std::string& out, const Binding& binding, const Owner& ow
     }
 }
 
+void annotate_answer_and_event(std::string& out) {
+    out += "---@class Answer\n";
+    for (const FieldText& field : answer_fields()) {
+        out += "---@field " + std::string(field.name) + ' ' + std::string(field.type) + ' ' +
+               std::string(field.text) + '\n';
+    }
+    out +=
+        "---@field [string] any the slots of the template\n\n"
+        "---@class Event: Answer\n"
+        "---@field name string\n---@field body Body|nil\n---@field speed number|nil\n"
+        "---@field key string|nil\n---@field dt number|nil\n\n";
+}
+
 }  // namespace
 
 std::string make_annotations(const ApiTable& table) {
     std::string out = kAnnotationsHead;
+    annotate_answer_and_event(out);
     for (const Owner& owner : kOwners) {
         annotate_owner(out, table, owner);
     }
@@ -252,7 +257,7 @@ std::string make_annotations(const ApiTable& table) {
     return tidied(out);
 }
 
-std::string make_reference(const ApiTable& table) {
+std::string make_reference(const ApiTable& table, const std::vector<LibraryModule>& library) {
     std::string out = kReferenceHead;
     for (const Callback& callback : table.callbacks) {
         out += "| `function " + callback_signature(callback) + "` | " + callback.text + " |\n";
@@ -268,6 +273,10 @@ std::string make_reference(const ApiTable& table) {
                 refer_to_function(out, binding, owner);
             }
         }
+    }
+    out += general_sections();
+    for (const LibraryModule& module : library) {
+        out += library_section(module);
     }
     return tidied(out);
 }

@@ -1,5 +1,6 @@
 // Events as Lua tables.
 #include "runtime/lua/lesson_host.h"
+#include "runtime/lua/nouns.h"
 
 namespace fulcrum::runtime {
 namespace {
@@ -20,6 +21,19 @@ void set_slots(lua_State* lua, const std::vector<std::pair<std::string, std::str
     }
 }
 
+/// `bodies`: of each slot that speaks of one body of the scene, that body.
+void set_bodies(lua_State* lua, const LessonContext& context,
+                const std::vector<std::pair<std::string, std::string>>& slots) {
+    lua_newtable(lua);
+    for (const auto& [name, value] : slots) {
+        if (const std::int32_t body = body_with_noun(context.description, value); body != kNoBody) {
+            push_handle(lua, Handle::Kind::body, body);
+            lua_setfield(lua, -2, name.c_str());
+        }
+    }
+    lua_setfield(lua, -2, "bodies");
+}
+
 const char* name_of(BodyEvent::Kind kind) {
     constexpr const char* kNames[] = {"caught", "landed", "touched", "released"};
     return kNames[static_cast<std::size_t>(kind)];
@@ -27,9 +41,10 @@ const char* name_of(BodyEvent::Kind kind) {
 
 }  // namespace
 
-void push_answer(lua_State* lua, const AnsweredEvent& answer) {
+void push_answer(lua_State* lua, const LessonContext& context, const AnsweredEvent& answer) {
     lua_newtable(lua);
     set_slots(lua, answer.slots);
+    set_bodies(lua, context, answer.slots);
     set_text(lua, "question", answer.question);
     set_text(lua, "said", answer.said);
     set_flag(lua, "understood", answer.understood);
@@ -40,7 +55,7 @@ void push_answer(lua_State* lua, const AnsweredEvent& answer) {
     lua_setfield(lua, -2, "attempt");
 }
 
-void push_event(lua_State* lua, LessonContext& /*context*/, const LessonEvent& event) {
+void push_event(lua_State* lua, const LessonContext& context, const LessonEvent& event) {
     if (const auto* body = std::get_if<BodyEvent>(&event)) {
         lua_newtable(lua);
         set_text(lua, "name", name_of(body->kind));
@@ -53,11 +68,12 @@ void push_event(lua_State* lua, LessonContext& /*context*/, const LessonEvent& e
         set_text(lua, "name", "key");
         set_text(lua, "key", key->key);
     } else if (const auto* answer = std::get_if<AnsweredEvent>(&event)) {
-        push_answer(lua, *answer);
+        push_answer(lua, context, *answer);
         set_text(lua, "name", "answered");
     } else if (const auto* judge = std::get_if<JudgeEvent>(&event)) {
         lua_newtable(lua);
         set_slots(lua, judge->slots);
+        set_bodies(lua, context, judge->slots);
         set_text(lua, "question", judge->question);
     } else {
         lua_newtable(lua);

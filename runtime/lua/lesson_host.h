@@ -71,8 +71,8 @@ class LessonHost {
 [[nodiscard]] LinearisedWrench linearise_force(lua_State* lua, LessonContext& context,
                                                int function_ref);
 /// Pushes the table that tells a lesson of an event: name, and what belongs to it.
-void push_event(lua_State* lua, LessonContext& context, const LessonEvent& event);
-/// Pushes `answer`: the slots as fields, and said, question, understood, right, form_right, over, attempt.
-void push_answer(lua_State* lua, const AnsweredEvent& answer);
+void push_event(lua_State* lua, const LessonContext& context, const LessonEvent& event);
+/// Pushes `answer`: the slots as fields, and what answer_fields() lists.
+void push_answer(lua_State* lua, const LessonContext& context, const AnsweredEvent& answer);
 
 }  // namespace fulcrum::runtime

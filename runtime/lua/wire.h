@@ -30,8 +30,7 @@ inline constexpr std::size_t kMaxTextBytes = 1000;  ///< captions, prompts, temp
 inline constexpr std::size_t kMaxCommands = 256;    ///< in one reply
 inline constexpr std::size_t kMaxEvents = 1024;     ///< in one frame
 inline constexpr std::size_t kMaxQuestions = 200;
-inline constexpr std::size_t kMaxListItems =
-    200;  ///< answers, list words, test lines, slots
+inline constexpr std::size_t kMaxListItems = 200;  ///< answers, list words, test lines, slots
 inline constexpr double kMaxCoordinate_m = 1e4;
 inline constexpr double kMaxSpeed_m_per_s = 1e3;
 inline constexpr double kMaxLessonForce_N =

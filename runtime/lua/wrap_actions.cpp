@@ -1,6 +1,7 @@
 // What a lesson does to the world and to the learner while it runs, and what it can look up.
 #include "runtime/lua/binding_table.h"
 #include "runtime/lua/lesson_context.h"
+#include "runtime/lua/nouns.h"
 #include "runtime/lua/sound_names.h"
 
 #include <algorithm>
@@ -77,6 +78,17 @@ int find_body(lua_State* lua, LessonContext& context, const Arguments& arguments
             push_handle(lua, Handle::Kind::body, static_cast<std::int32_t>(i));
             return 1;
         }
+    }
+    if (const std::int32_t body = body_with_noun(context.description, wanted); body != kNoBody) {
+        push_handle(lua, Handle::Kind::body, body);
+        return 1;
+    }
+    if (count_noun(context.description, wanted) > 1) {
+        raise_in_lesson(lua, "several bodies have the noun \"" + clean_text(wanted, 40) +
+                                 "\"; find one by its name");
+    }
+    for (const BodyDescription& body : context.description.bodies) {
+        known.push_back(body.noun);
     }
     const std::string near = nearest_word(wanted, known);
     raise_in_lesson(lua, "there is no body \"" + clean_text(wanted, 40) + '"' +
@@ -189,7 +201,7 @@ void add_action_api(ApiTable& table) {
                                "sound",
                                kPositional,
                                kActing,
-                               {{"name", name, "", 0, 0, kRequired, "e.g. \"pop\""}},
+                               {{"name", name, "", 0, 0, kRequired, "see Sounds; e.g. \"pop\""}},
                                "",
                                "Plays a sound.",
                                &play_sound});
@@ -213,9 +225,10 @@ void add_action_api(ApiTable& table) {
                                "find",
                                kPositional,
                                kLooking,
-                               {{"name", text, "", 0, 1000, kRequired, "the body's name"}},
+                               {{"name", text, "", 0, 1000, kRequired,
+                                 "the body's name, or its noun when no other body has it"}},
                                "Body",
-                               "The body of that name.",
+                               "The body of that name or noun.",
                                &find_body});
     table.functions.push_back(
         {"world", "tool", kPositional, kLooking, {}, "Tool", "What the hand holds.", &get_tool});

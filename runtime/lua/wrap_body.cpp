@@ -121,22 +121,24 @@ void add_body_api(ApiTable& table) {
          "",
          "Lets it fall.",
          &drop});
-    table.functions.push_back({"body",
-                               "place",
-                               CallShape::record,
-                               kActing,
-                               {at},
-                               "",
-                               "Puts it somewhere, where it stays.",
-                               &place});
-    table.functions.push_back({"body",
-                               "hide",
-                               CallShape::positional,
-                               kActing,
-                               {},
-                               "",
-                               "Takes it out of the scene.",
-                               &hide});
+    table.functions.push_back(
+        {"body",
+         "place",
+         CallShape::record,
+         kActing,
+         {at},
+         "",
+         "Puts it somewhere, where it stays. Some body of the lesson must be movable.",
+         &place});
+    table.functions.push_back(
+        {"body",
+         "hide",
+         CallShape::positional,
+         kActing,
+         {},
+         "",
+         "Takes it out of the scene. Some body of the lesson must be movable.",
+         &hide});
     table.functions.push_back({"body",
                                "hold",
                                CallShape::positional,
@@ -156,7 +158,9 @@ void add_body_api(ApiTable& table) {
     table.properties.push_back(
         {"body", "position", "Vector", "metres", "{x, y, z}", &get_position});
     table.properties.push_back({"body", "where",
-                                "\"hidden\"|\"placed\"|\"falling\"|\"held\"|\"landed\"", "", "",
+                                "\"hidden\"|\"placed\"|\"falling\"|\"held\"|\"landed\"", "",
+                                "\"hidden\", \"placed\", \"falling\", \"held\" in the tool, or "
+                                "\"landed\" on the ground",
                                 &get_where});
     table.properties.push_back({"body", "x", "number", "metres", "to the right", &get_axis<0>});
     table.properties.push_back({"body", "y", "number", "metres", "up", &get_axis<1>});

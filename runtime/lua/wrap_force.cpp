@@ -43,8 +43,14 @@ int get_name(lua_State* lua, LessonContext& context, std::int32_t index) {
 void add_force_api(ApiTable& table) {
     using enum ParameterType;
     constexpr auto kActing = CallTime::acting;
-    table.functions.push_back(
-        {"force", "on", CallShape::positional, kActing, {}, "", "Switches it on.", &switch_on});
+    table.functions.push_back({"force",
+                               "on",
+                               CallShape::positional,
+                               kActing,
+                               {},
+                               "",
+                               "Switches it on, as it is when it is declared.",
+                               &switch_on});
     table.functions.push_back({"force",
                                "off",
                                CallShape::positional,

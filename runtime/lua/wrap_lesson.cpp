@@ -131,7 +131,7 @@ void add_lesson_api(ApiTable& table) {
          CallTime::loading,
          {{"id", name, "", 0, 0, kRequired, "short name, used in reports"},
           {"title", text, "", 0, 200, kRequired, "what the list of lessons shows"},
-          {"level", text, "", 0, 16, "A1", "level of English: A1, A2 …"},
+          {"level", text, "", 0, 16, "A1", "level of English: A1, A2, B1, B2, C1 or C2"},
           {"minutes", number, "minutes", 0, 1000, "10", "how long it takes"}},
          "Lesson",
          "Begins a lesson. The file ends with `return` of what this gives.",
@@ -156,7 +156,8 @@ void add_lesson_api(ApiTable& table) {
           {"again", text, "", 0, 200, "",
            "what is said after \"Not yet.\" when the meaning is wrong, such as \"Let's weigh both "
            "again.\"; \"Try again.\" by default"},
-          {"right", function, "", 0, 0, kRequired, "function(answer): is the meaning right?"}},
+          {"right", function, "", 0, 0, kRequired,
+           "function(answer): is the meaning right? see answer"}},
          "",
          "Declares a question.",
          &add_question});
@@ -165,9 +166,9 @@ void add_lesson_api(ApiTable& table) {
          "test",
          CallShape::record,
          CallTime::loading,
-         {{"hand", text, "", 0, 48, "", "simulated hand: a Lua file beside the lesson"},
+         {{"hand", text, "", 0, 48, "", "simulated hand: a Lua file beside the lesson, see motion"},
           {"say", texts, "", 0, 0, "nil", "what the simulated learner answers, in turn"},
-          {"expect", values, "", 0, 0, "nil", "how the lesson must end, e.g. { score = 7 }"}},
+          {"expect", values, "", 0, 0, "nil", "how the lesson must end, see Tests"}},
          "",
          "Declares how the lesson is played in tests.",
          &add_test});
@@ -176,7 +177,7 @@ void add_lesson_api(ApiTable& table) {
                                CallShape::positional,
                                CallTime::acting,
                                {{"listener", function, "", 0, 0, kRequired,
-                                 "function(event): event.name says what happened"}},
+                                 "function(event): event.name says what happened, see Events"}},
                                "",
                                "Calls a function with every event, after the lesson's own; "
                                "\"update\" comes each frame with event.dt.",

@@ -102,9 +102,9 @@ end
 
 --- Waits for an event and gives it; gives nil when the timeout (in seconds) came first.
 ---
----   wait_for "caught"                                   any of this name
----   wait_for("caught", "landed")                        one of several
----   wait_for { "caught", body = apple, timeout = 10 }   only if its fields are so
+---   wait_for "caught"                                   -- any of this name
+---   wait_for("caught", "landed")                        -- one of several
+---   wait_for { "caught", body = apple, timeout = 10 }   -- only if its fields are so
 ---   wait_for { "key", key = "space" }
 ---
 --- The events and their fields stand under "Events".

@@ -5,14 +5,22 @@
 ---@alias Vector number[]|{x: number, y: number, z: number}
 
 ---@class Answer
----@field question string
+---@field question string the name of the question
 ---@field said string the learner's words
 ---@field understood boolean false: no template fitted
----@field right boolean the meaning is right
+---@field right boolean the meaning is right, by the question's own `right`
 ---@field form_right boolean no error of form was found
 ---@field over boolean the question is done: right, or left after many tries
----@field attempt integer
+---@field attempt integer 1 for the first try
+---@field bodies table<string, Body> the body that a slot speaks of, by its noun; nil when no body or several have it
 ---@field [string] any the slots of the template
+
+---@class Event: Answer
+---@field name string
+---@field body Body|nil
+---@field speed number|nil
+---@field key string|nil
+---@field dt number|nil
 
 ---A lesson: what lesson { … } gives. Define functions on it; they are looked up on every call.
 ---@class Lesson
@@ -43,7 +51,7 @@ local Hand = {}
 ---@field weight number newtons; the true weight: mass × gravity
 ---@field felt_weight number newtons; what the hand feels of it
 ---@field position Vector metres; {x, y, z}
----@field where "hidden"|"placed"|"falling"|"held"|"landed"
+---@field where "hidden"|"placed"|"falling"|"held"|"landed" "hidden", "placed", "falling", "held" in the tool, or "landed" on the ground
 ---@field x number metres; to the right
 ---@field y number metres; up
 ---@field z number metres; towards the viewer
@@ -69,7 +77,7 @@ local Force = {}
 ---@class LessonOptions
 ---@field id string short name, used in reports
 ---@field title string what the list of lessons shows; of at most 200 bytes
----@field level? string level of English: A1, A2 …; of at most 16 bytes; default A1
+---@field level? string level of English: A1, A2, B1, B2, C1 or C2; of at most 16 bytes; default A1
 ---@field minutes? number how long it takes; in minutes, 0 to 1000; default 10
 
 ---Begins a lesson. The file ends with `return` of what this gives.
@@ -82,7 +90,7 @@ function lesson(options) end
 ---@field answers string[] templates of the sentences that answer it; the first of several articles is the one that is said back: "[a|an|the] {thing}" gives "An apple is …", "[the|a|an] {thing}" gives "The apple is …"
 ---@field lists? table<string, string[]> words that {name} in a template may stand for; {thing} and {other} are the bodies' nouns by default
 ---@field again? string what is said after "Not yet." when the meaning is wrong, such as "Let's weigh both again."; "Try again." by default; of at most 200 bytes
----@field right function function(answer): is the meaning right?
+---@field right function function(answer): is the meaning right? see answer
 
 ---Declares a question.
 ---@param id string what world:ask calls it
@@ -90,16 +98,16 @@ function lesson(options) end
 function Lesson:question(id) end
 
 ---@class TestOptions
----@field hand? string simulated hand: a Lua file beside the lesson; of at most 48 bytes
+---@field hand? string simulated hand: a Lua file beside the lesson, see motion; of at most 48 bytes
 ---@field say? string[] what the simulated learner answers, in turn
----@field expect? table<string, string|number|boolean> how the lesson must end, e.g. { score = 7 }
+---@field expect? table<string, string|number|boolean> how the lesson must end, see Tests
 
 ---Declares how the lesson is played in tests.
 ---@param options TestOptions
 function Lesson:test(options) end
 
 ---Calls a function with every event, after the lesson's own; "update" comes each frame with event.dt.
----@param listener function function(event): event.name says what happened
+---@param listener function function(event): event.name says what happened, see Events
 function Lesson:listen(listener) end
 
 ---Sets how strongly things fall.
@@ -130,9 +138,9 @@ function World:camera(options) end
 function World:hand(options) end
 
 ---@class BodyOptions
----@field name string unique; how the lesson calls it
----@field noun? string English noun; the name by default; of at most 64 bytes
----@field model? string model to draw; the name by default
+---@field name string unique; how the lesson calls it, never the learner
+---@field noun? string English noun, as answers give it; the name by default; of at most 64 bytes
+---@field model? string model to draw, see Models; the name by default
 ---@field radius? number in metres, 0.001 to 10; default 0.05
 ---@field mass? number the true mass; in kilograms, 0 to 10000; default 1
 ---@field exaggeration? number felt weight / true weight, before all are made to fit the arm; 0 to 100; default 1
@@ -148,7 +156,7 @@ function World:hand(options) end
 function World:body(options) end
 
 ---@class BucketOptions
----@field model? string model to draw; default bucket
+---@field model? string model to draw, see Models; default bucket
 ---@field radius? number of the opening; in metres, 0.001 to 10; default 0.11
 ---@field depth? number in metres, 0.001 to 10; default 0.14
 ---@field holds? integer bodies at once; felt weights are scaled so that so many fit the arm; 1 to 8; default 1
@@ -158,32 +166,32 @@ function World:body(options) end
 function World:bucket(options) end
 
 ---@class SpringOptions
----@field name? string "spring1" and so on by default
+---@field name? string "spring1", "spring2" … by default
 ---@field at Vector|Body|Tool where it pulls to; in metres, -10000 to 10000
 ---@field stiffness number in newtons per metre, 0 to 2000
 ---@field damping? number in newton seconds per metre, 0 to 50; default 0
 
----Declares a spring that pulls the hand.
+---Declares a spring that pulls the hand. It is on from the start.
 ---@param options SpringOptions
 ---@return Force
 function World:spring(options) end
 
 ---@class ViscosityOptions
----@field name? string "viscosity1" and so on by default
+---@field name? string "viscosity1", "viscosity2" … by default
 ---@field damping number honey is about 20; in newton seconds per metre, 0 to 50
 
----Declares a thickness of the air that brakes the hand.
+---Declares a thickness of the air that brakes the hand. It is on from the start.
 ---@param options ViscosityOptions
 ---@return Force
 function World:viscosity(options) end
 
 ---@class MagnetOptions
----@field name? string "magnet1" and so on by default
+---@field name? string "magnet1", "magnet2" … by default
 ---@field at Vector|Body|Tool where it pulls to; in metres, -10000 to 10000
 ---@field force number the strongest pull; in newtons, 0 to 10
 ---@field range? number distance of the strongest pull; in metres, 0.001 to 10; default 0.1
 
----Declares a magnet that pulls the hand.
+---Declares a magnet that pulls the hand. It is on from the start.
 ---@param options MagnetOptions
 ---@return Force
 function World:magnet(options) end
@@ -213,7 +221,7 @@ function World:score(score) end
 function World:level(level, title) end
 
 ---Plays a sound.
----@param name string e.g. "pop"
+---@param name string see Sounds; e.g. "pop"
 function World:sound(name) end
 
 ---@class FinishOptions
@@ -227,8 +235,8 @@ function World:finish(options) end
 ---@return Body[]
 function World:bodies() end
 
----The body of that name.
----@param name string the body's name; of at most 1000 bytes
+---The body of that name or noun.
+---@param name string the body's name, or its noun when no other body has it; of at most 1000 bytes
 ---@return Body
 function World:find(name) end
 
@@ -247,17 +255,17 @@ function Body:drop(options) end
 ---@class PlaceOptions
 ---@field at? Vector|Body|Tool where it is now by default; in metres, -10000 to 10000
 
----Puts it somewhere, where it stays.
+---Puts it somewhere, where it stays. Some body of the lesson must be movable.
 ---@param options PlaceOptions
 function Body:place(options) end
 
----Takes it out of the scene.
+---Takes it out of the scene. Some body of the lesson must be movable.
 function Body:hide() end
 
 ---Lays it into the tool, so that its weight is felt.
 function Body:hold() end
 
----Switches it on.
+---Switches it on, as it is when it is declared.
 function Force:on() end
 
 ---Switches it off; it fades.

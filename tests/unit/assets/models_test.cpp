@@ -3,6 +3,7 @@
 
 #include "assets/make/glb_writer.h"
 #include "haptics/geometry/mesh_report.h"
+#include "runtime/lua/reference_sections.h"
 #include "runtime/scene/gltf/collision_from_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
 
@@ -79,6 +80,12 @@ Vector3 corner(const runtime::ModelPrimitive& p, const std::vector<float>& list,
 }
 
 }  // namespace
+
+TEST_CASE("models: the reference of lessons names every one, and no other") {
+    CHECK(std::equal(kMakers.begin(), kMakers.end(), runtime::kModelNames.begin(),
+                     runtime::kModelNames.end(),
+                     [](const Maker& maker, std::string_view name) { return maker.name == name; }));
+}
 
 TEST_CASE(
     "assets: every model passes the loader, under its name, in its size, not too heavy to draw") {

@@ -1,5 +1,7 @@
 #include "hosted_lesson.h"
+#include "runtime/lua/reference_sections.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 namespace fulcrum::runtime {
@@ -36,7 +38,8 @@ TEST_CASE("events: each has its name and what belongs to it, and nothing else") 
           "body=egg name=caught speed=1.5;body=egg name=landed speed=2.5;body=egg name=touched "
           "speed=0.0;"
           "body=egg name=released speed=0.0;key=left name=key;"
-          "attempt=3 form_right=true name=answered over=false question=q right=false said=an egg "
+          "attempt=3 bodies=table form_right=true name=answered over=false question=q right=false "
+          "said=an egg "
           "thing=egg understood=true;");
 }
 
@@ -56,6 +59,30 @@ TEST_CASE("events: the answer key sees the slots and its truth is the verdict") 
     REQUIRE(lesson.commands<VerdictCommand>().size() == 1);
     CHECK_FALSE(lesson.commands<VerdictCommand>()[0].right);
     CHECK(lesson.commands<VerdictCommand>()[0].question == "q");
+}
+
+TEST_CASE("events: the reference names exactly the fields that each event has") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load("function L:start(world) world:body { name = 'egg' } L:listen(function(e) "
+                        "local t = {} for k in pairs(e) do t[#t + 1] = k end table.sort(t) print("
+                        "e.name .. ':' .. table.concat(t, ' ')) end) end") == "");
+    REQUIRE(lesson.play(lesson.frame({BodyEvent{BodyEvent::Kind::caught, 0, 1.5},
+                                      BodyEvent{BodyEvent::Kind::landed, 0, 2.5},
+                                      BodyEvent{BodyEvent::Kind::touched, 0, 0.0},
+                                      BodyEvent{BodyEvent::Kind::released, 0, 0.0},
+                                      KeyEvent{"left"}, AnsweredEvent{"q", "x", {}}})) == "");
+    std::string expected;
+    for (const EventText& event : event_texts()) {
+        std::vector<std::string> fields{"name"};
+        fields.insert(fields.end(), event.fields.begin(), event.fields.end());
+        std::sort(fields.begin(), fields.end());
+        expected += std::string(event.name) + ':';
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            expected += (i == 0 ? "" : " ") + fields[i];
+        }
+        expected += ';';
+    }
+    CHECK(lesson.prints == expected);
 }
 
 }  // namespace

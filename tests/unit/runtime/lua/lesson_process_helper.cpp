@@ -1,5 +1,6 @@
 // The program that lesson processes are in tests: it does what the real one's main() does first. With --write-meta FOLDER it writes
 // the generated annotations and reference instead.
+#include "library_texts.h"
 #include "runtime/lua/binding_table.h"
 #include "runtime/lua/lesson_process.h"
 
@@ -15,8 +16,9 @@ int main(int argc, char** argv) {
         const std::string folder = argv[2];
         std::ofstream(folder + "/fulcrum.lua")
             << fulcrum::runtime::make_annotations(fulcrum::runtime::api_table());
-        std::ofstream(folder + "/reference.md")
-            << fulcrum::runtime::make_reference(fulcrum::runtime::api_table());
+        std::ofstream(folder + "/reference.md") << fulcrum::runtime::make_reference(
+            fulcrum::runtime::api_table(),
+            fulcrum::runtime::test::read_library(folder + "/../lib"));
         return 0;
     }
     std::fputs("this is a part of the tests; --write-meta FOLDER writes scripts/meta\n", stderr);
