@@ -22,6 +22,7 @@ std::string icon_of(const LessonDescription& lesson) {
     return lesson.bodies.empty() ? "" : lesson.bodies.front().model;
 }
 
+constexpr std::size_t kLongestName_bytes = 40;
 constexpr double kLongestWait_s = 1.0 / 60.0;  // the sound goes on while nothing else happens
 
 // Brings other rows into sight; the chosen card changes with them and keeps its place on the screen.
@@ -34,12 +35,21 @@ void scroll(int rows, const MenuLayout& layout, int last, MenuChoice& choice) {
 
 }  // namespace
 
-MenuInput read_menu_input(const WindowEvents& events, double& wheel) {
+MenuInput read_menu_input(const WindowEvents& events, double& wheel, TypedLine& name) {
     MenuInput input;
     input.leave = events.close;
     for (const KeyPress& press : events.pressed) {
+        // A blank belongs to a name that has begun, and starts the lesson before.
+        const bool named = !name.text().empty();
+        if (press.key == "backspace" && named) {
+            name.backspace();
+            input.typed = true;
+        } else if (!press.text.empty() && (named || press.text != " ")) {
+            name.add(press.text);
+            input.typed = true;
+        }
         input.leave |= press.key == "escape";
-        input.start |= press.key == "return" || press.key == "space";
+        input.start |= press.key == "return" || (press.key == "space" && !named);
         input.across += press.key == "right" ? 1 : press.key == "left" ? -1 : 0;
         input.down += press.key == "down" ? 1 : press.key == "up" ? -1 : 0;
     }
@@ -122,11 +132,15 @@ std::vector<LessonCard> read_lesson_cards(const Places& places) {
 }
 
 View menu_view(const std::vector<LessonCard>& cards, const MenuChoice& choice,
-               const dialogue::Catalogue& catalogue) {
+               const dialogue::Catalogue& catalogue, const std::string& learner) {
     View view;
     view.tool_visible = false;
     view.title = catalogue.say("menu.title");
-    view.caption = catalogue.say(cards.empty() ? "menu.no_lessons" : "menu.choose");
+    view.caption = cards.empty()     ? catalogue.say("menu.no_lessons")
+                   : learner.empty() ? catalogue.say("menu.who")
+                                     : catalogue.say("menu.hello", {{"name", learner}});
+    view.input_visible = !cards.empty();
+    view.input = learner;
     for (const LessonCard& card : cards) {
         ViewMenuItem item;
         item.title = card.title;
@@ -151,19 +165,21 @@ View menu_view(const std::vector<LessonCard>& cards, const MenuChoice& choice,
 }
 
 std::optional<LessonCard> choose_lesson(Desktop& desktop, const std::vector<LessonCard>& cards,
-                                        const dialogue::Catalogue& catalogue) {
+                                        const dialogue::Catalogue& catalogue,
+                                        std::string& learner) {
     MenuChoice choice;
+    TypedLine name(kLongestName_bytes, learner);
     double wheel = 0.0;
     double now_s = monotonic_now_s();
     bool stale = true;
     while (true) {
-        const View view = menu_view(cards, choice, catalogue);
+        const View view = menu_view(cards, choice, catalogue, name.text());
         if (stale) {
             desktop.draw(view);
             desktop.window->swap();
         }
         const WindowEvents& events = desktop.window->wait(kLongestWait_s);
-        const MenuInput input = read_menu_input(events, wheel);
+        const MenuInput input = read_menu_input(events, wheel, name);
         if (input.leave || interrupted()) {
             return std::nullopt;
         }
@@ -176,6 +192,7 @@ std::optional<LessonCard> choose_lesson(Desktop& desktop, const std::vector<Less
             answer_menu(input, desktop.menu_layout(view), static_cast<int>(cards.size()), choice);
         if (answer.start) {
             desktop.play({"click"});
+            learner = name.text();
             return cards[static_cast<std::size_t>(answer.choice.selected)];
         }
         // Nothing moves by itself, so that only a change needs a new picture.
@@ -183,8 +200,8 @@ std::optional<LessonCard> choose_lesson(Desktop& desktop, const std::vector<Less
         if (moved && (input.across != 0 || input.down != 0)) {
             desktop.play({"click"});
         }
-        stale = moved || answer.choice.first_row != choice.first_row || events.resized ||
-                events.uncovered;
+        stale = moved || input.typed || answer.choice.first_row != choice.first_row ||
+                events.resized || events.uncovered;
         choice = answer.choice;
         const double before_s = std::exchange(now_s, monotonic_now_s());
         if (desktop.sound) {

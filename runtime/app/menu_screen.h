@@ -7,6 +7,7 @@
 #include "dialogue/catalogue.h"
 #include "runtime/app/desktop.h"
 #include "runtime/app/places.h"
+#include "runtime/app/typing.h"
 
 #include <filesystem>
 #include <optional>
@@ -44,6 +45,7 @@ struct MenuInput {
     bool clicked = false;
     double click_x_px = 0.0;
     double click_y_px = 0.0;
+    bool typed = false;  ///< the name has changed
     bool leave = false;
 };
 
@@ -53,8 +55,9 @@ struct MenuAnswer {
     bool start = false;  ///< the lesson of the chosen card
 };
 
-/// What the window's events ask of the list. `wheel` keeps what is left of a turn of the wheel until it makes a row.
-[[nodiscard]] MenuInput read_menu_input(const WindowEvents& events, double& wheel);
+/// What the window's events ask of the list. `wheel` keeps what is left of a turn of the wheel until it makes a row;
+/// `name` takes what is typed: who is playing.
+[[nodiscard]] MenuInput read_menu_input(const WindowEvents& events, double& wheel, TypedLine& name);
 
 /// Changes the choice as asked. `layout` is what was seen when it was asked, of `n_cards` cards.
 [[nodiscard]] MenuAnswer answer_menu(const MenuInput& input, const MenuLayout& layout, int n_cards,
@@ -63,13 +66,14 @@ struct MenuAnswer {
 /// Loads every lesson once to see how it calls itself.
 [[nodiscard]] std::vector<LessonCard> read_lesson_cards(const Places& places);
 
-/// Shows the list until a lesson is chosen; nothing when the learner leaves.
+/// Shows the list until a lesson is chosen; nothing when the learner leaves. `learner` is who plays, as typed here.
 [[nodiscard]] std::optional<LessonCard> choose_lesson(Desktop& desktop,
                                                       const std::vector<LessonCard>& cards,
-                                                      const dialogue::Catalogue& catalogue);
+                                                      const dialogue::Catalogue& catalogue,
+                                                      std::string& learner);
 
 /// The list as a picture; for tests and screenshots.
 [[nodiscard]] View menu_view(const std::vector<LessonCard>& cards, const MenuChoice& choice,
-                             const dialogue::Catalogue& catalogue);
+                             const dialogue::Catalogue& catalogue, const std::string& learner = {});
 
 }  // namespace fulcrum::runtime

@@ -200,8 +200,9 @@ int menu_command(const Installation& installation, const Options& options) {
     for (const LessonCard& card : cards) {
         (void)desktop->picture->load_models(std::vector<std::string>{card.icon}, card.folder);
     }
-    while (const auto card = choose_lesson(*desktop, cards, installation.catalogue)) {
-        Options chosen = options;
+    Options chosen = options;
+    while (const auto card =
+               choose_lesson(*desktop, cards, installation.catalogue, chosen.learner)) {
         chosen.lesson = card->name;
         auto request = make_request(installation, chosen, true);
         if (!request) {

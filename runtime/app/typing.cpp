@@ -20,7 +20,7 @@ void TypedLine::add(std::string_view utf8) {
             ++end;
         }
         const std::string_view character = utf8.substr(at, end - at);
-        if (!is_control(character.front()) && text_.size() + character.size() <= kLongest_bytes) {
+        if (!is_control(character.front()) && text_.size() + character.size() <= longest_bytes_) {
             text_ += character;
         }
         at = end;

@@ -9,6 +9,11 @@ namespace fulcrum::runtime {
 
 class TypedLine {
   public:
+    /// Holds at most `longest_bytes`; what stands in it at first is cut there.
+    explicit TypedLine(std::size_t longest_bytes = 160, std::string_view text = {})
+        : longest_bytes_(longest_bytes) {
+        add(text);
+    }
     /// Adds typed UTF-8; what would make the line too long, and control characters, are left out.
     void add(std::string_view utf8);
     /// Takes the last character away, whole.
@@ -19,7 +24,7 @@ class TypedLine {
     [[nodiscard]] const std::string& text() const { return text_; }
 
   private:
-    static constexpr std::size_t kLongest_bytes = 160;
+    std::size_t longest_bytes_;
     std::string text_;
 };
 

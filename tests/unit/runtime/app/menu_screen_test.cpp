@@ -10,7 +10,7 @@ namespace {
 
 fulcrum::dialogue::Catalogue words() {
     return fulcrum::dialogue::Catalogue::parse(
-               "menu.title = Fulcrum\nmenu.choose = Choose a lesson.\n"
+               "menu.title = Fulcrum\nmenu.hello = Hello, {name}!\nmenu.who = Who are you?\n"
                "menu.no_lessons = There are no lessons yet.\n"
                "menu.minutes = {minutes} minutes\n")
         .value();
@@ -77,7 +77,7 @@ TEST_CASE("menu: each lesson is a card with title, level and minutes") {
     CHECK(view.menu[0].subtitle == "A1 · 10 minutes");
     CHECK(view.menu[0].icon == "apple");
     CHECK(view.menu_selected == 1);
-    CHECK(view.caption == "Choose a lesson.");
+    CHECK(view.caption == "Who are you?");
     CHECK(view.banner.empty());
 }
 
@@ -193,7 +193,8 @@ TEST_CASE("menu: the window's events are read as they are meant") {
     events.pointer_y_px = 4.0;
     events.button_press = {false, true, false};
     double wheel = 0.0;
-    const MenuInput first = read_menu_input(events, wheel);
+    TypedLine name;
+    const MenuInput first = read_menu_input(events, wheel, name);
     CHECK(first.down == 2);
     CHECK(first.across == -1);
     CHECK_FALSE(first.start);
@@ -209,7 +210,7 @@ TEST_CASE("menu: the window's events are read as they are meant") {
     events.button_press = {true, false, false};
     events.press_x_px = 7.0;
     events.press_y_px = 9.0;
-    const MenuInput second = read_menu_input(events, wheel);
+    const MenuInput second = read_menu_input(events, wheel, name);
     CHECK(second.scroll == 1);
     CHECK_FALSE(second.pointed);
     CHECK(wheel == Approx(0.2));
@@ -218,8 +219,38 @@ TEST_CASE("menu: the window's events are read as they are meant") {
     CHECK(second.click_x_px == 7.0);
     CHECK(second.click_y_px == 9.0);
     events.pressed = {{"escape"}};
-    CHECK(read_menu_input(events, wheel).leave);
+    CHECK(read_menu_input(events, wheel, name).leave);
     events.pressed.clear();
     events.close = true;
-    CHECK(read_menu_input(events, wheel).leave);
+    CHECK(read_menu_input(events, wheel, name).leave);
+}
+
+TEST_CASE("menu: what is typed is who plays; a blank within a name starts nothing") {
+    const auto type = [](const char* text) {
+        KeyPress press;
+        press.text = text;
+        return press;
+    };
+    WindowEvents events;
+    events.pressed = {type(" "), {"z"}, type("Z"), type("oë"), {"space"}, type(" "), type("B")};
+    double wheel = 0.0;
+    TypedLine name;
+    const MenuInput typed = read_menu_input(events, wheel, name);
+    CHECK(name.text() == "Zoë B");
+    CHECK(typed.typed);
+    CHECK_FALSE(typed.start);
+    events.pressed = {{"backspace"}, {"backspace"}, {"backspace"}};
+    CHECK(read_menu_input(events, wheel, name).typed);
+    CHECK(name.text() == "Zo");
+    events.pressed = {{"return"}};
+    CHECK(read_menu_input(events, wheel, name).start);
+    CHECK(name.text() == "Zo");
+
+    const View asked = menu_view({card("Weights")}, {}, words(), "");
+    CHECK(asked.input_visible);
+    CHECK(asked.caption == "Who are you?");
+    const View greeted = menu_view({card("Weights")}, {}, words(), "Zo");
+    CHECK(greeted.caption == "Hello, Zo!");
+    CHECK(greeted.input == "Zo");
+    CHECK_FALSE(menu_view({}, {}, words()).input_visible);
 }
