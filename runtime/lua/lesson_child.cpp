@@ -100,19 +100,41 @@ int play(Talk& talk, SharedPage* page) {
     return 0;
 }
 
-/// Maps the page, closes everything else and puts up the walls. Null when that fails.
-SharedPage* close_off(int socket) {
+/// Maps the page, closes everything else and puts up the walls.
+Walled<SharedPage*> close_off(int socket) {
     const int page_file = socket + 1;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     void* mapped =
         mmap(nullptr, kSharedPageBytes, PROT_READ | PROT_WRITE, MAP_SHARED, page_file, 0);
-    if (mapped == MAP_FAILED || !close_all_files_but(socket, page_file)) {
-        return nullptr;
+    if (mapped == MAP_FAILED) {
+        return tl::unexpected(Wall::page);
+    }
+    if (auto closed = close_all_files_but(socket, page_file); !closed) {
+        return tl::unexpected(closed.error());
     }
     close(page_file);
     auto* page = static_cast<SharedPage*>(mapped);
     const SandboxSettings settings{socket, 2 * page->memory_bytes + kOwnMemoryBytes};
-    return enter_sandbox(settings) ? page : nullptr;
+    if (auto entered = enter_sandbox(settings); !entered) {
+        return tl::unexpected(entered.error());
+    }
+    return page;
+}
+
+/// Closes off and plays; the exit code.
+int play_behind_walls(int socket) {
+    const auto page = close_off(socket);
+    if (!page) {
+        return kWallExitCode + static_cast<int>(page.error());
+    }
+    Talk talk(socket);
+    try {
+        return play(talk, *page);
+    } catch (const std::bad_alloc&) {
+        static_cast<void>(
+            talk.tell(ScriptError{"this needs more memory than a lesson may have", "", 0}));
+    }
+    return 1;
 }
 
 }  // namespace
@@ -130,16 +152,7 @@ std::optional<int> lesson_process_socket(int argc, char** argv) {
 int lesson_process_main(int socket) {
     int code = 1;
     try {
-        if (SharedPage* page = socket > STDERR_FILENO ? close_off(socket) : nullptr;
-            page != nullptr) {
-            Talk talk(socket);
-            try {
-                code = play(talk, page);
-            } catch (const std::bad_alloc&) {
-                static_cast<void>(
-                    talk.tell(ScriptError{"this needs more memory than a lesson may have", "", 0}));
-            }
-        }
+        code = socket > STDERR_FILENO ? play_behind_walls(socket) : 1;
     } catch (const std::exception&) {
         code = 1;
     }

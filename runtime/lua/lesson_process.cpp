@@ -4,6 +4,7 @@
 #include "runtime/lua/channel.h"
 #include "runtime/lua/child_process.h"
 #include "runtime/lua/lesson_sources.h"
+#include "runtime/lua/sandbox.h"
 
 #include <cmath>
 #include <cstring>
@@ -89,6 +90,13 @@ struct LessonProcess::Parts {
     /// The process has gone by itself.
     Error fail_gone() {
         const ProcessEnd end = child->end();
+        if (!end.by_signal && end.code >= kWallExitCode && end.code < kWallExitCode + kWalls) {
+            return fail_with(
+                {std::string("no lesson can be run safely here: ") +
+                     wall_text(static_cast<Wall>(end.code - kWallExitCode)),
+                 {},
+                 "use Linux 5.9 or later, in a container only one that allows seccomp"});
+        }
         std::string what = "the lesson's process ended without an answer";
         if (end.by_signal && end.code == SIGSYS) {
             what = "the lesson's process tried something that is not allowed and was ended";

@@ -42,10 +42,8 @@ constexpr std::uint32_t kX32Bit =
 constexpr rlim_t kStackBytes = 8U << 20U;
 constexpr uid_t kNobody = 65534;
 
-Expected<void> refused(const char* what) {
-    return fail(std::string("the lesson's process can't be closed off (") + what + ": " +
-                    std::strerror(errno) + ")",
-                {}, "run this on Linux 5.9 or later with seccomp");
+tl::unexpected<Wall> refused(Wall wall) {
+    return tl::unexpected<Wall>(wall);
 }
 
 // ---- the filter, as a list of small blocks
@@ -152,7 +150,7 @@ std::size_t mapped_bytes() {
     return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-Expected<void> set_limits(std::size_t more_memory_bytes) {
+Walled<void> set_limits(std::size_t more_memory_bytes) {
     struct Limit {
         __rlimit_resource_t resource;
         rlim_t value;
@@ -162,7 +160,7 @@ Expected<void> set_limits(std::size_t more_memory_bytes) {
     const std::size_t mapped = mapped_bytes();
     if (!kSanitized) {
         if (mapped == 0) {
-            return refused("/proc/self/statm");
+            return refused(Wall::memory);
         }
         limits.push_back({RLIMIT_AS, mapped + more_memory_bytes});
         limits.push_back({RLIMIT_STACK, kStackBytes});
@@ -170,14 +168,14 @@ Expected<void> set_limits(std::size_t more_memory_bytes) {
     for (const Limit& limit : limits) {
         const rlimit both{limit.value, limit.value};
         if (setrlimit(limit.resource, &both) != 0) {
-            return refused("setrlimit");
+            return refused(Wall::limits);
         }
     }
     return {};
 }
 
 /// Root's rights are given up; a plain user has none to give.
-Expected<void> drop_rights() {
+Walled<void> drop_rights() {
     if (geteuid() != 0) {
         return {};
     }
@@ -185,28 +183,48 @@ Expected<void> drop_rights() {
         setresuid(kNobody, kNobody, kNobody) != 0) {
         // In a container that maps no such user the capabilities still go.
         if (errno != EINVAL && errno != EPERM) {
-            return refused("setresuid");
+            return refused(Wall::rights);
         }
     }
     __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
     const std::array<__user_cap_data_struct, 2> none{};
     if (syscall(SYS_capset, &header, none.data()) != 0) {
-        return refused("capset");
+        return refused(Wall::rights);
     }
     return {};
 }
 
 }  // namespace
 
-Expected<void> close_all_files_but(int keep, int keep_too) {
+const char* wall_text(Wall wall) {
+    switch (wall) {
+        case Wall::page:
+            return "the system gives it no page to share with the program (mmap)";
+        case Wall::files:
+            return "the system can't close its files (close_range)";
+        case Wall::memory:
+            return "the system doesn't say how much memory is in use (/proc/self/statm)";
+        case Wall::limits:
+            return "the system sets no limits on it (setrlimit)";
+        case Wall::rights:
+            return "the rights of root can't be given up (setresuid, capset)";
+        case Wall::no_new_rights:
+            return "the system doesn't keep it from getting new rights (prctl)";
+        case Wall::filter:
+            return "the system can't filter system calls (seccomp)";
+    }
+    return "";
+}
+
+Walled<void> close_all_files_but(int keep, int keep_too) {
     const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     if (nothing < 0) {
-        return refused("/dev/null");
+        return refused(Wall::files);
     }
     const int last_standard = kSanitized ? STDOUT_FILENO : STDERR_FILENO;
     for (int file = STDIN_FILENO; file <= last_standard; ++file) {
         if (dup2(nothing, file) < 0) {
-            return refused("dup2");
+            return refused(Wall::files);
         }
     }
     // Everything from 3 up, in the gaps round the two that stay.
@@ -216,13 +234,13 @@ Expected<void> close_all_files_but(int keep, int keep_too) {
         {{3U, low - 1U}, {low + 1U, high - 1U}, {high + 1U, ~0U}}};
     for (const auto& gap : gaps) {
         if (gap[0] <= gap[1] && syscall(SYS_close_range, gap[0], gap[1], 0U) != 0) {
-            return refused("close_range");
+            return refused(Wall::files);
         }
     }
     return {};
 }
 
-Expected<void> enter_sandbox(const SandboxSettings& settings) {
+Walled<void> enter_sandbox(const SandboxSettings& settings) {
     if (auto limited = set_limits(settings.more_memory_bytes); !limited) {
         return limited;
     }
@@ -232,12 +250,12 @@ Expected<void> enter_sandbox(const SandboxSettings& settings) {
     // After the change of user, which forgets the first of these.
     if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || prctl(PR_SET_DUMPABLE, 0) != 0 ||
         prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) {
-        return refused("prctl");
+        return refused(Wall::no_new_rights);
     }
     Filter filter = make_filter(settings.socket);
     const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
     if (syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, &program) != 0) {
-        return refused("seccomp");
+        return refused(Wall::filter);
     }
     return {};
 }

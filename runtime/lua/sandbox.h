@@ -9,9 +9,9 @@
 // Source: Linux Documentation/userspace-api/seccomp_filter.rst; seccomp(2), prctl(2).
 #pragma once
 
-#include "haptics/base/error.h"
-
 #include <cstddef>
+#include <cstdint>
+#include <tl/expected.hpp>
 
 namespace fulcrum::runtime {
 
@@ -21,11 +21,30 @@ struct SandboxSettings {
         64U << 20U;  ///< address space that may still be mapped, beyond what is mapped now
 };
 
-/// Closes every file but `keep` and `keep_too` (standard input, output and errors become
-/// /dev/null). Error when it can't.
-[[nodiscard]] Expected<void> close_all_files_but(int keep, int keep_too);
+/// What the system refused. The lesson's process has no other word for it than its exit code, kWallExitCode + wall.
+enum class Wall : std::uint8_t {
+    page,           ///< the page that is shared with the program can't be mapped
+    files,          ///< open files can't be closed: close_range, Linux 5.9
+    memory,         ///< how much memory is in use can't be read: /proc
+    limits,         ///< setrlimit
+    rights,         ///< root's rights can't be given up
+    no_new_rights,  ///< prctl
+    filter,         ///< no seccomp filter
+};
+inline constexpr int kWalls = 7;
+inline constexpr int kWallExitCode = 100;
 
-/// Puts up all walls. Error when the kernel refuses one; then no lesson may be run.
-[[nodiscard]] Expected<void> enter_sandbox(const SandboxSettings& settings);
+/// What is missing, for people: "the system can't filter system calls (seccomp)".
+[[nodiscard]] const char* wall_text(Wall wall);
+
+template <class T>
+using Walled = tl::expected<T, Wall>;
+
+/// Closes every file but `keep` and `keep_too` (standard input, output and errors become
+/// /dev/null). The wall when it can't.
+[[nodiscard]] Walled<void> close_all_files_but(int keep, int keep_too);
+
+/// Puts up all walls. The one that the kernel refuses, if any; then no lesson may be run.
+[[nodiscard]] Walled<void> enter_sandbox(const SandboxSettings& settings);
 
 }  // namespace fulcrum::runtime
