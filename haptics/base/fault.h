@@ -10,9 +10,9 @@ enum class Fault : std::uint32_t {
     none = 0,
     device_read = 1U << 0,      ///< the device did not give a pose
     device_stale = 1U << 1,     ///< the device's newest pose is too old
-    device_invalid = 1U << 2,   ///< NaN, infinity or an impossible jump in the pose
+    device_invalid = 1U << 2,   ///< no pose, an impossible jump, or a stamp that went back
     command_stale = 1U << 3,    ///< the lesson or the world has not answered for too long
-    command_invalid = 1U << 4,  ///< NaN or infinity in a force that was computed or asked for
+    command_invalid = 1U << 4,  ///< NaN or infinity in a force, or a clock that does not go on
     emergency_stop = 1U << 5,   ///< somebody pressed the emergency stop
     lesson_failed = 1U << 6,    ///< the lesson's process failed; the force fades
     record_full = 1U << 7,   ///< the recorder could not keep up; samples were dropped and counted

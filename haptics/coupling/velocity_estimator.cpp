@@ -11,6 +11,9 @@
 namespace fulcrum {
 namespace {
 
+// A loop's rounds come a little early or late; the sample that is meant to end the window still does.
+constexpr double kJitter_s = 0.0001;
+
 // The share of a new value that a first-order low pass lets in over dt_s.
 double compute_low_pass_share(double cutoff_Hz, double dt_s) noexcept {
     return 1.0 - std::exp(-2.0 * std::numbers::pi * cutoff_Hz * dt_s);
@@ -41,39 +44,44 @@ const Vector3& VelocityEstimator::step(const Vector3& position, double time_s) n
         const Vector3 difference = (position - positions_[static_cast<std::size_t>(last)]) / dt_s;
         velocity_ += compute_low_pass_share(settings_.cutoff_Hz, dt_s) * (difference - velocity_);
     } else {
-        for (int axis = 0; axis < 3; ++axis) {
-            velocity_[axis] = compute_window_slope(axis);
-        }
+        fit_windows();
     }
     return velocity_;
 }
 
-double VelocityEstimator::compute_window_slope(int axis) const noexcept {
-    // The line ends in the newest sample; sample i lies within d of it when its slope b satisfies
-    //   |y_k - y_(k-i) - b tau_i| <= d   <=>   (y_k - y_(k-i) - d) / tau_i <= b <= (y_k - y_(k-i) +
-    //   d) / tau_i.
-    const double newest_m = positions_[static_cast<std::size_t>(newest_)][axis];
+void VelocityEstimator::fit_windows() noexcept {
+    // The line ends in the newest sample; the sample tau before it lies within d of the line when
+    // the line's slope b satisfies
+    //   |rise - b tau| <= d   <=>   (rise - d) / tau <= b <= (rise + d) / tau.
+    const Vector3& newest_m = positions_[static_cast<std::size_t>(newest_)];
     const double now_s = times_s_[static_cast<std::size_t>(newest_)];
-    double lowest = -std::numeric_limits<double>::infinity();
-    double highest = std::numeric_limits<double>::infinity();
-    double slope = 0.0;
+    double lowest[3];
+    double highest[3];
+    bool grows[3] = {true, true, true};
+    std::fill_n(lowest, 3, -std::numeric_limits<double>::infinity());
+    std::fill_n(highest, 3, std::numeric_limits<double>::infinity());
     // Encoder steps lie exactly d apart: rounding must not decide.
     constexpr double kTie = 1.0 + 1.0e-6;
     const double bound_m = settings_.noise_bound_m * kTie;
-    for (int i = 1; i < count_; ++i) {
+    for (int i = 1; i < count_ && (grows[0] || grows[1] || grows[2]); ++i) {
         const auto slot = static_cast<std::size_t>((newest_ + kCapacity - i) % kCapacity);
         const double tau_s = now_s - times_s_[slot];
-        const double rise_m = newest_m - positions_[slot][axis];
-        // The window of i intervals holds when its own slope suits every sample inside it.
-        const double candidate = rise_m / tau_s;
-        if (candidate < lowest || candidate > highest) {
+        if (i > 1 && tau_s > kLongestWindow_s + kJitter_s) {
             break;
         }
-        slope = candidate;
-        lowest = std::max(lowest, (rise_m - bound_m) / tau_s);
-        highest = std::min(highest, (rise_m + bound_m) / tau_s);
+        const double rate_per_s = 1.0 / tau_s;
+        for (int axis = 0; axis < 3; ++axis) {
+            // The window up to this sample holds when its own slope suits every sample inside it.
+            const double rise_m = newest_m[axis] - positions_[slot][axis];
+            const double slope = rise_m * rate_per_s;
+            grows[axis] = grows[axis] && slope >= lowest[axis] && slope <= highest[axis];
+            if (grows[axis]) {
+                velocity_[axis] = slope;
+                lowest[axis] = std::max(lowest[axis], (rise_m - bound_m) * rate_per_s);
+                highest[axis] = std::min(highest[axis], (rise_m + bound_m) * rate_per_s);
+            }
+        }
     }
-    return slope;
 }
 
 void AngularVelocityEstimator::reset() noexcept {

@@ -2,17 +2,16 @@
 //
 //   filtered_difference   u_k = (y_k - y_(k-1)) / T,   v_k = v_(k-1) + a (u_k - v_(k-1)),
 //                         a = 1 - exp(-2 pi f_c T)
-//   adaptive_window       the longest window n <= kLongestWindow for which the straight line through
-//                         the window's two ends passes within d of every sample between them:
+//   adaptive_window       the longest window, kLongestWindow_s at most, for which the straight line
+//                         through its two ends passes within d of every sample between them:
 //                         v_k = (y_k - y_(k-n)) / (t_k - t_(k-n));  each axis has a window of its own
 // A position counted in steps of d is wrong by up to d; over one sample that is d / T (55 mm/s for
 // 55 um at 1 kHz). The window is long when the hand moves evenly (little noise) and short when it
-// turns (little lag). It is the default: over encoder steps it is less than half as wrong as the 80 Hz
-// low pass while a hand moves slowly or holds still, where noise is felt most, and better up to a
-// swing of 5 cm at 1 Hz; faster swings are followed better by the low pass. The window of 8 is a
-// compromise: 15 halves the noise at rest and doubles the lag in a swing. A test holds these claims.
+// turns (little lag). It is the default: over encoder steps of 55 um it is less than half as wrong as
+// the 80 Hz low pass while a hand swings slowly (2 cm at 1 Hz and less), where noise is felt most,
+// better up to 5 cm at 1 Hz, and worse from 5 cm at 2 Hz on. A test holds that at 1, 2 and 4 kHz.
 //
-// Thread: haptic loop. Cost: adaptive_window at most kLongestWindow divisions an axis; no allocation.
+// Thread: haptic loop. Cost: adaptive_window one division a sample of the window; no allocation.
 // Source: F. Janabi-Sharifi, V. Hayward, C.-S. J. Chen 2000, Discrete-time adaptive windowing for
 // velocity estimation, IEEE Trans. Control Systems Technology 8(6), the first-order window with
 // end-point fit. Here the bound on the slope is kept as an interval that each further sample narrows,
@@ -42,7 +41,8 @@ struct VelocitySettings {
 /// Estimates the velocity of a point. The frame is that of the positions given.
 class VelocityEstimator {
   public:
-    static constexpr int kLongestWindow = 8;  ///< intervals
+    static constexpr double kLongestWindow_s = 0.008;
+    static constexpr int kMostIntervals = 32;  ///< in a window: kLongestWindow_s at 4 kHz
 
     /// Takes settings that `validate` accepted.
     explicit VelocityEstimator(const VelocitySettings& settings) noexcept : settings_(settings) {}
@@ -57,9 +57,9 @@ class VelocityEstimator {
     [[nodiscard]] const Vector3& velocity() const noexcept { return velocity_; }
 
   private:
-    [[nodiscard]] double compute_window_slope(int axis) const noexcept;
+    void fit_windows() noexcept;
 
-    static constexpr int kCapacity = kLongestWindow + 1;
+    static constexpr int kCapacity = kMostIntervals + 1;
     VelocitySettings settings_;
     std::array<Vector3, kCapacity> positions_{};  // ring, newest at newest_
     std::array<double, kCapacity> times_s_{};

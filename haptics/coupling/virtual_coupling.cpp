@@ -1,5 +1,7 @@
 #include "haptics/coupling/virtual_coupling.h"
 
+#include <algorithm>
+
 #include <cmath>
 
 namespace fulcrum {
@@ -59,8 +61,8 @@ double compute_spring_force_N(const CouplingSettings& settings, double stretch_m
     if (stretch_m >= settings.saturation_range_m) {
         return settings.saturation_force_N;
     }
-    // Hermite on u in [0, 1]: f = f1 + g u + (3 D - 2 g) u^2 + (g - 2 D) u^3 with D the rise, g = k
-    // (s2 - s1).
+    // Hermite on u in [0, 1], with D the rise and g = k (s2 - s1):
+    //   f = f1 + g u + (3 D - 2 g) u^2 + (g - 2 D) u^3
     const double width_m = settings.saturation_range_m - settings.linear_range_m;
     const double u = (stretch_m - settings.linear_range_m) / width_m;
     const double start_N = settings.stiffness_N_per_m * settings.linear_range_m;
@@ -79,6 +81,13 @@ Vector3 compute_coupling_force(const CouplingSettings& settings, const Vector3& 
         return damper_W;
     }
     return stretch_W * (compute_spring_force_N(settings, stretch_m) / stretch_m) + damper_W;
+}
+
+Vector3 compute_contact_force(const CouplingSettings& settings, const Vector3& proxy_W,
+                              const Vector3& hand_W, const Vector3& relative_velocity_W,
+                              const Vector3& normal_W) noexcept {
+    const Vector3 force_W = compute_coupling_force(settings, proxy_W, hand_W, relative_velocity_W);
+    return force_W - std::min(force_W.dot(normal_W), 0.0) * normal_W;
 }
 
 double compute_critical_damping_Ns_per_m(double mass_kg, double stiffness_N_per_m) noexcept {

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include <cmath>
+#include <numbers>
 
 namespace fulcrum {
 
@@ -24,9 +25,16 @@ Vector3 compute_field_force(const FieldPlan& plan, const Vector3& anchor_W,
     return Vector3::Zero();
 }
 
-void FieldStage::reset() noexcept {
-    anchor_W_ = plan_.anchor_W;
-    strength_ = 0.0;
+FieldGains compute_largest_gains(const FieldPlan& plan) noexcept {
+    switch (plan.kind) {
+        case FieldKind::spring:
+            return {plan.stiffness_N_per_m, plan.damping_Ns_per_m};
+        case FieldKind::viscosity:
+            return {0.0, plan.damping_Ns_per_m};
+        case FieldKind::magnet:
+            return {plan.peak_force_N * std::sqrt(std::numbers::e) / plan.range_m, 0.0};
+    }
+    return {};
 }
 
 Vector3 FieldStage::step(const FieldCommand& command, const Vector3& position_W,
@@ -35,14 +43,16 @@ Vector3 FieldStage::step(const FieldCommand& command, const Vector3& position_W,
         dt_s = 0.0;
     }
     // Strength: towards the commanded one at a limited rate.
-    const bool usable =
-        command.on && std::isfinite(command.strength) && is_finite(command.anchor_W);
+    const bool usable = command.on && std::isfinite(command.strength) &&
+                        is_finite(command.anchor_W) &&
+                        command.anchor_W.cwiseAbs().maxCoeff() <= kFarthestAnchor_m;
     const double wanted = usable ? std::clamp(command.strength, 0.0, 1.0) : 0.0;
     const double reach = kStrengthRate_per_s * dt_s;
     // A field that was off appears where it is wanted; one that is on glides there.
-    if (usable) {
-        const double share = strength_ > 0.0 ? 1.0 - std::exp(-dt_s / kAnchorTime_s) : 1.0;
-        anchor_W_ += share * (command.anchor_W - anchor_W_);
+    if (usable && strength_ > 0.0) {
+        anchor_W_ += (1.0 - std::exp(-dt_s / kAnchorTime_s)) * (command.anchor_W - anchor_W_);
+    } else if (usable) {
+        anchor_W_ = command.anchor_W;
     }
     strength_ += std::clamp(wanted - strength_, -reach, reach);
     return strength_ > 0.0

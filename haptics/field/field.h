@@ -20,6 +20,16 @@ inline constexpr double kStrengthRate_per_s =
     10.0;  ///< a field switches on or off within a tenth of a second
 inline constexpr double kAnchorTime_s = 0.02;  ///< one answer of the lesson and a bit
 
+inline constexpr double kFarthestAnchor_m = 1.0e6;  ///< an anchor further away is no place
+
+/// The steepest that a field gets, anywhere: newtons a metre and newton seconds a metre.
+struct FieldGains {
+    double stiffness_N_per_m = 0.0;
+    double damping_Ns_per_m = 0.0;
+};
+/// Of a spring its coefficients, of a magnet the slope at its centre (magnet.h).
+[[nodiscard]] FieldGains compute_largest_gains(const FieldPlan& plan) noexcept;
+
 /// Refuses coefficients outside the ranges named at FieldPlan, and a magnet stiffer than 2000 N/m
 /// at its centre.
 [[nodiscard]] Expected<void> validate(const FieldPlan& plan);
@@ -35,10 +45,8 @@ class FieldStage {
     /// Takes a plan that `validate` accepted. It starts switched off at the declared anchor.
     explicit FieldStage(const FieldPlan& plan) noexcept : plan_(plan), anchor_W_(plan.anchor_W) {}
 
-    /// Off, at the declared anchor.
-    void reset() noexcept;
-    /// Force in newtons after `dt_s`. A command that is not finite keeps the former anchor and
-    /// weakens to zero.
+    /// Force in newtons after `dt_s`. A command that is not finite, or whose anchor is further away
+    /// than kFarthestAnchor_m, keeps the former anchor and weakens to zero.
     [[nodiscard]] Vector3 step(const FieldCommand& command, const Vector3& position_W,
                                const Vector3& velocity_W, double dt_s) noexcept;
     /// The factor on the force now, 0 to 1.

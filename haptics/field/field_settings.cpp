@@ -1,16 +1,10 @@
 // The load-path half of field.h.
 #include "haptics/field/field.h"
 
-#include <cmath>
-#include <numbers>
 #include <sstream>
 
 namespace fulcrum {
 namespace {
-
-constexpr double kMaxStiffness_N_per_m = 2000.0;
-constexpr double kMaxDamping_Ns_per_m = 50.0;
-constexpr double kMaxPeak_N = 10.0;
 
 Expected<void> refuse(const char* what, double value, const char* unit, double low, double high) {
     std::ostringstream message;
@@ -31,22 +25,22 @@ Expected<void> validate(const FieldPlan& plan) {
     }
     const bool has_spring = plan.kind == FieldKind::spring;
     const bool has_magnet = plan.kind == FieldKind::magnet;
-    if (has_spring && outside(plan.stiffness_N_per_m, 0.0, kMaxStiffness_N_per_m)) {
-        return refuse("stiffness", plan.stiffness_N_per_m, "N/m", 0.0, kMaxStiffness_N_per_m);
+    if (has_spring && outside(plan.stiffness_N_per_m, 0.0, kMaxFeltStiffness_N_per_m)) {
+        return refuse("stiffness", plan.stiffness_N_per_m, "N/m", 0.0, kMaxFeltStiffness_N_per_m);
     }
-    if (!has_magnet && outside(plan.damping_Ns_per_m, 0.0, kMaxDamping_Ns_per_m)) {
-        return refuse("damping", plan.damping_Ns_per_m, "Ns/m", 0.0, kMaxDamping_Ns_per_m);
+    if (!has_magnet && outside(plan.damping_Ns_per_m, 0.0, kMaxFeltDamping_Ns_per_m)) {
+        return refuse("damping", plan.damping_Ns_per_m, "Ns/m", 0.0, kMaxFeltDamping_Ns_per_m);
     }
-    if (has_magnet && outside(plan.peak_force_N, 0.0, kMaxPeak_N)) {
-        return refuse("peak force", plan.peak_force_N, "N", 0.0, kMaxPeak_N);
+    if (has_magnet && outside(plan.peak_force_N, 0.0, kMaxFieldPeak_N)) {
+        return refuse("peak force", plan.peak_force_N, "N", 0.0, kMaxFieldPeak_N);
     }
     if (has_magnet && outside(plan.range_m, 0.001, 100.0)) {
         return refuse("range", plan.range_m, "m", 0.001, 100.0);
     }
-    const double centre_N_per_m = plan.peak_force_N * std::sqrt(std::numbers::e) / plan.range_m;
-    if (has_magnet && centre_N_per_m > kMaxStiffness_N_per_m) {
+    const double centre_N_per_m = compute_largest_gains(plan).stiffness_N_per_m;
+    if (has_magnet && centre_N_per_m > kMaxFeltStiffness_N_per_m) {
         return refuse("stiffness at its centre (1.65 peak / range)", centre_N_per_m, "N/m", 0.0,
-                      kMaxStiffness_N_per_m);
+                      kMaxFeltStiffness_N_per_m);
     }
     return {};
 }

@@ -19,13 +19,28 @@ bool is_sane(const LinearisedWrench& model) noexcept {
            sane(model.damping_Ns_per_m) && sane(model.torque_stiffness_Nm_per_m);
 }
 
-bool shorten(Matrix3& gain, double limit) noexcept {
-    const double size = gain.norm();
+// Scales `value` down to the Frobenius norm `limit` where it is longer.
+template <class M>
+bool shorten(M& value, double limit) noexcept {
+    const double size = value.norm();
     if (size > limit) {
-        gain *= limit / size;
+        value *= limit / size;
         return true;
     }
     return false;
+}
+
+// How many times steeper than allowed an answer is, at least 1; infinite where nothing is allowed.
+double compute_excess(const LinearisedWrench& asked,
+                      const LinearisedWrenchSettings& settings) noexcept {
+    const auto excess = [](const Matrix3& gain, double limit) {
+        const double size = gain.norm();
+        return size > limit ? size / limit : 1.0;
+    };
+    return std::max(
+        {excess(asked.stiffness_N_per_m, settings.max_stiffness_N_per_m),
+         excess(asked.damping_Ns_per_m, settings.max_damping_Ns_per_m),
+         excess(asked.torque_stiffness_Nm_per_m, settings.max_torque_stiffness_Nm_per_m)});
 }
 
 // Takes the positive eigenvalues out of the symmetric part; the skew part does no work and stays.
@@ -56,7 +71,8 @@ Wrench compute_linearised_wrench(const LinearisedWrench& model, const Vector3& p
     return wrench_W;
 }
 
-LinearisationNote bound_gains(LinearisedWrench& model) noexcept {
+LinearisationNote bound_gains(LinearisedWrench& model,
+                              const LinearisedWrenchSettings& settings) noexcept {
     if (!is_sane(model)) {
         return LinearisationNote::refused_not_finite;
     }
@@ -64,21 +80,27 @@ LinearisationNote bound_gains(LinearisedWrench& model) noexcept {
     if (remove_active_part(model.damping_Ns_per_m)) {
         notes = notes | LinearisationNote::active_damping_removed;
     }
-    if (shorten(model.stiffness_N_per_m, kMaxLinearStiffness_N_per_m)) {
+    if (shorten(model.stiffness_N_per_m, settings.max_stiffness_N_per_m)) {
         notes = notes | LinearisationNote::stiffness_clamped;
     }
-    if (shorten(model.damping_Ns_per_m, kMaxLinearDamping_Ns_per_m)) {
+    if (shorten(model.damping_Ns_per_m, settings.max_damping_Ns_per_m)) {
         notes = notes | LinearisationNote::damping_clamped;
     }
-    if (shorten(model.torque_stiffness_Nm_per_m, kMaxTorqueStiffness_Nm_per_m)) {
+    if (shorten(model.torque_stiffness_Nm_per_m, settings.max_torque_stiffness_Nm_per_m)) {
         notes = notes | LinearisationNote::torque_stiffness_clamped;
     }
     return notes;
 }
 
-void LinearisedWrenchStage::reset() noexcept {
-    const double timeout_s = timeout_s_;
-    *this = LinearisedWrenchStage(timeout_s);
+// The newest answer at this place, within the limits and faded by its age.
+Wrench LinearisedWrenchStage::compute_plain(const Vector3& position_W, const Vector3& velocity_W,
+                                            double now_s) const noexcept {
+    Wrench wrench_W = compute_linearised_wrench(model_, position_W, velocity_W);
+    (void)shorten(wrench_W.force, settings_.max_force_N);
+    (void)shorten(wrench_W.torque, settings_.max_torque_Nm);
+    const double late = (now_s - model_.stamp_s - settings_.timeout_s) / settings_.timeout_s;
+    const double fresh = std::clamp(1.0 - late, 0.0, 1.0);
+    return {fresh * wrench_W.force, fresh * wrench_W.torque};
 }
 
 Wrench LinearisedWrenchStage::compute_blended(const Vector3& position_W, const Vector3& velocity_W,
@@ -86,29 +108,35 @@ Wrench LinearisedWrenchStage::compute_blended(const Vector3& position_W, const V
     if (!has_model_) {
         return {};
     }
-    // The offset to the former model goes away in a straight line.
-    const double left = std::clamp(1.0 - (now_s - accepted_at_s_) / kBlend_s, 0.0, 1.0);
-    // An answer past its time fades in a straight line too.
-    const double late = (now_s - model_.stamp_s - timeout_s_) / timeout_s_;
-    const double fresh = late > 0.0 ? std::max(1.0 - late, 0.0) : 1.0;
-    const Wrench plain_W = compute_linearised_wrench(model_, position_W, velocity_W);
-    return {fresh * (plain_W.force + left * offset_W_.force),
-            fresh * (plain_W.torque + left * offset_W_.torque)};
+    const double left = std::clamp(1.0 - (now_s - accepted_at_s_) / blend_s_, 0.0, 1.0);
+    const Wrench plain_W = compute_plain(position_W, velocity_W, now_s);
+    return {plain_W.force + left * offset_W_.force, plain_W.torque + left * offset_W_.torque};
+}
+
+void LinearisedWrenchStage::accept(const LinearisedWrench& model, double excess,
+                                   const Vector3& position_W, const Vector3& velocity_W,
+                                   double now_s) noexcept {
+    const Wrench before_W = compute_blended(position_W, velocity_W, now_s);
+    model_ = model;
+    has_model_ = true;
+    accepted_at_s_ = now_s;
+    const Wrench plain_W = compute_plain(position_W, velocity_W, now_s);
+    offset_W_ = {before_W.force - plain_W.force, before_W.torque - plain_W.torque};
+    blend_s_ = excess * excess *
+               std::max({kBlend_s, offset_W_.force.norm() / kAnswerSlew_N_per_s,
+                         offset_W_.torque.norm() / kAnswerSlew_Nm_per_s});
 }
 
 Wrench LinearisedWrenchStage::step(const LinearisedWrench& newest, const Vector3& position_W,
                                    const Vector3& velocity_W, double now_s) noexcept {
-    if (newest.stamp_s >= 0.0 && newest.stamp_s > seen_stamp_s_) {
+    // A stamp from the future waits until it is now: taken over, it would not age, and would keep
+    // out the answers that come before it.
+    if (newest.stamp_s >= 0.0 && newest.stamp_s > seen_stamp_s_ && newest.stamp_s <= now_s) {
         seen_stamp_s_ = newest.stamp_s;
         LinearisedWrench model = newest;
-        notes_ = bound_gains(model);
+        notes_ = bound_gains(model, settings_);
         if (!has(notes_, LinearisationNote::refused_not_finite)) {
-            const Wrench former_W = compute_blended(position_W, velocity_W, now_s);
-            const Wrench plain_W = compute_linearised_wrench(model, position_W, velocity_W);
-            offset_W_ = {former_W.force - plain_W.force, former_W.torque - plain_W.torque};
-            accepted_at_s_ = now_s;
-            model_ = model;
-            has_model_ = true;
+            accept(model, compute_excess(newest, settings_), position_W, velocity_W, now_s);
         }
     }
     return compute_blended(position_W, velocity_W, now_s);

@@ -14,11 +14,6 @@ constexpr double kSameTarget_N =
 WeightRamp::WeightRamp(double onset_s) noexcept
     : onset_s_(onset_s > kShortestOnset_s ? onset_s : kShortestOnset_s) {}
 
-void WeightRamp::reset() noexcept {
-    const double onset_s = onset_s_;
-    *this = WeightRamp(onset_s);
-}
-
 void WeightRamp::start(const Vector3& target_W) noexcept {
     const Vector3 way = target_W - force_W_;
     const Vector3 v = rate_W_ * onset_s_;

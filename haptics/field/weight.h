@@ -8,7 +8,8 @@
 //   c5 =   6 D - 3 v T -   a T^2 / 2
 // It reaches the target at s = 1 with rate and acceleration zero. From rest it is
 // p + D (10 s^3 - 15 s^4 + 6 s^5): no overshoot, steepest slope 15/8 D / T. Value, rate and
-// acceleration are continuous even when the target changes midway.
+// acceleration are continuous even when the target changes midway; the price is that a ramp begun
+// while the last one still moves may leave the span between the targets, by up to 7 % of it.
 //
 // Thread: haptic loop. Cost: about 10 ns while it ramps, a comparison when it rests.
 // Source: T. Flash, N. Hogan 1985, The coordination of arm movements: an experimentally confirmed
@@ -25,8 +26,6 @@ class WeightRamp {
     /// 0.02.
     explicit WeightRamp(double onset_s) noexcept;
 
-    /// No weight, at rest.
-    void reset() noexcept;
     /// Moves on by `dt_s` towards `target_W` newtons and returns the force on the tool. A target
     /// that is not finite is ignored; a negative or NaN `dt_s` moves nothing.
     const Vector3& step(const Vector3& target_W, double dt_s) noexcept;

@@ -13,6 +13,33 @@ namespace fulcrum {
 
 using RecordRing = EventRing<RecordSample, kRecordRingCapacity>;
 
+/// A switch whose every press is seen, however short: one that is pressed and released between two
+/// looks of the reader is still taken once.
+class StopSwitch {
+  public:
+    /// Any thread; wait-free.
+    void press() noexcept {
+        pressed_.store(true, std::memory_order_release);
+        unseen_.store(true, std::memory_order_release);
+    }
+    /// Any thread; wait-free.
+    void release() noexcept { pressed_.store(false, std::memory_order_release); }
+    /// Whether it is held down now.
+    [[nodiscard]] bool is_pressed() const noexcept {
+        return pressed_.load(std::memory_order_acquire);
+    }
+    /// The one reader: true while it is held down, and once after a press that it has not seen.
+    [[nodiscard]] bool take() noexcept {
+        const bool unseen = unseen_.load(std::memory_order_acquire) &&
+                            unseen_.exchange(false, std::memory_order_acq_rel);
+        return unseen || is_pressed();
+    }
+
+  private:
+    std::atomic<bool> pressed_{false};
+    std::atomic<bool> unseen_{false};
+};
+
 /// What one haptic loop reads and writes besides its device. Made before the loop, outlives it.
 struct HapticChannels {
     LatestValue<ForceCommand> command;          ///< writer: lesson loop; reader: haptic loop
@@ -22,14 +49,14 @@ struct HapticChannels {
     RecordRing* record =
         nullptr;  ///< writer: haptic loop; reader: recorder; null when nothing is recorded
 
-    /// Set by anybody: the force fades at once and stays zero until `rearm`. Cleared by whoever set
-    /// it.
-    std::atomic<bool> emergency_stop{false};
+    /// Pressed by anybody: the force fades at once and stays zero until `rearm`. Released by whoever
+    /// pressed it.
+    StopSwitch emergency_stop;
     /// Set by anybody while the lesson has failed: the force fades, and comes back softly after it
     /// is cleared.
     std::atomic<bool> lesson_failed{false};
     /// Set by a person's explicit wish; the haptic loop takes it back when it has left the stop. It
-    /// waits while `emergency_stop` is still set.
+    /// waits while `emergency_stop` is still pressed.
     std::atomic<bool> rearm{false};
 };
 

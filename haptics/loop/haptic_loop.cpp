@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace fulcrum {
@@ -17,9 +18,15 @@ namespace {
 constexpr double kUnitTolerance =
     1.0e-3;  // a quaternion further from length one was garbled on its way
 
-// True when `stamp_s` lies within `timeout_s` of now; NaN and the far future do not.
-bool is_fresh(double stamp_s, double now_s, double timeout_s) noexcept {
-    return std::abs(now_s - stamp_s) <= timeout_s;
+// True when `stamp_s` is at most `timeout_s` old and at most `ahead_s` in the future; NaN is neither.
+bool is_fresh(double stamp_s, double now_s, double timeout_s, double ahead_s) noexcept {
+    const double age_s = now_s - stamp_s;
+    return age_s <= timeout_s && age_s >= -ahead_s;
+}
+
+bool is_reading(const DeviceReading& reading) noexcept {
+    return is_finite(reading.pose_D) && std::isfinite(reading.stamp_s) &&
+           std::abs(reading.pose_D.orientation.coeffs().norm() - 1.0) <= kUnitTolerance;
 }
 
 }  // namespace
@@ -37,12 +44,19 @@ void HapticLoop::step(double now_s) noexcept {
 }
 
 void HapticLoop::begin_round(double now_s) noexcept {
-    // The first round has no predecessor; it is taken to be one period long.
-    dt_s_ = started_ ? now_s - now_s_ : 1.0 / plan_.rate_hz;
-    started_ = true;
-    now_s_ = now_s;
     state_.faults = late_faults_;
     late_faults_ = Fault::none;
+    // The first round has no predecessor; it is taken to be one period long.
+    dt_s_ = started_ ? now_s - now_s_ : 1.0 / plan_.rate_hz;
+    if (!std::isfinite(now_s)) {
+        dt_s_ = std::numeric_limits<double>::quiet_NaN();
+    } else {
+        started_ = true;
+        now_s_ = now_s;
+    }
+    if (!(dt_s_ > 0.0)) {
+        state_.faults |= Fault::command_invalid;
+    }
 }
 
 void HapticLoop::take_inputs() noexcept {
@@ -50,23 +64,27 @@ void HapticLoop::take_inputs() noexcept {
     heard_world_ = channels_.world.take() || heard_world_;
     const ForceCommand& command = channels_.command.value();
     const WorldFrame& world = channels_.world.value();
+    // Their threads' clocks are read at other moments: a stamp may as well lie ahead.
     const double timeout_s = plan_.safety.command_timeout_s;
+    const auto is_late = [&](double stamp_s) {
+        return !is_fresh(stamp_s, now_s_, timeout_s, timeout_s);
+    };
     // Who should be speaking and is not?
     if (plan_.expects_lesson) {
-        if (!heard_lesson_ || !is_fresh(command.stamp_s, now_s_, timeout_s)) {
+        if (!heard_lesson_ || is_late(command.stamp_s)) {
             state_.faults |= Fault::command_stale;
         } else if (!command.lesson_alive) {
             state_.faults |= Fault::lesson_failed;
         }
     }
-    if (plan_.expects_world && (!heard_world_ || !is_fresh(world.stamp_s, now_s_, timeout_s))) {
+    if (plan_.expects_world && (!heard_world_ || is_late(world.stamp_s))) {
         state_.faults |= Fault::command_stale;
     }
     // Has somebody asked for silence, or for its end?
     if (channels_.lesson_failed.load(std::memory_order_acquire)) {
         state_.faults |= Fault::lesson_failed;
     }
-    if (channels_.emergency_stop.load(std::memory_order_acquire)) {
+    if (channels_.emergency_stop.take()) {
         state_.faults |= Fault::emergency_stop;
     } else if (channels_.rearm.load(std::memory_order_acquire) && !gate_.is_fading()) {
         // A stop's fade comes to its end first; where nothing was stopped there is nothing to lift.
@@ -83,34 +101,39 @@ void HapticLoop::read_device() noexcept {
         state_.faults |= Fault::device_read;
         return;
     }
-    if (!is_fresh(reading.stamp_s, now_s_, plan_.safety.device_timeout_s)) {
-        state_.faults |= Fault::device_stale;
+    if (!is_reading(reading)) {
+        state_.faults |= Fault::device_invalid;
+        return;
     }
-    if (!accept(reading)) {
+    told_ = reading;
+    // What is not of now is not taken over: its stamp would make later ones look early.
+    const double period_s = 1.0 / plan_.rate_hz;
+    if (!is_fresh(reading.stamp_s, now_s_, plan_.safety.device_timeout_s, period_s)) {
+        state_.faults |= Fault::device_stale;
+    } else if (!accept(reading)) {
         state_.faults |= Fault::device_invalid;
     }
 }
 
-// Takes a reading over when it is a pose at all; false when it is none or an impossible jump from
-// the last one.
+// Takes a reading over; false when it is an impossible jump from the last one, in space or back in
+// time.
 bool HapticLoop::accept(const DeviceReading& reading) noexcept {
-    const double length = reading.pose_D.orientation.coeffs().norm();
-    if (!is_finite(reading.pose_D) || !(std::abs(length - 1.0) <= kUnitTolerance)) {
-        return false;
-    }
-    const double since_s = std::max(reading.stamp_s - reading_.stamp_s, 1.0 / plan_.rate_hz);
+    const double since_s = reading.stamp_s - reading_.stamp_s;
+    const double reach_m =
+        plan_.safety.max_hand_speed_m_per_s * std::max(since_s, 1.0 / plan_.rate_hz);
     const double way_m = (reading.pose_D.position - reading_.pose_D.position).norm();
-    const bool jumped = has_pose_ && !(way_m <= plan_.safety.max_hand_speed_m_per_s * since_s);
+    const bool follows = has_pose_ && since_s >= 0.0 && way_m <= reach_m;
     reading_ = reading;
-    reading_.pose_D.orientation.coeffs() /= length;
+    reading_.pose_D.orientation.normalize();
     state_.tool_pose_W = compute_world_pose(plan_.workspace, reading_.pose_D);
     state_.buttons = reading.buttons;
     // A new beginning has no velocity and no proxy yet.
-    if (!has_pose_ || jumped) {
+    if (!follows) {
         forget_motion();
     }
+    const bool is_first = !has_pose_;
     has_pose_ = true;
-    return !jumped;
+    return follows || is_first;
 }
 
 void HapticLoop::estimate_motion() noexcept {
@@ -128,6 +151,7 @@ void HapticLoop::move_proxy() noexcept {
     if (!touch_ || !has_pose_) {
         return;
     }
+    touch_->contact = {};
     const std::size_t n_solids = touch_->initial_poses_W.size();
     const std::span<const Pose> poses_W =
         plan_.expects_world && heard_world_
@@ -151,9 +175,10 @@ void HapticLoop::compute_forces() noexcept {
     const Vector3& position_W = state_.tool_pose_W.position;
     const Vector3& velocity_W = state_.tool_twist_W.linear;
     const ForceCommand& command = channels_.command.value();
-    if (touch_ && state_.touched_body != kNoBody) {
-        force_W += compute_coupling_force(touch_->coupling, state_.proxy_position_W, position_W,
-                                          velocity_W - touch_->proxy_velocity.velocity());
+    if (touch_ && touch_->contact.solid >= 0) {
+        force_W += compute_contact_force(touch_->coupling, state_.proxy_position_W, position_W,
+                                         velocity_W - touch_->proxy_velocity.velocity(),
+                                         touch_->contact.normal_W);
     }
     if (weight_) {
         if (!is_finite(channels_.world.value().carried_force_W)) {
@@ -198,8 +223,8 @@ void HapticLoop::publish_state() noexcept {
     channels_.state_for_lesson.publish(state_);
     if (channels_.record != nullptr) {
         const bool kept = channels_.record->push(
-            {state_.tick, now_s_, reading_.stamp_s, reading_.pose_D, state_.tool_twist_W,
-             state_.commanded_W, state_.applied_W, state_.buttons, state_.faults, state_.gate});
+            {state_.tick, now_s_, told_.stamp_s, told_.pose_D, state_.tool_twist_W,
+             state_.commanded_W, state_.applied_W, told_.buttons, state_.faults, state_.gate});
         late_faults_ |= kept ? Fault::none : Fault::record_full;
     }
 }
@@ -218,26 +243,6 @@ void HapticLoop::silence(double now_s) noexcept {
     gate_.silence();
     applied_D_ = Wrench{};
     (void)device_.write(now_s, applied_D_);
-}
-
-void HapticLoop::reset() noexcept {
-    forget_motion();
-    if (weight_) {
-        weight_->reset();
-    }
-    for (FieldStage& field : fields_) {
-        field.reset();
-    }
-    if (lesson_force_) {
-        lesson_force_->reset();
-    }
-    gate_.silence();
-    tick_ = 0;
-    started_ = heard_lesson_ = heard_world_ = has_pose_ = false;
-    late_faults_ = Fault::none;
-    reading_ = DeviceReading{};
-    applied_D_ = Wrench{};
-    state_ = HapticState{};
 }
 
 }  // namespace fulcrum

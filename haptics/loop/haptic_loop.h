@@ -5,7 +5,7 @@
 // Everything that is stale, missing or not a number becomes a Fault bit, and any fault fades the force
 // (safety.h).
 //
-// Thread: `step`, `silence` and `reset` on the one haptic thread (or a virtual clock); the constructor
+// Thread: `step` and `silence` on the one haptic thread (or a virtual clock); the constructor
 // before it starts.
 // Cost: `step` neither allocates, locks, waits, logs nor throws; under a microsecond without a proxy.
 #pragma once
@@ -34,6 +34,8 @@ namespace fulcrum {
 /// Refuses a plan with anything out of its range: rate, workspace, safety, estimator, weight,
 /// fields, solids.
 [[nodiscard]] Expected<void> validate(const HapticPlan& plan);
+/// The same, and refuses a device whose steps are too coarse at the plan's scale.
+[[nodiscard]] Expected<void> validate(const HapticPlan& plan, const DeviceTraits& traits);
 
 /// A stage that was built, for people to read.
 struct StageInfo {
@@ -52,13 +54,11 @@ class HapticLoop final : public PeriodicTask {
                std::unique_ptr<Proxy> proxy);
     ~HapticLoop() override;
 
-    /// One round. `now_s` is the run's clock; a time that is not later than the last one counts as
-    /// a fault.
+    /// One round. `now_s` is the run's clock; a time that is not later than the last one is the
+    /// fault command_invalid. A time that is not finite is not taken over.
     void step(double now_s) noexcept override;
     /// Zero force to the device; the next round must engage again. An emergency stop stays latched.
     void silence(double now_s) noexcept override;
-    /// Everything as after construction, the tick count too; an emergency stop stays latched.
-    void reset() noexcept;
 
     /// What was published last.
     [[nodiscard]] const HapticState& state() const noexcept { return state_; }
@@ -112,8 +112,9 @@ class HapticLoop final : public PeriodicTask {
     bool heard_lesson_ = false;
     bool heard_world_ = false;
     Fault late_faults_ = Fault::none;  // found after the gate of the last round
-    // Read: the newest good pose.
+    // Read: the newest good pose, and the newest that the device told, for the record.
     DeviceReading reading_{};
+    DeviceReading told_{};
     bool has_pose_ = false;
     // Forces, limits.
     Wrench applied_D_{};

@@ -4,6 +4,8 @@
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/point/god_object.h"
 
+#include <algorithm>
+
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -30,6 +32,27 @@ SafetySettings choose_safety_settings(const HapticPlan& plan, const DeviceTraits
         settings.max_force_N = std::min(settings.max_force_N, traits.max_force_N);
         settings.max_torque_Nm = std::min(settings.max_torque_Nm, traits.max_torque_Nm);
     }
+    return settings;
+}
+
+// A lesson's own slopes get what the declared fields leave, seen through the scale.
+LinearisedWrenchSettings choose_lesson_settings(const HapticPlan& plan,
+                                                const SafetySettings& safety) {
+    FieldGains left{kMaxFeltStiffness_N_per_m / plan.workspace.scale,
+                    kMaxFeltDamping_Ns_per_m / plan.workspace.scale};
+    for (const FieldPlan& field : plan.fields) {
+        const FieldGains gains = compute_largest_gains(field);
+        left.stiffness_N_per_m -= gains.stiffness_N_per_m;
+        left.damping_Ns_per_m -= gains.damping_Ns_per_m;
+    }
+    LinearisedWrenchSettings settings;
+    settings.timeout_s = safety.command_timeout_s;
+    settings.max_force_N = safety.max_force_N;
+    settings.max_torque_Nm = safety.max_torque_Nm;
+    settings.max_stiffness_N_per_m = std::max(left.stiffness_N_per_m, 0.0);
+    settings.max_damping_Ns_per_m = std::max(left.damping_Ns_per_m, 0.0);
+    settings.max_torque_stiffness_Nm_per_m =
+        kMaxFeltTorqueStiffness_Nm_per_m / plan.workspace.scale;
     return settings;
 }
 
@@ -96,6 +119,18 @@ Expected<void> validate(const HapticPlan& plan) {
     return {};
 }
 
+Expected<void> validate(const HapticPlan& plan, const DeviceTraits& traits) {
+    return validate(plan).and_then([&]() -> Expected<void> {
+        if (const auto velocity = validate(choose_velocity_settings(plan, traits)); !velocity) {
+            return fail(
+                "the resolution of the device \"" + traits.name +
+                    "\" is out of range at the workspace's scale: " + velocity.error().message,
+                {}, "choose a smaller scale or a finer device");
+        }
+        return {};
+    });
+}
+
 HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels)
     : HapticLoop(plan, device, channels, make_proxy(plan)) {}
 
@@ -106,7 +141,7 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
       channels_(channels),
       velocity_(choose_velocity_settings(plan, device.traits())),
       angular_velocity_(plan.velocity_cutoff_hz),
-      gate_(choose_safety_settings(plan, device.traits())) {
+      gate_(choose_safety_settings(plan, device.traits()), 1.0 / plan.rate_hz) {
     if (proxy) {
         touch_ = std::make_unique<TouchStage>(
             TouchStage{std::move(proxy),
@@ -128,7 +163,8 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
         fields_.emplace_back(field);
     }
     if (plan.lesson_force) {
-        lesson_force_ = std::make_unique<LinearisedWrenchStage>(plan.safety.command_timeout_s);
+        lesson_force_ = std::make_unique<LinearisedWrenchStage>(
+            choose_lesson_settings(plan, choose_safety_settings(plan, device.traits())));
     }
 }
 

@@ -10,6 +10,8 @@ namespace {
 // Scaling to a limit rounds; staying this much below it keeps the rounded norm under the limit
 // itself.
 constexpr double kBelowLimit = 1.0 - 1.0e-12;
+constexpr double kShortestPeriod_s = 1.0 / 4000.0;  // of a haptic loop
+constexpr double kLongestPeriod_s = 1.0 / 1000.0;
 
 // `value` pulled into [low, high]; NaN becomes `strictest`.
 double clamped(double value, double low, double high, double strictest) noexcept {
@@ -62,7 +64,9 @@ Wrench compute_last_check(const Wrench& wrench, double max_force_N, double max_t
     return holds ? wrench : Wrench{};
 }
 
-SafetyGate::SafetyGate(const SafetySettings& settings) noexcept : settings_(clamped(settings)) {
+SafetyGate::SafetyGate(const SafetySettings& settings, double period_s) noexcept
+    : settings_(clamped(settings)),
+      period_s_(clamped(period_s, kShortestPeriod_s, kLongestPeriod_s, kLongestPeriod_s)) {
     if (settings_.max_force_N > 0.0) {
         torque_per_force_m_ = settings_.max_torque_Nm / settings_.max_force_N;
     }
@@ -98,7 +102,7 @@ Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s) no
     if (!time_is_good || !is_sane(commanded_D)) {
         faults_ |= Fault::command_invalid;
     }
-    const double fade_dt_s = time_is_good ? dt_s : settings_.fade_s;
+    const double fade_dt_s = time_is_good ? std::max(dt_s, period_s_) : settings_.fade_s;
     const double rise_dt_s = time_is_good ? std::min(dt_s, kLongestStep_s) : 0.0;
 
     Wrench limited{};
@@ -106,7 +110,7 @@ Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s) no
         limited = {shortened(commanded_D.force, settings_.max_force_N),
                    shortened(commanded_D.torque, settings_.max_torque_Nm)};
     }
-    judge(limited, rise_dt_s);
+    judge(commanded_D, rise_dt_s);
     switch (phase_) {
         case GatePhase::waiting:
             output_D_ = Wrench{};
@@ -125,7 +129,7 @@ Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s) no
 }
 
 // Chooses the phase of this call.
-void SafetyGate::judge(const Wrench& limited, double dt_s) noexcept {
+void SafetyGate::judge(const Wrench& commanded, double dt_s) noexcept {
     // An emergency stop wins over everything and stays; a fade under way goes on from where it is.
     if (any(faults_ & Fault::emergency_stop) && phase_ != GatePhase::stopped) {
         if (phase_ == GatePhase::fading) {
@@ -146,8 +150,11 @@ void SafetyGate::judge(const Wrench& limited, double dt_s) noexcept {
         return;
     }
     if (phase_ == GatePhase::waiting) {
-        const bool calm = limited.force.norm() < settings_.engage_below_N &&
-                          limited.torque.norm() <= settings_.engage_below_N * torque_per_force_m_;
+        // Of a device without torque none is felt, whatever is commanded.
+        const bool calm =
+            commanded.force.norm() < settings_.engage_below_N &&
+            (torque_per_force_m_ == 0.0 ||
+             commanded.torque.norm() < settings_.engage_below_N * torque_per_force_m_);
         calm_cycles_ = calm ? calm_cycles_ + 1 : 0;
         if (calm_cycles_ >= settings_.engage_cycles) {
             enter(GatePhase::rising);

@@ -4,7 +4,8 @@
 //   waiting   output 0; commanded |f| < engage_below for engage_cycles faultless calls in a row: rising
 //   rising    |f_k| <= |f_(k-1)| + soft_start_rate dt, for soft_start_s of summed dt: then open
 //   open      |f_k - f_(k-1)| <= max_slew dt  (rising keeps this law too)
-//   fading    any fault: f(t) = f_0 (1 - t / fade_s), whatever is commanded, then waiting
+//   fading    any fault: f(t) = f_0 (1 - t / fade_s), whatever is commanded, then waiting; each call
+//             counts as one period at least, so that no clock can hold a force that should go
 //   stopped   emergency stop: the same fade, then 0 until `reset`
 // Limits scale the whole vector, so that its direction stays: f <- f min(1, max_force / |f|). Torque
 // obeys the same laws with every rate multiplied by max_torque / max_force. A call longer than
@@ -42,8 +43,8 @@ inline constexpr double kLongestStep_s =
 class SafetyGate {
   public:
     /// Takes settings that `validate` accepted; others are pulled to the nearest safe value (NaN to
-    /// the strictest).
-    explicit SafetyGate(const SafetySettings& settings) noexcept;
+    /// the strictest). `period_s` is the loop's, 0.00025 to 0.001; any other is taken as 0.001.
+    explicit SafetyGate(const SafetySettings& settings, double period_s = 0.001) noexcept;
 
     /// What may be sent to the device now. `commanded_D` newtons and newton metres; `dt_s` since
     /// the last call: NaN, negative or infinite counts as Fault::command_invalid, and so does a
@@ -69,11 +70,12 @@ class SafetyGate {
 
   private:
     void enter(GatePhase phase) noexcept;
-    void judge(const Wrench& limited, double dt_s) noexcept;
+    void judge(const Wrench& commanded, double dt_s) noexcept;
     void follow(const Wrench& limited, double dt_s) noexcept;
     void fade(double dt_s) noexcept;
 
     SafetySettings settings_;
+    double period_s_;
     double torque_per_force_m_ =
         0.0;  // max_torque / max_force: the torque law in the force law's units
     GatePhase phase_ = GatePhase::waiting;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include <limits>
+
 namespace fulcrum::runtime {
 namespace {
 
@@ -22,6 +24,11 @@ Expected<std::unique_ptr<HandDevice>> HandDevice::open(const RunRequest& request
         return tl::unexpected(made.error());
     }
     return hand;
+}
+
+double HandDevice::force_limit_N(HandKind kind) {
+    return kind == HandKind::scripted ? SimulatedHandSettings{}.max_force_N
+                                      : std::numeric_limits<double>::infinity();
 }
 
 Expected<void> HandDevice::make(const RunRequest& request) {

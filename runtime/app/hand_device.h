@@ -20,6 +20,9 @@ class HandDevice {
     [[nodiscard]] static Expected<std::unique_ptr<HandDevice>> open(const RunRequest& request,
                                                                     const HapticPlan& plan);
 
+    /// The most that this kind can give, in newtons, before it is opened; infinite for one that renders none or repeats a run.
+    [[nodiscard]] static double force_limit_N(HandKind kind);
+
     [[nodiscard]] Device& device() noexcept { return *device_; }
     [[nodiscard]] const Device& device() const noexcept { return *device_; }
 

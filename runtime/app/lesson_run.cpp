@@ -40,8 +40,10 @@ Expected<void> LessonRun::load(const Places& places, const RunRequest& request) 
     if (auto models = check_models(places, request.folder, process_->description()); !models) {
         return models;
     }
-    auto plan = compile_plan(process_->description(), request.plan,
-                             make_solid_loader(places, request.folder));
+    PlanOptions options = request.plan;
+    options.device_force_limit_N = HandDevice::force_limit_N(request.hand);
+    auto plan =
+        compile_plan(process_->description(), options, make_solid_loader(places, request.folder));
     if (!plan) {
         return tl::unexpected(plan.error());
     }
@@ -58,6 +60,9 @@ Expected<void> LessonRun::build_loops(const RunRequest& request) {
         return tl::unexpected(hand.error());
     }
     hand_ = std::move(*hand);
+    if (auto fits = validate(plan_.haptic, device().traits()); !fits) {
+        return fits;
+    }
     if (plan_.record) {
         auto recorder = RunRecorder::create(
             request.record_file, {plan_.haptic.rate_hz, process_->description().id}, channels_);

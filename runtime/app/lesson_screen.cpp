@@ -84,7 +84,9 @@ void LessonScreen::begin() {
         std::fprintf(stderr, "%s\n", notice.c_str());
     }
     // An emergency stop outlives the lesson: only the key that lifts it does.
-    run_->channels().emergency_stop.store(stopped_, std::memory_order_release);
+    if (stopped_) {
+        run_->channels().emergency_stop.press();
+    }
     epoch_s_ = monotonic_now_s();
     first_epoch_s_ = first_epoch_s_.value_or(epoch_s_);
     next_frame_s_ = 0.0;
@@ -186,7 +188,7 @@ void LessonScreen::take_key(const KeyPress& press) {
     } else if (stopped_) {
         if (press.key == "return") {
             stopped_ = false;
-            run_->channels().emergency_stop.store(false, std::memory_order_release);
+            run_->channels().emergency_stop.release();
             run_->channels().rearm.store(true, std::memory_order_release);
         }
     } else if (press.key == "f11") {
@@ -205,7 +207,7 @@ void LessonScreen::take_key(const KeyPress& press) {
 
 void LessonScreen::press_stop() {
     stopped_ = true;
-    run_->channels().emergency_stop.store(true, std::memory_order_release);
+    run_->channels().emergency_stop.press();
 }
 
 void LessonScreen::move_pointer(const WindowEvents& events) {

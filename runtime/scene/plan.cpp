@@ -1,5 +1,7 @@
 #include "runtime/scene/plan.h"
 
+#include "haptics/field/field.h"
+
 #include <algorithm>
 
 #include <array>
@@ -52,19 +54,17 @@ Expected<void> check_felt_order(const std::vector<BodyDescription>& bodies) {
 }
 
 // Each field is in its range; together, and seen through the workspace's scale, they must be too: what is stiffer than an arm
-// and its loop can hold shakes instead of pulling.
+// and its loop can hold shakes instead of pulling. The slopes of a lesson's own force get what these leave.
 Expected<void> check_felt_fields(const LessonDescription& lesson) {
     double stiffness_N_per_m = 0.0;
     double damping_Ns_per_m = 0.0;
     for (const ForceDescription& force : lesson.forces) {
-        const FieldPlan& field = force.field;
-        const double magnet_N_per_m = field.kind == FieldKind::magnet
-                                          ? field.peak_force_N / std::max(field.range_m, 1e-6)
-                                          : 0.0;
-        stiffness_N_per_m += (field.stiffness_N_per_m + magnet_N_per_m) * lesson.hand.scale;
-        damping_Ns_per_m += field.damping_Ns_per_m * lesson.hand.scale;
-        if (stiffness_N_per_m > kMaxFeltStiffness_N_per_m ||
-            damping_Ns_per_m > kMaxFeltDamping_Ns_per_m) {
+        const FieldGains gains = compute_largest_gains(force.field);
+        stiffness_N_per_m += gains.stiffness_N_per_m * lesson.hand.scale;
+        damping_Ns_per_m += gains.damping_Ns_per_m * lesson.hand.scale;
+        // NaN (a magnet without a range) is too much as well.
+        if (!(stiffness_N_per_m <= kMaxFeltStiffness_N_per_m) ||
+            !(damping_Ns_per_m <= kMaxFeltDamping_Ns_per_m)) {
             return fail("the forces up to \"" + force.name +
                             "\" are together too stiff for a hand at scale " +
                             std::to_string(lesson.hand.scale),
@@ -260,7 +260,8 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
     // Weights fit under the limit; a world exists only when something may move in it.
     const int holds = lesson.bucket.present ? lesson.bucket.holds : 1;
     const FeltWeights felt =
-        fit_felt_weights(lesson.bodies, lesson.gravity_W.norm(), holds, options.force_limit_N);
+        fit_felt_weights(lesson.bodies, lesson.gravity_W.norm(), holds,
+                         std::min(options.force_limit_N, options.device_force_limit_N));
     plan.felt_weight_N = felt.newtons;
     plan.felt_scale = felt.scale;
     if (first_movable(lesson) != nullptr) {

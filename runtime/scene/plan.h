@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,10 +24,6 @@ namespace fulcrum::runtime {
 /// for the arm's own friction, so that a weight is never clipped by the last gate.
 inline constexpr double kWeightShareOfLimit = 0.9;
 
-/// The stiffest and the most viscous that all declared forces together may be in the hand: what one field may be by itself.
-inline constexpr double kMaxFeltStiffness_N_per_m = 2000.0;
-inline constexpr double kMaxFeltDamping_Ns_per_m = 50.0;
-
 /// How a learner's words arrive.
 enum class SpeechInput : std::uint8_t { text };
 
@@ -36,9 +33,11 @@ enum class SpeechInput : std::uint8_t { text };
 /// What the person at the keyboard chose; the rest follows from the lesson.
 struct PlanOptions {
     double force_limit_N = 5.0;  ///< of this site, 0.5 to 10
-    bool picture = true;         ///< a window or a screenshot is wanted
-    bool sound = true;           ///< false under --mute and --headless
-    bool record = false;         ///< --record was given
+    /// What the device can give; infinite for one that renders no force
+    double device_force_limit_N = std::numeric_limits<double>::infinity();
+    bool picture = true;  ///< a window or a screenshot is wanted
+    bool sound = true;    ///< false under --mute and --headless
+    bool record = false;  ///< --record was given
     SpeechInput speech = SpeechInput::text;
 };
 
@@ -84,7 +83,8 @@ using SolidLoader =
                                           const SolidLoader& load_solid);
 
 /// Felt weights in newtons: true weight times exaggeration, all times one factor so that the
-/// `holds` heaviest together stay within kWeightShareOfLimit of the limit. Order and ratios are
+/// `holds` heaviest together stay within kWeightShareOfLimit of the limit, the site's or the
+/// device's, whichever is smaller. Order and ratios are
 /// kept; nothing is clipped.
 struct FeltWeights {
     std::vector<double> newtons;

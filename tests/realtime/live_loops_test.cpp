@@ -140,7 +140,7 @@ TEST_CASE(
                 std::this_thread::sleep_for(std::chrono::milliseconds(2));
             }
         } else {
-            program.haptics->emergency_stop.store(true);
+            program.haptics->emergency_stop.press();
             program.play_until([](const HapticState& state) {
                 return state.gate == GatePhase::stopped && state.applied_W.force.norm() == 0.0;
             });

@@ -14,21 +14,36 @@ bool is_usable(const HandTarget& target) noexcept {
            std::abs(target.pose_D.orientation.coeffs().norm() - 1.0) < kUnitTolerance;
 }
 
+constexpr double kNearCritical = 1.0e-8;  // its square vanishes beside 1
+
+// Two roots that only fall, -p and -q with p = alpha + w, q = alpha - w: no part of the solution
+// ever grows, and q comes from p q = k / m, not from a difference of two large numbers.
+//   y(t) = ((p e^(-qt) - q e^(-pt)) y0 + (e^(-qt) - e^(-pt)) v0) / (p - q)
+OscillatorStep compute_overdamped_step(double alpha, double w, double square_rad_per_s2,
+                                       double dt_s) noexcept {
+    const double p = alpha + w;
+    const double q = square_rad_per_s2 / p;
+    const double slow = std::exp(-q * dt_s);
+    const double fast = std::exp(-p * dt_s);
+    const double s = -slow * std::expm1(-2.0 * w * dt_s) / (2.0 * w);
+    return {(p * slow - q * fast) / (2.0 * w), s, -s * square_rad_per_s2,
+            (p * fast - q * slow) / (2.0 * w)};
+}
+
 }  // namespace
 
 OscillatorStep compute_oscillator_step(double mass, double stiffness, double damping,
                                        double dt_s) noexcept {
     const double alpha = 0.5 * damping / mass;
     const double square = stiffness / mass - alpha * alpha;
-    // c and s of the head of simulated_hand.h; near critical damping both branches meet in the
-    // series' first terms.
-    double c = 1.0;
-    double s = dt_s;
-    if (const double phase = std::sqrt(std::abs(square)) * dt_s; phase > 1.0e-8) {
-        const double w = phase / dt_s;
-        c = square > 0.0 ? std::cos(phase) : std::cosh(phase);
-        s = (square > 0.0 ? std::sin(phase) : std::sinh(phase)) / w;
+    const double w = std::sqrt(std::abs(square));
+    if (square < 0.0 && w * dt_s > kNearCritical) {
+        return compute_overdamped_step(alpha, w, stiffness / mass, dt_s);
     }
+    // c and s of the head of simulated_hand.h; near critical damping both are the series' first
+    // terms.
+    const double c = w * dt_s > kNearCritical ? std::cos(w * dt_s) : 1.0;
+    const double s = w * dt_s > kNearCritical ? std::sin(w * dt_s) / w : dt_s;
     const double decay = std::exp(-alpha * dt_s);
     return {decay * (c + alpha * s), decay * s, -decay * s * stiffness / mass,
             decay * (c - alpha * s)};
@@ -36,11 +51,14 @@ OscillatorStep compute_oscillator_step(double mass, double stiffness, double dam
 
 bool SimulatedHand::read(double now_s, DeviceReading& reading) noexcept {
     has_target_ = target_.take() || has_target_;
-    if (started_ && now_s > now_s_) {
-        advance(now_s - now_s_);
+    // A time that is no number moves nothing and is not kept.
+    if (std::isfinite(now_s) && !(started_ && now_s <= now_s_)) {
+        if (started_) {
+            advance(now_s - now_s_);
+        }
+        now_s_ = now_s;
+        started_ = true;
     }
-    now_s_ = started_ && !(now_s > now_s_) ? now_s_ : now_s;
-    started_ = true;
     // The encoder counts whole steps.
     reading.pose_D = {position_D_, orientation_D_};
     if (const double step_m = settings_.position_resolution_m; step_m > 0.0) {

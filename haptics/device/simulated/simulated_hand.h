@@ -8,7 +8,8 @@
 // y = x - x_equilibrium, alpha = b / 2m, w^2 = k/m - alpha^2:
 //   y(t) = e^(-alpha t) (y0 c + (v0 + alpha y0) s)
 //   v(t) = e^(-alpha t) (v0 c - (alpha v0 + y0 k/m) s)
-//   c = cos wt, s = sin(wt)/w   (cosh, sinh over |w| when overdamped; 1, t when critical)
+//   c = cos wt, s = sin(wt)/w   (1, t when critical; when overdamped, written out as two
+//   exponentials that fall, for cosh would overflow where e^(-alpha t) has become zero)
 // The turn uses the same solution for e: exact for turns about one axis, close for small ones.
 //
 // Thread: `read` and `write` on the haptic thread.

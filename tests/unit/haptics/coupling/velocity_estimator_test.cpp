@@ -27,17 +27,20 @@ double counted(double position_m) {
     return std::round(position_m / kEncoder_m) * kEncoder_m;
 }
 
+constexpr int kLongestWindow = 8;  // intervals of kDt_s: 8 ms
+
 // Root mean square of (estimate - truth) over a hand that swings, read by an encoder.
-double measure_error(VelocityMethod method, double amplitude_m, double frequency_Hz) {
+double measure_error(VelocityMethod method, double amplitude_m, double frequency_Hz,
+                     double rate_Hz) {
     VelocityEstimator estimator(with(method));
     const double w = 2.0 * std::numbers::pi * frequency_Hz;
     double sum = 0.0;
     int n = 0;
-    for (int k = 0; k < 4000; ++k) {
-        const double t_s = k * kDt_s;
+    for (int k = 0; k < static_cast<int>(4.0 * rate_Hz); ++k) {
+        const double t_s = k / rate_Hz;
         const Vector3 y(counted(amplitude_m * std::sin(w * t_s)), 0, 0);
         const double error = estimator.step(y, t_s).x() - amplitude_m * w * std::cos(w * t_s);
-        if (k > 100) {
+        if (t_s > 0.1) {
             sum += error * error;
             ++n;
         }
@@ -74,10 +77,10 @@ TEST_CASE("velocity: the window grows to its longest on a line and shrinks to on
     VelocityEstimator estimator(with(VelocityMethod::adaptive_window));
     double v = 0.0;
     for (int k = 0; k < 150; ++k) {
-        const double y = kEncoder_m * (k / VelocityEstimator::kLongestWindow);
+        const double y = kEncoder_m * (k / kLongestWindow);
         v = estimator.step(Vector3(y, 0, 0), k * kDt_s).x();
         if (k > 30) {
-            REQUIRE(v == Approx(kEncoder_m / (VelocityEstimator::kLongestWindow * kDt_s)));
+            REQUIRE(v == Approx(kEncoder_m / (kLongestWindow * kDt_s)));
         }
     }
     // A stop within one sample after a fast run: two samples later the estimate is zero.
@@ -90,6 +93,29 @@ TEST_CASE("velocity: the window grows to its longest on a line and shrinks to on
     CHECK(v == Approx(0.0).margin(kRounding));
 }
 
+TEST_CASE(
+    "velocity: the window is eight milliseconds at every rate, rounds a little late included") {
+    // One encoder step every 8 ms: a window of that length sees exactly one step.
+    for (const double rate_Hz : {1000.0, 2000.0, 4000.0}) {
+        VelocityEstimator estimator(with(VelocityMethod::adaptive_window));
+        const int n = static_cast<int>(0.008 * rate_Hz);
+        for (int k = 0; k < 20 * n; ++k) {
+            const double late_s = k % 3 == 0 ? 5.0e-5 : 0.0;
+            const double y = kEncoder_m * (k / n);
+            const double v = estimator.step(Vector3(0, 0, y), k / rate_Hz + late_s).z();
+            if (k > 4 * n) {
+                REQUIRE(v == Approx(kEncoder_m / 0.008).epsilon(0.01));
+            }
+        }
+    }
+    // After a pause the newest two samples are all there is.
+    VelocityEstimator estimator(with(VelocityMethod::adaptive_window));
+    for (int k = 0; k < 20; ++k) {
+        (void)estimator.step(Vector3(0.0001 * k, 0, 0), k * kDt_s);
+    }
+    CHECK(estimator.step(Vector3(0.0119, 0, 0), 0.119).x() == Approx(0.1));
+}
+
 TEST_CASE("velocity: the window equals the rule written out, sample by sample") {
     // Janabi-Sharifi et al.: the largest n for which every inner sample lies within d of the line through the ends.
     const VelocitySettings settings = with(VelocityMethod::adaptive_window);
@@ -100,7 +126,7 @@ TEST_CASE("velocity: the window equals the rule written out, sample by sample") 
         y.push_back(counted(0.01 * std::sin(20.0 * t_s) + 0.003 * std::sin(170.0 * t_s)));
         const double v = estimator.step(Vector3(0, y.back(), 0), t_s).y();
         double expected = 0.0;
-        for (int n = 1; n <= std::min(k, VelocityEstimator::kLongestWindow); ++n) {
+        for (int n = 1; n <= std::min(k, kLongestWindow); ++n) {
             const double b = (y[std::size_t(k)] - y[std::size_t(k - n)]) / (n * kDt_s);
             bool holds = true;
             for (int i = 1; i < n; ++i) {
@@ -119,18 +145,20 @@ TEST_CASE("velocity: the window equals the rule written out, sample by sample") 
 
 TEST_CASE("velocity: over encoder steps the default beats the low pass, fast swings excepted") {
     CHECK(VelocitySettings{}.method == VelocityMethod::adaptive_window);
-    const auto window = [](double amplitude_m, double frequency_Hz) {
-        return measure_error(VelocityMethod::adaptive_window, amplitude_m, frequency_Hz);
-    };
-    const auto low_pass = [](double amplitude_m, double frequency_Hz) {
-        return measure_error(VelocityMethod::filtered_difference, amplitude_m, frequency_Hz);
-    };
-    CHECK(window(0.002, 0.5) < 0.5 * low_pass(0.002, 0.5));
-    CHECK(window(0.01, 0.5) < 0.5 * low_pass(0.01, 0.5));
-    CHECK(window(0.02, 1.0) < 0.5 * low_pass(0.02, 1.0));
-    CHECK(window(0.05, 1.0) < low_pass(0.05, 1.0));
-    // The header says where it does not.
-    CHECK(window(0.05, 2.0) > low_pass(0.05, 2.0));
+    for (const double rate_Hz : {1000.0, 2000.0, 4000.0}) {
+        const auto ratio = [&](double amplitude_m, double frequency_Hz) {
+            return measure_error(VelocityMethod::adaptive_window, amplitude_m, frequency_Hz,
+                                 rate_Hz) /
+                   measure_error(VelocityMethod::filtered_difference, amplitude_m, frequency_Hz,
+                                 rate_Hz);
+        };
+        CHECK(ratio(0.002, 0.5) < 0.5);
+        CHECK(ratio(0.01, 0.5) < 0.5);
+        CHECK(ratio(0.02, 1.0) < 0.5);
+        CHECK(ratio(0.05, 1.0) < 1.0);
+        // The header says where it does not.
+        CHECK(ratio(0.05, 2.0) > 1.0);
+    }
 }
 
 TEST_CASE("velocity: bad samples change nothing") {
@@ -161,4 +189,32 @@ TEST_CASE("velocity: a constant turn is found in closed form, through more than 
         REQUIRE((v - (1.0 - left) * omega).norm() < 1e-6);
         left *= 1.0 - share;
     }
+}
+
+TEST_CASE("velocity: a turn is told in the frame it turns in, whatever it turned from") {
+    // q_k = exp(omega t) q_0: omega in the outer frame, which does not commute with q_0.
+    AngularVelocityEstimator estimator(80.0);
+    const Vector3 omega(0.0, 3.0, 0.0);
+    const Quaternion start = compute_exp(Vector3(1.2, 0.0, 0.4));
+    for (int k = 0; k < 200; ++k) {
+        (void)estimator.step(compute_exp(omega * (k * kDt_s)) * start, k * kDt_s);
+    }
+    CHECK((estimator.velocity() - omega).norm() < 1e-6);
+}
+
+TEST_CASE("velocity: of turns too, bad samples change nothing") {
+    AngularVelocityEstimator estimator(80.0);
+    for (int k = 0; k < 100; ++k) {
+        (void)estimator.step(compute_exp(Vector3(0.002 * k, 0, 0)), k * kDt_s);
+    }
+    const Vector3 before = estimator.velocity();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const Quaternion other = compute_exp(Vector3(0, 1, 0));
+    CHECK(estimator.step(other, 0.099) == before);
+    CHECK(estimator.step(other, 0.05) == before);
+    CHECK(estimator.step(other, nan) == before);
+    CHECK(estimator.step(Quaternion(nan, 0, 0, 0), 0.1) == before);
+    // None of them was kept.
+    const Vector3 after = estimator.step(compute_exp(Vector3(0.2, 0, 0)), 0.1);
+    CHECK((after - Vector3(2, 0, 0)).norm() < 1e-6);
 }

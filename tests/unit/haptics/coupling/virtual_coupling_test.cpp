@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace fulcrum {
 namespace {
@@ -100,7 +101,33 @@ TEST_CASE("virtual coupling: critical damping just does not overshoot") {
     CHECK(damping * damping == Approx(4.0 * mass_kg * 800.0).epsilon(1e-12));
 }
 
+TEST_CASE("virtual coupling: a surface pushes and never holds fast, and the rest is the coupling") {
+    const Vector3 up = Vector3::UnitY();
+    const Vector3 proxy(0.0, 0.001, 0.0);
+    const auto both = [&](const Vector3& velocity) {
+        return std::pair(compute_coupling_force(kLinear, proxy, Vector3::Zero(), velocity),
+                         compute_contact_force(kLinear, proxy, Vector3::Zero(), velocity, up));
+    };
+    // 0.8 N of spring; leaving at 0.3 m/s takes 0.6 N of it, at 0.5 m/s it would pull back by 0.2 N.
+    const auto [slow, slow_contact] = both(Vector3(0.1, 0.3, 0.0));
+    CHECK(slow_contact == slow);
+    CHECK(slow_contact.y() == Approx(0.2));
+    const auto [fast, fast_contact] = both(Vector3(0.1, 0.5, 0.0));
+    CHECK(fast.y() == Approx(-0.2));
+    CHECK(fast_contact.y() == 0.0);
+    CHECK(fast_contact.x() == fast.x());
+    CHECK(both(Vector3(0.0, -0.5, 0.0)).second.y() == Approx(1.8));
+}
+
 TEST_CASE("virtual coupling: bad settings are refused") {
+    const auto accepts = [](double stiffness, double damping) {
+        return validate(
+                   CouplingSettings{.stiffness_N_per_m = stiffness, .damping_Ns_per_m = damping})
+            .has_value();
+    };
+    CHECK(accepts(1.0e5, 1.0e3));
+    CHECK(accepts(0.0, 0.0));
+    CHECK_FALSE(accepts(500.0, 1001.0));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(validate(kLinear));
     CHECK(validate(kSaturating));

@@ -94,7 +94,7 @@ TEST_CASE("field: it switches on along a ramp and then obeys its law") {
     const Vector3 full = compute_field_force(plan, plan.anchor_W, position, velocity);
     CHECK((full - Vector3(10.0, -0.2, 0.0)).norm() < kRounding);
     for (int k = 1; k <= 200; ++k) {
-        const double strength = std::min(k * kDt_s * kStrengthRate_per_s, 1.0);
+        const double strength = std::min(k * kDt_s * 10.0, 1.0);
         REQUIRE((field.step(command, position, velocity, kDt_s) - strength * full).norm() < 1e-9);
     }
     command.strength = 0.5;
@@ -103,9 +103,11 @@ TEST_CASE("field: it switches on along a ramp and then obeys its law") {
     }
     CHECK((field.step(command, position, velocity, kDt_s) - 0.5 * full).norm() < 1e-9);
     command.on = false;
-    for (int k = 0; k < 60; ++k) {
-        (void)field.step(command, position, velocity, kDt_s);
+    for (int k = 1; k < 50; ++k) {
+        const double strength = 0.5 - 10.0 * k * kDt_s;
+        REQUIRE((field.step(command, position, velocity, kDt_s) - strength * full).norm() < 1e-9);
     }
+    (void)field.step(command, position, velocity, kDt_s);
     CHECK(field.step(command, position, velocity, kDt_s).norm() == 0.0);
 }
 
@@ -138,12 +140,66 @@ TEST_CASE(
     CHECK(field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s).x() == Approx(5.0));
     command.anchor_W = Vector3(0.0, 0.02, 0.0);
     for (int k = 1; k <= 50; ++k) {
-        const double left = std::exp(-k * kDt_s / kAnchorTime_s);
+        const double left = std::exp(-k * kDt_s / 0.02);
         const Vector3 anchor =
             command.anchor_W + left * (Vector3(0.05, 0.0, 0.0) - command.anchor_W);
         REQUIRE(
             (field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s) - 100.0 * anchor).norm() <
             1e-9);
+    }
+}
+
+TEST_CASE("field: a time that is no time passes none") {
+    FieldStage field(make_spring());
+    const FieldCommand command;
+    for (int k = 0; k < 50; ++k) {
+        (void)field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s);
+    }
+    const double before = field.strength();
+    REQUIRE(before == Approx(0.5));
+    for (const double dt_s : {std::numeric_limits<double>::quiet_NaN(), -0.01, -1e300}) {
+        CHECK(field.step(command, Vector3::Zero(), Vector3::Zero(), dt_s).allFinite());
+        CHECK(field.strength() == before);
+    }
+}
+
+TEST_CASE("field: an anchor at the end of all numbers is no place, and a field gets over it") {
+    for (const bool while_on : {false, true}) {
+        FieldPlan plan = make_spring();
+        plan.damping_Ns_per_m = 0.0;
+        FieldStage field(plan);
+        FieldCommand command;
+        command.anchor_W = Vector3(0.05, 0.0, 0.0);
+        for (int k = 0; k < (while_on ? 200 : 0); ++k) {
+            (void)field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s);
+        }
+        for (int k = 0; k < 200; ++k) {
+            command.anchor_W = Vector3(k % 2 == 0 ? 1e308 : -1e308, 0.0, 0.0);
+            REQUIRE(field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s).norm() <= 5.0001);
+        }
+        CHECK(field.strength() == 0.0);
+        command.anchor_W = Vector3(0.05, 0.0, 0.0);
+        for (int k = 0; k < 200; ++k) {
+            (void)field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s);
+        }
+        CHECK(field.step(command, Vector3::Zero(), Vector3::Zero(), kDt_s).x() == Approx(5.0));
+    }
+}
+
+TEST_CASE("field: its largest gains are the slopes of its law, of a magnet at the centre") {
+    const auto slope = [](const FieldPlan& plan) {
+        const double h = 1e-7;
+        const Vector3 away = plan.anchor_W + Vector3(h, 0, 0);
+        return -compute_field_force(plan, plan.anchor_W, away, Vector3::Zero()).x() / h;
+    };
+    FieldPlan honey = make_spring();
+    honey.kind = FieldKind::viscosity;
+    for (const FieldPlan& plan : {make_spring(), make_magnet(), honey}) {
+        const FieldGains gains = compute_largest_gains(plan);
+        CHECK(gains.stiffness_N_per_m == Approx(slope(plan)).margin(1e-6).epsilon(1e-6));
+        CHECK(gains.damping_Ns_per_m ==
+              Approx(-compute_field_force(plan, plan.anchor_W, plan.anchor_W, Vector3(1, 0, 0)).x())
+                  .margin(1e-12));
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
@@ -85,4 +86,117 @@ TEST_CASE("haptic loop: plans out of range are refused") {
     plan = {};
     plan.velocity_cutoff_hz = 0.0;
     CHECK_FALSE(validate(plan));
+}
+
+TEST_CASE(
+    "haptic loop: each number of a plan is accepted at its bounds and refused just past them") {
+    const auto accepts = [](auto change) {
+        HapticPlan plan;
+        change(plan);
+        return validate(plan).has_value();
+    };
+    for (const double good : {0.01, 100.0}) {
+        CHECK(accepts([&](HapticPlan& plan) { plan.workspace.scale = good; }));
+    }
+    for (const double bad : {0.0099, 100.1}) {
+        CHECK_FALSE(accepts([&](HapticPlan& plan) { plan.workspace.scale = bad; }));
+    }
+    for (const double good : {1000.0, 4000.0}) {
+        CHECK(accepts([&](HapticPlan& plan) { plan.rate_hz = good; }));
+    }
+    for (const double bad : {999.0, 4001.0}) {
+        CHECK_FALSE(accepts([&](HapticPlan& plan) { plan.rate_hz = bad; }));
+    }
+    for (const double good : {0.02, 5.0}) {
+        CHECK(accepts([&](HapticPlan& plan) { plan.weight_onset_s = good; }));
+    }
+    for (const double bad : {0.0199, 5.01}) {
+        CHECK_FALSE(accepts([&](HapticPlan& plan) { plan.weight_onset_s = bad; }));
+    }
+    const auto turned = [&](double length) {
+        return accepts(
+            [&](HapticPlan& plan) { plan.workspace.pose_WD.orientation.coeffs() *= length; });
+    };
+    CHECK(turned(1.0 + 1e-10));
+    CHECK_FALSE(turned(1.0 + 1e-8));
+    CHECK_FALSE(turned(1.0 - 1e-8));
+}
+
+TEST_CASE("haptic loop: a device too coarse for the plan's scale is refused") {
+    HapticPlan plan;
+    plan.workspace.scale = 100.0;
+    DeviceTraits traits;
+    CHECK(validate(plan, traits));
+    traits.position_resolution_m = 0.001;  // a tenth of a metre a step
+    CHECK(validate(plan, traits));
+    traits.position_resolution_m = 0.00101;
+    REQUIRE_FALSE(validate(plan, traits));
+    CHECK(to_sentence(validate(plan, traits).error()).find("resolution") != std::string::npos);
+    plan.rate_hz = 500.0;
+    traits.position_resolution_m = 0.0;
+    CHECK_FALSE(validate(plan, traits));
+}
+
+TEST_CASE("haptic loop: velocity is estimated with the device's own step, in the world's metres") {
+    constexpr double kStep_m = 0.001;
+    constexpr double kScale = 5.0;
+    ScriptedDevice device;
+    device.traits_.position_resolution_m = kStep_m;
+    auto channels = std::make_unique<HapticChannels>();
+    HapticPlan plan;
+    plan.expects_lesson = false;
+    plan.workspace.scale = kScale;
+    HapticLoop loop(plan, device, *channels);
+    VelocitySettings settings;
+    settings.noise_bound_m = kStep_m * kScale;
+    VelocityEstimator estimator(settings);
+    for (int k = 1; k < 500; ++k) {
+        // 0.3 m/s, counted in whole steps.
+        device.pose_D.position.x() = kStep_m * std::floor(0.3 * k);
+        loop.step(k * kDt_s);
+        const Vector3& expected =
+            estimator.step(Vector3(kScale * device.pose_D.position.x(), 0, 0), k * kDt_s);
+        REQUIRE(loop.state().tool_twist_W.linear == expected);
+        if (k > 20) {
+            REQUIRE(expected.x() == Approx(kScale * 0.3).epsilon(0.5));
+        }
+    }
+}
+
+TEST_CASE("haptic loop: the device's own torque limit holds when it is the smaller one") {
+    HapticPlan plan;
+    plan.lesson_force = true;
+    ScriptedDevice device;
+    device.traits_.max_torque_Nm = 0.1;
+    auto channels = std::make_unique<HapticChannels>();
+    HapticLoop loop(plan, device, *channels);
+    ForceCommand command;
+    command.lesson_alive = true;
+    for (int k = 1; k < 4000; ++k) {
+        command.stamp_s = command.linearised.stamp_s = k * kDt_s;
+        command.linearised.torque_W.y() = k < 3000 ? 0.0 : 0.25;
+        channels->command.publish(command);
+        loop.step(k * kDt_s);
+    }
+    CHECK(device.written_D.torque.y() == Approx(0.1));
+}
+
+TEST_CASE("haptic loop: what a plan is when nobody says otherwise") {
+    const HapticPlan plan;
+    CHECK(plan.rate_hz == 1000.0);
+    CHECK(plan.weight_onset_s == 0.3);
+    CHECK(plan.velocity_cutoff_hz == 80.0);
+    CHECK(plan.coupling.stiffness_N_per_m == 500.0);
+    CHECK(plan.coupling.damping_Ns_per_m == 1.0);
+    CHECK(plan.safety.max_force_N == 5.0);
+    CHECK(plan.safety.max_torque_Nm == 0.3);
+    CHECK(plan.safety.max_slew_N_per_s == 500.0);
+    CHECK(plan.safety.engage_below_N == 0.2);
+    CHECK(plan.safety.engage_cycles == 5);
+    CHECK(plan.safety.soft_start_N_per_s == 5.0);
+    CHECK(plan.safety.soft_start_s == 2.0);
+    CHECK(plan.safety.fade_s == 0.1);
+    CHECK(plan.safety.command_timeout_s == 0.1);
+    CHECK(plan.safety.device_timeout_s == 0.02);
+    CHECK(plan.safety.max_hand_speed_m_per_s == 10.0);
 }

@@ -32,3 +32,36 @@ TEST_CASE("safety: settings outside their ranges are refused with the name and t
     eager.engage_cycles = 0;
     CHECK_FALSE(validate(eager));
 }
+
+TEST_CASE("safety: each setting is accepted at its bounds and refused just past them") {
+    struct Bound {
+        double SafetySettings::*field;
+        double low, high;
+    };
+    const Bound bounds[] = {{&SafetySettings::max_force_N, 0.5, 10.0},
+                            {&SafetySettings::max_torque_Nm, 0.0, 1.0},
+                            {&SafetySettings::max_slew_N_per_s, 10.0, 5000.0},
+                            {&SafetySettings::engage_below_N, 0.01, 1.0},
+                            {&SafetySettings::soft_start_N_per_s, 0.5, 50.0},
+                            {&SafetySettings::soft_start_s, 0.0, 10.0},
+                            {&SafetySettings::fade_s, 0.01, 0.5},
+                            {&SafetySettings::command_timeout_s, 0.02, 1.0},
+                            {&SafetySettings::device_timeout_s, 0.002, 0.1},
+                            {&SafetySettings::max_hand_speed_m_per_s, 0.1, 100.0}};
+    for (const Bound& bound : bounds) {
+        const auto accepts = [&](double value) {
+            SafetySettings settings;
+            settings.*bound.field = value;
+            return validate(settings).has_value();
+        };
+        CHECK(accepts(bound.low));
+        CHECK(accepts(bound.high));
+        CHECK_FALSE(accepts(bound.low - 1e-6));
+        CHECK_FALSE(accepts(bound.high + 1e-6));
+    }
+    SafetySettings settings;
+    settings.engage_cycles = 1000;
+    CHECK(validate(settings));
+    settings.engage_cycles = 1001;
+    CHECK_FALSE(validate(settings));
+}

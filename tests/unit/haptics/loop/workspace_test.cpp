@@ -38,4 +38,12 @@ TEST_CASE("workspace: forces are turned and not scaled") {
     CHECK((wrench_D.torque - Vector3(0.0, 2.0, 0.0)).norm() < kRounding);
     const Wrench back_W = compute_world_wrench(make_workspace(), wrench_D);
     CHECK((back_W.force - Vector3(1.0, 0.0, 0.0)).norm() < kRounding);
+    // A quarter turn about y takes (x, y, z) to (z, y, -x): back by R^T it is (-z, y, x).
+    const Wrench oblique_W{Vector3(4.0, 5.0, 6.0), Vector3(1.0, 2.0, 3.0)};
+    const Wrench oblique_D = compute_device_wrench(make_workspace(), oblique_W);
+    CHECK((oblique_D.force - Vector3(-6.0, 5.0, 4.0)).norm() < kRounding);
+    CHECK((oblique_D.torque - Vector3(-3.0, 2.0, 1.0)).norm() < kRounding);
+    const Wrench again_W = compute_world_wrench(make_workspace(), oblique_D);
+    CHECK((again_W.force - oblique_W.force).norm() < kRounding);
+    CHECK((again_W.torque - oblique_W.torque).norm() < kRounding);
 }

@@ -80,3 +80,11 @@ TEST_CASE("hand device: a record plays again, and one that is none is refused in
     CHECK((reading.pose_D.position - Vector3(0.01, 0.02, 0.03)).norm() < 1e-12);
     std::filesystem::remove_all(folder);
 }
+
+TEST_CASE("hand device: its limit is known before it is opened, and is what the opened one has") {
+    const auto hand = HandDevice::open({}, plan_with_workspace());
+    REQUIRE(hand);
+    CHECK(HandDevice::force_limit_N(RunRequest{}.hand) == (*hand)->device().traits().max_force_N);
+    CHECK(HandDevice::force_limit_N(HandKind::mouse) > 1e9);
+    CHECK(HandDevice::force_limit_N(HandKind::replay) > 1e9);
+}

@@ -194,3 +194,40 @@ TEST_CASE("plan: a wall is as stiff in the hand at every scale") {
     CHECK(plan->haptic.coupling.stiffness_N_per_m * 10.0 ==
           Approx(CouplingSettings{}.stiffness_N_per_m));
 }
+
+TEST_CASE("plan: a magnet is as stiff as at its centre, alone and beside others") {
+    const auto magnets = [](int n, double peak_N, double range_m) {
+        LessonDescription lesson;
+        for (int i = 0; i < n; ++i) {
+            ForceDescription magnet;
+            magnet.name = "m" + std::to_string(i);
+            magnet.field.kind = FieldKind::magnet;
+            magnet.field.peak_force_N = peak_N;
+            magnet.field.range_m = range_m;
+            magnet.line = 10 + i;
+            lesson.forces.push_back(magnet);
+        }
+        return compile_plan(lesson, {}, no_mesh);
+    };
+    // sqrt(e) peak / range: 3 N over 5 mm are 989 N/m, twice that is under 2000, thrice is not.
+    CHECK(magnets(2, 3.0, 0.005));
+    CHECK(magnets(3, 3.0, 0.005).error().where == "lesson.lua:12");
+    // 3 N over 2.4 mm are 1250 N/m by peak / range and 2061 N/m in truth.
+    CHECK(magnets(1, 3.0, 0.0024).error().where == "lesson.lua:10");
+    CHECK(magnets(1, 3.0, 0.0025));
+    CHECK_FALSE(magnets(1, 0.0, 0.0));
+}
+
+TEST_CASE("plan: weights fit under the limit of a device that is weaker than the site's") {
+    PlanOptions options;
+    options.force_limit_N = 10.0;
+    options.device_force_limit_N = 2.0;
+    const auto plan = compile_plan(gravity_like(), options, no_mesh);
+    REQUIRE(plan);
+    CHECK(plan->felt_weight_N[0] == Approx(kWeightShareOfLimit * 2.0));
+    options.device_force_limit_N = 50.0;
+    const auto strong = compile_plan(gravity_like(), options, no_mesh);
+    REQUIRE(strong);
+    CHECK(strong->felt_weight_N[0] == Approx(kWeightShareOfLimit * 10.0).epsilon(0.1));
+    CHECK(strong->felt_weight_N[0] <= kWeightShareOfLimit * 10.0);
+}

@@ -83,6 +83,37 @@ TEST_CASE("oscillator step: two halves make a whole, near critical damping too")
     }));
 }
 
+TEST_CASE(
+    "oscillator step: every arm that settings allow stays finite, and loses energy, at any step") {
+    struct Range {
+        double low, high;
+    };
+    // Mass, stiffness, damping; then inertia, turn stiffness, turn damping.
+    const Range ranges[2][3] = {{{0.05, 20.0}, {1.0, 5000.0}, {0.0, 500.0}},
+                                {{1e-5, 1.0}, {0.01, 100.0}, {0.0, 10.0}}};
+    for (const auto& range : ranges) {
+        for (int corner = 0; corner < 8; ++corner) {
+            const double mass = corner & 1 ? range[0].high : range[0].low;
+            const double stiffness = corner & 2 ? range[1].high : range[1].low;
+            const double damping = corner & 4 ? range[2].high : range[2].low;
+            for (double dt_s = 1e-5; dt_s <= 10.0; dt_s *= 1.3) {
+                const OscillatorStep a = compute_oscillator_step(mass, stiffness, damping, dt_s);
+                const OscillatorStep half =
+                    compute_oscillator_step(mass, stiffness, damping, 0.5 * dt_s);
+                // In units in which energy is a length: A = [yy, yv r; vy / r, vv], r = sqrt(k / m).
+                const double r = std::sqrt(stiffness / mass);
+                const double size = std::max(
+                    {std::abs(a.yy), std::abs(a.yv * r), std::abs(a.vy / r), std::abs(a.vv)});
+                REQUIRE(size <= 1.0 + kRounding);
+                // Two halves make a whole: y from y, y from v, v from v.
+                REQUIRE(std::abs(half.yy * half.yy + half.yv * half.vy - a.yy) < kRounding);
+                REQUIRE(r * std::abs(half.yv * (half.yy + half.vv) - a.yv) < kRounding);
+                REQUIRE(std::abs(half.vv * half.vv + half.yv * half.vy - a.vv) < kRounding);
+            }
+        }
+    }
+}
+
 TEST_CASE("simulated hand: goes to its target, and a force moves it by f / k") {
     const SimulatedHandSettings settings;
     LatestValue<HandTarget> target;
@@ -193,4 +224,61 @@ TEST_CASE("simulated hand: reset puts it back, and the same input moves it to th
     const Vector3 again = read_on(hand, now_s, 777).pose_D.position;
     CHECK(first == again);
     CHECK(first.norm() > 0.05);
+}
+
+TEST_CASE("simulated hand: turns like a damped oscillator in closed form, whatever the steps") {
+    const SimulatedHandSettings settings;
+    LatestValue<HandTarget> target;
+    SimulatedHand hand(settings, target);
+    DeviceReading reading;
+    REQUIRE(hand.read(0.0, reading));
+    HandTarget turned;
+    turned.pose_D.orientation = compute_exp(Vector3(0.0, 0.0, 0.4));
+    target.publish(turned);
+    // Underdamped: e = -0.4 e^(-at) (cos wt + a/w sin wt).
+    const double a = 0.5 * settings.turn_damping_Nms_per_rad / settings.inertia_kg_m2;
+    const double w = std::sqrt(settings.turn_stiffness_Nm_per_rad / settings.inertia_kg_m2 - a * a);
+    double t_s = 0.0;
+    for (int k = 0; k < 300; ++k) {
+        t_s += k % 2 == 0 ? 0.001 : 0.0013;
+        REQUIRE(hand.read(t_s, reading));
+        const double left = std::exp(-a * t_s) * (std::cos(w * t_s) + a / w * std::sin(w * t_s));
+        REQUIRE(compute_log(reading.pose_D.orientation).z() ==
+                Approx(0.4 * (1.0 - left)).margin(1e-9));
+    }
+}
+
+TEST_CASE("simulated hand: what the encoder shows is half a step from the truth at most") {
+    SimulatedHandSettings settings;
+    LatestValue<HandTarget> target;
+    LatestValue<HandTarget> same_target;
+    SimulatedHand exact(settings, target);
+    settings.position_resolution_m = 0.001;
+    SimulatedHand counted(settings, same_target);
+    target.publish(at(Vector3(0.2, -0.13, 0.0)));
+    same_target.publish(at(Vector3(0.2, -0.13, 0.0)));
+    double now_s = 0.0;
+    double same_now_s = 0.0;
+    for (int k = 0; k < 1000; ++k) {
+        const Vector3 difference = read_on(exact, now_s, 1).pose_D.position -
+                                   read_on(counted, same_now_s, 1).pose_D.position;
+        REQUIRE(difference.cwiseAbs().maxCoeff() <= 0.0005 + kRounding);
+    }
+}
+
+TEST_CASE("simulated hand: a time that is no number moves nothing, first or later") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    LatestValue<HandTarget> target;
+    SimulatedHand hand(SimulatedHandSettings{}, target);
+    target.publish(at(Vector3(0.1, 0.0, 0.0)));
+    DeviceReading reading;
+    CHECK(hand.read(nan, reading));
+    double now_s = 0.0;
+    CHECK(read_on(hand, now_s, 1000).pose_D.position.x() == Approx(0.1).epsilon(1e-3));
+    for (const double bad_s : {nan, std::numeric_limits<double>::infinity()}) {
+        CHECK(hand.read(bad_s, reading));
+        CHECK(is_finite(reading.pose_D));
+    }
+    target.publish(at(Vector3::Zero()));
+    CHECK(std::abs(read_on(hand, now_s, 1000).pose_D.position.x()) < 1e-3);
 }
