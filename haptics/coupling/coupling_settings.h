@@ -3,15 +3,21 @@
 
 namespace fulcrum {
 
+/// The lightest thing that hangs on the coupling: a handle that nobody holds.
+inline constexpr double kHandleMass_kg = 0.045;
+
 /// Spring and damper between hand and proxy; in world metres.
 /// With the last three fields zero the spring is linear at any stretch; otherwise its force is
 /// linear up to `linear_range_m`, constant from `saturation_range_m` on, and a cubic joins the two.
 struct CouplingSettings {
     double stiffness_N_per_m = 500.0;  ///< 0 to 1e5
-    double damping_Ns_per_m = 1.0;     ///< 0 to 1e3, of the hand against the proxy
-    double linear_range_m = 0.0;       ///< 0 or more
-    double saturation_range_m = 0.0;   ///< above linear_range_m, or 0
-    double saturation_force_N = 0.0;   ///< the constant; at least what keeps the cubic rising
+    /// 0 to 1e3, of the hand against the proxy. The default is critical for the handle alone,
+    /// 2 sqrt(m k); a hand brings damping of its own. Critical for a whole arm (45 Ns/m) would shake
+    /// the bare handle, for the velocity is known some milliseconds late.
+    double damping_Ns_per_m = 9.5;
+    double linear_range_m = 0.0;      ///< 0 or more
+    double saturation_range_m = 0.0;  ///< above linear_range_m, or 0
+    double saturation_force_N = 0.0;  ///< the constant; at least what keeps the cubic rising
 };
 
 }  // namespace fulcrum

@@ -90,8 +90,4 @@ Vector3 compute_contact_force(const CouplingSettings& settings, const Vector3& p
     return force_W - std::min(force_W.dot(normal_W), 0.0) * normal_W;
 }
 
-double compute_critical_damping_Ns_per_m(double mass_kg, double stiffness_N_per_m) noexcept {
-    return 2.0 * std::sqrt(mass_kg * stiffness_N_per_m);
-}
-
 }  // namespace fulcrum

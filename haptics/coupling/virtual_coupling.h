@@ -34,10 +34,6 @@ namespace fulcrum {
                                              const Vector3& proxy_W, const Vector3& hand_W,
                                              const Vector3& relative_velocity_W) noexcept;
 
-/// b = 2 sqrt(m k): the damping with which a mass on this spring returns fastest without overshoot.
-[[nodiscard]] double compute_critical_damping_Ns_per_m(double mass_kg,
-                                                       double stiffness_N_per_m) noexcept;
-
 /// The coupling's force while a surface is touched: whatever the damper says, a wall pushes and never holds
 /// fast. `normal_W` is the unit normal away from the surface; the force has no part against it.
 [[nodiscard]] Vector3 compute_contact_force(const CouplingSettings& settings,

@@ -26,7 +26,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace fulcrum {
@@ -39,7 +38,7 @@ namespace fulcrum {
 
 /// A stage that was built, for people to read.
 struct StageInfo {
-    std::string name;  ///< as in the head of this file, forces by their kind, e.g. "forces: weight"
+    HapticStage stage = HapticStage::read;
     double rate_Hz = 0.0;
     std::size_t bytes = 0;  ///< of state that this stage alone needs
 };

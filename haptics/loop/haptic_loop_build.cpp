@@ -1,4 +1,5 @@
 // The load path of haptic_loop.h: checks a plan, builds its stages, describes them.
+#include "haptics/base/range.h"
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/coupling/virtual_coupling.h"
 #include "haptics/loop/haptic_loop.h"
@@ -7,7 +8,6 @@
 #include <algorithm>
 
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace fulcrum {
@@ -56,16 +56,6 @@ LinearisedWrenchSettings choose_lesson_settings(const HapticPlan& plan,
     return settings;
 }
 
-Expected<void> check_range(const char* what, double value, double low, double high) {
-    if (value >= low && value <= high) {
-        return {};
-    }
-    std::ostringstream message;
-    message << "the haptic plan's " << what << " is " << value << ", outside the range " << low
-            << " to " << high;
-    return fail(message.str(), {}, "set it within that range");
-}
-
 // A plan without anything solid has no proxy.
 std::unique_ptr<Proxy> make_proxy(const HapticPlan& plan) {
     if (plan.solids.empty()) {
@@ -74,27 +64,17 @@ std::unique_ptr<Proxy> make_proxy(const HapticPlan& plan) {
     return std::make_unique<GodObject>(plan.solids);
 }
 
-const char* name_of(FieldKind kind) {
-    switch (kind) {
-        case FieldKind::spring:
-            return "forces: spring";
-        case FieldKind::viscosity:
-            return "forces: viscosity";
-        case FieldKind::magnet:
-            return "forces: magnet";
-    }
-    return "forces: unknown";
-}
-
 }  // namespace
 
 Expected<void> validate(const HapticPlan& plan) {
+    const Range ranges[] = {
+        {"rate in hertz", plan.rate_hz, 1000.0, 4000.0},
+        {"workspace scale", plan.workspace.scale, 0.01, 100.0},
+        {"onset of a weight in seconds", plan.weight_onset_s, 0.02, 5.0},
+        {"number of force fields", static_cast<double>(plan.fields.size()), 0.0, kMaxFields},
+    };
     const Expected<void> checks[] = {
-        check_range("rate in hertz", plan.rate_hz, 1000.0, 4000.0),
-        check_range("workspace scale", plan.workspace.scale, 0.01, 100.0),
-        check_range("onset of a weight in seconds", plan.weight_onset_s, 0.02, 5.0),
-        check_range("number of force fields", static_cast<double>(plan.fields.size()), 0.0,
-                    kMaxFields),
+        check_ranges("the haptic plan's", ranges),
         validate(plan.safety),
         validate(plan.coupling),
         validate(plan.solids),
@@ -172,35 +152,35 @@ HapticLoop::~HapticLoop() = default;
 
 std::vector<StageInfo> HapticLoop::stages() const {
     std::vector<StageInfo> list;
-    const auto add = [&](std::string name, std::size_t bytes) {
-        list.push_back({std::move(name), plan_.rate_hz, bytes});
+    const auto add = [&](HapticStage stage, std::size_t bytes) {
+        list.push_back({stage, plan_.rate_hz, bytes});
     };
-    add("take inputs", sizeof(channels_.command) + sizeof(channels_.world));
-    add("read", sizeof(reading_));
-    add("estimate", sizeof(velocity_) + sizeof(angular_velocity_));
+    add(HapticStage::take_inputs, sizeof(channels_.command) + sizeof(channels_.world));
+    add(HapticStage::read, sizeof(reading_));
+    add(HapticStage::estimate, sizeof(velocity_) + sizeof(angular_velocity_));
     if (touch_) {
         std::size_t mesh_bytes = 0;
         for (const SolidPlan& solid : plan_.solids) {
             mesh_bytes += solid.mesh ? solid.mesh->memory_bytes() : 0;
         }
-        add("proxy", sizeof(TouchStage) + sizeof(GodObject) + mesh_bytes);
-        add("forces: coupling", sizeof(CouplingSettings));
+        add(HapticStage::proxy, sizeof(TouchStage) + sizeof(GodObject) + mesh_bytes);
+        add(HapticStage::coupling, sizeof(CouplingSettings));
     }
     if (weight_) {
-        add("forces: weight", sizeof(WeightRamp));
+        add(HapticStage::weight, sizeof(WeightRamp));
     }
     for (const FieldPlan& field : plan_.fields) {
-        add(name_of(field.kind), sizeof(FieldStage));
+        add(stage_of(field.kind), sizeof(FieldStage));
     }
     if (lesson_force_) {
-        add("forces: lesson", sizeof(LinearisedWrenchStage));
+        add(HapticStage::lesson, sizeof(LinearisedWrenchStage));
     }
-    add("limits", sizeof(gate_));
-    add("write", sizeof(applied_D_));
-    add("publish",
+    add(HapticStage::limits, sizeof(gate_));
+    add(HapticStage::write, sizeof(applied_D_));
+    add(HapticStage::publish,
         sizeof(state_) + sizeof(channels_.state_for_world) + sizeof(channels_.state_for_lesson));
     if (channels_.record != nullptr) {
-        add("record", sizeof(RecordRing));
+        add(HapticStage::record, sizeof(RecordRing));
     }
     return list;
 }

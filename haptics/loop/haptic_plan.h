@@ -8,9 +8,46 @@
 #include "haptics/math/spatial.h"
 #include "haptics/point/solid_plan.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace fulcrum {
+
+/// The stages of a haptic loop, in the order of its step.
+enum class HapticStage : std::uint8_t {
+    take_inputs,
+    read,
+    estimate,
+    proxy,
+    coupling,
+    weight,
+    spring,
+    viscosity,
+    magnet,
+    lesson,
+    limits,
+    write,
+    publish,
+    record
+};
+
+/// What a stage is called, for people: "read", or a force by its kind, "forces: weight".
+[[nodiscard]] constexpr const char* name_of(HapticStage stage) noexcept {
+    constexpr const char* kNames[] = {
+        "take inputs",      "read",           "estimate",       "proxy",
+        "forces: coupling", "forces: weight", "forces: spring", "forces: viscosity",
+        "forces: magnet",   "forces: lesson", "limits",         "write",
+        "publish",          "record"};
+    return kNames[static_cast<std::size_t>(stage)];
+}
+
+/// The stage that renders a field of this kind.
+[[nodiscard]] constexpr HapticStage stage_of(FieldKind kind) noexcept {
+    constexpr HapticStage kStages[] = {HapticStage::spring, HapticStage::viscosity,
+                                       HapticStage::magnet};
+    return kStages[static_cast<std::size_t>(kind)];
+}
 
 /// Limits of the last gate; checked by `validate`, never above the hard caps.
 struct SafetySettings {

@@ -1,21 +1,10 @@
 // The load-path half of safety.h: it speaks to people and so allocates.
+#include "haptics/base/range.h"
 #include "haptics/loop/safety.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace fulcrum {
-namespace {
-
-struct Range {
-    const char* name;
-    double value;
-    double low;
-    double high;
-};
-
-}  // namespace
-
 Expected<void> validate(const SafetySettings& s) {
     const Range ranges[] = {
         {"max_force_N", s.max_force_N, 0.5, kHardForceCap_N},
@@ -30,15 +19,7 @@ Expected<void> validate(const SafetySettings& s) {
         {"device_timeout_s", s.device_timeout_s, 0.002, 0.1},
         {"max_hand_speed_m_per_s", s.max_hand_speed_m_per_s, 0.1, 100.0},
     };
-    for (const Range& range : ranges) {
-        if (!(range.value >= range.low && range.value <= range.high)) {
-            std::ostringstream message;
-            message << "the safety setting " << range.name << " is " << range.value
-                    << ", outside the range " << range.low << " to " << range.high;
-            return fail(message.str(), {}, "set it within that range");
-        }
-    }
-    return {};
+    return check_ranges("the safety setting", ranges);
 }
 
 }  // namespace fulcrum

@@ -277,7 +277,7 @@ void say_losses(const LessonRun& run) {
 void fill_in_memory(Plan& plan, const HapticLoop& loop) {
     for (const StageInfo& built : loop.stages()) {
         for (PlanStage& planned : plan.stages) {
-            if (planned.loop == "haptic" && planned.name == built.name) {
+            if (planned.loop == "haptic" && planned.name == name_of(built.stage)) {
                 planned.memory_bytes = built.bytes;
             }
         }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -170,38 +169,34 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
 }
 
 void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
-    const auto add = [&plan](std::string name, std::string because, SourceLine line) {
+    const auto add = [&plan](HapticStage stage, std::string because, SourceLine line) {
         plan.stages.push_back(
-            {"haptic", std::move(name), plan.haptic.rate_hz, 0, std::move(because), line});
+            {"haptic", name_of(stage), plan.haptic.rate_hz, 0, std::move(because), line});
     };
-    // The names are those of HapticLoop::stages(), so that what is promised can be held against what was built.
-    add("take inputs", "the lesson and the world speak to it", 0);
-    add("read", "a hand holds the device", 0);
-    add("estimate", "dampers and the lesson need a velocity", 0);
+    add(HapticStage::take_inputs, "the lesson and the world speak to it", 0);
+    add(HapticStage::read, "a hand holds the device", 0);
+    add(HapticStage::estimate, "dampers and the lesson need a velocity", 0);
     if (!plan.haptic.solids.empty()) {
         const auto body = static_cast<std::size_t>(plan.haptic.solids.front().body);
-        add("proxy", "a body can be touched", lesson.bodies[body].line);
-        add("forces: coupling", "a body can be touched", lesson.bodies[body].line);
+        add(HapticStage::proxy, "a body can be touched", lesson.bodies[body].line);
+        add(HapticStage::coupling, "a body can be touched", lesson.bodies[body].line);
     }
     if (plan.haptic.carries_weight) {
         const SourceLine line =
             lesson.bucket.present ? lesson.bucket.line : first_movable(lesson)->line;
-        add("forces: weight", "a body can be carried", line);
+        add(HapticStage::weight, "a body can be carried", line);
     }
     for (const ForceDescription& force : lesson.forces) {
-        static constexpr std::array<const char*, 3> kNames{"forces: spring", "forces: viscosity",
-                                                           "forces: magnet"};
-        add(kNames[static_cast<std::size_t>(force.field.kind)],
-            "the lesson declares \"" + force.name + "\"", force.line);
+        add(stage_of(force.field.kind), "the lesson declares \"" + force.name + "\"", force.line);
     }
     if (plan.haptic.lesson_force) {
-        add("forces: lesson", "the lesson computes a force", lesson.hand.force_line);
+        add(HapticStage::lesson, "the lesson computes a force", lesson.hand.force_line);
     }
-    add("limits", "a child's hand is near", 0);
-    add("write", "the device renders it", 0);
-    add("publish", "the other loops read it", 0);
+    add(HapticStage::limits, "a child's hand is near", 0);
+    add(HapticStage::write, "the device renders it", 0);
+    add(HapticStage::publish, "the other loops read it", 0);
     if (plan.record) {
-        add("record", "--record was given", 0);
+        add(HapticStage::record, "--record was given", 0);
     }
 }
 

@@ -1,20 +1,8 @@
 // The load-path half of pointer_device.h.
+#include "haptics/base/range.h"
 #include "haptics/device/mouse/pointer_device.h"
 
-#include <sstream>
-
 namespace fulcrum {
-namespace {
-
-struct Range {
-    const char* name;
-    double value;
-    double low;
-    double high;
-};
-
-}  // namespace
-
 Expected<void> validate(const PointerSettings& s) {
     const Range ranges[] = {
         {"natural_rad_per_s", s.natural_rad_per_s, 5.0, 500.0},
@@ -25,15 +13,7 @@ Expected<void> validate(const PointerSettings& s) {
         {"half_extent_D.y", s.half_extent_D.y(), 0.001, 10.0},
         {"half_extent_D.z", s.half_extent_D.z(), 0.001, 10.0},
     };
-    for (const Range& range : ranges) {
-        if (!(range.value >= range.low && range.value <= range.high)) {
-            std::ostringstream message;
-            message << "the pointer's " << range.name << " is " << range.value
-                    << ", outside the range " << range.low << " to " << range.high;
-            return fail(message.str(), {}, "set it within that range");
-        }
-    }
-    return {};
+    return check_ranges("the pointer's", ranges);
 }
 
 PointerDevice::PointerDevice(const PointerSettings& settings, LatestValue<PointerTarget>& target)

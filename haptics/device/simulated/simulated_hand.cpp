@@ -16,20 +16,6 @@ bool is_usable(const HandTarget& target) noexcept {
 
 constexpr double kNearCritical = 1.0e-8;  // its square vanishes beside 1
 
-// Two roots that only fall, -p and -q with p = alpha + w, q = alpha - w: no part of the solution
-// ever grows, and q comes from p q = k / m, not from a difference of two large numbers.
-//   y(t) = ((p e^(-qt) - q e^(-pt)) y0 + (e^(-qt) - e^(-pt)) v0) / (p - q)
-OscillatorStep compute_overdamped_step(double alpha, double w, double square_rad_per_s2,
-                                       double dt_s) noexcept {
-    const double p = alpha + w;
-    const double q = square_rad_per_s2 / p;
-    const double slow = std::exp(-q * dt_s);
-    const double fast = std::exp(-p * dt_s);
-    const double s = -slow * std::expm1(-2.0 * w * dt_s) / (2.0 * w);
-    return {(p * slow - q * fast) / (2.0 * w), s, -s * square_rad_per_s2,
-            (p * fast - q * slow) / (2.0 * w)};
-}
-
 }  // namespace
 
 OscillatorStep compute_oscillator_step(double mass, double stiffness, double damping,
@@ -37,16 +23,21 @@ OscillatorStep compute_oscillator_step(double mass, double stiffness, double dam
     const double alpha = 0.5 * damping / mass;
     const double square = stiffness / mass - alpha * alpha;
     const double w = std::sqrt(std::abs(square));
-    if (square < 0.0 && w * dt_s > kNearCritical) {
-        return compute_overdamped_step(alpha, w, stiffness / mass, dt_s);
-    }
-    // c and s of the head of simulated_hand.h; near critical damping both are the series' first
-    // terms.
-    const double c = w * dt_s > kNearCritical ? std::cos(w * dt_s) : 1.0;
-    const double s = w * dt_s > kNearCritical ? std::sin(w * dt_s) / w : dt_s;
+    // The head's c and s with the decay in them; near critical damping the series' first terms.
     const double decay = std::exp(-alpha * dt_s);
-    return {decay * (c + alpha * s), decay * s, -decay * s * stiffness / mass,
-            decay * (c - alpha * s)};
+    double c = decay;
+    double s = decay * dt_s;
+    if (square < 0.0 && w * dt_s > kNearCritical) {
+        // Two falling exponentials, alpha - w without the difference of two large numbers.
+        const double slow = std::exp(-stiffness / mass / (alpha + w) * dt_s);
+        const double fast = std::exp(-(alpha + w) * dt_s);
+        c = 0.5 * (slow + fast);
+        s = -0.5 * slow * std::expm1(-2.0 * w * dt_s) / w;
+    } else if (w * dt_s > kNearCritical) {
+        c = decay * std::cos(w * dt_s);
+        s = decay * std::sin(w * dt_s) / w;
+    }
+    return {c + alpha * s, s, -s * stiffness / mass, c - alpha * s};
 }
 
 bool SimulatedHand::read(double now_s, DeviceReading& reading) noexcept {

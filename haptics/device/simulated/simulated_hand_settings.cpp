@@ -1,21 +1,10 @@
 // The load-path half of simulated_hand.h.
+#include "haptics/base/range.h"
 #include "haptics/device/simulated/simulated_hand.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace fulcrum {
-namespace {
-
-struct Range {
-    const char* name;
-    double value;
-    double low;
-    double high;
-};
-
-}  // namespace
-
 Expected<void> validate(const SimulatedHandSettings& s) {
     const Range ranges[] = {
         {"mass_kg", s.mass_kg, 0.05, 20.0},
@@ -28,13 +17,8 @@ Expected<void> validate(const SimulatedHandSettings& s) {
         {"max_force_N", s.max_force_N, 0.0, 100.0},
         {"max_torque_Nm", s.max_torque_Nm, 0.0, 10.0},
     };
-    for (const Range& range : ranges) {
-        if (!(range.value >= range.low && range.value <= range.high)) {
-            std::ostringstream message;
-            message << "the simulated hand's " << range.name << " is " << range.value
-                    << ", outside the range " << range.low << " to " << range.high;
-            return fail(message.str(), {}, "set it within that range");
-        }
+    if (auto checked = check_ranges("the simulated hand's", ranges); !checked) {
+        return checked;
     }
     if (!is_finite(s.start_pose_D) ||
         std::abs(s.start_pose_D.orientation.coeffs().norm() - 1.0) > 1e-6) {

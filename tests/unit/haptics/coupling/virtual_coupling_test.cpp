@@ -93,12 +93,12 @@ TEST_CASE("virtual coupling: the direction is the stretch's and survives extreme
     }
 }
 
-TEST_CASE("virtual coupling: critical damping just does not overshoot") {
-    const double mass_kg = 0.045;
-    const double damping = compute_critical_damping_Ns_per_m(mass_kg, 800.0);
-    CHECK(damping == Approx(12.0).epsilon(1e-12));
+TEST_CASE("virtual coupling: by default the bare handle is critically damped") {
+    const CouplingSettings settings;
+    CHECK(settings.stiffness_N_per_m == 500.0);
     // m x'' + b x' + k x = 0 has a double root exactly when b^2 = 4 m k.
-    CHECK(damping * damping == Approx(4.0 * mass_kg * 800.0).epsilon(1e-12));
+    CHECK(settings.damping_Ns_per_m * settings.damping_Ns_per_m ==
+          Approx(4.0 * kHandleMass_kg * settings.stiffness_N_per_m).epsilon(0.01));
 }
 
 TEST_CASE("virtual coupling: a surface pushes and never holds fast, and the rest is the coupling") {

@@ -234,7 +234,7 @@ TEST_CASE(
     LinearisedWrench model;
     model.force_W = Vector3(10.0, 0, 0);
     model.torque_W = Vector3(0, 1.0, 0);
-    model.stiffness_N_per_m = -2000.0 * Matrix3::Identity();
+    model.stiffness_N_per_m(0, 0) = -2000.0;
     Wrench before{};
     double lowest_N = 10.0;
     double highest_N = -10.0;

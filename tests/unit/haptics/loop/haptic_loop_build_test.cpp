@@ -19,7 +19,7 @@ TEST_CASE("haptic loop: what is not in the plan is not built") {
         for (const StageInfo& stage : HapticLoop(plan, device, *channels).stages()) {
             CHECK(stage.rate_Hz == plan.rate_hz);
             CHECK(stage.bytes > 0);
-            all += stage.name + ", ";
+            all += std::string(name_of(stage.stage)) + ", ";
         }
         return all;
     };
@@ -187,7 +187,7 @@ TEST_CASE("haptic loop: what a plan is when nobody says otherwise") {
     CHECK(plan.weight_onset_s == 0.3);
     CHECK(plan.velocity_cutoff_hz == 80.0);
     CHECK(plan.coupling.stiffness_N_per_m == 500.0);
-    CHECK(plan.coupling.damping_Ns_per_m == 1.0);
+    CHECK(plan.coupling.damping_Ns_per_m == 9.5);
     CHECK(plan.safety.max_force_N == 5.0);
     CHECK(plan.safety.max_torque_Nm == 0.3);
     CHECK(plan.safety.max_slew_N_per_s == 500.0);

@@ -430,3 +430,43 @@ TEST_CASE("haptic loop: a lesson's spring too stiff for the scale does not shake
         CHECK(std::abs(highest_m) < 0.002);
     }
 }
+
+TEST_CASE(
+    "haptic loop: a bare handle on a wall, and a hand, come to rest at one and four kilohertz") {
+    constexpr double kEncoder_m = 5.5e-5;
+    SimulatedHandSettings handle;
+    handle.mass_kg = 0.05;
+    handle.stiffness_N_per_m = 1.0;
+    handle.damping_Ns_per_m = 0.0;
+    for (SimulatedHandSettings held : {handle, SimulatedHandSettings{}}) {
+        for (const double rate_Hz : {1000.0, 4000.0}) {
+            HapticPlan plan;
+            plan.expects_lesson = false;
+            plan.rate_hz = rate_Hz;
+            plan.solids.push_back({0, nullptr, {}});
+            held.position_resolution_m = kEncoder_m;
+            held.start_pose_D.position.y() = 0.01;
+            LatestValue<HandTarget> target;
+            SimulatedHand hand(held, target);
+            auto channels = std::make_unique<HapticChannels>();
+            HapticLoop loop(plan, hand, *channels, std::make_unique<FloorProxy>());
+            double lowest_m = 1.0;
+            double highest_m = -1.0;
+            for (int k = 1; k < static_cast<int>(6.0 * rate_Hz); ++k) {
+                const double now_s = k / rate_Hz;
+                // Pressed down with 2 N from 2.5 s on.
+                HandTarget wanted;
+                wanted.pose_D.position.y() = now_s < 2.5 ? 0.01 : -2.0 / held.stiffness_N_per_m;
+                target.publish(wanted);
+                loop.step(now_s);
+                if (now_s > 5.0) {
+                    const double y_m = loop.state().tool_pose_W.position.y();
+                    lowest_m = std::min(lowest_m, y_m);
+                    highest_m = std::max(highest_m, y_m);
+                }
+            }
+            CHECK(highest_m - lowest_m < 1.5 * kEncoder_m);
+            CHECK(highest_m < -0.002);
+        }
+    }
+}
