@@ -21,5 +21,5 @@ function L:update(world, dt)
 end
 function L:key(name) world = nil end
 L:question "q" { prompt = "Which?", answers = { "the {thing}" }, lists = { thing = { "apple" } }, right = function(a) return a.thing == "apple" end }
-L:test { hand = "sweep.lua", say = { "the apple" }, expect = { score = 7, done = true } }
+L:test { hand = "sweep.lua", say = { "the apple" }, expect = { score = 7, finished = true } }
 return L
