@@ -73,6 +73,7 @@ leave_lesson
 until_true 20 plays one click_at 186 360 # the first card
 leave_lesson
 sleep 1
+xdotool type Mina # in the list: who is playing
 until_true 20 plays three xdotool key Right Return # the second card
 ! said "playing zero" || { echo "another lesson was started"; exit 1; }
 
@@ -80,3 +81,4 @@ leave_lesson
 until_true 20 leaves
 wait "$menu" || { echo "exit code $?"; cat "$folder/said"; exit 1; }
 menu=
+"$folder/fulcrum" report --lesson three | grep -qx Mina || { echo "three was not kept for Mina"; exit 1; }

@@ -4,4 +4,8 @@ if(TARGET fulcrum)
            COMMAND ${CMAKE_SOURCE_DIR}/tests/system/window.sh $<TARGET_FILE:fulcrum>)
   set_tests_properties("system: a window survives a broken lesson, a hung one, and runs the mended one"
                        PROPERTIES LABELS system TIMEOUT 120 SKIP_RETURN_CODE 77)
+  add_test(NAME "system: with --mute no sound device is opened"
+           COMMAND ${CMAKE_SOURCE_DIR}/tests/system/mute.sh $<TARGET_FILE:fulcrum>)
+  set_tests_properties("system: with --mute no sound device is opened"
+                       PROPERTIES LABELS system TIMEOUT 120 SKIP_RETURN_CODE 77)
 endif()

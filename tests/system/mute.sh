@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# mute.sh PROGRAM: with --mute no sound device is opened or even looked for; without it one is, so that this can fail.
+set -euo pipefail
+program=$1
+for tool in Xvfb strace; do
+    command -v "$tool" >/dev/null || { echo "no $tool: skipped"; exit 77; }
+done
+
+folder=$(mktemp -d)
+export HOME=$folder
+unset XDG_DATA_HOME WAYLAND_DISPLAY
+mkfifo "$folder/display"
+Xvfb -noreset -displayfd 3 -screen 0 1280x720x24 3>"$folder/display" 2>/dev/null &
+server=$!
+finish() {
+    kill "$server" 2>/dev/null || true
+    wait 2>/dev/null || true
+    rm -rf -- "$folder"
+}
+trap finish EXIT
+DISPLAY=:$(head -n 1 "$folder/display")
+export DISPLAY
+
+# sounds OPTION…: how often a run asked for a sound card, a sound server, or their settings. Libraries are no device: both
+# runs load them.
+sounds() {
+    strace -f -qq -e trace=openat,connect -o "$folder/calls" "$program" run gravity --seconds 1 "$@" >"$folder/said" 2>&1 ||
+        { cat "$folder/said" >&2; exit 1; }
+    grep -E '"[^"]*(/dev/snd|/dev/dsp|pulse|asound|alsoft|pipewire|jack)[^"]*"' "$folder/calls" | grep -vcF .so || true
+}
+
+aloud=$(sounds)
+muted=$(sounds --mute)
+echo "sound asked for $aloud times, with --mute $muted times"
+((aloud > 0 && muted == 0))
