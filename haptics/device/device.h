@@ -26,7 +26,6 @@ struct DeviceTraits {
     double max_torque_Nm = 0.0;
     double position_resolution_m =
         0.0;  ///< encoder step; 0 when it is finer than 1e-5 m or unknown
-    Vector3 workspace_half_extent_D{0.1, 0.1, 0.1};  ///< metres either side of the centre
 };
 
 class Device {

@@ -20,7 +20,6 @@ PointerDevice::PointerDevice(const PointerSettings& settings, LatestValue<Pointe
     : settings_(settings), target_(target) {
     traits_.name = "mouse";
     traits_.renders_force = false;
-    traits_.workspace_half_extent_D = settings.half_extent_D;
 }
 
 PointerDevice::~PointerDevice() = default;
