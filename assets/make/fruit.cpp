@@ -4,7 +4,6 @@
 #include "assets/make/parts.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <numbers>
 

@@ -1,7 +1,6 @@
 #include "assets/make/mesh.h"
 
 #include <algorithm>
-
 #include <array>
 #include <cmath>
 #include <map>

@@ -20,6 +20,8 @@ make_bucket();  ///< origin at the rim's centre, opening up; 0.11 m radius insid
 [[nodiscard]] Model make_cloud();   ///< 0.5 m wide
 [[nodiscard]] Model make_hill();    ///< 3 m wide, origin at the middle of its foot
 [[nodiscard]] Model make_flower();  ///< 0.09 m tall, origin at its foot
-[[nodiscard]] Model make_plank();   ///< shelf board, 0.9 m by 0.2 m, its top at y = 0
+[[nodiscard]] Model make_sphere();  ///< 1 m radius, spotted; drawn at a body's radius
+[[nodiscard]] Model make_box();    ///< 2 m along each side; drawn at a body's radius as half a side
+[[nodiscard]] Model make_plank();  ///< shelf board, 0.9 m by 0.2 m, its top at y = 0
 
 }  // namespace fulcrum::assets

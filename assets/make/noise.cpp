@@ -1,7 +1,6 @@
 #include "assets/make/noise.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <cstdint>
 

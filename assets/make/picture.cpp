@@ -1,7 +1,6 @@
 #include "assets/make/picture.h"
 
 #include <algorithm>
-
 #include <array>
 #include <cmath>
 #include <span>

@@ -1,4 +1,4 @@
-// Cursor, ghost, star, plank.
+// Cursor, ghost, star, plank, sphere, box.
 #include "assets/make/models.h"
 #include "assets/make/noise.h"
 #include "assets/make/parts.h"
@@ -65,6 +65,66 @@ Model make_star() {
     star.colour = srgb(0xF6B914);
     star.roughness = 0.35;
     return {"star", {std::move(star)}, {}};
+}
+
+Model make_sphere() {
+    MeshPart ball = outward(tessellate(ellipsoid(Vector3d::Ones()), 96, 48));
+    ball.picture = 0;
+    ball.roughness = 0.45;
+    // The picture's seam lies at the back.
+    ball.transform(Eigen::Affine3d(Eigen::AngleAxisd(kPi, Vector3d::UnitY())));
+    // Twelve spots, on the corners of an icosahedron: one sees how it turns.
+    const double golden = 0.5 * (1.0 + std::sqrt(5.0));
+    const auto spot = [golden](const Vector3d& p) {
+        double nearest = -1.0;
+        for (const double a : {-1.0, 1.0}) {
+            for (const double b : {-golden, golden}) {
+                for (const Vector3d& corner :
+                     {Vector3d(0, a, b), Vector3d(a, b, 0), Vector3d(b, 0, a)}) {
+                    nearest = std::max(nearest, p.dot(corner.normalized()));
+                }
+            }
+        }
+        return smooth_step(0.955, 0.965, nearest);
+    };
+    const auto on_ball = ellipsoid(Vector3d::Ones());
+    Model model{"sphere", {}, {}};
+    model.pictures.push_back(paint(512, 256, [&](double u, double v) {
+        return blend(srgb(0x3E86C6), srgb(0xF3EFE2), spot(on_ball(u, v)));
+    }));
+    model.parts = {std::move(ball)};
+    return model;
+}
+
+Model make_box() {
+    MeshPart faces;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            const Vector3d out = side * Vector3d::Unit(axis);
+            const Vector3d right = Vector3d::Unit((axis + 1) % 3);
+            const Vector3d up = out.cross(right);
+            const auto first = static_cast<std::uint32_t>(faces.positions.size());
+            for (const double v : {-1.0, 1.0}) {
+                for (const double u : {-1.0, 1.0}) {
+                    faces.positions.emplace_back(out + u * right + v * up);
+                    faces.normals.push_back(out);
+                    faces.uvs.emplace_back(0.5 + 0.5 * u, 0.5 - 0.5 * v);
+                }
+            }
+            for (const std::uint32_t corner : {0U, 1U, 3U, 0U, 3U, 2U}) {
+                faces.indices.push_back(first + corner);
+            }
+        }
+    }
+    faces.picture = 0;
+    faces.roughness = 0.6;
+    Model model{"box", {}, {}};
+    model.pictures.push_back(paint(128, 128, [](double u, double v) {
+        const double edge = std::min(std::min(u, 1.0 - u), std::min(v, 1.0 - v));
+        return blend(srgb(0xB77B3E), srgb(0xE0B068), smooth_step(0.05, 0.07, edge));
+    }));
+    model.parts = {std::move(faces)};
+    return model;
 }
 
 Model make_plank() {

@@ -3,7 +3,6 @@
 #include "dialogue/english/letters.h"
 
 #include <algorithm>
-
 #include <array>
 
 namespace fulcrum::dialogue {

@@ -3,7 +3,6 @@
 #include "dialogue/english/noun.h"
 
 #include <algorithm>
-
 #include <array>
 
 namespace fulcrum::dialogue {

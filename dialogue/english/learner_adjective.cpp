@@ -3,7 +3,6 @@
 #include "dialogue/english/letters.h"
 
 #include <algorithm>
-
 #include <string>
 
 namespace fulcrum::dialogue {

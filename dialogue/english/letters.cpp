@@ -1,7 +1,6 @@
 #include "dialogue/english/letters.h"
 
 #include <algorithm>
-
 #include <array>
 
 namespace fulcrum::dialogue {

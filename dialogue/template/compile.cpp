@@ -5,7 +5,6 @@
 #include "dialogue/template/tokens.h"
 
 #include <algorithm>
-
 #include <bit>
 
 namespace fulcrum::dialogue {

@@ -5,7 +5,6 @@
 #include "dialogue/english/letters.h"
 
 #include <algorithm>
-
 #include <optional>
 
 namespace fulcrum::dialogue {

@@ -4,7 +4,6 @@
 #include "dialogue/template/tokens.h"
 
 #include <algorithm>
-
 #include <array>
 
 namespace fulcrum::dialogue {

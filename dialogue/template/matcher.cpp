@@ -5,7 +5,6 @@
 #include "dialogue/template/resolve.h"
 
 #include <algorithm>
-
 #include <limits>
 
 namespace fulcrum::dialogue {

@@ -1,7 +1,6 @@
 #include "dialogue/template/phrases.h"
 
 #include <algorithm>
-
 #include <array>
 
 namespace fulcrum::dialogue {

@@ -4,7 +4,6 @@
 #include "dialogue/template/resolve.h"
 
 #include <algorithm>
-
 #include <limits>
 
 namespace fulcrum::dialogue {

@@ -3,7 +3,6 @@
 #include "dialogue/english/number.h"
 
 #include <algorithm>
-
 #include <array>
 #include <cstdint>
 

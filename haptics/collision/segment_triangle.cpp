@@ -1,7 +1,6 @@
 #include "haptics/collision/segment_triangle.h"
 
 #include <algorithm>
-
 #include <array>
 
 namespace fulcrum {

@@ -3,7 +3,6 @@
 #include "haptics/math/rotation.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <limits>
 #include <numbers>

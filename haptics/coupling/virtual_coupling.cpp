@@ -1,7 +1,6 @@
 #include "haptics/coupling/virtual_coupling.h"
 
 #include <algorithm>
-
 #include <cmath>
 
 namespace fulcrum {

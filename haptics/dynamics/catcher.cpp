@@ -1,7 +1,6 @@
 #include "haptics/dynamics/catcher.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <numbers>
 

@@ -2,7 +2,6 @@
 #include "haptics/dynamics/world.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <numbers>
 

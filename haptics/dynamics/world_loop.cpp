@@ -2,7 +2,6 @@
 #include "haptics/dynamics/world_loop.h"
 
 #include <algorithm>
-
 #include <cmath>
 
 namespace fulcrum {

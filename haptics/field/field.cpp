@@ -5,7 +5,6 @@
 #include "haptics/field/viscosity.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <numbers>
 

@@ -1,8 +1,7 @@
 #include "haptics/field/linearised_wrench.h"
 
-#include <algorithm>
-
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 namespace fulcrum {

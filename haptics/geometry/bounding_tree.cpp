@@ -1,7 +1,6 @@
 #include "haptics/geometry/bounding_tree.h"
 
 #include <algorithm>
-
 #include <bit>
 #include <cmath>
 #include <limits>

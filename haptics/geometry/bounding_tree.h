@@ -14,7 +14,6 @@
 #include "haptics/geometry/triangle_mesh.h"
 
 #include <algorithm>
-
 #include <array>
 #include <bit>
 #include <cstdint>

@@ -1,7 +1,6 @@
 #include "haptics/geometry/mesh_report.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <cstdio>
 #include <utility>

@@ -3,7 +3,6 @@
 #include "haptics/geometry/weld.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <limits>
 #include <optional>

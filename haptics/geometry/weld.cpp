@@ -1,7 +1,6 @@
 #include "haptics/geometry/weld.h"
 
 #include <algorithm>
-
 #include <array>
 #include <bit>
 #include <cmath>

@@ -7,7 +7,6 @@
 #include "haptics/loop/workspace.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <limits>
 #include <span>

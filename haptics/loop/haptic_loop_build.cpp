@@ -6,7 +6,6 @@
 #include "haptics/point/god_object.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <utility>
 

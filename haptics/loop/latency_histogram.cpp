@@ -1,7 +1,6 @@
 #include "haptics/loop/latency_histogram.h"
 
 #include <algorithm>
-
 #include <bit>
 #include <cmath>
 #include <cstddef>

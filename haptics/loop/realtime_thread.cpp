@@ -4,7 +4,6 @@
 #include "haptics/base/flush_to_zero.h"
 
 #include <algorithm>
-
 #include <cerrno>
 #include <cmath>
 #include <cstring>

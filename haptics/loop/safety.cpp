@@ -1,7 +1,6 @@
 #include "haptics/loop/safety.h"
 
 #include <algorithm>
-
 #include <cmath>
 
 namespace fulcrum {

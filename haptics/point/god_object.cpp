@@ -1,7 +1,6 @@
 #include "haptics/point/god_object.h"
 
 #include <algorithm>
-
 #include <limits>
 
 namespace fulcrum {

@@ -1,7 +1,6 @@
 #include "haptics/point/moving_solid.h"
 
 #include <algorithm>
-
 #include <limits>
 
 namespace fulcrum {

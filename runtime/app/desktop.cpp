@@ -3,7 +3,6 @@
 #include "haptics/base/clock.h"
 
 #include <algorithm>
-
 #include <chrono>
 #include <cstdio>
 #include <thread>

@@ -5,7 +5,6 @@
 #include "haptics/record/record.h"
 
 #include <algorithm>
-
 #include <limits>
 
 namespace fulcrum::runtime {

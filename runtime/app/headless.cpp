@@ -4,7 +4,6 @@
 #include "runtime/app/interrupt.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <cstdio>
 

@@ -7,7 +7,6 @@
 #include "runtime/scene/gltf/gltf_model.h"
 
 #include <algorithm>
-
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -26,7 +25,7 @@ bool has_no_file(const std::string& model) {
 
 // The models that the program has, and the one that a misspelt name most likely means.
 std::string nearest_model(const Places& places, const std::string& model) {
-    std::vector<std::string> known{"sphere", "box"};
+    std::vector<std::string> known;
     for (const fs::path& file : entries_of(places.models)) {
         known.push_back(file.stem().string());
     }

@@ -4,7 +4,6 @@
 #include "runtime/lesson/compose_view.h"
 
 #include <algorithm>
-
 #include <cstdio>
 
 namespace fulcrum::runtime {

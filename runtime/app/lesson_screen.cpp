@@ -5,7 +5,6 @@
 #include "runtime/render/camera.h"
 
 #include <algorithm>
-
 #include <array>
 #include <cstdio>
 #include <system_error>
@@ -135,14 +134,16 @@ Left LessonScreen::play() {
         watch_files();
         last_view_ = compose();
         desktop_.draw(last_view_);
-        save_wanted_screenshot();
+        const bool time_is_up =
+            options_.seconds && run_ && monotonic_now_s() - epoch_s_ >= *options_.seconds;
+        save_wanted_screenshot(time_is_up);
         if (desktop_.sound) {
             const bool unfelt = run_ && !run_->device().traits().renders_force;
             desktop_.sound->set_force_sound(
                 unfelt && error_.empty() ? last_view_.force.force_W.norm() : 0.0);
         }
         desktop_.finish_frame();
-        if (options_.seconds && run_ && monotonic_now_s() - epoch_s_ >= *options_.seconds) {
+        if (time_is_up) {
             left_ = Left::time_is_up;
         }
     }
@@ -309,15 +310,13 @@ std::string LessonScreen::help() const {
     return begins && request_.hand == HandKind::mouse ? catalogue_.say("hud.mouse_help") : "";
 }
 
-void LessonScreen::save_wanted_screenshot() {
+void LessonScreen::save_wanted_screenshot(bool last_frame) {
     if (options_.screenshot.empty() || !run_) {
         return;
     }
-    const double now_s = monotonic_now_s() - epoch_s_;
-    const bool at_end =
-        options_.screenshot_at_s < 0.0 && options_.seconds && now_s >= *options_.seconds;
-    const bool at_time = options_.screenshot_at_s >= 0.0 && now_s >= options_.screenshot_at_s;
-    if ((at_end || at_time) && !screenshot_taken_) {
+    const bool at_time =
+        options_.screenshot_at_s >= 0.0 && monotonic_now_s() - epoch_s_ >= options_.screenshot_at_s;
+    if ((last_frame || at_time) && !screenshot_taken_) {
         screenshot_taken_ = true;
         if (auto kept = save_png(options_.screenshot, desktop_.window->read_back()); !kept) {
             std::fprintf(stderr, "%s\n", to_sentence(kept.error()).c_str());

@@ -49,7 +49,7 @@ class LessonScreen {
     void watch_files();
     [[nodiscard]] View compose() const;
     [[nodiscard]] std::string help() const;
-    void save_wanted_screenshot();
+    void save_wanted_screenshot(bool last_frame);
 
     const Places& places_;
     Desktop& desktop_;

@@ -5,7 +5,6 @@
 #include "runtime/lua/lesson_process.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <utility>
 

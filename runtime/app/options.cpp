@@ -1,7 +1,6 @@
 #include "runtime/app/options.h"
 
 #include <algorithm>
-
 #include <array>
 #include <charconv>
 #include <cmath>

@@ -26,7 +26,7 @@ Expected<std::unique_ptr<Picture>> Picture::create(const Places& places) {
 
 std::vector<std::string> Picture::load_models(const LessonDescription& lesson,
                                               const std::filesystem::path& lesson_folder) {
-    std::vector<std::string> names{"pointer"};
+    std::vector<std::string> names{"cursor"};
     if (lesson.bucket.present) {
         names.push_back(lesson.bucket.model);
     }

@@ -3,7 +3,6 @@
 #include "runtime/app/options.h"
 
 #include <algorithm>
-
 #include <system_error>
 
 namespace fulcrum::runtime {

@@ -3,7 +3,6 @@
 #include "runtime/scene/sounds.h"
 
 #include <algorithm>
-
 #include <array>
 #include <cmath>
 #include <cstddef>

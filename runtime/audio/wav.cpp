@@ -1,7 +1,6 @@
 #include "runtime/audio/wav.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <cstdint>
 #include <fstream>

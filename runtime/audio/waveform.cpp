@@ -1,7 +1,6 @@
 #include "runtime/audio/waveform.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <complex>
 #include <numbers>

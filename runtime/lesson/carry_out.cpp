@@ -2,7 +2,6 @@
 #include "runtime/lesson/session.h"
 
 #include <algorithm>
-
 #include <utility>
 
 namespace fulcrum::runtime {

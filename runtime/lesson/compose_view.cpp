@@ -1,7 +1,6 @@
 #include "runtime/lesson/compose_view.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <cstdio>
 
@@ -17,6 +16,12 @@ constexpr double kArrowBelowBucket = 1.4;  // of its depth
 Vector3 squash(double amount) {
     const double wide = 1.0 / std::sqrt(1.0 - amount);
     return {wide, 1.0 - amount, wide};
+}
+
+// A ball and a box are made of size 1 and drawn as large as they are felt; other models have their own size.
+Vector3 model_scale(const BodyDescription& body) {
+    const bool by_rule = body.model == "sphere" || body.model == "box";
+    return Vector3::Constant(by_rule ? body.radius_m : 1.0);
 }
 
 const BodyState* state_of(const Scenery& scenery, std::size_t body) {
@@ -39,8 +44,10 @@ void add_bodies(const LessonDescription& lesson, const Scenery& scenery, View& v
         ViewBody shown;
         shown.model = body.model;
         shown.pose_W = state != nullptr ? state->pose_W : Pose::at(body.position_W);
+        shown.scale = model_scale(body);
         if (where == BodyWhere::held && !scenery.renders_force) {
-            shown.scale = squash(std::min(kSquashPerNewton * force_N, kStrongestSquash));
+            shown.scale = shown.scale.cwiseProduct(
+                squash(std::min(kSquashPerNewton * force_N, kStrongestSquash)));
         }
         if (where == BodyWhere::held || where == BodyWhere::placed) {
             shown.label = body.movable ? body.noun : "";
@@ -85,7 +92,7 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
     add_bodies(lesson, scenery, view);
 
     // The tool is drawn where it may be; a ghost shows where the hand is.
-    view.tool.model = lesson.bucket.present ? lesson.bucket.model : "pointer";
+    view.tool.model = lesson.bucket.present ? lesson.bucket.model : "cursor";
     view.tool.pose_W = scenery.hand.tool_pose_W;
     view.tool.pose_W.position = scenery.hand.proxy_position_W;
     view.ghost_visible = scenery.ghost;

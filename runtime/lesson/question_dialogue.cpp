@@ -1,7 +1,6 @@
 #include "runtime/lesson/question_dialogue.h"
 
 #include <algorithm>
-
 #include <cassert>
 
 namespace fulcrum::runtime {

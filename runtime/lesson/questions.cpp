@@ -1,7 +1,6 @@
 #include "runtime/lesson/questions.h"
 
 #include <algorithm>
-
 #include <array>
 
 namespace fulcrum::runtime {

@@ -4,7 +4,6 @@
 #include "runtime/progress/text_rules.h"
 
 #include <algorithm>
-
 #include <iterator>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "runtime/lesson/session_log.h"
 
 #include <algorithm>
-
 #include <utility>
 
 namespace fulcrum::runtime {

@@ -1,7 +1,6 @@
 #include "runtime/lua/arena.h"
 
 #include <algorithm>
-
 #include <cstring>
 #include <new>
 #include <sys/mman.h>

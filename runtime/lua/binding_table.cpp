@@ -1,7 +1,6 @@
 #include "runtime/lua/binding_table.h"
 
 #include <algorithm>
-
 #include <cassert>
 #include <cstdio>
 

@@ -1,7 +1,6 @@
 #include "runtime/lua/lesson_host.h"
 
 #include <algorithm>
-
 #include <cmath>
 
 namespace fulcrum::runtime {

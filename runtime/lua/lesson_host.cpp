@@ -4,7 +4,6 @@
 #include "runtime/lua/sound_names.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <utility>
 

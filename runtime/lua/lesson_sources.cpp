@@ -3,7 +3,6 @@
 #include "runtime/lua/safe_library.h"
 
 #include <algorithm>
-
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>

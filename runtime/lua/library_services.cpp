@@ -9,7 +9,6 @@
 #include "runtime/lua/safe_library.h"
 
 #include <algorithm>
-
 #include <string>
 #include <vector>
 

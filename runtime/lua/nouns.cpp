@@ -1,7 +1,6 @@
 #include "runtime/lua/nouns.h"
 
 #include <algorithm>
-
 #include <cctype>
 
 namespace fulcrum::runtime {

@@ -4,7 +4,6 @@
 #include "runtime/scene/sounds.h"
 
 #include <algorithm>
-
 #include <sstream>
 
 namespace fulcrum::runtime {
@@ -114,10 +113,11 @@ std::string events_section() {
 std::string names_sections() {
     std::string out = "\n## Sounds\n\n`world:sound` plays one of " + quoted(kSoundNames) +
                       ". Catching, landing, answers, levels and the end sound by themselves.\n";
-    out += "\n## Models\n\n`model` of a body or the bucket is one of " + quoted(kModelNames) +
-           ", or a `.glb` or `.gltf` file beside the lesson, without its ending: `model = "
-           "\"kettle\"` is kettle.glb. `sphere` and `box` need no file: what the hand feels is a "
-           "ball of the body's `radius`, or a cube twice that wide.\n";
+    out +=
+        "\n## Models\n\n`model` of a body or the bucket is one of " + quoted(kModelNames) +
+        ", or a `.glb` or `.gltf` file beside the lesson, without its ending: `model = "
+        "\"kettle\"` is kettle.glb. `sphere` is a ball of the body's `radius`, `box` a cube twice "
+        "that wide, both seen and felt so; other models have their own size.\n";
     return out;
 }
 

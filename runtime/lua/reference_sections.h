@@ -31,9 +31,9 @@ struct EventText {
 [[nodiscard]] std::vector<EventText> event_texts();
 
 /// The models that the program makes, and those that need no file.
-inline constexpr std::array<std::string_view, 14> kModelNames{
-    "watermelon", "apple",  "banana", "egg",  "bucket", "cursor", "ghost",
-    "star",       "ground", "hill",   "tree", "cloud",  "flower", "plank"};
+inline constexpr std::array<std::string_view, 16> kModelNames{
+    "watermelon", "apple", "banana", "egg",   "bucket", "cursor", "ghost",  "star",
+    "ground",     "hill",  "tree",   "cloud", "flower", "plank",  "sphere", "box"};
 
 /// A file of scripts/lib.
 struct LibraryModule {

@@ -5,7 +5,6 @@
 #include "runtime/lua/script_state.h"
 
 #include <algorithm>
-
 #include <cstring>
 
 namespace fulcrum::runtime {

@@ -4,7 +4,6 @@
 #include "runtime/lua/script_state.h"
 
 #include <algorithm>
-
 #include <bit>
 
 namespace fulcrum::runtime {

@@ -4,7 +4,6 @@
 #include "runtime/lua/safe_library.h"
 
 #include <algorithm>
-
 #include <charconv>
 #include <cstdlib>
 #include <cstring>

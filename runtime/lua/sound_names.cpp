@@ -4,7 +4,6 @@
 #include "runtime/scene/sounds.h"
 
 #include <algorithm>
-
 #include <optional>
 
 namespace fulcrum::runtime {

@@ -4,7 +4,6 @@
 #include "runtime/lua/lesson_context.h"
 
 #include <algorithm>
-
 #include <array>
 #include <string>
 #include <string_view>

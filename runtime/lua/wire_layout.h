@@ -5,7 +5,6 @@
 #include "runtime/lua/wire_archive.h"
 
 #include <algorithm>
-
 #include <set>
 
 namespace fulcrum::runtime::wire {

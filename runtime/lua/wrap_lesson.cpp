@@ -3,7 +3,6 @@
 #include "runtime/lua/lesson_context.h"
 
 #include <algorithm>
-
 #include <array>
 #include <cctype>
 

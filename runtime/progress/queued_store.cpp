@@ -1,7 +1,6 @@
 #include "runtime/progress/queued_store.h"
 
 #include <algorithm>
-
 #include <chrono>
 #include <cmath>
 #include <string>

@@ -3,7 +3,6 @@
 #include "runtime/progress/text_rules.h"
 
 #include <algorithm>
-
 #include <array>
 #include <cerrno>
 #include <chrono>

@@ -1,7 +1,6 @@
 #include "runtime/progress/report.h"
 
 #include <algorithm>
-
 #include <cctype>
 #include <map>
 #include <unordered_map>

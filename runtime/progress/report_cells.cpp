@@ -1,7 +1,6 @@
 #include "runtime/progress/report_cells.h"
 
 #include <algorithm>
-
 #include <array>
 #include <ctime>
 

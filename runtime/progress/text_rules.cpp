@@ -1,7 +1,6 @@
 #include "runtime/progress/text_rules.h"
 
 #include <algorithm>
-
 #include <array>
 
 namespace fulcrum::runtime {

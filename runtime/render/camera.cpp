@@ -1,7 +1,6 @@
 #include "runtime/render/camera.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <numbers>
 

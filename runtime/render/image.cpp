@@ -1,7 +1,6 @@
 #include "runtime/render/image.h"
 
 #include <algorithm>
-
 #include <array>
 #include <cstddef>
 #include <cstdlib>

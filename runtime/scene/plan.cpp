@@ -3,7 +3,6 @@
 #include "haptics/field/field.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <functional>
 #include <set>

@@ -196,7 +196,7 @@ function World:viscosity(options) end
 ---@return Force
 function World:magnet(options) end
 
----Declares the lesson's own force on the hand, computed 60 times a second and carried on in between by its slope; a torque by its slope in place alone.
+---Declares the lesson's own force on the hand, computed 60 times a second and carried on in between by its slope; a torque by its slope in place alone. It comes at 50 newtons a second at most, and more slowly when it is steeper than 2000 newtons per metre.
 ---@param compute function function(tool): gives three newtons from tool.x, .y, .z, .vx, .vy, .vz; or six numbers, the last three a torque in newton metres
 function Hand:force(compute) end
 

@@ -6,7 +6,6 @@
 #include "dialogue/template/matcher.h"
 
 #include <algorithm>
-
 #include <chrono>
 #include <cstdio>
 #include <string>

@@ -8,7 +8,6 @@
 #include "haptics/point/god_object.h"
 
 #include <algorithm>
-
 #include <chrono>
 #include <cmath>
 #include <cstdio>

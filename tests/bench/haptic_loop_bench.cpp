@@ -7,7 +7,6 @@
 #include "tests/support/scripted_device.h"
 
 #include <algorithm>
-
 #include <chrono>
 #include <cmath>
 #include <cstdio>

@@ -6,7 +6,6 @@
 #include "runtime/progress/sqlite/sqlite_store.h"
 
 #include <algorithm>
-
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

@@ -10,7 +10,6 @@
 #include "runtime/scene/gltf/gltf_model.h"
 
 #include <algorithm>
-
 #include <cstdio>
 #include <ctime>
 #include <filesystem>

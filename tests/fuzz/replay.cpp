@@ -1,7 +1,6 @@
 // Feeds a fuzz target the seeds in a folder and a fixed set of mutations of them, without
 // libFuzzer: the same inputs with every compiler and on every machine.
 #include <algorithm>
-
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

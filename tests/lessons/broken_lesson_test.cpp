@@ -1,9 +1,9 @@
 // Lessons that fail in every way a teacher can manage: the force fades first, then one sentence with file and line.
 #include "tests/lessons/program.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 

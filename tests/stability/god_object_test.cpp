@@ -3,9 +3,9 @@
 
 #include "haptics/geometry/shape.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 

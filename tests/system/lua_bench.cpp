@@ -5,7 +5,6 @@
 #include "runtime/lua/lesson_process.h"
 
 #include <algorithm>
-
 #include <array>
 #include <cstdio>
 #include <cstdlib>

@@ -10,7 +10,6 @@
 #include "runtime/lua/lesson_process.h"
 
 #include <algorithm>
-
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>

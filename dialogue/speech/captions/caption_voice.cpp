@@ -1,7 +1,6 @@
 #include "dialogue/speech/captions/caption_voice.h"
 
 #include <algorithm>
-
 #include <cmath>
 
 namespace fulcrum::dialogue {

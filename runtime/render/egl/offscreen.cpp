@@ -4,7 +4,6 @@
 #include "runtime/render/gl/read_framebuffer.h"
 
 #include <algorithm>
-
 #include <array>
 #include <cstring>
 #include <epoxy/egl.h>

@@ -2,9 +2,8 @@
 
 #include "runtime/render/gl/simplify.h"
 
-#include <algorithm>
-
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>

@@ -1,7 +1,6 @@
 #include "runtime/render/gl/read_framebuffer.h"
 
 #include <algorithm>
-
 #include <cstring>
 
 namespace fulcrum::runtime::gl {

@@ -1,8 +1,7 @@
 #include "runtime/render/gl/simplify.h"
 
-#include <algorithm>
-
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>

@@ -10,7 +10,6 @@
 // clang-format on
 
 #include <algorithm>
-
 #include <cstdlib>
 
 namespace fulcrum::runtime {

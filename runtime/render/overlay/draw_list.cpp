@@ -1,7 +1,6 @@
 #include "runtime/render/overlay/draw_list.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <numbers>
 

@@ -5,7 +5,6 @@
 #include "runtime/render/theme.h"
 
 #include <algorithm>
-
 #include <array>
 
 namespace fulcrum::runtime {

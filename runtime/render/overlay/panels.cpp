@@ -4,7 +4,6 @@
 #include "runtime/render/theme.h"
 
 #include <algorithm>
-
 #include <string>
 
 namespace fulcrum::runtime {

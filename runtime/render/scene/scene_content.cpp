@@ -3,7 +3,6 @@
 #include "runtime/render/scene/light.h"
 
 #include <algorithm>
-
 #include <cmath>
 
 namespace fulcrum::runtime {

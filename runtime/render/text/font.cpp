@@ -5,7 +5,6 @@
 #include FT_OUTLINE_H
 
 #include <algorithm>
-
 #include <array>
 #include <cmath>
 #include <cstring>

@@ -1,7 +1,6 @@
 #include "runtime/scene/gltf/deflate_length.h"
 
 #include <algorithm>
-
 #include <array>
 #include <vector>
 

@@ -9,9 +9,9 @@
 #include "runtime/scene/gltf/primitive.h"
 #include "runtime/scene/gltf/resources.h"
 
-#include <algorithm>
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <nlohmann/json.hpp>

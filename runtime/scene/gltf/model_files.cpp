@@ -1,7 +1,6 @@
 #include "runtime/scene/gltf/model_files.h"
 
 #include <algorithm>
-
 #include <cerrno>
 #include <cstdint>
 #include <cstring>

@@ -4,7 +4,6 @@
 #include "runtime/scene/gltf/limits.h"
 
 #include <algorithm>
-
 #include <array>
 #include <string_view>
 #include <vector>

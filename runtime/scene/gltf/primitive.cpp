@@ -2,11 +2,11 @@
 
 #include "runtime/scene/gltf/accessor_view.h"
 
-#include <algorithm>
 #include <tiny_gltf.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "tests/system/progress/power_vfs.h"
 
 #include <algorithm>
-
 #include <cstring>
 #include <filesystem>
 #include <fstream>

@@ -1,7 +1,6 @@
 #include "tests/system/progress/workload.h"
 
 #include <algorithm>
-
 #include <random>
 
 namespace fulcrum::runtime::test {

@@ -7,9 +7,9 @@
 #include "runtime/scene/gltf/collision_from_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -26,7 +26,7 @@ struct Maker {
     Vector3d size_m;  ///< of the box around it
 };
 
-const std::array<Maker, 14> kMakers{{{"watermelon", make_watermelon, {0.20, 0.166, 0.172}},
+const std::array<Maker, 16> kMakers{{{"watermelon", make_watermelon, {0.20, 0.166, 0.172}},
                                      {"apple", make_apple, {0.080, 0.085, 0.080}},
                                      {"banana", make_banana, {0.162, 0.061, 0.038}},
                                      {"egg", make_egg, {0.044, 0.057, 0.044}},
@@ -39,7 +39,9 @@ const std::array<Maker, 14> kMakers{{{"watermelon", make_watermelon, {0.20, 0.16
                                      {"tree", make_tree, {0.84, 1.21, 0.74}},
                                      {"cloud", make_cloud, {0.51, 0.24, 0.20}},
                                      {"flower", make_flower, {0.046, 0.103, 0.028}},
-                                     {"plank", make_plank, {0.9, 0.025, 0.2}}}};
+                                     {"plank", make_plank, {0.9, 0.025, 0.2}},
+                                     {"sphere", make_sphere, {2.0, 2.0, 2.0}},
+                                     {"box", make_box, {2.0, 2.0, 2.0}}}};
 
 /// Painting takes a while: each model is made once.
 const Model& made(const Maker& maker) {
@@ -114,7 +116,8 @@ TEST_CASE("assets: the same model is the same file every time") {
 }
 
 TEST_CASE("assets: fruit are closed, face outwards, and balance at their origin") {
-    for (const auto make : {make_watermelon, make_apple, make_banana, make_egg}) {
+    for (const auto make :
+         {make_watermelon, make_apple, make_banana, make_egg, make_sphere, make_box}) {
         const Model model = make();
         CAPTURE(model.name);
         const TriangleMesh mesh = first_part(model);

@@ -1,9 +1,9 @@
 #include "dialogue/conversation/conversation.h"
 #include "tests/unit/dialogue/questions.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <set>
 
 using namespace fulcrum::dialogue;

@@ -1,8 +1,8 @@
 #include "dialogue/english/adjective.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <set>
 
 using namespace fulcrum::dialogue;

@@ -1,7 +1,8 @@
 #include "dialogue/english/noun.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
+
+#include <algorithm>
 
 using namespace fulcrum::dialogue;
 

@@ -1,8 +1,8 @@
 #include "haptics/field/weight.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -2,9 +2,9 @@
 #include "haptics/device/simulated/simulated_hand.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>

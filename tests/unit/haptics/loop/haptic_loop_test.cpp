@@ -1,9 +1,9 @@
 #include "haptics/math/rotation.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>

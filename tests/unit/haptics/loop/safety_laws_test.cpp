@@ -1,8 +1,9 @@
 // The gate's laws one by one: for torques, at its bounds, in time.
 #include "tests/unit/haptics/loop/safety_fixture.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
+
+#include <algorithm>
 
 using namespace fulcrum;
 

@@ -1,8 +1,8 @@
 #include "haptics/point/plane_constraints.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>

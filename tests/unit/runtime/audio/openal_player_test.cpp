@@ -2,9 +2,9 @@
 
 #include "runtime/audio/synthesis.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>

@@ -2,9 +2,9 @@
 
 #include "runtime/audio/force_sound.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>

@@ -1,8 +1,8 @@
 #include "runtime/audio/waveform.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>

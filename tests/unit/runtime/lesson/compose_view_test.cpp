@@ -86,3 +86,14 @@ TEST_CASE("view: score, level, caption and stars come from the session") {
     CHECK(view.level_title == "Three things");
     CHECK(view.stars == 3);
 }
+
+TEST_CASE("view: a ball and a box are drawn as large as they are felt, other models as they are") {
+    Shown shown;
+    shown.world.bodies[0].where = BodyWhere::placed;
+    shown.lesson.bodies[0].radius_m = 0.07;
+    CHECK(shown.view().bodies[0].scale == Vector3::Ones());
+    for (const char* model : {"sphere", "box"}) {
+        shown.lesson.bodies[0].model = model;
+        CHECK(shown.view().bodies[0].scale == Vector3::Constant(0.07));
+    }
+}

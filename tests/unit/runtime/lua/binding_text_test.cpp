@@ -1,9 +1,9 @@
 #include "library_texts.h"
 #include "runtime/lua/binding_table.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <set>

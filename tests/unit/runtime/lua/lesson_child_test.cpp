@@ -2,9 +2,9 @@
 #include "runtime/lua/lesson_process.h"
 #include "runtime/lua/sandbox.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstddef>

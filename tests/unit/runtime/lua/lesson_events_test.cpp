@@ -1,8 +1,9 @@
 #include "hosted_lesson.h"
 #include "runtime/lua/reference_sections.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
+
+#include <algorithm>
 
 namespace fulcrum::runtime {
 namespace {

@@ -4,7 +4,6 @@
 #include "runtime/lua/reference_sections.h"
 
 #include <algorithm>
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>

@@ -1,8 +1,8 @@
 #include "hosted_lesson.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <rapidcheck.h>
 
 namespace fulcrum::runtime {

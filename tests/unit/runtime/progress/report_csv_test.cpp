@@ -3,9 +3,9 @@
 #include "tests/unit/runtime/progress/csv_reader.h"
 #include "tests/unit/runtime/progress/diary.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <sstream>

@@ -11,9 +11,9 @@
 #include "runtime/render/scene/shapes.h"
 #include "runtime/render/theme.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <epoxy/gl.h>

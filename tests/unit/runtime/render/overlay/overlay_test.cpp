@@ -3,9 +3,9 @@
 #include "runtime/render/overlay/panels.h"
 #include "runtime/render/renderer.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>

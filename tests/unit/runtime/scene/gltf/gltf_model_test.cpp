@@ -3,8 +3,9 @@
 
 #include "tests/unit/runtime/scene/gltf/gltf_bytes.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
+
+#include <algorithm>
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
