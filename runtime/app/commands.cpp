@@ -19,15 +19,29 @@
 namespace fulcrum::runtime {
 namespace {
 
-RunRequest quiet_request(const std::filesystem::path& folder, const Options& options) {
+RunRequest quiet_request(const Options& options) {
     RunRequest request;
-    request.folder = folder;
     request.plan.force_limit_N = options.force_limit_N;
     request.plan.speech = options.speech;
     request.plan.picture = false;
     request.plan.sound = false;
     request.own_test = true;
     return request;
+}
+
+/// Builds a run of the lesson that `options` name, keeping no progress, and gives it and the lesson's folder to `use`.
+template <class Use>
+int with_run(const Installation& installation, const Options& options, RunRequest request,
+             const Use& use) {
+    const auto folder = find_lesson(installation.places, options.lesson);
+    if (!folder) {
+        return complain(folder.error(), 2);
+    }
+    request.folder = *folder;
+    const auto store = make_null_store();
+    const auto run =
+        LessonRun::create(installation.places, request, *store, installation.catalogue);
+    return run ? use(**run, *folder) : complain(run.error(), 1);
 }
 
 // What L:test{ expect = … } may name (kTestFacts), as text.
@@ -114,69 +128,48 @@ int list_command(const Installation& installation) {
 }
 
 int check_command(const Installation& installation, const Options& options) {
-    const auto folder = find_lesson(installation.places, options.lesson);
-    if (!folder) {
-        return complain(folder.error(), 2);
-    }
-    const auto store = make_null_store();
-    const auto run = LessonRun::create(installation.places, quiet_request(*folder, options), *store,
-                                       installation.catalogue);
-    if (!run) {
-        return complain(run.error(), 1);
-    }
-    for (const BodyDescription& body : (*run)->description().bodies) {
-        say_of_mesh(installation.places, *folder, body);
-    }
-    std::printf("%s: no mistakes found.\n", (*run)->description().id.c_str());
-    return 0;
+    return with_run(installation, options, quiet_request(options),
+                    [&](LessonRun& run, const auto& folder) {
+                        for (const BodyDescription& body : run.description().bodies) {
+                            say_of_mesh(installation.places, folder, body);
+                        }
+                        std::printf("%s: no mistakes found.\n", run.description().id.c_str());
+                        return 0;
+                    });
 }
 
 int test_command(const Installation& installation, const Options& options) {
-    const auto folder = find_lesson(installation.places, options.lesson);
-    if (!folder) {
-        return complain(folder.error(), 2);
-    }
-    const auto store = make_null_store();
-    const auto run = LessonRun::create(installation.places, quiet_request(*folder, options), *store,
-                                       installation.catalogue);
-    if (!run) {
-        return complain(run.error(), 1);
-    }
-    if ((*run)->description().tests.empty()) {
-        return complain(
-            {"the lesson has no test", (*folder / "lesson.lua").string(), "add L:test { … }"}, 1);
-    }
-    const auto outcome = run_headless(**run, {});
-    if (!outcome) {
-        return complain(outcome.error(), 1);
-    }
-    if (const std::string trouble = trouble_of(*outcome); !trouble.empty()) {
-        std::fprintf(stderr, "%s\n", trouble.c_str());
-    }
-    const int unmet = count_unmet((*run)->description().tests.front(), (*run)->session().result());
-    std::printf("%s: %s after %.1f s of play.\n", (*run)->description().id.c_str(),
-                unmet == 0 ? "passed" : "failed", outcome->simulated_s);
-    return unmet == 0 ? 0 : 1;
+    return with_run(
+        installation, options, quiet_request(options), [](LessonRun& run, const auto& folder) {
+            if (run.description().tests.empty()) {
+                return complain({"the lesson has no test", (folder / "lesson.lua").string(),
+                                 "add L:test { … }"},
+                                1);
+            }
+            const auto outcome = run_headless(run, {});
+            if (!outcome) {
+                return complain(outcome.error(), 1);
+            }
+            if (const std::string trouble = trouble_of(*outcome); !trouble.empty()) {
+                std::fprintf(stderr, "%s\n", trouble.c_str());
+            }
+            const int unmet = count_unmet(run.description().tests.front(), run.session().result());
+            std::printf("%s: %s after %.1f s of play.\n", run.description().id.c_str(),
+                        unmet == 0 ? "passed" : "failed", outcome->simulated_s);
+            return unmet == 0 ? 0 : 1;
+        });
 }
 
 int explain_command(const Installation& installation, const Options& options) {
-    const auto folder = find_lesson(installation.places, options.lesson);
-    if (!folder) {
-        return complain(folder.error(), 2);
-    }
-    RunRequest request = quiet_request(*folder, options);
+    RunRequest request = quiet_request(options);
     request.plan.picture = !options.headless;
     request.plan.sound = !options.headless && !options.mute;
     request.plan.record = !options.record.empty();
-    request.record_file = "/dev/null";
-    const auto store = make_null_store();
-    const auto run =
-        LessonRun::create(installation.places, request, *store, installation.catalogue);
-    if (!run) {
-        return complain(run.error(), 1);
-    }
-    std::fputs(explain((*run)->description(), (*run)->plan()).c_str(), stdout);
-    return 0;
+    request.record_file = "/dev/null";  // the record is built, so that its size can be told
+    return with_run(installation, options, request, [](LessonRun& run, const auto& /*folder*/) {
+        std::fputs(explain(run.description(), run.plan()).c_str(), stdout);
+        return 0;
+    });
 }
 
 int report_command(const Options& options) {

@@ -16,6 +16,7 @@ fuzz() {
     mkdir -p "$found" "$crashes"
     log=build/fuzz/$name.log
     [[ ! -d $seeds ]] || options+=("$seeds")
+    [[ $name != lesson ]] || options+=("$PWD/tests/system/hostile") # lessons that mean harm are its best seeds
     [[ ! -f tests/fuzz/$name.dict ]] || options+=("-dict=tests/fuzz/$name.dict")
     if ! "build/fuzz/tests/fuzz_$name" "$found" "${options[@]}" -max_total_time="$2" -timeout=10 -rss_limit_mb=2048 \
         -print_final_stats=1 -artifact_prefix="$crashes/" >"$log" 2>&1; then

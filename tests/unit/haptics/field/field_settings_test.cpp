@@ -1,31 +1,12 @@
 #include "haptics/field/field.h"
+#include "tests/unit/haptics/field/field_fixture.h"
 
 #include <catch2/catch.hpp>
 
 #include <limits>
 
 using namespace fulcrum;
-
-namespace {
-
-FieldPlan make_spring() {
-    FieldPlan plan;
-    plan.kind = FieldKind::spring;
-    plan.anchor_W = Vector3(0.1, 0.0, 0.0);
-    plan.stiffness_N_per_m = 100.0;
-    plan.damping_Ns_per_m = 2.0;
-    return plan;
-}
-
-FieldPlan make_magnet() {
-    FieldPlan plan;
-    plan.kind = FieldKind::magnet;
-    plan.peak_force_N = 3.0;
-    plan.range_m = 0.05;
-    return plan;
-}
-
-}  // namespace
+using namespace fulcrum::test;
 
 TEST_CASE("field: coefficients outside their ranges are refused") {
     CHECK(validate(make_spring()));

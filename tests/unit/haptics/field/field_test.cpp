@@ -3,6 +3,7 @@
 #include "haptics/field/magnet.h"
 #include "haptics/field/spring.h"
 #include "haptics/field/viscosity.h"
+#include "tests/unit/haptics/field/field_fixture.h"
 
 #include <catch2/catch.hpp>
 
@@ -11,28 +12,12 @@
 #include <rapidcheck.h>
 
 using namespace fulcrum;
+using namespace fulcrum::test;
 
 namespace {
 
 constexpr double kDt_s = 0.001;
 constexpr double kRounding = 1e-12;
-
-FieldPlan make_spring() {
-    FieldPlan plan;
-    plan.kind = FieldKind::spring;
-    plan.anchor_W = Vector3(0.1, 0.0, 0.0);
-    plan.stiffness_N_per_m = 100.0;
-    plan.damping_Ns_per_m = 2.0;
-    return plan;
-}
-
-FieldPlan make_magnet() {
-    FieldPlan plan;
-    plan.kind = FieldKind::magnet;
-    plan.peak_force_N = 3.0;
-    plan.range_m = 0.05;
-    return plan;
-}
 
 }  // namespace
 
