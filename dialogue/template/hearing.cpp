@@ -74,6 +74,11 @@ bool is_listed(const TemplateSet& set, std::string_view word) {
     return false;
 }
 
+/// Slips rarely touch the first letter, except by swapping it with the next.
+bool starts_alike(const std::string& word, const std::string& text) {
+    return word[0] == text[0] || (word.size() > 1 && word[0] == text[1] && word[1] == text[0]);
+}
+
 /// The one word of the templates that `text` is a slip of, or kNone. Two letters are too few to tell one little word from
 /// another; they may be a slip of a listed noun ("eg").
 int nearest_word(const TemplateSet& set, const std::string& text, std::size_t& comparisons) {
@@ -91,10 +96,8 @@ int nearest_word(const TemplateSet& set, const std::string& text, std::size_t& c
         const int standing = set.standing[static_cast<std::size_t>(number)];
         const auto longer = static_cast<int>(std::max(word.size(), text.size()));
         const auto shorter = static_cast<int>(std::min(word.size(), text.size()));
-        // Slips rarely touch the first letter, except by swapping it with the next.
-        const bool same_start =
-            word[0] == text[0] || (word.size() > 1 && word[0] == text[1] && word[1] == text[0]);
-        if (standing == 0 || word.size() < 3 || longer - shorter > allowed || !same_start) {
+        if (standing == 0 || word.size() < 3 || longer - shorter > allowed ||
+            !starts_alike(word, text)) {
             continue;
         }
         ++comparisons;

@@ -132,6 +132,21 @@ tl::unexpected<Error> unknown(const std::string& what, const std::string& word,
         guess.empty() ? "see fulcrum help" : "did you mean " + guess + "?  See fulcrum help");
 }
 
+const CommandWord* find_command(std::string_view word) {
+    const auto found = std::find_if(kCommands.begin(), kCommands.end(),
+                                    [&](const CommandWord& c) { return c.word == word; });
+    return found == kCommands.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> command_words() {
+    std::vector<std::string> words;
+    words.reserve(kCommands.size());
+    for (const CommandWord& command : kCommands) {
+        words.emplace_back(command.word);
+    }
+    return words;
+}
+
 std::vector<std::string> flags_of(const CommandWord& command) {
     std::vector<std::string> flags;
     std::size_t start = command.flags.find("--");
@@ -165,20 +180,11 @@ Expected<Options> parse_options(std::span<const std::string> words) {
     if (words.empty()) {
         return options;
     }
-    const auto find = [](std::string_view word) {
-        return std::find_if(kCommands.begin(), kCommands.end(),
-                            [&](const CommandWord& c) { return c.word == word; });
-    };
     // Options alone are those of the list of lessons.
-    const bool only_options = words[0].starts_with("--") && find(words[0]) == kCommands.end();
-    const auto command = find(only_options ? "menu" : words[0]);
-    if (command == kCommands.end()) {
-        std::vector<std::string> known;
-        known.reserve(kCommands.size());
-        for (const CommandWord& c : kCommands) {
-            known.emplace_back(c.word);
-        }
-        return unknown("the command", words[0], known);
+    const bool only_options = words[0].starts_with("--") && find_command(words[0]) == nullptr;
+    const CommandWord* const command = find_command(only_options ? "menu" : words[0]);
+    if (command == nullptr) {
+        return unknown("the command", words[0], command_words());
     }
     options.command = command->command;
 

@@ -13,25 +13,10 @@
 namespace fulcrum::runtime {
 namespace {
 
-Expected<RunRequest> make_request(const Installation& installation, const Options& options,
-                                  bool in_window) {
-    RunRequest request;
-    const auto folder = find_lesson(installation.places, options.lesson);
-    if (!folder) {
-        return tl::unexpected(folder.error());
-    }
-    request.folder = *folder;
-    request.plan.force_limit_N = options.force_limit_N;
-    request.plan.speech = options.speech;
-    request.plan.picture = in_window || !options.screenshot.empty();
-    request.plan.sound = in_window && !options.mute;
-    request.plan.record = !options.record.empty();
-    request.record_file = options.record;
-    request.learner = options.learner;
-
-    // Whose hand: what was asked for, else the mouse in a window and the lesson's own simulated hand without.
+// Whose hand: what was asked for, else the mouse in a window and the lesson's own simulated hand without.
+Expected<void> choose_hand(const Options& options, bool in_window, RunRequest& request) {
     constexpr std::string_view kReplay = "replay:";
-    if (options.hand.rfind(kReplay, 0) == 0) {
+    if (options.hand.starts_with(kReplay)) {
         request.hand = HandKind::replay;
         request.hand_file = options.hand.substr(kReplay.size());
         std::error_code error;
@@ -51,8 +36,13 @@ Expected<RunRequest> make_request(const Installation& installation, const Option
         return fail("there is no mouse without a window", "",
                     "leave --hand out, or give it a hand's file");
     }
+    return {};
+}
 
-    // Whose answers: a file's, the lesson's own when nobody could type, else the keyboard's.
+// Whose answers: a file's, the lesson's own when nobody could type, else the keyboard's.
+Expected<void> choose_answers(const Options& options, bool in_window, RunRequest& request) {
+    request.own_test = !in_window;
+    request.learner = options.learner;
     if (!options.say.empty()) {
         const auto lines = SimulatedPupil::read_lines(options.say);
         if (!lines) {
@@ -63,17 +53,35 @@ Expected<RunRequest> make_request(const Installation& installation, const Option
         }
         request.say = *lines;
     }
-    request.own_test = !in_window;
-    if (!in_window && request.say.empty()) {
-        if (!request.learner.empty()) {
-            std::fprintf(
-                stderr,
-                "The answers are the lesson's own, so they are kept for the %s, not for %s.\n",
-                kSimulatedPupil, request.learner.c_str());
-        }
-        request.learner = kSimulatedPupil;
+    if (in_window || (!request.say.empty() && !request.learner.empty())) {
+        return {};
     }
-    return request;
+    if (!request.learner.empty()) {
+        std::fprintf(stderr,
+                     "The answers are the lesson's own, so they are kept for the %s, not for %s.\n",
+                     kSimulatedPupil, request.learner.c_str());
+    }
+    request.learner = kSimulatedPupil;
+    return {};
+}
+
+Expected<RunRequest> make_request(const Installation& installation, const Options& options,
+                                  bool in_window) {
+    RunRequest request;
+    const auto folder = find_lesson(installation.places, options.lesson);
+    if (!folder) {
+        return tl::unexpected(folder.error());
+    }
+    request.folder = *folder;
+    request.plan.force_limit_N = options.force_limit_N;
+    request.plan.speech = options.speech;
+    request.plan.picture = in_window || !options.screenshot.empty();
+    request.plan.sound = in_window && !options.mute;
+    request.plan.record = !options.record.empty();
+    request.record_file = options.record;
+    return choose_hand(options, in_window, request)
+        .and_then([&] { return choose_answers(options, in_window, request); })
+        .map([&] { return std::move(request); });
 }
 
 int run_in_window(const Installation& installation, const Options& options, RunRequest request) {

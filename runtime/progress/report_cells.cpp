@@ -39,17 +39,17 @@ std::string plain_words(const FormErrorReport& error) {
     std::int64_t rest = error.count;
     for (std::size_t i = 0; i < shown; ++i) {
         const FormExample& example = error.examples[i];
-        const std::string said = '"' + example.span + '"';
-        const std::string right = '"' + example.correction + '"';
+        const std::string said = "\"" + example.span + "\"";
+        const std::string right = "\"" + example.correction + "\"";
         text += i == 0 ? "" : ", ";
         if (example.span.empty()) {
-            text += "left out " + right;
+            text.append("left out ").append(right);
         } else if (example.correction.empty()) {
-            text += said + " where no word belongs";
+            text.append(said).append(" where no word belongs");
         } else {
-            text += said + " for " + right;
+            text.append(said).append(" for ").append(right);
         }
-        text += " (" + times(example.count) + ")";
+        text.append(" (").append(times(example.count)).append(")");
         rest -= example.count;
     }
     return text + (rest > 0 ? ", and others (" + times(rest) + ")" : "");

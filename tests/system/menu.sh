@@ -58,7 +58,7 @@ for name in one three two zero; do
         "function L:start(world) print(\"playing $name\") end" 'return L' >"$folder/scenarios/$name/lesson.lua"
 done
 
-stdbuf -oL "$folder/fulcrum" >"$folder/said" 2>&1 &
+"$folder/fulcrum" >"$folder/said" 2>&1 &
 menu=$!
 until_true 30 xdotool search --name '^Fulcrum$'
 sleep 1
