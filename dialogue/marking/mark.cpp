@@ -77,24 +77,34 @@ void write_sentences(const TemplateSet& set, const Parse& parse, int main_piece,
     mark.emphasis = render_phrase(pieces, range);
 }
 
+/// The form of this adjective's opposite in `said` with which the answer would fit if it were turned round; or empty.
+std::string opposite_in(const TemplateSet& set, const std::string& said, const Element& adjective,
+                        const std::string& asked) {
+    const std::string_view opposite = opposite_of(adjective.base);
+    if (opposite.empty()) {
+        return {};
+    }
+    for (const std::string& form : degree_forms(opposite, adjective.degree)) {
+        const std::size_t at = said.find(form);
+        if (at != std::string::npos &&
+            match(set, std::string(said).replace(at, form.size(), asked))) {
+            return form;
+        }
+    }
+    return {};
+}
+
 /// Looks whether the answer fits once an opposite is turned round: "the egg is lighter" where "heavier" is asked. Whether
 /// that is true isn't known here, and it says nothing about what was asked.
 void find_opposite(const TemplateSet& set, std::string_view text, Mark& mark) {
     const std::string said = lower_case(text.substr(0, kLongestUtterance_bytes));
     for (const Graph& graph : set.graphs) {
         for (const Element& element : graph.elements) {
-            const std::string_view opposite =
-                element.role == Role::adjective ? opposite_of(element.base) : std::string_view{};
-            if (opposite.empty()) {
+            if (element.role != Role::adjective) {
                 continue;
             }
             const std::string asked = degree_forms(element.base, element.degree).front();
-            for (const std::string& form : degree_forms(opposite, element.degree)) {
-                const std::size_t at = said.find(form);
-                if (at == std::string::npos ||
-                    !match(set, std::string(said).replace(at, form.size(), asked))) {
-                    continue;
-                }
+            if (const std::string form = opposite_in(set, said, element, asked); !form.empty()) {
                 const char* the = element.degree == Degree::superlative ? "the " : "";
                 mark.opposite_said = the + form;
                 mark.opposite_of = the + asked;

@@ -174,36 +174,41 @@ void LessonScreen::take_input(const WindowEvents& events) {
 // Escape stops the arm, and leaves when it is stopped already or the lesson is over; return lets it go on.
 void LessonScreen::take_key(const KeyPress& press) {
     const bool is_escape = press.key == "escape" && !press.repeat;
-    if (!run_ || !error_.empty()) {
-        if (is_escape) {
-            left_ = Left::to_menu;
-        } else if (press.key == "return") {
-            begin();
-        }
-        return;
-    }
-    if (is_escape && (stopped_ || run_->session().result().finished)) {
+    const bool is_return = press.key == "return" && !press.repeat;
+    const bool failed = !run_ || !error_.empty();
+    if (is_escape && (failed || stopped_ || run_->session().result().finished)) {
         left_ = Left::to_menu;
     } else if (is_escape) {
         press_stop();
-    } else if (stopped_) {
-        if (press.key == "return") {
-            stopped_ = false;
-            run_->channels().emergency_stop.release();
-            run_->channels().rearm.store(true, std::memory_order_release);
-        }
-    } else if (press.key == "f11") {
+    } else if (failed && is_return) {
+        begin();
+    } else if (stopped_ && is_return) {
+        lift_stop();
+    } else if (!failed && !stopped_) {
+        take_playing_key(press);
+    }
+}
+
+void LessonScreen::take_playing_key(const KeyPress& press) {
+    const bool question_open = run_->session().hud().question_open;
+    if (press.key == "f11") {
         desktop_.window->set_fullscreen(!desktop_.window->fullscreen());
     } else if (press.key == "backspace") {
         typing_.backspace();
-    } else if (press.key == "return" && run_->session().hud().question_open) {
-        if (!input_
-                 .typed) {  // the lesson has not heard the last line yet: this one stays in the box
+    } else if (question_open && press.key == "return") {
+        // While the lesson has not heard the last line yet, this one stays in the box.
+        if (!input_.typed) {
             input_.typed = typing_.take();
         }
-    } else if (!press.repeat && !run_->session().hud().question_open) {
+    } else if (!press.repeat && !question_open) {
         input_.keys.push_back(press.key);
     }
+}
+
+void LessonScreen::lift_stop() {
+    stopped_ = false;
+    run_->channels().emergency_stop.release();
+    run_->channels().rearm.store(true, std::memory_order_release);
 }
 
 void LessonScreen::press_stop() {

@@ -43,7 +43,9 @@ class LessonScreen {
     void fail_with(const Error& error);
     void take_input(const WindowEvents& events);
     void take_key(const KeyPress& press);
+    void take_playing_key(const KeyPress& press);
     void press_stop();
+    void lift_stop();
     void move_pointer(const WindowEvents& events);
     void exchange();
     void watch_files();

@@ -52,7 +52,7 @@ inline constexpr Colour kGhost = kSkyBlue;
 
 /// An ink and the paper that it is read on.
 struct InkOnPaper {
-    const char* where;
+    const char* where = "";
     Colour ink;
     Colour paper;
 };

@@ -38,6 +38,7 @@ lesson() { printf '%s\n' 'local L = lesson { id = "x", title = "X", level = "A1"
     mv "$folder/x/new" "$folder/x/lesson.lua"; }
 
 mkdir "$folder/x"
+: >"$folder/said"
 lesson 'function L:start(world' 'end'
 "$program" run "$folder/x" --mute --seconds 8 --screenshot "$folder/picture.png" >"$folder/said" 2>&1 &
 game=$!

@@ -143,7 +143,7 @@ Glyph Font::Parts::draw(Face style, int size_px, char32_t character, int quarter
     if (FT_Load_Glyph(opened, place.glyph, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0) {
         return glyph;
     }
-    FT_Outline_Translate(&slot->outline, quarter * 16, 0);  // 26.6 fixed point: 64 a pixel
+    FT_Outline_Translate(&slot->outline, FT_Pos{16} * quarter, 0);  // 26.6 fixed point: 64 a pixel
     if (FT_Render_Glyph(slot, FT_RENDER_MODE_NORMAL) != 0) {
         return glyph;
     }
