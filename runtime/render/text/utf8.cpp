@@ -57,11 +57,9 @@ std::u32string decode_for_display(std::string_view utf8) {
     std::u32string text;
     while (!utf8.empty() && text.size() < kMostCodePoints) {
         const char32_t c = take_code_point(utf8);
-        if (c == U'\n') {
-            text.push_back(c);
-        } else if (c == U'\t' || c == 0xA0) {
+        if (c == U'\t' || c == 0xA0) {
             text.push_back(U' ');
-        } else if (!is_invisible(c)) {
+        } else if (c == U'\n' || !is_invisible(c)) {
             text.push_back(c);
         }
     }
