@@ -4,25 +4,9 @@
 set -euo pipefail
 program=$1
 root=$2
-command -v Xvfb >/dev/null || { echo "no Xvfb: skipped"; exit 77; }
-command -v xdotool >/dev/null || { echo "no xdotool: skipped"; exit 77; }
-
-folder=$(mktemp -d)
-export HOME=$folder
-unset XDG_DATA_HOME WAYLAND_DISPLAY
-mkfifo "$folder/display"
-Xvfb -noreset -displayfd 3 -screen 0 1280x720x24 3>"$folder/display" 2>/dev/null &
-server=$!
-menu=
-finish() {
-    [[ -z $menu ]] || kill "$menu" 2>/dev/null || true
-    kill "$server" 2>/dev/null || true
-    wait 2>/dev/null || true
-    rm -rf -- "$folder"
-}
-trap finish EXIT
-DISPLAY=:$(head -n 1 "$folder/display")
-export DISPLAY
+# shellcheck source=tests/system/screen.sh
+source "$(dirname -- "$0")/screen.sh"
+need xdotool
 
 # until_true SECONDS COMMAND…: waits until the command succeeds.
 until_true() {
@@ -37,7 +21,7 @@ until_true() {
     done
 }
 said() { grep -qF -- "$1" "$folder/said"; }
-ended() { ! kill -0 "$menu" 2>/dev/null; }
+ended() { ! kill -0 "$child" 2>/dev/null; }
 # Cards are 275 wide and 28 apart, the first at 48, in a window of 1280 x 720 with four lessons.
 click_at() { xdotool mousemove "$1" "$2" sleep 0.2 click 1; }
 
@@ -59,7 +43,7 @@ for name in one three two zero; do
 done
 
 "$folder/fulcrum" >"$folder/said" 2>&1 &
-menu=$!
+child=$!
 until_true 30 xdotool search --name '^Fulcrum$'
 sleep 1
 
@@ -79,6 +63,6 @@ until_true 20 plays three xdotool key Right Return # the second card
 
 leave_lesson
 until_true 20 leaves
-wait "$menu" || { echo "exit code $?"; cat "$folder/said"; exit 1; }
-menu=
+wait "$child" || { echo "exit code $?"; cat "$folder/said"; exit 1; }
+child=
 "$folder/fulcrum" report --lesson three | grep -qx Mina || { echo "three was not kept for Mina"; exit 1; }

@@ -2,24 +2,9 @@
 # mute.sh PROGRAM: with --mute no sound device is opened or even looked for; without it one is, so that this can fail.
 set -euo pipefail
 program=$1
-for tool in Xvfb strace; do
-    command -v "$tool" >/dev/null || { echo "no $tool: skipped"; exit 77; }
-done
-
-folder=$(mktemp -d)
-export HOME=$folder
-unset XDG_DATA_HOME WAYLAND_DISPLAY
-mkfifo "$folder/display"
-Xvfb -noreset -displayfd 3 -screen 0 1280x720x24 3>"$folder/display" 2>/dev/null &
-server=$!
-finish() {
-    kill "$server" 2>/dev/null || true
-    wait 2>/dev/null || true
-    rm -rf -- "$folder"
-}
-trap finish EXIT
-DISPLAY=:$(head -n 1 "$folder/display")
-export DISPLAY
+# shellcheck source=tests/system/screen.sh
+source "$(dirname -- "$0")/screen.sh"
+need strace
 
 # sounds OPTION…: how often a run asked for a sound card, a sound server, or their settings. Libraries are no device: both
 # runs load them.

@@ -3,24 +3,8 @@
 # the window stays up, each failure is one sentence, and the mended lesson runs again. Says how soon.
 set -euo pipefail
 program=$1
-command -v Xvfb >/dev/null || { echo "no Xvfb: skipped"; exit 77; }
-
-folder=$(mktemp -d)
-export HOME=$folder
-unset XDG_DATA_HOME WAYLAND_DISPLAY
-mkfifo "$folder/display"
-Xvfb -noreset -displayfd 3 -screen 0 1280x720x24 3>"$folder/display" 2>/dev/null &
-server=$!
-game=
-finish() {
-    [[ -z $game ]] || kill "$game" 2>/dev/null || true
-    kill "$server" 2>/dev/null || true
-    wait 2>/dev/null || true
-    rm -rf -- "$folder"
-}
-trap finish EXIT
-DISPLAY=:$(head -n 1 "$folder/display")
-export DISPLAY
+# shellcheck source=tests/system/screen.sh
+source "$(dirname -- "$0")/screen.sh"
 
 # wait_for TEXT SECONDS: until the program has said TEXT.
 wait_for() {
@@ -41,14 +25,14 @@ mkdir "$folder/x"
 : >"$folder/said"
 lesson 'function L:start(world' 'end'
 "$program" run "$folder/x" --mute --seconds 8 --screenshot "$folder/picture.png" >"$folder/said" 2>&1 &
-game=$!
+child=$!
 wait_for "lesson.lua:3:" 30
 
 sleep 1.1 # a file's time of change has a resolution
 lesson 'function L:update(world, dt)' '  while true do end' 'end'
 
 wait_for "lesson.lua:3: this ran for too long" 10
-kill -0 "$game"
+kill -0 "$child"
 
 sleep 1.1
 mended=$(date +%s%N)
@@ -56,7 +40,7 @@ lesson 'function L:start(world) print("mended") end'
 wait_for "mended" 10
 echo "ran again $((($(date +%s%N) - mended) / 1000000)) ms after it was mended"
 
-wait "$game" || { echo "exit code $?"; cat "$folder/said"; exit 1; }
-game=
+wait "$child" || { echo "exit code $?"; cat "$folder/said"; exit 1; }
+child=
 grep -q "Haptic loop:" "$folder/said"
 [[ $(head -c 4 "$folder/picture.png" | tail -c 3) == PNG ]]

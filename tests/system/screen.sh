@@ -1,0 +1,29 @@
+# shellcheck shell=bash
+# screen.sh, read by the tests of the window: a folder that is also HOME, and a screen of its own. $child, when set, is the
+# program that the test started; it ends with the test, as all of this does.
+
+# need TOOL…: without one of them the test is skipped.
+need() {
+    local tool
+    for tool; do
+        command -v "$tool" >/dev/null || { echo "no $tool: skipped"; exit 77; }
+    done
+}
+
+need Xvfb
+folder=$(mktemp -d)
+export HOME=$folder
+unset XDG_DATA_HOME WAYLAND_DISPLAY
+mkfifo "$folder/display"
+Xvfb -noreset -displayfd 3 -screen 0 1280x720x24 3>"$folder/display" 2>/dev/null &
+server=$!
+child=
+finish() {
+    [[ -z $child ]] || kill "$child" 2>/dev/null || true
+    kill "$server" 2>/dev/null || true
+    wait 2>/dev/null || true
+    rm -rf -- "$folder"
+}
+trap finish EXIT
+DISPLAY=:$(head -n 1 "$folder/display")
+export DISPLAY
