@@ -5,6 +5,7 @@
 #include "runtime/lua/binding_table.h"
 #include "runtime/scene/gltf/collision_from_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
+#include "runtime/scene/shape_models.h"
 
 #include <algorithm>
 #include <fstream>
@@ -17,11 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kSphereFrequency = 24;  // 11 520 triangles: flat to 0.2 % of the radius
-
-// Both are made by rule.
-bool has_no_file(const std::string& model) {
-    return model == "sphere" || model == "box";
-}
 
 // The models that the program has, and the one that a misspelt name most likely means.
 std::string nearest_model(const Places& places, const std::string& model) {
@@ -46,7 +42,7 @@ tl::unexpected<Error> no_model(const Places& places, const std::string& model,
 Expected<void> check_models(const Places& places, const fs::path& lesson_folder,
                             const LessonDescription& lesson) {
     const auto is_there = [&](const std::string& model) {
-        return has_no_file(model) || !find_model(places, lesson_folder, model).empty();
+        return is_shape_model(model) || !find_model(places, lesson_folder, model).empty();
     };
     for (const BodyDescription& body : lesson.bodies) {
         if (!is_there(body.model)) {
@@ -89,10 +85,10 @@ Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
 
 Expected<TriangleMesh> load_solid_mesh(const Places& places, const fs::path& lesson_folder,
                                        const BodyDescription& body) {
-    if (body.model == "sphere") {
+    if (body.model == kSphereModel) {
         return make_sphere(body.radius_m, kSphereFrequency);
     }
-    if (body.model == "box") {
+    if (body.model == kBoxModel) {
         return make_box(Vector3::Constant(2.0 * body.radius_m));
     }
     const fs::path file = find_model(places, lesson_folder, body.model);

@@ -32,6 +32,13 @@ void scroll(int rows, const MenuLayout& layout, int last, MenuChoice& choice) {
         std::clamp(choice.selected + (choice.first_row - before) * layout.columns, 0, last);
 }
 
+// Each time the list is shown: a lesson may have shown a model of its own under the same name.
+void load_icons(Desktop& desktop, const std::vector<LessonCard>& cards) {
+    for (const LessonCard& card : cards) {
+        (void)desktop.picture->load_models(std::vector<std::string>{card.icon}, card.folder);
+    }
+}
+
 }  // namespace
 
 MenuInput read_menu_input(const WindowEvents& events, double& wheel, TypedLine& name) {
@@ -166,6 +173,7 @@ View menu_view(const std::vector<LessonCard>& cards, const MenuChoice& choice,
 std::optional<LessonCard> choose_lesson(Desktop& desktop, const std::vector<LessonCard>& cards,
                                         const dialogue::Catalogue& catalogue,
                                         std::string& learner) {
+    load_icons(desktop, cards);
     MenuChoice choice;
     TypedLine name(kLongestName_bytes, learner);
     double wheel = 0.0;

@@ -205,9 +205,6 @@ int menu_command(const Installation& installation, const Options& options) {
     }
     const auto store = open_store_beside_window(options.database);
     const auto cards = read_lesson_cards(installation.places);
-    for (const LessonCard& card : cards) {
-        (void)desktop->picture->load_models(std::vector<std::string>{card.icon}, card.folder);
-    }
     Options chosen = options;
     while (const auto card =
                choose_lesson(*desktop, cards, installation.catalogue, chosen.learner)) {

@@ -1,5 +1,7 @@
 #include "runtime/lesson/compose_view.h"
 
+#include "runtime/scene/shape_models.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,8 +22,7 @@ Vector3 squash(double amount) {
 
 // A ball and a box are made of size 1 and drawn as large as they are felt; other models have their own size.
 Vector3 model_scale(const BodyDescription& body) {
-    const bool by_rule = body.model == "sphere" || body.model == "box";
-    return Vector3::Constant(by_rule ? body.radius_m : 1.0);
+    return Vector3::Constant(is_shape_model(body.model) ? body.radius_m : 1.0);
 }
 
 const BodyState* state_of(const Scenery& scenery, std::size_t body) {

@@ -1,0 +1,17 @@
+// The models that are shapes: felt by their formula, and drawn from a model of size 1 at the body's radius.
+#pragma once
+
+#include <string_view>
+
+namespace fulcrum::runtime {
+
+/// A ball of the body's radius.
+inline constexpr std::string_view kSphereModel = "sphere";
+/// A cube twice that wide.
+inline constexpr std::string_view kBoxModel = "box";
+
+[[nodiscard]] constexpr bool is_shape_model(std::string_view model) noexcept {
+    return model == kSphereModel || model == kBoxModel;
+}
+
+}  // namespace fulcrum::runtime
