@@ -1,0 +1,51 @@
+// The list of benchmarks. A new one is one file under tests/bench/curves that registers itself:
+//
+//   Report run_wall(Run& run) { ...; run.progress(0.5); ...; return {curve}; }
+//   const Registration kWall{{"wall", "what a stiff wall costs", run_wall}};
+#pragma once
+
+#include "tests/bench/harness/report.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace fulcrum::bench {
+
+/// What a running benchmark is told and may ask.
+class Run {
+  public:
+    /// `say` gets the share done, 0 to 1, and a few words.
+    using Say = std::function<void(double, const std::string&)>;
+    Run(bool quick, Say say) : quick_(quick), say_(std::move(say)) {}
+
+    /// True when a rough answer within a few seconds is wanted: fewer settings, fewer repetitions, the same figures.
+    [[nodiscard]] bool quick() const { return quick_; }
+    /// Tells the person who waits how far it has come: `share` 0 to 1.
+    void progress(double share, const std::string& what = {}) const { say_(share, what); }
+    /// `full` or, in a quick run, `rough`.
+    template <class T>
+    [[nodiscard]] T pick(T full, T rough) const {
+        return quick_ ? rough : full;
+    }
+
+  private:
+    bool quick_;
+    Say say_;
+};
+
+struct Bench {
+    std::string name;  ///< what `fulcrum bench NAME` asks for: "integrators"
+    std::string what;  ///< one line for the list
+    std::function<Report(Run&)> run;
+};
+
+/// Adds to the list while the program starts.
+struct Registration {
+    explicit Registration(Bench bench);
+};
+
+/// All of them, by name.
+[[nodiscard]] const std::vector<Bench>& all_benches();
+
+}  // namespace fulcrum::bench
