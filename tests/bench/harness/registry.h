@@ -48,4 +48,20 @@ struct Registration {
 /// All of them, by name.
 [[nodiscard]] const std::vector<Bench>& all_benches();
 
+/// Another library's points for one of our curves, measured in the same run. Peers live under tests/bench/peers and are
+/// built only where their packages are installed.
+struct Peer {
+    std::string name;   ///< "ODE 0.16.2"
+    std::string curve;  ///< CostCurve::name that it joins
+    std::function<std::vector<CostPoint>(Run&)> points;
+};
+
+/// Adds to the list while the program starts.
+struct PeerRegistration {
+    explicit PeerRegistration(Peer peer);
+};
+
+/// All that were built, by name.
+[[nodiscard]] const std::vector<Peer>& all_peers();
+
 }  // namespace fulcrum::bench

@@ -33,9 +33,9 @@ struct Axis {
 
 /// One setting of the knob.
 struct CostPoint {
-    std::string series;          ///< which method: "RK4"
-    double knob = kNone;         ///< in the unit of CostCurve::knob
-    double error = kNone;        ///< in the unit of CostCurve::error; kNone where it was unstable
+    std::string series;    ///< which method: "RK4"
+    double knob = kNone;   ///< in the unit of CostCurve::knob
+    double error = kNone;  ///< in the unit of CostCurve::error; kNone where it was unstable
     Cost cost{};
     std::vector<double> extras;  ///< one a column of CostCurve::extras, in that order
 };
@@ -50,7 +50,8 @@ struct CostCurve {
     Axis knob;
     Axis error;
     std::vector<Axis> extras;
-    std::string default_series;  ///< what the program takes when nobody chooses; must be among the points
+    std::string
+        default_series;  ///< what the program takes when nobody chooses; must be among the points
     double default_knob = kNone;
     std::vector<CostPoint> points;
     /// What a point's time is for: "step" (default) or another word such as "simulated second".

@@ -1,0 +1,19 @@
+# fulcrum bench: every file under curves/ registers itself; peers join where their packages are installed.
+file(GLOB harness_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/harness/*.cpp)
+list(FILTER harness_sources EXCLUDE REGEX "/main.cpp$")
+add_library(fulcrum_bench_harness STATIC ${harness_sources})
+target_link_libraries(fulcrum_bench_harness PUBLIC fulcrum_options fulcrum::haptics)
+target_precompile_headers(fulcrum_bench_harness REUSE_FROM fulcrum_pch)
+target_compile_definitions(fulcrum_bench_harness PRIVATE
+  FULCRUM_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+  FULCRUM_COMPILER="${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}, ${CMAKE_BUILD_TYPE}")
+fulcrum_tests(unit_bench tests/unit/bench LABEL unit DEPENDS fulcrum_bench_harness)
+
+include(${CMAKE_CURRENT_LIST_DIR}/peers/peers.cmake)
+
+file(GLOB curve_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/curves/*.cpp)
+add_executable(fulcrum_bench ${CMAKE_CURRENT_LIST_DIR}/harness/main.cpp ${curve_sources} ${peer_sources})
+target_link_libraries(fulcrum_bench PRIVATE fulcrum_bench_harness fulcrum_stability_cases fulcrum::lua ${peer_libraries})
+target_precompile_headers(fulcrum_bench REUSE_FROM fulcrum_pch)
+target_compile_definitions(fulcrum_bench PRIVATE FULCRUM_MISSING_PEERS="${peers_missing}")
+set_target_properties(fulcrum_bench PROPERTIES OUTPUT_NAME fulcrum-bench RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})

@@ -1,0 +1,204 @@
+// fulcrum bench: runs the registered benchmarks and writes what they found as CSV, SVG and one page.
+#include "tests/bench/harness/csv.h"
+#include "tests/bench/harness/environment.h"
+#include "tests/bench/harness/options.h"
+#include "tests/bench/harness/page.h"
+#include "tests/bench/harness/registry.h"
+#include "tests/bench/harness/svg.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <unistd.h>
+
+namespace fulcrum::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+int complain(const Error& error) {
+    std::fprintf(stderr, "%s\n", to_sentence(error).c_str());
+    return 2;
+}
+
+Expected<void> write_file(const fs::path& path, const std::string& text) {
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    if (!file.flush()) {
+        return fail("the file cannot be written", path.string(),
+                    "choose another folder with --out");
+    }
+    return {};
+}
+
+Expected<void> write_exhibit(const fs::path& folder, const Exhibit& exhibit,
+                             const Environment& environment) {
+    return write_file(folder / (name_of(exhibit) + ".csv"), to_csv(exhibit, environment))
+        .and_then([&]() -> Expected<void> {
+            const std::string picture = draw_svg(exhibit);
+            return picture.empty() ? Expected<void>{}
+                                   : write_file(folder / (name_of(exhibit) + ".svg"), picture);
+        });
+}
+
+Expected<void> draw_again(const std::string& name) {
+    std::ifstream file(name, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (!file) {
+        return fail("the file cannot be read", name, "give a CSV file that fulcrum bench wrote");
+    }
+    return read_csv(text, name).and_then([&](const Exhibit& exhibit) {
+        return write_file(fs::path(name).replace_extension(".svg"), draw_svg(exhibit));
+    });
+}
+
+// One moving line on a terminal, else a line a benchmark.
+class Progress {
+  public:
+    Progress(std::size_t index, std::size_t count, const Bench& bench)
+        : label_("[" + std::to_string(index + 1) + "/" + std::to_string(count) + "] " +
+                 bench.name) {
+        if (!on_terminal_) {
+            std::fprintf(stderr, "%s …\n", label_.c_str());
+        }
+        say(0.0, bench.what);
+    }
+    void say(double share, const std::string& what) const {
+        if (on_terminal_) {
+            std::fprintf(stderr, "\r\033[K%s %3.0f %% %s", label_.c_str(), 100.0 * share,
+                         what.substr(0, 50).c_str());
+        }
+    }
+    void done() const {
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began_;
+        std::fprintf(stderr, "%s%s: %.1f s\n", on_terminal_ ? "\r\033[K" : "", label_.c_str(),
+                     took.count());
+    }
+
+  private:
+    std::string label_;
+    bool on_terminal_ = ::isatty(2) == 1;
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+// Lets the peers join the curve that carries their name.
+void join_peers(Exhibit& exhibit, Run& run) {
+    auto* const curve = std::get_if<CostCurve>(&exhibit);
+    if (curve == nullptr) {
+        return;
+    }
+    for (const Peer& peer : all_peers()) {
+        if (peer.curve == curve->name) {
+            run.progress(1.0, peer.name);
+            std::ranges::copy(peer.points(run), std::back_inserter(curve->points));
+        }
+    }
+}
+
+std::vector<std::string> describe_peers() {
+    std::vector<std::string> names;
+    for (const Peer& peer : all_peers()) {
+        if (names.empty() || names.back() != peer.name) {
+            names.push_back(peer.name);
+        }
+    }
+    std::string built;
+    for (const std::string& name : names) {
+        built += (built.empty() ? "" : ", ") + name;
+    }
+    const std::string missing = FULCRUM_MISSING_PEERS;
+    std::vector<std::string> sentences;
+    if (!built.empty()) {
+        sentences.push_back("Measured beside ours in the same run: " + built + ".");
+    }
+    if (!missing.empty()) {
+        sentences.push_back("Not installed when this was built, and so not measured: " + missing +
+                            "; packages-peers.txt names their packages.");
+    }
+    return sentences;
+}
+
+Expected<void> run_all(const BenchOptions& options, const Environment& environment) {
+    std::error_code error;
+    fs::create_directories(options.out, error);
+    if (error) {
+        return fail("the folder cannot be made: " + error.message(), options.out,
+                    "choose another with --out");
+    }
+    std::vector<const Bench*> chosen;
+    for (const Bench& bench : all_benches()) {
+        if (options.names.empty() ||
+            std::ranges::find(options.names, bench.name) != options.names.end()) {
+            chosen.push_back(&bench);
+        }
+    }
+    Report exhibits;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const Progress progress(i, chosen.size(), *chosen[i]);
+        Run run(options.quick,
+                [&](double share, const std::string& what) { progress.say(share, what); });
+        for (Exhibit& exhibit : chosen[i]->run(run)) {
+            join_peers(exhibit, run);
+            // At once: a run that is broken off leaves what it has.
+            if (const auto written = write_exhibit(options.out, exhibit, environment); !written) {
+                return written;
+            }
+            exhibits.push_back(std::move(exhibit));
+        }
+        progress.done();
+    }
+    const fs::path page = fs::path(options.out) / "index.html";
+    return write_file(page, make_page(exhibits, environment, describe_peers())).map([&] {
+        std::printf("%s\n", page.c_str());
+    });
+}
+
+int run_program(std::span<const std::string> words) {
+    std::vector<std::string> known;
+    for (const Bench& bench : all_benches()) {
+        known.push_back(bench.name);
+    }
+    const auto options = parse_bench_options(words, known);
+    if (!options) {
+        return complain(options.error());
+    }
+    if (options->help) {
+        std::fputs(bench_usage().c_str(), stdout);
+        return 0;
+    }
+    if (options->list) {
+        for (const Bench& bench : all_benches()) {
+            std::printf("%-24s %s\n", bench.name.c_str(), bench.what.c_str());
+        }
+        return 0;
+    }
+    for (const std::string& file : options->draw) {
+        if (const auto drawn = draw_again(file); !drawn) {
+            return complain(drawn.error());
+        }
+    }
+    if (!options->draw.empty()) {
+        return 0;
+    }
+    std::string command = "fulcrum bench";
+    for (const std::string& word : words) {
+        command += " " + word;
+    }
+    const auto done = run_all(*options, find_environment(command));
+    return done ? 0 : complain(done.error());
+}
+
+}  // namespace
+}  // namespace fulcrum::bench
+
+int main(int argc, char** argv) {
+    try {
+        return fulcrum::bench::run_program(std::vector<std::string>(argv + 1, argv + argc));
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "The benchmarks cannot go on: %s.\n", error.what());
+        return 2;
+    }
+}

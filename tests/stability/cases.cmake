@@ -1,0 +1,9 @@
+# Hard cases register themselves: they are linked whole, into the program that ctest asks and into the benchmarks.
+file(GLOB case_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/cases/*.cpp)
+list(FILTER case_sources EXCLUDE REGEX run_cases)
+add_library(fulcrum_stability_cases OBJECT ${case_sources})
+target_link_libraries(fulcrum_stability_cases PUBLIC fulcrum::haptics fulcrum::test_support)
+target_precompile_headers(fulcrum_stability_cases REUSE_FROM fulcrum_pch)
+add_executable(stability_cases ${CMAKE_CURRENT_LIST_DIR}/cases/run_cases.cpp)
+target_link_libraries(stability_cases PRIVATE fulcrum_stability_cases)
+fulcrum_discover_tests(stability_cases PREFIX "stability: " LABELS stability TIMEOUT 120)

@@ -1,0 +1,27 @@
+#include "tests/stability/cases/stability_case.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace fulcrum::stability {
+namespace {
+
+// Cases register before main, in any order.
+std::vector<CaseDescription>& cases() {
+    static std::vector<CaseDescription> list;
+    return list;
+}
+
+}  // namespace
+
+HardCase::HardCase(CaseDescription description) {
+    auto& list = cases();
+    const auto place = std::ranges::upper_bound(list, description.name, {}, &CaseDescription::name);
+    list.insert(place, std::move(description));
+}
+
+const std::vector<CaseDescription>& all_cases() {
+    return cases();
+}
+
+}  // namespace fulcrum::stability

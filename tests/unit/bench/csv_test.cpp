@@ -1,0 +1,119 @@
+#include "tests/bench/harness/csv.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace fulcrum::bench {
+namespace {
+
+const Environment kEnvironment{"abc123", "GNU 12.2", "a processor", "fulcrum bench x",
+                               "2026-01-31"};
+
+CostCurve make_curve() {
+    CostCurve curve;
+    curve.name = "wall";
+    curve.title = "A wall, \"stiff\"";
+    curve.work = "pressing, a second long";
+    curve.reference = "analytic: F = k d";
+    curve.advice = "choose the middle";
+    curve.knob = {"step", "s", true};
+    curve.error = {"force error", "N", true};
+    curve.extras = {{"order", "", false}, {"lag", "ms", false}};
+    curve.default_series = "RK4, classical";
+    curve.default_knob = 0.001;
+    curve.time_is_per = "simulated second";
+    curve.points = {{"RK4, classical", 0.001, 1.25e-9, {0.5, 0.75, 96}, {3.98, kNone}},
+                    {"Euler \"e\"", 0.002, kNone, {0.25, kNone, 0}, {kNone, 2.0}}};
+    return curve;
+}
+
+TEST_CASE("csv: a cost curve comes back as it went out") {
+    const CostCurve out = make_curve();
+    const auto read = read_csv(to_csv(out, kEnvironment), "wall.csv");
+    REQUIRE(read);
+    const auto& in = std::get<CostCurve>(*read);
+    CHECK(in.name == out.name);
+    CHECK(in.title == out.title);
+    CHECK(in.work == out.work);
+    CHECK(in.reference == out.reference);
+    CHECK(in.advice == out.advice);
+    CHECK(in.knob.name == "step");
+    CHECK(in.knob.unit == "s");
+    CHECK(in.knob.logarithmic);
+    CHECK(in.extras.size() == 2);
+    CHECK_FALSE(in.extras[1].logarithmic);
+    CHECK(in.extras[1].unit == "ms");
+    CHECK(in.default_series == out.default_series);
+    CHECK(in.default_knob == 0.001);
+    CHECK(in.time_is_per == "simulated second");
+    REQUIRE(in.points.size() == 2);
+    CHECK(in.points[0].series == "RK4, classical");
+    CHECK(in.points[0].error == 1.25e-9);
+    CHECK(in.points[0].cost.p99_us == 0.75);
+    CHECK(in.points[0].cost.bytes == 96);
+    CHECK(in.points[0].extras[0] == 3.98);
+    CHECK(std::isnan(in.points[0].extras[1]));
+    CHECK(in.points[1].series == "Euler \"e\"");
+    CHECK(std::isnan(in.points[1].error));
+    CHECK(std::isnan(in.points[1].cost.p99_us));
+}
+
+TEST_CASE("csv: lines come back with their styles and gaps") {
+    LineChart out;
+    out.name = "map";
+    out.title = "Map";
+    out.x = {"damping", "Ns/m", false};
+    out.y = {"stiffness", "N/m", true};
+    out.lines = {{"measured, 1 kHz", LineStyle::measured, {1, 2, 3}, {10, kNone, 30}},
+                 {"theory", LineStyle::theory, {1, 3}, {11, 33}},
+                 {"dots", LineStyle::dots, {2}, {5}}};
+    const auto read = read_csv(to_csv(out, kEnvironment), "map.csv");
+    REQUIRE(read);
+    const auto& in = std::get<LineChart>(*read);
+    REQUIRE(in.lines.size() == 3);
+    CHECK(in.lines[0].name == "measured, 1 kHz");
+    CHECK(in.lines[0].x == std::vector<double>{1, 2, 3});
+    CHECK(std::isnan(in.lines[0].y[1]));
+    CHECK(in.lines[1].style == LineStyle::theory);
+    CHECK(in.lines[2].style == LineStyle::dots);
+    CHECK(in.y.logarithmic);
+}
+
+TEST_CASE("csv: a sheet comes back, line ends in cells too") {
+    const Sheet out{"cases",  "Cases",           "work",
+                    "advice", {"case", "worst"}, {{"a,b", "1"}, {"two\nlines", "2"}}};
+    const auto read = read_csv(to_csv(out, kEnvironment), "cases.csv");
+    REQUIRE(read);
+    const auto& in = std::get<Sheet>(*read);
+    CHECK(in.columns == out.columns);
+    CHECK(in.rows == out.rows);
+}
+
+TEST_CASE("csv: the head says where the figures came from") {
+    const std::string text = to_csv(make_curve(), kEnvironment);
+    for (const char* line : {"# commit: abc123\n", "# compiler: GNU 12.2\n", "# cpu: a processor\n",
+                             "# command: fulcrum bench x\n"}) {
+        CHECK(text.find(line) != std::string::npos);
+    }
+}
+
+TEST_CASE("csv: what is no figure's file is refused with its name") {
+    for (const char* text : {"", "a,b\n1,2\n", "# kind: cake\na\n", "# kind: cost\n# name: x\n",
+                             "# kind: lines\nline,x,y\nonly,two\n"}) {
+        const auto read = read_csv(text, "bad.csv");
+        REQUIRE_FALSE(read);
+        CHECK(read.error().where == "bad.csv");
+        CHECK_FALSE(read.error().what_to_do.empty());
+    }
+}
+
+TEST_CASE("csv: numbers are short, and none where there is none") {
+    CHECK(to_text(0.25) == "0.25");
+    CHECK(to_text(1.2e-9) == "1.2e-09");
+    CHECK(to_text(kNone).empty());
+    CHECK(to_text(HUGE_VAL).empty());
+}
+
+}  // namespace
+}  // namespace fulcrum::bench
