@@ -1,5 +1,6 @@
 // The program: a lesson's process when it was started as one, else what the command line asks for.
 #include "haptics/base/clock.h"
+#include "runtime/app/bench_command.h"
 #include "runtime/app/commands.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/options.h"
@@ -7,6 +8,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,9 @@ int run_program(int argc, char** argv) {
     const double started_s = monotonic_now_s();
     watch_for_interrupts();
     const std::vector<std::string> words(argv + 1, argv + argc);
+    if (!words.empty() && words[0] == "bench") {
+        return bench_command(std::span(words).subspan(1));
+    }
     const auto options = parse_options(words);
     if (!options) {
         return complain(options.error(), 2);

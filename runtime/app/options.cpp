@@ -234,6 +234,7 @@ std::string usage() {
   fulcrum test LESSON        play the lesson's own tests
   fulcrum explain LESSON     what runs for it, how often, and which line asked for it
   fulcrum report             what learners did  (--learner NAME --lesson ID --format text|csv --out FILE)
+  fulcrum bench [NAME…]      what accuracy costs in time  (--out DIR --quick --list --draw FILE.csv)
 
 Exit codes: 0 done, 1 the lesson or a test failed, 2 wrong usage or unreadable input.
 )";

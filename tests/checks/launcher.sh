@@ -52,6 +52,7 @@ if [[ -e $scratch/broken ]]; then
     exit 1
 fi
 printf '#!/bin/bash\nprintf "<%%s>" program "$@"\nexit 7\n' >"$2/fulcrum" && chmod +x "$2/fulcrum"
+printf '#!/bin/bash\nprintf "<%%s>" benchmarks "$@"\nexit 6\n' >"$2/fulcrum-bench" && chmod +x "$2/fulcrum-bench"
 EOT
 tool ctest <<'EOT'
 printf '<%s>' ctest "$@"
@@ -152,6 +153,17 @@ expect "test: to ctest" "$out" '<ctest><--test-dir><*/moved here/build/dev><-j><
 expect "test: ctest's status" "$status" 8
 start test gravity
 expect "test LESSON: to the program" "$out" '<program><test><gravity>'
+
+# Benchmarks.
+printf 'epsilon # a peer\n' >"$tree/packages-peers.txt"
+start bench wall --quick
+expect "bench: without asserts" "$called" 'cmake --preset release*ninja -C */build/release * fulcrum_bench'
+expect "bench: peers are not installed unasked" "$called" '!(*epsilon*)'
+expect "bench: its arguments" "$out" '<benchmarks><wall><--quick>'
+expect "bench: its status" "$status" 6
+FULCRUM_PACKAGES=packages-peers.txt start bench
+expect "bench: peers on request" "$called" '*install*epsilon*'
+
 FULCRUM_PRESET=asan start run
 expect "another preset: configured" "$called" 'cmake --preset asan*ninja -C */build/asan *'
 exit "$failed"

@@ -1,4 +1,5 @@
 // fulcrum bench: runs the registered benchmarks and writes what they found as CSV, SVG and one page.
+#include "runtime/lua/lesson_process.h"
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/environment.h"
 #include "tests/bench/harness/options.h"
@@ -195,6 +196,10 @@ int run_program(std::span<const std::string> words) {
 }  // namespace fulcrum::bench
 
 int main(int argc, char** argv) {
+    // A benchmark that plays a lesson starts this program again as the lesson's process.
+    if (const auto socket = fulcrum::runtime::lesson_process_socket(argc, argv)) {
+        return fulcrum::runtime::lesson_process_main(*socket);
+    }
     try {
         return fulcrum::bench::run_program(std::vector<std::string>(argv + 1, argv + argc));
     } catch (const std::exception& error) {

@@ -96,6 +96,12 @@ std::string draw(const CostCurve& curve) {
     canvas.legend_note("grey: none is faster and better;");
     canvas.legend_note("numbers: " + curve.knob.name +
                        (curve.knob.unit.empty() ? "" : ", " + curve.knob.unit));
+    const bool some_exact =
+        curve.error.logarithmic &&
+        std::ranges::any_of(curve.points, [](const CostPoint& p) { return p.error == 0.0; });
+    if (some_exact) {
+        canvas.legend_note("on the lower edge: exact");
+    }
     const bool some_unstable = std::ranges::any_of(
         curve.points, [](const CostPoint& p) { return !std::isfinite(p.error); });
     if (some_unstable) {
