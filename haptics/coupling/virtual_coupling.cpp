@@ -71,6 +71,24 @@ double compute_spring_force_N(const CouplingSettings& settings, double stretch_m
            u * (slope_N + u * ((3.0 * rise_N - 2.0 * slope_N) + u * (slope_N - 2.0 * rise_N)));
 }
 
+double compute_spring_slope_N_per_m(const CouplingSettings& settings, double stretch_m) noexcept {
+    if (!saturates(settings) || stretch_m <= settings.linear_range_m) {
+        return settings.stiffness_N_per_m;
+    }
+    if (stretch_m >= settings.saturation_range_m) {
+        return 0.0;
+    }
+    // The derivative of the cubic above by u, over the width: du/ds = 1 / width.
+    const double width_m = settings.saturation_range_m - settings.linear_range_m;
+    const double u = (stretch_m - settings.linear_range_m) / width_m;
+    const double rise_N =
+        settings.saturation_force_N - settings.stiffness_N_per_m * settings.linear_range_m;
+    const double slope_N = settings.stiffness_N_per_m * width_m;
+    return (slope_N +
+            u * (2.0 * (3.0 * rise_N - 2.0 * slope_N) + 3.0 * u * (slope_N - 2.0 * rise_N))) /
+           width_m;
+}
+
 Vector3 compute_coupling_force(const CouplingSettings& settings, const Vector3& proxy_W,
                                const Vector3& hand_W, const Vector3& relative_velocity_W) noexcept {
     const Vector3 stretch_W = proxy_W - hand_W;

@@ -28,6 +28,10 @@ namespace fulcrum {
 [[nodiscard]] double compute_spring_force_N(const CouplingSettings& settings,
                                             double stretch_m) noexcept;
 
+/// df/ds of the spring at a stretch of `stretch_m` >= 0, in N/m; at a seam both sides agree.
+[[nodiscard]] double compute_spring_slope_N_per_m(const CouplingSettings& settings,
+                                                  double stretch_m) noexcept;
+
 /// The force on the hand, world frame, newtons. `relative_velocity_W` is the hand's velocity less
 /// the proxy's.
 [[nodiscard]] Vector3 compute_coupling_force(const CouplingSettings& settings,

@@ -66,6 +66,17 @@ TEST_CASE("virtual coupling: linear, then a cubic, then constant, with a continu
 }
 
 TEST_CASE(
+    "virtual coupling: the slope is the derivative of the force, on every piece and at the seams") {
+    for (const double stretch_m : {0.0005, 0.002, 0.004, 0.007, 0.011, 0.02}) {
+        CHECK(compute_spring_slope_N_per_m(kSaturating, stretch_m) ==
+              Approx(slope(kSaturating, stretch_m)).epsilon(1e-6).margin(1e-6));
+        CHECK(compute_spring_slope_N_per_m(kLinear, stretch_m) == 800.0);
+    }
+    CHECK(compute_spring_slope_N_per_m(kSaturating, 0.0025 + 1e-12) == Approx(800.0).epsilon(1e-6));
+    CHECK(std::abs(compute_spring_slope_N_per_m(kSaturating, 0.012 - 1e-12)) < 1e-5);
+}
+
+TEST_CASE(
     "virtual coupling: the force never falls with the stretch, at the steepest blend allowed") {
     CouplingSettings steepest = kSaturating;
     steepest.saturation_force_N = 2.0 + 800.0 * 0.0095 / 3.0;

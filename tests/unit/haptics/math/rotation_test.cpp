@@ -55,3 +55,45 @@ TEST_CASE("rotation: turns about one axis add up") {
     const Quaternion both = compute_exp(0.4 * axis) * compute_exp(0.7 * axis);
     CHECK((compute_log(both) - 1.1 * axis).norm() < kRounding);
 }
+
+TEST_CASE("rotation: the left Jacobian is the derivative of the exponential") {
+    for (const Vector3& phi :
+         {Vector3(0.0, 0.0, 0.0), Vector3(2e-4, -3e-4, 1e-4), Vector3(0.6e-3, 0.6e-3, 0.6e-3),
+          Vector3(0.3, -0.7, 0.4), Vector3(-2.0, 1.0, 1.5), Vector3(3.0, 3.0, -3.0)}) {
+        const Matrix3 jacobian = compute_left_jacobian(phi);
+        for (int i = 0; i < 3; ++i) {
+            const Vector3 d = 1e-6 * Vector3::Unit(i);
+            const Vector3 difference =
+                compute_log(compute_exp(phi + d) * compute_exp(phi - d).conjugate()) / 2e-6;
+            CHECK((difference - jacobian.col(i)).norm() < 1e-8);
+        }
+    }
+}
+
+TEST_CASE("rotation: the right Jacobian's inverse is the derivative of the logarithm") {
+    for (const Vector3& phi :
+         {Vector3(0.0, 0.0, 0.0), Vector3(2e-4, -3e-4, 1e-4), Vector3(0.6e-3, 0.6e-3, 0.6e-3),
+          Vector3(0.3, -0.7, 0.4), Vector3(-1.8, 1.0, 1.5), Vector3(0.0, 3.1, 0.0)}) {
+        const Matrix3 inverse = compute_right_jacobian_inverse(phi);
+        CHECK((inverse * compute_left_jacobian(-phi) - Matrix3::Identity()).norm() < 1e-10);
+        for (int i = 0; i < 3; ++i) {
+            const Vector3 d = 1e-6 * Vector3::Unit(i);
+            const Vector3 difference = (compute_log(compute_exp(phi) * compute_exp(d)) -
+                                        compute_log(compute_exp(phi) * compute_exp(-d))) /
+                                       2e-6;
+            CHECK((difference - inverse.col(i)).norm() < 1e-7);
+        }
+    }
+}
+
+TEST_CASE("rotation: the Jacobians' series and closed forms meet where they take turns") {
+    const Vector3 axis = Vector3(1.0, -2.0, 2.0) / 3.0;
+    const Vector3 below = 0.999999 * kJacobianSeries_rad * axis;
+    const Vector3 above = 1.000001 * kJacobianSeries_rad * axis;
+    CHECK((compute_left_jacobian(below) - compute_left_jacobian(above)).norm() < 1e-8);
+    CHECK((compute_right_jacobian_inverse(below) - compute_right_jacobian_inverse(above)).norm() <
+          1e-8);
+    CHECK((compute_skew(Vector3(1.0, 2.0, 3.0)) * Vector3(-2.0, 0.5, 4.0) -
+           Vector3(1.0, 2.0, 3.0).cross(Vector3(-2.0, 0.5, 4.0)))
+              .norm() == 0.0);
+}

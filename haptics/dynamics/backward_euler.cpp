@@ -1,0 +1,135 @@
+// Backward Euler of integrator.h as six equations in u = (v', w'):
+//
+//   r_v = m (v' - v) - h F(x', q', v', w')            x' = x + h v'
+//   r_w = L(q', w') - L - h tau(x', q', v', w')       q' = exp(h w') q,  L(q', w') = I' w',  I' = R' I R'^T
+// Newton's matrix. A change dw of w' turns the body by dtheta = A dw, A = h J_l(h w'); and with it
+//   dI' w' = dtheta x L' - I' (dtheta x w'),  so  dL = I' dw + (I' [w'] - [L']) A dw
+//   dr_v = m dv - h (F_x h dv + F_theta A dw + F_v dv + F_w dw),  dr_w = dL - h (tau_x h dv + ...)
+// The first guess is the old velocity, so loads are linearised where that leads (Otaduy & Lin: at the old pose). When a
+// step of Newton has made the residual longer, a contact opened or closed on the way: half that step is tried.
+#include "haptics/dynamics/integrator_steps.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fulcrum {
+namespace {
+
+struct Step {
+    const Inertia& inertia;
+    const Load& load;
+    double end_s;
+    double dt_s;
+    const RigidState& start;
+    Vector3 start_angular_momentum;
+};
+
+// The equations at one guess.
+struct Guess {
+    Vector6 residual;
+    Matrix6 matrix;
+    double size = 0.0;  // of the residual, in tolerances
+};
+
+Twist add(const Twist& twist, const Vector6& change) noexcept {
+    return {twist.linear + change.head<3>(), twist.angular + change.tail<3>()};
+}
+
+RigidState compute_state(const Step& step, const Twist& velocity) noexcept {
+    return {{step.start.pose_W.position + step.dt_s * velocity.linear,
+             compute_exp(step.dt_s * velocity.angular) * step.start.pose_W.orientation},
+            velocity};
+}
+
+Guess evaluate(const Step& step, const IntegratorSettings& settings,
+               const Twist& velocity) noexcept {
+    const RigidState state = compute_state(step, velocity);
+    const double h = step.dt_s;
+    const double mass_kg = step.inertia.mass_kg;
+    Wrench wrench;
+    WrenchJacobian jacobian;
+    step.load.add_linearised_wrench(state, step.end_s, wrench, jacobian);
+    // The residual.
+    const Matrix3 inertia_W = compute_inertia_W(step.inertia, state.pose_W.orientation);
+    const Vector3 momentum = inertia_W * velocity.angular;
+    Guess guess;
+    guess.residual.head<3>() =
+        mass_kg * (velocity.linear - step.start.velocity_W.linear) - h * wrench.force;
+    guess.residual.tail<3>() = momentum - step.start_angular_momentum - h * wrench.torque;
+    guess.size =
+        std::max(guess.residual.head<3>().norm() / (mass_kg * settings.newton_tolerance_m_per_s),
+                 guess.residual.tail<3>().norm() /
+                     (step.inertia.moments_kg_m2.minCoeff() * settings.newton_tolerance_rad_per_s));
+    // Newton's matrix.
+    const Matrix3 turn_by_spin = h * compute_left_jacobian(h * velocity.angular);
+    guess.matrix = -h * jacobian.velocity;
+    guess.matrix.leftCols<3>() -= h * h * jacobian.pose.leftCols<3>();
+    guess.matrix.rightCols<3>() -= h * jacobian.pose.rightCols<3>() * turn_by_spin;
+    guess.matrix.topLeftCorner<3, 3>().diagonal().array() += mass_kg;
+    guess.matrix.bottomRightCorner<3, 3>() +=
+        inertia_W +
+        (inertia_W * compute_skew(velocity.angular) - compute_skew(momentum)) * turn_by_spin;
+    return guess;
+}
+
+// Solves matrix * x = -residual; rows and columns are scaled by the masses first, so that a kilogram and a kilogram square
+// metre compare. False where a pivot is lost in rounding.
+bool solve(const Inertia& inertia, const Guess& guess, Vector6& change) noexcept {
+    const double turn = 1.0 / std::sqrt(inertia.moments_kg_m2.minCoeff());
+    const double shift = 1.0 / std::sqrt(inertia.mass_kg);
+    Vector6 scale;
+    scale << Vector3::Constant(shift), Vector3::Constant(turn);
+    const Matrix6 scaled = scale.asDiagonal() * guess.matrix * scale.asDiagonal();
+    if (!scaled.allFinite()) {
+        return false;
+    }
+    const Eigen::PartialPivLU<Matrix6> lu(scaled);
+    const Vector6 pivots = lu.matrixLU().diagonal().cwiseAbs();
+    constexpr double kLost = 1.0e-14;  // of the largest pivot: nothing but rounding
+    if (!(pivots.minCoeff() > kLost * pivots.maxCoeff())) {
+        return false;
+    }
+    const Vector6 scaled_residual = scale.cwiseProduct(guess.residual);
+    change = -scale.cwiseProduct(Vector6(lu.solve(scaled_residual)));
+    return change.allFinite();
+}
+
+}  // namespace
+
+StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia& inertia,
+                               const Load& load, double time_s, double dt_s,
+                               const RigidState& state, RigidState& next) noexcept {
+    const Step step{inertia, load,  time_s + dt_s,
+                    dt_s,    state, compute_angular_momentum_W(inertia, state)};
+    Twist base = state.velocity_W;
+    Vector6 change = Vector6::Zero();
+    double base_size = std::numeric_limits<double>::infinity();
+    StepResult result{StepStatus::iterations_spent, 0};
+    for (int i = 0; i < settings.newton_iterations; ++i) {
+        const Twist velocity = add(base, change);
+        const Guess guess = evaluate(step, settings, velocity);
+        if (!std::isfinite(guess.size)) {
+            return {StepStatus::not_finite, result.n_solves};
+        }
+        if (guess.size <= 1.0) {
+            result.status = StepStatus::done;
+            break;
+        }
+        if (guess.size > base_size) {
+            change *= 0.5;
+            continue;
+        }
+        base = velocity;
+        base_size = guess.size;
+        ++result.n_solves;
+        if (!solve(inertia, guess, change)) {
+            return {StepStatus::singular, result.n_solves};
+        }
+    }
+    next = compute_state(step, add(base, change));
+    return result;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,60 @@
+// How a wrench on a rigid body changes with the body's pose and velocity, and what a force at one of its points adds.
+//
+//   pose       x <- x + dx,  q <- exp(dtheta) q: a left perturbation, so dtheta is a rotation vector in W about the
+//              body's origin; v and w stay
+//   velocity   v <- v + dv,  w <- w + dw, both in W; the pose stays
+// Rows: force, torque about the origin. Columns: dx, dtheta or dv, dw. A force F(p, u) that depends on where a body's
+// point p = x + r is and on how it moves, u = v + w x r, has with A = dF/dp, B = dF/du, [a] b = a x b:
+//   dF = A (dx - [r] dtheta) + B (dv - [r] dw - [w][r] dtheta)
+//   d(r x F) = r x dF + [F][r] dtheta
+// Thread: any. Cost: about 100 multiplications.
+// Source: M. Otaduy, M. Lin 2005, Stable and responsive six-degree-of-freedom haptic manipulation using implicit
+// integration, World Haptics, sections 5.2 and 6.3, which differentiate by the quaternion's four numbers; here by the
+// three of the rotation's tangent space.
+#pragma once
+
+#include "haptics/math/rotation.h"
+#include "haptics/math/spatial.h"
+
+namespace fulcrum {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// A wrench's derivatives; world frame, SI units, 6 x 6 each.
+struct WrenchJacobian {
+    Matrix6 pose{Matrix6::Zero()};      ///< by (dx, dtheta)
+    Matrix6 velocity{Matrix6::Zero()};  ///< by (dv, dw)
+};
+
+/// A force at a point and how it depends on where the point is and how it moves; world frame.
+struct PointForce {
+    Vector3 force{Vector3::Zero()};        ///< newtons
+    Matrix3 by_position{Matrix3::Zero()};  ///< N/m
+    Matrix3 by_velocity{Matrix3::Zero()};  ///< Ns/m
+};
+
+/// Adds a force at the point `arm_W` from the origin to a wrench.
+inline void add_point_force(const Vector3& arm_W, const Vector3& force_W, Wrench& wrench) noexcept {
+    wrench.force += force_W;
+    wrench.torque += arm_W.cross(force_W);
+}
+
+/// Adds a force at the point `arm_W` from the origin, of a body that turns at `spin_W`, to a wrench and its derivatives.
+inline void add_point_force(const Vector3& arm_W, const Vector3& spin_W, const PointForce& point,
+                            Wrench& wrench, WrenchJacobian& jacobian) noexcept {
+    add_point_force(arm_W, point.force, wrench);
+    const Matrix3 arm = compute_skew(arm_W);
+    const Matrix3 by_turn = -(point.by_position + point.by_velocity * compute_skew(spin_W)) * arm;
+    const Matrix3 by_spin = -point.by_velocity * arm;
+    jacobian.pose.topLeftCorner<3, 3>() += point.by_position;
+    jacobian.pose.topRightCorner<3, 3>() += by_turn;
+    jacobian.pose.bottomLeftCorner<3, 3>() += arm * point.by_position;
+    jacobian.pose.bottomRightCorner<3, 3>() += arm * by_turn + compute_skew(point.force) * arm;
+    jacobian.velocity.topLeftCorner<3, 3>() += point.by_velocity;
+    jacobian.velocity.topRightCorner<3, 3>() += by_spin;
+    jacobian.velocity.bottomLeftCorner<3, 3>() += arm * point.by_velocity;
+    jacobian.velocity.bottomRightCorner<3, 3>() += arm * by_spin;
+}
+
+}  // namespace fulcrum

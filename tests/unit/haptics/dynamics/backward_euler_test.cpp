@@ -1,0 +1,185 @@
+#include "haptics/dynamics/integrator.h"
+#include "tests/unit/haptics/dynamics/integrator_fixture.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+// What backward Euler's equations leave over after a step, in m/s and rad/s.
+double residual(const Inertia& inertia, const Load& load, double dt_s, const RigidState& before,
+                const RigidState& after) {
+    Wrench wrench;
+    load.add_wrench(after, dt_s, wrench);
+    const Vector3 force = inertia.mass_kg * (after.velocity_W.linear - before.velocity_W.linear) -
+                          dt_s * wrench.force;
+    const Vector3 torque = compute_angular_momentum_W(inertia, after) -
+                           compute_angular_momentum_W(inertia, before) - dt_s * wrench.torque;
+    const Vector3 place =
+        after.pose_W.position - before.pose_W.position - dt_s * after.velocity_W.linear;
+    const double turn =
+        compute_angle_rad(after.pose_W.orientation,
+                          compute_exp(dt_s * after.velocity_W.angular) * before.pose_W.orientation);
+    return std::max({force.norm() / inertia.mass_kg,
+                     torque.norm() / inertia.moments_kg_m2.minCoeff(), place.norm() / dt_s,
+                     turn / dt_s});
+}
+
+ToolCouplingLoad stretched_coupling() {
+    ToolCouplingLoad load(ToolCouplingSettings{}, {0.01, -0.02, 0.005});
+    load.set_handle({{{0.05, 0.02, -0.03}, compute_exp({0.5, 1.0, -0.7})}, {}}, 0.0);
+    return load;
+}
+
+std::array<PlaneContact, 2> wedge() {
+    return {{{.point_B = {0.03, -0.01, 0.0},
+              .plane_point_W = {0.0, -0.02, 0.0},
+              .normal_W = Vector3(0.6, 0.8, 0.0),
+              .stiffness_N_per_m = 1.0e4,
+              .damping_Ns_per_m = 5.0,
+              .damping_ramp_m = 1.0e-4},
+             {.point_B = {-0.03, -0.01, 0.01},
+              .plane_point_W = {0.0, -0.02, 0.0},
+              .normal_W = Vector3(-0.6, 0.8, 0.0),
+              .stiffness_N_per_m = 1.0e4,
+              .damping_Ns_per_m = 5.0,
+              .damping_ramp_m = 1.0e-4}}};
+}
+
+}  // namespace
+
+TEST_CASE("backward Euler: the step solves the implicit equations, from 0.25 to 20 ms") {
+    const ToolCouplingLoad coupling = stretched_coupling();
+    const std::array<PlaneContact, 2> planes = wedge();
+    const PlaneContactsLoad contacts(planes);
+    const Loads all(coupling, contacts);
+    for (const double dt_s : {0.00025, 0.001, 0.004, 0.02}) {
+        CAPTURE(dt_s);
+        RigidState state = any_state();
+        for (int i = 0; i < 20; ++i) {
+            const RigidState before = state;
+            const StepResult result = step_rigid_body(settings_of(Integrator::backward_euler),
+                                                      kBlock, all, 0.0, dt_s, state);
+            REQUIRE(result.status == StepStatus::done);
+            // The tolerance, and places and turns rounded to 1e-16 and divided by the step.
+            CHECK(residual(kBlock, all, dt_s, before, state) < 1.0e-9);
+        }
+    }
+}
+
+TEST_CASE("backward Euler: Newton converges quadratically, so a smooth step takes a few solves") {
+    const ToolCouplingLoad coupling = stretched_coupling();
+    RigidState state = any_state();
+    const StepResult result = step_rigid_body(settings_of(Integrator::backward_euler), kBlock,
+                                              coupling, 0.0, 0.001, state);
+    CHECK(result.status == StepStatus::done);
+    CHECK(result.n_solves <= 4);
+    // The size of what is left after one, two and three solves: each about the square of the last.
+    std::array<double, 3> left{};
+    for (int n = 1; n <= 3; ++n) {
+        IntegratorSettings few = settings_of(Integrator::backward_euler);
+        few.newton_iterations = n;
+        RigidState after = any_state();
+        step_rigid_body(few, kBlock, coupling, 0.0, 0.004, after);
+        left[static_cast<std::size_t>(n - 1)] =
+            residual(kBlock, coupling, 0.004, any_state(), after);
+    }
+    CHECK(left[1] < 0.05 * left[0]);
+    CHECK(left[2] < 1.0e-3 * left[1]);
+}
+
+TEST_CASE("backward Euler: a linear force is solved at once and matches the closed form") {
+    // v' = (v - h k/m x) / (1 + h b/m + h^2 k/m), about the centre: no turning.
+    const PointSpringLoad spring({.stiffness_N_per_m = 800.0, .damping_Ns_per_m = 3.0});
+    RigidState state;
+    state.pose_W.position = {0.01, 0.0, 0.0};
+    state.velocity_W.linear = {0.3, 0.0, 0.0};
+    const double h = 0.002;
+    const StepResult result =
+        step_rigid_body(settings_of(Integrator::backward_euler), kBlock, spring, 0.0, h, state);
+    CHECK(result.n_solves == 1);
+    const double m = kBlock.mass_kg;
+    const double v = (0.3 - h * 800.0 / m * 0.01) / (1.0 + h * 3.0 / m + h * h * 800.0 / m);
+    CHECK(state.velocity_W.linear.x() == Approx(v).epsilon(1e-12));
+    CHECK(state.pose_W.position.x() == Approx(0.01 + h * v).epsilon(1e-12));
+}
+
+TEST_CASE(
+    "backward Euler: one solve a step is the linearised method: allowed, first order, and says "
+    "so") {
+    IntegratorSettings once = settings_of(Integrator::backward_euler);
+    once.newton_iterations = 1;
+    const ToolCouplingLoad coupling = stretched_coupling();
+    RigidState state = any_state();
+    const StepResult result = step_rigid_body(once, kBlock, coupling, 0.0, 0.001, state);
+    CHECK(result.status == StepStatus::iterations_spent);
+    CHECK(result.moved());
+    CHECK(result.n_solves == 1);
+    const RigidState converged =
+        run(settings_of(Integrator::runge_kutta_4), kBlock, coupling, any_state(), 0.05, 20000);
+    const auto error_of = [&](int n) {
+        return distance_m(run(once, kBlock, coupling, any_state(), 0.05, n), converged, 0.03);
+    };
+    CHECK(std::abs(measure_order(error_of, 2000) - 1.0) < 0.1);
+}
+
+TEST_CASE(
+    "backward Euler: stays stable on a spring that is 1e5 times too stiff for explicit methods") {
+    const PointSpringLoad spring({.point_B = {0.01, 0.0, 0.0}, .stiffness_N_per_m = 1.0e9});
+    RigidState state = any_state();
+    const auto energy_J = [&] {
+        const Vector3 stretch = state.pose_W * Vector3(0.01, 0.0, 0.0);
+        return compute_kinetic_energy_J(kBlock, state) + 0.5e9 * stretch.squaredNorm();
+    };
+    double before_J = energy_J();
+    for (int i = 0; i < 2000; ++i) {
+        REQUIRE(step_rigid_body(IntegratorSettings{}, kBlock, spring, 0.0, 0.001, state).moved());
+        REQUIRE(energy_J() <= before_J * (1.0 + 1.0e-6));
+        before_J = energy_J();
+    }
+}
+
+TEST_CASE("backward Euler: a system without a solution is singular, and the state stays") {
+    // m - h b' = 0 for a damper that drives: b' = +m / h.
+    class Driver final : public Load {
+      public:
+        void add_wrench(const RigidState& state, double, Wrench& wrench) const noexcept override {
+            wrench.force += 100.0 * state.velocity_W.linear + Vector3::UnitX();
+        }
+        void add_linearised_wrench(const RigidState& state, double time_s, Wrench& wrench,
+                                   WrenchJacobian& jacobian) const noexcept override {
+            add_wrench(state, time_s, wrench);
+            jacobian.velocity.topLeftCorner<3, 3>() += 100.0 * Matrix3::Identity();
+        }
+    };
+    RigidState state = any_state();
+    const StepResult result = step_rigid_body(settings_of(Integrator::backward_euler), kBlock,
+                                              Driver(), 0.0, 0.001, state);
+    CHECK(result.status == StepStatus::singular);
+    CHECK_FALSE(result.moved());
+    CHECK(distance_m(state, any_state(), 1.0) == 0.0);
+}
+
+TEST_CASE(
+    "backward Euler: a contact that is struck within the step is solved, with no more solves than "
+    "allowed") {
+    const std::array<PlaneContact, 2> planes = wedge();
+    const PlaneContactsLoad contacts(planes);
+    int worst = 0;
+    for (int i = 0; i < 400; ++i) {
+        RigidState state;
+        state.pose_W.position = {0.0, 0.01 - 1.0e-4 * i, 0.0};
+        state.velocity_W.linear = {0.1, -2.0, 0.0};
+        state.velocity_W.angular = {0.0, 5.0, 20.0};
+        const StepResult result =
+            step_rigid_body(IntegratorSettings{}, kBlock, contacts, 0.0, 0.004, state);
+        REQUIRE(result.moved());
+        worst = std::max(worst, result.n_solves);
+        CHECK(result.status == StepStatus::done);
+    }
+    CHECK(worst <= 8);
+}

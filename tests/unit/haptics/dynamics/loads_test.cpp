@@ -1,0 +1,232 @@
+#include "haptics/dynamics/loads.h"
+
+#include "tests/unit/haptics/dynamics/integrator_fixture.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <numbers>
+#include <rapidcheck.h>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+constexpr double kRounding = 1.0e-12;
+
+Vector6 wrench_at(const Load& load, const RigidState& state) {
+    Wrench wrench;
+    load.add_wrench(state, 0.0, wrench);
+    Vector6 both;
+    both << wrench.force, wrench.torque;
+    return both;
+}
+
+RigidState perturbed(RigidState state, int column, bool velocity, double by) {
+    const Vector3 along = by * Vector3::Unit(column % 3);
+    if (velocity) {
+        (column < 3 ? state.velocity_W.linear : state.velocity_W.angular) += along;
+    } else if (column < 3) {
+        state.pose_W.position += along;
+    } else {
+        state.pose_W.orientation = compute_exp(along) * state.pose_W.orientation;
+    }
+    return state;
+}
+
+// The largest difference between the analytic derivatives and central differences, over the largest entry.
+double jacobian_error(const Load& load, const RigidState& state) {
+    Wrench wrench;
+    WrenchJacobian analytic;
+    load.add_linearised_wrench(state, 0.0, wrench, analytic);
+    Vector6 both;
+    both << wrench.force, wrench.torque;
+    double worst = (both - wrench_at(load, state)).norm();
+    constexpr double kStep = 1.0e-6;
+    for (const bool velocity : {false, true}) {
+        const Matrix6& jacobian = velocity ? analytic.velocity : analytic.pose;
+        const double size = std::max(1.0, jacobian.cwiseAbs().maxCoeff());
+        for (int column = 0; column < 6; ++column) {
+            const Vector6 difference =
+                (wrench_at(load, perturbed(state, column, velocity, kStep)) -
+                 wrench_at(load, perturbed(state, column, velocity, -kStep))) /
+                (2.0 * kStep);
+            worst =
+                std::max(worst, (difference - jacobian.col(column)).cwiseAbs().maxCoeff() / size);
+        }
+    }
+    return worst;
+}
+
+// Central differences of 1e-6 on laws whose third derivatives are some 1e4 of the first: 1e-8 and rounding.
+constexpr double kDifferences = 1.0e-6;
+
+RigidState random_state() {
+    const auto number = [](double size) { return size * 1.0e-3 * *rc::gen::inRange(-1000, 1001); };
+    const auto vector = [&](double size) {
+        return Vector3(number(size), number(size), number(size));
+    };
+    RigidState state;
+    state.pose_W.position = vector(0.02);
+    state.pose_W.orientation = compute_exp(vector(1.0));
+    state.velocity_W = {vector(0.5), vector(10.0)};
+    return state;
+}
+
+const PlaneContact kContact{.point_B = {0.01, -0.02, 0.03},
+                            .plane_point_W = {0.0, 0.05, 0.0},
+                            .normal_W = Vector3(0.6, 0.8, 0.0),
+                            .stiffness_N_per_m = 2000.0,
+                            .damping_Ns_per_m = 5.0,
+                            .damping_ramp_m = 0.0};
+
+// A body whose contact point lies `depth_m` behind the plane and sinks at `sinking_m_per_s`.
+RigidState touching(double depth_m, double sinking_m_per_s) {
+    RigidState state;
+    state.pose_W.position = kContact.plane_point_W - kContact.point_B - depth_m * kContact.normal_W;
+    state.velocity_W.linear = -sinking_m_per_s * kContact.normal_W;
+    return state;
+}
+
+}  // namespace
+
+TEST_CASE("loads: a constant load is what it is") {
+    const ConstantLoad load({{1.0, -2.0, 3.0}, {0.1, 0.2, -0.3}});
+    Vector6 expected;
+    expected << 1.0, -2.0, 3.0, 0.1, 0.2, -0.3;
+    CHECK((wrench_at(load, any_state()) - expected).norm() == 0.0);
+    CHECK(jacobian_error(load, any_state()) < kDifferences);
+}
+
+TEST_CASE("loads: a point spring pulls to its anchor, damps its point, and turns by its arm") {
+    const PointSpringLoad load({.point_B = {0.0, 0.1, 0.0},
+                                .anchor_W = {0.3, 0.1, 0.0},
+                                .stiffness_N_per_m = 100.0,
+                                .damping_Ns_per_m = 2.0});
+    RigidState state;
+    state.velocity_W.angular = {0.0, 0.0, 4.0};  // the point moves at -0.4 along x
+    const Vector6 wrench = wrench_at(load, state);
+    CHECK(wrench[0] == Approx(30.0 + 0.8).epsilon(kRounding));
+    CHECK(wrench[5] == Approx(-0.1 * 30.8).epsilon(kRounding));
+    CHECK(wrench.segment<4>(1).norm() < kRounding);
+}
+
+TEST_CASE("loads: a contact pushes along its normal with k d - b u_n, and makes torque") {
+    const std::array<PlaneContact, 1> contacts{kContact};
+    const PlaneContactsLoad load(contacts);
+    const Vector6 wrench = wrench_at(load, touching(0.001, 0.1));
+    const double push_N = 2000.0 * 0.001 + 5.0 * 0.1;
+    CHECK((wrench.head<3>() - push_N * kContact.normal_W).norm() < 1.0e-10);
+    CHECK((wrench.tail<3>() - kContact.point_B.cross(push_N * kContact.normal_W)).norm() < 1.0e-10);
+    CHECK(compute_push_N(kContact, touching(0.001, 0.1)) == Approx(push_N).epsilon(1e-10));
+    CHECK(compute_depth_m(kContact, touching(0.001, 0.0).pose_W) == Approx(0.001).epsilon(1e-10));
+}
+
+TEST_CASE("loads: a contact never pulls, neither outside nor while it lets go fast") {
+    CHECK(compute_push_N(kContact, touching(-0.001, 1.0)) == 0.0);
+    CHECK(compute_push_N(kContact, touching(0.0, 1.0)) == 0.0);
+    CHECK(compute_push_N(kContact, touching(0.001, -1.0)) == 0.0);
+    CHECK(compute_push_N(kContact, touching(0.001, -0.399)) == Approx(0.005).epsilon(1e-9));
+}
+
+TEST_CASE("loads: with a ramp the push is continuous at the touch, and the plain law behind it") {
+    PlaneContact ramped = kContact;
+    ramped.damping_ramp_m = 1.0e-4;
+    // Without a ramp the push jumps by b u = 1 N.
+    CHECK(compute_push_N(kContact, touching(1.0e-9, 0.2)) == Approx(1.0).epsilon(1e-4));
+    CHECK(compute_push_N(ramped, touching(1.0e-9, 0.2)) < 2.0e-5);
+    CHECK(compute_push_N(ramped, touching(0.5e-4, 0.2)) == Approx(0.1 + 0.5).epsilon(1e-9));
+    CHECK(compute_push_N(ramped, touching(2.0e-4, 0.2)) ==
+          Approx(compute_push_N(kContact, touching(2.0e-4, 0.2))).epsilon(kRounding));
+}
+
+TEST_CASE("loads: every analytic derivative is that of finite differences") {
+    const PointSpring spring{.point_B = {0.01, 0.02, -0.03},
+                             .anchor_W = {0.05, 0.0, 0.02},
+                             .stiffness_N_per_m = 300.0,
+                             .damping_Ns_per_m = 2.0};
+    ToolCouplingSettings plain;
+    ToolCouplingSettings saturating = plain;
+    saturating.shift = {.stiffness_N_per_m = 500.0,
+                        .damping_Ns_per_m = 4.0,
+                        .linear_range_m = 0.005,
+                        .saturation_range_m = 0.1,
+                        .saturation_force_N = 25.0};
+    saturating.turn = {.stiffness_Nm_per_rad = 0.5,
+                       .damping_Nms_per_rad = 2e-3,
+                       .linear_range_rad = 0.2,
+                       .saturation_range_rad = 3.0,
+                       .saturation_torque_Nm = 0.8};
+    REQUIRE(validate(saturating));
+    ToolCouplingSettings clamped = plain;
+    clamped.clamp_m = 0.002;
+    const MovingFrame handle{{{0.03, 0.01, -0.04}, compute_exp({0.3, 0.8, -0.5})},
+                             {{0.1, -0.2, 0.3}, {1.0, 2.0, -1.0}}};
+    CHECK(rc::check([&] {
+        const RigidState state = random_state();
+        RC_ASSERT(jacobian_error(PointSpringLoad(spring), state) < kDifferences);
+        for (const ToolCouplingSettings& settings : {plain, saturating, clamped}) {
+            ToolCouplingLoad coupling(settings, {0.01, -0.02, 0.03});
+            coupling.set_handle(handle, -0.01);
+            RC_ASSERT(jacobian_error(coupling, state) < kDifferences);
+        }
+    }));
+}
+
+TEST_CASE(
+    "loads: a contact's derivatives are those of finite differences, on the ramp and off it") {
+    PlaneContact ramped = kContact;
+    ramped.damping_ramp_m = 2.0e-3;
+    CHECK(rc::check([&] {
+        RigidState state = random_state();
+        // Bring the point to a depth well off the kinks at 0 and at the ramp's end.
+        const std::array<PlaneContact, 2> contacts{kContact, ramped};
+        for (const double depth_m : {-0.001, 0.001, 0.003}) {
+            state.pose_W.position -=
+                (depth_m - compute_depth_m(kContact, state.pose_W)) * kContact.normal_W;
+            const double push_N = compute_push_N(kContact, state);
+            const double ramped_N = compute_push_N(ramped, state);
+            if ((depth_m < 0.0) || (push_N > 1e-3 && ramped_N > 1e-3)) {
+                RC_ASSERT(jacobian_error(PlaneContactsLoad(contacts), state) < kDifferences);
+            }
+        }
+    }));
+}
+
+TEST_CASE("loads: the hand feels the opposite of what the coupling does to the tool at its grip") {
+    ToolCouplingLoad load({}, {0.02, 0.01, -0.03});
+    load.set_handle({{{0.01, 0.0, 0.0}, compute_exp({0.0, 0.3, 0.0})}, {}}, 0.0);
+    const RigidState state = any_state();
+    const Wrench felt = load.compute_felt_wrench(state, 0.0);
+    const Vector6 on_tool = wrench_at(load, state);
+    const Vector3 arm = state.pose_W.orientation * Vector3(0.02, 0.01, -0.03);
+    CHECK((on_tool.head<3>() + felt.force).norm() < kRounding);
+    CHECK((on_tool.tail<3>() + felt.torque + arm.cross(felt.force)).norm() < kRounding);
+}
+
+TEST_CASE("loads: the handle moves on from its stamp along its twist") {
+    ToolCouplingLoad moving{ToolCouplingSettings{}};
+    ToolCouplingLoad there{ToolCouplingSettings{}};
+    const Twist twist{{0.1, 0.2, -0.3}, {0.0, 2.0, 0.0}};
+    moving.set_handle({Pose::at({0.0, 0.0, 0.0}), twist}, 1.0);
+    there.set_handle({{{0.05, 0.1, -0.15}, compute_exp({0.0, 1.0, 0.0})}, twist}, 1.5);
+    const Wrench a = moving.compute_felt_wrench(any_state(), 1.5);
+    const Wrench b = there.compute_felt_wrench(any_state(), 1.5);
+    CHECK((a.force - b.force).norm() < kRounding);
+    CHECK((a.torque - b.torque).norm() < kRounding);
+}
+
+TEST_CASE("loads: several as one add up") {
+    const ConstantLoad weight({.force = {0.0, -0.98, 0.0}});
+    const PointSpringLoad spring({.point_B = {0.01, 0.0, 0.0}, .stiffness_N_per_m = 50.0});
+    const std::array<PlaneContact, 1> contacts{kContact};
+    const PlaneContactsLoad contact(contacts);
+    const RigidState state = touching(0.002, 0.0);
+    const Loads all(weight, spring, contact);
+    const Vector6 sum =
+        wrench_at(weight, state) + wrench_at(spring, state) + wrench_at(contact, state);
+    CHECK((wrench_at(all, state) - sum).norm() < kRounding);
+    CHECK(jacobian_error(all, state) < kDifferences);
+    CHECK(wrench_at(Loads<>(), state).norm() == 0.0);
+}
