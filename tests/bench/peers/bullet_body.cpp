@@ -16,13 +16,14 @@ Vector3 from_bullet(const btVector3& v) {
 class BulletBody final : public RigidPeer {
   public:
     BulletBody(const Inertia& inertia, const RigidState& state)
-        : dispatcher_(&configuration_), world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
+        : dispatcher_(&configuration_),
+          world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
         world_.setGravity({0.0, 0.0, 0.0});
         const Quaternion& q = state.pose_W.orientation;
         btRigidBody::btRigidBodyConstructionInfo info(inertia.mass_kg, nullptr, &shape_,
                                                       to_bullet(inertia.moments_kg_m2));
-        info.m_startWorldTransform = btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()),
-                                                 to_bullet(state.pose_W.position));
+        info.m_startWorldTransform =
+            btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()), to_bullet(state.pose_W.position));
         body_ = std::make_unique<btRigidBody>(info);
         body_->setDamping(0.0, 0.0);
         body_->setFlags(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);
@@ -41,9 +42,9 @@ class BulletBody final : public RigidPeer {
     [[nodiscard]] RigidState state() const override {
         const btTransform& at = body_->getWorldTransform();
         const btQuaternion q = at.getRotation();
-        return {{from_bullet(at.getOrigin()), Quaternion(q.w(), q.x(), q.y(), q.z())},
-                {from_bullet(body_->getLinearVelocity()),
-                 from_bullet(body_->getAngularVelocity())}};
+        return {
+            {from_bullet(at.getOrigin()), Quaternion(q.w(), q.x(), q.y(), q.z())},
+            {from_bullet(body_->getLinearVelocity()), from_bullet(body_->getAngularVelocity())}};
     }
 
   private:

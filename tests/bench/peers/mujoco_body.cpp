@@ -60,8 +60,7 @@ class MujocoBody final : public RigidPeer {
         const auto files = std::make_unique<mjVFS>();
         mj_defaultVFS(files.get());
         mj_makeEmptyFileVFS(files.get(), "body.xml", static_cast<int>(text.size()));
-        std::copy(text.begin(), text.end(),
-                  static_cast<char*>(files->filedata[files->nfile - 1]));
+        std::copy(text.begin(), text.end(), static_cast<char*>(files->filedata[files->nfile - 1]));
         std::array<char, 500> error{};
         mjModel* const model = mj_loadXML("body.xml", files.get(), error.data(), error.size());
         mj_deleteVFS(files.get());
