@@ -2,7 +2,7 @@
 
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/geometry/shape.h"
-#include "runtime/lua/binding_table.h"
+#include "runtime/lua/api/binding_table.h"
 #include "runtime/scene/gltf/collision_from_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
 #include "runtime/scene/shape_models.h"

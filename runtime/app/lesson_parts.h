@@ -5,7 +5,7 @@
 #include "haptics/geometry/triangle_mesh.h"
 #include "runtime/app/places.h"
 #include "runtime/app/run_request.h"
-#include "runtime/lua/lesson_process.h"
+#include "runtime/lua/process/lesson_process.h"
 
 #include <filesystem>
 #include <memory>

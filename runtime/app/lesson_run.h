@@ -17,7 +17,7 @@
 #include "runtime/app/run_request.h"
 #include "runtime/lesson/session.h"
 #include "runtime/lesson/simulated_pupil.h"
-#include "runtime/lua/lesson_process.h"
+#include "runtime/lua/process/lesson_process.h"
 #include "runtime/progress/store.h"
 #include "runtime/scene/view.h"
 

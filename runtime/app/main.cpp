@@ -4,7 +4,7 @@
 #include "runtime/app/commands.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/options.h"
-#include "runtime/lua/lesson_process.h"
+#include "runtime/lua/process/lesson_process.h"
 
 #include <cstdio>
 #include <exception>

@@ -2,7 +2,7 @@
 
 #include "haptics/base/clock.h"
 #include "runtime/app/interrupt.h"
-#include "runtime/lua/lesson_process.h"
+#include "runtime/lua/process/lesson_process.h"
 
 #include <algorithm>
 #include <cmath>

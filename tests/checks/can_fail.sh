@@ -62,6 +62,8 @@ spoilt include_direction 'dialogue must not know haptics' dialogue/english/bad.h
 spoilt include_direction 'haptics/base must not use haptics/loop' haptics/base/bad.h '#include "haptics/loop/step.h"'
 spoilt include_direction 'haptics/math must not use haptics/loop' haptics/math/bad.cpp '  #  include "haptics/loop/step.h"'
 spoilt include_direction 'runtime/scene must not use runtime/app' runtime/scene/bad.h '#include "runtime/app/app.h"'
+spoilt include_direction 'runtime/lua/wire must not use runtime/lua/api' runtime/lua/wire/bad.h '#include "runtime/lua/api/needs.h"'
+spoilt include_direction 'runtime/lua/attic has no place' runtime/lua/attic/bad.h '#include "runtime/lua/wire/wire.h"'
 spoilt include_direction 'not written from the root' haptics/math/bad.h '#include "spatial.h"'
 spoilt include_direction 'not written from the root' haptics/math/bad.h '#include "../base/error.h"'
 spoilt include_direction 'haptics/attic has no place' haptics/attic/bad.h '#include "haptics/base/error.h"'

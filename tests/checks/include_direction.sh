@@ -15,12 +15,16 @@ BEGIN {
     order("haptics", "loop tool point device dynamics collision record surface field geometry coupling handover math base")
     order("dialogue", "conversation marking speech template english")
     order("runtime", "app lesson lua render audio progress scene")
+    # Inside a room that has rooms of its own.
+    order("runtime/lua", "process host api sandbox wire")
 }
 function order(name, rooms,    list, n, i) {
     n = split(rooms, list, " ")
     for (i = 1; i <= n; ++i) rank[name "/" list[i]] = n - i + 1
 }
 function complain(why) { print $1 ":" $2 ": " why; bad = 1 }
+# The inner room of a path, or nothing.
+function inner_of(path,    part, n) { n = split(path, part, "/"); return n > 3 ? part[1] "/" part[2] "/" part[3] : "" }
 function room_of(path,    part, n) { n = split(path, part, "/"); return n > 2 ? part[1] "/" part[2] : part[1] }
 {
     included = $0
@@ -37,6 +41,11 @@ function room_of(path,    part, n) { n = split(path, part, "/"); return n > 2 ? 
     if (to !~ /\//) next
     if (!(from in rank)) { complain(from " has no place in the order of rooms"); next }
     if (!(to in rank)) { complain(to " has no place in the order of rooms"); next }
+    if (from == to && (inner_from = inner_of($1)) != (inner_to = inner_of(included)) && (inner_from in rank || inner_to in rank)) {
+        if (!(inner_from in rank)) complain(inner_from " has no place in the order of rooms")
+        else if (!(inner_to in rank)) complain(inner_to " has no place in the order of rooms")
+        else if (rank[inner_from] < rank[inner_to]) complain(inner_from " must not use " inner_to ", which stands above it")
+    }
     if (from_part[1] == to_part[1] && from != to && rank[from] < rank[to]) complain(from " must not use " to ", which stands above it")
 }
 END { exit bad }'

@@ -1,5 +1,5 @@
 // Any bytes as the text of a lesson: loaded and played for two frames in this process, with all limits and a short budget.
-#include "runtime/lua/lesson_host.h"
+#include "runtime/lua/host/lesson_host.h"
 
 #include <cstddef>
 #include <cstdint>

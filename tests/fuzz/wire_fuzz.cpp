@@ -1,5 +1,5 @@
 // Any bytes as what a lesson's process sends. What is taken must be within all limits, and pass again when it is sent on.
-#include "runtime/lua/wire.h"
+#include "runtime/lua/wire/wire.h"
 
 #include <cstddef>
 #include <cstdint>

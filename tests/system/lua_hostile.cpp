@@ -7,7 +7,7 @@
 //   any     any of these
 // Never: the canaries touched, this program harmed, a process left over, the lesson's process crashed.
 #include "haptics/base/clock.h"
-#include "runtime/lua/lesson_process.h"
+#include "runtime/lua/process/lesson_process.h"
 
 #include <algorithm>
 #include <cstdio>

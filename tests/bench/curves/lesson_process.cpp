@@ -1,8 +1,8 @@
 // What a lesson in a process of its own costs: start, and the round trip of a frame, beside two baselines of the same run:
 // the same host without a process, and a bare message of the same size to a process and back.
-#include "runtime/lua/lesson_process.h"
+#include "runtime/lua/process/lesson_process.h"
 
-#include "runtime/lua/lesson_host.h"
+#include "runtime/lua/host/lesson_host.h"
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/measure.h"
 #include "tests/bench/harness/registry.h"

@@ -4,7 +4,7 @@
 //   linearised  the program's way: force and slopes of the newest answer, blended in (field/linearised_wrench.h)
 //   per step    asked at every haptic step: what the program never does, for Lua may stop for milliseconds
 #include "haptics/field/linearised_wrench.h"
-#include "runtime/lua/lesson_process.h"
+#include "runtime/lua/process/lesson_process.h"
 #include "tests/bench/harness/measure.h"
 #include "tests/bench/harness/registry.h"
 #include "tests/unit/runtime/lua/hosted_lesson.h"

@@ -1,5 +1,5 @@
 // fulcrum bench: runs the registered benchmarks and writes what they found as CSV, SVG and one page.
-#include "runtime/lua/lesson_process.h"
+#include "runtime/lua/process/lesson_process.h"
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/environment.h"
 #include "tests/bench/harness/options.h"

@@ -3,7 +3,7 @@
 
 #include "assets/make/glb_writer.h"
 #include "haptics/geometry/mesh_report.h"
-#include "runtime/lua/reference_sections.h"
+#include "runtime/lua/api/reference_sections.h"
 #include "runtime/scene/gltf/collision_from_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
 

@@ -1,7 +1,7 @@
 // A lesson that runs in the test's own process, and a script beside it: quick to start, easy to look into.
 #pragma once
 
-#include "runtime/lua/lesson_host.h"
+#include "runtime/lua/host/lesson_host.h"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 // A folder with Lua files that is gone when the test is over, and lessons started from it.
 #pragma once
 
-#include "runtime/lua/lesson_process.h"
+#include "runtime/lua/process/lesson_process.h"
 
 #include <filesystem>
 #include <fstream>

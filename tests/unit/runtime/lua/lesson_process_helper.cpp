@@ -1,8 +1,8 @@
 // The program that lesson processes are in tests: it does what the real one's main() does first. With --write-meta FOLDER it writes
 // the generated annotations and reference instead.
-#include "library_texts.h"
-#include "runtime/lua/binding_table.h"
-#include "runtime/lua/lesson_process.h"
+#include "runtime/lua/api/binding_table.h"
+#include "runtime/lua/process/lesson_process.h"
+#include "tests/unit/runtime/lua/library_texts.h"
 
 #include <cstdio>
 #include <fstream>

@@ -1,7 +1,7 @@
 // The modules of scripts/lib as texts, for the reference.
 #pragma once
 
-#include "runtime/lua/reference_sections.h"
+#include "runtime/lua/api/reference_sections.h"
 
 #include <algorithm>
 #include <filesystem>

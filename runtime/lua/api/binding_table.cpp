@@ -1,0 +1,154 @@
+#include "runtime/lua/api/binding_table.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdio>
+
+namespace fulcrum::runtime {
+namespace {
+
+std::string number_text(double value) {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.14g", value);
+    return text;
+}
+
+void add_callbacks(ApiTable& table) {
+    table.callbacks = {
+        {"start",
+         {{"world", "World"}},
+         "Once, before the first frame: declares bodies, forces and the view."},
+        {"update", {{"world", "World"}, {"dt", "number"}}, "60 times a second; dt is in seconds."},
+        {"caught",
+         {{"body", "Body"}, {"speed", "number"}},
+         "A body fell into the bucket, at so many metres per second."},
+        {"landed",
+         {{"body", "Body"}, {"speed", "number"}},
+         "A body hit the ground, at so many metres per second."},
+        {"touched", {{"body", "Body"}}, "The tool began to touch a solid body."},
+        {"released", {{"body", "Body"}}, "The tool no longer touches a solid body."},
+        {"key",
+         {{"name", "string"}},
+         "A key was pressed: \"space\", \"return\", \"left\", a letter …"},
+        {"answered",
+         {{"answer", "Answer"}},
+         "The learner's answer has been marked and answered to."},
+    };
+}
+
+/// Levenshtein's distance, with a swap of neighbours counting as one step.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::vector<std::size_t>> cost(a.size() + 1,
+                                               std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                cost[i][j] = i + j;
+                continue;
+            }
+            const std::size_t swap_in = a[i - 1] == b[j - 1] ? 0 : 1;
+            cost[i][j] =
+                std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + swap_in});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+            }
+        }
+    }
+    return cost[a.size()][b.size()];
+}
+
+/// The first function that gives such a thing: "world:hand" for a hand; empty when none does.
+std::string giver_of(const ApiTable& table, const char* owner) {
+    std::string type = owner;
+    type[0] = static_cast<char>(type[0] - 'a' + 'A');
+    for (const Binding& binding : table.functions) {
+        if (type == binding.result && *binding.owner != '\0') {
+            return std::string(binding.owner) + ':' + binding.name;
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+const Argument& Arguments::operator[](std::string_view name) const {
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+        if (name == binding_.parameters[i].name) {
+            return values_[i];
+        }
+    }
+    assert(false && "a binding asked for a parameter that it does not have");
+    return values_.front();
+}
+
+const ApiTable& api_table() {
+    static const ApiTable kTable = [] {
+        ApiTable table;
+        add_lesson_api(table);
+        add_declaration_api(table);
+        add_action_api(table);
+        add_body_api(table);
+        add_force_api(table);
+        add_callbacks(table);
+        return table;
+    }();
+    return kTable;
+}
+
+std::string range_text(const Parameter& parameter) {
+    std::string text;
+    if (*parameter.unit != '\0') {
+        text = std::string("in ") + parameter.unit;
+    }
+    const bool has_range = parameter.type == ParameterType::number ||
+                           parameter.type == ParameterType::integer ||
+                           parameter.type == ParameterType::vector;
+    if (has_range) {
+        text += (text.empty() ? "" : ", ") + number_text(parameter.low) + " to " +
+                number_text(parameter.high);
+    } else if (parameter.type == ParameterType::text) {
+        text = "of at most " + number_text(parameter.high) + " bytes";
+    }
+    return text;
+}
+
+std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates,
+                         std::size_t most_steps) {
+    std::string best;
+    std::size_t least = std::max<std::size_t>(1, std::min(most_steps, word.size() / 2)) + 1;
+    if (word.size() > 40) {
+        return best;
+    }
+    for (const std::string& candidate : candidates) {
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance < least) {
+            least = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+std::string owner_of_name(const ApiTable& table, std::string_view name) {
+    std::string places;
+    const auto add = [&](const char* owner, char mark) {
+        const std::string giver = giver_of(table, owner);
+        places += (places.empty() ? "" : " or ") +
+                  std::string(std::string_view(owner) == "lesson" ? "L" : owner) + mark +
+                  std::string(name) +
+                  (giver.empty() ? "" : " (" + giver + " gives the " + owner + ')');
+    };
+    for (const Binding& binding : table.functions) {
+        if (name == binding.name && *binding.owner != '\0') {
+            add(binding.owner, ':');
+        }
+    }
+    for (const Property& property : table.properties) {
+        if (name == property.name) {
+            add(property.owner, '.');
+        }
+    }
+    return places;
+}
+
+}  // namespace fulcrum::runtime

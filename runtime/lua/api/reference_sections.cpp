@@ -1,0 +1,227 @@
+#include "runtime/lua/api/reference_sections.h"
+
+#include "runtime/scene/description.h"
+#include "runtime/scene/sounds.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr std::array kAnswerFields = {
+    FieldText{"question", "string", "the name of the question"},
+    FieldText{"said", "string", "the learner's words"},
+    FieldText{"understood", "boolean", "false: no template fitted"},
+    FieldText{"right", "boolean", "the meaning is right, by the question's own `right`"},
+    FieldText{"form_right", "boolean", "no error of form was found"},
+    FieldText{"over", "boolean", "the question is done: right, or left after many tries"},
+    FieldText{"attempt", "integer", "1 for the first try"},
+    FieldText{"bodies", "table<string, Body>",
+              "the body that a slot speaks of, by its noun; nil when no body or several have it"},
+};
+
+constexpr const char* kAnswerHead = R"(
+## answer
+
+What `L:answered`, the event "answered" and `story.ask` give. `right = function(answer)` of a question gets `question`, the
+slots and `bodies`; the rest is known after it.
+
+Each `{slot}` of the template that fitted is a field: after "the tennis ball is heavier than the egg", `answer.thing` is
+`"tennis ball"` and `answer.other` is `"egg"`. A slot is the **noun** as it was declared, not the body's name: with
+`name = "b1", noun = "tennis ball"` compare bodies, `answer.bodies.thing == b1`, or `answer.thing == b1.noun`.
+
+| field | |
+|---|---|
+)";
+
+constexpr const char* kTemplates = R"(
+## Templates of answers
+
+The sentences in `answers` of `L:question`. Case and punctuation don't matter; learners' usual errors of form (articles,
+degrees, plurals, agreement) are understood and corrected.
+
+| in a template | means |
+|---|---|
+| `[word]` | may be left out |
+| `[a\|b]` | one of them or none |
+| `(a\|b)` | one of them |
+| `(a;b)` | both, in any order; at most 4 parts |
+| `{thing}`, `{other}` | the noun of a body of the scene, which becomes `answer.thing` and `answer.other` |
+| `{colour}` | a word of `lists = { colour = { "red", "blue" } }`, which becomes `answer.colour` |
+| `{thing:first}` | a word of the list `thing` that becomes `answer.first` |
+| `[a\|an\|the] {thing}`, `<article> {thing}` | the noun with the article that it needs; the wrong one is an error of form. The first article is the one that is said back: `[the\|a\|an] {thing}` gives "The apple is …" |
+| `<comparative:heavy>` | "heavier"; "more heavy", "heavyer" are errors of form |
+| `<superlative:heavy>` | "heaviest", after a template's own "the" |
+| `<plural:moon>` | "moons" |
+| `\[` | the character itself |
+
+A list's word may be said in several ways, `"bike|bicycle"`; the answer has the first.
+
+```lua
+L:question "heavier" {
+  prompt = "Which one is heavier?",
+  answers = { "[a|an|the] {thing} is <comparative:heavy> than [a|an|the] {other}" },
+  right = function(answer)
+    local thing, other = answer.bodies.thing, answer.bodies.other
+    return thing ~= nil and other ~= nil and thing.weight > other.weight
+  end,
+}
+
+L:question "count" {
+  prompt = "How many eggs are there?",
+  answers = { "[there are] {number} <plural:egg>" },
+  lists = { number = { "two|2", "three|3" } },
+  right = function(answer) return answer.number == "two" end,
+}
+```
+)";
+
+constexpr const char* kTests = R"(
+## Tests
+
+`./fulcrum test FOLDER` plays the first `L:test` without a window: the hand is the file `hand`, a Lua file beside the lesson
+(see `motion` below), the answers are `say` in turn, and the lesson must end as `expect` says.
+
+```lua
+L:test { hand = "catcher.lua", say = { "the apple is the heaviest" }, expect = { finished = true, stars = 3 } }
+```
+
+`expect` knows )";
+
+template <class Names>
+std::string quoted(const Names& names) {
+    std::string text;
+    for (const std::string_view name : names) {
+        text += (text.empty() ? "`" : ", `") + std::string(name) + '`';
+    }
+    return text;
+}
+
+std::string events_section() {
+    std::string out =
+        "\n## Events\n\nWhat a listener (`L:listen`) and `story.wait_for` get: a table with `name` "
+        "and these fields.\n\n| name | when | fields |\n|---|---|---|\n";
+    for (const EventText& event : event_texts()) {
+        out += "| `" + std::string(event.name) + "` | " + std::string(event.text) + " | " +
+               quoted(event.fields) +
+               (event.name == "answered" ? " and the slots: see answer" : "") + " |\n";
+    }
+    return out;
+}
+
+std::string names_sections() {
+    std::string out = "\n## Sounds\n\n`world:sound` plays one of " + quoted(kSoundNames) +
+                      ". Catching, landing, answers, levels and the end sound by themselves.\n";
+    out +=
+        "\n## Models\n\n`model` of a body or the bucket is one of " + quoted(kModelNames) +
+        ", or a `.glb` or `.gltf` file beside the lesson, without its ending: `model = "
+        "\"kettle\"` is kettle.glb. `sphere` is a ball of the body's `radius`, `box` a cube twice "
+        "that wide, both seen and felt so; other models have their own size.\n";
+    return out;
+}
+
+// ---- modules of the library ---------------------------------------------------------------------------------------
+
+bool begins(const std::string& line, std::string_view with) {
+    return line.starts_with(with);
+}
+
+/// "---@param seconds number how long" as "- `seconds` number: how long"; of a type with blanks in it only its text is lost.
+std::string annotation_line(const std::string& line) {
+    std::istringstream words(line);
+    std::string tag;
+    std::string name;
+    std::string type;
+    words >> tag;
+    if (tag == "---@param") {
+        words >> name;
+    }
+    std::getline(words >> std::ws, type);
+    return tag == "---@param"    ? "- `" + name + "`: " + type + '\n'
+           : tag == "---@return" ? "- gives " + type + '\n'
+                                 : std::string();
+}
+
+/// Comment lines as a text: what is indented becomes code.
+std::string block_text(const std::vector<std::string>& lines) {
+    std::string out;
+    std::string list;
+    bool in_code = false;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (begins(lines[i], "---@")) {
+            list += annotation_line(lines[i]);
+            continue;
+        }
+        const std::string text = lines[i].size() > 4 ? lines[i].substr(4) : "";
+        const bool is_code =
+            begins(text, "  ") ||
+            (in_code && text.empty() && i + 1 < lines.size() && begins(lines[i + 1], "---   "));
+        if (is_code != in_code) {
+            out += is_code ? "```lua\n" : "```\n";
+            in_code = is_code;
+        }
+        out += (is_code && text.size() > 2 ? text.substr(2) : text) + '\n';
+    }
+    out += in_code ? "```\n" : "";
+    return out + (list.empty() ? "" : '\n' + list);
+}
+
+}  // namespace
+
+std::span<const FieldText> answer_fields() {
+    return kAnswerFields;
+}
+
+std::vector<EventText> event_texts() {
+    std::vector<EventText> events = {
+        {"caught", "a body fell into the bucket", {"body", "speed"}},
+        {"landed", "a body hit the ground", {"body", "speed"}},
+        {"touched", "the tool began to touch a solid body", {"body", "speed"}},
+        {"released", "the tool no longer touches it", {"body", "speed"}},
+        {"key", "a key was pressed", {"key"}},
+        {"answered", "an answer was marked and answered to", {}},
+        {"update", "each frame; for `L:listen` alone", {"dt"}},
+    };
+    for (const FieldText& field : kAnswerFields) {
+        events[5].fields.push_back(field.name);
+    }
+    return events;
+}
+
+std::string general_sections() {
+    std::string out = events_section() + kAnswerHead;
+    for (const FieldText& field : kAnswerFields) {
+        out += "| `answer." + std::string(field.name) + "` | " + std::string(field.text) + " |\n";
+    }
+    out += kTemplates + names_sections() + kTests + quoted(kTestFacts) +
+           ": `finished` is true or false, the others are whole numbers.\n";
+    return out;
+}
+
+std::string library_section(const LibraryModule& module) {
+    std::string out = "\n## " + module.name + "\n\n`local " + module.name + " = require \"" +
+                      module.name + "\"`\n";
+    std::istringstream text(module.text);
+    std::vector<std::string> block;
+    bool at_head = true;
+    for (std::string line; std::getline(text, line);) {
+        if (begins(line, "---")) {
+            block.push_back(line);
+            continue;
+        }
+        const std::string call = "function " + module.name + '.';
+        if (begins(line, call) && !block.empty()) {
+            const std::size_t end = line.find(')');
+            out += "\n### `" + line.substr(9, end == std::string::npos ? end : end - 8) + "`\n\n" +
+                   block_text(block);
+        } else if (at_head && !block.empty()) {
+            out += '\n' + block_text(block);
+            at_head = false;
+        }
+        block.clear();
+    }
+    return out;
+}
+
+}  // namespace fulcrum::runtime

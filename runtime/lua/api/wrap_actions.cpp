@@ -1,0 +1,238 @@
+// What a lesson does to the world and to the learner while it runs, and what it can look up.
+#include "runtime/lua/api/binding_table.h"
+#include "runtime/lua/api/lesson_context.h"
+#include "runtime/lua/api/nouns.h"
+#include "runtime/lua/api/sound_names.h"
+
+#include <algorithm>
+
+namespace fulcrum::runtime {
+namespace {
+
+int release_all(lua_State* lua, LessonContext& /*context*/, const Arguments& /*arguments*/) {
+    WorldCommand move;
+    move.kind = WorldCommand::Kind::release;
+    add_command(lua, MoveCommand{move});
+    return 0;
+}
+
+int show_caption(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    add_command(lua, CaptionCommand{arguments["text"].text});
+    return 0;
+}
+
+int ask_question(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    const std::string& id = arguments["question"].text;
+    std::vector<std::string> known;
+    for (const QuestionDescription& question : context.description.questions) {
+        known.push_back(question.id);
+    }
+    if (std::find(known.begin(), known.end(), id) == known.end()) {
+        const std::string near = nearest_word(id, known);
+        raise_in_lesson(lua, "there is no question \"" + clean_text(id, 40) + '"' +
+                                 (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+    }
+    add_command(lua, AskCommand{id});
+    return 0;
+}
+
+int set_score(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    add_command(lua, ScoreCommand{static_cast<std::int32_t>(arguments["score"].number)});
+    return 0;
+}
+
+int set_level(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    add_command(lua, LevelCommand{static_cast<std::int32_t>(arguments["level"].number),
+                                  arguments["title"].text});
+    return 0;
+}
+
+int play_sound(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    if (const std::string problem = sound_problem(arguments["name"].text); !problem.empty()) {
+        raise_in_lesson(lua, problem);
+    }
+    add_command(lua, SoundCommand{arguments["name"].text});
+    return 0;
+}
+
+int finish(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    add_command(lua, FinishCommand{static_cast<std::int32_t>(arguments["stars"].number)});
+    return 0;
+}
+
+int list_bodies(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/) {
+    lua_newtable(lua);
+    for (std::size_t i = 0; i < context.description.bodies.size(); ++i) {
+        push_handle(lua, Handle::Kind::body, static_cast<std::int32_t>(i));
+        lua_rawseti(lua, -2, static_cast<lua_Integer>(i) + 1);
+    }
+    return 1;
+}
+
+int find_body(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    const std::string& wanted = arguments["name"].text;
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < context.description.bodies.size(); ++i) {
+        known.push_back(context.description.bodies[i].name);
+        if (known.back() == wanted) {
+            push_handle(lua, Handle::Kind::body, static_cast<std::int32_t>(i));
+            return 1;
+        }
+    }
+    if (const std::int32_t body = body_with_noun(context.description, wanted); body != kNoBody) {
+        push_handle(lua, Handle::Kind::body, body);
+        return 1;
+    }
+    if (count_noun(context.description, wanted) > 1) {
+        raise_in_lesson(lua, "several bodies have the noun \"" + clean_text(wanted, 40) +
+                                 "\"; find one by its name");
+    }
+    for (const BodyDescription& body : context.description.bodies) {
+        known.push_back(body.noun);
+    }
+    const std::string near = nearest_word(wanted, known);
+    raise_in_lesson(lua, "there is no body \"" + clean_text(wanted, 40) + '"' +
+                             (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+}
+
+int get_tool(lua_State* lua, LessonContext& /*context*/, const Arguments& /*arguments*/) {
+    push_handle(lua, Handle::Kind::tool, 0);
+    return 1;
+}
+
+int get_time(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, context.frame.time_s);
+    return 1;
+}
+
+template <int kAxis>
+int get_tool_position(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, context.frame.tool_pose_W.position[kAxis]);
+    return 1;
+}
+
+template <int kAxis>
+int get_tool_velocity(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, context.frame.tool_twist_W.linear[kAxis]);
+    return 1;
+}
+
+int get_tool_place(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    push_vector(lua, context.frame.tool_pose_W.position);
+    return 1;
+}
+
+int get_tool_force(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, context.frame.applied_force_W.norm());
+    return 1;
+}
+
+void add_properties(ApiTable& table) {
+    table.properties.push_back(
+        {"world", "time", "number", "seconds", "since the lesson began", &get_time});
+    table.properties.push_back(
+        {"tool", "x", "number", "metres", "to the right", &get_tool_position<0>});
+    table.properties.push_back({"tool", "y", "number", "metres", "up", &get_tool_position<1>});
+    table.properties.push_back(
+        {"tool", "z", "number", "metres", "towards the viewer", &get_tool_position<2>});
+    table.properties.push_back(
+        {"tool", "vx", "number", "metres per second", "", &get_tool_velocity<0>});
+    table.properties.push_back(
+        {"tool", "vy", "number", "metres per second", "", &get_tool_velocity<1>});
+    table.properties.push_back(
+        {"tool", "vz", "number", "metres per second", "", &get_tool_velocity<2>});
+    table.properties.push_back(
+        {"tool", "position", "Vector", "metres", "{x, y, z}", &get_tool_place});
+    table.properties.push_back({"tool", "force", "number", "newtons",
+                                "how strongly the hand is pushed or pulled", &get_tool_force});
+}
+
+}  // namespace
+
+void add_action_api(ApiTable& table) {
+    using enum ParameterType;
+    constexpr auto kPositional = CallShape::positional;
+    constexpr auto kActing = CallTime::acting;
+    constexpr auto kLooking = CallTime::looking;
+    table.functions.push_back({"world",
+                               "release",
+                               kPositional,
+                               kActing,
+                               {},
+                               "",
+                               "Takes everything out of the bucket.",
+                               &release_all});
+    table.functions.push_back(
+        {"world",
+         "caption",
+         kPositional,
+         kActing,
+         {{"text", text, "", 0, 1000, kRequired, "one instruction; \"\" clears it"}},
+         "",
+         "Shows an instruction and reads it aloud.",
+         &show_caption});
+    table.functions.push_back(
+        {"world",
+         "ask",
+         kPositional,
+         kActing,
+         {{"question", text, "", 0, 1000, kRequired, "the name of a question"}},
+         "",
+         "Asks a question that L:question declared; L:answered tells the answer.",
+         &ask_question});
+    table.functions.push_back({"world",
+                               "score",
+                               kPositional,
+                               kActing,
+                               {{"score", integer, "", -1000000, 1000000, kRequired, ""}},
+                               "",
+                               "Sets the score that is shown.",
+                               &set_score});
+    table.functions.push_back({"world",
+                               "level",
+                               kPositional,
+                               kActing,
+                               {{"level", integer, "", 0, 99, kRequired, ""},
+                                {"title", text, "", 0, 200, "", "what the level is called"}},
+                               "",
+                               "Begins a level.",
+                               &set_level});
+    table.functions.push_back({"world",
+                               "sound",
+                               kPositional,
+                               kActing,
+                               {{"name", name, "", 0, 0, kRequired, "see Sounds; e.g. \"pop\""}},
+                               "",
+                               "Plays a sound.",
+                               &play_sound});
+    table.functions.push_back({"world",
+                               "finish",
+                               CallShape::record,
+                               kActing,
+                               {{"stars", integer, "", 0, 3, kRequired, "how well it went"}},
+                               "",
+                               "Ends the lesson.",
+                               &finish});
+    table.functions.push_back({"world",
+                               "bodies",
+                               kPositional,
+                               kLooking,
+                               {},
+                               "Body[]",
+                               "All bodies, in the order they were declared.",
+                               &list_bodies});
+    table.functions.push_back({"world",
+                               "find",
+                               kPositional,
+                               kLooking,
+                               {{"name", text, "", 0, 1000, kRequired,
+                                 "the body's name, or its noun when no other body has it"}},
+                               "Body",
+                               "The body of that name or noun.",
+                               &find_body});
+    table.functions.push_back(
+        {"world", "tool", kPositional, kLooking, {}, "Tool", "What the hand holds.", &get_tool});
+    add_properties(table);
+}
+
+}  // namespace fulcrum::runtime

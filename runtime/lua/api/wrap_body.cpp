@@ -1,0 +1,171 @@
+// A body: what a lesson asks of it and reads from it.
+#include "runtime/lua/api/binding_table.h"
+#include "runtime/lua/api/lesson_context.h"
+#include "runtime/lua/api/needs.h"
+
+namespace fulcrum::runtime {
+namespace {
+
+using Kind = WorldCommand::Kind;
+
+const BodyDescription& description_of(const LessonContext& context, std::int32_t index) {
+    return context.description.bodies[static_cast<std::size_t>(index)];
+}
+
+/// How the body stands now; as declared before the first frame.
+BodyState state_of(const LessonContext& context, std::int32_t index) {
+    const auto i = static_cast<std::size_t>(index);
+    if (i < context.frame.bodies.size()) {
+        return context.frame.bodies[i];
+    }
+    BodyState state;
+    state.pose_W.position = description_of(context, index).position_W;
+    state.where = description_of(context, index).visible ? BodyWhere::placed : BodyWhere::hidden;
+    return state;
+}
+
+void move_body(lua_State* lua, LessonContext& context, Kind kind, const Argument* at,
+               const Vector3& velocity) {
+    WorldCommand move;
+    move.kind = kind;
+    move.body = to_handle(lua, 1)->index;
+    move.position_W =
+        at != nullptr && at->given ? at->vector : state_of(context, move.body).pose_W.position;
+    move.velocity_W = velocity;
+    const BodyDescription& body = description_of(context, move.body);
+    if (!body.movable && (kind == Kind::drop || kind == Kind::hold)) {
+        raise_in_lesson(lua, body.name + " can't fall or be held; declare it with movable = true");
+    }
+    require_need(lua, context, Need::movable,
+                 body.name +
+                     " stays as it is, for no body of this lesson is movable; declare it with "
+                     "movable = true");
+    add_command(lua, MoveCommand{move});
+}
+
+int drop(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    move_body(lua, context, Kind::drop, &arguments["at"], arguments["velocity"].vector);
+    return 0;
+}
+int place(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    move_body(lua, context, Kind::place, &arguments["at"], Vector3::Zero());
+    return 0;
+}
+int hide(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/) {
+    move_body(lua, context, Kind::hide, nullptr, Vector3::Zero());
+    return 0;
+}
+int hold(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/) {
+    move_body(lua, context, Kind::hold, nullptr, Vector3::Zero());
+    return 0;
+}
+
+int push_text(lua_State* lua, const std::string& text) {
+    lua_pushlstring(lua, text.data(), text.size());
+    return 1;
+}
+
+int get_name(lua_State* lua, LessonContext& context, std::int32_t index) {
+    return push_text(lua, description_of(context, index).name);
+}
+int get_noun(lua_State* lua, LessonContext& context, std::int32_t index) {
+    return push_text(lua, description_of(context, index).noun);
+}
+int get_mass(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, description_of(context, index).mass_kg);
+    return 1;
+}
+int get_weight(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua,
+                   description_of(context, index).mass_kg * context.description.gravity_W.norm());
+    return 1;
+}
+int get_felt_weight(lua_State* lua, LessonContext& context, std::int32_t index) {
+    const auto i = static_cast<std::size_t>(index);
+    if (i >= context.felt_weight_N.size()) {
+        raise_in_lesson(lua,
+                        "body.felt_weight is known once the lesson runs, in L:update and later, "
+                        "not in L:start");
+    }
+    lua_pushnumber(lua, context.felt_weight_N[i]);
+    return 1;
+}
+int get_position(lua_State* lua, LessonContext& context, std::int32_t index) {
+    push_vector(lua, state_of(context, index).pose_W.position);
+    return 1;
+}
+int get_where(lua_State* lua, LessonContext& context, std::int32_t index) {
+    constexpr const char* kNames[] = {"hidden", "placed", "falling", "held", "landed"};
+    lua_pushstring(lua, kNames[static_cast<std::size_t>(state_of(context, index).where)]);
+    return 1;
+}
+template <int kAxis>
+int get_axis(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, state_of(context, index).pose_W.position[kAxis]);
+    return 1;
+}
+
+}  // namespace
+
+void add_body_api(ApiTable& table) {
+    using enum ParameterType;
+    constexpr auto kActing = CallTime::acting;
+    const Parameter at = {
+        "at", vector, "metres", -10000, 10000, "nil", "where it is now by default"};
+    table.functions.push_back(
+        {"body",
+         "drop",
+         CallShape::record,
+         kActing,
+         {at, {"velocity", vector, "metres per second", -1000, 1000, "{0, 0, 0}", "at first"}},
+         "",
+         "Lets it fall.",
+         &drop});
+    table.functions.push_back(
+        {"body",
+         "place",
+         CallShape::record,
+         kActing,
+         {at},
+         "",
+         "Puts it somewhere, where it stays. Some body of the lesson must be movable.",
+         &place});
+    table.functions.push_back(
+        {"body",
+         "hide",
+         CallShape::positional,
+         kActing,
+         {},
+         "",
+         "Takes it out of the scene. Some body of the lesson must be movable.",
+         &hide});
+    table.functions.push_back({"body",
+                               "hold",
+                               CallShape::positional,
+                               kActing,
+                               {},
+                               "",
+                               "Lays it into the tool, so that its weight is felt.",
+                               &hold});
+
+    table.properties.push_back({"body", "name", "string", "", "", &get_name});
+    table.properties.push_back({"body", "noun", "string", "", "the English noun", &get_noun});
+    table.properties.push_back({"body", "mass", "number", "kilograms", "the true mass", &get_mass});
+    table.properties.push_back(
+        {"body", "weight", "number", "newtons", "the true weight: mass × gravity", &get_weight});
+    table.properties.push_back({"body", "felt_weight", "number", "newtons",
+                                "what the hand feels of it", &get_felt_weight});
+    table.properties.push_back(
+        {"body", "position", "Vector", "metres", "{x, y, z}", &get_position});
+    table.properties.push_back({"body", "where",
+                                "\"hidden\"|\"placed\"|\"falling\"|\"held\"|\"landed\"", "",
+                                "\"hidden\", \"placed\", \"falling\", \"held\" in the tool, or "
+                                "\"landed\" on the ground",
+                                &get_where});
+    table.properties.push_back({"body", "x", "number", "metres", "to the right", &get_axis<0>});
+    table.properties.push_back({"body", "y", "number", "metres", "up", &get_axis<1>});
+    table.properties.push_back(
+        {"body", "z", "number", "metres", "towards the viewer", &get_axis<2>});
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,286 @@
+// What L:start(world) declares: bodies, forces, bucket, view.
+#include "runtime/lua/api/binding_table.h"
+#include "runtime/lua/api/lesson_context.h"
+
+#include <algorithm>
+
+namespace fulcrum::runtime {
+namespace {
+
+int set_gravity(lua_State* /*lua*/, LessonContext& context, const Arguments& arguments) {
+    context.description.gravity_W = Vector3(0.0, -arguments["acceleration"].number, 0.0);
+    return 0;
+}
+
+int set_ground(lua_State* /*lua*/, LessonContext& context, const Arguments& arguments) {
+    context.description.ground_height_m = arguments["height"].number;
+    return 0;
+}
+
+int set_camera(lua_State* /*lua*/, LessonContext& context, const Arguments& arguments) {
+    CameraDescription& camera = context.description.camera;
+    camera.eye_W = arguments["eye"].vector;
+    camera.target_W = arguments["target"].vector;
+    camera.vertical_angle_deg = arguments["angle"].number;
+    return 0;
+}
+
+int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    if (context.has_hand) {
+        raise_in_lesson(lua,
+                        "a lesson has one hand; this is the second world:hand { … }; keep what the "
+                        "first one gives");
+    }
+    context.has_hand = true;
+    context.description.hand.centre_W = arguments["centre"].vector;
+    context.description.hand.scale = arguments["scale"].number;
+    context.description.hand.rate_hz = arguments["rate"].number;
+    push_handle(lua, Handle::Kind::hand, 0);
+    return 1;
+}
+
+int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    std::vector<BodyDescription>& bodies = context.description.bodies;
+    BodyDescription body;
+    body.name = arguments["name"].text;
+    body.noun = arguments["noun"].given ? arguments["noun"].text : body.name;
+    body.model = arguments["model"].given ? arguments["model"].text : body.name;
+    body.radius_m = arguments["radius"].number;
+    body.mass_kg = arguments["mass"].number;
+    body.exaggeration = arguments["exaggeration"].number;
+    body.drag_area_m2 = arguments["drag_area"].number;
+    body.solid = arguments["solid"].flag;
+    body.movable = arguments["movable"].flag;
+    body.visible = arguments["visible"].flag;
+    body.position_W = arguments["at"].vector;
+    body.line = place_in_lesson(lua).line;
+    if (std::any_of(bodies.begin(), bodies.end(),
+                    [&](const auto& b) { return b.name == body.name; })) {
+        raise_in_lesson(lua, "there is already a body \"" + body.name + '"');
+    }
+    if (bodies.size() >= static_cast<std::size_t>(kMaxBodies)) {
+        raise_in_lesson(lua, "a lesson has at most " + std::to_string(kMaxBodies) + " bodies");
+    }
+    const auto n_solids =
+        std::count_if(bodies.begin(), bodies.end(), [](const auto& b) { return b.solid; });
+    if (body.solid && n_solids >= kMaxSolids) {
+        raise_in_lesson(lua,
+                        "a lesson has at most " + std::to_string(kMaxSolids) + " solid bodies");
+    }
+    bodies.push_back(std::move(body));
+    push_handle(lua, Handle::Kind::body, static_cast<std::int32_t>(bodies.size()) - 1);
+    return 1;
+}
+
+int set_bucket(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    BucketDescription& bucket = context.description.bucket;
+    bucket.present = true;
+    bucket.model = arguments["model"].text;
+    bucket.opening_radius_m = arguments["radius"].number;
+    bucket.depth_m = arguments["depth"].number;
+    bucket.holds = static_cast<int>(arguments["holds"].number);
+    bucket.line = place_in_lesson(lua).line;
+    return 0;
+}
+
+/// The first of "spring1", "spring2" … that no force has.
+std::string free_name(const std::vector<ForceDescription>& forces, const std::string& kind) {
+    std::string name;
+    for (std::size_t number = 1;; ++number) {
+        name = kind + std::to_string(number);
+        if (std::none_of(forces.begin(), forces.end(),
+                         [&](const ForceDescription& force) { return force.name == name; })) {
+            return name;
+        }
+    }
+}
+
+int add_force(lua_State* lua, LessonContext& context, const Argument& name, const char* kind,
+              const FieldPlan& field) {
+    std::vector<ForceDescription>& forces = context.description.forces;
+    if (forces.size() >= static_cast<std::size_t>(kMaxFields)) {
+        raise_in_lesson(lua, "a lesson has at most " + std::to_string(kMaxFields) +
+                                 " springs, magnets and viscosities");
+    }
+    ForceDescription force{name.given ? name.text : free_name(forces, kind), field,
+                           place_in_lesson(lua).line};
+    if (std::any_of(forces.begin(), forces.end(),
+                    [&](const auto& f) { return f.name == force.name; })) {
+        raise_in_lesson(lua, "there is already a force \"" + force.name + '"');
+    }
+    forces.push_back(std::move(force));
+    context.fields.push_back(FieldCommand{true, field.anchor_W, 1.0});
+    push_handle(lua, Handle::Kind::force, static_cast<std::int32_t>(forces.size()) - 1);
+    return 1;
+}
+
+int add_spring(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    FieldPlan field;
+    field.kind = FieldKind::spring;
+    field.anchor_W = arguments["at"].vector;
+    field.stiffness_N_per_m = arguments["stiffness"].number;
+    field.damping_Ns_per_m = arguments["damping"].number;
+    return add_force(lua, context, arguments["name"], "spring", field);
+}
+
+int add_viscosity(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    FieldPlan field;
+    field.kind = FieldKind::viscosity;
+    field.damping_Ns_per_m = arguments["damping"].number;
+    return add_force(lua, context, arguments["name"], "viscosity", field);
+}
+
+int add_magnet(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    FieldPlan field;
+    field.kind = FieldKind::magnet;
+    field.anchor_W = arguments["at"].vector;
+    field.peak_force_N = arguments["force"].number;
+    field.range_m = arguments["range"].number;
+    return add_force(lua, context, arguments["name"], "magnet", field);
+}
+
+int set_force_function(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    if (context.force_function_ref != LUA_NOREF) {
+        raise_in_lesson(lua, "a lesson has one force function; this is the second hand:force(…)");
+    }
+    lua_pushvalue(lua, arguments["function"].stack_index);
+    context.force_function_ref = luaL_ref(lua, LUA_REGISTRYINDEX);
+    context.description.hand.lesson_force = true;
+    context.description.hand.force_line = place_in_lesson(lua).line;
+    return 0;
+}
+
+void add_scene_rows(ApiTable& table) {
+    using enum ParameterType;
+    table.functions.push_back({"world",
+                               "gravity",
+                               CallShape::positional,
+                               CallTime::declaring,
+                               {{"acceleration", number, "metres per second squared", 0, 100,
+                                 kRequired, "downwards; 9.81 on Earth, 1.62 on the Moon"}},
+                               "",
+                               "Sets how strongly things fall.",
+                               &set_gravity});
+    table.functions.push_back(
+        {"world",
+         "ground",
+         CallShape::positional,
+         CallTime::declaring,
+         {{"height", number, "metres", -100, 100, kRequired, "where bodies land"}},
+         "",
+         "Sets the height of the ground.",
+         &set_ground});
+    table.functions.push_back(
+        {"world",
+         "camera",
+         CallShape::record,
+         CallTime::declaring,
+         {{"eye", vector, "metres", -10000, 10000, "{0, 0.55, 1.5}", "where the camera is"},
+          {"target", vector, "metres", -10000, 10000, "{0, 0.35, 0}", "what it looks at"},
+          {"angle", number, "degrees", 5, 120, "40", "how much it sees, from top to bottom"}},
+         "",
+         "Places the camera.",
+         &set_camera});
+    table.functions.push_back(
+        {"world",
+         "hand",
+         CallShape::record,
+         CallTime::declaring,
+         {{"centre", vector, "metres", -10000, 10000, "{0, 0.3, 0}",
+           "where the middle of the arm's reach lies"},
+          {"scale", number, "", 0.01, 100, "1", "metres in the scene for one metre of the hand"},
+          {"rate", number, "hertz", 1000, 4000, "1000", "how often forces are computed"}},
+         "Hand",
+         "Says where the hand works in the scene, once.",
+         &set_hand});
+    table.functions.push_back(
+        {"world",
+         "body",
+         CallShape::record,
+         CallTime::declaring,
+         {{"name", name, "", 0, 0, kRequired, "unique; how the lesson calls it, never the learner"},
+          {"noun", text, "", 0, 64, "nil", "English noun, as answers give it; the name by default"},
+          {"model", name, "", 0, 0, "nil", "model to draw, see Models; the name by default"},
+          {"radius", number, "metres", 0.001, 10, "0.05", ""},
+          {"mass", number, "kilograms", 0, 10000, "1", "the true mass"},
+          {"exaggeration", number, "", 0, 100, "1",
+           "felt weight / true weight, before all are made to fit the arm"},
+          {"movable", flag, "", 0, 0, "false", "may fall, be caught and be held"},
+          {"solid", flag, "", 0, 0, "false", "can be touched"},
+          {"visible", flag, "", 0, 0, "false", "is seen from the start"},
+          {"at", vector, "metres", -10000, 10000, "{0, 0, 0}", "where it is at first"},
+          {"drag_area", number, "square metres", 0, 10, "0",
+           "drag coefficient × cross-section, for falling in air"}},
+         "Body",
+         "Declares a thing.",
+         &add_body});
+    table.functions.push_back(
+        {"world",
+         "bucket",
+         CallShape::record,
+         CallTime::declaring,
+         {{"model", name, "", 0, 0, "bucket", "model to draw, see Models"},
+          {"radius", number, "metres", 0.001, 10, "0.11", "of the opening"},
+          {"depth", number, "metres", 0.001, 10, "0.14", ""},
+          {"holds", integer, "", 1, 8, "1",
+           "bodies at once; felt weights are scaled so that so many fit the arm"}},
+         "",
+         "Puts a bucket on the tool; movable bodies that fall into it are caught.",
+         &set_bucket});
+}
+
+}  // namespace
+
+void add_declaration_api(ApiTable& table) {
+    using enum ParameterType;
+    add_scene_rows(table);
+    table.functions.push_back(
+        {"world",
+         "spring",
+         CallShape::record,
+         CallTime::declaring,
+         {{"name", name, "", 0, 0, "nil", "\"spring1\", \"spring2\" … by default"},
+          {"at", vector, "metres", -10000, 10000, kRequired, "where it pulls to"},
+          {"stiffness", number, "newtons per metre", 0, 2000, kRequired, ""},
+          {"damping", number, "newton seconds per metre", 0, 50, "0", ""}},
+         "Force",
+         "Declares a spring that pulls the hand. It is on from the start.",
+         &add_spring});
+    table.functions.push_back(
+        {"world",
+         "viscosity",
+         CallShape::record,
+         CallTime::declaring,
+         {{"name", name, "", 0, 0, "nil", "\"viscosity1\", \"viscosity2\" … by default"},
+          {"damping", number, "newton seconds per metre", 0, 50, kRequired, "honey is about 20"}},
+         "Force",
+         "Declares a thickness of the air that brakes the hand. It is on from the start.",
+         &add_viscosity});
+    table.functions.push_back(
+        {"world",
+         "magnet",
+         CallShape::record,
+         CallTime::declaring,
+         {{"name", name, "", 0, 0, "nil", "\"magnet1\", \"magnet2\" … by default"},
+          {"at", vector, "metres", -10000, 10000, kRequired, "where it pulls to"},
+          {"force", number, "newtons", 0, 10, kRequired, "the strongest pull"},
+          {"range", number, "metres", 0.001, 10, "0.1", "distance of the strongest pull"}},
+         "Force",
+         "Declares a magnet that pulls the hand. It is on from the start.",
+         &add_magnet});
+    table.functions.push_back(
+        {"hand",
+         "force",
+         CallShape::positional,
+         CallTime::declaring,
+         {{"function", function, "", 0, 0, kRequired,
+           "function(tool): gives three newtons from tool.x, .y, .z, .vx, .vy, .vz; or six "
+           "numbers, the last three a torque in newton metres"}},
+         "",
+         "Declares the lesson's own force on the hand, computed 60 times a second and carried on "
+         "in between by its slope; a torque by its slope in place alone. It comes at 50 newtons a "
+         "second at most, and more slowly when it is steeper than 2000 newtons per metre.",
+         &set_force_function});
+}
+
+}  // namespace fulcrum::runtime

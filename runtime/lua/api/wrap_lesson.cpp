@@ -1,0 +1,186 @@
+// lesson{…} and what hangs on the lesson itself: questions, tests, listeners.
+#include "runtime/lua/api/binding_table.h"
+#include "runtime/lua/api/lesson_context.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace fulcrum::runtime {
+namespace {
+
+template <std::size_t n>
+bool is_one_of(const std::array<std::string_view, n>& known, std::string_view word) {
+    return std::find(known.begin(), known.end(), word) != known.end();
+}
+
+/// "a, b or c".
+template <std::size_t n>
+std::string listed(const std::array<std::string_view, n>& words, const char* last) {
+    std::string text;
+    for (std::size_t i = 0; i < n; ++i) {
+        text += (i == 0 ? "" : i + 1 == n ? last : ", ") + std::string(words[i]);
+    }
+    return text;
+}
+
+/// What a test expects must be something that a lesson ends with.
+void check_expected(lua_State* lua, const std::string& name, const std::string& value) {
+    if (!is_one_of(kTestFacts, name)) {
+        const std::string near = nearest_word(name, {kTestFacts.begin(), kTestFacts.end()});
+        raise_in_lesson(lua, "test.expect has no \"" + clean_text(name, 40) + "\"; " +
+                                 (near.empty() ? "it has " + listed(kTestFacts, " and ")
+                                               : "did you mean \"" + near + "\"?"));
+    }
+    const bool is_flag = value == "true" || value == "false";
+    const std::size_t first_digit = value.starts_with('-') ? 1 : 0;
+    const bool is_whole = value.size() > first_digit &&
+                          value.find_first_not_of("0123456789", first_digit) == std::string::npos;
+    if (name == "finished" ? !is_flag : !is_whole) {
+        raise_in_lesson(lua, "test.expect." + name + " is " +
+                                 (name == "finished" ? "true or false" : "a whole number") +
+                                 "; got " + clean_text(value, 40));
+    }
+}
+
+int make_lesson(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    if (context.lesson_ref != LUA_NOREF) {
+        raise_in_lesson(lua, "a file makes one lesson; this is the second lesson{…}");
+    }
+    context.description.id = arguments["id"].text;
+    context.description.title = arguments["title"].text;
+    context.description.level = arguments["level"].text;
+    if (!is_one_of(kEnglishLevels, context.description.level)) {
+        raise_in_lesson(lua, "lesson.level is " + listed(kEnglishLevels, " or ") + "; got \"" +
+                                 clean_text(context.description.level, 16) + '"');
+    }
+    context.description.minutes = arguments["minutes"].number;
+    lua_newtable(lua);
+    luaL_setmetatable(lua, "fulcrum.lesson");
+    lua_pushvalue(lua, -1);
+    context.lesson_ref = luaL_ref(lua, LUA_REGISTRYINDEX);
+    return 1;
+}
+
+int add_question(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    QuestionDescription question;
+    question.id = arguments["id"].text;
+    question.prompt = arguments["prompt"].text;
+    question.answers = arguments["answers"].texts;
+    question.lists = arguments["lists"].lists;
+    question.again = arguments["again"].text;
+    question.line = place_in_lesson(lua).line;
+    auto& known = context.description.questions;
+    if (std::any_of(known.begin(), known.end(),
+                    [&](const auto& q) { return q.id == question.id; })) {
+        raise_in_lesson(lua, "there is already a question \"" + question.id + '"');
+    }
+    if (known.size() >= kMaxQuestions) {
+        raise_in_lesson(lua,
+                        "a lesson has at most " + std::to_string(kMaxQuestions) + " questions");
+    }
+    if (question.answers.empty()) {
+        raise_in_lesson(
+            lua,
+            "question.answers is empty; give at least one sentence that a learner may answer with");
+    }
+    lua_pushvalue(lua, arguments["right"].stack_index);
+    context.judges.emplace_back(question.id, luaL_ref(lua, LUA_REGISTRYINDEX));
+    known.push_back(std::move(question));
+    return 0;
+}
+
+int add_test(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    LessonTestDescription test;
+    test.hand = arguments["hand"].text;
+    test.say = arguments["say"].texts;
+    test.expect = arguments["expect"].values;
+    test.line = place_in_lesson(lua).line;
+    for (const auto& [name, value] : test.expect) {
+        check_expected(lua, name, value);
+    }
+    const std::string_view file = test.hand;
+    if (!file.empty() && !(file.ends_with(".lua") && is_name(file.substr(0, file.size() - 4)))) {
+        raise_in_lesson(
+            lua,
+            "test.hand is the name of a Lua file beside the lesson, such as \"sweep.lua\"; got \"" +
+                clean_text(file, 40) + '"');
+    }
+    context.description.tests.push_back(std::move(test));
+    return 0;
+}
+
+int add_listener(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    if (context.listeners.size() >= 32) {
+        raise_in_lesson(lua, "a lesson has at most 32 listeners");
+    }
+    lua_pushvalue(lua, arguments["listener"].stack_index);
+    context.listeners.push_back(luaL_ref(lua, LUA_REGISTRYINDEX));
+    return 0;
+}
+
+}  // namespace
+
+void add_lesson_api(ApiTable& table) {
+    using enum ParameterType;
+    table.functions.push_back(
+        {"",
+         "lesson",
+         CallShape::record,
+         CallTime::loading,
+         {{"id", name, "", 0, 0, kRequired, "short name, used in reports"},
+          {"title", text, "", 0, 200, kRequired, "what the list of lessons shows"},
+          {"level", text, "", 0, 16, "A1", "level of English: A1, A2, B1, B2, C1 or C2"},
+          {"minutes", number, "minutes", 0, 1000, "10", "how long it takes"}},
+         "Lesson",
+         "Begins a lesson. The file ends with `return` of what this gives.",
+         &make_lesson});
+    table.functions.push_back(
+        {"lesson",
+         "question",
+         CallShape::named_record,
+         CallTime::loading,
+         {{"id", name, "", 0, 0, kRequired, "what world:ask calls it"},
+          {"prompt", text, "", 0, 1000, kRequired, "what the learner is asked"},
+          {"answers", texts, "", 0, 0, kRequired,
+           "templates of the sentences that answer it; the first of several articles is the one "
+           "that is said "
+           "back: \"[a|an|the] {thing}\" gives \"An apple is …\", \"[the|a|an] {thing}\" gives "
+           "\"The "
+           "apple is …\""},
+          {"lists", lists, "", 0, 0, "nil",
+           "words that {name} in a template may stand for; {thing} and {other} are the bodies' "
+           "nouns "
+           "by default"},
+          {"again", text, "", 0, 200, "",
+           "what is said after \"Not yet.\" when the meaning is wrong, such as \"Let's weigh both "
+           "again.\"; \"Try again.\" by default"},
+          {"right", function, "", 0, 0, kRequired,
+           "function(answer): is the meaning right? see answer"}},
+         "",
+         "Declares a question.",
+         &add_question});
+    table.functions.push_back(
+        {"lesson",
+         "test",
+         CallShape::record,
+         CallTime::loading,
+         {{"hand", text, "", 0, 48, "", "simulated hand: a Lua file beside the lesson, see motion"},
+          {"say", texts, "", 0, 0, "nil", "what the simulated learner answers, in turn"},
+          {"expect", values, "", 0, 0, "nil", "how the lesson must end, see Tests"}},
+         "",
+         "Declares how the lesson is played in tests.",
+         &add_test});
+    table.functions.push_back({"lesson",
+                               "listen",
+                               CallShape::positional,
+                               CallTime::acting,
+                               {{"listener", function, "", 0, 0, kRequired,
+                                 "function(event): event.name says what happened, see Events"}},
+                               "",
+                               "Calls a function with every event, after the lesson's own; "
+                               "\"update\" comes each frame with event.dt.",
+                               &add_listener});
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,135 @@
+#include "runtime/lua/process/lesson_sources.h"
+
+#include "runtime/lua/sandbox/safe_library.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr char kCompiledMark = '\x1B';
+
+/// Closes the file when it goes.
+struct OpenFile {
+    int descriptor;
+    ~OpenFile() {
+        if (descriptor >= 0) {
+            close(descriptor);
+        }
+    }
+};
+
+/// A module's name stands in a path: letters, digits and _ only.
+bool is_module_name(std::string_view name) {
+    return is_name(name) && name.find('-') == std::string_view::npos;
+}
+
+}  // namespace
+
+Expected<LuaSource> read_lua_file(const std::filesystem::path& path, const std::string& shown_name,
+                                  bool may_be_link) {
+    // Not blocking, so that a pipe that has the name can't hold us.
+    const OpenFile file{
+        open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | (may_be_link ? 0 : O_NOFOLLOW))};
+    if (file.descriptor < 0) {
+        const char* why = errno == ELOOP ? "is a symbolic link" : std::strerror(errno);
+        return fail(std::string("the file can't be read (") + why + ")", path.string(),
+                    "check the name and the folder");
+    }
+    struct stat about {};
+    if (fstat(file.descriptor, &about) != 0 || !S_ISREG(about.st_mode)) {
+        return fail("this is no plain file", path.string(), "give a Lua file");
+    }
+    if (std::cmp_greater(about.st_size, kMaxSourceBytes)) {
+        return fail("the file is longer than " + std::to_string(kMaxSourceBytes >> 10U) + " KB",
+                    path.string(), "split it into modules");
+    }
+    LuaSource source{shown_name, std::string(kMaxSourceBytes + 1, '\0')};
+    std::size_t filled = 0;
+    while (filled < source.text.size()) {
+        const ssize_t n =
+            read(file.descriptor, source.text.data() + filled, source.text.size() - filled);
+        if (n < 0 && errno != EINTR) {
+            return fail(std::string("the file can't be read (") + std::strerror(errno) + ")",
+                        path.string());
+        }
+        if (n == 0) {
+            break;
+        }
+        filled += n > 0 ? static_cast<std::size_t>(n) : 0;
+    }
+    source.text.resize(std::min(filled, kMaxSourceBytes));
+    if (source.text.starts_with(kByteOrderMark)) {
+        source.text.erase(0, kByteOrderMark.size());
+    }
+    if (source.text.starts_with(kCompiledMark)) {
+        return fail("this is compiled Lua", path.string(), "give the text of the lesson");
+    }
+    return source;
+}
+
+Expected<LuaSource> LessonSources::read(const std::filesystem::path& path,
+                                        const std::string& shown_name, bool may_be_link) {
+    auto source = read_lua_file(path, shown_name, may_be_link);
+    if (source) {
+        files_read_.push_back(path);
+        shown_names_.push_back(shown_name);
+    }
+    return source;
+}
+
+Expected<LuaSource> LessonSources::read_lesson() {
+    return read(files_.folder / files_.lesson, files_.lesson, false);
+}
+
+Expected<LuaSource> LessonSources::read_hand() {
+    if (files_.hand.empty()) {
+        return LuaSource{};
+    }
+    return read(files_.hand, files_.hand.filename().string(), true);
+}
+
+ModuleAnswer LessonSources::find_module(const std::string& name) {
+    ModuleAnswer answer;
+    if (!is_module_name(name)) {
+        answer.problem = "a module's name has only a to z, 0 to 9 and _";
+        return answer;
+    }
+    if (files_read_.size() >= static_cast<std::size_t>(kMaxModules)) {
+        answer.problem = "a lesson has at most " + std::to_string(kMaxModules) + " files";
+        return answer;
+    }
+    const std::string file = name + ".lua";
+    answer.problem = "there is no " + file + " beside the lesson nor in the library";
+    struct Place {
+        std::filesystem::path folder;
+        std::string shown_prefix;
+    };
+    for (const Place& place : {Place{files_.library, "lib/"}, Place{files_.folder, ""}}) {
+        struct stat about {};
+        const std::filesystem::path path = place.folder / file;
+        if (place.folder.empty() || lstat(path.c_str(), &about) != 0) {
+            continue;
+        }
+        auto source = read(path, place.shown_prefix + file, false);
+        answer.found = source.has_value();
+        answer.problem = source ? "" : source.error().message;
+        answer.source = source ? std::move(*source) : LuaSource{};
+        return answer;
+    }
+    return answer;
+}
+
+std::string LessonSources::known_name(const std::string& shown_name) const {
+    const bool known =
+        std::find(shown_names_.begin(), shown_names_.end(), shown_name) != shown_names_.end();
+    return known ? shown_name : files_.lesson;
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,292 @@
+// Layout and limits of the three large messages: description, frame, reply. One function a type,
+// for writer and reader.
+#pragma once
+
+#include "runtime/lua/wire/wire_archive.h"
+
+#include <algorithm>
+#include <set>
+
+namespace fulcrum::runtime::wire {
+
+inline constexpr std::int64_t kMaxLine = 10'000'000;
+
+// ---- description
+// -----------------------------------------------------------------------------------------------
+
+template <class Archive, class Body>
+void body(Archive& a, Body& b) {
+    a.name("a body's name", b.name);
+    a.text("a body's noun", b.noun, 64);
+    a.name("a body's model", b.model);
+    a.number("a body's radius", b.radius_m, 0.001, 10.0);
+    a.number("a body's mass", b.mass_kg, 0.0, 1e4);
+    a.number("a body's exaggeration", b.exaggeration, 0.0, 100.0);
+    a.number("a body's drag area", b.drag_area_m2, 0.0, 10.0);
+    a.flag("solid", b.solid);
+    a.flag("movable", b.movable);
+    a.flag("visible", b.visible);
+    vector(a, "a body's position", b.position_W, kMaxCoordinate_m);
+    a.integer("a line", b.line, 0, kMaxLine);
+}
+
+template <class Archive, class Force>
+void force(Archive& a, Force& f) {
+    a.name("a force's name", f.name);
+    a.choice("a force's kind", f.field.kind, FieldKind::magnet);
+    vector(a, "a force's anchor", f.field.anchor_W, kMaxCoordinate_m);
+    a.number("a force's stiffness", f.field.stiffness_N_per_m, 0.0, 2000.0);
+    a.number("a force's damping", f.field.damping_Ns_per_m, 0.0, 50.0);
+    a.number("a force's peak", f.field.peak_force_N, 0.0, 10.0);
+    a.number("a force's range", f.field.range_m, 0.001, 10.0);
+    a.integer("a line", f.line, 0, kMaxLine);
+}
+
+template <class Archive, class Texts>
+void texts(Archive& a, const char* what, Texts& values) {
+    a.list(what, values, kMaxListItems,
+           [what](auto& each, auto& value) { each.text(what, value, kMaxTextBytes); });
+}
+
+template <class Archive, class Pairs>
+void pairs(Archive& a, const char* what, Pairs& values) {
+    a.list(what, values, kMaxListItems, [what](auto& each, auto& value) {
+        each.text(what, value.first, kMaxNameBytes);
+        each.text(what, value.second, kMaxTextBytes);
+    });
+}
+
+template <class Archive, class Question>
+void question(Archive& a, Question& q) {
+    a.name("a question's name", q.id);
+    a.text("a prompt", q.prompt, kMaxTextBytes);
+    texts(a, "answers", q.answers);
+    a.list("lists", q.lists, kMaxListItems, [](auto& each, auto& value) {
+        each.name("a list's name", value.first);
+        texts(each, "a list", value.second);
+    });
+    a.text("what is said after a wrong meaning", q.again, kMaxTextBytes);
+    a.integer("a line", q.line, 0, kMaxLine);
+}
+
+/// The hand of a test is a file beside the lesson: "name.lua", nothing that leads elsewhere.
+template <class Archive, class Test>
+void test(Archive& a, Test& t) {
+    a.text("a test's hand", t.hand, kMaxNameBytes);
+    if constexpr (Archive::kReads) {
+        const std::string_view file = t.hand;
+        if (!file.empty() &&
+            !(file.ends_with(".lua") && is_name(file.substr(0, file.size() - 4)))) {
+            a.refuse("a test's hand", "is not the name of a Lua file beside the lesson");
+        }
+    }
+    texts(a, "a test's lines", t.say);
+    pairs(a, "a test's expectations", t.expect);
+    a.integer("a line", t.line, 0, kMaxLine);
+}
+
+template <class Archive, class Description>
+void description(Archive& a, Description& d) {
+    a.name("the lesson's id", d.id);
+    a.text("the title", d.title, 200);
+    a.text("the level", d.level, 16);
+    a.number("the minutes", d.minutes, 0.0, 1000.0);
+    vector(a, "gravity", d.gravity_W, 100.0);
+    a.number("the ground", d.ground_height_m, -100.0, 100.0);
+    a.list("bodies", d.bodies, static_cast<std::size_t>(kMaxBodies),
+           [](auto& each, auto& b) { body(each, b); });
+    a.list("forces", d.forces, static_cast<std::size_t>(kMaxFields),
+           [](auto& each, auto& f) { force(each, f); });
+    a.flag("a bucket", d.bucket.present);
+    a.name("the bucket's model", d.bucket.model);
+    a.number("the bucket's radius", d.bucket.opening_radius_m, 0.001, 10.0);
+    a.number("the bucket's depth", d.bucket.depth_m, 0.001, 10.0);
+    a.integer("what the bucket holds", d.bucket.holds, 1, 8);
+    a.integer("a line", d.bucket.line, 0, kMaxLine);
+    vector(a, "the camera's eye", d.camera.eye_W, kMaxCoordinate_m);
+    vector(a, "the camera's target", d.camera.target_W, kMaxCoordinate_m);
+    a.number("the camera's angle", d.camera.vertical_angle_deg, 5.0, 120.0);
+    vector(a, "the hand's centre", d.hand.centre_W, kMaxCoordinate_m);
+    a.number("the hand's scale", d.hand.scale, 0.01, 100.0);
+    a.number("the hand's rate", d.hand.rate_hz, 1000.0, 4000.0);
+    a.flag("a lesson force", d.hand.lesson_force);
+    a.integer("a line", d.hand.force_line, 0, kMaxLine);
+    a.list("questions", d.questions, kMaxQuestions, [](auto& each, auto& q) { question(each, q); });
+    a.list("tests", d.tests, kMaxListItems, [](auto& each, auto& t) { test(each, t); });
+}
+
+/// What no single field shows: names that are missing or used twice, too many solids. Null when all
+/// is well.
+[[nodiscard]] inline const char* find_contradiction(const LessonDescription& d) {
+    std::set<std::string_view> names;
+    for (const BodyDescription& b : d.bodies) {
+        if (b.name.empty() || !names.insert(b.name).second) {
+            return "has two bodies of one name";
+        }
+    }
+    names.clear();
+    for (const ForceDescription& f : d.forces) {
+        if (f.name.empty() || !names.insert(f.name).second) {
+            return "has two forces of one name";
+        }
+    }
+    names.clear();
+    for (const QuestionDescription& q : d.questions) {
+        if (q.id.empty() || !names.insert(q.id).second) {
+            return "has two questions of one name";
+        }
+    }
+    const auto n_solids =
+        std::count_if(d.bodies.begin(), d.bodies.end(), [](const auto& b) { return b.solid; });
+    if (n_solids > kMaxSolids) {
+        return "has too many solid bodies";
+    }
+    return d.id.empty() ? "has no id" : nullptr;
+}
+
+// ---- frame: program -> lesson
+// ----------------------------------------------------------------------------------
+
+template <class Archive, class Event>
+void event(Archive& a, Event& e) {
+    using Kind = std::remove_cvref_t<Event>;
+    if constexpr (std::is_same_v<Kind, BodyEvent>) {
+        a.choice("an event's kind", e.kind, BodyEvent::Kind::released);
+        a.integer("an event's body", e.body, 0, kMaxBodies - 1);
+        a.number("an event's speed", e.speed_m_per_s, -1e6, 1e6);
+    } else if constexpr (std::is_same_v<Kind, KeyEvent>) {
+        a.text("a key", e.key, kMaxNameBytes);
+    } else if constexpr (std::is_same_v<Kind, JudgeEvent>) {
+        a.name("a question", e.question);
+        pairs(a, "slots", e.slots);
+    } else if constexpr (std::is_same_v<Kind, AnsweredEvent>) {
+        a.name("a question", e.question);
+        a.text("an answer", e.said, kMaxTextBytes);
+        pairs(a, "slots", e.slots);
+        a.flag("understood", e.understood);
+        a.flag("right", e.right);
+        a.flag("form right", e.form_right);
+        a.flag("over", e.over);
+        a.integer("the attempt", e.attempt, 0, 1'000'000);
+    } else {
+        static_assert(std::is_same_v<Kind, ReadyEvent>);
+        a.list("felt weights", e.felt_weight_N, static_cast<std::size_t>(kMaxBodies),
+               [](auto& each, auto& weight) { each.number("a felt weight", weight, 0.0, 1e6); });
+        a.number("the felt scale", e.felt_scale, 0.0, 1e6);
+    }
+}
+
+template <class Archive, class Frame>
+void frame(Archive& a, Frame& f) {
+    constexpr double kAny = 1e9;
+    a.number("the time", f.time_s, 0.0, kAny);
+    a.number("the time step", f.dt_s, 0.0, kAny);
+    pose(a, "the tool", f.tool_pose_W, kAny);
+    vector(a, "the tool's velocity", f.tool_twist_W.linear, kAny);
+    vector(a, "the tool's turning", f.tool_twist_W.angular, kAny);
+    vector(a, "the applied force", f.applied_force_W, kAny);
+    a.list("bodies", f.bodies, static_cast<std::size_t>(kMaxBodies), [](auto& each, auto& b) {
+        pose(each, "a body", b.pose_W, kAny);
+        vector(each, "a body's velocity", b.velocity_W, kAny);
+        each.choice("where a body is", b.where, BodyWhere::landed);
+    });
+    a.list("events", f.events, kMaxEvents, [](auto& each, auto& e) {
+        each.one_of("an event", e,
+                    [](auto& archive, auto& alternative) { event(archive, alternative); });
+    });
+}
+
+// ---- reply: lesson -> program
+// ----------------------------------------------------------------------------------
+
+/// What a reply's indices and names may be.
+struct ReplyBounds {
+    std::int32_t n_bodies = 0;
+    std::int32_t n_forces = 0;
+    const LessonDescription* description = nullptr;
+};
+
+/// The name of a declared question.
+template <class Archive, class Text>
+void known_question(Archive& a, Text& id, const ReplyBounds& bounds) {
+    a.name("a question", id);
+    if constexpr (Archive::kReads) {
+        const auto& known = bounds.description->questions;
+        if (std::none_of(known.begin(), known.end(), [&](const auto& q) { return q.id == id; })) {
+            a.refuse("a question", "was never declared");
+        }
+    }
+}
+
+template <class Archive, class Move>
+void move_command(Archive& a, Move& m, const ReplyBounds& bounds) {
+    a.choice("a move", m.kind, WorldCommand::Kind::release);
+    const bool about_all = m.kind == WorldCommand::Kind::release;
+    a.integer("a moved body", m.body, about_all ? kNoBody : 0, bounds.n_bodies - 1);
+    vector(a, "a position", m.position_W, kMaxCoordinate_m);
+    vector(a, "a velocity", m.velocity_W, kMaxSpeed_m_per_s);
+}
+
+template <class Archive, class Force>
+void linearised(Archive& a, Force& f) {
+    a.number("a force's time", f.stamp_s, -1.0, 1e9);
+    vector(a, "the lesson's force", f.force_W, kMaxLessonForce_N);
+    vector(a, "the lesson's torque", f.torque_W, kMaxLessonTorque_Nm);
+    vector(a, "where a force was computed", f.at_position_W, kMaxCoordinate_m);
+    vector(a, "the velocity a force was computed at", f.at_velocity_W, kMaxSpeed_m_per_s);
+    for (int i = 0; i < 9; ++i) {
+        a.number("a force's stiffness", f.stiffness_N_per_m(i / 3, i % 3),
+                 -kMaxLessonStiffness_N_per_m, kMaxLessonStiffness_N_per_m);
+        a.number("a force's damping", f.damping_Ns_per_m(i / 3, i % 3), -kMaxLessonDamping_Ns_per_m,
+                 kMaxLessonDamping_Ns_per_m);
+        a.number("a torque's stiffness", f.torque_stiffness_Nm_per_m(i / 3, i % 3),
+                 -kMaxLessonTorqueStiffness_Nm_per_m, kMaxLessonTorqueStiffness_Nm_per_m);
+    }
+}
+
+template <class Archive, class Command>
+void command(Archive& a, Command& c, const ReplyBounds& bounds) {
+    using Kind = std::remove_cvref_t<Command>;
+    if constexpr (std::is_same_v<Kind, MoveCommand>) {
+        move_command(a, c.move, bounds);
+    } else if constexpr (std::is_same_v<Kind, FieldChangeCommand>) {
+        a.integer("a force", c.force, 0, bounds.n_forces - 1);
+        a.flag("on", c.field.on);
+        vector(a, "a force's place", c.field.anchor_W, kMaxCoordinate_m);
+        a.number("a force's strength", c.field.strength, 0.0, 1.0);
+    } else if constexpr (std::is_same_v<Kind, LessonForceCommand>) {
+        linearised(a, c.force);
+    } else if constexpr (std::is_same_v<Kind, CaptionCommand> ||
+                         std::is_same_v<Kind, PrintCommand>) {
+        a.text("a text", c.text, kMaxTextBytes);
+    } else if constexpr (std::is_same_v<Kind, AskCommand>) {
+        known_question(a, c.question, bounds);
+    } else if constexpr (std::is_same_v<Kind, VerdictCommand>) {
+        known_question(a, c.question, bounds);
+        a.flag("a verdict", c.right);
+    } else if constexpr (std::is_same_v<Kind, ScoreCommand>) {
+        a.integer("a score", c.score, -1'000'000, 1'000'000);
+    } else if constexpr (std::is_same_v<Kind, LevelCommand>) {
+        a.integer("a level", c.level, 0, 99);
+        a.text("a level's title", c.title, 200);
+    } else if constexpr (std::is_same_v<Kind, SoundCommand>) {
+        a.name("a sound", c.name);
+    } else {
+        static_assert(std::is_same_v<Kind, FinishCommand>);
+        a.integer("stars", c.stars, 0, 3);
+    }
+}
+
+template <class Archive, class Reply>
+void reply(Archive& a, Reply& r, const ReplyBounds& bounds) {
+    a.list("commands", r.commands, kMaxCommands, [&](auto& each, auto& c) {
+        each.one_of("a command", c, [&](auto& archive, auto& alternative) {
+            command(archive, alternative, bounds);
+        });
+    });
+    a.flag("a hand target", r.has_hand_target);
+    pose(a, "the hand's target", r.hand_target_W, kMaxCoordinate_m);
+    a.integer("the hand's buttons", r.hand_buttons, 0, UINT32_MAX);
+}
+
+}  // namespace fulcrum::runtime::wire

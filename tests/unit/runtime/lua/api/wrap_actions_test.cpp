@@ -1,0 +1,54 @@
+#include "tests/unit/runtime/lua/hosted_lesson.h"
+
+#include <catch2/catch.hpp>
+
+namespace fulcrum::runtime {
+namespace {
+
+using test::HostedLesson;
+
+TEST_CASE("actions: each becomes its command, in order") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load("L:question 'q' { prompt = '?', answers = { 'a' }, right = print }\n"
+                        "function L:update(world) world:caption 'c' world:ask 'q' world:score(-3) "
+                        "world:level(2, 'Two') world:level(3) world:sound 'pop' "
+                        "world:finish { stars = 2 } end") == "");
+    REQUIRE(lesson.play() == "");
+    REQUIRE(lesson.reply.commands.size() == 7);
+    CHECK(std::get<CaptionCommand>(lesson.reply.commands[0]).text == "c");
+    CHECK(std::get<AskCommand>(lesson.reply.commands[1]).question == "q");
+    CHECK(std::get<ScoreCommand>(lesson.reply.commands[2]).score == -3);
+    CHECK(std::get<LevelCommand>(lesson.reply.commands[3]).level == 2);
+    CHECK(std::get<LevelCommand>(lesson.reply.commands[3]).title == "Two");
+    CHECK(std::get<LevelCommand>(lesson.reply.commands[4]).title.empty());
+    CHECK(std::get<SoundCommand>(lesson.reply.commands[5]).name == "pop");
+    CHECK(std::get<FinishCommand>(lesson.reply.commands[6]).stars == 2);
+}
+
+TEST_CASE("actions: looking things up") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load("function L:start(world) world:body { name = 'apple' } world:body { name = "
+                        "'egg' } end\n"
+                        "function L:update(world) local t = world:tool() print(#world:bodies(), "
+                        "world:bodies()[2], world:find 'egg', world.time, t.x, t.vy, t.position.z, "
+                        "t.force) end") == "");
+    LessonFrame frame = lesson.frame();
+    frame.time_s = 1.5;
+    frame.tool_pose_W.position = Vector3(1, 2, 3);
+    frame.tool_twist_W.linear = Vector3(0, -4, 0);
+    frame.applied_force_W = Vector3(3, 0, 4);
+    REQUIRE(lesson.play(frame) == "");
+    CHECK(lesson.prints == "2\tegg\tegg\t1.5\t1.0\t-4.0\t3.0\t5.0;");
+    CHECK(HostedLesson().start("world:body { name = 'apple' } world:find 'aple'") ==
+          "lesson.lua:2: there is no body \"aple\"; did you mean \"apple\"?");
+}
+
+TEST_CASE("actions: a question that was never declared suggests the nearest") {
+    HostedLesson lesson;
+    CHECK(lesson.load("L:question 'heaviest' { prompt = '?', answers = { 'a' }, right = print "
+                      "}\nfunction L:start(world) world:ask 'heavist' end") ==
+          "lesson.lua:3: there is no question \"heavist\"; did you mean \"heaviest\"?");
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime

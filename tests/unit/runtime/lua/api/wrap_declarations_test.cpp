@@ -1,0 +1,101 @@
+#include "tests/unit/runtime/lua/hosted_lesson.h"
+
+#include <catch2/catch.hpp>
+
+namespace fulcrum::runtime {
+namespace {
+
+using test::HostedLesson;
+
+TEST_CASE("declarations: everything that is said arrives, with its line") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start(R"(
+  world:gravity(1.62) world:ground(-0.5)
+  world:camera { eye = { 1, 2, 3 }, target = { 4, 5, 6 }, angle = 50 }
+  world:hand { centre = { 7, 8, 9 }, scale = 2, rate = 2000 }
+  world:body { name = "a", noun = "apple", model = "fruit", radius = .1, mass = 2, exaggeration = 3, drag_area = .4, solid = true, movable = true, visible = true, at = { 1, 1, 1 } }
+  world:bucket { model = "pail", radius = .2, depth = .3, holds = 4 }
+  world:spring { name = "s", at = { 1, 0, 0 }, stiffness = 100, damping = 1 }
+  world:viscosity { damping = 2 }
+  world:magnet { at = { 0, 1, 0 }, force = 3, range = .2 })") == "");
+    const LessonDescription& d = lesson.host->description();
+    CHECK(d.gravity_W == Vector3(0, -1.62, 0));
+    CHECK(d.ground_height_m == -0.5);
+    CHECK(d.camera.eye_W == Vector3(1, 2, 3));
+    CHECK(d.camera.target_W == Vector3(4, 5, 6));
+    CHECK(d.camera.vertical_angle_deg == 50.0);
+    CHECK(d.hand.centre_W == Vector3(7, 8, 9));
+    CHECK(d.hand.scale == 2.0);
+    CHECK(d.hand.rate_hz == 2000.0);
+    const BodyDescription& a = d.bodies.at(0);
+    CHECK((a.noun == "apple" && a.model == "fruit" && a.radius_m == 0.1 && a.mass_kg == 2 &&
+           a.exaggeration == 3));
+    CHECK((a.drag_area_m2 == 0.4 && a.solid && a.movable && a.visible && a.line == 6));
+    CHECK((d.bucket.model == "pail" && d.bucket.opening_radius_m == 0.2 &&
+           d.bucket.depth_m == 0.3 && d.bucket.holds == 4 && d.bucket.line == 7));
+    REQUIRE(d.forces.size() == 3);
+    CHECK((d.forces[0].field.kind == FieldKind::spring &&
+           d.forces[0].field.stiffness_N_per_m == 100 && d.forces[0].field.damping_Ns_per_m == 1));
+    CHECK((d.forces[0].field.anchor_W == Vector3(1, 0, 0) && d.forces[0].line == 8));
+    CHECK((d.forces[1].name == "viscosity1" && d.forces[1].field.kind == FieldKind::viscosity &&
+           d.forces[1].field.damping_Ns_per_m == 2));
+    CHECK((d.forces[2].name == "magnet1" && d.forces[2].field.kind == FieldKind::magnet &&
+           d.forces[2].field.peak_force_N == 3));
+    CHECK((d.forces[2].field.range_m == 0.2 && d.forces[2].field.anchor_W == Vector3(0, 1, 0)));
+}
+
+TEST_CASE("declarations: the hand is declared once, and is a thing of its own") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start("local h = world:hand { scale = 2 } print(h, h == h, h ~= world)\n"
+                         "h:force(function() return 0, 0, 0 end)") == "");
+    CHECK(lesson.prints == "hand\ttrue\ttrue;");
+    CHECK(lesson.host->description().hand.scale == 2.0);
+    CHECK(lesson.host->description().hand.lesson_force);
+    CHECK(lesson.host->description().hand.force_line == 3);
+    // Not even the same again: a second {} would take back what the first said.
+    CHECK(HostedLesson().start("world:hand { scale = 2 }\nworld:hand {}") ==
+          "lesson.lua:3: a lesson has one hand; this is the second world:hand { … }; keep what the "
+          "first one gives.");
+    // One that was refused was not declared.
+    HostedLesson again;
+    CHECK(again.start("print(pcall(world.hand, world, { scale = 0 })) world:hand { scale = 3 }") ==
+          "");
+    CHECK(again.host->description().hand.scale == 3.0);
+    CHECK_FALSE(again.host->description().hand.lesson_force);
+    CHECK(HostedLesson().start("world:hand {}:force()") ==
+          "lesson.lua:2: hand:force is missing; it is a function.");
+    HostedLesson late;
+    REQUIRE(late.load("local h function L:start(world) h = world:hand {} end function L:update() "
+                      "h:force(print) end") == "");
+    CHECK(late.play() ==
+          "lesson.lua:2: hand:force declares something; that is only possible in L:start.");
+}
+
+TEST_CASE("declarations: what there is room for, and no more") {
+    CHECK(HostedLesson().start("for i = 1, 64 do world:body { name = 'b' .. i } end") == "");
+    CHECK(HostedLesson().start("for i = 1, 65 do world:body { name = 'b' .. i } end") ==
+          "lesson.lua:2: a lesson has at most 64 bodies.");
+    CHECK(
+        HostedLesson().start("for i = 1, 17 do world:body { name = 'b' .. i, solid = true } end") ==
+        "lesson.lua:2: a lesson has at most 16 solid bodies.");
+    CHECK(HostedLesson().start("for i = 1, 9 do world:viscosity { damping = 1 } end") ==
+          "lesson.lua:2: a lesson has at most 8 springs, magnets and viscosities.");
+    CHECK(HostedLesson().start("world:viscosity { name = 'v', damping = 1 } world:viscosity { name "
+                               "= 'v', damping = 1 }") ==
+          "lesson.lua:2: there is already a force \"v\".");
+    CHECK(HostedLesson().start(
+              "local h = world:hand {} h:force(print) print('one') h:force(print)") ==
+          "lesson.lua:2: a lesson has one force function; this is the second hand:force(…).");
+}
+
+TEST_CASE("declarations: forces without a name are counted by kind, past names that are taken") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start("local at = { 0, 0, 0 } local function spring(n) return world:spring { "
+                         "name = n, at = at, stiffness = 1 } end\n"
+                         "print(spring().name, world:viscosity { damping = 1 }.name, "
+                         "spring('spring3').name, spring().name, spring().name)") == "");
+    CHECK(lesson.prints == "spring1\tviscosity1\tspring3\tspring2\tspring4;");
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime

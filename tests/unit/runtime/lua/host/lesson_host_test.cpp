@@ -1,0 +1,107 @@
+#include "runtime/lua/host/lesson_host.h"
+
+#include "tests/unit/runtime/lua/hosted_lesson.h"
+
+#include <catch2/catch.hpp>
+
+namespace fulcrum::runtime {
+namespace {
+
+using test::HostedLesson;
+
+TEST_CASE("lesson host: callbacks are looked up on every call, and may be missing") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load("function L:update() print 'first' L.update = function() print 'second' "
+                        "L.update = nil end end") == "");
+    for (int i = 0; i < 3; ++i) {
+        REQUIRE(lesson.play() == "");
+    }
+    CHECK(lesson.prints == "first;second;");
+}
+
+TEST_CASE("lesson host: a callback that is no function is told") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load("L.update = 3") == "");
+    CHECK_THAT(lesson.play(),
+               Catch::Contains("L.update is no function; write function L:update(…) … end"));
+}
+
+TEST_CASE("lesson host: what start() asked for goes out once, with the first frame") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start("world:caption 'welcome' print 'loading'") == "");
+    CHECK(lesson.prints == "loading;");
+    REQUIRE(lesson.play() == "");
+    CHECK(lesson.commands<CaptionCommand>().size() == 1);
+    REQUIRE(lesson.play() == "");
+    CHECK(lesson.reply.commands.empty());
+}
+
+TEST_CASE("lesson host: listeners hear events after the lesson's own function, and every update") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load("function L:start(world) world:body { name = 'egg' } L:listen(function(e) "
+                        "print(e.name, e.body, e.speed) end) end\n"
+                        "function L:landed(body) print('own', body) end\nfunction L:update() print "
+                        "'update' end") == "");
+    REQUIRE(lesson.play(lesson.frame({BodyEvent{BodyEvent::Kind::landed, 0, 2.0}})) == "");
+    CHECK(lesson.prints == "own\tegg;landed\tegg\t2.0;update;update\tnil\tnil;");
+}
+
+TEST_CASE("lesson host: a frame of another scene is refused") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start("world:body { name = 'egg' }") == "");
+    LessonFrame frame = lesson.frame();
+    frame.bodies.clear();
+    CHECK_THAT(lesson.play(frame), Catch::Contains("another scene"));
+    frame = lesson.frame({BodyEvent{BodyEvent::Kind::caught, 1, 0.0}});
+    CHECK_THAT(lesson.play(frame), Catch::Contains("another scene"));
+}
+
+TEST_CASE("lesson host: prints are bounded, and the hand's join the lesson's") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load("function L:update() for i = 1, 1000 do print(i) end end",
+                        "return function() print 'hand' return 1, 2, 3 end") == "");
+    REQUIRE(lesson.play() == "");
+    const auto prints = lesson.commands<PrintCommand>();
+    REQUIRE(prints.size() == static_cast<std::size_t>(kMaxPrintsAFrame) + 1);
+    CHECK(prints[kMaxPrintsAFrame - 2].text == "49");
+    CHECK_THAT(prints[kMaxPrintsAFrame - 1].text, Catch::Contains("prints too much"));
+    CHECK(prints.back().text == "hand");
+}
+
+TEST_CASE(
+    "lesson host: a hand may be a table with update, may press several buttons, or give nothing") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load("",
+                        "return { update = function(self, hand, t, world) self.n = (self.n or 0) + "
+                        "1 if self.n > 1 then return nil end "
+                        "return 1, 2, 3, 6 end }") == "");
+    REQUIRE(lesson.play() == "");
+    CHECK(lesson.reply.has_hand_target);
+    CHECK(lesson.reply.hand_target_W.position == Vector3(1, 2, 3));
+    CHECK(lesson.reply.hand_buttons == 6U);
+    REQUIRE(lesson.play() == "");
+    CHECK_FALSE(lesson.reply.has_hand_target);
+}
+
+TEST_CASE("lesson host: a hand's mistakes are told with its file") {
+    HostedLesson lesson;
+    CHECK(lesson.load("", "return 3") ==
+          "hand.lua:1: a simulated hand ends with return function(hand, t, world) … end.");
+    REQUIRE(HostedLesson().load("", "return function() return 1, 2, 3 end") == "");
+    HostedLesson wild;
+    REQUIRE(wild.load("", "\nreturn function() return 0/0, 2, 3 end") == "");
+    CHECK(wild.play() ==
+          "hand.lua:2: a simulated hand gives x, y and z in metres, -10000 to 10000, and buttons "
+          "if it presses any.");
+}
+
+TEST_CASE("lesson host: modules are loaded with the lesson only") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load("function L:update() require 'story' end") == "");
+    CHECK(lesson.play() ==
+          "lesson.lua:2: require \"story\" failed: modules are loaded with the lesson; write this "
+          "at the top of the file.");
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime

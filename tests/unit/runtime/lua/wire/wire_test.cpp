@@ -1,0 +1,318 @@
+#include "runtime/lua/wire/wire.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstring>
+#include <limits>
+#include <random>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr std::size_t kHead = 5;  // length and kind
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+template <class Message>
+Bytes bytes_of(const Message& message) {
+    Bytes bytes;
+    encode(message, bytes);
+    return bytes;
+}
+
+std::span<const std::uint8_t> body_of(const Bytes& bytes) {
+    return std::span(bytes).subspan(kHead);
+}
+
+LessonDescription full_description() {
+    LessonDescription d;
+    d.id = "gravity";
+    d.title = "Which fruit is the heaviest? \xE2\x98\x85";
+    d.level = "A1";
+    d.minutes = 15;
+    d.gravity_W = Vector3(0, -1.62, 0);
+    d.ground_height_m = 0.25;
+    d.bodies = {
+        {"apple", "apple", "apple", 0.04, 0.204, 3, 0.01, true, true, true, Vector3(0, 1, 0), 12},
+        {"egg", "egg", "egg", 0.03, 0.06, 1, 0, false, true, false, Vector3(1, 2, 3), 13}};
+    d.forces = {{"s", {FieldKind::spring, Vector3(0, 0.3, 0), 100, 1, 0, 0.1}, 14},
+                {"m", {FieldKind::magnet, Vector3(1, 0, 0), 0, 0, 4, 0.2}, 15}};
+    d.bucket = {true, "bucket", 0.2, 0.3, 3, 16};
+    d.camera = {Vector3(0, 0.5, 1.5), Vector3(0, 0.3, 0), 50};
+    d.hand = {Vector3(0, 0.4, 0), 2.0, 2000.0, true, 17};
+    d.questions = {{"heaviest",
+                    "Which?",
+                    {"the {thing}", "{thing}"},
+                    {{"thing", {"apple", "egg"}}},
+                    "Lift it.",
+                    18}};
+    d.tests = {{"sweep.lua", {"an apple"}, {{"score", "7"}}, 19}};
+    return d;
+}
+
+LessonReply full_reply() {
+    LessonReply r;
+    WorldCommand drop{WorldCommand::Kind::drop, 1, Vector3(0, 1, 0), Vector3(0, -1, 0)};
+    WorldCommand release;
+    release.kind = WorldCommand::Kind::release;
+    LinearisedWrench force;
+    force.stamp_s = 1.5;
+    force.force_W = Vector3(1, -2, 3);
+    force.stiffness_N_per_m(0, 1) = -200;
+    force.damping_Ns_per_m(2, 0) = 5;
+    force.torque_W = Vector3(0.5, -0.25, 9.0);
+    force.torque_stiffness_Nm_per_m(1, 2) = -450;
+    r.commands = {MoveCommand{drop},
+                  MoveCommand{release},
+                  FieldChangeCommand{1, {false, Vector3(1, 2, 3), 0.5}},
+                  LessonForceCommand{force},
+                  CaptionCommand{"Catch!"},
+                  AskCommand{"heaviest"},
+                  VerdictCommand{"heaviest", true},
+                  ScoreCommand{-7},
+                  LevelCommand{2, "Two"},
+                  SoundCommand{"pop"},
+                  FinishCommand{3},
+                  PrintCommand{"hi\tthere"}};
+    r.has_hand_target = true;
+    r.hand_target_W.position = Vector3(0.1, 0.2, 0.3);
+    r.hand_buttons = 5;
+    return r;
+}
+
+LessonFrame full_frame() {
+    LessonFrame f;
+    f.time_s = 2.5;
+    f.dt_s = 1.0 / 60.0;
+    f.tool_pose_W.position = Vector3(1, 2, 3);
+    f.tool_twist_W.linear = Vector3(4, 5, 6);
+    f.applied_force_W = Vector3(0, -2, 0);
+    f.bodies = {{Pose{}, Vector3(0, -3, 0), BodyWhere::falling},
+                {Pose{}, Vector3::Zero(), BodyWhere::held}};
+    f.events = {
+        BodyEvent{BodyEvent::Kind::landed, 1, 3.5}, KeyEvent{"space"},
+        JudgeEvent{"heaviest", {{"thing", "egg"}}},
+        AnsweredEvent{"heaviest", "an egg", {{"thing", "egg"}}, true, false, true, false, 3},
+        ReadyEvent{{6.0, 3.0}, 0.5}};
+    return f;
+}
+
+TEST_CASE("wire: a description, a reply and a frame come back as they were") {
+    // Compared by encoding again: every field is in the bytes.
+    const Bytes description = bytes_of(full_description());
+    const auto d = decode_description(body_of(description));
+    REQUIRE(d);
+    CHECK(bytes_of(*d) == description);
+    CHECK(d->bodies[0].solid);
+    CHECK(d->questions[0].lists[0].second[1] == "egg");
+    CHECK(d->questions[0].again == "Lift it.");
+    const Bytes reply = bytes_of(full_reply());
+    const auto r = decode_reply(body_of(reply), *d);
+    REQUIRE(r);
+    CHECK(bytes_of(*r) == reply);
+    CHECK(std::get<ScoreCommand>(r->commands[7]).score == -7);
+    const LinearisedWrench& wrench = std::get<LessonForceCommand>(r->commands[3]).force;
+    CHECK(wrench.torque_W == Vector3(0.5, -0.25, 9.0));
+    CHECK(wrench.torque_stiffness_Nm_per_m(1, 2) == -450);
+    CHECK(wrench.torque_stiffness_Nm_per_m(2, 1) == 0);
+    const Bytes frame = bytes_of(full_frame());
+    const auto f = decode_frame(body_of(frame));
+    REQUIRE(f);
+    CHECK(bytes_of(*f) == frame);
+    CHECK_FALSE(std::get<AnsweredEvent>(f->events[3]).over);
+}
+
+TEST_CASE("wire: the small messages come back as they were") {
+    const LoadMessage load{
+        {"lesson.lua", std::string("a\0b", 3)}, {"h.lua", "x"}, 7, 1U << 20U, 5, 6};
+    const Bytes bytes = bytes_of(load);
+    const auto l = decode_load(body_of(bytes));
+    REQUIRE(l);
+    CHECK(bytes_of(*l) == bytes);
+    CHECK(l->lesson.text.size() == 3);
+    CHECK(decode_module_request(body_of(bytes_of(ModuleRequest{"story"})))->name == "story");
+    const auto answer = decode_module_answer(
+        body_of(bytes_of(ModuleAnswer{true, {"lib/story.lua", "return 1"}, "no"})));
+    CHECK(answer->source.text == "return 1");
+    CHECK(decode_print(body_of(bytes_of(PrintCommand{"p"})))->text == "p");
+    const auto error = decode_error(body_of(bytes_of(ScriptError{"wrong", "lesson.lua", 12})));
+    CHECK(to_sentence(to_error(*error)) == "lesson.lua:12: wrong.");
+}
+
+TEST_CASE("wire: a message cut off anywhere, or longer than it says, is an error") {
+    const LessonDescription d = full_description();
+    const Bytes description = bytes_of(d);
+    const Bytes reply = bytes_of(full_reply());
+    for (std::size_t n = 0; n < description.size() - kHead; ++n) {
+        REQUIRE_FALSE(decode_description(body_of(description).first(n)));
+    }
+    for (std::size_t n = 0; n < reply.size() - kHead; ++n) {
+        REQUIRE_FALSE(decode_reply(body_of(reply).first(n), d));
+    }
+    Bytes longer = reply;
+    longer.push_back(0);
+    CHECK_FALSE(decode_reply(body_of(longer), d));
+}
+
+/// One command, as the child would send it, taken in by the program.
+Expected<LessonReply> take(const LessonCommand& command) {
+    LessonReply reply;
+    reply.commands.push_back(command);
+    const Bytes bytes = bytes_of(reply);
+    return decode_reply(body_of(bytes), full_description());
+}
+
+TEST_CASE("wire: numbers, indices and names of a reply are checked") {
+    const auto move = [](std::int32_t body, double y, double speed) {
+        return MoveCommand{
+            {WorldCommand::Kind::place, body, Vector3(0, y, 0), Vector3(speed, 0, 0)}};
+    };
+    CHECK(take(move(0, 1e4, 1e3)));
+    CHECK(take(move(1, -1e4, 0)));
+    CHECK_FALSE(take(move(2, 0, 0)));
+    CHECK_FALSE(take(move(-1, 0, 0)));
+    CHECK_FALSE(take(move(0, 1.1e4, 0)));
+    CHECK_FALSE(take(move(0, kNaN, 0)));
+    CHECK_FALSE(take(move(0, 0, 1.1e3)));
+    CHECK_FALSE(take(FieldChangeCommand{2, {}}));
+    CHECK_FALSE(take(FieldChangeCommand{-1, {}}));
+    CHECK_FALSE(take(FieldChangeCommand{0, {true, Vector3::Zero(), 1.5}}));
+    CHECK_FALSE(take(AskCommand{"lightest"}));
+    CHECK_FALSE(take(VerdictCommand{"", true}));
+    CHECK_FALSE(take(ScoreCommand{2'000'000}));
+    CHECK_FALSE(take(LevelCommand{-1, ""}));
+    CHECK_FALSE(take(FinishCommand{4}));
+    CHECK_FALSE(take(SoundCommand{"../pop"}));
+    CHECK_FALSE(take(CaptionCommand{std::string(kMaxTextBytes + 1, 'x')}));
+    CHECK_FALSE(take(CaptionCommand{"\xFF"}));
+    CHECK_FALSE(take(PrintCommand{"\x1B[2J"}));
+    LinearisedWrench force;
+    CHECK(take(LessonForceCommand{force}));
+    force.force_W.x() = kMaxLessonForce_N * 1.01;
+    CHECK_FALSE(take(LessonForceCommand{force}));
+    force = {};
+    force.stiffness_N_per_m(1, 2) = std::numeric_limits<double>::infinity();
+    CHECK_FALSE(take(LessonForceCommand{force}));
+    force = {};
+    force.damping_Ns_per_m(1, 2) = kNaN;
+    CHECK_FALSE(take(LessonForceCommand{force}));
+    force = {};
+    force.torque_W.z() = -kMaxLessonTorque_Nm;
+    force.torque_stiffness_Nm_per_m(0, 2) = kMaxLessonTorqueStiffness_Nm_per_m;
+    CHECK(take(LessonForceCommand{force}));
+    force.torque_W.z() = -kMaxLessonTorque_Nm * 1.01;
+    CHECK_FALSE(take(LessonForceCommand{force}));
+    force.torque_W.z() = kNaN;
+    CHECK_FALSE(take(LessonForceCommand{force}));
+    force = {};
+    force.torque_stiffness_Nm_per_m(0, 2) = kMaxLessonTorqueStiffness_Nm_per_m * 1.01;
+    CHECK_FALSE(take(LessonForceCommand{force}));
+    force.torque_stiffness_Nm_per_m(0, 2) = kNaN;
+    CHECK_FALSE(take(LessonForceCommand{force}));
+}
+
+TEST_CASE("wire: a reply has bounded commands, and an orientation of unit length") {
+    LessonReply reply;
+    reply.commands.assign(kMaxCommands, ScoreCommand{1});
+    CHECK(decode_reply(body_of(bytes_of(reply)), full_description()));
+    reply.commands.emplace_back(ScoreCommand{1});
+    CHECK_FALSE(decode_reply(body_of(bytes_of(reply)), full_description()));
+    reply = {};
+    reply.hand_target_W.orientation.coeffs() *= 1.5;
+    const auto taken = decode_reply(body_of(bytes_of(reply)), full_description());
+    REQUIRE(taken);
+    CHECK(taken->hand_target_W.orientation.norm() == Approx(1.0));
+    reply.hand_target_W.orientation.coeffs().setZero();
+    CHECK_FALSE(decode_reply(body_of(bytes_of(reply)), full_description()));
+}
+
+TEST_CASE("wire: contradictions of a description are found") {
+    const auto taken = [](auto change) {
+        LessonDescription d = full_description();
+        change(d);
+        return decode_description(body_of(bytes_of(d))).has_value();
+    };
+    CHECK(taken([](auto&) {}));
+    CHECK_FALSE(taken([](auto& d) { d.id.clear(); }));
+    CHECK_FALSE(taken([](auto& d) { d.bodies[1].name = "apple"; }));
+    CHECK_FALSE(taken([](auto& d) { d.bodies[1].name.clear(); }));
+    CHECK_FALSE(taken([](auto& d) { d.bodies[1].model = "../egg"; }));
+    CHECK_FALSE(taken([](auto& d) { d.bodies[1].mass_kg = -1; }));
+    CHECK_FALSE(taken([](auto& d) { d.bodies[1].radius_m = 0; }));
+    CHECK_FALSE(taken([](auto& d) { d.bodies[1].line = -1; }));
+    CHECK_FALSE(taken([](auto& d) { d.forces[1].name = "s"; }));
+    CHECK_FALSE(taken([](auto& d) { d.forces[0].field.stiffness_N_per_m = 2001; }));
+    CHECK_FALSE(taken([](auto& d) { d.forces[0].field.kind = static_cast<FieldKind>(3); }));
+    CHECK_FALSE(taken([](auto& d) { d.questions.push_back(d.questions[0]); }));
+    CHECK_FALSE(taken([](auto& d) { d.tests[0].hand = "../sweep.lua"; }));
+    CHECK_FALSE(taken([](auto& d) { d.gravity_W.y() = kNaN; }));
+    CHECK_FALSE(taken([](auto& d) {
+        d.bodies[0].solid = false;
+        d.bodies.assign(kMaxBodies + 1, d.bodies[0]);
+        for (std::size_t i = 0; i < d.bodies.size(); ++i) {
+            d.bodies[i].name = "b" + std::to_string(i);
+        }
+    }));
+    CHECK_FALSE(taken([](auto& d) {
+        d.bodies.assign(kMaxSolids + 1, d.bodies[0]);
+        for (std::size_t i = 0; i < d.bodies.size(); ++i) {
+            d.bodies[i].name = "b" + std::to_string(i);
+        }
+    }));
+}
+
+TEST_CASE(
+    "wire: 200 000 damaged messages are refused or make sense, and a reply that is taken is within "
+    "all limits") {
+    const LessonDescription d = full_description();
+    const Bytes whole = bytes_of(full_reply());
+    const Bytes body(whole.begin() + kHead, whole.end());
+    std::mt19937 random(3);
+    int n_taken = 0;
+    for (int i = 0; i < 200'000; ++i) {
+        Bytes damaged = body;
+        for (std::uint32_t k = random() % 4 + 1; k > 0; --k) {
+            damaged[random() % damaged.size()] = static_cast<std::uint8_t>(random());
+        }
+        const auto reply = decode_reply(damaged, d);
+        if (!reply) {
+            continue;
+        }
+        ++n_taken;
+        // What is taken passes a second time, byte for byte, save for an orientation brought to unit length.
+        REQUIRE(decode_reply(body_of(bytes_of(*reply)), d));
+        for (const LessonCommand& command : reply->commands) {
+            if (const auto* force = std::get_if<LessonForceCommand>(&command)) {
+                REQUIRE(force->force.force_W.allFinite());
+                REQUIRE(force->force.stiffness_N_per_m.allFinite());
+                REQUIRE(force->force.torque_W.cwiseAbs().maxCoeff() <= kMaxLessonTorque_Nm);
+                REQUIRE(force->force.torque_stiffness_Nm_per_m.cwiseAbs().maxCoeff() <=
+                        kMaxLessonTorqueStiffness_Nm_per_m);
+            }
+        }
+    }
+    CHECK(n_taken > 1000);
+}
+
+TEST_CASE("wire: names and texts") {
+    CHECK(is_name("apple_2-b"));
+    CHECK_FALSE(is_name(""));
+    CHECK_FALSE(is_name("-a"));
+    CHECK_FALSE(is_name("Apple"));
+    CHECK_FALSE(is_name("a/b"));
+    CHECK_FALSE(is_name("a.b"));
+    CHECK_FALSE(is_name(std::string_view("a\0b", 3)));
+    CHECK_FALSE(is_name(std::string(kMaxNameBytes + 1, 'a')));
+    CHECK(is_clean_utf8("caf\xC3\xA9 \xED\x95\x9C \xF0\x9F\x8D\x8E\n\t"));
+    CHECK_FALSE(is_clean_utf8("\xC0\x80"));  // overlong
+    CHECK_FALSE(is_clean_utf8("\xE0\x80\x80"));
+    CHECK_FALSE(is_clean_utf8("\xED\xA0\x80"));      // surrogate
+    CHECK_FALSE(is_clean_utf8("\xF4\x90\x80\x80"));  // beyond Unicode
+    CHECK_FALSE(is_clean_utf8("\xE2\x82"));          // cut off
+    CHECK_FALSE(is_clean_utf8("\xC2\x85"));          // C1 control
+    CHECK_FALSE(is_clean_utf8(std::string_view("\0", 1)));
+    CHECK_FALSE(is_clean_utf8("\x1B"));
+    CHECK_FALSE(is_clean_utf8("\x7F"));
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime
