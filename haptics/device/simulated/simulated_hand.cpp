@@ -5,40 +5,6 @@
 #include <cmath>
 
 namespace fulcrum {
-namespace {
-
-// A target that is no pose would stay in the arm's state for ever.
-bool is_usable(const HandTarget& target) noexcept {
-    constexpr double kUnitTolerance = 1.0e-3;
-    return is_finite(target.pose_D) && is_finite(target.velocity_D) &&
-           std::abs(target.pose_D.orientation.coeffs().norm() - 1.0) < kUnitTolerance;
-}
-
-constexpr double kNearCritical = 1.0e-8;  // its square vanishes beside 1
-
-}  // namespace
-
-OscillatorStep compute_oscillator_step(double mass, double stiffness, double damping,
-                                       double dt_s) noexcept {
-    const double alpha = 0.5 * damping / mass;
-    const double square = stiffness / mass - alpha * alpha;
-    const double w = std::sqrt(std::abs(square));
-    // The head's c and s with the decay in them; near critical damping the series' first terms.
-    const double decay = std::exp(-alpha * dt_s);
-    double c = decay;
-    double s = decay * dt_s;
-    if (square < 0.0 && w * dt_s > kNearCritical) {
-        // Two falling exponentials, alpha - w without the difference of two large numbers.
-        const double slow = std::exp(-stiffness / mass / (alpha + w) * dt_s);
-        const double fast = std::exp(-(alpha + w) * dt_s);
-        c = 0.5 * (slow + fast);
-        s = -0.5 * slow * std::expm1(-2.0 * w * dt_s) / w;
-    } else if (w * dt_s > kNearCritical) {
-        c = decay * std::cos(w * dt_s);
-        s = decay * std::sin(w * dt_s) / w;
-    }
-    return {c + alpha * s, s, -s * stiffness / mass, c - alpha * s};
-}
 
 bool SimulatedHand::read(double now_s, DeviceReading& reading) noexcept {
     has_target_ = target_.take() || has_target_;

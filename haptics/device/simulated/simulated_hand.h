@@ -4,12 +4,7 @@
 //   m x'' = k (x_target - x) - b (x' - v_target) + f     per axis, f the force written last, frame D
 //   J e'' = -k_r e - b_r e' + tau                        e = log(q q_target^-1), the turn from target
 // Between two reads target and force are constant, so each axis is a damped oscillator about
-// x_target + (f + b v_target) / k and is solved exactly, whatever the time step. With
-// y = x - x_equilibrium, alpha = b / 2m, w^2 = k/m - alpha^2:
-//   y(t) = e^(-alpha t) (y0 c + (v0 + alpha y0) s)
-//   v(t) = e^(-alpha t) (v0 c - (alpha v0 + y0 k/m) s)
-//   c = cos wt, s = sin(wt)/w   (1, t when critical; when overdamped, written out as two
-//   exponentials that fall, for cosh would overflow where e^(-alpha t) has become zero)
+// x_target + (f + b v_target) / k and is solved exactly, whatever the time step (oscillator.h).
 // The turn uses the same solution for e: exact for turns about one axis, close for small ones.
 //
 // Thread: `read` and `write` on the haptic thread.
@@ -23,21 +18,12 @@
 
 #include "haptics/base/error.h"
 #include "haptics/device/device.h"
+#include "haptics/device/simulated/hand_target.h"
+#include "haptics/device/simulated/oscillator.h"
 #include "haptics/handover/latest_value.h"
 #include "haptics/math/spatial.h"
 
-#include <cstdint>
-
 namespace fulcrum {
-
-/// Where the simulated person wants the hand to be, in the device's frame. Newest value; whoever
-/// plays the person writes.
-struct HandTarget {
-    Pose pose_D{};                        ///< metres
-    Vector3 velocity_D{Vector3::Zero()};  ///< metres per second; with it the hand follows a moving
-                                          ///< target without lag
-    std::uint32_t buttons = 0;            ///< one bit a button
-};
 
 /// The arm and the device; fixed at load, SI.
 struct SimulatedHandSettings {
@@ -56,15 +42,6 @@ struct SimulatedHandSettings {
 
 /// Refuses settings outside the ranges named above, NaN included.
 [[nodiscard]] Expected<void> validate(const SimulatedHandSettings& settings);
-
-/// One degree of freedom over one step of fixed length: (y, v) <- A (y, v). See the head of this
-/// file.
-struct OscillatorStep {
-    double yy = 1.0, yv = 0.0, vy = 0.0, vv = 1.0;
-};
-/// The exact step over `dt_s` >= 0 of m y'' = -k y - b y'.
-[[nodiscard]] OscillatorStep compute_oscillator_step(double mass, double stiffness, double damping,
-                                                     double dt_s) noexcept;
 
 class SimulatedHand final : public Device {
   public:
