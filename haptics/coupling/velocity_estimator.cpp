@@ -31,19 +31,32 @@ const Vector3& VelocityEstimator::step(const Vector3& position, double time_s) n
     if (!later || !std::isfinite(time_s) || !is_finite(position)) {
         return velocity_;
     }
+    const bool is_first = count_ == 0;
+    const double dt_s = is_first ? 0.0 : time_s - times_s_[static_cast<std::size_t>(last)];
+    const Vector3 rise = position - positions_[static_cast<std::size_t>(last)];
     newest_ = (last + 1) % kCapacity;
     positions_[static_cast<std::size_t>(newest_)] = position;
     times_s_[static_cast<std::size_t>(newest_)] = time_s;
     count_ = std::min(count_ + 1, kCapacity);
-    if (count_ < 2) {
+    if (is_first) {
+        kalman_.start(position);
         return velocity_;
     }
-    if (settings_.method == VelocityMethod::filtered_difference) {
-        const double dt_s = time_s - times_s_[static_cast<std::size_t>(last)];
-        const Vector3 difference = (position - positions_[static_cast<std::size_t>(last)]) / dt_s;
-        velocity_ += compute_low_pass_share(settings_.cutoff_Hz, dt_s) * (difference - velocity_);
-    } else {
-        fit_windows();
+    switch (settings_.method) {
+        case VelocityMethod::finite_difference:
+            velocity_ = rise / dt_s;
+            break;
+        case VelocityMethod::filtered_difference:
+            velocity_ +=
+                compute_low_pass_share(settings_.cutoff_Hz, dt_s) * (rise / dt_s - velocity_);
+            break;
+        case VelocityMethod::adaptive_window:
+            fit_windows();
+            break;
+        case VelocityMethod::kalman:
+            kalman_.step(position, dt_s, settings_.acceleration_density, settings_.noise_bound_m);
+            velocity_ = kalman_.velocity();
+            break;
     }
     return velocity_;
 }
@@ -65,7 +78,7 @@ void VelocityEstimator::fit_windows() noexcept {
     for (int i = 1; i < count_ && (grows[0] || grows[1] || grows[2]); ++i) {
         const auto slot = static_cast<std::size_t>((newest_ + kCapacity - i) % kCapacity);
         const double tau_s = now_s - times_s_[slot];
-        if (i > 1 && tau_s > kLongestWindow_s + kJitter_s) {
+        if (i > 1 && tau_s > settings_.longest_window_s + kJitter_s) {
             break;
         }
         const double rate_per_s = 1.0 / tau_s;

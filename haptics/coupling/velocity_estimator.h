@@ -1,10 +1,12 @@
-// The hand's velocity from its measured positions.
+// The hand's velocity from its measured positions, by one of four rules.
 //
+//   finite_difference     v_k = (y_k - y_(k-1)) / T
 //   filtered_difference   u_k = (y_k - y_(k-1)) / T,   v_k = v_(k-1) + a (u_k - v_(k-1)),
 //                         a = 1 - exp(-2 pi f_c T)
-//   adaptive_window       the longest window, kLongestWindow_s at most, for which the straight line
+//   adaptive_window       the longest window, longest_window_s at most, for which the straight line
 //                         through its two ends passes within d of every sample between them:
 //                         v_k = (y_k - y_(k-n)) / (t_k - t_(k-n));  each axis has a window of its own
+//   kalman                the hand's acceleration taken for white noise: kalman_velocity.h
 // A position counted in steps of d is wrong by up to d; over one sample that is d / T (55 mm/s for
 // 55 um at 1 kHz). The window is long when the hand moves evenly (little noise) and short when it
 // turns (little lag). It is the default: over encoder steps of 55 um it is less than half as wrong as
@@ -19,6 +21,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/coupling/kalman_velocity.h"
 #include "haptics/math/spatial.h"
 
 #include <array>
@@ -26,13 +29,26 @@
 
 namespace fulcrum {
 
-enum class VelocityMethod : std::uint8_t { filtered_difference, adaptive_window };
+enum class VelocityMethod : std::uint8_t {
+    filtered_difference,
+    adaptive_window,
+    finite_difference,
+    kalman
+};
+
+inline constexpr double kLongestWindow_s = 0.008;
+inline constexpr double kHandAccelerationDensity =
+    0.004;  ///< m^2/s^3; a lag of 4 ms over steps of 55 um at 1 kHz
 
 /// Fixed at load.
 struct VelocitySettings {
     VelocityMethod method = VelocityMethod::adaptive_window;
-    double cutoff_Hz = 80.0;        ///< filtered_difference: of the low pass, 1 to 1000
-    double noise_bound_m = 1.0e-5;  ///< adaptive_window: largest error of one position, 1e-9 to 0.1
+    double cutoff_Hz = 80.0;  ///< filtered_difference: of the low pass, 1 to 1000
+    /// adaptive_window: largest error of one position; kalman: the encoder's step. 1e-9 to 0.1
+    double noise_bound_m = 1.0e-5;
+    double longest_window_s = kLongestWindow_s;  ///< adaptive_window: 0.00025 to kLongestWindow_s
+    /// kalman: spectral density of the hand's acceleration in m^2/s^3, 1e-12 to 1e6
+    double acceleration_density = kHandAccelerationDensity;
 };
 
 /// Refuses settings outside the ranges named above, NaN included.
@@ -41,7 +57,6 @@ struct VelocitySettings {
 /// Estimates the velocity of a point. The frame is that of the positions given.
 class VelocityEstimator {
   public:
-    static constexpr double kLongestWindow_s = 0.008;
     static constexpr int kMostIntervals = 32;  ///< in a window: kLongestWindow_s at 4 kHz
 
     /// Takes settings that `validate` accepted.
@@ -66,6 +81,7 @@ class VelocityEstimator {
     int newest_ = 0;
     int count_ = 0;
     Vector3 velocity_{Vector3::Zero()};
+    KalmanVelocity kalman_;
 };
 
 /// Estimates an angular velocity by low-passed differences: u_k = log(q_k q_(k-1)^-1) / T, in the

@@ -1,23 +1,17 @@
 // The load-path half of velocity_estimator.h.
+#include "haptics/base/range.h"
 #include "haptics/coupling/velocity_estimator.h"
-
-#include <sstream>
 
 namespace fulcrum {
 
 Expected<void> validate(const VelocitySettings& settings) {
-    std::ostringstream message;
-    if (!(settings.cutoff_Hz >= 1.0 && settings.cutoff_Hz <= 1000.0)) {
-        message << "the velocity estimator's cut-off is " << settings.cutoff_Hz
-                << " Hz, outside the range 1 to 1000";
-        return fail(message.str(), {}, "set it within that range");
-    }
-    if (!(settings.noise_bound_m >= 1e-9 && settings.noise_bound_m <= 0.1)) {
-        message << "the velocity estimator's noise bound is " << settings.noise_bound_m
-                << " m, outside the range 1e-9 to 0.1";
-        return fail(message.str(), {}, "set it to the device's resolution");
-    }
-    return {};
+    const Range ranges[] = {
+        {"cut-off in hertz", settings.cutoff_Hz, 1.0, 1000.0},
+        {"noise bound in metres", settings.noise_bound_m, 1e-9, 0.1},
+        {"longest window in seconds", settings.longest_window_s, 0.00025, kLongestWindow_s},
+        {"acceleration density in m^2/s^3", settings.acceleration_density, 1e-12, 1e6},
+    };
+    return check_ranges("the velocity estimator's", ranges);
 }
 
 }  // namespace fulcrum

@@ -21,6 +21,8 @@ VelocitySettings choose_velocity_settings(const HapticPlan& plan, const DeviceTr
     const double resolution_m =
         traits.position_resolution_m > 0.0 ? traits.position_resolution_m : kFineResolution_m;
     settings.noise_bound_m = resolution_m * plan.workspace.scale;
+    // The hand moves in its own metres.
+    settings.acceleration_density *= plan.workspace.scale * plan.workspace.scale;
     return settings;
 }
 
@@ -77,8 +79,9 @@ Expected<void> validate(const HapticPlan& plan) {
         validate(plan.safety),
         validate(plan.coupling),
         validate(plan.solids),
-        validate(
-            VelocitySettings{plan.velocity_method, plan.velocity_cutoff_hz, kFineResolution_m}),
+        validate(VelocitySettings{.method = plan.velocity_method,
+                                  .cutoff_Hz = plan.velocity_cutoff_hz,
+                                  .noise_bound_m = kFineResolution_m}),
     };
     for (const Expected<void>& check : checks) {
         if (!check) {

@@ -161,9 +161,62 @@ TEST_CASE("velocity: over encoder steps the default beats the low pass, fast swi
     }
 }
 
+TEST_CASE("velocity: the plain difference is the last step over the last period") {
+    VelocityEstimator estimator(with(VelocityMethod::finite_difference));
+    CHECK(estimator.step(Vector3(1, 2, 3), 0.5).norm() == 0.0);
+    CHECK((estimator.step(Vector3(1.001, 2, 2.99), 0.502) - Vector3(0.5, 0.0, -5.0)).norm() <
+          kRounding);
+    CHECK(estimator.step(Vector3(1.001, 2, 2.99), 0.503).norm() == 0.0);
+    // It lags half a period behind a steady acceleration: v_k = a (t_k - T/2).
+    estimator.reset();
+    for (int k = 0; k < 50; ++k) {
+        const double t_s = k * kDt_s;
+        const double v = estimator.step(Vector3(t_s * t_s, 0, 0), t_s).x();
+        if (k > 0) {
+            REQUIRE(v == Approx(2.0 * (t_s - 0.5 * kDt_s)));
+        }
+    }
+}
+
+TEST_CASE("velocity: the filter by name is the filter") {
+    VelocitySettings settings = with(VelocityMethod::kalman);
+    settings.acceleration_density = 0.1;
+    VelocityEstimator estimator(settings);
+    KalmanVelocity filter;
+    for (int k = 0; k < 300; ++k) {
+        const double t_s = k * kDt_s + (k % 3) * 1.0e-4;
+        const Vector3 y(counted(0.01 * std::sin(20.0 * t_s)), counted(0.1 * t_s), 0.0);
+        if (k == 0 || k == 100) {
+            estimator.reset();
+            filter.start(y);
+            CHECK(estimator.step(y, t_s).norm() == 0.0);
+            continue;
+        }
+        const double last_s = (k - 1) * kDt_s + ((k - 1) % 3) * 1.0e-4;
+        filter.step(y, t_s - last_s, 0.1, kEncoder_m);
+        REQUIRE(estimator.step(y, t_s) == filter.velocity());
+    }
+}
+
+TEST_CASE("velocity: a shorter longest window sees less far back") {
+    // One encoder step every 8 ms: a window of 2 ms sees one step or none.
+    VelocitySettings settings = with(VelocityMethod::adaptive_window);
+    settings.longest_window_s = 0.002;
+    VelocityEstimator estimator(settings);
+    for (int k = 0; k < 100; ++k) {
+        const double y = kEncoder_m * (k / kLongestWindow);
+        const double v = estimator.step(Vector3(y, 0, 0), k * kDt_s).x();
+        if (k > 10) {
+            const bool seen = k % kLongestWindow < 2;
+            REQUIRE(v == Approx(seen ? kEncoder_m / 0.002 : 0.0).margin(kRounding));
+        }
+    }
+}
+
 TEST_CASE("velocity: bad samples change nothing") {
     for (const VelocityMethod method :
-         {VelocityMethod::filtered_difference, VelocityMethod::adaptive_window}) {
+         {VelocityMethod::filtered_difference, VelocityMethod::adaptive_window,
+          VelocityMethod::finite_difference, VelocityMethod::kalman}) {
         VelocityEstimator estimator(with(method));
         for (int k = 0; k < 10; ++k) {
             (void)estimator.step(Vector3(0.001 * k, 0, 0), k * kDt_s);

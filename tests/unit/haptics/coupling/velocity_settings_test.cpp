@@ -26,4 +26,16 @@ TEST_CASE("velocity: settings outside their ranges are refused") {
     CHECK_FALSE(accepts(1000.1, 1e-5));
     CHECK_FALSE(accepts(80.0, 0.9e-9));
     CHECK_FALSE(accepts(80.0, 0.1001));
+    const auto accepts_others = [](double longest_window_s, double acceleration_density) {
+        VelocitySettings bounds;
+        bounds.longest_window_s = longest_window_s;
+        bounds.acceleration_density = acceleration_density;
+        return validate(bounds).has_value();
+    };
+    CHECK(accepts_others(0.00025, 1e-12));
+    CHECK(accepts_others(0.008, 1e6));
+    CHECK_FALSE(accepts_others(0.0002, 1.0));
+    CHECK_FALSE(accepts_others(0.0081, 1.0));
+    CHECK_FALSE(accepts_others(0.008, 0.0));
+    CHECK_FALSE(accepts_others(0.008, 1.1e6));
 }
