@@ -1,0 +1,272 @@
+// What a sampled wall may be: theory's region of passivity, the exact boundary of stability, and the same in time by the
+// code that renders it.
+//
+// In what sense they agree. Passivity (K T/2 + |B| < b, Colgate and Schenkel) promises stability with every passive hand:
+// no hand of a wide set is unstable inside it. The boundary is also needed, by the worst hand: for B <= 0 a heavy free
+// mass comes as near to it as it is heavy, and with any delay; for B > 0 a hand that resonates at the Nyquist frequency
+// and its odd multiples, as near as it has resonances. One given hand is stable beyond it.
+#include "tests/support/linear_wall.h"
+#include "tests/support/wall_trial.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace fulcrum::z_width {
+namespace {
+
+constexpr double kStiffest_N_per_m = 1.0e7;
+
+// The largest stable stiffness of a wall by its eigenvalues.
+double find_linear_boundary(LinearWall wall, double tolerance = 1e-5) {
+    return find_largest(
+        [&](double stiffness) {
+            wall.stiffness_N_per_m = stiffness;
+            return compute_spectral_radius(wall) < 1.0;
+        },
+        1.0, kStiffest_N_per_m, tolerance);
+}
+
+// Hands to try: free masses, springs with and without dampers, resonances around the Nyquist frequency, chains of them.
+std::vector<std::vector<Mode>> make_hands(double period_s) {
+    std::vector<std::vector<Mode>> hands;
+    for (const double mass_kg : {0.01, 0.045, 0.3, 1.0, 10.0, 100.0}) {
+        for (const double w : {0.0, 0.05, 0.3, 0.8, 0.95, 1.0, 1.05, 1.7, 2.0, 3.0, 3.9}) {
+            const double w_per_s = w * std::numbers::pi / period_s;
+            for (const double ratio : {0.0, 0.001, 0.1, 1.0}) {
+                hands.push_back(
+                    {{mass_kg, 2.0 * ratio * mass_kg * w_per_s, mass_kg * w_per_s * w_per_s}});
+            }
+        }
+        for (const int n : {2, 5, 9}) {
+            hands.push_back(make_nyquist_hand(n, mass_kg, period_s));
+        }
+    }
+    for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
+        hands.push_back({{0.045 + human.mass_kg, human.damping_Ns_per_m, human.stiffness_N_per_m}});
+    }
+    return hands;
+}
+
+TEST_CASE("z-width: inside the region of passivity every wall is stable with every hand") {
+    constexpr double kInside = 0.999;
+    constexpr double kRounding = 1e-9;  // of an eigenvalue of a hand without any damping
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    int n_tried = 0;
+    for (const double rate_Hz : {500.0, 1000.0, 4000.0}) {
+        for (int i = 0; i < 12; ++i) {
+            LinearWall wall;
+            wall.period_s = 1.0 / rate_Hz;
+            wall.device_damping_Ns_per_m = 0.1 + 9.9 * uniform(random);
+            wall.delay_s = i % 3 == 0 ? 0.0 : 3.0 * wall.period_s * uniform(random);
+            // A part of the damping goes to |B|, the rest to K.
+            const double to_damping = i % 4 == 0 ? 0.0 : uniform(random);
+            const double budget = kInside * wall.device_damping_Ns_per_m;
+            wall.damping_Ns_per_m = (i % 2 == 0 ? 1.0 : -1.0) * to_damping * budget;
+            wall.stiffness_N_per_m =
+                (1.0 - to_damping) * budget / (0.5 * wall.period_s + wall.delay_s);
+            REQUIRE(compute_passive_damping(wall) < wall.device_damping_Ns_per_m);
+            for (const std::vector<Mode>& hand : make_hands(wall.period_s)) {
+                wall.modes = hand;
+                REQUIRE(compute_spectral_radius(wall) < 1.0 + kRounding);
+                ++n_tried;
+            }
+        }
+    }
+    CHECK(n_tried > 10000);
+}
+
+TEST_CASE(
+    "z-width: for B <= 0 a heavy hand's boundary is the formula's within 1 %, delayed or not") {
+    constexpr double kHeavy_kg = 30.0;
+    constexpr double kWithin = 0.01;
+    for (const double rate_Hz : {500.0, 1000.0, 2000.0, 4000.0}) {
+        for (const double damping : {0.0, -0.3, -0.9}) {
+            for (const double late : {0.0, 0.4, 1.0, 2.5}) {
+                LinearWall wall;
+                wall.period_s = 1.0 / rate_Hz;
+                wall.modes = {{kHeavy_kg, 0.0, 0.0}};
+                wall.device_damping_Ns_per_m = 1.0;
+                wall.damping_Ns_per_m = damping;
+                wall.delay_s = late * wall.period_s;
+                const double formula =
+                    (1.0 - std::abs(damping)) / (0.5 * wall.period_s + wall.delay_s);
+                CHECK(find_linear_boundary(wall) == Approx(formula).epsilon(kWithin));
+            }
+        }
+    }
+}
+
+TEST_CASE(
+    "z-width: for B > 0 the hand that rings at Nyquist reaches the formula as it gets modes") {
+    constexpr double kHeavy_kg = 30.0;
+    constexpr double kWithin = 0.01;
+    for (const double rate_Hz : {500.0, 1000.0, 4000.0}) {
+        for (const double damping : {0.2, 0.6, 0.9}) {
+            for (const int n : {1, 3, 10}) {
+                LinearWall wall;
+                wall.period_s = 1.0 / rate_Hz;
+                wall.modes = make_nyquist_hand(n, kHeavy_kg, wall.period_s);
+                wall.device_damping_Ns_per_m = 1.0;
+                wall.damping_Ns_per_m = damping;
+                // The hold lets through a share of the loop: b = share (K T/2 + B).
+                const double formula =
+                    2.0 / wall.period_s * (1.0 / compute_nyquist_share(n) - damping);
+                CHECK(find_linear_boundary(wall) == Approx(formula).epsilon(kWithin));
+            }
+        }
+    }
+    // Ten resonances are within 2.1 % of all of them.
+    CHECK(compute_nyquist_share(10) > 0.979);
+    CHECK(compute_nyquist_share(100000) == Approx(1.0).epsilon(1e-5));
+}
+
+TEST_CASE(
+    "z-width: the exact condition of passivity is K T/2 + |B|, and never above it when delayed") {
+    LinearWall wall;
+    for (const double damping : {-2.0, 0.0, 2.0}) {
+        wall.stiffness_N_per_m = 1500.0;
+        wall.damping_Ns_per_m = damping;
+        wall.delay_s = 0.0;
+        CHECK(compute_exact_passive_damping(wall) ==
+              Approx(compute_passive_damping(wall)).epsilon(1e-6));
+        for (const double late : {1.0, 2.0, 4.0}) {
+            wall.delay_s = late * wall.period_s;
+            const double exact = compute_exact_passive_damping(wall);
+            CHECK(exact <= compute_passive_damping(wall) * (1.0 + 1e-6));
+            if (damping <= 0.0) {
+                CHECK(exact == Approx(compute_passive_damping(wall)).epsilon(1e-6));
+            }
+        }
+    }
+    // A low pass asks for less at Nyquist and for more below it, where it lags.
+    wall.delay_s = 0.0;
+    wall.stiffness_N_per_m = 0.0;
+    wall.damping_Ns_per_m = 2.0;
+    wall.velocity = {.method = VelocityMethod::filtered_difference, .cutoff_Hz = 80.0};
+    CHECK(compute_exact_passive_damping(wall) < 1.0);
+}
+
+TEST_CASE(
+    "z-width: one given hand is stable beyond the region of passivity, a lighter one farther") {
+    LinearWall wall;
+    wall.device_damping_Ns_per_m = 0.5;
+    const double formula = 2.0 * 0.5 / wall.period_s;
+    for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
+        wall.modes = {{0.045 + human.mass_kg, human.damping_Ns_per_m, human.stiffness_N_per_m}};
+        CHECK(find_linear_boundary(wall) > formula);
+    }
+}
+
+// The largest stable stiffness in time, by the code that renders.
+double find_rendered_boundary(WallTrial trial, double low, double tolerance) {
+    return find_largest(
+        [&](double stiffness) {
+            trial.stiffness_N_per_m = stiffness;
+            return is_stable(trial);
+        },
+        low, kStiffest_N_per_m, tolerance);
+}
+
+TEST_CASE(
+    "z-width: without steps and dry friction the rendering code's boundary is the eigenvalues'") {
+    constexpr double kWithin = 0.005;
+    struct Hand {
+        HumanImpedance human;
+        double device_damping;
+    };
+    const Hand hands[] = {{kFingertip, 0.5}, {kArm, 0.5}, {kNobody, 1.0}};
+    const VelocitySettings estimators[] = {
+        {.method = VelocityMethod::finite_difference},
+        {.method = VelocityMethod::filtered_difference, .cutoff_Hz = 80.0},
+        {.method = VelocityMethod::kalman, .noise_bound_m = 5.5e-5}};
+    for (const Hand& hand : hands) {
+        for (const VelocitySettings& velocity : estimators) {
+            for (const double late : {0.0, 0.6, 2.0}) {
+                for (const double damping : {-0.3, 0.0, 0.4, 2.0}) {
+                    WallTrial trial;
+                    trial.rate_Hz = 1000.0;
+                    trial.arm.human = hand.human;
+                    trial.arm.damping_Ns_per_m = hand.device_damping;
+                    trial.arm.delay_s = late / trial.rate_Hz;
+                    trial.arm.max_force_N = 100.0;
+                    trial.both_ways = true;
+                    trial.start_m = -1.0e-5;  // far from the largest force
+                    trial.velocity = velocity;
+                    trial.damping_Ns_per_m = damping;
+                    LinearWall wall;
+                    wall.modes = {{trial.arm.mass_kg + hand.human.mass_kg,
+                                   hand.human.damping_Ns_per_m, hand.human.stiffness_N_per_m}};
+                    wall.device_damping_Ns_per_m = hand.device_damping;
+                    wall.damping_Ns_per_m = damping;
+                    wall.delay_s = trial.arm.delay_s;
+                    wall.velocity = velocity;
+                    const double exact = find_linear_boundary(wall);
+                    INFO(hand.human.mass_kg << " kg, method " << int(velocity.method) << ", late "
+                                            << late << ", B " << damping);
+                    REQUIRE(exact > 10.0);
+                    CHECK(find_rendered_boundary(trial, 0.5 * exact, 0.002) ==
+                          Approx(exact).epsilon(kWithin));
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("z-width: a spring inside Abbott and Okamura's bound is calm for all its steps") {
+    // K <= min(2 b / T, 2 f_c / d): dry friction swallows what rounding the position adds.
+    for (const double friction_N : {0.05, 0.26}) {
+        for (const double resolution_m : {1.0e-5, 5.5e-5}) {
+            for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
+                WallTrial trial;
+                trial.arm = make_desktop_arm();
+                trial.arm.dry_friction_N = friction_N;
+                trial.arm.position_resolution_m = resolution_m;
+                trial.arm.human = human;
+                trial.press_m = 0.004;
+                trial.stiffness_N_per_m =
+                    0.99 * std::min(2.0 * trial.arm.damping_Ns_per_m * trial.rate_Hz,
+                                    2.0 * friction_N / resolution_m);
+                const WallCourse course = run_wall_trial(trial);
+                CHECK(course.late_m <= kCalmSteps * resolution_m);
+                CHECK(course.force_N > 0.1);
+            }
+        }
+    }
+}
+
+TEST_CASE("z-width: a wall far beyond the boundary buzzes, and the verdict says so") {
+    WallTrial trial;
+    trial.arm = make_desktop_arm();
+    trial.arm.human = kFingertip;
+    trial.press_m = 0.004;
+    trial.stiffness_N_per_m = 300.0;
+    const WallCourse calm = run_wall_trial(trial);
+    CHECK(is_stable(trial));
+    // Spring and finger share the way: F = K d = k_h (press - d), but for the dry friction.
+    CHECK(calm.force_N == Approx(0.004 * 300.0 * 300.0 / 600.0).margin(0.26 + 300.0 * 5.5e-5));
+    trial.stiffness_N_per_m = 50000.0;
+    const WallCourse buzz = run_wall_trial(trial);
+    CHECK_FALSE(is_stable(trial));
+    CHECK(buzz.late_m > 2.0 * kCalmSteps * 5.5e-5);
+    CHECK(buzz.ripple_N > 1.0);
+    // A vibration that neither grows nor decays is none that is stable; one that leaves the numbers is none either.
+    CHECK_FALSE(is_stable({.early_m = 1e-3, .late_m = 1e-3}, 5.5e-5));
+    CHECK(is_stable({.early_m = 1e-3, .late_m = 9e-4}, 5.5e-5));
+    CHECK(is_stable({.early_m = 1e-4, .late_m = 1.1e-4}, 5.5e-5));
+    CHECK_FALSE(is_stable({.early_m = std::nan(""), .late_m = std::nan("")}, 5.5e-5));
+    CHECK_FALSE(is_stable({.early_m = 1.0, .late_m = std::nan("")}, 5.5e-5));
+}
+
+TEST_CASE("z-width: the search finds a boundary, and says when there is none") {
+    const auto below = [](double limit) { return [limit](double x) { return x < limit; }; };
+    CHECK(find_largest(below(123.4), 1.0, 1e6, 1e-6) == Approx(123.4).epsilon(2e-6));
+    CHECK(find_largest(below(0.5), 1.0, 1e6, 1e-6) < 1.0);
+    CHECK(find_largest(below(1e9), 1.0, 1e6, 1e-6) == 1e6);
+}
+
+}  // namespace
+}  // namespace fulcrum::z_width
