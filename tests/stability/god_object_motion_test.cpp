@@ -1,6 +1,8 @@
 // The god-object under fast hands, tumbling bodies and meshes that are no surface; and its promise not to allocate.
 #include "haptics/geometry/shape.h"
 #include "haptics/point/god_object.h"
+#include "tests/support/touchable.h"
+#include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
@@ -8,7 +10,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <new>
-#include <random>
 
 #ifndef FULCRUM_SANITIZED  // a sanitizer brings its own operator new
 namespace {
@@ -33,29 +34,6 @@ void operator delete(void* memory, std::size_t) noexcept {
 
 namespace fulcrum {
 namespace {
-
-std::shared_ptr<const CollisionMesh> touchable(const Expected<TriangleMesh>& mesh) {
-    REQUIRE(mesh);
-    auto made = CollisionMesh::create(*mesh);
-    REQUIRE(made);
-    return *made;
-}
-
-class Random {
-  public:
-    explicit Random(unsigned seed) : engine_(seed) {}
-    double uniform() { return uniform_(engine_); }
-    Vector3 vector() { return {normal_(engine_), normal_(engine_), normal_(engine_)}; }
-    Quaternion turn(double angle) {
-        return Quaternion(Eigen::AngleAxisd(angle * uniform(), vector().normalized()));
-    }
-    std::uint64_t integer() { return engine_(); }
-
-  private:
-    std::mt19937_64 engine_;
-    std::uniform_real_distribution<double> uniform_{-1.0, 1.0};
-    std::normal_distribution<double> normal_;
-};
 
 // A star-shaped body: a point is outside when nothing lies between it and far away, straight from the centre.
 bool is_outside(const CollisionMesh& mesh, const Vector3& p_B) {

@@ -2,6 +2,9 @@
 #include "haptics/point/god_object.h"
 
 #include "haptics/geometry/shape.h"
+#include "tests/support/nearest_point.h"
+#include "tests/support/touchable.h"
+#include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
@@ -13,72 +16,16 @@ namespace fulcrum {
 namespace {
 
 constexpr double kDepth = 0.02;  // of the radius: how deep the hand presses
-constexpr double kStep = 0.004;  // radii a step: 4 radii a second at 1 kHz
 constexpr double kNearest =
     2.0e-5;  // the claim: the proxy's distance from the nearest point, in radii
 constexpr double kBumpHeight = 0.03;
 constexpr double kBumps = 20.0;
-
-std::shared_ptr<const CollisionMesh> touchable(const Expected<TriangleMesh>& mesh) {
-    REQUIRE(mesh);
-    auto made = CollisionMesh::create(*mesh);
-    REQUIRE(made);
-    return *made;
-}
 
 double bumpy_radius(const Vector3& u) {
     return 1.0 +
            kBumpHeight *
                (std::sin(kBumps * u.x()) + std::sin(kBumps * u.y()) + std::sin(kBumps * u.z())) /
                3.0;
-}
-
-// A direction that wanders over the unit sphere, one step of kStep at a time.
-class Wanderer {
-  public:
-    explicit Wanderer(unsigned seed) : random_(seed) {}
-    const Vector3& next() {
-        axis_ += 0.02 * Vector3(normal_(random_), normal_(random_), normal_(random_));
-        axis_ = (axis_ - axis_.dot(at_) * at_).normalized();
-        at_ = (Eigen::AngleAxisd(kStep, axis_) * at_).normalized();
-        return at_;
-    }
-
-  private:
-    std::mt19937_64 random_;
-    std::normal_distribution<double> normal_;
-    Vector3 at_{Vector3::UnitX()};
-    Vector3 axis_{Vector3::UnitY()};
-};
-
-Vector3 find_nearest_on_triangle(const Vector3& p, const Vector3& a, const Vector3& b,
-                                 const Vector3& c) {
-    const Vector3 normal = (b - a).cross(c - a);
-    const auto beside = [&](const Vector3& u, const Vector3& v) {
-        return normal.dot((v - u).cross(p - u)) < 0.0;
-    };
-    const auto on_edge = [&p](const Vector3& u, const Vector3& v) -> Vector3 {
-        return u + std::clamp((p - u).dot(v - u) / (v - u).squaredNorm(), 0.0, 1.0) * (v - u);
-    };
-    if (!beside(a, b) && !beside(b, c) && !beside(c, a)) {
-        return p - normal * (normal.dot(p - a) / normal.squaredNorm());
-    }
-    Vector3 nearest = on_edge(a, b);
-    for (const Vector3& other : {on_edge(b, c), on_edge(c, a)}) {
-        nearest = (other - p).norm() < (nearest - p).norm() ? other : nearest;
-    }
-    return nearest;
-}
-
-Vector3 find_nearest_on_mesh(const CollisionMesh& mesh, const Vector3& p) {
-    Vector3 nearest = mesh.vertex_B(0);
-    for (std::int32_t i = 0; i < mesh.n_triangles(); ++i) {
-        const TriangleCorners& t = mesh.corners(i);
-        const Vector3 here = find_nearest_on_triangle(p, mesh.vertex_B(t[0]), mesh.vertex_B(t[1]),
-                                                      mesh.vertex_B(t[2]));
-        nearest = (here - p).norm() < (nearest - p).norm() ? here : nearest;
-    }
-    return nearest;
 }
 
 // Is there a free direction in which the proxy would come nearer to the hand? Then something holds it that is not there.

@@ -32,7 +32,7 @@ Finding press_from_inside(const Vector3& pressed_W, double circle_m) {
                                                         std::cos(0.7 * turn)));
         const Vector3 place_W = hand_W.cwiseMax(-kHalf_m).cwiseMin(kHalf_m);
         const Vector3 proxy_W = proxy.step(hand_W, {}).position_W;
-        worst_m = std::max(worst_m, (proxy_W - place_W).norm());
+        worst_m = worse(worst_m, (proxy_W - place_W).norm());
     }
     return {worst_m, 1.0e-9, "at any of 4000 steps"};
 }

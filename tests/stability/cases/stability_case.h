@@ -6,6 +6,7 @@
 //                           press_corner}};
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -19,6 +20,11 @@ struct Finding {
     std::string note;  ///< a few words for the table, such as where the worst was; may be empty
     [[nodiscard]] bool holds() const { return worst <= limit; }
 };
+
+/// The larger of two; NaN is worse than anything, and stays.
+[[nodiscard]] inline double worse(double a, double b) {
+    return std::isnan(a) || a > b ? a : b;
+}
 
 struct CaseDescription {
     std::string name;      ///< unique: "corner of three planes"

@@ -1,6 +1,7 @@
 // Several solids, solids that move, and bad input.
 #include "haptics/geometry/shape.h"
 #include "haptics/point/god_object.h"
+#include "tests/support/touchable.h"
 
 #include <catch2/catch.hpp>
 
@@ -13,13 +14,6 @@ namespace {
 
 constexpr double kExact = 1.0e-9;
 const double kNan = std::numeric_limits<double>::quiet_NaN();
-
-std::shared_ptr<const CollisionMesh> touchable(const Expected<TriangleMesh>& mesh) {
-    REQUIRE(mesh);
-    auto made = CollisionMesh::create(*mesh);
-    REQUIRE(made);
-    return *made;
-}
 
 Pose at(const Vector3& position_W) {
     return {position_W, Quaternion::Identity()};

@@ -1,6 +1,8 @@
 #include "haptics/point/god_object.h"
 
 #include "haptics/geometry/shape.h"
+#include "tests/support/hard_meshes.h"
+#include "tests/support/touchable.h"
 
 #include <catch2/catch.hpp>
 
@@ -13,13 +15,6 @@ namespace {
 
 // The claim: positions are those of geometry to this part of the solid's size.
 constexpr double kExact = 1.0e-9;
-
-std::shared_ptr<const CollisionMesh> touchable(const Expected<TriangleMesh>& mesh) {
-    REQUIRE(mesh);
-    auto made = CollisionMesh::create(*mesh);
-    REQUIRE(made);
-    return *made;
-}
 
 // One proxy on one solid of the given size, moved along straight lines.
 class Hand {
@@ -97,26 +92,6 @@ TEST_CASE("god object: a turned and moved box gives the turned and moved positio
     const ProxyContact& contact = hand.go_to(pose * Vector3(0.7, 1.2, 1.9));
     CHECK((contact.position_W - pose * Vector3(0.5, 1.0, 1.5)).norm() <= kExact);
     CHECK(contact.n_constraints == 3);
-}
-
-// A trench along z of two slopes, `angle` each from the horizontal, each slope n strips long.
-Expected<TriangleMesh> make_trench(double angle, int n) {
-    std::vector<Vector3> vertices;
-    std::vector<TriangleCorners> triangles;
-    for (std::int32_t i = 0; i <= n; ++i) {
-        const double z = 2.0 * i / n - 1.0;
-        vertices.emplace_back(-std::cos(angle), std::sin(angle), z);
-        vertices.emplace_back(0.0, 0.0, z);
-        vertices.emplace_back(std::cos(angle), std::sin(angle), z);
-        if (i > 0) {
-            const std::int32_t last = 3 * i;
-            triangles.insert(triangles.end(), {{last - 3, last, last + 1},
-                                               {last - 3, last + 1, last - 2},
-                                               {last - 2, last + 1, last + 2},
-                                               {last - 2, last + 2, last - 1}});
-        }
-    }
-    return TriangleMesh::build(vertices, triangles);
 }
 
 TEST_CASE(

@@ -1,0 +1,134 @@
+// Scenes from a tenth of a millimetre to ten kilometres in size, and scenes ten kilometres from the origin.
+#include "haptics/geometry/shape.h"
+#include "haptics/point/god_object.h"
+#include "tests/stability/cases/stability_case.h"
+#include "tests/support/touchable.h"
+#include "tests/support/wander.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace fulcrum::stability {
+namespace {
+
+constexpr int kSteps = 10000;
+constexpr double kFar_m = 1.0e4;
+const Vector3 kAway_W(kFar_m, -0.7 * kFar_m, 0.4 * kFar_m);
+
+Expected<TriangleMesh> resized(const TriangleMesh& mesh, double scale, const Vector3& moved_B) {
+    std::vector<Vector3> vertices = mesh.vertices_B();
+    for (Vector3& vertex : vertices) {
+        vertex = scale * vertex + moved_B;
+    }
+    return TriangleMesh::build(std::move(vertices), mesh.triangles(), {.weld_relative = 0.0});
+}
+
+// One hand over a ball of radius 1, pressed up to 13 % deep, from outside or inside, in free space now and then.
+class Course {
+  public:
+    explicit Course(double side) : side_(side), wanderer_(61) {}
+    Vector3 next() {
+        const double depth = 0.06 + 0.07 * std::sin(0.01 * ++i_);
+        return wanderer_.next() * (1.0 - side_ * depth);
+    }
+    [[nodiscard]] Vector3 start() const { return Vector3::UnitX() * (1.0 + 0.3 * side_); }
+
+  private:
+    double side_;
+    Wanderer wanderer_;
+    int i_ = 0;
+};
+
+// Bumpy for a hand outside, convex for one inside: there a hand deep behind bumps would have more than one nearest
+// place, and which of them the proxy takes turns on any rounding.
+Expected<TriangleMesh> make_ball(double side) {
+    return make_bumpy_sphere(1.0, 20, side > 0.0 ? 0.03 : 0.0, 20.0);
+}
+
+// A proxy on a ball of another size somewhere else; places go in and come out as if it were the ball of radius 1.
+struct Elsewhere {
+    GodObject proxy;
+    double scale;
+    Vector3 moved_W;
+    Vector3 step(const Vector3& hand) {
+        return (proxy.step(scale * hand + moved_W, {}).position_W - moved_W) / scale;
+    }
+};
+
+// The largest distance between the two proxies, in radii.
+double compare(GodObject here, Elsewhere there, double side) {
+    Course course(side);
+    here.reset(course.start());
+    there.proxy.reset(there.scale * course.start() + there.moved_W);
+    double worst = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+        const Vector3 hand = course.next();
+        // Both get the same hand: what rounding far from the origin leaves of it.
+        const Vector3 rounded =
+            ((there.scale * hand + there.moved_W) - there.moved_W) / there.scale;
+        worst = worse(worst, (there.step(hand) - here.step(rounded, {}).position_W).norm());
+    }
+    return worst;
+}
+
+Finding scale_scene() {
+    double worst = 0.0;
+    double worst_scale = 1.0;
+    for (const double side : {1.0, -1.0}) {
+        const auto ball = make_ball(side);
+        for (const double scale : {1e-4, 1e-3, 1e-2, 0.1, 10.0, 100.0, 1e3, 1e4}) {
+            const auto other = touchable(resized(*ball, scale, Vector3::Zero()));
+            const double here =
+                compare(GodObject(only_solid(touchable(ball))),
+                        {GodObject(only_solid(other)), scale, Vector3::Zero()}, side);
+            worst_scale = here > worst ? scale : worst_scale;
+            worst = worse(worst, here);
+        }
+    }
+    char note[64];
+    std::snprintf(note, sizeof note, "at a scale of %g", worst_scale);
+    // Roundings of 2e-16, divided by the angle between neighbours of some 1e-2 and less: no length may be absolute.
+    return {worst, 1.0e-12, note};
+}
+
+// Doubles resolve 1.8e-12 m at 10 km. The proxy is held 64 roundings of its own and the body's coordinates above each
+// face: 64 x 2.2e-16 x 2e4 m = 2.8e-10 m, over three faces at right angles 1.7 times that. Twice that is the limit.
+constexpr double kFarLimit_m = 1.0e-9;
+constexpr const char* kFarNote = "doubles resolve 1.8e-12 m there";
+
+Finding move_body_away() {
+    double worst_m = 0.0;
+    for (const double side : {1.0, -1.0}) {
+        const auto ball = touchable(make_ball(side));
+        const Pose away_W = Pose::at(kAway_W);
+        worst_m =
+            worse(worst_m, compare(GodObject(only_solid(ball)),
+                                   {GodObject(only_solid(ball, away_W)), 1.0, kAway_W}, side));
+    }
+    return {worst_m, kFarLimit_m, kFarNote};
+}
+
+// The vertices themselves lie far from the body's origin; the same vertices, moved back without rounding, are compared.
+Finding move_vertices_away() {
+    double worst_m = 0.0;
+    for (const double side : {1.0, -1.0}) {
+        const auto far = resized(*make_ball(side), 1.0, kAway_W);
+        const auto near = touchable(resized(*far, 1.0, -kAway_W));
+        worst_m =
+            worse(worst_m, compare(GodObject(only_solid(near)),
+                                   {GodObject(only_solid(touchable(far))), 1.0, kAway_W}, side));
+    }
+    return {worst_m, kFarLimit_m, kFarNote};
+}
+
+const HardCase kScaled{{"scenes scaled by 1e-4 to 1e4",
+                        "a hand over a bumpy ball and inside a smooth one",
+                        "distance between the proxies, of the size", "", scale_scene}};
+const HardCase kMoved{{"a scene 10 km away", "a hand over a bumpy ball and inside a smooth one",
+                       "distance from the proxy of the scene at the origin", "m", move_body_away}};
+const HardCase kMovedVertices{
+    {"a mesh with its origin 10 km away", "a hand over a bumpy ball and inside a smooth one",
+     "distance from the proxy of the mesh at the origin", "m", move_vertices_away}};
+
+}  // namespace
+}  // namespace fulcrum::stability

@@ -1,0 +1,27 @@
+// Meshes that are hard to touch: grooves, prisms of slivers, surfaces that fall apart into triangles or at a seam.
+#pragma once
+
+#include "haptics/geometry/triangle_mesh.h"
+
+#include <vector>
+
+namespace fulcrum {
+
+/// A groove along z, its bottom on the z axis, from z = -1 to 1: two walls of one metre that rise by `slope` radians
+/// from the horizontal, each of n strips. Its opening angle is pi - 2 slope.
+[[nodiscard]] Expected<TriangleMesh> make_trench(double slope, int n);
+
+/// A convex polygon round the origin, corners counter-clockwise, drawn out along z to `length_m`; closed, nothing welded.
+[[nodiscard]] Expected<TriangleMesh> make_prism(const std::vector<Eigen::Vector2d>& corners,
+                                                double length_m);
+
+/// The same surface, with corners of each triangle's own, every triangle twice and every third copy turned over, and for each
+/// a triangle without area between two of its corners. Built with the given weld.
+[[nodiscard]] Expected<TriangleMesh> make_messy(const TriangleMesh& mesh, double weld_relative);
+
+/// The same surface in two halves, cut where triangles of the upper half y > 0 end; along the seam the lower half's corners are
+/// moved by up to `crack_m`. Built with the given weld.
+[[nodiscard]] Expected<TriangleMesh> make_cracked(const TriangleMesh& mesh, double crack_m,
+                                                  unsigned seed, double weld_relative);
+
+}  // namespace fulcrum
