@@ -17,8 +17,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kSphereFrequency = 24;  // 11 520 triangles: flat to 0.2 % of the radius
-
 // The models that the program has, and the one that a misspelt name most likely means.
 std::string nearest_model(const Places& places, const std::string& model) {
     std::vector<std::string> known;
@@ -86,7 +84,7 @@ Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
 Expected<TriangleMesh> load_solid_mesh(const Places& places, const fs::path& lesson_folder,
                                        const BodyDescription& body) {
     if (body.model == kSphereModel) {
-        return make_sphere(body.radius_m, kSphereFrequency);
+        return make_sphere(body.radius_m, kSphereModelFrequency);
     }
     if (body.model == kBoxModel) {
         return make_box(Vector3::Constant(2.0 * body.radius_m));

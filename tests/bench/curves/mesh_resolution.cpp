@@ -1,0 +1,263 @@
+// How finely a surface must be divided: the god-object's force on a meshed ball and ring against that of the true surface.
+//
+//   true force   k d n: stiffness times depth along the normal of the true surface
+//   theory       for a ball of n facets like equilateral triangles, whose corners lie alpha^2 = 16 pi / (3 sqrt(3) n) off the
+//                facet's normal: at an angle theta from it the force errs by k R (theta^2 - alpha^2) / 2 and by theta in
+//                direction. Over the facet the mean of theta^2 is alpha^2 / 4, that of theta^4 alpha^4 / 10, so the root
+//                mean square is sqrt(3/5) k R alpha^2 / 2 and alpha / 2: orders 2 and 1 in the edges' length.
+#include "haptics/coupling/coupling_settings.h"
+#include "haptics/geometry/shape.h"
+#include "haptics/point/god_object.h"
+#include "runtime/scene/shape_models.h"
+#include "tests/bench/harness/measure.h"
+#include "tests/bench/harness/registry.h"
+#include "tests/support/touchable.h"
+#include "tests/support/wander.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace fulcrum::bench {
+namespace {
+
+constexpr double kRadius_m = 0.1;  // of the ball and of the ring's tube
+constexpr double kRing_m = 0.2;    // of the middle of the tube
+constexpr double kDepth_m = 0.02 * kRadius_m;
+constexpr double kStiffness_N_per_m = CouplingSettings{}.stiffness_N_per_m;
+constexpr double kForce_N = kStiffness_N_per_m * kDepth_m;
+constexpr int kWarmUp = 300;
+
+// A hand below the true surface, and that surface's normal there.
+struct Pressed {
+    Vector3 hand_W;
+    Vector3 normal_W;
+};
+using Course = std::vector<Pressed>;
+
+Course wander_on_ball(int n_steps) {
+    Course course;
+    Wanderer wanderer(81);
+    for (int i = 0; i < n_steps; ++i) {
+        const Vector3& u = wanderer.next();
+        course.push_back({(kRadius_m - kDepth_m) * u, u});
+    }
+    return course;
+}
+
+// The same speed over the tube; the course bends by chance.
+Course wander_on_ring(int n_steps) {
+    Course course;
+    Random random(82);
+    double round = 0.0;  // about the ring's axis
+    double tilt = 0.0;   // about the tube's middle
+    double heading = 0.4;
+    for (int i = 0; i < n_steps; ++i) {
+        heading += 0.02 * random.uniform();
+        tilt += Wanderer::kStep * std::cos(heading);
+        round += Wanderer::kStep * kRadius_m * std::sin(heading) /
+                 (kRing_m + kRadius_m * std::cos(tilt));
+        const Vector3 outwards(std::sin(round), 0.0, std::cos(round));
+        const Vector3 normal = std::cos(tilt) * outwards + std::sin(tilt) * Vector3::UnitY();
+        course.push_back({kRing_m * outwards + (kRadius_m - kDepth_m) * normal, normal});
+    }
+    return course;
+}
+
+// Root mean square and largest of what was added.
+class Spread {
+  public:
+    void add(double error) {
+        sum_ += error * error;
+        worst_ = std::max(worst_, std::abs(error));
+        ++count_;
+    }
+    [[nodiscard]] double rms() const { return count_ > 0 ? std::sqrt(sum_ / count_) : kNone; }
+    [[nodiscard]] double worst() const { return count_ > 0 ? worst_ : kNone; }
+    [[nodiscard]] int count() const { return count_; }
+
+  private:
+    double sum_ = 0.0;
+    double worst_ = 0.0;
+    int count_ = 0;
+};
+
+struct Errors {
+    Spread force_N;        // of its magnitude
+    Spread vector_N;       // of the whole vector
+    Spread direction_deg;  // where there is a force
+};
+
+void press(GodObject& proxy, const Pressed& pressed) {
+    proxy.reset(pressed.hand_W + 10.0 * kDepth_m * pressed.normal_W);
+    proxy.step(pressed.hand_W, {});
+}
+
+Errors find_errors(GodObject& proxy, const Course& course) {
+    Errors errors;
+    press(proxy, course.front());
+    for (const Pressed& pressed : course) {
+        const ProxyContact& contact = proxy.step(pressed.hand_W, {});
+        const Vector3 force_N = kStiffness_N_per_m * (contact.position_W - pressed.hand_W);
+        errors.force_N.add(force_N.norm() - kForce_N);
+        errors.vector_N.add((force_N - kForce_N * pressed.normal_W).norm());
+        if (contact.solid != kNoBody) {
+            const double angle = std::atan2(contact.normal_W.cross(pressed.normal_W).norm(),
+                                            contact.normal_W.dot(pressed.normal_W));
+            errors.direction_deg.add(angle * 180.0 / std::numbers::pi);
+        }
+    }
+    return errors;
+}
+
+CostPoint measure(const std::string& series, const Expected<TriangleMesh>& mesh,
+                  const Course& course) {
+    const auto solid = touchable(mesh);
+    GodObject proxy(only_solid(solid));
+    const Errors errors = find_errors(proxy, course);
+    press(proxy, course.front());
+    std::size_t next = 0;
+    const Cost cost = measure_cost(
+        [&] { keep(proxy.step(course[next++].hand_W, {})); },
+        {.samples = static_cast<int>(course.size()) - kWarmUp, .batch = 1, .warm_up = kWarmUp},
+        solid->memory_bytes());
+    const double n_steps = static_cast<double>(course.size());
+    return {series,
+            static_cast<double>(solid->n_triangles()),
+            errors.force_N.rms(),
+            cost,
+            {errors.force_N.worst(), errors.vector_N.rms(), errors.direction_deg.rms(),
+             errors.direction_deg.worst(), 100.0 * (1.0 - errors.direction_deg.count() / n_steps),
+             kNone, kNone}};
+}
+
+constexpr std::size_t kDirectionColumn = 2;
+constexpr std::size_t kOrderColumn = 5;  // of the force, then of the direction
+
+// Order in the edges' length, which is as 1 / sqrt(triangles), from one resolution to the next of the same series.
+void add_orders(std::vector<CostPoint>& points) {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const CostPoint& coarse = points[i - 1];
+        CostPoint& fine = points[i];
+        if (coarse.series == fine.series) {
+            const double finer = 0.5 * std::log(fine.knob / coarse.knob);
+            fine.extras[kOrderColumn] = std::log(coarse.error / fine.error) / finer;
+            fine.extras[kOrderColumn + 1] =
+                std::log(coarse.extras[kDirectionColumn] / fine.extras[kDirectionColumn]) / finer;
+        }
+    }
+}
+
+CostCurve measure_curve(Run& run) {
+    CostCurve curve;
+    curve.name = "mesh-resolution";
+    curve.title = "Mesh resolution against the force of the true surface";
+    curve.work =
+        "A hand slides over a ball of 0.1 m and a ring whose tube is as thick, 2 mm (2 %) deep at "
+        "4 radii a second, 1 kHz; the god-object touches the mesh, the coupling's default 500 N/m "
+        "makes 1 N of it.";
+    curve.reference =
+        "analytic: stiffness times depth along the normal of the true surface; the error is that "
+        "of "
+        "the force's magnitude, root mean square over all steps";
+    curve.advice =
+        "Take the coarsest mesh whose direction error can't be felt: four times the triangles "
+        "quarter the error in newtons but only halve that in degrees, and each factor of ten costs "
+        "ten times the memory and little time.";
+    curve.knob = {"triangles", "", true};
+    curve.error = {"force error", "N", true};
+    curve.extras = {{"largest force error", "N", true},
+                    {"error of the force vector", "N", true},
+                    {"direction error", "degrees", true},
+                    {"largest direction error", "degrees", true},
+                    {"steps without touch", "%", false},
+                    {"order of the force error, in theory 2", "", false},
+                    {"order of the direction error, in theory 1", "", false}};
+    curve.default_series = "ball";
+    curve.default_knob = 20.0 * runtime::kSphereModelFrequency * runtime::kSphereModelFrequency;
+
+    const int n_steps = run.pick(20000, 4000);
+    const Course on_ball = wander_on_ball(n_steps);
+    const Course on_ring = wander_on_ring(n_steps);
+    const std::vector<int> frequencies =
+        run.pick<std::vector<int>>({2, 4, 7, 12, runtime::kSphereModelFrequency, 40, 71, 126, 224},
+                                   {2, 7, runtime::kSphereModelFrequency, 71});
+    for (std::size_t i = 0; i < frequencies.size(); ++i) {
+        run.progress(0.5 * static_cast<double>(i) / static_cast<double>(frequencies.size()),
+                     "ball");
+        curve.points.push_back(measure("ball", make_sphere(kRadius_m, frequencies[i]), on_ball));
+    }
+    const std::vector<int> rounds =
+        run.pick<std::vector<int>>({5, 9, 16, 28, 54, 89, 158, 282, 500}, {5, 16, 54, 158});
+    for (std::size_t i = 0; i < rounds.size(); ++i) {
+        run.progress(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(rounds.size()),
+                     "ring");
+        curve.points.push_back(
+            measure("ring", make_torus(kRing_m, kRadius_m, 2 * rounds[i], rounds[i]), on_ring));
+    }
+    add_orders(curve.points);
+    return curve;
+}
+
+// One quantity of the curve's points against the number of triangles, with what theory says for the ball.
+LineChart draw_against_triangles(const CostCurve& curve,
+                                 const std::function<double(const CostPoint&)>& quantity,
+                                 const std::function<double(double)>& theory) {
+    LineChart chart;
+    chart.work = curve.work;
+    chart.x = curve.knob;
+    for (const std::string series : {"ball", "ring"}) {
+        Line line{series, LineStyle::measured, {}, {}};
+        for (const CostPoint& point : curve.points) {
+            if (point.series == series) {
+                line.x.push_back(point.knob);
+                line.y.push_back(quantity(point));
+            }
+        }
+        chart.lines.push_back(std::move(line));
+    }
+    Line law{"theory for the ball", LineStyle::theory, chart.lines.front().x, {}};
+    std::ranges::transform(law.x, std::back_inserter(law.y), theory);
+    chart.lines.push_back(std::move(law));
+    return chart;
+}
+
+double corner_angle_squared(double n_triangles) {
+    return 16.0 * std::numbers::pi / (3.0 * std::sqrt(3.0) * n_triangles);
+}
+
+Report run_mesh_resolution(Run& run) {
+    CostCurve curve = measure_curve(run);
+    LineChart force = draw_against_triangles(
+        curve, [](const CostPoint& p) { return p.error; },
+        [](double n) {
+            return std::sqrt(0.6) * 0.5 * kStiffness_N_per_m * kRadius_m * corner_angle_squared(n);
+        });
+    force.name = "mesh-resolution-force";
+    force.title = "Force error against the number of triangles";
+    force.reference = "theory: as 1 / triangles, the square of the edges' length";
+    force.advice =
+        "Once the facets lie less deep in the true surface than the hand, ten times the triangles "
+        "give a tenth of the error.";
+    force.y = curve.error;
+    LineChart direction = draw_against_triangles(
+        curve, [](const CostPoint& p) { return p.extras[kDirectionColumn]; },
+        [](double n) {
+            return 0.5 * std::sqrt(corner_angle_squared(n)) * 180.0 / std::numbers::pi;
+        });
+    direction.name = "mesh-resolution-direction";
+    direction.title = "Direction error against the number of triangles";
+    direction.reference = "theory: as 1 / sqrt(triangles), the edges' length";
+    direction.advice =
+        "Facets are felt by the direction of the force first: halving its error takes four times "
+        "the triangles.";
+    direction.y = curve.extras[kDirectionColumn];
+    return {std::move(curve), std::move(force), std::move(direction)};
+}
+
+const Registration kMeshResolution{
+    {"mesh-resolution", "how finely a surface must be divided", run_mesh_resolution}};
+
+}  // namespace
+}  // namespace fulcrum::bench
