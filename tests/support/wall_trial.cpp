@@ -1,6 +1,7 @@
 #include "tests/support/wall_trial.h"
 
 #include "haptics/coupling/virtual_coupling.h"
+#include "tests/support/linear_wall.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +90,28 @@ bool is_stable(const WallCourse& course, double position_resolution_m) {
 
 bool is_stable(const WallTrial& trial) {
     return is_stable(run_wall_trial(trial), trial.arm.position_resolution_m);
+}
+
+double find_largest_stiffness(WallTrial trial, double tolerance) {
+    const double found = find_largest(
+        [&](double stiffness) {
+            trial.stiffness_N_per_m = stiffness;
+            return is_stable(trial);
+        },
+        kSoftest_N_per_m, kStiffest_N_per_m, tolerance);
+    return found < kSoftest_N_per_m ? 0.0 : found;
+}
+
+double find_largest_damping(WallTrial trial, double tolerance) {
+    constexpr double kLeast_Ns_per_m = 0.1;
+    constexpr double kMost_Ns_per_m = 1000.0;
+    const double found = find_largest(
+        [&](double damping) {
+            trial.damping_Ns_per_m = damping;
+            return is_stable(trial);
+        },
+        kLeast_Ns_per_m, kMost_Ns_per_m, tolerance);
+    return found < kLeast_Ns_per_m ? 0.0 : found;
 }
 
 }  // namespace fulcrum::z_width

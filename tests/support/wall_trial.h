@@ -46,4 +46,12 @@ struct WallCourse {
 /// Runs and judges.
 [[nodiscard]] bool is_stable(const WallTrial& trial);
 
+inline constexpr double kSoftest_N_per_m = 10.0;
+inline constexpr double kStiffest_N_per_m = 1.0e6;
+/// The stiffness up to which every wall tried is stable, from kSoftest_N_per_m on by steps of a tenth, then to a relative
+/// `tolerance`; 0 when the softest is not.
+[[nodiscard]] double find_largest_stiffness(WallTrial trial, double tolerance = 0.02);
+/// Likewise the damping at the trial's stiffness, from 0.1 to 1000 Ns/m; 0 when 0.1 is not stable.
+[[nodiscard]] double find_largest_damping(WallTrial trial, double tolerance = 0.02);
+
 }  // namespace fulcrum::z_width

@@ -1,0 +1,144 @@
+// The stiffness of the virtual coupling: how far what is felt falls short of a rigid wall, and how far from shaking it is.
+#include "tests/bench/harness/csv.h"
+#include "tests/bench/harness/registry.h"
+#include "tests/support/wall_trial.h"
+
+#include <utility>
+#include <vector>
+
+namespace fulcrum::bench {
+namespace {
+
+using namespace z_width;
+
+constexpr double kPress_m = 0.004;
+
+std::vector<double> choose_stiffnesses(const Run& run) {
+    return run.quick()
+               ? std::vector<double>{100.0, 500.0, 2000.0, 8000.0}
+               : std::vector<double>{50.0,   100.0,  200.0,  300.0,  500.0,  700.0, 1000.0, 1400.0,
+                                     2000.0, 3000.0, 4000.0, 5000.0, 7000.0, 1.0e4, 1.4e4,  2.0e4};
+}
+
+WallTrial make_trial(const Run& run, const HumanImpedance& human, double stiffness) {
+    WallTrial trial;
+    trial.arm = make_desktop_arm();
+    trial.arm.human = human;
+    trial.arm.dry_friction_N = 0.0;  // it would hide depth and vibration alike
+    trial.arm.max_force_N = 10.0;
+    trial.start_m = 0.01;
+    trial.stiffness_N_per_m = stiffness;
+    trial.damping_Ns_per_m = CouplingSettings{}.damping_Ns_per_m;
+    trial.press_m = kPress_m;
+    trial.seconds = run.pick(4.0, 1.0);
+    return trial;
+}
+
+// How much softer the hand finds the wall than a rigid one, which would keep it at the surface and give it k_h times the
+// way that it presses: the depth that is left is the same share of that way as the missing force is of that force.
+double measure_error_percent(const WallTrial& trial) {
+    const WallCourse course = run_wall_trial(trial);
+    if (!is_stable(course, trial.arm.position_resolution_m)) {
+        return kNone;
+    }
+    return 100.0 * course.depth_m / trial.press_m;
+}
+
+const std::vector<std::pair<std::string, HumanImpedance>>& hands() {
+    static const std::vector<std::pair<std::string, HumanImpedance>> list{
+        {"fingertip", kFingertip}, {"arm", kArm}, {"hand that keeps its posture", kPosture}};
+    return list;
+}
+
+LineChart run_error(const Run& run) {
+    LineChart chart;
+    chart.name = "coupling-stiffness-error";
+    chart.title = "Stiffness of the coupling: what is missing from a rigid wall";
+    chart.work =
+        "A hand presses 4 mm into a rigid wall through the coupling, on a simulated desktop arm at "
+        "1 "
+        "kHz, with the program's damping; the error is the depth that is left, in per cent of the "
+        "way "
+        "pressed. A gap: the hand shook.";
+    chart.reference = "k_h / (k_h + K): hand and coupling as two springs";
+    chart.advice =
+        "Double the stiffness only while the other chart allows it: past ten times the hand's own "
+        "stiffness each doubling takes away less than five per cent.";
+    chart.x = {"stiffness of the coupling", "N/m", true};
+    chart.y = {"depth left, of the way pressed", "%", true};
+    for (const auto& [name, human] : hands()) {
+        Line measured{name, LineStyle::measured, choose_stiffnesses(run), {}};
+        Line theory{"two springs, " + name, LineStyle::theory, measured.x, {}};
+        for (const double stiffness : measured.x) {
+            measured.y.push_back(measure_error_percent(make_trial(run, human, stiffness)));
+            theory.y.push_back(100.0 * human.stiffness_N_per_m /
+                               (human.stiffness_N_per_m + stiffness));
+        }
+        chart.lines.push_back(measured);
+        chart.lines.push_back(theory);
+    }
+    const double standard = CouplingSettings{}.stiffness_N_per_m;
+    chart.lines.push_back({"the program's coupling, fingertip",
+                           LineStyle::dots,
+                           {standard},
+                           {measure_error_percent(make_trial(run, kFingertip, standard))}});
+    return chart;
+}
+
+LineChart run_margin(const Run& run) {
+    LineChart chart;
+    chart.name = "coupling-stiffness-margin";
+    chart.title = "Stiffness of the coupling: how far from shaking";
+    chart.work =
+        "For the same hands the largest stable stiffness, divided by the coupling's: below 1 the "
+        "hand "
+        "shakes. At 1 and 4 kHz, with the program's damping.";
+    chart.reference =
+        "dashed: passive whoever holds the arm, 2 b / T, with the arm's own viscous friction of "
+        "0.5 "
+        "Ns/m and no damping in the wall";
+    chart.advice =
+        "Keep a margin of two for the hand that nobody tried; a faster loop buys stiffness.";
+    chart.x = {"stiffness of the coupling", "N/m", true};
+    chart.y = {"largest stable stiffness over the coupling's", "", true};
+    const auto add = [&](const std::string& name, LineStyle style, double largest) {
+        Line line{name, style, choose_stiffnesses(run), {}};
+        for (const double stiffness : line.x) {
+            line.y.push_back(largest / stiffness);
+        }
+        chart.lines.push_back(line);
+    };
+    double standard_largest = 0.0;
+    for (const double rate_Hz : {1000.0, 4000.0}) {
+        for (const auto& [name, human] : hands()) {
+            WallTrial trial = make_trial(run, human, 0.0);
+            trial.rate_Hz = rate_Hz;
+            const double largest = find_largest_stiffness(trial, run.pick(0.02, 0.1));
+            add(name + ", " + to_text(0.001 * rate_Hz) + " kHz", LineStyle::measured, largest);
+            standard_largest = standard_largest == 0.0 ? largest : standard_largest;
+        }
+        add("passive, " + to_text(0.001 * rate_Hz) + " kHz", LineStyle::theory,
+            2.0 * make_desktop_arm().damping_Ns_per_m * rate_Hz);
+    }
+    const double standard = CouplingSettings{}.stiffness_N_per_m;
+    chart.lines.push_back({"the program's coupling, fingertip, 1 kHz",
+                           LineStyle::dots,
+                           {standard},
+                           {standard_largest / standard}});
+    return chart;
+}
+
+Report run_coupling_stiffness(Run& run) {
+    Report report;
+    report.emplace_back(run_error(run));
+    run.progress(0.3, "margins");
+    report.emplace_back(run_margin(run));
+    return report;
+}
+
+const Registration kCouplingStiffness{
+    {"coupling_stiffness", "stiffness of the virtual coupling against error and stability",
+     run_coupling_stiffness}};
+
+}  // namespace
+}  // namespace fulcrum::bench

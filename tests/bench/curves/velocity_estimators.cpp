@@ -1,0 +1,171 @@
+// Velocity estimators over an encoder: noise, lag, what a swing costs, and the damping that a wall may then have.
+#include "haptics/coupling/velocity_estimator.h"
+#include "tests/bench/harness/measure.h"
+#include "tests/bench/harness/registry.h"
+#include "tests/support/wall_trial.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace fulcrum::bench {
+namespace {
+
+constexpr double kStep_m = 5.5e-5;
+constexpr double kRate_Hz = 1000.0;
+
+double count_steps(double position_m) {
+    return std::round(position_m / kStep_m) * kStep_m;
+}
+
+// Root mean square error in mm/s over 20 s of a hand that swings.
+double measure_swing_error(const VelocitySettings& settings, double amplitude_m,
+                           double frequency_Hz) {
+    VelocityEstimator estimator(settings);
+    const double w = 2.0 * std::numbers::pi * frequency_Hz;
+    double sum = 0.0;
+    int n = 0;
+    for (int k = 0; k < static_cast<int>(20.0 * kRate_Hz); ++k) {
+        const double t_s = k / kRate_Hz;
+        const Vector3 y(count_steps(amplitude_m * std::sin(w * t_s)), 0.0, 0.0);
+        const double error = estimator.step(y, t_s).x() - amplitude_m * w * std::cos(w * t_s);
+        if (t_s > 0.2) {
+            sum += error * error;
+            ++n;
+        }
+    }
+    return 1000.0 * std::sqrt(sum / n);
+}
+
+// How late the estimate is, in ms, while the hand speeds up from rest at 2 m/s^2.
+double measure_lag_ms(const VelocitySettings& settings) {
+    constexpr double kAcceleration = 2.0;
+    VelocityEstimator estimator(settings);
+    double sum_s = 0.0;
+    int n = 0;
+    for (int k = 0; k < 600; ++k) {
+        const double t_s = k / kRate_Hz;
+        const Vector3 y(count_steps(0.5 * kAcceleration * t_s * t_s), 0.0, 0.0);
+        const double v = estimator.step(y, t_s).x();
+        if (k >= 200) {
+            sum_s += t_s - v / kAcceleration;
+            ++n;
+        }
+    }
+    return 1000.0 * sum_s / n;
+}
+
+// The largest B of a wall of the program's stiffness under a fingertip.
+double find_damping(const Run& run, const VelocitySettings& settings) {
+    z_width::WallTrial trial;
+    trial.arm = make_desktop_arm();
+    trial.arm.human = kFingertip;
+    trial.arm.dry_friction_N = 0.0;  // it would swallow the vibration
+    trial.arm.max_force_N = 10.0;
+    trial.start_m = 0.01;
+    trial.velocity = settings;
+    trial.stiffness_N_per_m = CouplingSettings{}.stiffness_N_per_m;
+    trial.press_m = 0.004;
+    trial.seconds = run.pick(4.0, 1.0);
+    return z_width::find_largest_damping(trial, run.pick(0.02, 0.1));
+}
+
+Cost measure_step(const Run& run, const VelocitySettings& settings) {
+    std::vector<Vector3> positions;
+    for (int k = 0; k < 4096; ++k) {
+        const double t_s = k / kRate_Hz;
+        positions.emplace_back(count_steps(0.01 * std::sin(3.0 * t_s)),
+                               count_steps(0.02 * std::cos(2.0 * t_s)), count_steps(0.001 * t_s));
+    }
+    VelocityEstimator estimator(settings);
+    std::size_t k = 0;
+    return measure_cost(
+        [&] {
+            keep(
+                estimator.step(positions[k % positions.size()], static_cast<double>(k) / kRate_Hz));
+            ++k;
+        },
+        {run.pick(4000, 400), 16, 200}, sizeof(VelocityEstimator));
+}
+
+CostPoint measure_point(const Run& run, const char* series, double knob_ms,
+                        const VelocitySettings& settings) {
+    CostPoint point;
+    point.series = series;
+    point.knob = knob_ms;
+    point.error = measure_swing_error(settings, 0.01, 0.5);
+    point.cost = measure_step(run, settings);
+    point.extras = {measure_swing_error(settings, 0.0001, 0.5),
+                    measure_swing_error(settings, 0.05, 2.0), measure_lag_ms(settings),
+                    find_damping(run, settings)};
+    return point;
+}
+
+VelocitySettings make_settings(VelocityMethod method) {
+    VelocitySettings settings;
+    settings.method = method;
+    settings.noise_bound_m = kStep_m;
+    return settings;
+}
+
+std::vector<CostPoint> measure_points(Run& run) {
+    std::vector<CostPoint> points;
+    points.push_back(measure_point(run, "finite difference", 1000.0 / kRate_Hz,
+                                   make_settings(VelocityMethod::finite_difference)));
+    run.progress(0.05, "low pass");
+    for (const double cutoff_Hz : {400.0, 200.0, 120.0, 80.0, 40.0, 20.0, 10.0}) {
+        VelocitySettings settings = make_settings(VelocityMethod::filtered_difference);
+        settings.cutoff_Hz = cutoff_Hz;
+        points.push_back(measure_point(run, "low pass",
+                                       1000.0 / (2.0 * std::numbers::pi * cutoff_Hz), settings));
+    }
+    run.progress(0.4, "adaptive window");
+    for (const double window_ms : {2.0, 3.0, 4.0, 6.0, 8.0}) {
+        VelocitySettings settings = make_settings(VelocityMethod::adaptive_window);
+        settings.longest_window_s = 0.001 * window_ms;
+        points.push_back(measure_point(run, "adaptive window", window_ms, settings));
+    }
+    run.progress(0.7, "Kalman");
+    for (const double lag_ms : {1.0, 2.0, 4.0, 8.0, 16.0}) {
+        VelocitySettings settings = make_settings(VelocityMethod::kalman);
+        settings.acceleration_density =
+            compute_acceleration_density(0.001 * lag_ms, kStep_m, 1.0 / kRate_Hz);
+        points.push_back(measure_point(run, "Kalman", lag_ms, settings));
+    }
+    return points;
+}
+
+Report run_velocity_estimators(Run& run) {
+    CostCurve curve;
+    curve.name = "velocity-estimators";
+    curve.title = "Estimators of velocity over encoder steps of 55 um, 1 kHz";
+    curve.work =
+        "Each estimator follows a hand that swings 1 cm at 0.5 Hz, then less and faster, then "
+        "speeds "
+        "up at 2 m/s^2; last it damps a wall of 500 N/m that a fingertip taps on a simulated "
+        "desktop "
+        "arm without dry friction.";
+    curve.reference = "analytic: the velocity of the swing before the encoder";
+    curve.knob = {"smoothing: period, time constant, longest window, or lag", "ms", true};
+    curve.error = {"error in a slow swing, rms", "mm/s", true};
+    curve.extras = {{"error nearly at rest, rms", "mm/s", true},
+                    {"error in a fast swing (5 cm, 2 Hz), rms", "mm/s", true},
+                    {"lag in speeding up", "ms", true},
+                    {"largest stable damping", "Ns/m", true}};
+    curve.default_series = "adaptive window";
+    curve.default_knob = 1000.0 * kLongestWindow_s;
+    curve.points = measure_points(run);
+    curve.advice =
+        "For hands that rest and hurry in turn take the adaptive window or a Kalman filter of 2 to "
+        "4 "
+        "ms, which errs less in slow swings for less time; where a wall needs much damping, a low "
+        "pass of 1 ms.";
+    return {curve};
+}
+
+const Registration kVelocityEstimators{
+    {"velocity_estimators", "noise, lag and stable damping of the estimators of velocity",
+     run_velocity_estimators}};
+
+}  // namespace
+}  // namespace fulcrum::bench

@@ -1,0 +1,103 @@
+// Update rate against the largest stable wall: by theory for the worst hand, by eigenvalues and in time for given ones.
+#include "tests/bench/harness/csv.h"
+#include "tests/bench/harness/registry.h"
+#include "tests/support/linear_wall.h"
+#include "tests/support/wall_trial.h"
+
+#include <vector>
+
+namespace fulcrum::bench {
+namespace {
+
+using namespace z_width;
+
+constexpr double kDeviceDamping_Ns_per_m = 0.5;
+
+std::vector<double> choose_rates(const Run& run) {
+    return run.quick() ? std::vector<double>{500.0, 1000.0, 4000.0}
+                       : std::vector<double>{250.0,  350.0,  500.0,  700.0,  1000.0,
+                                             1400.0, 2000.0, 2800.0, 4000.0, 8000.0};
+}
+
+// In time, on an arm with an encoder's steps.
+Line trace_rendered(const Run& run, const std::string& name, const HumanImpedance& human,
+                    double dry_friction_N) {
+    Line line{name, LineStyle::measured, choose_rates(run), {}};
+    for (const double rate_Hz : line.x) {
+        WallTrial trial;
+        trial.arm = make_desktop_arm();
+        trial.arm.human = human;
+        trial.arm.damping_Ns_per_m = kDeviceDamping_Ns_per_m;
+        trial.arm.dry_friction_N = dry_friction_N;
+        trial.arm.max_force_N = 10.0;
+        trial.rate_Hz = rate_Hz;
+        trial.start_m = 0.01;
+        trial.press_m = 0.004;
+        trial.seconds = run.pick(4.0, 1.0);
+        const double found = find_largest_stiffness(trial, run.pick(0.02, 0.1));
+        line.y.push_back(found > 0.0 ? found : kNone);
+    }
+    return line;
+}
+
+// By eigenvalues, both ways, without steps and dry friction.
+Line trace_linear(const Run& run, const std::string& name, double mass_kg,
+                  const HumanImpedance& human) {
+    Line line{name, LineStyle::dots, choose_rates(run), {}};
+    for (const double rate_Hz : line.x) {
+        LinearWall wall;
+        wall.period_s = 1.0 / rate_Hz;
+        wall.device_damping_Ns_per_m = kDeviceDamping_Ns_per_m;
+        wall.modes = {{mass_kg + human.mass_kg, human.damping_Ns_per_m, human.stiffness_N_per_m}};
+        line.y.push_back(find_largest(
+            [&](double stiffness) {
+                wall.stiffness_N_per_m = stiffness;
+                return compute_spectral_radius(wall) < 1.0;
+            },
+            kSoftest_N_per_m, kStiffest_N_per_m, 1e-4));
+    }
+    return line;
+}
+
+Report run_wall_rate(Run& run) {
+    constexpr double kHeavy_kg = 30.0;
+    LineChart chart;
+    chart.name = "wall-rate";
+    chart.title = "Update rate and the stiffest stable wall";
+    chart.work =
+        "The largest stiffness of a wall F = K d on an arm of 45 g with 0.5 Ns/m of its own: in "
+        "time, "
+        "tapped from 10 mm away, with steps of 55 um; and by the eigenvalues of one period, "
+        "without "
+        "steps.";
+    chart.reference = "K = 2 b / T, passive whoever holds the arm (Colgate and Schenkel 1997)";
+    chart.advice =
+        "Choose the rate from the stiffness wanted, not from habit: the worst hand allows K = 2 b "
+        "times the rate, a fingertip several times more.";
+    chart.x = {"rate", "Hz", true};
+    chart.y = {"largest stable stiffness", "N/m", true};
+    Line theory{"passive: 2 b / T", LineStyle::theory, choose_rates(run), {}};
+    for (const double rate_Hz : theory.x) {
+        theory.y.push_back(2.0 * kDeviceDamping_Ns_per_m * rate_Hz);
+    }
+    chart.lines.push_back(theory);
+    chart.lines.push_back(
+        trace_linear(run, "30 kg that nobody damps, eigenvalues", kHeavy_kg, kNobody));
+    chart.lines.push_back(trace_linear(run, "fingertip, eigenvalues", 0.045, kFingertip));
+    run.progress(0.1, "in time");
+    chart.lines.push_back(trace_rendered(run, "fingertip", kFingertip, 0.0));
+    run.progress(0.3);
+    chart.lines.push_back(trace_rendered(run, "arm", kArm, 0.0));
+    run.progress(0.5);
+    chart.lines.push_back(trace_rendered(run, "hand that keeps its posture", kPosture, 0.0));
+    run.progress(0.7);
+    chart.lines.push_back(
+        trace_rendered(run, "fingertip, 0.26 N of dry friction", kFingertip, 0.26));
+    return {chart};
+}
+
+const Registration kWallRate{
+    {"wall_rate", "update rate against the stiffest stable wall", run_wall_rate}};
+
+}  // namespace
+}  // namespace fulcrum::bench

@@ -1,0 +1,177 @@
+// The Z-width map: how stiff a wall may be for each damping that it has, against rate, delay, encoder and velocity estimator.
+#include "tests/bench/harness/csv.h"
+#include "tests/bench/harness/registry.h"
+#include "tests/support/linear_wall.h"
+#include "tests/support/wall_trial.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fulcrum::bench {
+namespace {
+
+using namespace z_width;
+
+// A fingertip on a desktop arm comes from 10 mm above the wall and presses 4 mm into it. Without the arm's dry friction,
+// which swallows most vibrations: a chart of its own shows what it does.
+WallTrial make_base(const Run& run) {
+    WallTrial trial;
+    trial.arm = make_desktop_arm();
+    trial.arm.human = kFingertip;
+    trial.arm.max_force_N = 10.0;  // so that the wall, not the motor, sets the boundary
+    trial.arm.dry_friction_N = 0.0;
+    trial.start_m = 0.01;
+    trial.press_m = 0.004;
+    trial.velocity.method = VelocityMethod::adaptive_window;
+    trial.seconds = run.pick(4.0, 1.0);
+    return trial;
+}
+
+std::vector<double> choose_dampings(const Run& run) {
+    return run.quick() ? std::vector<double>{0.0, 2.0, 8.0, 20.0}
+                       : std::vector<double>{0.0, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0,  4.0,  5.0,
+                                             6.0, 8.0,  10., 12., 14., 17., 20.0, 25.0, 30.0};
+}
+
+Line trace_boundary(const Run& run, const std::string& name, WallTrial trial) {
+    Line line{name, LineStyle::measured, choose_dampings(run), {}};
+    for (const double damping : line.x) {
+        trial.damping_Ns_per_m = damping;
+        const double boundary = find_largest_stiffness(trial, run.pick(0.02, 0.1));
+        line.y.push_back(boundary > 0.0 ? boundary : kNone);
+    }
+    return line;
+}
+
+// Passive for every hand: K = (b - B) / (T/2 + tau), b the device's own damping alone.
+Line draw_theory(const std::string& name, const WallTrial& trial) {
+    Line line{name, LineStyle::theory, {}, {}};
+    const double b = trial.arm.damping_Ns_per_m;
+    for (int i = 0; i < 20; ++i) {
+        line.x.push_back(b * i / 20.0);
+        line.y.push_back((b - line.x.back()) / (0.5 / trial.rate_Hz + trial.arm.delay_s));
+    }
+    return line;
+}
+
+LineChart make_chart(const std::string& name, const std::string& title) {
+    LineChart chart;
+    chart.name = "z-width-" + name;
+    chart.title = title;
+    chart.work =
+        "A fingertip comes from 10 mm away and presses 4 mm into a wall F = K d - B v on a "
+        "simulated "
+        "desktop arm (45 g, 0.5 Ns/m viscous and no dry friction, steps of 55 um, adaptive "
+        "window); K "
+        "is raised by a tenth until the vibration no longer decays, then halved to 2 %.";
+    chart.reference =
+        "dashed: passive whoever holds the arm, K (T/2 + delay) + |B| < b, with the device's own b "
+        "alone (Colgate and Schenkel 1997)";
+    chart.x = {"damping B of the wall", "Ns/m", false};
+    chart.y = {"largest stable stiffness K", "N/m", true};
+    return chart;
+}
+
+LineChart run_rates(const Run& run) {
+    LineChart chart = make_chart("rate", "Stable walls against the rate of the haptic loop");
+    chart.advice =
+        "Run the loop as fast as the device takes it: each doubling of the rate about doubles what "
+        "is safe for every hand.";
+    for (const double rate_Hz : {500.0, 1000.0, 2000.0, 4000.0}) {
+        WallTrial trial = make_base(run);
+        trial.rate_Hz = rate_Hz;
+        chart.lines.push_back(trace_boundary(run, to_text(rate_Hz) + " Hz", trial));
+        chart.lines.push_back(draw_theory("passive, " + to_text(rate_Hz) + " Hz", trial));
+    }
+    const CouplingSettings coupling;
+    chart.lines.push_back({"the program's coupling",
+                           LineStyle::dots,
+                           {coupling.damping_Ns_per_m},
+                           {coupling.stiffness_N_per_m}});
+    return chart;
+}
+
+LineChart run_delays(const Run& run) {
+    LineChart chart = make_chart("delay", "Stable walls against the delay of the force, 1 kHz");
+    chart.advice =
+        "Write the force in the round that read the pose: half a period of delay costs as much as "
+        "half the rate.";
+    for (const double delay_ms : {0.0, 0.5, 1.0, 2.0}) {
+        WallTrial trial = make_base(run);
+        trial.arm.delay_s = 0.001 * delay_ms;
+        chart.lines.push_back(trace_boundary(run, to_text(delay_ms) + " ms", trial));
+        chart.lines.push_back(draw_theory("passive, " + to_text(delay_ms) + " ms", trial));
+    }
+    return chart;
+}
+
+LineChart run_encoders(const Run& run) {
+    LineChart chart = make_chart("encoder", "Stable walls against the step of the encoder, 1 kHz");
+    chart.advice =
+        "Spend on rate and delay before the encoder: between 10 and 200 um the boundary moves "
+        "little "
+        "until B passes 10 Ns/m, and what the hand still chatters is at most two steps.";
+    for (const double step_um : {0.0, 10.0, 55.0, 200.0}) {
+        WallTrial trial = make_base(run);
+        trial.arm.position_resolution_m = 1.0e-6 * step_um;
+        chart.lines.push_back(trace_boundary(run, to_text(step_um) + " um", trial));
+    }
+    chart.lines.push_back(draw_theory("passive", make_base(run)));
+    return chart;
+}
+
+LineChart run_frictions(const Run& run) {
+    LineChart chart = make_chart("friction", "Stable walls against the arm's dry friction, 1 kHz");
+    chart.advice =
+        "Do not count on friction: it hides a wall that is too stiff until a harder tap shakes it "
+        "loose.";
+    for (const double friction_N : {0.0, 0.05, 0.26}) {
+        WallTrial trial = make_base(run);
+        trial.arm.dry_friction_N = friction_N;
+        chart.lines.push_back(trace_boundary(run, to_text(friction_N) + " N", trial));
+    }
+    chart.lines.push_back(draw_theory("passive", make_base(run)));
+    return chart;
+}
+
+LineChart run_filters(const Run& run) {
+    LineChart chart =
+        make_chart("velocity", "Stable walls against the estimator of velocity, 1 kHz");
+    chart.advice =
+        "A stiff wall with much damping wants little lag: below 8 Ns/m all serve, beyond it a low "
+        "pass or the plain difference carries farther than the window.";
+    const std::vector<std::pair<std::string, VelocityMethod>> methods{
+        {"finite difference", VelocityMethod::finite_difference},
+        {"80 Hz low pass", VelocityMethod::filtered_difference},
+        {"adaptive window", VelocityMethod::adaptive_window},
+        {"Kalman", VelocityMethod::kalman}};
+    for (const auto& [name, method] : methods) {
+        WallTrial trial = make_base(run);
+        trial.velocity.method = method;
+        chart.lines.push_back(trace_boundary(run, name, trial));
+    }
+    chart.lines.push_back(draw_theory("passive", make_base(run)));
+    return chart;
+}
+
+Report run_z_width(Run& run) {
+    Report report;
+    report.emplace_back(run_rates(run));
+    run.progress(0.5, "delays");
+    report.emplace_back(run_delays(run));
+    run.progress(0.7, "encoders");
+    report.emplace_back(run_encoders(run));
+    run.progress(0.8, "dry friction");
+    report.emplace_back(run_frictions(run));
+    run.progress(0.9, "velocity estimators");
+    report.emplace_back(run_filters(run));
+    return report;
+}
+
+const Registration kZWidth{
+    {"z_width", "how stiff and damped a wall may be, against rate, delay, encoder and estimator",
+     run_z_width}};
+
+}  // namespace
+}  // namespace fulcrum::bench

@@ -1,0 +1,240 @@
+// The closed loop of hand, arm and program: walls at the edge of the map, clocks that stumble, devices that lie, a hand
+// that lets go.
+#include "tests/stability/cases/held_arm.h"
+#include "tests/stability/cases/stability_case.h"
+#include "tests/support/wall_trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace fulcrum::stability {
+namespace {
+
+constexpr double kStep_m = 5.5e-5;  // of the arm's encoder
+constexpr double kPress_m = 0.004;
+
+// The lowest and the highest of a number.
+struct Swing {
+    double low = HUGE_VAL;
+    double high = -HUGE_VAL;
+    void take(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    [[nodiscard]] double width() const { return high - low; }
+};
+
+// How much the hand still swings in the last of eleven seconds, pressed on a floor of this stiffness.
+double measure_swing(const HumanImpedance& human, double stiffness, double damping) {
+    HapticPlan plan = make_floor_plan();
+    plan.coupling.stiffness_N_per_m = stiffness;
+    plan.coupling.damping_Ns_per_m = damping;
+    HeldArm held(plan, make_arm_over_floor(human));
+    held.aim(-kPress_m);
+    held.run(10.0);  // near the edge a vibration takes seconds to go
+    Swing swing;
+    for (int k = 0; k < 1000; ++k) {
+        held.step();
+        swing.take(held.height_m());
+    }
+    // It must lie on the floor, which is as thick as a step of the encoder.
+    return swing.high < kStep_m ? swing.width() : HUGE_VAL;
+}
+
+// Nine tenths of the stiffness at which the map ends, for this damping.
+double find_stiffness_inside(const HumanImpedance& human, double damping) {
+    z_width::WallTrial trial;
+    trial.arm = make_arm_over_floor(human);
+    trial.start_m = trial.arm.start_D.y();
+    trial.damping_Ns_per_m = damping;
+    trial.press_m = kPress_m;
+    return 0.9 * z_width::find_largest_stiffness(trial);
+}
+
+Finding press_at_the_edge() {
+    double worst_m = 0.0;
+    std::string where;
+    for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
+        for (const double damping : {0.0, 2.0}) {
+            const double stiffness = find_stiffness_inside(human, damping);
+            const double swing_m = measure_swing(human, stiffness, damping);
+            if (!(swing_m <= worst_m)) {
+                worst_m = swing_m;
+                where = std::to_string(std::lround(stiffness)) + " N/m, B " +
+                        std::to_string(std::lround(damping)) + " Ns/m";
+            }
+        }
+    }
+    // The map lets a hand chatter over two steps; the loop meets the surface at another phase of them.
+    return {worst_m, (z_width::kCalmSteps + 1.0) * kStep_m, where};
+}
+
+Finding press_with_the_default() {
+    const CouplingSettings coupling;
+    double worst_m = 0.0;
+    for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
+        worst_m = std::max(
+            worst_m, measure_swing(human, coupling.stiffness_N_per_m, coupling.damping_Ns_per_m));
+    }
+    return {worst_m, z_width::kCalmSteps * kStep_m, "of three hands"};
+}
+
+// Rounds of 0.2 to 5 ms, and a gap of 100 ms now and then; the hand presses all the while.
+Finding press_under_jitter() {
+    Swing swing;
+    for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
+        std::mt19937_64 random(3);
+        std::uniform_real_distribution<double> length_s(0.0002, 0.005);
+        HeldArm held(make_floor_plan(), make_arm_over_floor(human));
+        held.aim(-kPress_m);
+        held.run(1.0);
+        Swing one;
+        for (int k = 0; k < 4000; ++k) {
+            held.step(k % 800 == 400 ? 0.1 : length_s(random));
+            one.take(held.height_m());
+        }
+        swing.take(one.width());
+    }
+    return {swing.high, kPress_m, "of three hands"};
+}
+
+// Readings that are none: no number, no unit, no way that a hand can go, at no time that is now.
+void lie(int k, DeviceReading& reading) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (k < 1500 || k % 500 > 60 || k % 3 == 1) {
+        return;
+    }
+    switch (k / 500 % 8) {
+        case 0:
+            reading.pose_D.position.y() = kNan;
+            break;
+        case 1:
+            reading.pose_D.position.x() = -kInfinity;
+            break;
+        case 2:
+            reading.pose_D.position.y() -= 0.5;
+            break;
+        case 3:
+            reading.pose_D.position.y() = -1.0e300;
+            break;
+        case 4:
+            reading.pose_D.orientation.coeffs().setZero();
+            break;
+        case 5:
+            reading.stamp_s = kNan;
+            break;
+        case 6:
+            reading.stamp_s -= 1.0;
+            break;
+        default:
+            reading.pose_D.position.y() -= 0.02 * (k % 2);
+            break;
+    }
+}
+
+Finding press_with_a_lying_device() {
+    HapticPlan plan = make_floor_plan();
+    HeldArm held(plan, make_arm_over_floor(kArm));
+    held.device().spoil = lie;
+    held.aim(-kPress_m);
+    double worst_N = 0.0;
+    double calmest_N = HUGE_VAL;
+    int n_faults = 0;
+    for (int k = 0; k < 12000; ++k) {
+        held.step();
+        const Vector3& force = held.device().written_D.force;
+        const double force_N = is_finite(force) ? force.norm() : HUGE_VAL;
+        worst_N = std::max(worst_N, force_N);
+        n_faults += any(held.state().faults) ? 1 : 0;
+        // Where a lie has lasted, the force has faded.
+        if (k > 1500 && any(held.state().faults)) {
+            calmest_N = std::min(calmest_N, force_N);
+        }
+    }
+    const bool seen = n_faults > 100 && calmest_N == 0.0;
+    return {seen ? worst_N : HUGE_VAL, make_desktop_arm().max_force_N,
+            std::to_string(n_faults) + " rounds with a fault"};
+}
+
+// The hand lets go while the coupling is stretched as far as the arm's force allows: what the handle flies off with, over
+// what the coupling had stored.
+Finding let_go_on_the_floor() {
+    double worst = 0.0;
+    for (const double stiffness : {500.0, 1000.0}) {
+        HapticPlan plan = make_floor_plan();
+        plan.coupling.stiffness_N_per_m = stiffness;
+        const SimulatedArmSettings arm = make_arm_over_floor(kPosture);
+        HeldArm held(plan, arm);
+        held.aim(-0.018);
+        held.run(2.0);
+        const double depth_m = -held.height_m();
+        const double force_N = std::min(stiffness * depth_m, arm.max_force_N);
+        // A spring that saturates stores less than K d^2 / 2.
+        const double linear_m = force_N / stiffness;
+        const double stored_J = force_N * (depth_m - 0.5 * linear_m);
+        held.arm().take_hold(kNobody);
+        double fastest_m_per_s = 0.0;
+        for (int k = 0; k < 1000; ++k) {
+            held.step();
+            fastest_m_per_s = std::max(fastest_m_per_s, held.arm().velocity_D().norm());
+        }
+        worst = std::max(worst, 0.5 * arm.mass_kg * fastest_m_per_s * fastest_m_per_s / stored_J);
+    }
+    return {worst, 1.0, "energy, let go on the floor"};
+}
+
+// The hand lets go of a handle that a spring draws with all the arm's force: nothing but the arm's own viscous friction
+// brings it to rest.
+Finding let_go_on_a_spring() {
+    HapticPlan plan = make_floor_plan();
+    FieldPlan field;
+    field.kind = FieldKind::spring;
+    field.stiffness_N_per_m = 100.0;
+    plan.fields.push_back(field);
+    HeldArm held(plan, make_arm_over_floor(kPosture));
+    const Vector3 anchor_W(0.0, 0.1, 0.0);
+    held.command.fields[0].anchor_W = anchor_W;
+    held.aim(0.1);
+    held.run(2.0);
+    held.aim(0.2);
+    held.run(2.0);
+    if (held.state().gate != GatePhase::open || held.arm().force_D().norm() < 3.0) {
+        return {HUGE_VAL, 0.0, "the spring does not pull"};
+    }
+    held.arm().take_hold(kNobody);
+    held.run(4.0);
+    double worst_m = 0.0;
+    for (int k = 0; k < 1000; ++k) {
+        held.step();
+        worst_m = std::max(worst_m, (held.arm().position_D() - anchor_W).cwiseAbs().maxCoeff());
+    }
+    return {worst_m, z_width::kCalmSteps * kStep_m, "in the fifth second"};
+}
+
+const HardCase kEdge{
+    {"a stiff wall at the edge of the map",
+     "three hands press 4 mm into a floor of nine tenths of the stiffness at which "
+     "the Z-width map ends, through the program's loop",
+     "the hand's swing in the last second", "m", press_at_the_edge}};
+const HardCase kDefault{{"the program's own coupling on a floor",
+                         "three hands press 4 mm into a floor with the coupling of a plan that "
+                         "names none",
+                         "the hand's swing in the last second", "m", press_with_the_default}};
+const HardCase kJitter{{"time steps of 0.2 to 5 ms and gaps of 100 ms",
+                        "three hands press on a floor while the loop's clock stumbles",
+                        "the hand's swing", "m", press_under_jitter}};
+const HardCase kLies{{"NaN, infinity and jumps from the device",
+                      "every kind of bad reading, while a hand presses on a floor",
+                      "the largest force sent to the arm", "N", press_with_a_lying_device}};
+const HardCase kLetGo{{"let go at full stretch of the coupling",
+                       "a hand that presses with all the arm's force vanishes",
+                       "the handle's energy over the coupling's", "", let_go_on_the_floor}};
+const HardCase kLetGoSpring{{"let go at full stretch of a spring",
+                             "a handle that a spring draws with all the arm's force is let go",
+                             "distance from the anchor along any axis", "m", let_go_on_a_spring}};
+
+}  // namespace
+}  // namespace fulcrum::stability

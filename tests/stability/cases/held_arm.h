@@ -1,0 +1,70 @@
+// The program's own haptic loop on a simulated arm above a floor: what the hard cases of the closed loop share.
+#pragma once
+
+#include "haptics/device/simulated/simulated_arm.h"
+#include "haptics/loop/haptic_loop.h"
+
+#include <memory>
+
+namespace fulcrum::stability {
+
+/// Passes everything on to an arm, and lets a case spoil what it reports.
+class SpoiledArm final : public Device {
+  public:
+    SpoiledArm(const SimulatedArmSettings& settings, LatestValue<HandTarget>& target)
+        : arm(settings, target) {}
+
+    [[nodiscard]] const DeviceTraits& traits() const noexcept override { return arm.traits(); }
+    [[nodiscard]] bool read(double now_s, DeviceReading& reading) noexcept override {
+        const bool good = arm.read(now_s, reading);
+        if (spoil != nullptr) {
+            spoil(n_reads, reading);
+        }
+        ++n_reads;
+        return good;
+    }
+    [[nodiscard]] bool write(double now_s, const Wrench& wrench_D) noexcept override {
+        written_D = wrench_D;
+        return arm.write(now_s, wrench_D);
+    }
+
+    SimulatedArm arm;
+    void (*spoil)(int, DeviceReading&) = nullptr;
+    int n_reads = 0;
+    Wrench written_D{};
+};
+
+/// A floor at height zero, the arm that starts 10 mm above it, and the loop between them, at 1 kHz.
+class HeldArm {
+  public:
+    HeldArm(const HapticPlan& plan, const SimulatedArmSettings& settings);
+
+    /// One round, `dt_s` after the last.
+    void step(double dt_s = 0.001);
+    /// Rounds of a millisecond for `seconds`.
+    void run(double seconds);
+    /// Where the hand wants to be: `height_m` over the floor.
+    void aim(double height_m);
+
+    /// What the lesson asks for; stamped at each round.
+    ForceCommand command;
+
+    [[nodiscard]] SimulatedArm& arm() { return device_.arm; }
+    [[nodiscard]] double height_m() const { return device_.arm.position_D().y(); }
+    [[nodiscard]] SpoiledArm& device() { return device_; }
+    [[nodiscard]] const HapticState& state() const { return loop_->state(); }
+
+  private:
+    LatestValue<HandTarget> target_;
+    SpoiledArm device_;
+    std::unique_ptr<HapticChannels> channels_ = std::make_unique<HapticChannels>();
+    std::unique_ptr<HapticLoop> loop_;
+    double now_s_ = 0.0;
+};
+
+/// A plan with the floor in it, the program's coupling, and no wait before forces come.
+[[nodiscard]] HapticPlan make_floor_plan();
+/// A desktop arm over the floor, in this hand; without dry friction, which would hide what a case looks for.
+[[nodiscard]] SimulatedArmSettings make_arm_over_floor(const HumanImpedance& human);
+
+}  // namespace fulcrum::stability
