@@ -2,6 +2,8 @@
 
 #include "haptics/dynamics/integrator_steps.h"
 
+#include <cmath>
+
 namespace fulcrum {
 namespace {
 
@@ -43,7 +45,7 @@ void step_semi_implicit_euler(const Problem& problem, const RigidState& state,
 }
 
 // Turns q freely for `dt_s`: about each principal axis in turn at the rate L_i / I_i, forth and back so that it is
-// reversible. L_W stays; L_B = R^T L_W turns against the body.
+// reversible. L_W stays; seen from the body it turns back by the same angle.
 Quaternion compute_free_turn(const Inertia& inertia, const Quaternion& orientation,
                              const Vector3& momentum_W, double dt_s) noexcept {
     struct Turn {
@@ -52,11 +54,20 @@ Quaternion compute_free_turn(const Inertia& inertia, const Quaternion& orientati
     };
     constexpr std::array<Turn, 5> kTurns{{{0, 0.5}, {1, 0.5}, {2, 1.0}, {1, 0.5}, {0, 0.5}}};
     Quaternion q = orientation;
-    for (const Turn& turn : kTurns) {
-        const Vector3 axis = Vector3::Unit(turn.axis);
-        const double momentum_B = (q * axis).dot(momentum_W);
-        const double angle_rad = turn.share * dt_s * momentum_B / inertia.moments_kg_m2[turn.axis];
-        q = q * compute_exp(angle_rad * axis);
+    Vector3 momentum_B = q.conjugate() * momentum_W;
+    for (const auto& [axis, share] : kTurns) {
+        const double half_rad = 0.5 * share * dt_s * momentum_B[axis] / inertia.moments_kg_m2[axis];
+        const double c = std::cos(half_rad);
+        const double s = std::sin(half_rad);
+        q = q * Quaternion(c, axis == 0 ? s : 0.0, axis == 1 ? s : 0.0, axis == 2 ? s : 0.0);
+        // The other two components turn by twice the half angle, backwards.
+        double& next = momentum_B[(axis + 1) % 3];
+        double& last = momentum_B[(axis + 2) % 3];
+        const double cosine = c * c - s * s;
+        const double sine = 2.0 * s * c;
+        const double turned = cosine * next + sine * last;
+        last = cosine * last - sine * next;
+        next = turned;
     }
     q.normalize();
     return q;

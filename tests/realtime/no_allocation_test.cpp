@@ -3,12 +3,15 @@
 #include "haptics/device/mouse/pointer_device.h"
 #include "haptics/device/replay/replay_device.h"
 #include "haptics/device/simulated/simulated_hand.h"
+#include "haptics/dynamics/integrator.h"
+#include "haptics/dynamics/loads.h"
 #include "haptics/dynamics/world_loop.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/loop/haptic_loop.h"
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -182,4 +185,27 @@ TEST_CASE("no allocation: mouse and replay") {
               }
           }) == 0);
     CHECK(replay.finished());
+}
+
+TEST_CASE("no allocation: a tool on its coupling and in contact, with every integrator") {
+    const std::array<PlaneContact, 1> floor{{{.point_B = {0.02, -0.01, 0.0}}}};
+    const PlaneContactsLoad contact(floor);
+    ToolCouplingLoad coupling{ToolCouplingSettings{}};
+    const Loads all(coupling, contact);
+    for (const Integrator integrator : kIntegrators) {
+        IntegratorSettings settings;
+        settings.integrator = integrator;
+        RigidState state;
+        int n_moved = 0;
+        CHECK(
+            count_allocations([&] {
+                for (int k = 0; k < 1000; ++k) {
+                    coupling.set_handle({Pose::at({0.0, 0.01 * std::cos(0.01 * k), 0.0}), {}},
+                                        k * kDt_s);
+                    n_moved +=
+                        step_rigid_body(settings, Inertia{}, all, k * kDt_s, 0.0002, state).moved();
+                }
+            }) == 0);
+        CHECK(n_moved == 1000);
+    }
 }

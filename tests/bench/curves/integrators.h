@@ -1,0 +1,46 @@
+// A problem on which the five integrators are compared: `fulcrum bench integrators`.
+#pragma once
+
+#include "haptics/dynamics/integrator.h"
+#include "tests/bench/harness/report.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace fulcrum::bench {
+
+/// States are compared every so often; each step size that is tried divides it.
+inline constexpr double kSample_s = 0.02;
+
+struct IntegratorProblem {
+    std::string name;  ///< of the curve
+    std::string title;
+    std::string work;
+    std::string reference;
+    std::string advice;
+    Axis error;
+    Inertia inertia;
+    RigidState start;
+    const Load* load = nullptr;
+    std::vector<RigidState> course;  ///< as it should be, at kSample_s, 2 kSample_s, ...
+    /// How wrong a state is against the course's, in the unit of `error`.
+    std::function<double(const RigidState&, const RigidState&)> compute_error;
+    double rounding = 0.0;        ///< an error below this is rounding and shows no order
+    double unstable_above = 0.0;  ///< an error above this is no error but a run out of bounds
+};
+
+/// The course of `problem` by RK4 at 64 kHz, and what it differs by from that at 32 kHz, as the problem's error.
+struct ConvergedCourse {
+    std::vector<RigidState> states;
+    double error;
+};
+[[nodiscard]] ConvergedCourse compute_converged_course(const IntegratorProblem& problem,
+                                                       int n_samples);
+
+[[nodiscard]] IntegratorProblem make_oscillator_problem();
+[[nodiscard]] IntegratorProblem make_contact_problem();
+[[nodiscard]] IntegratorProblem make_free_rotation_problem();
+[[nodiscard]] IntegratorProblem make_tool_problem();
+
+}  // namespace fulcrum::bench
