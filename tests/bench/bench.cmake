@@ -11,6 +11,10 @@ fulcrum_tests(unit_bench tests/unit/bench LABEL unit DEPENDS fulcrum_bench_harne
 
 include(${CMAKE_CURRENT_LIST_DIR}/peers/peers.cmake)
 
+# A sanitized benchmark would measure the sanitizer.
+if(FULCRUM_SANITIZE)
+  return()
+endif()
 file(GLOB curve_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/curves/*.cpp)
 add_executable(fulcrum_bench ${CMAKE_CURRENT_LIST_DIR}/harness/main.cpp ${curve_sources} ${peer_sources})
 target_link_libraries(fulcrum_bench PRIVATE fulcrum_bench_harness fulcrum_stability_cases fulcrum::lua fulcrum::dialogue fulcrum::progress ${peer_libraries})
