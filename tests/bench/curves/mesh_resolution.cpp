@@ -9,6 +9,7 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/point/god_object.h"
 #include "runtime/scene/shape_models.h"
+#include "tests/bench/curves/felt_surface.h"
 #include "tests/bench/harness/measure.h"
 #include "tests/bench/harness/registry.h"
 #include "tests/support/touchable.h"
@@ -22,29 +23,8 @@
 namespace fulcrum::bench {
 namespace {
 
-constexpr double kRadius_m = 0.1;  // of the ball and of the ring's tube
-constexpr double kRing_m = 0.2;    // of the middle of the tube
-constexpr double kDepth_m = 0.02 * kRadius_m;
-constexpr double kStiffness_N_per_m = CouplingSettings{}.stiffness_N_per_m;
-constexpr double kForce_N = kStiffness_N_per_m * kDepth_m;
+constexpr double kRing_m = 0.2;  // of the middle of the tube
 constexpr int kWarmUp = 300;
-
-// A hand below the true surface, and that surface's normal there.
-struct Pressed {
-    Vector3 hand_W;
-    Vector3 normal_W;
-};
-using Course = std::vector<Pressed>;
-
-Course wander_on_ball(int n_steps) {
-    Course course;
-    Wanderer wanderer(81);
-    for (int i = 0; i < n_steps; ++i) {
-        const Vector3& u = wanderer.next();
-        course.push_back({(kRadius_m - kDepth_m) * u, u});
-    }
-    return course;
-}
 
 // The same speed over the tube; the course bends by chance.
 Course wander_on_ring(int n_steps) {
@@ -65,71 +45,28 @@ Course wander_on_ring(int n_steps) {
     return course;
 }
 
-// Root mean square and largest of what was added.
-class Spread {
-  public:
-    void add(double error) {
-        sum_ += error * error;
-        worst_ = std::max(worst_, std::abs(error));
-        ++count_;
-    }
-    [[nodiscard]] double rms() const { return count_ > 0 ? std::sqrt(sum_ / count_) : kNone; }
-    [[nodiscard]] double worst() const { return count_ > 0 ? worst_ : kNone; }
-    [[nodiscard]] int count() const { return count_; }
-
-  private:
-    double sum_ = 0.0;
-    double worst_ = 0.0;
-    int count_ = 0;
-};
-
-struct Errors {
-    Spread force_N;        // of its magnitude
-    Spread vector_N;       // of the whole vector
-    Spread direction_deg;  // where there is a force
-};
-
 void press(GodObject& proxy, const Pressed& pressed) {
     proxy.reset(pressed.hand_W + 10.0 * kDepth_m * pressed.normal_W);
     proxy.step(pressed.hand_W, {});
-}
-
-Errors find_errors(GodObject& proxy, const Course& course) {
-    Errors errors;
-    press(proxy, course.front());
-    for (const Pressed& pressed : course) {
-        const ProxyContact& contact = proxy.step(pressed.hand_W, {});
-        const Vector3 force_N = kStiffness_N_per_m * (contact.position_W - pressed.hand_W);
-        errors.force_N.add(force_N.norm() - kForce_N);
-        errors.vector_N.add((force_N - kForce_N * pressed.normal_W).norm());
-        if (contact.solid != kNoBody) {
-            const double angle = std::atan2(contact.normal_W.cross(pressed.normal_W).norm(),
-                                            contact.normal_W.dot(pressed.normal_W));
-            errors.direction_deg.add(angle * 180.0 / std::numbers::pi);
-        }
-    }
-    return errors;
 }
 
 CostPoint measure(const std::string& series, const Expected<TriangleMesh>& mesh,
                   const Course& course) {
     const auto solid = touchable(mesh);
     GodObject proxy(only_solid(solid));
-    const Errors errors = find_errors(proxy, course);
+    press(proxy, course.front());
+    const SurfaceErrors errors = find_errors(course, [&](const Vector3& hand_W) {
+        const ProxyContact& contact = proxy.step(hand_W, {});
+        return Felt{kStiffness_N_per_m * (contact.position_W - hand_W), contact.normal_W,
+                    contact.solid != kNoBody};
+    });
     press(proxy, course.front());
     std::size_t next = 0;
     const Cost cost = measure_cost(
         [&] { keep(proxy.step(course[next++].hand_W, {})); },
         {.samples = static_cast<int>(course.size()) - kWarmUp, .batch = 1, .warm_up = kWarmUp},
         solid->memory_bytes());
-    const double n_steps = static_cast<double>(course.size());
-    return {series,
-            static_cast<double>(solid->n_triangles()),
-            errors.force_N.rms(),
-            cost,
-            {errors.force_N.worst(), errors.vector_N.rms(), errors.direction_deg.rms(),
-             errors.direction_deg.worst(), 100.0 * (1.0 - errors.direction_deg.count() / n_steps),
-             kNone, kNone}};
+    return make_point(series, solid->n_triangles(), errors, cost);
 }
 
 constexpr std::size_t kDirectionColumn = 2;
@@ -167,22 +104,14 @@ CostCurve measure_curve(Run& run) {
         "ten times the memory and little time.";
     curve.knob = {"triangles", "", true};
     curve.error = {"force error", "N", true};
-    curve.extras = {{"largest force error", "N", true},
-                    {"error of the force vector", "N", true},
-                    {"direction error", "degrees", true},
-                    {"largest direction error", "degrees", true},
-                    {"steps without touch", "%", false},
-                    {"order of the force error, in theory 2", "", false},
-                    {"order of the direction error, in theory 1", "", false}};
+    curve.extras = surface_columns();
     curve.default_series = "ball";
     curve.default_knob = 20.0 * runtime::kSphereModelFrequency * runtime::kSphereModelFrequency;
 
     const int n_steps = run.pick(20000, 4000);
     const Course on_ball = wander_on_ball(n_steps);
     const Course on_ring = wander_on_ring(n_steps);
-    const std::vector<int> frequencies =
-        run.pick<std::vector<int>>({2, 4, 7, 12, runtime::kSphereModelFrequency, 40, 71, 126, 224},
-                                   {2, 7, runtime::kSphereModelFrequency, 71});
+    const std::vector<int> frequencies = ball_frequencies(run.quick());
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
         run.progress(0.5 * static_cast<double>(i) / static_cast<double>(frequencies.size()),
                      "ball");
