@@ -137,7 +137,7 @@ Report run_coupling_stiffness(Run& run) {
 }
 
 const Registration kCouplingStiffness{
-    {"coupling_stiffness", "stiffness of the virtual coupling against error and stability",
+    {"coupling-stiffness", "stiffness of the virtual coupling against error and stability",
      run_coupling_stiffness}};
 
 }  // namespace

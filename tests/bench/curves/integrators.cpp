@@ -14,7 +14,6 @@
 namespace fulcrum::bench {
 namespace {
 
-constexpr std::array<double, 7> kRates_Hz{4000.0, 2000.0, 1000.0, 500.0, 250.0, 100.0, 50.0};
 constexpr double kDefaultRate_Hz = 1000.0;  // the haptic loop's
 
 double theoretical_order(Integrator integrator) {
@@ -80,7 +79,7 @@ Cost measure_step(const IntegratorSettings& settings, const IntegratorProblem& p
                                  1.0 / rate_Hz, state));
             ++n;
         },
-        {.samples = run.pick(2000, 200), .batch = 8, .warm_up = 200});
+        {.samples = run.pick(2000, 200), .batch = 8, .warm_up = 200}, sizeof(RigidState));
 }
 
 // log(error / finer error) / log(step / finer step); none where either ran out of bounds or is down to rounding.
@@ -121,12 +120,8 @@ CostCurve compute_curve(const IntegratorProblem& problem, const Run& run, double
             const RunResult result = run_course(settings, problem, rate_Hz);
             const Cost step = measure_step(settings, problem, rate_Hz, run);
             curve.points.push_back(
-                {std::string(to_string(integrator)),
-                 rate_Hz,
-                 result.error,
-                 {step.median_us * rate_Hz, step.p99_us * rate_Hz, sizeof(RigidState)},
-                 {kNone, theoretical_order(integrator), result.solves_a_step, step.median_us,
-                  step.p99_us}});
+                make_integrator_point(std::string(to_string(integrator)), rate_Hz, result.error,
+                                      step, theoretical_order(integrator), result.solves_a_step));
         }
     }
     fill_observed_order(curve.points, problem.rounding);
@@ -151,6 +146,15 @@ const Registration kIntegratorsBench{{"integrators",
                                       run_integrators}};
 
 }  // namespace
+
+CostPoint make_integrator_point(const std::string& series, double rate_Hz, double error,
+                                const Cost& step, double theoretical_order, double solves_a_step) {
+    return {series,
+            rate_Hz,
+            error,
+            {step.median_us * rate_Hz, step.p99_us * rate_Hz, step.bytes},
+            {kNone, theoretical_order, solves_a_step, step.median_us, step.p99_us}};
+}
 
 ConvergedCourse compute_converged_course(const IntegratorProblem& problem, int n_samples) {
     const auto compute = [&](double rate_Hz) {

@@ -4,6 +4,7 @@
 #include "haptics/dynamics/integrator.h"
 #include "tests/bench/harness/report.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@ namespace fulcrum::bench {
 
 /// States are compared every so often; each step size that is tried divides it.
 inline constexpr double kSample_s = 0.02;
+/// The knob's values, finest first.
+inline constexpr std::array<double, 7> kRates_Hz{4000.0, 2000.0, 1000.0, 500.0, 250.0, 100.0, 50.0};
 
 struct IntegratorProblem {
     std::string name;  ///< of the curve
@@ -37,6 +40,12 @@ struct ConvergedCourse {
 };
 [[nodiscard]] ConvergedCourse compute_converged_course(const IntegratorProblem& problem,
                                                        int n_samples);
+
+/// A point of these curves: time is that of a simulated second, that of a step stands in the last two columns.
+[[nodiscard]] CostPoint make_integrator_point(const std::string& series, double rate_Hz,
+                                              double error, const Cost& step,
+                                              double theoretical_order = kNone,
+                                              double solves_a_step = kNone);
 
 [[nodiscard]] IntegratorProblem make_oscillator_problem();
 [[nodiscard]] IntegratorProblem make_contact_problem();

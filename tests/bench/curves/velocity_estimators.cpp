@@ -164,7 +164,7 @@ Report run_velocity_estimators(Run& run) {
 }
 
 const Registration kVelocityEstimators{
-    {"velocity_estimators", "noise, lag and stable damping of the estimators of velocity",
+    {"velocity-estimators", "noise, lag and stable damping of the estimators of velocity",
      run_velocity_estimators}};
 
 }  // namespace

@@ -97,7 +97,7 @@ Report run_wall_rate(Run& run) {
 }
 
 const Registration kWallRate{
-    {"wall_rate", "update rate against the stiffest stable wall", run_wall_rate}};
+    {"wall-rate", "update rate against the stiffest stable wall", run_wall_rate}};
 
 }  // namespace
 }  // namespace fulcrum::bench

@@ -170,7 +170,7 @@ Report run_z_width(Run& run) {
 }
 
 const Registration kZWidth{
-    {"z_width", "how stiff and damped a wall may be, against rate, delay, encoder and estimator",
+    {"z-width", "how stiff and damped a wall may be, against rate, delay, encoder and estimator",
      run_z_width}};
 
 }  // namespace

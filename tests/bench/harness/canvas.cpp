@@ -15,7 +15,7 @@ constexpr std::array<const char*, 7> kColours{"#0072B2", "#D55E00", "#009E73", "
 constexpr std::array<const char*, 3> kDashes{"", "7 4", "2 3"};
 constexpr double kLegendX = Frame::kRight + 18.0;
 constexpr double kLegendLine = 19.0;
-constexpr std::size_t kLegendLetters = 30;
+constexpr std::size_t kLegendLetters = 32;
 
 const char* colour(std::size_t index) {
     return kColours[index % kColours.size()];

@@ -73,7 +73,7 @@ struct LineChart {
     std::string reference;  ///< what theory or peer stands beside it; may be empty
     std::string advice;
     Axis x, y;
-    std::vector<Line> lines;
+    std::vector<Line> lines;  ///< a theory's line right after a measured one takes its colour
 };
 
 struct Sheet {

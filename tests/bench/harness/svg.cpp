@@ -110,6 +110,33 @@ std::string draw(const CostCurve& curve) {
     return canvas.finish();
 }
 
+// Many points are marked here and there only: enough to tell the lines apart without their colours.
+void draw_line(Canvas& canvas, const LineChart& chart, const Line& line, std::size_t look) {
+    constexpr std::size_t kFewPoints = 60;
+    constexpr std::size_t kMarks = 14;
+    const std::size_t count = std::min(line.x.size(), line.y.size());
+    const bool dots = line.style == LineStyle::dots;
+    const std::size_t every = dots || count <= kFewPoints ? 1 : count / kMarks;
+    std::vector<Spot> way;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!std::isfinite(line.y[i])) {
+            canvas.line(way, look, line.style == LineStyle::theory);
+            way.clear();
+            continue;
+        }
+        way.push_back(canvas.spot(line.x[i], line.y[i]));
+        // Each line begins its marks elsewhere, so that they don't cover each other.
+        if (line.style != LineStyle::theory && (i + look * every / 4) % every == 0) {
+            canvas.mark(way.back(), look,
+                        line.name + ": " + with_unit(line.x[i], chart.x) + ", " +
+                            with_unit(line.y[i], chart.y));
+        }
+    }
+    if (!dots) {
+        canvas.line(way, look, line.style == LineStyle::theory);
+    }
+}
+
 std::string draw(const LineChart& chart) {
     Extent x_extent;
     Extent y_extent;
@@ -122,28 +149,15 @@ std::string draw(const LineChart& chart) {
         }
     }
     Canvas canvas(chart.title, chart.x, chart.y, x_extent, y_extent);
-    constexpr std::size_t kFewPoints = 60;  // more would only be a smear of marks
+    std::size_t look = 0;
     for (std::size_t k = 0; k < chart.lines.size(); ++k) {
         const Line& line = chart.lines[k];
-        std::vector<Spot> way;
-        for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i) {
-            if (!std::isfinite(line.y[i])) {
-                canvas.line(way, k, line.style == LineStyle::theory);
-                way.clear();
-                continue;
-            }
-            way.push_back(canvas.spot(line.x[i], line.y[i]));
-            if (line.style == LineStyle::dots ||
-                (line.style == LineStyle::measured && line.x.size() <= kFewPoints)) {
-                canvas.mark(way.back(), k,
-                            line.name + ": " + with_unit(line.x[i], chart.x) + ", " +
-                                with_unit(line.y[i], chart.y));
-            }
-        }
-        if (line.style != LineStyle::dots) {
-            canvas.line(way, k, line.style == LineStyle::theory);
-        }
-        canvas.legend(k, line.name, line.style);
+        // Theory looks like what it stands beside.
+        const bool beside = line.style == LineStyle::theory && k > 0 &&
+                            chart.lines[k - 1].style == LineStyle::measured;
+        look += k > 0 && !beside ? 1U : 0U;
+        draw_line(canvas, chart, line, look);
+        canvas.legend(look, line.name, line.style);
     }
     return canvas.finish();
 }

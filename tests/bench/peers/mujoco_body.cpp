@@ -12,6 +12,8 @@ namespace {
 class MujocoBody final : public RigidPeer {
   public:
     MujocoBody(const Inertia& inertia, const RigidState& state, int integrator) {
+        // A run out of bounds is seen by its error; no word is wanted, nor a log file.
+        mju_user_warning = [](const char*) {};
         const Vector3& moments = inertia.moments_kg_m2;
         std::array<char, 512> xml{};
         std::snprintf(xml.data(), xml.size(),

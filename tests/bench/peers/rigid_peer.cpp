@@ -11,8 +11,6 @@
 namespace fulcrum::bench {
 namespace {
 
-constexpr std::array<double, 7> kRates_Hz{4000.0, 2000.0, 1000.0, 500.0, 250.0, 100.0, 50.0};
-
 void step_once(RigidPeer& peer, const Load& load, double time_s, double dt_s) {
     Wrench wrench;
     load.add_wrench(peer.state(), time_s, wrench);
@@ -61,11 +59,8 @@ std::vector<CostPoint> measure_peer(const std::string& name, const MakeRigidPeer
                                     const IntegratorProblem& problem, const Run& run) {
     std::vector<CostPoint> points;
     for (const double rate_Hz : kRates_Hz) {
-        points.push_back({name,
-                          rate_Hz,
-                          run_course(make, problem, rate_Hz),
-                          measure_step(make, problem, rate_Hz, run),
-                          {kNone, kNone, kNone}});
+        points.push_back(make_integrator_point(name, rate_Hz, run_course(make, problem, rate_Hz),
+                                               measure_step(make, problem, rate_Hz, run)));
     }
     return points;
 }
