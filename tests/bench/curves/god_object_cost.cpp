@@ -101,15 +101,19 @@ Figures measure_proxy(const std::string& method, Proxy& proxy, const CollisionMe
 
 // One search through all triangles a step, from where the god-object is to the hand.
 Figures measure_scan(const CollisionMesh& mesh, GodObject& proxy, const std::vector<Vector3>& hands,
-                     int n_steps) {
+                     int n_steps, int n_passes) {
     Figures figures{"plain scan, one segment", static_cast<double>(mesh.n_triangles())};
     std::vector<double> us;
     proxy.reset(1.1 * hands[0]);
     for (std::size_t i = 0; i < static_cast<std::size_t>(n_steps); ++i) {
         const Vector3 from = proxy.step(hands[i], {}).position_W;
-        const double begin_us = now_us();
-        keep(find_nearest_hit_brute_force(mesh, from, hands[i]).triangle);
-        us.push_back(now_us() - begin_us);
+        double least_us = HUGE_VAL;
+        for (int pass = 0; pass < n_passes; ++pass) {
+            const double begin_us = now_us();
+            keep(find_nearest_hit_brute_force(mesh, from, hands[i]).triangle);
+            least_us = std::min(least_us, now_us() - begin_us);
+        }
+        us.push_back(least_us);
     }
     take_quantiles(std::move(us), figures);
     return figures;
@@ -260,7 +264,7 @@ Report run_god_object(Run& run) {
         OneConstraintProxy simple(mesh);
         all.push_back(measure_proxy(methods[1], simple, *mesh, hands, n_passes));
         if (mesh->n_triangles() <= kLargestScanned) {
-            all.push_back(measure_scan(*mesh, god_object, hands, run.pick(2000, 400)));
+            all.push_back(measure_scan(*mesh, god_object, hands, run.pick(1000, 400), n_passes));
         }
     }
     return {draw_steps(all, methods), draw_builds(builds), list_all(all, builds)};
