@@ -34,6 +34,7 @@ class Load {
 
 /// Several loads of known types as one; refers to them, so they must live longer. `Loads<>` is none at all.
 template <class... Parts>
+// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): never deleted as a Load
 class Loads final : public Load {
   public:
     explicit Loads(const Parts&... parts) noexcept : parts_(parts...) {}

@@ -20,6 +20,9 @@
 
 namespace fulcrum {
 
+// No load is deleted as a Load, whose own destructor is protected (load.h says why).
+// NOLINTBEGIN(cppcoreguidelines-virtual-class-destructor)
+
 /// A force (N) and torque (Nm, about the centre of mass) that nothing changes: weight, for one. World frame.
 class ConstantLoad final : public Load {
   public:
@@ -105,5 +108,6 @@ class ToolCouplingLoad final : public Load {
     MovingFrame handle_{};
     double handle_time_s_ = 0.0;
 };
+// NOLINTEND(cppcoreguidelines-virtual-class-destructor)
 
 }  // namespace fulcrum
