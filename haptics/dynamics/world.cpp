@@ -204,6 +204,7 @@ void World::add_event(WorldEvent::Kind kind, std::size_t index, double speed_m_p
 
 // What is seen and what is carried, after bodies have changed.
 void World::describe() noexcept {
+    ++revision_;
     n_moving_ = 0;
     n_held_ = 0;
     double felt_mass_kg = 0.0;

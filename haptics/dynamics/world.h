@@ -50,6 +50,9 @@ class World {
 
     /// What the picture and the lesson see; valid until the next call.
     [[nodiscard]] const WorldSnapshot& snapshot() const noexcept { return snapshot_; }
+    /// Grows whenever a body or what is carried may have changed, and so never while all rest; begins above 0. The
+    /// clock's going on is no change.
+    [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
     /// What the haptic loop needs, stamped `stamp_s` seconds of the run's clock. Solids keep
     /// `solid_bodies`' poses: entry i is the pose of the scene's body solid_bodies[i], which a
     /// `place` command has put there.
@@ -61,7 +64,7 @@ class World {
     }
     /// How many commands were ignored so far.
     [[nodiscard]] std::uint64_t ignored_commands() const noexcept { return ignored_commands_; }
-    /// True when nothing falls, glides or bounces: a step then costs next to nothing.
+    /// True when nothing falls, glides or bounces: unless something is held, a step costs next to nothing then.
     [[nodiscard]] bool is_at_rest() const noexcept { return n_moving_ == 0; }
     /// How many bodies lie in the tool.
     [[nodiscard]] std::size_t n_held() const noexcept { return n_held_; }
@@ -89,6 +92,7 @@ class World {
     std::uint32_t n_drops_ = 0;
     std::array<WorldEvent, kMaxBodies> events_{};  // a body has at most one a step
     std::size_t n_events_ = 0;
+    std::uint64_t revision_ = 0;  // of the snapshot but for its time
     WorldSnapshot snapshot_{};
 };
 

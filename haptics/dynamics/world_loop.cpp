@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace fulcrum {
 
@@ -49,14 +50,24 @@ void WorldLoop::publish(double now_s) noexcept {
     for (const WorldEvent& event : world_.events()) {
         (void)channels_.events.push(event);  // a full ring counts what it drops
     }
-    channels_.snapshot.publish(world_.snapshot());
-    haptics_.world.publish(world_.make_frame(now_s, solid_bodies_));
+    // Where all rest, only the clock has changed.
+    const std::uint64_t revision = world_.revision();
+    snapshots_.publish(
+        revision, [&](WorldSnapshot& snapshot) { snapshot = world_.snapshot(); },
+        [&](WorldSnapshot& snapshot) { snapshot.time_s = world_.snapshot().time_s; });
+    frames_.publish(
+        revision, [&](WorldFrame& frame) { frame = world_.make_frame(now_s, solid_bodies_); },
+        [&](WorldFrame& frame) { frame.stamp_s = now_s; });
 }
 
 void WorldLoop::silence(double now_s) noexcept {
-    WorldFrame frame = world_.make_frame(now_s, solid_bodies_);
-    frame.carried_force_W.setZero();
-    haptics_.world.publish(frame);
+    frames_.publish(
+        ThriftyWriter<WorldFrame>::kNoRevision,
+        [&](WorldFrame& frame) {
+            frame = world_.make_frame(now_s, solid_bodies_);
+            frame.carried_force_W.setZero();
+        },
+        [&](WorldFrame& frame) { frame.stamp_s = now_s; });
 }
 
 }  // namespace fulcrum

@@ -1,7 +1,8 @@
 // The world's round: takes commands and the hand, steps the world, publishes what came of it.
 //
 // Thread: `step` on the one world thread (or a virtual clock). Cost: that of World::step, and one
-// copy of the snapshot.
+// copy of the snapshot while anything moves or is held; at rest only its time is written, whatever the
+// number of bodies.
 #pragma once
 
 #include "haptics/base/periodic_task.h"
@@ -42,6 +43,8 @@ class WorldLoop final : public PeriodicTask {
     std::vector<std::int32_t> solid_bodies_;
     WorldChannels& channels_;
     HapticChannels& haptics_;
+    ThriftyWriter<WorldSnapshot> snapshots_;
+    ThriftyWriter<WorldFrame> frames_;
     HapticState hand_{};  // nowhere, until one is heard of
     bool heard_hand_ = false;
     bool started_ = false;

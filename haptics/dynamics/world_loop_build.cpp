@@ -12,7 +12,9 @@ WorldLoop::WorldLoop(const WorldPlan& plan, std::vector<std::int32_t> solid_bodi
       period_s_(1.0 / plan.rate_hz),
       solid_bodies_(std::move(solid_bodies)),
       channels_(channels),
-      haptics_(haptics) {
+      haptics_(haptics),
+      snapshots_(channels.snapshot),
+      frames_(haptics.world) {
     hand_.proxy_position_W.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 

@@ -67,6 +67,36 @@ TEST_CASE(
     CHECK_FALSE(value->take());
 }
 
+TEST_CASE("handover: what is only refreshed is whole as well, and as old as its writer says") {
+    struct Dated {
+        std::uint64_t n = 0;
+        Wide wide;
+    };
+    auto value = std::make_unique<LatestValue<Dated>>();
+    std::thread writer([&] {
+        ThriftyWriter<Dated> thrifty(*value);
+        for (std::uint64_t n = 1; n <= kRounds; ++n) {
+            const std::uint64_t revision = 1 + n / 16;  // stays for sixteen rounds
+            thrifty.publish(
+                revision, [&](Dated& to) { to.wide = make_wide(revision); },
+                [&](Dated& to) { to.n = n; });
+        }
+    });
+    std::uint64_t newest = 0;
+    std::uint64_t n_torn = 0;
+    while (newest < kRounds) {
+        if (value->take()) {
+            const Dated& taken = value->value();
+            n_torn += !is_whole(taken.wide) || taken.wide.words[0] != 1 + taken.n / 16 ||
+                      taken.n <= newest;
+            newest = taken.n;
+        }
+    }
+    writer.join();
+    CHECK(n_torn == 0);
+    CHECK(newest == kRounds);
+}
+
 TEST_CASE(
     "handover: a ring gives every pushed event once, whole and in order; the rest are counted as "
     "dropped") {

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -137,4 +139,87 @@ TEST_CASE("world loop: until the hand has a pose there is no bucket, at the orig
     world.channels->commands.push(make_command(Kind::drop, 2, Vector3(0.5, 1.1, 0.0)));
     step_for(100);
     CHECK(world.body(2).where == BodyWhere::held);
+}
+
+namespace {
+
+bool is_same(const BodyState& a, const BodyState& b) {
+    return a.pose_W.position == b.pose_W.position &&
+           a.pose_W.orientation.coeffs() == b.pose_W.orientation.coeffs() &&
+           a.velocity_W == b.velocity_W && a.where == b.where;
+}
+
+// What is told is what there is, of now.
+void check_told(const Loop& world, double now_s) {
+    const WorldSnapshot& there = world.loop.world().snapshot();
+    REQUIRE(world.channels->snapshot.take());
+    REQUIRE(world.haptics->world.take());
+    const WorldSnapshot& told = world.channels->snapshot.value();
+    const WorldFrame& frame = world.haptics->world.value();
+    REQUIRE(told.time_s == there.time_s);
+    REQUIRE(told.time_s == Approx(now_s).epsilon(1e-14));
+    REQUIRE(told.n_bodies == there.n_bodies);
+    REQUIRE(told.carried_force_W == there.carried_force_W);
+    REQUIRE(frame.stamp_s == now_s);
+    REQUIRE(frame.carried_force_W == there.carried_force_W);
+    REQUIRE(frame.solid_poses_W[0].position == there.bodies[1].pose_W.position);
+    for (std::size_t i = 0; i < 3; ++i) {
+        REQUIRE(is_same(told.bodies[i], there.bodies[i]));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("world loop: fall, landing, rest, a hold and a release are told at once and kept fresh") {
+    Loop world;
+    double now_s = 3.0;
+    const auto step_for = [&](int n) {
+        for (int k = 0; k < n; ++k) {
+            world.loop.step(now_s += kDt_s);
+            check_told(world, now_s);
+        }
+    };
+    step_for(5);  // nothing has ever moved
+    world.channels->commands.push(make_command(Kind::drop, 1, Vector3(2.0, 0.4, 0.0)));
+    step_for(1000);
+    REQUIRE(world.body().where == BodyWhere::landed);
+    REQUIRE(world.loop.world().is_at_rest());
+    const std::uint64_t at_rest = world.loop.world().revision();
+    step_for(50);
+    CHECK(world.loop.world().revision() == at_rest);
+    // Moved while all rest.
+    world.channels->commands.push(make_command(Kind::place, 1, Vector3(1.0, 2.0, 3.0)));
+    step_for(5);
+    CHECK(world.loop.world().revision() > at_rest);
+    // Held by a hand that moves.
+    world.channels->commands.push(make_command(Kind::hold, 2));
+    for (int k = 0; k < 20; ++k) {
+        world.haptics->state_for_world.publish(tool_at(Vector3(0.01 * k, 0.3, 0.0)));
+        step_for(1);
+    }
+    REQUIRE(world.loop.world().snapshot().carried_force_W.norm() > 0.0);
+    world.channels->commands.push(make_command(Kind::release, 0));
+    step_for(5);
+}
+
+TEST_CASE("world loop: a silence leaves nothing behind that a later round would tell") {
+    Loop world;
+    world.haptics->state_for_world.publish(tool_at(Vector3(0.0, 0.3, 0.0)));
+    double now_s = 3.0;
+    world.channels->commands.push(make_command(Kind::hold, 2));
+    for (int k = 0; k < 300; ++k) {
+        world.loop.step(now_s += kDt_s);
+    }
+    for (int n_silent = 1; n_silent <= 4; ++n_silent) {
+        for (int k = 0; k < n_silent; ++k) {
+            world.loop.silence(now_s += kDt_s);
+            REQUIRE(world.haptics->world.take());
+            REQUIRE(world.haptics->world.value().carried_force_W == Vector3::Zero());
+            REQUIRE(world.haptics->world.value().stamp_s == now_s);
+        }
+        for (int k = 0; k < 4; ++k) {
+            world.loop.step(now_s += kDt_s);
+            check_told(world, now_s);
+        }
+    }
 }

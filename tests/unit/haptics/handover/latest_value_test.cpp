@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdint>
+
 using namespace fulcrum;
 
 TEST_CASE("latest value: nothing to take before the first publish") {
@@ -39,6 +41,86 @@ TEST_CASE("latest value: publish and take in every order of three never lose the
                 taken = published;
                 REQUIRE(value.value() == published);
             }
+        }
+    }
+}
+
+namespace {
+
+struct Dated {
+    int time = 0;
+    int content = 0;
+    int n_fills = 0;  // of this slot
+};
+
+// What a thrifty writer tells: `content` under the revision of the same number.
+void publish(ThriftyWriter<Dated>& writer, int time, std::uint64_t revision, int content) {
+    writer.publish(
+        revision,
+        [&](Dated& to) {
+            to.content = content;
+            ++to.n_fills;
+        },
+        [&](Dated& to) { to.time = time; });
+}
+
+}  // namespace
+
+TEST_CASE(
+    "thrifty writer: in every order of takes the newest is whole, however often it is filled") {
+    // Two bits a step: publish the same revision, publish the next, take, take.
+    for (unsigned order = 0; order < (1U << 16); ++order) {
+        LatestValue<Dated> value;
+        ThriftyWriter<Dated> writer(value);
+        int time = 0;
+        int content = 1;
+        for (unsigned i = 0; i < 8; ++i) {
+            const unsigned what = order >> (2 * i) & 3U;
+            if (what < 2) {
+                content += static_cast<int>(what);
+                publish(writer, ++time, static_cast<std::uint64_t>(content), content);
+            } else if (value.take()) {
+                REQUIRE(value.value().time == time);
+                REQUIRE(value.value().content == content);
+            }
+        }
+    }
+}
+
+TEST_CASE("thrifty writer: a revision is filled once a slot, none is filled each time") {
+    LatestValue<Dated> value;
+    ThriftyWriter<Dated> writer(value);
+    for (int time = 1; time <= 30; ++time) {
+        publish(writer, time, 7, 70);
+        REQUIRE(value.take());
+        REQUIRE(value.value().content == 70);
+        REQUIRE(value.value().n_fills == 1);
+    }
+    // Another content of no revision is the newest at once, and leaves no slot that passes for the seventh.
+    publish(writer, 31, ThriftyWriter<Dated>::kNoRevision, 0);
+    REQUIRE(value.take());
+    CHECK(value.value().content == 0);
+    for (int time = 32; time <= 40; ++time) {
+        publish(writer, time, 7, 70);
+        REQUIRE(value.take());
+        REQUIRE(value.value().content == 70);
+        REQUIRE(value.value().time == time);
+    }
+    publish(writer, 41, ThriftyWriter<Dated>::kNoRevision, 1);
+    publish(writer, 42, ThriftyWriter<Dated>::kNoRevision, 2);
+    publish(writer, 43, ThriftyWriter<Dated>::kNoRevision, 3);
+    REQUIRE(value.take());
+    CHECK(value.value().content == 3);
+}
+
+TEST_CASE("thrifty writer: what another writer left behind counts for nothing") {
+    LatestValue<Dated> value;
+    for (int round = 1; round <= 3; ++round) {
+        ThriftyWriter<Dated> writer(value);
+        for (int time = 0; time < 4; ++time) {
+            publish(writer, time, 1, 10 * round);
+            REQUIRE(value.take());
+            REQUIRE(value.value().content == 10 * round);
         }
     }
 }
