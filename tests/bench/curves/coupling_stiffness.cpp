@@ -46,7 +46,7 @@ double measure_error_percent(const WallTrial& trial) {
 
 const std::vector<std::pair<std::string, HumanImpedance>>& hands() {
     static const std::vector<std::pair<std::string, HumanImpedance>> list{
-        {"fingertip", kFingertip}, {"arm", kArm}, {"hand that keeps its posture", kPosture}};
+        {"fingertip", kFingertip}, {"arm", kArm}, {"posture", kPosture}};
     return list;
 }
 
@@ -78,7 +78,7 @@ LineChart run_error(const Run& run) {
         chart.lines.push_back(theory);
     }
     const double standard = CouplingSettings{}.stiffness_N_per_m;
-    chart.lines.push_back({"the program's coupling, fingertip",
+    chart.lines.push_back({"default, fingertip",
                            LineStyle::dots,
                            {standard},
                            {measure_error_percent(make_trial(run, kFingertip, standard))}});
@@ -121,10 +121,8 @@ LineChart run_margin(const Run& run) {
             2.0 * make_desktop_arm().damping_Ns_per_m * rate_Hz);
     }
     const double standard = CouplingSettings{}.stiffness_N_per_m;
-    chart.lines.push_back({"the program's coupling, fingertip, 1 kHz",
-                           LineStyle::dots,
-                           {standard},
-                           {standard_largest / standard}});
+    chart.lines.push_back(
+        {"default, fingertip", LineStyle::dots, {standard}, {standard_largest / standard}});
     return chart;
 }
 

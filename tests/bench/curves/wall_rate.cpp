@@ -89,7 +89,7 @@ Report run_wall_rate(Run& run) {
     run.progress(0.3);
     chart.lines.push_back(trace_rendered(run, "arm", kArm, 0.0));
     run.progress(0.5);
-    chart.lines.push_back(trace_rendered(run, "hand that keeps its posture", kPosture, 0.0));
+    chart.lines.push_back(trace_rendered(run, "posture", kPosture, 0.0));
     run.progress(0.7);
     chart.lines.push_back(
         trace_rendered(run, "fingertip, 0.26 N of dry friction", kFingertip, 0.26));

@@ -4,6 +4,8 @@
 #include "tests/support/linear_wall.h"
 #include "tests/support/wall_trial.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -155,8 +157,65 @@ LineChart run_filters(const Run& run) {
     return chart;
 }
 
+// The boundary over the worst hands that the formula has: a heavy one that nobody damps, and one that rings at the Nyquist
+// frequency and its odd multiples.
+double find_worst_boundary(const Run& run, double rate_Hz, double device_damping, double damping) {
+    constexpr double kHeavy_kg = 30.0;
+    LinearWall wall;
+    wall.period_s = 1.0 / rate_Hz;
+    wall.device_damping_Ns_per_m = device_damping;
+    wall.damping_Ns_per_m = damping;
+    double worst = kStiffest_N_per_m;
+    for (const std::vector<Mode>& hand :
+         {std::vector<Mode>{{kHeavy_kg, 0.0, 0.0}},
+          make_nyquist_hand(run.pick(12, 4), kHeavy_kg, wall.period_s)}) {
+        wall.modes = hand;
+        const double found = find_largest(
+            [&](double stiffness) {
+                wall.stiffness_N_per_m = stiffness;
+                return compute_spectral_radius(wall) < 1.0;
+            },
+            kSoftest_N_per_m, kStiffest_N_per_m, 1e-3);
+        worst = std::min(worst, found < kSoftest_N_per_m ? 0.0 : found);
+    }
+    return worst;
+}
+
+LineChart run_worst_hands(const Run& run) {
+    constexpr double kDeviceDamping = 2.0;
+    LineChart chart = make_chart("worst-hand", "Stable walls for the worst hands");
+    chart.work =
+        "The boundary by the eigenvalues of one period of a wall both ways, on an arm with 2 Ns/m "
+        "of "
+        "its own, the lowest over two hands: 30 kg that nobody damps, and one with resonances at "
+        "the "
+        "odd multiples of the Nyquist frequency (twelve, in a quick run four).";
+    chart.reference = "dashed: K T/2 + |B| = b (Colgate and Schenkel 1997)";
+    chart.advice =
+        "For a wall that must hold under any hand, take the formula as it stands: the worst hands "
+        "leave nothing over.";
+    chart.y.logarithmic = false;
+    for (const double rate_Hz : {500.0, 1000.0, 2000.0, 4000.0}) {
+        Line measured{to_text(rate_Hz) + " Hz", LineStyle::measured, {}, {}};
+        Line theory{"formula, " + to_text(rate_Hz) + " Hz", LineStyle::theory, {}, {}};
+        const int n = run.pick(10, 4);
+        for (int i = -n; i <= n; ++i) {
+            const double damping = kDeviceDamping * i / n;
+            measured.x.push_back(damping);
+            measured.y.push_back(find_worst_boundary(run, rate_Hz, kDeviceDamping, damping));
+            theory.x.push_back(damping);
+            theory.y.push_back(2.0 * rate_Hz * (kDeviceDamping - std::abs(damping)));
+        }
+        chart.lines.push_back(measured);
+        chart.lines.push_back(theory);
+    }
+    return chart;
+}
+
 Report run_z_width(Run& run) {
     Report report;
+    report.emplace_back(run_worst_hands(run));
+    run.progress(0.1, "rates");
     report.emplace_back(run_rates(run));
     run.progress(0.5, "delays");
     report.emplace_back(run_delays(run));

@@ -163,6 +163,30 @@ TEST_CASE("haptic loop: velocity is estimated with the device's own step, in the
     }
 }
 
+TEST_CASE("haptic loop: a Kalman filter sees the same hand at every scale of the workspace") {
+    constexpr double kScale = 5.0;
+    HapticPlan plan;
+    plan.expects_lesson = false;
+    plan.velocity_method = VelocityMethod::kalman;
+    ScriptedDevice device;
+    device.traits_.position_resolution_m = 5.5e-5;
+    auto channels = std::make_unique<HapticChannels>();
+    auto scaled_channels = std::make_unique<HapticChannels>();
+    HapticLoop loop(plan, device, *channels);
+    plan.workspace.scale = kScale;
+    HapticLoop scaled(plan, device, *scaled_channels);
+    for (int k = 1; k < 500; ++k) {
+        device.pose_D.position.x() = 5.5e-5 * std::round(200.0 * std::sin(0.02 * k));
+        loop.step(k * kDt_s);
+        scaled.step(k * kDt_s);
+        // The first guess of the speed alone is not scaled.
+        if (k > 50) {
+            REQUIRE(scaled.state().tool_twist_W.linear.x() ==
+                    Approx(kScale * loop.state().tool_twist_W.linear.x()).margin(1e-6));
+        }
+    }
+}
+
 TEST_CASE("haptic loop: the device's own torque limit holds when it is the smaller one") {
     HapticPlan plan;
     plan.lesson_force = true;
