@@ -6,7 +6,8 @@
 // m, b, f_c: the device's; m_h, b_h, k_h: the hand's (human_impedance.h). Between two events target and force are constant
 // and each axis is solved exactly (oscillator.h), so the result depends neither on the time step nor on how a delay cuts
 // it. The spring's equilibrium moves with the target only at a `read`. The stylus turns freely: it has the orientation of
-// the target, and a torque moves nothing.
+// the target, and a torque moves nothing. Not in it: the arm's flexible structure and its amplifier, which make a real
+// arm's walls softer than this one's.
 //
 // Thread: `read`, `write`, `take_hold` and `reset` on the haptic thread.
 // Cost: about 100 ns; more when an axis stops or turns within a step.
