@@ -43,10 +43,3 @@ function(fulcrum_tests name folder)
   fulcrum_discover_tests(test_${name} PREFIX "${name}: " LABELS ${arg_LABEL} TIMEOUT ${arg_TIMEOUT}
                          ENVIRONMENT ${arg_ENVIRONMENT})
 endfunction()
-
-# fulcrum_bench(NAME file DEPENDS ...): a program that prints CSV; never run as a test.
-function(fulcrum_bench name file)
-  cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
-  add_executable(bench_${name} ${file})
-  target_link_libraries(bench_${name} PRIVATE ${arg_DEPENDS} fulcrum::test_support)
-endfunction()
