@@ -39,7 +39,9 @@ const Vector3& VelocityEstimator::step(const Vector3& position, double time_s) n
     times_s_[static_cast<std::size_t>(newest_)] = time_s;
     count_ = std::min(count_ + 1, kCapacity);
     if (is_first) {
-        kalman_.start(position);
+        if (settings_.method == VelocityMethod::kalman) {
+            kalman_.start(position);
+        }
         return velocity_;
     }
     switch (settings_.method) {
