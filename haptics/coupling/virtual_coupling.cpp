@@ -89,21 +89,46 @@ double compute_spring_slope_N_per_m(const CouplingSettings& settings, double str
            width_m;
 }
 
-Vector3 compute_coupling_force(const CouplingSettings& settings, const Vector3& proxy_W,
-                               const Vector3& hand_W, const Vector3& relative_velocity_W) noexcept {
-    const Vector3 stretch_W = proxy_W - hand_W;
-    const Vector3 damper_W = -settings.damping_Ns_per_m * relative_velocity_W;
-    const double stretch_m = stretch_W.stableNorm();
-    if (!(stretch_m > 0.0)) {
-        return damper_W;
+double compute_spring_energy_J(const CouplingSettings& settings, double stretch_m) noexcept {
+    const double linear_m =
+        saturates(settings) ? std::min(stretch_m, settings.linear_range_m) : stretch_m;
+    double energy_J = 0.5 * settings.stiffness_N_per_m * linear_m * linear_m;
+    if (!(stretch_m > linear_m)) {
+        return energy_J;
     }
-    return stretch_W * (compute_spring_force_N(settings, stretch_m) / stretch_m) + damper_W;
+    // Of the Hermite above, term by term:  w (f1 u + g u^2/2 + (3 D - 2 g) u^3/3 + (g - 2 D) u^4/4)
+    const double width_m = settings.saturation_range_m - settings.linear_range_m;
+    const double u = std::min((stretch_m - settings.linear_range_m) / width_m, 1.0);
+    const double start_N = settings.stiffness_N_per_m * settings.linear_range_m;
+    const double rise_N = settings.saturation_force_N - start_N;
+    const double slope_N = settings.stiffness_N_per_m * width_m;
+    energy_J += width_m * u *
+                (start_N + u * (0.5 * slope_N + u * ((3.0 * rise_N - 2.0 * slope_N) / 3.0 +
+                                                     u * 0.25 * (slope_N - 2.0 * rise_N))));
+    return energy_J +
+           settings.saturation_force_N * std::max(stretch_m - settings.saturation_range_m, 0.0);
 }
 
-Vector3 compute_contact_force(const CouplingSettings& settings, const Vector3& proxy_W,
-                              const Vector3& hand_W, const Vector3& relative_velocity_W,
+Vector3 compute_coupling_spring(const CouplingSettings& settings, const Vector3& proxy_W,
+                                const Vector3& hand_W) noexcept {
+    const Vector3 stretch_W = proxy_W - hand_W;
+    const double stretch_m = stretch_W.stableNorm();
+    if (!(stretch_m > 0.0)) {
+        return Vector3::Zero();
+    }
+    return stretch_W * (compute_spring_force_N(settings, stretch_m) / stretch_m);
+}
+
+Vector3 compute_coupling_force(const CouplingSettings& settings, const Vector3& proxy_W,
+                               const Vector3& hand_W, const Vector3& relative_velocity_W) noexcept {
+    return compute_coupling_spring(settings, proxy_W, hand_W) -
+           settings.damping_Ns_per_m * relative_velocity_W;
+}
+
+Vector3 compute_contact_force(const CouplingSettings& settings, const Vector3& spring_W,
+                              const Vector3& relative_velocity_W,
                               const Vector3& normal_W) noexcept {
-    const Vector3 force_W = compute_coupling_force(settings, proxy_W, hand_W, relative_velocity_W);
+    const Vector3 force_W = spring_W - settings.damping_Ns_per_m * relative_velocity_W;
     return force_W - std::min(force_W.dot(normal_W), 0.0) * normal_W;
 }
 

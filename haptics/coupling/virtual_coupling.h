@@ -31,6 +31,14 @@ namespace fulcrum {
 /// df/ds of the spring at a stretch of `stretch_m` >= 0, in N/m; at a seam both sides agree.
 [[nodiscard]] double compute_spring_slope_N_per_m(const CouplingSettings& settings,
                                                   double stretch_m) noexcept;
+/// What the spring has stored at a stretch of `stretch_m` >= 0: joules (world metres), the integral of
+/// its force.
+[[nodiscard]] double compute_spring_energy_J(const CouplingSettings& settings,
+                                             double stretch_m) noexcept;
+/// The spring's force on the hand alone, world frame, newtons.
+[[nodiscard]] Vector3 compute_coupling_spring(const CouplingSettings& settings,
+                                              const Vector3& proxy_W,
+                                              const Vector3& hand_W) noexcept;
 
 /// The force on the hand, world frame, newtons. `relative_velocity_W` is the hand's velocity less
 /// the proxy's.
@@ -38,10 +46,10 @@ namespace fulcrum {
                                              const Vector3& proxy_W, const Vector3& hand_W,
                                              const Vector3& relative_velocity_W) noexcept;
 
-/// The coupling's force while a surface is touched: whatever the damper says, a wall pushes and never holds
-/// fast. `normal_W` is the unit normal away from the surface; the force has no part against it.
+/// The coupling's force while a surface is touched, from its spring's: whatever the damper says, a wall pushes and
+/// never holds fast. `normal_W` is the unit normal away from the surface; the force has no part against it.
 [[nodiscard]] Vector3 compute_contact_force(const CouplingSettings& settings,
-                                            const Vector3& proxy_W, const Vector3& hand_W,
+                                            const Vector3& spring_W,
                                             const Vector3& relative_velocity_W,
                                             const Vector3& normal_W) noexcept;
 

@@ -26,6 +26,8 @@ struct DeviceTraits {
     double max_torque_Nm = 0.0;
     double position_resolution_m =
         0.0;  ///< encoder step; 0 when it is finer than 1e-5 m or unknown
+    /// Its own viscous friction at the handle, the least there is anywhere; 0 when it is unknown.
+    double damping_Ns_per_m = 0.0;
 };
 
 class Device {

@@ -1,7 +1,7 @@
 // One declared field: the plan fixes its law and coefficients; the lesson switches it, moves its anchor
 // and weakens it.
 //
-//   F = strength * law(x - anchor, v)            laws: spring.h, viscosity.h, magnet.h
+//   F = strength * (elastic(x - anchor) - b v)   laws: spring.h, viscosity.h, magnet.h
 //   strength  follows the commanded one (0 when off) by at most kStrengthRate_per_s
 //   anchor    a <- a + (a_commanded - a) (1 - exp(-dt / kAnchorTime_s))
 // A lesson speaks 60 times a second; both rules hide its steps from the hand.
@@ -10,6 +10,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/coupling/elastic_force.h"
 #include "haptics/field/field_plan.h"
 #include "haptics/handover/messages.h"
 #include "haptics/math/spatial.h"
@@ -39,11 +40,15 @@ struct FieldGains {
                                           const Vector3& position_W,
                                           const Vector3& velocity_W) noexcept;
 
-/// A field while it runs.
+/// What of a field's law depends on the place alone: newtons on a tool at `position_W`.
+using ElasticLaw = Vector3 (*)(const FieldPlan& plan, const Vector3& anchor_W,
+                               const Vector3& position_W) noexcept;
+
+/// A field while it runs. Its law is chosen when it is built: a step of one kind passes no other on its way.
 class FieldStage {
   public:
     /// Takes a plan that `validate` accepted. It starts switched off at the declared anchor.
-    explicit FieldStage(const FieldPlan& plan) noexcept : plan_(plan), anchor_W_(plan.anchor_W) {}
+    explicit FieldStage(const FieldPlan& plan) noexcept;
 
     /// Force in newtons after `dt_s`. A command that is not finite, or whose anchor is further away
     /// than kFarthestAnchor_m, keeps the former anchor and weakens to zero.
@@ -51,11 +56,16 @@ class FieldStage {
                                const Vector3& velocity_W, double dt_s) noexcept;
     /// The factor on the force now, 0 to 1.
     [[nodiscard]] double strength() const noexcept { return strength_; }
+    /// What of the last step's force gives back the hand's work.
+    [[nodiscard]] const ElasticForce& elastic() const noexcept { return elastic_; }
 
   private:
     FieldPlan plan_;
+    ElasticLaw law_;
+    double damping_Ns_per_m_;
     Vector3 anchor_W_;
     double strength_ = 0.0;
+    ElasticForce elastic_{};
 };
 
 }  // namespace fulcrum

@@ -18,15 +18,15 @@ bool is_sane(const LinearisedWrench& model) noexcept {
            sane(model.damping_Ns_per_m) && sane(model.torque_stiffness_Nm_per_m);
 }
 
-// Scales `value` down to the Frobenius norm `limit` where it is longer.
+// Scales `value` down to the Frobenius norm `limit` where it is longer; the factor, 1 where it is not.
 template <class M>
-bool shorten(M& value, double limit) noexcept {
+double shorten(M& value, double limit) noexcept {
     const double size = value.norm();
     if (size > limit) {
         value *= limit / size;
-        return true;
+        return limit / size;
     }
-    return false;
+    return 1.0;
 }
 
 // How many times steeper than allowed an answer is, at least 1; infinite where nothing is allowed.
@@ -79,47 +79,53 @@ LinearisationNote bound_gains(LinearisedWrench& model,
     if (remove_active_part(model.damping_Ns_per_m)) {
         notes = notes | LinearisationNote::active_damping_removed;
     }
-    if (shorten(model.stiffness_N_per_m, settings.max_stiffness_N_per_m)) {
+    if (shorten(model.stiffness_N_per_m, settings.max_stiffness_N_per_m) < 1.0) {
         notes = notes | LinearisationNote::stiffness_clamped;
     }
-    if (shorten(model.damping_Ns_per_m, settings.max_damping_Ns_per_m)) {
+    if (shorten(model.damping_Ns_per_m, settings.max_damping_Ns_per_m) < 1.0) {
         notes = notes | LinearisationNote::damping_clamped;
     }
-    if (shorten(model.torque_stiffness_Nm_per_m, settings.max_torque_stiffness_Nm_per_m)) {
+    if (shorten(model.torque_stiffness_Nm_per_m, settings.max_torque_stiffness_Nm_per_m) < 1.0) {
         notes = notes | LinearisationNote::torque_stiffness_clamped;
     }
     return notes;
 }
 
 // The newest answer at this place, within the limits and faded by its age.
-Wrench LinearisedWrenchStage::compute_plain(const Vector3& position_W, const Vector3& velocity_W,
-                                            double now_s) const noexcept {
+LinearisedWrenchStage::Plain LinearisedWrenchStage::compute_plain(const Vector3& position_W,
+                                                                  const Vector3& velocity_W,
+                                                                  double now_s) const noexcept {
     Wrench wrench_W = compute_linearised_wrench(model_, position_W, velocity_W);
-    (void)shorten(wrench_W.force, settings_.max_force_N);
-    (void)shorten(wrench_W.torque, settings_.max_torque_Nm);
+    const double force_share = shorten(wrench_W.force, settings_.max_force_N);
+    const double torque_share = shorten(wrench_W.torque, settings_.max_torque_Nm);
     const double late = (now_s - model_.stamp_s - settings_.timeout_s) / settings_.timeout_s;
     const double fresh = std::clamp(1.0 - late, 0.0, 1.0);
-    return {fresh * wrench_W.force, fresh * wrench_W.torque};
+    return {{fresh * wrench_W.force, fresh * wrench_W.torque},
+            fresh * force_share,
+            fresh * torque_share};
 }
 
-Wrench LinearisedWrenchStage::compute_blended(const Vector3& position_W, const Vector3& velocity_W,
-                                              double now_s) const noexcept {
+LinearisedWrenchStage::Plain LinearisedWrenchStage::compute_blended(const Vector3& position_W,
+                                                                    const Vector3& velocity_W,
+                                                                    double now_s) const noexcept {
     if (!has_model_) {
         return {};
     }
     const double left = std::clamp(1.0 - (now_s - accepted_at_s_) / blend_s_, 0.0, 1.0);
-    const Wrench plain_W = compute_plain(position_W, velocity_W, now_s);
-    return {plain_W.force + left * offset_W_.force, plain_W.torque + left * offset_W_.torque};
+    Plain blended = compute_plain(position_W, velocity_W, now_s);
+    blended.wrench_W.force += left * offset_W_.force;
+    blended.wrench_W.torque += left * offset_W_.torque;
+    return blended;
 }
 
 void LinearisedWrenchStage::accept(const LinearisedWrench& model, double excess,
                                    const Vector3& position_W, const Vector3& velocity_W,
                                    double now_s) noexcept {
-    const Wrench before_W = compute_blended(position_W, velocity_W, now_s);
+    const Wrench before_W = compute_blended(position_W, velocity_W, now_s).wrench_W;
     model_ = model;
     has_model_ = true;
     accepted_at_s_ = now_s;
-    const Wrench plain_W = compute_plain(position_W, velocity_W, now_s);
+    const Wrench plain_W = compute_plain(position_W, velocity_W, now_s).wrench_W;
     offset_W_ = {before_W.force - plain_W.force, before_W.torque - plain_W.torque};
     blend_s_ = excess * excess *
                std::max({kBlend_s, offset_W_.force.norm() / kAnswerSlew_N_per_s,
@@ -128,6 +134,7 @@ void LinearisedWrenchStage::accept(const LinearisedWrench& model, double excess,
 
 Wrench LinearisedWrenchStage::step(const LinearisedWrench& newest, const Vector3& position_W,
                                    const Vector3& velocity_W, double now_s) noexcept {
+    hold_elastic(position_W);
     // A stamp from the future waits until it is now: taken over, it would not age, and would keep
     // out the answers that come before it.
     if (newest.stamp_s >= 0.0 && newest.stamp_s > seen_stamp_s_ && newest.stamp_s <= now_s) {
@@ -138,7 +145,22 @@ Wrench LinearisedWrenchStage::step(const LinearisedWrench& newest, const Vector3
             accept(model, compute_excess(newest, settings_), position_W, velocity_W, now_s);
         }
     }
-    return compute_blended(position_W, velocity_W, now_s);
+    last_ = compute_blended(position_W, velocity_W, now_s);
+    elastic_force_.now_W = last_.wrench_W.force;
+    elastic_force_.now_W.noalias() -= last_.force_share * (model_.damping_Ns_per_m * velocity_W);
+    elastic_torque_.now_W = last_.wrench_W.torque;
+    return last_.wrench_W;
+}
+
+// Where the hand's own motion brings the former answer's elastic part, nothing else changed.
+void LinearisedWrenchStage::hold_elastic(const Vector3& position_W) noexcept {
+    const Vector3 moved_m = position_W - last_position_W_;
+    last_position_W_ = position_W;
+    elastic_force_.held_W = elastic_force_.now_W;
+    elastic_torque_.held_W = elastic_torque_.now_W;
+    elastic_force_.held_W.noalias() += last_.force_share * (model_.stiffness_N_per_m * moved_m);
+    elastic_torque_.held_W.noalias() +=
+        last_.torque_share * (model_.torque_stiffness_Nm_per_m * moved_m);
 }
 
 }  // namespace fulcrum

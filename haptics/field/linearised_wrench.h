@@ -34,6 +34,7 @@
 // haptic interfaces, J. Robotic Systems 14(1), for why active damping is taken out; the rest is ours.
 #pragma once
 
+#include "haptics/coupling/elastic_force.h"
 #include "haptics/field/field_plan.h"
 #include "haptics/handover/messages.h"
 #include "haptics/math/spatial.h"
@@ -102,12 +103,23 @@ class LinearisedWrenchStage {
                               const Vector3& velocity_W, double now_s) noexcept;
     /// What was changed in or refused of the newest answer.
     [[nodiscard]] LinearisationNote notes() const noexcept { return notes_; }
+    /// All of the last step's force but B v; held: moved along the former answer's slope.
+    [[nodiscard]] const ElasticForce& elastic_force() const noexcept { return elastic_force_; }
+    /// The last step's torque; held likewise.
+    [[nodiscard]] const ElasticForce& elastic_torque() const noexcept { return elastic_torque_; }
 
   private:
-    [[nodiscard]] Wrench compute_plain(const Vector3& position_W, const Vector3& velocity_W,
-                                       double now_s) const noexcept;
-    [[nodiscard]] Wrench compute_blended(const Vector3& position_W, const Vector3& velocity_W,
-                                         double now_s) const noexcept;
+    // A wrench, and how much of the model's slopes limits and age leave in it.
+    struct Plain {
+        Wrench wrench_W{};
+        double force_share = 0.0;
+        double torque_share = 0.0;
+    };
+    [[nodiscard]] Plain compute_plain(const Vector3& position_W, const Vector3& velocity_W,
+                                      double now_s) const noexcept;
+    [[nodiscard]] Plain compute_blended(const Vector3& position_W, const Vector3& velocity_W,
+                                        double now_s) const noexcept;
+    void hold_elastic(const Vector3& position_W) noexcept;
     void accept(const LinearisedWrench& model, double excess, const Vector3& position_W,
                 const Vector3& velocity_W, double now_s) noexcept;
 
@@ -119,6 +131,10 @@ class LinearisedWrenchStage {
     LinearisedWrench model_{};
     Wrench offset_W_{};  // what was felt before minus the new answer, when it came
     LinearisationNote notes_ = LinearisationNote::none;
+    ElasticForce elastic_force_{};
+    ElasticForce elastic_torque_{};
+    Vector3 last_position_W_{Vector3::Zero()};
+    Plain last_{};
 };
 
 }  // namespace fulcrum

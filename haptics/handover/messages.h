@@ -59,6 +59,14 @@ struct WorldFrame {
 /// How far the last gate lets forces through.
 enum class GatePhase : std::uint8_t { waiting, rising, open, fading, stopped };
 
+/// What the passivity stage knows of one port, the hand's translation or its turning (coupling/passivity.h).
+struct PortEnergy {
+    double excess_J =
+        0.0;  ///< given to the hand beyond what the ideal scene gives; negative: headroom
+    double peak_J = 0.0;    ///< largest excess so far
+    double braked_J = 0.0;  ///< taken back so far by the controller's brake
+};
+
 /// Haptic loop -> world, lesson and picture, newest value.
 struct HapticState {
     std::uint64_t tick = 0;
@@ -67,8 +75,11 @@ struct HapticState {
     Twist tool_twist_W{};  ///< estimated
     Vector3 proxy_position_W{
         Vector3::Zero()};  ///< where the tool may be; equals the tool's position in free space
-    Wrench commanded_W{};  ///< what the scene asks for, before the limits
-    Wrench applied_W{};    ///< what was sent to the device
+    Wrench
+        commanded_W{};  ///< what the scene asks for, braked where it is not passive, before the limits
+    Wrench applied_W{};                   ///< what was sent to the device
+    PortEnergy force_energy{};            ///< translation against force
+    PortEnergy torque_energy{};           ///< turning against torque
     std::int32_t touched_body = kNoBody;  ///< body under the proxy, or kNoBody
     std::uint32_t buttons = 0;            ///< one bit a button
     Fault faults = Fault::none;

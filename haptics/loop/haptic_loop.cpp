@@ -1,9 +1,8 @@
-// The step path of haptic_loop.h. What builds and describes the loop stands in
-// haptic_loop_build.cpp, so that the object made of this file can be checked for calls that a
-// real-time thread must not make.
+// The step path of haptic_loop.h; what each effect adds to the force stands in haptic_loop_forces.cpp. What builds and
+// describes the loop stands in haptic_loop_build.cpp, so that these objects can be checked for calls that a real-time
+// thread must not make.
 #include "haptics/loop/haptic_loop.h"
 
-#include "haptics/coupling/virtual_coupling.h"
 #include "haptics/loop/workspace.h"
 
 #include <algorithm>
@@ -37,6 +36,7 @@ void HapticLoop::step(double now_s) noexcept {
     estimate_motion();
     move_proxy();
     compute_forces();
+    keep_passive();
     limit_forces();
     write_device();
     publish_state();
@@ -169,35 +169,29 @@ void HapticLoop::move_proxy() noexcept {
 }
 
 void HapticLoop::compute_forces() noexcept {
-    Vector3 force_W = Vector3::Zero();
-    Vector3 torque_W = Vector3::Zero();
-    const Vector3& position_W = state_.tool_pose_W.position;
-    const Vector3& velocity_W = state_.tool_twist_W.linear;
-    const ForceCommand& command = channels_.command.value();
-    if (touch_ && touch_->contact.solid >= 0) {
-        force_W += compute_contact_force(touch_->coupling, state_.proxy_position_W, position_W,
-                                         velocity_W - touch_->proxy_velocity.velocity(),
-                                         touch_->contact.normal_W);
+    demand_ = SceneDemand{};
+    if (touch_) {
+        add_contact();
     }
     if (weight_) {
-        if (!is_finite(channels_.world.value().carried_force_W)) {
-            state_.faults |= Fault::command_invalid;
-        }
-        force_W += weight_->step(channels_.world.value().carried_force_W, dt_s_);
+        add_weight();
     }
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-        force_W += fields_[i].step(command.fields[i], position_W, velocity_W, dt_s_);
-    }
+    add_fields();
     if (lesson_force_) {
-        const Wrench wrench_W =
-            lesson_force_->step(command.linearised, position_W, velocity_W, now_s_);
-        force_W += wrench_W.force;
-        torque_W += wrench_W.torque;
-        if (has(lesson_force_->notes(), LinearisationNote::refused_not_finite)) {
-            state_.faults |= Fault::command_invalid;
-        }
+        add_lesson_force();
     }
-    state_.commanded_W = has_pose_ ? Wrench{force_W, torque_W} : Wrench{};
+    state_.commanded_W = has_pose_ ? demand_.wrench_W : Wrench{};
+}
+
+void HapticLoop::keep_passive() noexcept {
+    if (!passivity_ || !has_pose_) {
+        return;
+    }
+    const Wrench brake_W = passivity_->step(demand_, state_.tool_pose_W, dt_s_);
+    state_.commanded_W.force += brake_W.force;
+    state_.commanded_W.torque += brake_W.torque;
+    state_.force_energy = passivity_->force_energy();
+    state_.torque_energy = passivity_->torque_energy();
 }
 
 void HapticLoop::limit_forces() noexcept {
@@ -213,6 +207,9 @@ void HapticLoop::write_device() noexcept {
         late_faults_ |= Fault::device_write;
     }
     state_.applied_W = compute_world_wrench(plan_.workspace, applied_D_);
+    if (passivity_) {
+        passivity_->sent(state_.applied_W);
+    }
 }
 
 void HapticLoop::publish_state() noexcept {
@@ -236,12 +233,18 @@ void HapticLoop::forget_motion() noexcept {
         touch_->proxy->reset(state_.tool_pose_W.position);
         touch_->proxy_velocity.reset();
     }
+    if (passivity_) {
+        passivity_->forget();
+    }
 }
 
 void HapticLoop::silence(double now_s) noexcept {
     gate_.silence();
     applied_D_ = Wrench{};
     (void)device_.write(now_s, applied_D_);
+    if (passivity_) {
+        passivity_->sent(Wrench{});
+    }
 }
 
 }  // namespace fulcrum

@@ -1,6 +1,6 @@
 // The haptic loop: reads the hand, computes the scene's forces, writes what the last gate lets through.
 //
-//   take inputs -> read -> estimate -> proxy -> forces -> limits -> write -> publish
+//   take inputs -> read -> estimate -> proxy -> forces -> passivity -> limits -> write -> publish
 // Only the stages of the plan are built; a stage that is not in it takes no memory and no time.
 // Everything that is stale, missing or not a number becomes a Fault bit, and any fault fades the force
 // (safety.h).
@@ -19,6 +19,7 @@
 #include "haptics/field/weight.h"
 #include "haptics/handover/channels.h"
 #include "haptics/loop/haptic_plan.h"
+#include "haptics/loop/passivity_stage.h"
 #include "haptics/loop/safety.h"
 #include "haptics/point/proxy.h"
 
@@ -81,6 +82,11 @@ class HapticLoop final : public PeriodicTask {
     void estimate_motion() noexcept;
     void move_proxy() noexcept;
     void compute_forces() noexcept;
+    void add_contact() noexcept;
+    void add_weight() noexcept;
+    void add_fields() noexcept;
+    void add_lesson_force() noexcept;
+    void keep_passive() noexcept;
     void limit_forces() noexcept;
     void write_device() noexcept;
     void publish_state() noexcept;
@@ -100,6 +106,7 @@ class HapticLoop final : public PeriodicTask {
     std::unique_ptr<WeightRamp> weight_;
     std::vector<FieldStage> fields_;
     std::unique_ptr<LinearisedWrenchStage> lesson_force_;
+    std::unique_ptr<PassivityStage> passivity_;
     SafetyGate gate_;
 
     // Begin: time of this round, and how many there were.
@@ -116,6 +123,7 @@ class HapticLoop final : public PeriodicTask {
     DeviceReading told_{};
     bool has_pose_ = false;
     // Forces, limits.
+    SceneDemand demand_{};
     Wrench applied_D_{};
     HapticState state_{};
 };

@@ -78,6 +78,7 @@ Expected<void> validate(const HapticPlan& plan) {
         check_ranges("the haptic plan's", ranges),
         validate(plan.safety),
         validate(plan.coupling),
+        validate(plan.passivity),
         validate(plan.solids),
         validate(VelocitySettings{.method = plan.velocity_method,
                                   .cutoff_Hz = plan.velocity_cutoff_hz,
@@ -148,6 +149,9 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
         lesson_force_ = std::make_unique<LinearisedWrenchStage>(
             choose_lesson_settings(plan, choose_safety_settings(plan, device.traits())));
     }
+    if (plan.passivity.on && (touch_ || has_forces(plan))) {
+        passivity_ = std::make_unique<PassivityStage>(plan, device.traits());
+    }
 }
 
 HapticLoop::~HapticLoop() = default;
@@ -176,6 +180,9 @@ std::vector<StageInfo> HapticLoop::stages() const {
     }
     if (lesson_force_) {
         add(HapticStage::lesson, sizeof(LinearisedWrenchStage));
+    }
+    if (passivity_) {
+        add(HapticStage::passivity, sizeof(PassivityStage));
     }
     add(HapticStage::limits, sizeof(gate_));
     add(HapticStage::write, sizeof(applied_D_));

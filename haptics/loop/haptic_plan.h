@@ -2,6 +2,7 @@
 #pragma once
 
 #include "haptics/coupling/coupling_settings.h"
+#include "haptics/coupling/passivity.h"
 #include "haptics/coupling/velocity_estimator.h"
 #include "haptics/field/field_plan.h"
 #include "haptics/handover/messages.h"
@@ -26,6 +27,7 @@ enum class HapticStage : std::uint8_t {
     viscosity,
     magnet,
     lesson,
+    passivity,
     limits,
     write,
     publish,
@@ -34,11 +36,21 @@ enum class HapticStage : std::uint8_t {
 
 /// What a stage is called, for people: "read", or a force by its kind, "forces: weight".
 [[nodiscard]] constexpr const char* name_of(HapticStage stage) noexcept {
-    constexpr const char* kNames[] = {
-        "take inputs",      "read",           "estimate",       "proxy",
-        "forces: coupling", "forces: weight", "forces: spring", "forces: viscosity",
-        "forces: magnet",   "forces: lesson", "limits",         "write",
-        "publish",          "record"};
+    constexpr const char* kNames[] = {"take inputs",
+                                      "read",
+                                      "estimate",
+                                      "proxy",
+                                      "forces: coupling",
+                                      "forces: weight",
+                                      "forces: spring",
+                                      "forces: viscosity",
+                                      "forces: magnet",
+                                      "forces: lesson",
+                                      "passivity",
+                                      "limits",
+                                      "write",
+                                      "publish",
+                                      "record"};
     return kNames[static_cast<std::size_t>(stage)];
 }
 
@@ -75,6 +87,7 @@ struct HapticPlan {
     Workspace workspace{};
     SafetySettings safety{};
     CouplingSettings coupling{};
+    PassivitySettings passivity{};
     double velocity_cutoff_hz = 80.0;  ///< of the velocity estimator's low pass, where it has one
     VelocityMethod velocity_method = VelocityMethod::adaptive_window;
     bool carries_weight = false;    ///< a weight stage: something can lie in the tool
@@ -85,5 +98,10 @@ struct HapticPlan {
     std::vector<SolidPlan> solids;  ///< at most kMaxSolids; empty means no proxy stage
     std::vector<FieldPlan> fields;  ///< at most kMaxFields
 };
+
+/// Whether anything in the plan gives a force; where nothing does there is no energy to watch.
+[[nodiscard]] inline bool has_forces(const HapticPlan& plan) noexcept {
+    return !plan.solids.empty() || plan.carries_weight || !plan.fields.empty() || plan.lesson_force;
+}
 
 }  // namespace fulcrum

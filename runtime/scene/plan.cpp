@@ -191,6 +191,9 @@ void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
     if (plan.haptic.lesson_force) {
         add(HapticStage::lesson, "the lesson computes a force", lesson.hand.force_line);
     }
+    if (has_forces(plan.haptic)) {
+        add(HapticStage::passivity, "no force may feed a buzz", 0);
+    }
     add(HapticStage::limits, "a child's hand is near", 0);
     add(HapticStage::write, "the device renders it", 0);
     add(HapticStage::publish, "the other loops read it", 0);

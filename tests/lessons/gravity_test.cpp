@@ -206,7 +206,7 @@ TEST_CASE("gravity: explain lists what runs and nothing else") {
             CHECK(row.find(" -  ") == std::string::npos);
         }
     }
-    CHECK(haptic_rows == 7);
+    CHECK(haptic_rows == 8);
     for (const char* absent : {"proxy", "sound", "recogniser", "forces: lesson", "record"}) {
         CAPTURE(absent);
         CHECK(run.output.find(absent) == std::string::npos);

@@ -36,8 +36,10 @@ Vector3 compute_wall_force(const WallTrial& trial, const CouplingSettings& coupl
     if (trial.both_ways) {
         return compute_coupling_force(coupling, proxy, hand, velocity);
     }
-    return hand.x() < 0.0 ? compute_contact_force(coupling, proxy, hand, velocity, Vector3::UnitX())
-                          : Vector3(Vector3::Zero());
+    return hand.x() < 0.0
+               ? compute_contact_force(coupling, compute_coupling_spring(coupling, proxy, hand),
+                                       velocity, Vector3::UnitX())
+               : Vector3(Vector3::Zero());
 }
 
 }  // namespace

@@ -163,6 +163,12 @@ HapticPlan make_weight() {
     return plan;
 }
 
+// Every scene with forces has the passivity stage; this is the same scene without it.
+HapticPlan make_unwatched(HapticPlan plan) {
+    plan.passivity.on = false;
+    return plan;
+}
+
 HapticPlan make_solid() {
     HapticPlan plan;
     plan.solids = only_solid(touchable(make_sphere(kBall_m, 10)));
@@ -189,6 +195,7 @@ std::vector<Scene> list_scenes() {
         {"velocity by a low pass", make_estimator(VelocityMethod::filtered_difference)},
         {"velocity by a Kalman filter", make_estimator(VelocityMethod::kalman)},
         {"weight that stays", make_weight()},
+        {"weight that stays, without the passivity stage", make_unwatched(make_weight())},
         {.name = "weight that comes and goes (the gravity lesson)",
          .plan = make_weight(),
          .changing_weight = true},
@@ -198,6 +205,7 @@ std::vector<Scene> list_scenes() {
         {"a lesson's own force", make_lesson()},
         {"a solid, not touched", make_solid()},
         {"a solid, touched", make_solid(), kInside_m},
+        {"a solid, touched, without the passivity stage", make_unwatched(make_solid()), kInside_m},
         {.name = "recorded", .plan = {}, .recorded = true},
         {.name = "the gravity lesson with the simulated hand",
          .plan = make_weight(),

@@ -116,8 +116,10 @@ TEST_CASE("virtual coupling: a surface pushes and never holds fast, and the rest
     const Vector3 up = Vector3::UnitY();
     const Vector3 proxy(0.0, 0.001, 0.0);
     const auto both = [&](const Vector3& velocity) {
-        return std::pair(compute_coupling_force(kLinear, proxy, Vector3::Zero(), velocity),
-                         compute_contact_force(kLinear, proxy, Vector3::Zero(), velocity, up));
+        return std::pair(
+            compute_coupling_force(kLinear, proxy, Vector3::Zero(), velocity),
+            compute_contact_force(kLinear, compute_coupling_spring(kLinear, proxy, Vector3::Zero()),
+                                  velocity, up));
     };
     // 0.8 N of spring; leaving at 0.3 m/s takes 0.6 N of it, at 0.5 m/s it would pull back by 0.2 N.
     const auto [slow, slow_contact] = both(Vector3(0.1, 0.3, 0.0));
@@ -128,6 +130,21 @@ TEST_CASE("virtual coupling: a surface pushes and never holds fast, and the rest
     CHECK(fast_contact.y() == 0.0);
     CHECK(fast_contact.x() == fast.x());
     CHECK(both(Vector3(0.0, -0.5, 0.0)).second.y() == Approx(1.8));
+}
+
+TEST_CASE("virtual coupling: the energy is the integral of the force, at every stretch") {
+    for (const CouplingSettings& settings : {kLinear, kSaturating}) {
+        constexpr double kStep_m = 1e-7;
+        double energy_J = 0.0;
+        for (int i = 0; i < 200000; ++i) {
+            energy_J += kStep_m * compute_spring_force_N(settings, (i + 0.5) * kStep_m);
+            if (i % 1000 == 999) {
+                REQUIRE(compute_spring_energy_J(settings, (i + 1) * kStep_m) ==
+                        Approx(energy_J).epsilon(1e-6));
+            }
+        }
+        CHECK(compute_spring_energy_J(settings, 0.0) == 0.0);
+    }
 }
 
 TEST_CASE("virtual coupling: bad settings are refused") {

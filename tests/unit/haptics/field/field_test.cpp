@@ -203,3 +203,52 @@ TEST_CASE("field: a command that is not finite lets the field go") {
     command.strength = std::numeric_limits<double>::infinity();
     CHECK(field.step(command, Vector3(0.05, 0, 0), Vector3::Zero(), kDt_s).norm() == 0.0);
 }
+
+TEST_CASE(
+    "field: what it tells of its elastic part is its force without the damper, now and held") {
+    for (const FieldPlan& plan : {make_spring(), make_magnet()}) {
+        FieldStage field(plan);
+        FieldCommand command;
+        command.anchor_W = plan.anchor_W;
+        const Vector3 velocity(0.3, -0.2, 0.1);
+        Vector3 x(0.02, 0.01, -0.03);
+        const auto pull = [&](const Vector3& anchor) {
+            return compute_field_force(plan, anchor, x, Vector3::Zero());
+        };
+        // While it is switched on: held at the strength it had.
+        (void)field.step(command, x, velocity, kDt_s);
+        const double before = field.strength();
+        x.x() += 0.001;
+        const Vector3 force = field.step(command, x, velocity, kDt_s);
+        CHECK((field.elastic().now_W - field.strength() * pull(plan.anchor_W)).norm() < kRounding);
+        CHECK((field.elastic().held_W - before * pull(plan.anchor_W)).norm() < kRounding);
+        const double damping = plan.kind == FieldKind::spring ? 2.0 : 0.0;
+        CHECK((force - field.elastic().now_W + field.strength() * damping * velocity).norm() <
+              kRounding);
+        for (int k = 0; k < 200; ++k) {
+            (void)field.step(command, x, velocity, kDt_s);
+        }
+        CHECK(field.elastic().now_W == field.elastic().held_W);
+        // An anchor that is moved: held where it was.
+        command.anchor_W = plan.anchor_W + Vector3(0.0, 0.05, 0.0);
+        (void)field.step(command, x, velocity, kDt_s);
+        const Vector3 moved =
+            plan.anchor_W + (1.0 - std::exp(-kDt_s / kAnchorTime_s)) * Vector3(0.0, 0.05, 0.0);
+        CHECK((field.elastic().now_W - pull(moved)).norm() < kRounding);
+        CHECK((field.elastic().held_W - pull(plan.anchor_W)).norm() < kRounding);
+        // Off and gone.
+        command.on = false;
+        for (int k = 0; k < 200; ++k) {
+            (void)field.step(command, x, velocity, kDt_s);
+        }
+        CHECK(field.elastic().now_W.norm() == 0.0);
+        CHECK(field.elastic().held_W.norm() == 0.0);
+    }
+    FieldPlan honey;
+    honey.kind = FieldKind::viscosity;
+    honey.damping_Ns_per_m = 3.0;
+    FieldStage liquid(honey);
+    CHECK(liquid.step({}, Vector3::Zero(), Vector3(1, 0, 0), kDt_s).x() < 0.0);
+    CHECK(liquid.elastic().now_W.norm() == 0.0);
+    CHECK(liquid.elastic().held_W.norm() == 0.0);
+}

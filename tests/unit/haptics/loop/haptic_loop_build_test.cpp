@@ -25,6 +25,10 @@ TEST_CASE("haptic loop: what is not in the plan is not built") {
     };
     CHECK(names(HapticPlan{}) == "take inputs, read, estimate, limits, write, publish, ");
     CHECK(names(make_weight_plan()) ==
+          "take inputs, read, estimate, forces: weight, passivity, limits, write, publish, ");
+    HapticPlan unwatched = make_weight_plan();
+    unwatched.passivity.on = false;
+    CHECK(names(unwatched) ==
           "take inputs, read, estimate, forces: weight, limits, write, publish, ");
     HapticPlan full = make_weight_plan();
     full.lesson_force = true;
@@ -35,7 +39,7 @@ TEST_CASE("haptic loop: what is not in the plan is not built") {
     CHECK(names(full) ==
           "take inputs, read, estimate, proxy, forces: coupling, forces: weight, forces: magnet, "
           "forces: viscosity, "
-          "forces: lesson, limits, write, publish, record, ");
+          "forces: lesson, passivity, limits, write, publish, record, ");
 }
 
 TEST_CASE(
@@ -107,6 +111,7 @@ TEST_CASE(
     for (const double bad : {999.0, 4001.0}) {
         CHECK_FALSE(accepts([&](HapticPlan& plan) { plan.rate_hz = bad; }));
     }
+    CHECK_FALSE(accepts([&](HapticPlan& plan) { plan.passivity.memory_s = 0.0; }));
     for (const double good : {0.02, 5.0}) {
         CHECK(accepts([&](HapticPlan& plan) { plan.weight_onset_s = good; }));
     }
@@ -212,6 +217,10 @@ TEST_CASE("haptic loop: what a plan is when nobody says otherwise") {
     CHECK(plan.velocity_cutoff_hz == 80.0);
     CHECK(plan.coupling.stiffness_N_per_m == 500.0);
     CHECK(plan.coupling.damping_Ns_per_m == 9.5);
+    CHECK(plan.passivity.on);
+    CHECK(plan.passivity.handle_mass_kg == kHandleMass_kg);
+    CHECK(plan.passivity.headroom_J == 1.0e-4);
+    CHECK(plan.passivity.memory_s == 0.1);
     CHECK(plan.safety.max_force_N == 5.0);
     CHECK(plan.safety.max_torque_Nm == 0.3);
     CHECK(plan.safety.max_slew_N_per_s == 500.0);

@@ -1,0 +1,58 @@
+// What each effect of the plan adds to the force, and what of it gives the hand's work back. See haptic_loop.h.
+#include "haptics/coupling/virtual_coupling.h"
+#include "haptics/loop/haptic_loop.h"
+
+namespace fulcrum {
+
+void HapticLoop::add_contact() noexcept {
+    if (touch_->contact.solid < 0) {
+        return;
+    }
+    const Vector3& proxy_W = state_.proxy_position_W;
+    const Vector3& hand_W = state_.tool_pose_W.position;
+    ContactSpring& spring = demand_.contact;
+    spring.force = compute_coupling_spring(touch_->coupling, proxy_W, hand_W);
+    spring.energy_J = compute_spring_energy_J(touch_->coupling, (proxy_W - hand_W).stableNorm());
+    const Vector3 force_W = compute_contact_force(
+        touch_->coupling, spring.force,
+        state_.tool_twist_W.linear - touch_->proxy_velocity.velocity(), touch_->contact.normal_W);
+    spring.normal = touch_->contact.normal_W;
+    spring.push = force_W.dot(spring.normal);
+    demand_.force += {spring.force, spring.force};
+    demand_.wrench_W.force += force_W;
+}
+
+void HapticLoop::add_weight() noexcept {
+    const Vector3& carried_W = channels_.world.value().carried_force_W;
+    if (!is_finite(carried_W)) {
+        state_.faults |= Fault::command_invalid;
+    }
+    const Vector3 before_W = weight_->force_W();
+    const Vector3& force_W = weight_->step(carried_W, dt_s_);
+    demand_.wrench_W.force += force_W;
+    demand_.force += {force_W, before_W};
+}
+
+void HapticLoop::add_fields() noexcept {
+    const ForceCommand& command = channels_.command.value();
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        demand_.wrench_W.force += fields_[i].step(command.fields[i], state_.tool_pose_W.position,
+                                                  state_.tool_twist_W.linear, dt_s_);
+        demand_.force += fields_[i].elastic();
+    }
+}
+
+void HapticLoop::add_lesson_force() noexcept {
+    const Wrench wrench_W =
+        lesson_force_->step(channels_.command.value().linearised, state_.tool_pose_W.position,
+                            state_.tool_twist_W.linear, now_s_);
+    demand_.wrench_W.force += wrench_W.force;
+    demand_.wrench_W.torque += wrench_W.torque;
+    demand_.force += lesson_force_->elastic_force();
+    demand_.torque += lesson_force_->elastic_torque();
+    if (has(lesson_force_->notes(), LinearisationNote::refused_not_finite)) {
+        state_.faults |= Fault::command_invalid;
+    }
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,121 @@
+#include "haptics/loop/passivity_stage.h"
+
+#include "haptics/math/rotation.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kDt_s = 0.001;
+
+HapticPlan make_plan(double scale = 1.0, bool torque = false) {
+    HapticPlan plan;
+    plan.workspace.scale = scale;
+    plan.carries_weight = true;
+    plan.lesson_force = torque;
+    plan.passivity.memory_s = 10.0;
+    plan.passivity.headroom_J = 0.01;
+    return plan;
+}
+
+DeviceTraits make_traits() {
+    DeviceTraits traits;
+    traits.renders_force = true;
+    traits.max_force_N = 10.0;
+    traits.max_torque_Nm = 1.0;
+    return traits;
+}
+
+// One round behind an open gate.
+Wrench move(PassivityStage& stage, const SceneDemand& demand, const Pose& tool_W) {
+    const Wrench brake = stage.step(demand, tool_W, kDt_s);
+    stage.sent({demand.wrench_W.force + brake.force, demand.wrench_W.torque + brake.torque});
+    return brake;
+}
+
+SceneDemand make_spring(double force_N) {
+    SceneDemand demand;
+    demand.wrench_W.force = Vector3(0, force_N, 0);
+    demand.force = {demand.wrench_W.force, demand.wrench_W.force};
+    return demand;
+}
+
+}  // namespace
+
+TEST_CASE("passivity stage: energy is counted in the hand's metres, at any scale") {
+    for (const double scale : {0.05, 1.0, 100.0}) {
+        PassivityStage stage(make_plan(scale), make_traits());
+        // 0.2 N over 0.2 mm of the hand: 1000 N/m in the hand.
+        (void)move(stage, make_spring(0.0), Pose{});
+        const Wrench brake = move(stage, make_spring(-0.2), Pose::at(Vector3(0, 2e-4 * scale, 0)));
+        CHECK(stage.force_energy().excess_J == Approx(0.5 * 1000.0 * 4e-8));
+        CHECK(brake.force.y() == Approx(-0.2));
+        // The contact's energy, told in metres of the world, likewise.
+        PassivityStage touching(make_plan(scale), make_traits());
+        (void)move(touching, SceneDemand{}, Pose::at(Vector3(0, 1e-4 * scale, 0)));
+        SceneDemand wall = make_spring(0.2);
+        wall.contact = {wall.wrench_W.force, 0.5 * 0.2 * 2e-4 * scale};
+        (void)move(touching, wall, Pose::at(Vector3(0, -2e-4 * scale, 0)));
+        CHECK(touching.force_energy().excess_J == Approx(0.5 * 0.2 * 2e-4));
+    }
+}
+
+TEST_CASE("passivity stage: the first pose is no motion, and after a jump all begins anew") {
+    PassivityStage stage(make_plan(), make_traits());
+    (void)move(stage, make_spring(1.0), Pose::at(Vector3(1, 2, 3)));
+    CHECK(stage.force_energy().excess_J == 0.0);
+    (void)move(stage, make_spring(0.9), Pose::at(Vector3(1, 2.001, 3)));
+    CHECK(stage.force_energy().excess_J == Approx(0.5 * 0.1 * 0.001));
+    stage.forget();
+    CHECK(stage.force_energy().excess_J == 0.0);
+    CHECK(move(stage, make_spring(1.0), Pose::at(Vector3(7, 7, 7))).force.norm() == 0.0);
+    CHECK(stage.force_energy().excess_J == 0.0);
+}
+
+TEST_CASE("passivity stage: torque has a budget of its own, and none where there is no torque") {
+    PassivityStage stage(make_plan(1.0, true), make_traits());
+    const auto turned = [](double angle_rad) {
+        return Pose{Vector3::Zero(), compute_exp(Vector3(0, angle_rad, 0))};
+    };
+    const auto demand = [](double torque_Nm) {
+        SceneDemand scene;
+        scene.wrench_W.torque = Vector3(0, torque_Nm, 0);
+        scene.torque = {scene.wrench_W.torque, scene.wrench_W.torque};
+        return scene;
+    };
+    // A constant torque may be followed as far as one likes.
+    for (int k = 0; k < 100; ++k) {
+        CHECK(move(stage, demand(0.1), turned(0.01 * k)).torque.norm() == 0.0);
+    }
+    CHECK(stage.torque_energy().excess_J == Approx(0.0).margin(1e-15));
+    // A torsion spring leaks like a spring, and does not spend what translation has earned.
+    (void)move(stage, demand(0.09), turned(0.01 * 100));
+    CHECK(stage.torque_energy().excess_J == Approx(0.5 * 0.01 * 0.01));
+    CHECK(stage.force_energy().excess_J == 0.0);
+    const Wrench brake = move(stage, demand(0.08), turned(0.01 * 101));
+    CHECK(brake.torque.y() < 0.0);
+    CHECK(brake.torque.norm() <= 1.0e-5 / 0.008 * 0.01 / kDt_s * (1.0 + 1e-9));
+    CHECK(brake.force.norm() == 0.0);
+
+    DeviceTraits no_torque = make_traits();
+    no_torque.max_torque_Nm = 0.0;
+    for (PassivityStage& without :
+         {std::ref(stage = PassivityStage(make_plan(), make_traits())),
+          std::ref(stage = PassivityStage(make_plan(1.0, true), no_torque))}) {
+        (void)move(without, demand(0.1), turned(0.0));
+        CHECK(move(without, demand(0.05), turned(0.1)).torque.norm() == 0.0);
+        CHECK(without.torque_energy().peak_J == 0.0);
+    }
+}
+
+TEST_CASE("passivity stage: the device's own friction is counted in the hand") {
+    DeviceTraits traits = make_traits();
+    traits.damping_Ns_per_m = 0.4;
+    PassivityStage stage(make_plan(100.0), traits);
+    (void)move(stage, make_spring(0.0), Pose{});
+    (void)move(stage, make_spring(-0.2), Pose::at(Vector3(0, 0.02, 0)));
+    // 0.4 Ns/m against k T / 2 = 0.5 Ns/m.
+    CHECK(stage.force_energy().excess_J == Approx((0.5 - 0.4) * 4e-8 / kDt_s));
+}
