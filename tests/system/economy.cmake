@@ -1,0 +1,32 @@
+# Economy, counted in instructions by callgrind: of the library as it is, with one kind of field more, and with one question
+# more in each round. A sanitized program would count the sanitizer.
+if(FULCRUM_SANITIZE)
+  return()
+endif()
+file(GLOB field_and_loop CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/haptics/field/*.cpp ${CMAKE_SOURCE_DIR}/haptics/field/*.h
+     ${CMAKE_SOURCE_DIR}/haptics/loop/*.cpp ${CMAKE_SOURCE_DIR}/haptics/loop/*.h)
+set(economy_copy ${CMAKE_CURRENT_BINARY_DIR}/economy)
+set(copied_sources ${field_and_loop})
+list(FILTER copied_sources INCLUDE REGEX "[.]cpp$")
+list(TRANSFORM copied_sources REPLACE "^${CMAKE_SOURCE_DIR}" ${economy_copy}/kind)
+set(tested_source ${economy_copy}/tested/haptics/loop/haptic_loop.cpp)
+add_custom_command(OUTPUT ${copied_sources} ${tested_source}
+                   COMMAND ${CMAKE_CURRENT_LIST_DIR}/economy/add_effect.sh ${CMAKE_SOURCE_DIR} ${economy_copy}
+                   DEPENDS ${CMAKE_CURRENT_LIST_DIR}/economy/add_effect.sh ${field_and_loop})
+# A program's own objects stand before those of the library.
+function(add_economy_probe name)
+  add_executable(${name} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/economy/probe.cpp ${ARGN})
+  target_link_libraries(${name} PRIVATE fulcrum::haptics)
+  target_precompile_headers(${name} REUSE_FROM fulcrum_pch)
+endfunction()
+add_economy_probe(economy_probe)
+add_economy_probe(economy_probe_more ${copied_sources})
+target_include_directories(economy_probe_more BEFORE PRIVATE ${economy_copy}/kind)
+target_compile_definitions(economy_probe_more PRIVATE ECONOMY_ADDED_KIND=wind)
+add_economy_probe(economy_probe_tested ${tested_source})
+
+set(economy_name "system: only what a scene calls for is executed, whatever else the library knows")
+add_test(NAME "${economy_name}"
+         COMMAND ${CMAKE_CURRENT_LIST_DIR}/economy/economy.sh $<TARGET_FILE:economy_probe>
+                 $<TARGET_FILE:economy_probe_more> $<TARGET_FILE:economy_probe_tested>)
+set_tests_properties("${economy_name}" PROPERTIES LABELS system TIMEOUT 300 SKIP_RETURN_CODE 77)
