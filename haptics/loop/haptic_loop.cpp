@@ -29,17 +29,44 @@ bool is_reading(const DeviceReading& reading) noexcept {
 
 }  // namespace
 
-void HapticLoop::step(double now_s) noexcept {
+// The whole round. `passed(stage)` is called as each stage ends; where nobody listens it is nothing, and no instruction of
+// it is left. What is not in the plan is neither done nor told.
+template <class Passed>
+void HapticLoop::run_round(double now_s, const Passed& passed) noexcept {
     begin_round(now_s);
     take_inputs();
+    passed(HapticStage::take_inputs);
     read_device();
+    passed(HapticStage::read);
     estimate_motion();
+    passed(HapticStage::estimate);
     move_proxy();
-    compute_forces();
-    keep_passive();
+    if (touch_) {
+        passed(HapticStage::proxy);
+    }
+    compute_forces(passed);
+    if (passivity_) {
+        keep_passive();
+        passed(HapticStage::passivity);
+    }
     limit_forces();
+    passed(HapticStage::limits);
     write_device();
+    passed(HapticStage::write);
     publish_state();
+    passed(HapticStage::publish);
+    if (channels_.record != nullptr) {
+        record_round();
+        passed(HapticStage::record);
+    }
+}
+
+void HapticLoop::step(double now_s) noexcept {
+    run_round(now_s, [](HapticStage) {});
+}
+
+void HapticLoop::step_observed(double now_s, StageListener& listener) noexcept {
+    run_round(now_s, [&listener](HapticStage stage) { listener.passed(stage); });
 }
 
 void HapticLoop::begin_round(double now_s) noexcept {
@@ -168,23 +195,30 @@ void HapticLoop::move_proxy() noexcept {
     }
 }
 
-void HapticLoop::compute_forces() noexcept {
+template <class Passed>
+void HapticLoop::compute_forces(const Passed& passed) noexcept {
     demand_ = SceneDemand{};
     if (touch_) {
         add_contact();
+        passed(HapticStage::coupling);
     }
     if (weight_) {
         add_weight();
+        passed(HapticStage::weight);
     }
-    add_fields();
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        add_field(i);
+        passed(stage_of(plan_.fields[i].kind));
+    }
     if (lesson_force_) {
         add_lesson_force();
+        passed(HapticStage::lesson);
     }
     state_.commanded_W = has_pose_ ? demand_.wrench_W : Wrench{};
 }
 
 void HapticLoop::keep_passive() noexcept {
-    if (!passivity_ || !has_pose_) {
+    if (!has_pose_) {
         return;
     }
     const Wrench brake_W = passivity_->step(demand_, state_.tool_pose_W, dt_s_);
@@ -217,12 +251,13 @@ void HapticLoop::publish_state() noexcept {
     state_.time_s = now_s_;
     channels_.state_for_world.publish(state_);
     channels_.state_for_lesson.publish(state_);
-    if (channels_.record != nullptr) {
-        const bool kept = channels_.record->push(
-            {state_.tick, now_s_, told_.stamp_s, told_.pose_D, state_.tool_twist_W,
-             state_.commanded_W, state_.applied_W, told_.buttons, state_.faults, state_.gate});
-        late_faults_ |= kept ? Fault::none : Fault::record_full;
-    }
+}
+
+void HapticLoop::record_round() noexcept {
+    const bool kept = channels_.record->push(
+        {state_.tick, now_s_, told_.stamp_s, told_.pose_D, state_.tool_twist_W, state_.commanded_W,
+         state_.applied_W, told_.buttons, state_.faults, state_.gate});
+    late_faults_ |= kept ? Fault::none : Fault::record_full;
 }
 
 void HapticLoop::forget_motion() noexcept {

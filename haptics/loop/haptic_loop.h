@@ -21,6 +21,7 @@
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/loop/passivity_stage.h"
 #include "haptics/loop/safety.h"
+#include "haptics/loop/stage_listener.h"
 #include "haptics/point/proxy.h"
 
 #include <cstddef>
@@ -57,6 +58,8 @@ class HapticLoop final : public PeriodicTask {
     /// One round. `now_s` is the run's clock; a time that is not later than the last one is the
     /// fault command_invalid. A time that is not finite is not taken over.
     void step(double now_s) noexcept override;
+    /// The same round, to the byte, telling `listener` as each stage ends.
+    void step_observed(double now_s, StageListener& listener) noexcept;
     /// Zero force to the device; the next round must engage again. An emergency stop stays latched.
     void silence(double now_s) noexcept override;
 
@@ -76,20 +79,24 @@ class HapticLoop final : public PeriodicTask {
         ProxyContact contact{};
     };
 
+    template <class Passed>
+    void run_round(double now_s, const Passed& passed) noexcept;
     void begin_round(double now_s) noexcept;
     void take_inputs() noexcept;
     void read_device() noexcept;
     void estimate_motion() noexcept;
     void move_proxy() noexcept;
-    void compute_forces() noexcept;
+    template <class Passed>
+    void compute_forces(const Passed& passed) noexcept;
     void add_contact() noexcept;
     void add_weight() noexcept;
-    void add_fields() noexcept;
+    void add_field(std::size_t index) noexcept;
     void add_lesson_force() noexcept;
     void keep_passive() noexcept;
     void limit_forces() noexcept;
     void write_device() noexcept;
     void publish_state() noexcept;
+    void record_round() noexcept;
 
     [[nodiscard]] bool accept(const DeviceReading& reading) noexcept;
     void forget_motion() noexcept;

@@ -33,13 +33,12 @@ void HapticLoop::add_weight() noexcept {
     demand_.force += {force_W, before_W};
 }
 
-void HapticLoop::add_fields() noexcept {
-    const ForceCommand& command = channels_.command.value();
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-        demand_.wrench_W.force += fields_[i].step(command.fields[i], state_.tool_pose_W.position,
-                                                  state_.tool_twist_W.linear, dt_s_);
-        demand_.force += fields_[i].elastic();
-    }
+void HapticLoop::add_field(std::size_t index) noexcept {
+    FieldStage& field = fields_[index];
+    demand_.wrench_W.force +=
+        field.step(channels_.command.value().fields[index], state_.tool_pose_W.position,
+                   state_.tool_twist_W.linear, dt_s_);
+    demand_.force += field.elastic();
 }
 
 void HapticLoop::add_lesson_force() noexcept {

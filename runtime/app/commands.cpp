@@ -6,6 +6,8 @@
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/menu_screen.h"
 #include "runtime/app/open_store.h"
+#include "runtime/app/run_request.h"
+#include "runtime/app/stage_clock.h"
 #include "runtime/progress/database_path.h"
 #include "runtime/progress/report.h"
 #include "runtime/progress/sqlite/sqlite_store.h"
@@ -14,6 +16,7 @@
 #include <cstdio>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace fulcrum::runtime {
@@ -85,6 +88,21 @@ void say_of_mesh(const Places& places, const std::filesystem::path& folder,
         std::printf("lesson.lua:%d: %s: %s\n", body.line, body.name.c_str(),
                     to_sentence(report).c_str());
     }
+}
+
+// Plays the lesson under the virtual clock, each stage timed. The lesson's prints would be in the way of the figures.
+Expected<Analysis> measure_stages(LessonRun& run, const std::optional<double>& end_s) {
+    StageClock clock(run.plan());
+    HeadlessSettings settings;
+    settings.end_s = end_s;
+    settings.clock = &clock;
+    settings.shows_prints = false;
+    return run_headless(run, settings).map([&](const HeadlessOutcome& outcome) {
+        if (const std::string trouble = trouble_of(outcome); !trouble.empty()) {
+            std::fprintf(stderr, "%s\n", trouble.c_str());
+        }
+        return clock.finish(outcome.simulated_s, outcome.wall_s);
+    });
 }
 
 }  // namespace
@@ -162,12 +180,34 @@ int test_command(const Installation& installation, const Options& options) {
 
 int explain_command(const Installation& installation, const Options& options) {
     RunRequest request = quiet_request(options);
+    if (options.analyze) {
+        auto played = make_request(installation.places, options, false);
+        if (!played) {
+            return complain(played.error(), 2);
+        }
+        request = std::move(*played);
+    }
     request.plan.picture = !options.headless;
     request.plan.sound = !options.headless && !options.mute;
     request.plan.record = !options.record.empty();
-    request.record_file = "/dev/null";  // the record is built, so that its size can be told
-    return with_run(installation, options, request, [](LessonRun& run, const auto& /*folder*/) {
-        std::fputs(explain(run.description(), run.plan()).c_str(), stdout);
+    // The record is built, so that its size and time can be told; what it says is nobody's.
+    request.record_file = "/dev/null";
+    return with_run(installation, options, request, [&](LessonRun& run, const auto& /*folder*/) {
+        std::optional<Analysis> analysis;
+        if (options.analyze) {
+            auto measured = measure_stages(run, options.seconds);
+            if (!measured) {
+                return complain(measured.error(), 1);
+            }
+            analysis = std::move(*measured);
+        }
+        std::string text = options.json ? explain_json(run.description(), run.plan(),
+                                                       analysis ? &*analysis : nullptr)
+                                        : explain(run.description(), run.plan());
+        if (analysis && !options.json) {
+            text += explain_costs(run.plan(), *analysis);
+        }
+        std::fputs(text.c_str(), stdout);
         return 0;
     });
 }

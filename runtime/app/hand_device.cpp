@@ -35,7 +35,9 @@ Expected<void> HandDevice::make(const RunRequest& request) {
         case HandKind::scripted: {
             const SimulatedHandSettings settings;
             return validate(settings).map([&] {
-                device_ = std::make_unique<SimulatedHand>(settings, hand_target_);
+                auto simulated = std::make_unique<SimulatedHand>(settings, hand_target_);
+                simulated_ = simulated.get();
+                device_ = std::move(simulated);
                 hand_target_.publish({});
             });
         }
@@ -55,6 +57,13 @@ Expected<void> HandDevice::make(const RunRequest& request) {
             });
     }
     return {};
+}
+
+std::optional<Vector3> HandDevice::true_velocity_W() const {
+    if (simulated_ == nullptr) {
+        return std::nullopt;
+    }
+    return workspace_.pose_WD.orientation * (workspace_.scale * simulated_->velocity_D());
 }
 
 void HandDevice::follow(const Pose& target_W, std::uint32_t buttons) {

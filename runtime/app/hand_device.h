@@ -11,6 +11,7 @@
 #include "runtime/app/run_request.h"
 
 #include <memory>
+#include <optional>
 
 namespace fulcrum::runtime {
 
@@ -33,6 +34,9 @@ class HandDevice {
     /// Where the mouse pointed last, whatever the hand on the screen does.
     [[nodiscard]] const Pose& pointer_W() const noexcept { return pointer_W_; }
 
+    /// How fast a simulated hand really moves, in the world, m/s; nothing of another device.
+    [[nodiscard]] std::optional<Vector3> true_velocity_W() const;
+
   private:
     explicit HandDevice(const HapticPlan& plan)
         : workspace_(plan.workspace), pointer_W_(plan.workspace.pose_WD) {}
@@ -43,6 +47,7 @@ class HandDevice {
     LatestValue<PointerTarget> pointer_target_;
     Pose pointer_W_;
     std::unique_ptr<Device> device_;
+    const SimulatedHand* simulated_ = nullptr;  // the device, where it is one
 };
 
 }  // namespace fulcrum::runtime

@@ -18,8 +18,9 @@ constexpr double kLeastMinutes = 1.0;
 // The virtual clock: time is a count of haptic ticks, so that nothing drifts and nothing depends on the machine.
 class VirtualClock {
   public:
-    VirtualClock(LessonRun& run)
+    VirtualClock(LessonRun& run, StageClock* stages)
         : run_(run),
+          stages_(stages),
           rate_hz_(run.plan().haptic.rate_hz),
           world_every_(run.plan().world ? std::lround(rate_hz_ / run.plan().world->rate_hz) : 0),
           frame_rate_hz_(run.plan().lesson_rate_hz) {}
@@ -31,15 +32,45 @@ class VirtualClock {
     void count_frame() { ++frame_; }
 
     void tick() {
-        run_.haptic_loop().step(now_s());
-        if (run_.world_loop() != nullptr && tick_ % world_every_ == 0) {
-            run_.world_loop()->step(now_s());
+        const bool world_is_due = run_.world_loop() != nullptr && tick_ % world_every_ == 0;
+        if (stages_ != nullptr) {
+            observe_tick(world_is_due);
+        } else {
+            run_.haptic_loop().step(now_s());
+            if (world_is_due) {
+                run_.world_loop()->step(now_s());
+            }
         }
         ++tick_;
     }
 
+    Expected<FrameReport> exchange_frame() {
+        FrameInput input;
+        input.time_s = now_s();
+        if (stages_ != nullptr) {
+            stages_->begin();
+        }
+        auto report = run_.exchange_frame(input);
+        if (stages_ != nullptr) {
+            stages_->passed("lesson");
+        }
+        return report;
+    }
+
   private:
+    void observe_tick(bool world_is_due) {
+        stages_->begin();
+        run_.haptic_loop().step_observed(now_s(), *stages_);
+        stages_->compare(run_.haptic_loop().state(), run_.hand().true_velocity_W());
+        if (world_is_due) {
+            stages_->begin();
+            run_.world_loop()->step(now_s());
+            stages_->passed("world");
+        }
+    }
+
     LessonRun& run_;
+    StageClock* stages_;
     double rate_hz_;
     long world_every_;
     double frame_rate_hz_;
@@ -71,23 +102,25 @@ std::string trouble_of(const HeadlessOutcome& outcome) {
 
 Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& settings) {
     HeadlessOutcome outcome;
-    VirtualClock clock(run);
+    VirtualClock clock(run, settings.clock);
     const double began_s = monotonic_now_s();
     const double longest_s =
         60.0 * std::max(run.description().minutes, kLeastMinutes) * settings.most_lengths;
     double end_s = settings.end_s.value_or(longest_s);
-    print_lines(run.process().prints_while_loading());
+    if (settings.shows_prints) {
+        print_lines(run.process().prints_while_loading());
+    }
 
     while (clock.now_s() < end_s && !interrupted()) {
         if (clock.frame_is_due()) {
-            FrameInput input;
-            input.time_s = clock.now_s();
-            const auto report = run.exchange_frame(input);
+            const auto report = clock.exchange_frame();
             if (!report) {
                 fade_out(run, clock, to_sentence(report.error()));
                 return tl::unexpected(report.error());
             }
-            print_lines(report->printed);
+            if (settings.shows_prints) {
+                print_lines(report->printed);
+            }
             clock.count_frame();
             if (settings.after_frame) {
                 settings.after_frame(clock.now_s());

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "runtime/app/lesson_run.h"
+#include "runtime/app/stage_clock.h"
 
 #include <functional>
 #include <optional>
@@ -20,6 +21,9 @@ struct HeadlessSettings {
     double most_lengths = 3.0;
     /// Called after each frame with the run's time; for pictures on the way. May be empty.
     std::function<void(double)> after_frame;
+    /// Times every stage; null for a plain run, which is the same to the byte.
+    StageClock* clock = nullptr;
+    bool shows_prints = true;  ///< what the lesson prints goes to standard output
 };
 
 struct HeadlessOutcome {

@@ -61,6 +61,7 @@ class LessonRun {
     [[nodiscard]] HapticChannels& channels() { return channels_; }
     [[nodiscard]] const LessonProcess& process() const { return *process_; }
     [[nodiscard]] const Device& device() const { return hand_->device(); }
+    [[nodiscard]] const HandDevice& hand() const { return *hand_; }
 
     /// One frame, waiting for the lesson's answer. An error means that the lesson has failed.
     [[nodiscard]] Expected<FrameReport> exchange_frame(const FrameInput& input);

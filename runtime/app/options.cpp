@@ -25,7 +25,8 @@ constexpr std::array<CommandWord, 10> kCommands{{
     {"list", Command::list, false, " "},
     {"check", Command::check, true, " --force-limit "},
     {"test", Command::test, true, " --force-limit "},
-    {"explain", Command::explain, true, " --mute --headless --speech --record --force-limit "},
+    {"explain", Command::explain, true,
+     " --mute --headless --speech --record --force-limit --analyze --json --hand --say --seconds "},
     {"report", Command::report, false, " --learner --lesson --db --format --out "},
     {"help", Command::help, false, " "},
     {"--help", Command::help, false, " "},
@@ -105,13 +106,16 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
 }
 
 bool takes_value(std::string_view flag) {
-    return flag != "--headless" && flag != "--watch" && flag != "--mute";
+    return flag != "--headless" && flag != "--watch" && flag != "--mute" && flag != "--analyze" &&
+           flag != "--json";
 }
 
 void set_switch(Options& options, std::string_view flag) {
     options.headless |= flag == "--headless";
     options.watch |= flag == "--watch";
     options.mute |= flag == "--mute";
+    options.analyze |= flag == "--analyze";
+    options.json |= flag == "--json";
 }
 
 std::string nearest(const std::string& word, const std::vector<std::string>& known) {
@@ -233,6 +237,8 @@ std::string usage() {
   fulcrum check LESSON       look for mistakes without playing
   fulcrum test LESSON        play the lesson's own tests
   fulcrum explain LESSON     what runs for it, how often, and which line asked for it
+      --analyze              plays it without a window and says what each stage cost  (--hand --say --seconds)
+      --json                 for programs
   fulcrum report             what learners did  (--learner NAME --lesson ID --format text|csv --out FILE)
   fulcrum bench [NAME…]      what accuracy costs in time  (--out DIR --quick --list --draw FILE.csv)
 

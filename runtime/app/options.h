@@ -28,6 +28,8 @@ struct Options {
     SpeechInput speech = SpeechInput::text;
     bool watch = false;  ///< start again whenever the lesson's files change
     bool mute = false;
+    bool analyze = false;         ///< explain: play it too, and tell what each stage cost
+    bool json = false;            ///< explain: for programs
     double force_limit_N = 5.0;   ///< of this site, 0.5 to 10
     std::string format = "text";  ///< report: text or csv
     std::string out;              ///< report: file instead of the screen

@@ -6,83 +6,13 @@
 #include "runtime/app/menu_screen.h"
 #include "runtime/app/open_store.h"
 #include "runtime/app/picture.h"
+#include "runtime/app/run_request.h"
 
 #include <cstdio>
 #include <system_error>
 
 namespace fulcrum::runtime {
 namespace {
-
-// Whose hand: what was asked for, else the mouse in a window and the lesson's own simulated hand without.
-Expected<void> choose_hand(const Options& options, bool in_window, RunRequest& request) {
-    constexpr std::string_view kReplay = "replay:";
-    if (options.hand.starts_with(kReplay)) {
-        request.hand = HandKind::replay;
-        request.hand_file = options.hand.substr(kReplay.size());
-        std::error_code error;
-        if (!std::filesystem::is_regular_file(request.hand_file, error)) {
-            return fail("there is no such record", request.hand_file.string(),
-                        "give --hand replay: a file that --record wrote");
-        }
-    } else if (options.hand == "mouse" || (options.hand.empty() && in_window)) {
-        request.hand = HandKind::mouse;
-    } else if (!options.hand.empty() && !options.hand.ends_with(".lua")) {
-        return fail("there is no hand \"" + options.hand + "\"", "",
-                    "give --hand mouse, replay:FILE, or a Lua file's name");
-    } else {
-        request.hand_file = options.hand;
-    }
-    if (!in_window && request.hand == HandKind::mouse) {
-        return fail("there is no mouse without a window", "",
-                    "leave --hand out, or give it a hand's file");
-    }
-    return {};
-}
-
-// Whose answers: a file's, the lesson's own when nobody could type, else the keyboard's.
-Expected<void> choose_answers(const Options& options, bool in_window, RunRequest& request) {
-    request.own_test = !in_window;
-    request.learner = options.learner;
-    if (!options.say.empty()) {
-        const auto lines = SimulatedPupil::read_lines(options.say);
-        if (!lines) {
-            return tl::unexpected(lines.error());
-        }
-        if (lines->empty()) {
-            return fail("there are no answers in this file", options.say, "write one a line");
-        }
-        request.say = *lines;
-    }
-    if (in_window || (!request.say.empty() && !request.learner.empty())) {
-        return {};
-    }
-    if (!request.learner.empty()) {
-        std::fprintf(stderr,
-                     "The answers are the lesson's own, so they are kept for the %s, not for %s.\n",
-                     kSimulatedPupil, request.learner.c_str());
-    }
-    request.learner = kSimulatedPupil;
-    return {};
-}
-
-Expected<RunRequest> make_request(const Installation& installation, const Options& options,
-                                  bool in_window) {
-    RunRequest request;
-    const auto folder = find_lesson(installation.places, options.lesson);
-    if (!folder) {
-        return tl::unexpected(folder.error());
-    }
-    request.folder = *folder;
-    request.plan.force_limit_N = options.force_limit_N;
-    request.plan.speech = options.speech;
-    request.plan.picture = in_window || !options.screenshot.empty();
-    request.plan.sound = in_window && !options.mute;
-    request.plan.record = !options.record.empty();
-    request.record_file = options.record;
-    return choose_hand(options, in_window, request)
-        .and_then([&] { return choose_answers(options, in_window, request); })
-        .map([&] { return std::move(request); });
-}
 
 int run_in_window(const Installation& installation, const Options& options, RunRequest request) {
     auto desktop = Desktop::open(installation.places, request.plan.sound);
@@ -179,7 +109,7 @@ int run_without_window(const Installation& installation, const Options& options,
 
 int run_command(const Installation& installation, const Options& options) {
     const bool in_window = !options.headless && display_available();
-    auto request = make_request(installation, options, in_window);
+    auto request = make_request(installation.places, options, in_window);
     if (!request) {
         return complain(request.error(), 2);
     }
@@ -209,7 +139,7 @@ int menu_command(const Installation& installation, const Options& options) {
     while (const auto card =
                choose_lesson(*desktop, cards, installation.catalogue, chosen.learner)) {
         chosen.lesson = card->name;
-        auto request = make_request(installation, chosen, true);
+        auto request = make_request(installation.places, chosen, true);
         if (!request) {
             return complain(request.error(), 2);
         }

@@ -1,6 +1,8 @@
 // What is to be played, how and by whom.
 #pragma once
 
+#include "runtime/app/options.h"
+#include "runtime/app/places.h"
 #include "runtime/scene/plan.h"
 
 #include <filesystem>
@@ -22,5 +24,9 @@ struct RunRequest {
     std::string record_file;       ///< empty: nothing is recorded
     std::string learner;           ///< nickname; empty: "guest"
 };
+
+/// What the command line asks for: the lesson, whose hand and whose answers. Refuses what is not there, in one sentence.
+[[nodiscard]] Expected<RunRequest> make_request(const Places& places, const Options& options,
+                                                bool in_window);
 
 }  // namespace fulcrum::runtime

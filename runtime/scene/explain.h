@@ -1,7 +1,8 @@
 // Says what runs for a lesson: each stage with its rate, its memory and the line of the lesson that
-// asked for it.
+// asked for it; and, once it has been played, what each stage cost.
 #pragma once
 
+#include "runtime/scene/analysis.h"
 #include "runtime/scene/plan.h"
 
 #include <string>
@@ -10,6 +11,13 @@ namespace fulcrum::runtime {
 
 /// A table for people, 100 columns at most, one stage a line, in the order of the data.
 [[nodiscard]] std::string explain(const LessonDescription& lesson, const Plan& plan);
+
+/// The same width: calls, median and 99 % time, share and memory of each stage that was timed, then errors.
+[[nodiscard]] std::string explain_costs(const Plan& plan, const Analysis& analysis);
+
+/// Both as JSON, one object; `analysis` may be null. runtime/README.md describes it.
+[[nodiscard]] std::string explain_json(const LessonDescription& lesson, const Plan& plan,
+                                       const Analysis* analysis);
 
 /// Bytes as people read them: "96 B", "1.5 kB", "2.0 MB".
 [[nodiscard]] std::string bytes_text(std::size_t bytes);

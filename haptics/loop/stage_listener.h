@@ -1,0 +1,19 @@
+// Somebody who wants to know when each stage of a haptic round has ended: for measuring and explaining, never in a live run.
+#pragma once
+
+#include "haptics/loop/haptic_plan.h"
+
+namespace fulcrum {
+
+class StageListener {
+  public:
+    StageListener() = default;
+    StageListener(const StageListener&) = delete;
+    StageListener& operator=(const StageListener&) = delete;
+    virtual ~StageListener() = default;
+
+    /// The stage has just been done; the next one begins when this returns.
+    virtual void passed(HapticStage stage) noexcept = 0;
+};
+
+}  // namespace fulcrum

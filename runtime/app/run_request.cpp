@@ -1,0 +1,85 @@
+#include "runtime/app/run_request.h"
+
+#include "runtime/lesson/simulated_pupil.h"
+#include "runtime/progress/store.h"
+
+#include <cstdio>
+#include <string_view>
+#include <system_error>
+
+namespace fulcrum::runtime {
+namespace {
+
+// Whose hand: what was asked for, else the mouse in a window and the lesson's own simulated hand without.
+Expected<void> choose_hand(const Options& options, bool in_window, RunRequest& request) {
+    constexpr std::string_view kReplay = "replay:";
+    if (options.hand.starts_with(kReplay)) {
+        request.hand = HandKind::replay;
+        request.hand_file = options.hand.substr(kReplay.size());
+        std::error_code error;
+        if (!std::filesystem::is_regular_file(request.hand_file, error)) {
+            return fail("there is no such record", request.hand_file.string(),
+                        "give --hand replay: a file that --record wrote");
+        }
+    } else if (options.hand == "mouse" || (options.hand.empty() && in_window)) {
+        request.hand = HandKind::mouse;
+    } else if (!options.hand.empty() && !options.hand.ends_with(".lua")) {
+        return fail("there is no hand \"" + options.hand + "\"", "",
+                    "give --hand mouse, replay:FILE, or a Lua file's name");
+    } else {
+        request.hand_file = options.hand;
+    }
+    if (!in_window && request.hand == HandKind::mouse) {
+        return fail("there is no mouse without a window", "",
+                    "leave --hand out, or give it a hand's file");
+    }
+    return {};
+}
+
+// Whose answers: a file's, the lesson's own when nobody could type, else the keyboard's.
+Expected<void> choose_answers(const Options& options, bool in_window, RunRequest& request) {
+    request.own_test = !in_window;
+    request.learner = options.learner;
+    if (!options.say.empty()) {
+        const auto lines = SimulatedPupil::read_lines(options.say);
+        if (!lines) {
+            return tl::unexpected(lines.error());
+        }
+        if (lines->empty()) {
+            return fail("there are no answers in this file", options.say, "write one a line");
+        }
+        request.say = *lines;
+    }
+    if (in_window || (!request.say.empty() && !request.learner.empty())) {
+        return {};
+    }
+    if (!request.learner.empty()) {
+        std::fprintf(stderr,
+                     "The answers are the lesson's own, so they are kept for the %s, not for %s.\n",
+                     kSimulatedPupil, request.learner.c_str());
+    }
+    request.learner = kSimulatedPupil;
+    return {};
+}
+
+}  // namespace
+
+Expected<RunRequest> make_request(const Places& places, const Options& options, bool in_window) {
+    RunRequest request;
+    const auto folder = find_lesson(places, options.lesson);
+    if (!folder) {
+        return tl::unexpected(folder.error());
+    }
+    request.folder = *folder;
+    request.plan.force_limit_N = options.force_limit_N;
+    request.plan.speech = options.speech;
+    request.plan.picture = in_window || !options.screenshot.empty();
+    request.plan.sound = in_window && !options.mute;
+    request.plan.record = !options.record.empty();
+    request.record_file = options.record;
+    return choose_hand(options, in_window, request)
+        .and_then([&] { return choose_answers(options, in_window, request); })
+        .map([&] { return std::move(request); });
+}
+
+}  // namespace fulcrum::runtime

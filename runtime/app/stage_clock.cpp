@@ -1,0 +1,143 @@
+#include "runtime/app/stage_clock.h"
+
+#include "haptics/base/clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr std::size_t kHapticStages = static_cast<std::size_t>(HapticStage::record) + 1;
+
+// The least of many: what two looks at the clock are apart when nothing lies between them.
+double measure_clock_us() {
+    double least_s = 1.0;
+    for (int i = 0; i < 2000; ++i) {
+        const double before_s = monotonic_now_s();
+        least_s = std::min(least_s, monotonic_now_s() - before_s);
+    }
+    return 1e6 * least_s;
+}
+
+double quantile(std::vector<float>& sorted, double share) {
+    return sorted.empty()
+               ? 0.0
+               : sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+}  // namespace
+
+void StageClock::Sum::add(double value) noexcept {
+    squares += value * value;
+    ++count;
+}
+
+double StageClock::Sum::rms() const noexcept {
+    return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
+}
+
+StageClock::StageClock(const Plan& plan)
+    : plan_(plan),
+      clock_us_(measure_clock_us()),
+      calls_(plan.stages.size()),
+      haptic_stages_(kHapticStages) {
+    for (std::size_t i = 0; i < kHapticStages; ++i) {
+        haptic_stages_[i] = find("haptic", name_of(static_cast<HapticStage>(i)));
+    }
+}
+
+std::size_t StageClock::find(std::string_view loop, std::string_view name) const noexcept {
+    const auto& stages = plan_.stages;
+    const auto found = std::ranges::find_if(stages, [&](const PlanStage& stage) {
+        return stage.loop == loop && (name.empty() || stage.name == name);
+    });
+    return found == stages.end() ? kNoStage : static_cast<std::size_t>(found - stages.begin());
+}
+
+void StageClock::begin() noexcept {
+    began_s_ = monotonic_now_s();
+}
+
+void StageClock::passed(HapticStage stage) noexcept {
+    count(haptic_stages_[static_cast<std::size_t>(stage)]);
+}
+
+void StageClock::passed(std::string_view loop) noexcept {
+    count(find(loop, {}));
+}
+
+void StageClock::count(std::size_t stage) noexcept {
+    const double took_us = std::max(1e6 * (monotonic_now_s() - began_s_) - clock_us_, 0.0);
+    if (stage != kNoStage) {
+        Calls& calls = calls_[stage];
+        calls.total_us += took_us;
+        if (calls.count++ % calls.every == 0) {
+            calls.us.push_back(static_cast<float>(took_us));
+        }
+        if (calls.us.size() == kMostCalls) {
+            for (std::size_t i = 0; i < kMostCalls / 2; ++i) {
+                calls.us[i] = calls.us[2 * i];
+            }
+            calls.us.resize(kMostCalls / 2);
+            calls.every *= 2;
+        }
+    }
+    // What was done here is no stage's.
+    began_s_ = monotonic_now_s();
+}
+
+void StageClock::compare(const HapticState& state,
+                         const std::optional<Vector3>& true_velocity_W) noexcept {
+    if (true_velocity_W) {
+        velocity_error_m_per_s_.add((state.tool_twist_W.linear - *true_velocity_W).norm());
+    }
+    withheld_N_.add((state.commanded_W.force - state.applied_W.force).norm());
+    force_energy_ = state.force_energy;
+    torque_energy_ = state.torque_energy;
+}
+
+void StageClock::add_errors(StageFigures& figures) const {
+    const auto is = [&](HapticStage stage) {
+        return haptic_stages_[static_cast<std::size_t>(stage)] == figures.stage;
+    };
+    if (is(HapticStage::estimate) && velocity_error_m_per_s_.count > 0) {
+        figures.errors.push_back({"velocity, rms", 1e3 * velocity_error_m_per_s_.rms(), "mm/s",
+                                  "the simulated hand's own"});
+    }
+    if (is(HapticStage::passivity)) {
+        const std::string ideal = "the scene felt without sampling";
+        figures.errors.push_back(
+            {"excess energy at most", 1e3 * force_energy_.peak_J, "mJ", ideal});
+        figures.errors.push_back({"braked", 1e3 * force_energy_.braked_J, "mJ", {}});
+        if (torque_energy_.peak_J != 0.0 || torque_energy_.braked_J != 0.0) {
+            figures.errors.push_back(
+                {"excess energy of turning at most", 1e3 * torque_energy_.peak_J, "mJ", ideal});
+            figures.errors.push_back(
+                {"braked of turning", 1e3 * torque_energy_.braked_J, "mJ", {}});
+        }
+    }
+    if (is(HapticStage::limits)) {
+        figures.errors.push_back(
+            {"force kept back, rms", withheld_N_.rms(), "N", "what the scene asked for"});
+    }
+}
+
+Analysis StageClock::finish(double simulated_s, double wall_s) const {
+    Analysis analysis{simulated_s, wall_s, clock_us_, {}};
+    for (std::size_t i = 0; i < calls_.size(); ++i) {
+        if (calls_[i].count == 0) {
+            continue;
+        }
+        std::vector<float> sorted = calls_[i].us;
+        std::ranges::sort(sorted);
+        StageFigures figures{
+            i, calls_[i].count, quantile(sorted, 0.5), quantile(sorted, 0.99), calls_[i].total_us,
+            {}};
+        add_errors(figures);
+        analysis.stages.push_back(std::move(figures));
+    }
+    return analysis;
+}
+
+}  // namespace fulcrum::runtime

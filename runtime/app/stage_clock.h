@@ -1,0 +1,70 @@
+// Times every stage of a run under a virtual clock, and compares with the truth where somebody knows it.
+//
+// A look at the clock costs some 25 ns: it is measured, and taken off each call. Calls are kept whole up to kMostCalls a
+// stage, then every second one is dropped and only every second is kept from there on, so that a long run stays bounded.
+//
+// Thread: that of the virtual clock.
+#pragma once
+
+#include "haptics/handover/messages.h"
+#include "haptics/loop/stage_listener.h"
+#include "runtime/scene/analysis.h"
+#include "runtime/scene/plan.h"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+class StageClock final : public StageListener {
+  public:
+    static constexpr std::size_t kMostCalls = 200'000;
+
+    explicit StageClock(const Plan& plan);
+
+    /// Before a haptic round, a round of the world, a frame of the lesson.
+    void begin() noexcept;
+    /// A haptic stage has ended.
+    void passed(HapticStage stage) noexcept override;
+    /// What began last was the first stage of that loop: "world" or "lesson".
+    void passed(std::string_view loop) noexcept;
+    /// After a haptic round: what came of it, and how fast the hand really was, where that is known (world, m/s).
+    void compare(const HapticState& state, const std::optional<Vector3>& true_velocity_W) noexcept;
+
+    /// All figures; `simulated_s` and `wall_s` are the run's.
+    [[nodiscard]] Analysis finish(double simulated_s, double wall_s) const;
+
+  private:
+    static constexpr std::size_t kNoStage = static_cast<std::size_t>(-1);
+
+    struct Calls {
+        std::uint64_t count = 0;
+        double total_us = 0.0;
+        std::uint64_t every = 1;
+        std::vector<float> us;
+    };
+    struct Sum {
+        double squares = 0.0;
+        std::uint64_t count = 0;
+        void add(double value) noexcept;
+        [[nodiscard]] double rms() const noexcept;
+    };
+
+    void count(std::size_t stage) noexcept;
+    [[nodiscard]] std::size_t find(std::string_view loop, std::string_view name) const noexcept;
+    void add_errors(StageFigures& figures) const;
+
+    const Plan& plan_;
+    double clock_us_;
+    double began_s_ = 0.0;
+    std::vector<Calls> calls_;                // one a stage of the plan
+    std::vector<std::size_t> haptic_stages_;  // place in the plan of each HapticStage
+    Sum velocity_error_m_per_s_;
+    Sum withheld_N_;
+    PortEnergy force_energy_{};
+    PortEnergy torque_energy_{};
+};
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,105 @@
+// The half of explain.h that speaks of a run.
+#include "runtime/scene/explain.h"
+
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace fulcrum::runtime {
+namespace {
+
+std::string percent_text(double share) {
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "%.1f %%", 100.0 * share);
+    return text.data();
+}
+
+std::string cost_row(const PlanStage& stage, const StageFigures& figures, double total_us) {
+    const std::string memory = stage.memory_bytes > 0 ? bytes_text(stage.memory_bytes) : "-";
+    const double share = total_us > 0.0 ? figures.total_us / total_us : 0.0;
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(), "%-8s %-17s %9llu %10.3f %10.3f %8s %9s\n",
+                  stage.loop.c_str(), stage.name.c_str(),
+                  static_cast<unsigned long long>(figures.calls), figures.median_us, figures.p99_us,
+                  percent_text(share).c_str(), memory.c_str());
+    return text.data();
+}
+
+std::string error_row(const PlanStage& stage, const StageError& error) {
+    std::array<char, 200> text{};
+    std::snprintf(text.data(), text.size(), "%-8s %-17s %s %.3g %s%s%s\n", stage.loop.c_str(),
+                  stage.name.c_str(), error.what.c_str(), error.value, error.unit.c_str(),
+                  error.against.empty() ? "" : ", against ", error.against.c_str());
+    return text.data();
+}
+
+nlohmann::ordered_json json_of(const PlanStage& stage) {
+    return {{"loop", stage.loop},          {"stage", stage.name},
+            {"rate_hz", stage.rate_hz},    {"memory_bytes", stage.memory_bytes},
+            {"asked_by_line", stage.line}, {"because", stage.because}};
+}
+
+void add_costs(nlohmann::ordered_json& stages, const Analysis& analysis) {
+    const double total_us = analysis.total_us();
+    for (const StageFigures& figures : analysis.stages) {
+        nlohmann::ordered_json& stage = stages.at(figures.stage);
+        stage["calls"] = figures.calls;
+        stage["median_us"] = figures.median_us;
+        stage["p99_us"] = figures.p99_us;
+        stage["share"] = total_us > 0.0 ? figures.total_us / total_us : 0.0;
+        stage["errors"] = nlohmann::ordered_json::array();
+        for (const StageError& error : figures.errors) {
+            stage["errors"].push_back({{"what", error.what},
+                                       {"value", error.value},
+                                       {"unit", error.unit},
+                                       {"against", error.against}});
+        }
+    }
+}
+
+}  // namespace
+
+std::string explain_costs(const Plan& plan, const Analysis& analysis) {
+    std::array<char, 200> text{};
+    std::snprintf(text.data(), text.size(),
+                  "\nPlayed %.1f s in %.2f s. What it cost, a call (%.0f ns for the clock are "
+                  "taken off each):\n\n",
+                  analysis.simulated_s, analysis.wall_s, 1e3 * analysis.clock_us);
+    std::string result = text.data();
+    std::snprintf(text.data(), text.size(), "%-8s %-17s %9s %10s %10s %8s %9s\n", "loop", "stage",
+                  "calls", "median us", "99 % us", "share", "memory");
+    result += text.data();
+    const double total_us = analysis.total_us();
+    std::string errors;
+    for (const StageFigures& figures : analysis.stages) {
+        const PlanStage& stage = plan.stages[figures.stage];
+        result += cost_row(stage, figures, total_us);
+        for (const StageError& error : figures.errors) {
+            errors += error_row(stage, error);
+        }
+    }
+    if (!errors.empty()) {
+        result += "\nHow far from the truth, where it is known:\n\n" + errors;
+    }
+    return result;
+}
+
+std::string explain_json(const LessonDescription& lesson, const Plan& plan,
+                         const Analysis* analysis) {
+    nlohmann::ordered_json whole = {{"version", 1}, {"lesson", lesson.id}, {"title", lesson.title}};
+    nlohmann::ordered_json stages = nlohmann::ordered_json::array();
+    for (const PlanStage& stage : plan.stages) {
+        stages.push_back(json_of(stage));
+    }
+    if (analysis != nullptr) {
+        whole["simulated_s"] = analysis->simulated_s;
+        whole["wall_s"] = analysis->wall_s;
+        whole["clock_us"] = analysis->clock_us;
+        add_costs(stages, *analysis);
+    }
+    whole["stages"] = std::move(stages);
+    // A title may hold what is no UTF-8: it is replaced, never thrown at.
+    return whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace fulcrum::runtime
