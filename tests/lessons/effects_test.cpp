@@ -90,3 +90,39 @@ TEST_CASE("lessons: the one that README shows runs as it stands there") {
     CHECK(run.exit_code == 0);
     CHECK(run.output.find("stone: finished") != std::string::npos);
 }
+
+TEST_CASE(
+    "explain --analyze: every haptic stage of the plan is called in every round, others are not "
+    "there") {
+    const Sandbox sandbox;
+    const ProgramRun run =
+        sandbox.run(std::string("explain ") + kTouch + " --analyze --headless --seconds 4 --hand " +
+                    kTouch + "/press.lua");
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    const auto costs = run.output.substr(run.output.find("Played 4.0 s"));
+    for (const char* stage : {"take inputs", "read", "estimate", "proxy", "forces: coupling",
+                              "passivity", "limits", "write", "publish"}) {
+        const std::size_t line = costs.find(std::string("haptic   ") + stage);
+        INFO(stage);
+        REQUIRE(line != std::string::npos);
+        CHECK(costs.find(" 4000 ", line) < costs.find('\n', line));
+    }
+    CHECK(costs.find("forces: weight") == std::string::npos);
+    CHECK(costs.find("world ") == std::string::npos);
+    CHECK(costs.find("velocity, rms") != std::string::npos);
+    // The lesson prints; that would be in the way of the figures.
+    CHECK(run.output.find("touched ball") == std::string::npos);
+}
+
+TEST_CASE("explain --json: one object, with the figures when it was played") {
+    const Sandbox sandbox;
+    const ProgramRun run =
+        sandbox.run(std::string("explain ") + kForces +
+                    " --analyze --json --headless --seconds 1 --hand " + kForces + "/away.lua");
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    CHECK(run.output.front() == '{');
+    CHECK(run.output.find("\"stage\": \"forces: lesson\"") != std::string::npos);
+    CHECK(run.output.find("\"calls\": 1000") != std::string::npos);
+}

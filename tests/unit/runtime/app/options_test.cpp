@@ -42,6 +42,18 @@ TEST_CASE("options: run takes a lesson and every documented flag") {
     CHECK(options->force_limit_N == 10.0);
 }
 
+TEST_CASE("options: explain can play the lesson, and speak to programs") {
+    const auto options =
+        parse({"explain", "gravity", "--analyze", "--json", "--seconds", "2", "--hand", "h.lua"});
+    REQUIRE(options);
+    CHECK(options->analyze);
+    CHECK(options->json);
+    CHECK(options->seconds == 2.0);
+    CHECK(options->hand == "h.lua");
+    CHECK_FALSE(parse({"run", "gravity", "--analyze"}));
+    CHECK_FALSE(parse({"explain", "gravity"})->analyze);
+}
+
 TEST_CASE("options: a wrong word names the nearest right one") {
     CHECK(to_sentence(parse({"rnu"}).error()).find("did you mean run") != std::string::npos);
     CHECK(to_sentence(parse({"run", "gravity", "--headles"}).error())

@@ -1,0 +1,125 @@
+#include "runtime/app/stage_clock.h"
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <thread>
+
+namespace fulcrum::runtime {
+namespace {
+
+PlanStage stage(const char* loop, const char* name) {
+    return {loop, name, 1000.0, 0, "", 0};
+}
+
+Plan make_plan() {
+    Plan plan;
+    plan.stages = {stage("haptic", "read"),      stage("haptic", "estimate"),
+                   stage("haptic", "passivity"), stage("haptic", "limits"),
+                   stage("world", "falling"),    stage("world", "bucket"),
+                   stage("lesson", "lua")};
+    return plan;
+}
+
+const StageFigures* find(const Analysis& analysis, std::size_t index) {
+    for (const StageFigures& figures : analysis.stages) {
+        if (figures.stage == index) {
+            return &figures;
+        }
+    }
+    return nullptr;
+}
+
+TEST_CASE("stage clock: each call is counted for its own stage, what is not in the plan for none") {
+    const Plan plan = make_plan();
+    StageClock clock(plan);
+    for (int i = 0; i < 5; ++i) {
+        clock.begin();
+        clock.passed(HapticStage::read);
+        clock.passed(HapticStage::proxy);  // not in this plan
+        clock.passed(HapticStage::estimate);
+        clock.begin();
+        clock.passed("world");
+    }
+    clock.begin();
+    clock.passed("lesson");
+    const Analysis analysis = clock.finish(1.5, 0.5);
+    CHECK(analysis.simulated_s == 1.5);
+    CHECK(analysis.wall_s == 0.5);
+    REQUIRE(analysis.stages.size() == 4);
+    CHECK(find(analysis, 0)->calls == 5);
+    CHECK(find(analysis, 1)->calls == 5);
+    CHECK(find(analysis, 4)->calls == 5);
+    CHECK(find(analysis, 5) == nullptr);
+    CHECK(find(analysis, 6)->calls == 1);
+}
+
+TEST_CASE("stage clock: a stage that takes longer is said to take longer") {
+    const Plan plan = make_plan();
+    StageClock clock(plan);
+    for (int i = 0; i < 3; ++i) {
+        clock.begin();
+        clock.passed(HapticStage::read);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        clock.passed(HapticStage::estimate);
+    }
+    const Analysis analysis = clock.finish(1.0, 1.0);
+    CHECK(find(analysis, 1)->median_us >= 1990.0);
+    CHECK(find(analysis, 1)->total_us >= 3 * 1990.0);
+    CHECK(find(analysis, 0)->median_us < find(analysis, 1)->median_us);
+    CHECK(analysis.total_us() == Approx(find(analysis, 0)->total_us + find(analysis, 1)->total_us));
+}
+
+TEST_CASE("stage clock: a long run stays bounded, and every call counts") {
+    const Plan plan = make_plan();
+    StageClock clock(plan);
+    clock.begin();
+    const std::uint64_t n = 3 * StageClock::kMostCalls;
+    for (std::uint64_t i = 0; i < n; ++i) {
+        clock.passed(HapticStage::read);
+    }
+    const Analysis analysis = clock.finish(1.0, 1.0);
+    CHECK(find(analysis, 0)->calls == n);
+    CHECK(find(analysis, 0)->p99_us >= find(analysis, 0)->median_us);
+}
+
+TEST_CASE("stage clock: errors are what was compared, and stand with their stage") {
+    const Plan plan = make_plan();
+    StageClock clock(plan);
+    clock.begin();
+    clock.passed(HapticStage::estimate);
+    clock.passed(HapticStage::passivity);
+    clock.passed(HapticStage::limits);
+    HapticState state;
+    state.tool_twist_W.linear = {0.1, 0.0, 0.0};
+    state.commanded_W.force = {0.0, 4.0, 0.0};
+    state.applied_W.force = {0.0, 1.0, 0.0};
+    state.force_energy = {-0.001, 0.002, 0.003};
+    clock.compare(state, Vector3(0.1, 0.003, 0.0));
+    state.applied_W.force = {0.0, 0.0, 0.0};
+    clock.compare(state, Vector3(0.1, 0.001, 0.0));
+    const Analysis analysis = clock.finish(1.0, 1.0);
+    const auto& velocity = find(analysis, 1)->errors;
+    REQUIRE(velocity.size() == 1);
+    CHECK(velocity[0].value == Approx(1e3 * std::sqrt((9e-6 + 1e-6) / 2.0)));
+    CHECK(velocity[0].unit == "mm/s");
+    const auto& energy = find(analysis, 2)->errors;
+    REQUIRE(energy.size() == 2);
+    CHECK(energy[0].value == Approx(2.0));
+    CHECK(energy[1].value == Approx(3.0));
+    const auto& withheld = find(analysis, 3)->errors;
+    REQUIRE(withheld.size() == 1);
+    CHECK(withheld[0].value == Approx(std::sqrt((9.0 + 16.0) / 2.0)));
+}
+
+TEST_CASE("stage clock: a hand whose speed nobody knows has no error of velocity") {
+    const Plan plan = make_plan();
+    StageClock clock(plan);
+    clock.begin();
+    clock.passed(HapticStage::estimate);
+    clock.compare(HapticState{}, std::nullopt);
+    CHECK(find(clock.finish(1.0, 1.0), 1)->errors.empty());
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime

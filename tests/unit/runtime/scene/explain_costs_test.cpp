@@ -1,0 +1,75 @@
+#include "runtime/scene/explain.h"
+
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+using namespace fulcrum::runtime;
+
+namespace {
+
+Plan make_plan() {
+    Plan plan;
+    plan.stages = {{"haptic", "read", 1000.0, 72, "a hand holds it", 0},
+                   {"haptic", "estimate", 1000.0, 1300, "a velocity is needed", 0},
+                   {"lesson", "lua", 60.0, 0, "every lesson is a Lua file", 0}};
+    return plan;
+}
+
+Analysis make_analysis() {
+    Analysis analysis{10.0, 0.5, 0.02, {}};
+    analysis.stages = {
+        {0, 10000, 0.1, 0.2, 1000.0, {}},
+        {1, 10000, 0.3, 0.4, 3000.0, {{"velocity, rms", 1.5, "mm/s", "the hand's own"}}}};
+    return analysis;
+}
+
+LessonDescription make_lesson() {
+    LessonDescription lesson;
+    lesson.id = "stone";
+    lesson.title = "Catch \"it\"";
+    return lesson;
+}
+
+}  // namespace
+
+TEST_CASE("explain costs: a line a timed stage with calls, times, share and memory, then errors") {
+    const std::string text = explain_costs(make_plan(), make_analysis());
+    CHECK(text.find("Played 10.0 s in 0.50 s") != std::string::npos);
+    CHECK(text.find("haptic   read                  10000      0.100      0.200   25.0 %      72 "
+                    "B\n") != std::string::npos);
+    CHECK(text.find("75.0 %    1.3 kB\n") != std::string::npos);
+    CHECK(text.find("velocity, rms 1.5 mm/s, against the hand's own\n") != std::string::npos);
+    CHECK(text.find("lua") == std::string::npos);
+}
+
+TEST_CASE("explain costs: no heading of errors where there are none") {
+    Analysis analysis = make_analysis();
+    analysis.stages.pop_back();
+    CHECK(explain_costs(make_plan(), analysis).find("truth") == std::string::npos);
+}
+
+TEST_CASE("explain json: the plan alone, and with figures where a stage was timed") {
+    const auto plain = nlohmann::json::parse(explain_json(make_lesson(), make_plan(), nullptr));
+    CHECK(plain["version"] == 1);
+    CHECK(plain["lesson"] == "stone");
+    CHECK(plain["title"] == "Catch \"it\"");
+    REQUIRE(plain["stages"].size() == 3);
+    CHECK(plain["stages"][0]["memory_bytes"] == 72);
+    CHECK_FALSE(plain["stages"][0].contains("calls"));
+
+    const Analysis analysis = make_analysis();
+    const auto timed = nlohmann::json::parse(explain_json(make_lesson(), make_plan(), &analysis));
+    CHECK(timed["simulated_s"] == 10.0);
+    CHECK(timed["stages"][1]["calls"] == 10000);
+    CHECK(timed["stages"][1]["share"] == Approx(0.75));
+    CHECK(timed["stages"][1]["errors"][0]["unit"] == "mm/s");
+    CHECK_FALSE(timed["stages"][2].contains("calls"));
+}
+
+TEST_CASE("explain json: a title in no known encoding does not end the program") {
+    LessonDescription lesson = make_lesson();
+    lesson.title = "caf\xe9";
+    const auto whole = nlohmann::json::parse(explain_json(lesson, make_plan(), nullptr));
+    CHECK(whole["title"].get<std::string>().starts_with("caf"));
+}
