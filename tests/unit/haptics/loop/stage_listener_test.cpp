@@ -3,6 +3,7 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/loop/haptic_loop.h"
 #include "tests/support/scripted_device.h"
+#include "tests/support/touchable.h"
 
 #include <catch2/catch.hpp>
 
@@ -20,10 +21,7 @@ HapticPlan make_full_plan() {
     plan.fields = {{.kind = FieldKind::spring, .stiffness_N_per_m = 30.0},
                    {.kind = FieldKind::viscosity, .damping_Ns_per_m = 1.0},
                    {.kind = FieldKind::magnet, .peak_force_N = 1.0, .range_m = 0.05}};
-    const auto mesh = make_sphere(0.1, 4).and_then(
-        [](const TriangleMesh& sphere) { return CollisionMesh::create(sphere); });
-    REQUIRE(mesh);
-    plan.solids = {SolidPlan{.body = 0, .mesh = *mesh, .initial_pose_W = {}}};
+    plan.solids = only_solid(touchable(make_sphere(0.1, 4)));
     return plan;
 }
 
