@@ -244,8 +244,7 @@ Report run_stage_cost(Run& run) {
         "estimates the hand's velocity by the adaptive window.";
     sheet.advice =
         "Every effect is a small part of the millisecond that a round has, so choose by what is to "
-        "be felt; only a "
-        "solid that is touched costs as much as a bare round again.";
+        "be felt; only a solid that is touched costs as much as one or two bare rounds more.";
     sheet.columns = {"scene",    "median µs",  "99 % µs",
                      "added µs", "times bare", "state in bytes, meshes included"};
     for (std::size_t i = 0; i < scenes.size(); ++i) {
