@@ -12,7 +12,7 @@
 // turns (little lag). It is the default: over encoder steps of 55 um it is less than half as wrong as
 // the 80 Hz low pass while a hand swings slowly (2 cm at 1 Hz and less), where noise is felt most,
 // better up to 5 cm at 1 Hz, and worse from 5 cm at 2 Hz on. A test holds that at 1, 2 and 4 kHz.
-// `fulcrum bench velocity_estimators` draws all four: noise, lag, cost, and the damping that a wall may have.
+// `fulcrum bench velocity-estimators` draws all four: noise, lag, cost, and the damping that a wall may have.
 //
 // Thread: haptic loop. Cost: adaptive_window one division a sample of the window, the others one or two; no allocation.
 // Source: F. Janabi-Sharifi, V. Hayward, C.-S. J. Chen 2000, Discrete-time adaptive windowing for

@@ -134,6 +134,15 @@ double compute_spectral_radius(const LinearWall& wall) {
     return monodromy.eigenvalues().cwiseAbs().maxCoeff();
 }
 
+double find_linear_boundary(LinearWall wall, double tolerance) {
+    return find_largest(
+        [&](double stiffness) {
+            wall.stiffness_N_per_m = stiffness;
+            return compute_spectral_radius(wall) < 1.0;
+        },
+        1.0, kStiffestLinear_N_per_m, tolerance);
+}
+
 double compute_passive_damping(const LinearWall& wall) {
     return wall.stiffness_N_per_m * (0.5 * wall.period_s + wall.delay_s) +
            std::abs(wall.damping_Ns_per_m);

@@ -45,6 +45,10 @@ struct LinearWall {
 /// The largest magnitude of an eigenvalue of the monodromy matrix: below 1 the loop comes to rest.
 [[nodiscard]] double compute_spectral_radius(const LinearWall& wall);
 
+inline constexpr double kStiffestLinear_N_per_m = 1.0e7;
+/// The largest K, from 1 N/m to kStiffestLinear_N_per_m, up to which the loop comes to rest; below 1 when 1 does not.
+[[nodiscard]] double find_linear_boundary(LinearWall wall, double tolerance = 1e-5);
+
 /// The device's damping (Ns/m) above which the wall is passive whoever holds the device, K T/2 + |B|, with a delay
 /// K (T/2 + tau) + |B|, which then suffices.
 [[nodiscard]] double compute_passive_damping(const LinearWall& wall);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <limits>
 
 namespace fulcrum::z_width {
@@ -19,8 +21,9 @@ class Span {
         sum_ += value;
         ++n_;
     }
-    [[nodiscard]] double width() const { return n_ > 0 ? high_ - low_ : 0.0; }
-    [[nodiscard]] double mean() const { return n_ > 0 ? sum_ / n_ : 0.0; }
+    // No number when one of them was none.
+    [[nodiscard]] double width() const { return high_ - low_ + 0.0 * sum_; }
+    [[nodiscard]] double mean() const { return sum_ / n_; }
 
   private:
     double low_ = std::numeric_limits<double>::infinity();
@@ -42,78 +45,145 @@ Vector3 compute_wall_force(const WallTrial& trial, const CouplingSettings& coupl
                : Vector3(Vector3::Zero());
 }
 
+bool is_linear_wall(const WallTrial& trial) {
+    return trial.arm.position_resolution_m == 0.0 && trial.arm.dry_friction_N == 0.0 &&
+           (trial.damping_Ns_per_m == 0.0 ||
+            trial.velocity.method != VelocityMethod::adaptive_window);
+}
+
+// The arm, the estimator and the wall, one round after the other.
+class Rig {
+  public:
+    explicit Rig(const WallTrial& trial)
+        : trial_(trial), arm_(settings_of(trial), target_), estimator_(velocity_of(trial)) {
+        HandTarget wanted;
+        wanted.pose_D.position = Vector3(-trial.press_m, 0.0, 0.0);
+        target_.publish(wanted);
+        coupling_.stiffness_N_per_m = trial.stiffness_N_per_m;
+        coupling_.damping_Ns_per_m = trial.damping_Ns_per_m;
+    }
+
+    WallWindow run_window() {
+        Span position;
+        Span force;
+        bool is_linear = is_linear_wall(trial_);
+        const int n = static_cast<int>(std::lround(kWindow_s * trial_.rate_Hz));
+        for (int k = 0; k < n; ++k, ++round_) {
+            const double now_s = round_ / trial_.rate_Hz;
+            DeviceReading reading;
+            (void)arm_.read(now_s, reading);
+            const Vector3& hand = reading.pose_D.position;
+            const Vector3 f =
+                compute_wall_force(trial_, coupling_, hand, estimator_.step(hand, now_s));
+            (void)arm_.write(now_s, {f, Vector3::Zero()});
+            position.take(arm_.position_D().x());
+            force.take(f.x());
+            const bool touches = trial_.both_ways || f.x() > 0.0;
+            is_linear = is_linear && touches && std::abs(f.x()) < trial_.arm.max_force_N;
+        }
+        return {position.width(), force.width(), -position.mean(), force.mean(), is_linear};
+    }
+    [[nodiscard]] double time_s() const { return round_ / trial_.rate_Hz; }
+
+  private:
+    static SimulatedArmSettings settings_of(const WallTrial& trial) {
+        SimulatedArmSettings settings = trial.arm;
+        settings.start_D = Vector3(trial.start_m, 0.0, 0.0);
+        return settings;
+    }
+    static VelocitySettings velocity_of(const WallTrial& trial) {
+        VelocitySettings velocity = trial.velocity;
+        if (trial.arm.position_resolution_m > 0.0) {
+            velocity.noise_bound_m = trial.arm.position_resolution_m;
+        }
+        return velocity;
+    }
+
+    const WallTrial& trial_;
+    LatestValue<HandTarget> target_;
+    SimulatedArm arm_;
+    VelocityEstimator estimator_;
+    CouplingSettings coupling_;
+    int round_ = 0;
+};
+
+// Nothing where the search ended at either of its ends: neither is a boundary.
+std::optional<double> find_inside(const std::function<bool(double)>& holds, double low, double high,
+                                  double tolerance) {
+    const double found = find_largest(holds, low, high, tolerance);
+    return found < low || found >= high ? std::nullopt : std::optional(found);
+}
+
 }  // namespace
 
-WallCourse run_wall_trial(const WallTrial& trial) {
-    SimulatedArmSettings settings = trial.arm;
-    settings.start_D = Vector3(trial.start_m, 0.0, 0.0);
-    LatestValue<HandTarget> target;
-    HandTarget wanted;
-    wanted.pose_D.position = Vector3(-trial.press_m, 0.0, 0.0);
-    target.publish(wanted);
-    SimulatedArm arm(settings, target);
-    VelocitySettings velocity = trial.velocity;
-    if (settings.position_resolution_m > 0.0) {
-        velocity.noise_bound_m = settings.position_resolution_m;
-    }
-    VelocityEstimator estimator(velocity);
-    CouplingSettings coupling;
-    coupling.stiffness_N_per_m = trial.stiffness_N_per_m;
-    coupling.damping_Ns_per_m = trial.damping_Ns_per_m;
+WallJudge::WallJudge(const WallTrial& trial)
+    : WallJudge(std::max(kCalmSteps * trial.arm.position_resolution_m, kCalmAtLeast_m),
+                std::min(trial.arm.position_resolution_m * trial.stiffness_N_per_m + kCalmRipple_N,
+                         trial.arm.max_force_N)) {}
 
-    const int n = static_cast<int>(std::lround(trial.seconds * trial.rate_Hz));
-    Span early;
-    Span late;
-    Span force;
-    for (int k = 0; k < n; ++k) {
-        const double now_s = k / trial.rate_Hz;
-        DeviceReading reading;
-        (void)arm.read(now_s, reading);
-        const Vector3& v = estimator.step(reading.pose_D.position, now_s);
-        const Vector3 f = compute_wall_force(trial, coupling, reading.pose_D.position, v);
-        (void)arm.write(now_s, {f, Vector3::Zero()});
-        const double x = arm.position_D().x();
-        if (4 * k >= 3 * n) {
-            late.take(x);
-            force.take(f.x());
-        } else if (4 * k >= n && 4 * k < 2 * n) {
-            early.take(x);
+WallVerdict WallJudge::take(const WallWindow& window) {
+    constexpr std::size_t kTwoSeconds = 4;  // windows
+    if (!std::isfinite(window.swing_m) || !std::isfinite(window.ripple_N)) {
+        return WallVerdict::unstable;
+    }
+    windows_.push_back(window);
+    const std::size_t n = windows_.size();
+    const auto is_calm = [&](const WallWindow& one) {
+        return one.swing_m <= calm_m_ && one.ripple_N <= calm_N_;
+    };
+    if (n > 2 && is_calm(windows_[n - 1]) && is_calm(windows_[n - 2])) {
+        return WallVerdict::stable;
+    }
+    if (n < kTwoSeconds + 2) {
+        return WallVerdict::undecided;
+    }
+    // The least swing up to two seconds ago; the window in which the hand arrives is left out.
+    const auto last_old = windows_.end() - static_cast<std::ptrdiff_t>(kTwoSeconds);
+    const double least_m =
+        std::min_element(windows_.begin() + 1, last_old, [](const auto& a, const auto& b) {
+            return a.swing_m < b.swing_m;
+        })->swing_m;
+    if (window.swing_m > kStillDecays * least_m) {
+        return WallVerdict::unstable;
+    }
+    const bool was_linear = std::all_of(last_old - 1, windows_.end(),
+                                        [](const WallWindow& one) { return one.is_linear; });
+    return was_linear ? WallVerdict::stable : WallVerdict::undecided;
+}
+
+WallCourse run_wall_trial(const WallTrial& trial) {
+    Rig rig(trial);
+    WallJudge judge(trial);
+    WallCourse course;
+    while (course.verdict == WallVerdict::undecided) {
+        course.last = rig.run_window();
+        course.verdict = judge.take(course.last);
+        if (course.verdict == WallVerdict::undecided && rig.time_s() >= trial.longest_s) {
+            course.verdict = WallVerdict::unstable;
         }
     }
-    return {early.width(), late.width(), -late.mean(), force.mean(), force.width()};
+    course.lasted_s = rig.time_s();
+    return course;
 }
 
-bool is_stable(const WallCourse& course, double position_resolution_m) {
-    // A course that left the numbers is none.
-    return course.late_m <=
-               std::max(kStillDecays * course.early_m, kCalmSteps * position_resolution_m) &&
-           std::isfinite(course.early_m);
-}
-
-bool is_stable(const WallTrial& trial) {
-    return is_stable(run_wall_trial(trial), trial.arm.position_resolution_m);
-}
-
-double find_largest_stiffness(WallTrial trial, double tolerance) {
-    const double found = find_largest(
+std::optional<double> find_largest_stiffness(WallTrial trial, double tolerance) {
+    return find_inside(
         [&](double stiffness) {
             trial.stiffness_N_per_m = stiffness;
-            return is_stable(trial);
+            return run_wall_trial(trial).is_stable();
         },
         kSoftest_N_per_m, kStiffest_N_per_m, tolerance);
-    return found < kSoftest_N_per_m ? 0.0 : found;
 }
 
-double find_largest_damping(WallTrial trial, double tolerance) {
+std::optional<double> find_largest_damping(WallTrial trial, double tolerance) {
     constexpr double kLeast_Ns_per_m = 0.1;
     constexpr double kMost_Ns_per_m = 1000.0;
-    const double found = find_largest(
+    return find_inside(
         [&](double damping) {
             trial.damping_Ns_per_m = damping;
-            return is_stable(trial);
+            return run_wall_trial(trial).is_stable();
         },
         kLeast_Ns_per_m, kMost_Ns_per_m, tolerance);
-    return found < kLeast_Ns_per_m ? 0.0 : found;
 }
 
 }  // namespace fulcrum::z_width

@@ -3,20 +3,33 @@
 //
 //   the wall fills x < 0; F = max(K d - B v, 0) while d = -x > 0 is seen (or, both ways, K d - B v always)
 //   the hand starts at rest where it is put, and wants to be press_m inside the wall
-// The trial is judged by the true position's swing, from its lowest to its highest, in two windows of a quarter of its time:
-// the second quarter and the last. The wall is stable when the swing decays, to less than kStillDecays of what it was, or
-// lies within kCalmSteps encoder steps. A growing vibration and one that neither grows nor decays (a limit cycle) are not.
+// It runs on until it is decided. Each window of half a second gives the true position's swing, from its lowest to its
+// highest, and the ripple of the force that the wall asks for; d is a step of the encoder.
+//   stable      two windows one after the other are calm: swing <= max(2 d, 10 nm), and
+//               ripple <= d K + 0.52 N (a reading that goes between two neighbours), yet within what the motor has
+//   stable      the loop was linear all the while (no steps, no dry friction, no release, no saturation, no adaptive
+//               window) and the swing shrinks by a hundredth in two seconds: it will go on to nothing
+//   unstable    the swing has not shrunk by a hundredth below what it was two seconds ago, or ever before that: it grows,
+//               or it stands for ever as a limit cycle
+//   unstable    after longest_s it is neither
 #pragma once
 
 #include "haptics/coupling/coupling_settings.h"
 #include "haptics/coupling/velocity_estimator.h"
 #include "haptics/device/simulated/simulated_arm.h"
 
+#include <optional>
+#include <vector>
+
 namespace fulcrum::z_width {
 
+inline constexpr double kWindow_s = 0.5;  ///< longer than a period of the slowest hand
 inline constexpr double kStillDecays = 0.99;
 inline constexpr double kCalmSteps =
     2.0;  ///< a quantised loop at rest may chatter between two neighbours
+inline constexpr double kCalmAtLeast_m = 1.0e-8;  ///< far above rounding, far below any hand
+/// From -0.26 to 0.26 N: what the dry friction of the desktop arm holds, so that a hand on the real one feels nothing.
+inline constexpr double kCalmRipple_N = 0.52;
 
 struct WallTrial {
     SimulatedArmSettings arm{};
@@ -28,30 +41,52 @@ struct WallTrial {
     bool both_ways = false;   ///< a spring about the surface instead of a surface that only pushes
     double start_m = -0.001;  ///< where the hand starts
     double press_m = 0.0;     ///< how deep in the wall the hand wants to be
-    double seconds = 4.0;
+    double longest_s = 60.0;
+};
+
+enum class WallVerdict : unsigned char { undecided, stable, unstable };
+
+/// What one window saw.
+struct WallWindow {
+    double swing_m = 0.0;
+    double ripple_N = 0.0;   ///< from the smallest to the largest force asked for
+    double depth_m = 0.0;    ///< mean
+    double force_N = 0.0;    ///< mean
+    bool is_linear = false;  ///< nothing but springs and dampers acted
+};
+
+/// Judges windows as they come; the first, in which the hand arrives, counts for nothing.
+class WallJudge {
+  public:
+    /// Calm is up to this swing and ripple.
+    WallJudge(double calm_m, double calm_N) : calm_m_(calm_m), calm_N_(calm_N) {}
+    /// Calm for this trial.
+    explicit WallJudge(const WallTrial& trial);
+    /// The verdict with the next window; `stable` and `unstable` are final.
+    WallVerdict take(const WallWindow& window);
+
+  private:
+    double calm_m_, calm_N_;
+    std::vector<WallWindow> windows_;
 };
 
 struct WallCourse {
-    double early_m = 0.0;   ///< swing in the second quarter
-    double late_m = 0.0;    ///< swing in the last quarter
-    double depth_m = 0.0;   ///< mean depth in the last quarter
-    double force_N = 0.0;   ///< mean force on the hand in the last quarter
-    double ripple_N = 0.0;  ///< from the smallest to the largest force in the last quarter
+    WallVerdict verdict = WallVerdict::undecided;
+    WallWindow last;        ///< the window that decided
+    double lasted_s = 0.0;  ///< until it was decided
+    [[nodiscard]] bool is_stable() const { return verdict == WallVerdict::stable; }
 };
 
-/// Runs it; the same trial gives the same bits.
+/// Runs it until it is decided; the same trial gives the same bits.
 [[nodiscard]] WallCourse run_wall_trial(const WallTrial& trial);
-/// The verdict on a course of an arm with this encoder step (0 for none).
-[[nodiscard]] bool is_stable(const WallCourse& course, double position_resolution_m);
-/// Runs and judges.
-[[nodiscard]] bool is_stable(const WallTrial& trial);
 
 inline constexpr double kSoftest_N_per_m = 10.0;
 inline constexpr double kStiffest_N_per_m = 1.0e6;
 /// The stiffness up to which every wall tried is stable, from kSoftest_N_per_m on by steps of a tenth, then to a relative
-/// `tolerance`; 0 when the softest is not.
-[[nodiscard]] double find_largest_stiffness(WallTrial trial, double tolerance = 0.02);
-/// Likewise the damping at the trial's stiffness, from 0.1 to 1000 Ns/m; 0 when 0.1 is not stable.
-[[nodiscard]] double find_largest_damping(WallTrial trial, double tolerance = 0.02);
+/// `tolerance`; nothing when the softest is not, or when all are up to kStiffest_N_per_m.
+[[nodiscard]] std::optional<double> find_largest_stiffness(WallTrial trial,
+                                                           double tolerance = 0.02);
+/// Likewise the damping at the trial's stiffness, from 0.1 to 1000 Ns/m.
+[[nodiscard]] std::optional<double> find_largest_damping(WallTrial trial, double tolerance = 0.02);
 
 }  // namespace fulcrum::z_width

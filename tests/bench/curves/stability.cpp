@@ -19,7 +19,7 @@ Report run_stability(Run& run) {
     const auto& cases = stability::all_cases();
     for (std::size_t i = 0; i < cases.size(); ++i) {
         run.progress(static_cast<double>(i) / static_cast<double>(cases.size()), cases[i].name);
-        const stability::Finding finding = cases[i].run();
+        const stability::Finding finding = stability::run_case(cases[i]);
         sheet.rows.push_back({cases[i].name, cases[i].measured, to_text(finding.worst),
                               to_text(finding.limit), cases[i].unit, finding.holds() ? "yes" : "NO",
                               finding.note});

@@ -50,7 +50,7 @@ double find_stiffness_inside(const HumanImpedance& human, double damping) {
     trial.start_m = trial.arm.start_D.y();
     trial.damping_Ns_per_m = damping;
     trial.press_m = kPress_m;
-    return 0.9 * z_width::find_largest_stiffness(trial);
+    return 0.9 * z_width::find_largest_stiffness(trial).value();
 }
 
 Finding press_at_the_edge() {
@@ -67,8 +67,7 @@ Finding press_at_the_edge() {
             }
         }
     }
-    // The map lets a hand chatter over two steps; the loop meets the surface at another phase of them.
-    return {worst_m, (z_width::kCalmSteps + 1.0) * kStep_m, where};
+    return {worst_m, z_width::kCalmSteps * kStep_m, where};
 }
 
 Finding press_with_the_default() {
@@ -81,9 +80,11 @@ Finding press_with_the_default() {
     return {worst_m, z_width::kCalmSteps * kStep_m, "of three hands"};
 }
 
-// Rounds of 0.2 to 5 ms, and a gap of 100 ms now and then; the hand presses all the while.
+// Rounds of 0.2 to 5 ms, and a gap of 100 ms now and then; the hand presses all the while. Hand and coupling are two
+// springs, so it rests at press k_h / (k_h + K) below the surface: a swing as wide as that would let it leave the floor.
 Finding press_under_jitter() {
-    Swing swing;
+    const double stiffness = CouplingSettings{}.stiffness_N_per_m;
+    double worst = 0.0;
     for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
         std::mt19937_64 random(3);
         std::uniform_real_distribution<double> length_s(0.0002, 0.005);
@@ -95,16 +96,19 @@ Finding press_under_jitter() {
             held.step(k % 800 == 400 ? 0.1 : length_s(random));
             one.take(held.height_m());
         }
-        swing.take(one.width());
+        const double rest_m =
+            kPress_m * human.stiffness_N_per_m / (human.stiffness_N_per_m + stiffness);
+        worst = worse(worst, one.width() / rest_m);
     }
-    return {swing.high, kPress_m, "of three hands"};
+    return {worst, 1.0, "of three hands"};
 }
 
 // Readings that are none: no number, no unit, no way that a hand can go, at no time that is now.
+constexpr int kFirstLie = 1500;
 void lie(int k, DeviceReading& reading) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    if (k < 1500 || k % 500 > 60 || k % 3 == 1) {
+    if (k < kFirstLie || k % 500 > 60 || k % 3 == 1) {
         return;
     }
     switch (k / 500 % 8) {
@@ -135,27 +139,34 @@ void lie(int k, DeviceReading& reading) {
     }
 }
 
+// The truth is that the hand wants to be kPress_m deep, and moves at v: F <= K press + B v. A lie that is believed would
+// take the force to all that the arm has.
 Finding press_with_a_lying_device() {
     HapticPlan plan = make_floor_plan();
     HeldArm held(plan, make_arm_over_floor(kArm));
     held.device().spoil = lie;
     held.aim(-kPress_m);
+    held.run(0.001 * kFirstLie - 0.1);  // the tap is over, and the hand at rest
     double worst_N = 0.0;
+    double fastest_m_per_s = 0.0;
     double calmest_N = HUGE_VAL;
     int n_faults = 0;
-    for (int k = 0; k < 12000; ++k) {
+    for (int k = kFirstLie; k < 12000; ++k) {
         held.step();
         const Vector3& force = held.device().written_D.force;
         const double force_N = is_finite(force) ? force.norm() : HUGE_VAL;
         worst_N = std::max(worst_N, force_N);
+        fastest_m_per_s = std::max(fastest_m_per_s, held.arm().velocity_D().norm());
         n_faults += any(held.state().faults) ? 1 : 0;
         // Where a lie has lasted, the force has faded.
-        if (k > 1500 && any(held.state().faults)) {
+        if (any(held.state().faults)) {
             calmest_N = std::min(calmest_N, force_N);
         }
     }
     const bool seen = n_faults > 100 && calmest_N == 0.0;
-    return {seen ? worst_N : HUGE_VAL, make_desktop_arm().max_force_N,
+    const CouplingSettings coupling;
+    return {seen ? worst_N : HUGE_VAL,
+            coupling.stiffness_N_per_m * kPress_m + coupling.damping_Ns_per_m * fastest_m_per_s,
             std::to_string(n_faults) + " rounds with a fault"};
 }
 
@@ -225,7 +236,8 @@ const HardCase kDefault{{"the program's own coupling on a floor",
                          "the hand's swing in the last second", "m", press_with_the_default}};
 const HardCase kJitter{{"time steps of 0.2 to 5 ms and gaps of 100 ms",
                         "three hands press on a floor while the loop's clock stumbles",
-                        "the hand's swing", "m", press_under_jitter}};
+                        "the hand's swing over the depth at which it rests", "",
+                        press_under_jitter}};
 const HardCase kLies{{"NaN, infinity and jumps from the device",
                       "every kind of bad reading, while a hand presses on a floor",
                       "the largest force sent to the arm", "N", press_with_a_lying_device}};
