@@ -16,7 +16,7 @@ using fulcrum::stability::CaseDescription;
 using fulcrum::stability::Finding;
 
 bool run_one(const CaseDescription& one) {
-    const Finding finding = one.run();
+    const Finding finding = run_case(one);
     std::printf("%-44s %10.3g %10.3g %-6s %-4s %s%s%s\n", one.name.c_str(), finding.worst,
                 finding.limit, one.unit.c_str(), finding.holds() ? "ok" : "BAD",
                 one.measured.c_str(), finding.note.empty() ? "" : "; ", finding.note.c_str());

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
@@ -33,6 +34,16 @@ struct CaseDescription {
     std::string unit;
     std::function<Finding()> run;  ///< deterministic: fixed seeds, no clock; a few seconds at most
 };
+
+/// Runs it. A case that throws does not hold, and the others still run: its worst is no number, its note what it threw.
+[[nodiscard]] inline Finding run_case(const CaseDescription& one) {
+    try {
+        return one.run();
+    } catch (const std::exception& error) {
+        const double nan = std::nan("");
+        return {nan, nan, std::string("could not be run: ") + error.what()};
+    }
+}
 
 /// Adds to the list while the program starts.
 struct HardCase {
