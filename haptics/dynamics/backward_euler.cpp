@@ -6,7 +6,8 @@
 //   dI' w' = dtheta x L' - I' (dtheta x w'),  so  dL = I' dw + (I' [w'] - [L']) A dw
 //   dr_v = m dv - h (F_x h dv + F_theta A dw + F_v dv + F_w dw),  dr_w = dL - h (tau_x h dv + ...)
 // The first guess is the old velocity, so loads are linearised where that leads (Otaduy & Lin: at the old pose). When a
-// step of Newton has made the residual longer, a contact opened or closed on the way: half that step is tried.
+// step of Newton has made the residual longer, a contact opened or closed on the way: half that step is tried. The first
+// guess is never the answer, however little it leaves over: a load below the tolerance would be lost at every step for ever.
 #include "haptics/dynamics/integrator_steps.h"
 
 #include <Eigen/LU>
@@ -107,22 +108,31 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
     Vector6 change = Vector6::Zero();
     double base_size = std::numeric_limits<double>::infinity();
     StepResult result{StepStatus::iterations_spent, 0};
-    for (int i = 0; i < settings.newton_iterations; ++i) {
+    // One linear solve is a method of its own, taken as it comes; of more, what the last one led to is tried as well.
+    const int last = settings.newton_iterations > 1 ? settings.newton_iterations : 0;
+    for (int i = 0; i <= last; ++i) {
         const Twist velocity = add(base, change);
         const Guess guess = evaluate(step, settings, velocity);
-        if (!std::isfinite(guess.size)) {
+        if (!guess.residual.allFinite() || !guess.matrix.allFinite()) {
             return {StepStatus::not_finite, result.n_solves};
         }
-        if (guess.size <= 1.0) {
+        if (i > 0 && guess.size <= 1.0) {
             result.status = StepStatus::done;
             break;
         }
-        if (guess.size > base_size) {
+        const bool is_best = guess.size <= base_size;
+        if (is_best) {
+            base = velocity;
+            base_size = guess.size;
+        }
+        if (i > 0 && i == last) {
+            change.setZero();
+            break;
+        }
+        if (!is_best) {
             change *= 0.5;
             continue;
         }
-        base = velocity;
-        base_size = guess.size;
         ++result.n_solves;
         if (!solve(inertia, guess, change)) {
             return {StepStatus::singular, result.n_solves};

@@ -62,17 +62,18 @@ struct IntegratorSettings {
         1.0e-7;  ///< the same of L over the least moment; 1e-14 to 1
 };
 
-/// How a step ended. After the last two the state is as it was before.
+/// How a step ended. After the last two the state is as it was before. Where a force jumps, as that of a damped contact
+/// without a ramp, a step that ends at the jump may have no solution: its iterations are spent.
 enum class StepStatus : std::uint8_t {
     done,              ///< explicit methods; backward Euler within its tolerances
-    iterations_spent,  ///< moved to where the last of newton_iterations led
+    iterations_spent,  ///< moved by the best guess; by the only one where newton_iterations is 1
     singular,          ///< the linear system has no solution
     not_finite         ///< NaN or infinity in the state, the loads or the result
 };
 
 struct StepResult {
     StepStatus status = StepStatus::done;
-    int n_solves = 0;  ///< linear solves of backward Euler
+    int n_solves = 0;  ///< linear solves; backward Euler makes at least one
     [[nodiscard]] bool moved() const noexcept {
         return status == StepStatus::done || status == StepStatus::iterations_spent;
     }

@@ -4,7 +4,7 @@
 //   contact    d = -n.(p - p0) > 0:  f = k d + b s(d) (-n.u),  F = max(f, 0) n;   s(d) = min(d/d_r, 1)
 //              A wall pushes and never holds. With d_r > 0 the damper comes in over that depth, so F is
 //              continuous at the touch; d_r = 0 is the plain Kelvin-Voigt law, which jumps there by b |u|, and
-//              then an implicit step that ends at the touch may have no solution.
+//              then an implicit step that ends at the touch may have no solution (StepStatus).
 //   coupling   tool_coupling.h, at the grip p = x + R c; the handle moves on from its stamp along its twist
 //
 // Thread: that of the step. Cost: 20 to 100 ns each, no allocation.

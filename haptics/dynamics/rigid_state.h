@@ -2,7 +2,8 @@
 //
 // The state is (x, q, v, w): the centre of mass, a unit quaternion, linear and angular velocity, all in W. Integrators
 // step the momenta P = m v and L = R I R^T w instead of the velocities: dL/dt = torque needs no gyroscopic term, and no
-// torque leaves L as it is, to rounding. Loads and constraints want velocities, so those are what is kept.
+// torque leaves L as it is: to rounding, and in backward Euler to Newton's tolerance. Loads and constraints want
+// velocities, so those are what is kept.
 //
 // Thread: any. Cost: some 30 multiplications each.
 #pragma once

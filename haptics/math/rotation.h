@@ -14,7 +14,7 @@
 
 namespace fulcrum {
 
-/// The rotation about `rotation_vector` by its length in radians. Exactly normalised.
+/// The rotation about `rotation_vector` by its length in radians. Normalised to rounding.
 [[nodiscard]] inline Quaternion compute_exp(const Vector3& rotation_vector) noexcept {
     // Below this angle the series 1/2 - phi^2/48 is exact to double precision.
     constexpr double kSmallAngle_rad = 1.0e-4;

@@ -10,11 +10,11 @@ using namespace fulcrum::test;
 
 namespace {
 
-// What backward Euler's equations leave over after a step, in m/s and rad/s.
-double residual(const Inertia& inertia, const Load& load, double dt_s, const RigidState& before,
-                const RigidState& after) {
+// What backward Euler's equations leave over after a step that began at `time_s`, in m/s and rad/s.
+double residual(const Inertia& inertia, const Load& load, double time_s, double dt_s,
+                const RigidState& before, const RigidState& after) {
     Wrench wrench;
-    load.add_wrench(after, dt_s, wrench);
+    load.add_wrench(after, time_s + dt_s, wrench);
     const Vector3 force = inertia.mass_kg * (after.velocity_W.linear - before.velocity_W.linear) -
                           dt_s * wrench.force;
     const Vector3 torque = compute_angular_momentum_W(inertia, after) -
@@ -66,9 +66,46 @@ TEST_CASE("backward Euler: the step solves the implicit equations, from 0.25 to 
                                                       kBlock, all, 0.0, dt_s, state);
             REQUIRE(result.status == StepStatus::done);
             // The tolerance, and places and turns rounded to 1e-16 and divided by the step.
-            CHECK(residual(kBlock, all, dt_s, before, state) < 1.0e-9);
+            CHECK(residual(kBlock, all, 0.0, dt_s, before, state) < 1.0e-9);
         }
     }
+}
+
+TEST_CASE("backward Euler: a handle that moves on is asked where it is at the end of the step") {
+    ToolCouplingLoad coupling = stretched_coupling();
+    coupling.set_handle({{{0.05, 0.02, -0.03}, compute_exp({0.5, 1.0, -0.7})},
+                         {{0.4, -0.3, 0.2}, {2.0, -1.0, 3.0}}},
+                        0.5);
+    constexpr double kStep_s = 0.001;
+    RigidState state = any_state();
+    for (int i = 0; i < 20; ++i) {
+        const double time_s = 0.52 + i * kStep_s;
+        const RigidState before = state;
+        const StepResult result = step_rigid_body(settings_of(Integrator::backward_euler), kBlock,
+                                                  coupling, time_s, kStep_s, state);
+        REQUIRE(result.status == StepStatus::done);
+        CHECK(residual(kBlock, coupling, time_s, kStep_s, before, state) < 1.0e-9);
+    }
+}
+
+TEST_CASE("backward Euler: a load too small for one step's tolerance moves the body all the same") {
+    constexpr double kPush_m_per_s2 = 1.0e-7;
+    constexpr double kTurn_rad_per_s2 = 1.0e-6;
+    constexpr double kStep_s = 0.001;
+    constexpr int kSteps = 100000;
+    const IntegratorSettings settings;
+    REQUIRE(kStep_s * kPush_m_per_s2 < settings.newton_tolerance_m_per_s);
+    REQUIRE(kStep_s * kTurn_rad_per_s2 < settings.newton_tolerance_rad_per_s);
+    const ConstantLoad load({{0.0, kBlock.mass_kg * kPush_m_per_s2, 0.0},
+                             {0.0, 0.0, kBlock.moments_kg_m2.z() * kTurn_rad_per_s2}});
+    RigidState state;
+    for (int i = 0; i < kSteps; ++i) {
+        REQUIRE(step_rigid_body(settings, kBlock, load, i * kStep_s, kStep_s, state).status ==
+                StepStatus::done);
+    }
+    const double took_s = kSteps * kStep_s;
+    CHECK(state.velocity_W.linear.y() == Approx(kPush_m_per_s2 * took_s).epsilon(1e-9));
+    CHECK(state.velocity_W.angular.z() == Approx(kTurn_rad_per_s2 * took_s).epsilon(1e-9));
 }
 
 TEST_CASE("backward Euler: Newton converges quadratically, so a smooth step takes a few solves") {
@@ -86,7 +123,7 @@ TEST_CASE("backward Euler: Newton converges quadratically, so a smooth step take
         RigidState after = any_state();
         step_rigid_body(few, kBlock, coupling, 0.0, 0.004, after);
         left[static_cast<std::size_t>(n - 1)] =
-            residual(kBlock, coupling, 0.004, any_state(), after);
+            residual(kBlock, coupling, 0.0, 0.004, any_state(), after);
     }
     CHECK(left[1] < 0.05 * left[0]);
     CHECK(left[2] < 1.0e-3 * left[1]);
@@ -191,4 +228,36 @@ TEST_CASE(
         CHECK(result.status == StepStatus::done);
     }
     CHECK(worst <= 8);
+}
+
+TEST_CASE(
+    "backward Euler: a strike that no step solves ends at the best guess and gains no energy") {
+    // The plain Kelvin-Voigt law jumps at the touch, so a step that would end there has no solution.
+    const std::array<PlaneContact, 1> plane{{{.point_B = {0.0, -0.01, 0.0},
+                                              .plane_point_W = Vector3::Zero(),
+                                              .normal_W = Vector3::UnitY(),
+                                              .stiffness_N_per_m = 2000.0,
+                                              .damping_Ns_per_m = 20.0,
+                                              .damping_ramp_m = 0.0}}};
+    const PlaneContactsLoad contact(plane);
+    const Inertia inertia = make_ball_inertia(0.01, 0.02);
+    int n_spent = 0;
+    double worst = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+        RigidState state;
+        state.pose_W.position.y() = 0.01 + 1.0e-6 * i;
+        state.velocity_W.linear.y() = -1.0;
+        const double before_J = compute_kinetic_energy_J(inertia, state);
+        const StepResult result =
+            step_rigid_body(IntegratorSettings{}, inertia, contact, 0.0, 0.001, state);
+        REQUIRE(result.moved());
+        n_spent += result.status == StepStatus::iterations_spent ? 1 : 0;
+        const double depth_m = std::max(0.0, compute_depth_m(plane[0], state.pose_W));
+        const double after_J =
+            compute_kinetic_energy_J(inertia, state) + 0.5 * 2000.0 * depth_m * depth_m;
+        worst = std::max(worst, after_J / before_J);
+    }
+    CAPTURE(n_spent);
+    CHECK(n_spent > 0);
+    CHECK(worst <= 1.0 + 1.0e-9);
 }
