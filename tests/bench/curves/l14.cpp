@@ -50,13 +50,14 @@ const std::array<Quantity, 4> kQuantities{
       "Coupling deviation",
       {"coupling deviation", "mm"},
       [](const SpoonSample& s) { return 1.0e3 * s.coupling_deviation_m; },
-      "In free motion, up to 120 ms, a spoon of 100 g lags ten times as far behind the hand as one "
-      "of 10 g."},
+      "In free motion, up to 120 ms, a spoon of 100 g lags nine times as far behind the hand as "
+      "one of 10 g."},
      {"l14-contact-force",
       "Contact force",
       {"contact force", "N"},
       [](const SpoonSample& s) { return s.contact_force_N; },
-      "The light spoon strikes softer and settles at once."},
+      "The light spoon strikes softer and settles at once; that of 100 g strikes beyond the "
+      "paper's axis."},
      {"l14-felt-force",
       "Feedback force",
       {"feedback force", "N"},
@@ -121,7 +122,9 @@ Sheet make_sheet(const Run& run) {
     sheet.advice =
         "Otaduy & Lin had to take 100 g for RK4; on these planes, whose contacts are found anew at "
         "every "
-        "stage, RK4 needs less than that and far more than backward Euler.";
+        "stage, RK4 needs less than that and far more than backward Euler. The coupling is "
+        "critically damped for the least moment, about the stem: for the mean moment, 86 times "
+        "it, no explicit method comes to rest even at 100 g.";
     sheet.columns = {"integrator", "at 2 kN/m, g", "at 10 kN/m, g"};
     int n_done = 0;
     for (const Integrator integrator : kIntegrators) {
