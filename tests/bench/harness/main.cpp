@@ -95,6 +95,10 @@ void join_peers(Exhibit& exhibit, Run& run) {
         if (peer.curve == curve->name) {
             run.progress(1.0, peer.name);
             std::ranges::copy(peer.points(run), std::back_inserter(curve->points));
+            // Peers of one kind carry one note.
+            if (curve->work.find(peer.note) == std::string::npos) {
+                curve->work += ". " + peer.note;
+            }
         }
     }
 }

@@ -54,6 +54,8 @@ struct Peer {
     std::string name;   ///< "ODE 0.16.2"
     std::string curve;  ///< CostCurve::name that it joins
     std::function<std::vector<CostPoint>(Run&)> points;
+    /// What a reader must know to compare, joined to the curve's `work` once; empty: nothing.
+    std::string note{};
 };
 
 /// Adds to the list while the program starts.

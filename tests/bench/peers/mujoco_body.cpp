@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <mujoco/mujoco.h>
 #include <stdexcept>
 
@@ -12,8 +13,13 @@ namespace {
 class MujocoBody final : public RigidPeer {
   public:
     MujocoBody(const Inertia& inertia, const RigidState& state, int integrator) {
-        // A run out of bounds is seen by its error; no word is wanted, nor a log file.
+        // Left alone, MuJoCo writes its words into a log file where it was started. A run out of bounds is seen by its
+        // error; from an error MuJoCo must not return.
         mju_user_warning = [](const char*) {};
+        mju_user_error = [](const char* message) {
+            std::fprintf(stderr, "MuJoCo: %s\n", message);
+            std::exit(1);
+        };
         const Vector3& moments = inertia.moments_kg_m2;
         std::array<char, 512> xml{};
         std::snprintf(xml.data(), xml.size(),

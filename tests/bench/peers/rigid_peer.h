@@ -1,7 +1,8 @@
 // A free rigid body of another physics engine, pushed by the same loads as ours: one adapter an engine.
 //
 // The engine is used as a haptic program would have to use it: the load is evaluated at the engine's own state before the
-// step and handed over as an external wrench, constant over the step.
+// step and handed over as an external wrench, constant over the step. So every engine is of first order on a load that
+// changes, its Runge-Kutta method too, beside ours that ask the load at each stage; the curves that have a load say so.
 #pragma once
 
 #include "haptics/dynamics/rigid_state.h"
