@@ -98,7 +98,10 @@ CostCurve compute_curve(const IntegratorProblem& problem, const Run& run, double
     CostCurve curve;
     curve.name = problem.name;
     curve.title = problem.title;
-    curve.work = problem.work;
+    // No part of the program moves a body by this step so far; its own bodies go by world.h.
+    curve.work = problem.work +
+                 ". The default is that of the library's step, at the haptic loop's rate; no tool "
+                 "of the program is moved by it yet";
     curve.reference = problem.reference;
     curve.advice = problem.advice;
     curve.knob = {"update rate", "Hz", true};

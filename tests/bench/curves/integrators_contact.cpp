@@ -42,8 +42,9 @@ IntegratorProblem make_contact_problem() {
         "100 g pressed by 3 N on a plane, 2 kN/m and 3 Ns/m at each of three points, let go 0.3 mm "
         "too deep, for 0.4 s; the worst error of the contact force at any of 20 instants";
     problem.advice =
-        "On stiff contacts explicit methods end where h sqrt(k/m) passes about 2; below that RK4 "
-        "is the most exact. Backward Euler goes on at any rate, so it is what a tool is moved by.";
+        "On stiff contacts explicit methods end where h sqrt(k/m) passes about 2, explicit Euler "
+        "already where h passes b/k; below that RK4 is the most exact. Backward Euler goes on at "
+        "any rate, so it is the default of the library's step.";
     problem.error = {"error of contact force", "N", true};
     problem.inertia = make_box_inertia(0.1, {0.05, 0.02, 0.05});
     problem.start.pose_W.position = {0.0, 0.0092, 0.0};

@@ -32,8 +32,8 @@ IntegratorProblem make_oscillator_problem() {
     problem.reference = "analytic: the damped oscillation in closed form";
     problem.advice =
         "For soft springs RK4 is the bargain at any rate; Verlet is somewhat cheaper and keeps the "
-        "energy of what must swing for hours. Backward Euler, the default, damps the swing by "
-        "itself: it is there for what is stiff.";
+        "energy of what must swing for hours. Backward Euler, the default of the library's step, "
+        "damps the swing by itself: it is there for what is stiff.";
     problem.error = {"error of position", "mm", true};
     problem.inertia = make_ball_inertia(kMass_kg, 0.03);
     problem.start.pose_W.position.x() = kStart_m;

@@ -51,7 +51,8 @@ struct CostCurve {
     Axis error;
     std::vector<Axis> extras;
     std::string
-        default_series;  ///< what the program takes when nobody chooses; must be among the points
+        default_series;  ///< what is taken when nobody chooses, by the program or, where `work` says so, by the
+                         ///< library alone; must be among the points
     double default_knob = kNone;
     std::vector<CostPoint> points;
     /// What a point's time is for: "step" (default) or another word such as "simulated second".
