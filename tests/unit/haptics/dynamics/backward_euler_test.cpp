@@ -165,6 +165,38 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "backward Euler: one solve a step is taken as it comes, and more are not where it overshoots") {
+    // F = -F0 tanh(x / x0), let go where it is flat: the linear step is h F0 / m, far beyond the other side.
+    static constexpr double kBend_m = 1.0e-5;
+    class Flattening final : public Load {
+      public:
+        void add_wrench(const RigidState& state, double, Wrench& wrench) const noexcept override {
+            wrench.force.x() -= 10.0 * std::tanh(state.pose_W.position.x() / kBend_m);
+        }
+        void add_linearised_wrench(const RigidState& state, double time_s, Wrench& wrench,
+                                   WrenchJacobian& jacobian) const noexcept override {
+            add_wrench(state, time_s, wrench);
+            const double slope = 1.0 / std::cosh(state.pose_W.position.x() / kBend_m);
+            jacobian.pose(0, 0) -= 10.0 / kBend_m * slope * slope;
+        }
+    };
+    RigidState start;
+    start.pose_W.position.x() = 2.0e-4;
+    IntegratorSettings settings;
+    settings.newton_iterations = 1;
+    RigidState linear = start;
+    CHECK(step_rigid_body(settings, kBlock, Flattening(), 0.0, 0.01, linear).status ==
+          StepStatus::iterations_spent);
+    CHECK(linear.velocity_W.linear.x() == Approx(-0.01 * 10.0 / kBlock.mass_kg).epsilon(1e-9));
+    // With two, what is known to be best is where it started.
+    settings.newton_iterations = 2;
+    RigidState best = start;
+    CHECK(step_rigid_body(settings, kBlock, Flattening(), 0.0, 0.01, best).status ==
+          StepStatus::iterations_spent);
+    CHECK(best.velocity_W.linear.x() == 0.0);
+}
+
+TEST_CASE(
     "backward Euler: stays stable on a spring that is 1e5 times too stiff for explicit methods") {
     const PointSpringLoad spring({.point_B = {0.01, 0.0, 0.0}, .stiffness_N_per_m = 1.0e9});
     RigidState state = any_state();
