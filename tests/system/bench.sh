@@ -42,6 +42,8 @@ done
 grep -q 'no benchmark "no-such-thing"' "$folder/said" || fail "an unknown name: $(<"$folder/said")"
 "$benchmarks" --draw "$0" >"$folder/said" 2>&1 && fail "a file that is no figure is drawn"
 grep -q "no figure's CSV" "$folder/said" || fail "a file that is no figure: $(<"$folder/said")"
+"$benchmarks" --draw "$folder/all/stability.csv" >"$folder/said" 2>&1 && fail "a table is drawn"
+grep -q 'a table has no figure' "$folder/said" || fail "a table: $(<"$folder/said")"
 "$benchmarks" --out /dev/null/x stability >"$folder/said" 2>&1 && fail "a folder that cannot be made is taken"
 grep -q -- '--out' "$folder/said" || fail "a folder that cannot be made: $(<"$folder/said")"
 

@@ -181,6 +181,12 @@ double to_number(const std::string& cell) {
     return cell.empty() || *end != '\0' ? kNone : value;
 }
 
+std::size_t to_bytes(const std::string& cell) {
+    constexpr double kMost = 1e18;  // beyond it the number is a mistake
+    const double value = to_number(cell);
+    return value >= 0.0 && value <= kMost ? static_cast<std::size_t>(value) : 0;
+}
+
 // "name [unit] log"
 Axis read_axis(const std::string& text) {
     const std::size_t open = text.rfind(" [");
@@ -221,7 +227,7 @@ Exhibit read_cost(const Table& table) {
         p.error = to_number(cells[2]);
         p.cost.median_us = to_number(cells[3]);
         p.cost.p99_us = to_number(cells[4]);
-        p.cost.bytes = static_cast<std::size_t>(std::max(0.0, to_number(cells[5])));
+        p.cost.bytes = to_bytes(cells[5]);
         for (std::size_t k = 6; k < cells.size(); ++k) {
             p.extras.push_back(to_number(cells[k]));
         }

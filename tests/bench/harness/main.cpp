@@ -51,7 +51,10 @@ Expected<void> draw_again(const std::string& name) {
     if (!file) {
         return fail("the file cannot be read", name, "give a CSV file that fulcrum bench wrote");
     }
-    return read_csv(text, name).and_then([&](const Exhibit& exhibit) {
+    return read_csv(text, name).and_then([&](const Exhibit& exhibit) -> Expected<void> {
+        if (std::holds_alternative<Sheet>(exhibit)) {
+            return fail("a table has no figure", name, "give the file of a curve or a chart");
+        }
         return write_file(fs::path(name).replace_extension(".svg"), draw_svg(exhibit));
     });
 }
@@ -140,6 +143,8 @@ Expected<void> run_all(const BenchOptions& options, const Environment& environme
             chosen.push_back(&bench);
         }
     }
+    const fs::path page = fs::path(options.out) / "index.html";
+    const std::vector<std::string> peers = describe_peers();
     Report exhibits;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const Progress progress(i, chosen.size(), *chosen[i]);
@@ -153,12 +158,15 @@ Expected<void> run_all(const BenchOptions& options, const Environment& environme
             }
             exhibits.push_back(std::move(exhibit));
         }
+        // After each: a run that is broken off leaves a page of what it has.
+        if (const auto written = write_file(page, make_page(exhibits, environment, peers));
+            !written) {
+            return written;
+        }
         progress.done();
     }
-    const fs::path page = fs::path(options.out) / "index.html";
-    return write_file(page, make_page(exhibits, environment, describe_peers())).map([&] {
-        std::printf("%s\n", page.c_str());
-    });
+    std::printf("%s\n", page.c_str());
+    return {};
 }
 
 int run_program(std::span<const std::string> words) {

@@ -108,6 +108,16 @@ TEST_CASE("csv: what is no figure's file is refused with its name") {
     }
 }
 
+TEST_CASE("csv: sizes that no memory has are none") {
+    for (const char* bytes : {"1e300", "-5", "nan", "inf", "x"}) {
+        const std::string text =
+            std::string("# kind: cost\ns,k,e,m,p,b\na,1,1,1,1,") + bytes + "\n";
+        const auto read = read_csv(text, "x.csv");
+        REQUIRE(read);
+        CHECK(std::get<CostCurve>(*read).points[0].cost.bytes == 0);
+    }
+}
+
 TEST_CASE("csv: numbers are short, and none where there is none") {
     CHECK(to_text(0.25) == "0.25");
     CHECK(to_text(1.2e-9) == "1.2e-09");
