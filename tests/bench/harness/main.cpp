@@ -35,14 +35,21 @@ Expected<void> write_file(const fs::path& path, const std::string& text) {
     return {};
 }
 
-Expected<void> write_exhibit(const fs::path& folder, const Exhibit& exhibit,
+// The figure is drawn from the file, as anybody draws it again, and not from numbers that only this run had.
+Expected<void> write_exhibit(const fs::path& folder, Exhibit& exhibit,
                              const Environment& environment) {
-    return write_file(folder / (name_of(exhibit) + ".csv"), to_csv(exhibit, environment))
-        .and_then([&]() -> Expected<void> {
-            const std::string picture = draw_svg(exhibit);
-            return picture.empty() ? Expected<void>{}
-                                   : write_file(folder / (name_of(exhibit) + ".svg"), picture);
-        });
+    const fs::path file = folder / (name_of(exhibit) + ".csv");
+    const std::string text = to_csv(exhibit, environment);
+    auto kept = read_csv(text, file.string());
+    if (!kept) {
+        return tl::unexpected(kept.error());
+    }
+    exhibit = std::move(*kept);
+    const std::string picture = draw_svg(exhibit);
+    return write_file(file, text).and_then([&] {
+        return picture.empty() ? Expected<void>{}
+                               : write_file(folder / (name_of(exhibit) + ".svg"), picture);
+    });
 }
 
 Expected<void> draw_again(const std::string& name) {
