@@ -23,7 +23,8 @@
 //   E_n + D_n.d_n + max(l, 0) = w > 0:    A gets  - alpha d_n / T,   alpha = min(w T / |d_n|^2, m / 8 T)
 // D is counted in advance, or a wall would be braked for what its own damper takes a millisecond later. The bound: a mass m
 // under -alpha d/T, held, has the roots of z^2 - (1 - u/2) z + u/2, u = alpha T / m; they are real and above 0 up to
-// u = 6 - sqrt 32 = 0.34. With u = 1/8, and 0.21 of the default coupling's damper, a bare handle never overshoots.
+// u = 6 - sqrt 32 = 0.34. With u = 1/8, and 0.21 of the default coupling's damper, a bare handle does not overshoot at 1 kHz. A
+// damper whose velocity is known late (a window of 8 ms) overshoots by 0.32 without this brake, and by 0.26 with it.
 // Where a surface is touched the brake takes no more than its push: a wall never holds fast.
 // After this comes the gate. Where its slew limit holds all the time the brake comes late as well, and a wall can still buzz.
 //
