@@ -51,8 +51,8 @@ void PassivityStage::sent(const Wrench& applied_W) noexcept {
 }
 
 void PassivityStage::forget() noexcept {
-    has_pose_ = false;
-    contact_ = ContactSpring{};
+    has_pose_ =
+        false;  // the next round is the first again, and what came before it is not looked at
     force_.reset();
     if (torque_) {
         torque_->reset();

@@ -1,5 +1,5 @@
-# Economy, counted in instructions by callgrind: of the library as it is, with one kind of field more, and with one question
-# more in each round. A sanitized program would count the sanitizer.
+# Economy, counted in instructions by callgrind: of the library as it is, with one kind of field more, with one question
+# more in each round, and with nobody ever told that a stage has ended. A sanitized program would count the sanitizer.
 if(FULCRUM_SANITIZE)
   return()
 endif()
@@ -10,7 +10,8 @@ set(copied_sources ${field_and_loop})
 list(FILTER copied_sources INCLUDE REGEX "[.]cpp$")
 list(TRANSFORM copied_sources REPLACE "^${CMAKE_SOURCE_DIR}" ${economy_copy}/kind)
 set(tested_source ${economy_copy}/tested/haptics/loop/haptic_loop.cpp)
-add_custom_command(OUTPUT ${copied_sources} ${tested_source}
+set(silent_source ${economy_copy}/silent/haptics/loop/haptic_loop.cpp)
+add_custom_command(OUTPUT ${copied_sources} ${tested_source} ${silent_source}
                    COMMAND ${CMAKE_CURRENT_LIST_DIR}/economy/add_effect.sh ${CMAKE_SOURCE_DIR} ${economy_copy}
                    DEPENDS ${CMAKE_CURRENT_LIST_DIR}/economy/add_effect.sh ${field_and_loop})
 # A program's own objects stand before those of the library.
@@ -24,9 +25,11 @@ add_economy_probe(economy_probe_more ${copied_sources})
 target_include_directories(economy_probe_more BEFORE PRIVATE ${economy_copy}/kind)
 target_compile_definitions(economy_probe_more PRIVATE ECONOMY_ADDED_KIND=wind)
 add_economy_probe(economy_probe_tested ${tested_source})
+add_economy_probe(economy_probe_silent ${silent_source})
 
 set(economy_name "system: only what a scene calls for is executed, whatever else the library knows")
 add_test(NAME "${economy_name}"
          COMMAND ${CMAKE_CURRENT_LIST_DIR}/economy/economy.sh $<TARGET_FILE:economy_probe>
-                 $<TARGET_FILE:economy_probe_more> $<TARGET_FILE:economy_probe_tested>)
+                 $<TARGET_FILE:economy_probe_more> $<TARGET_FILE:economy_probe_tested>
+                 $<TARGET_FILE:economy_probe_silent>)
 set_tests_properties("${economy_name}" PROPERTIES LABELS system TIMEOUT 300 SKIP_RETURN_CODE 77)

@@ -139,6 +139,34 @@ TEST_CASE("passivity: the brake opposes the motion, takes what will be due, and 
           Approx(0.045 / 0.002));
 }
 
+TEST_CASE("passivity: a brake that was sent is no share that the gate kept back") {
+    // The spring pushes along the motion and the brake against it, so that less is sent than the scene alone asks for.
+    constexpr double kStiffness = 200.0;
+    const Vector3 d(1e-4, 0.0, 0.0);
+    for (const double share : {1.0, 0.5}) {
+        Port port;
+        port.share = share;
+        const auto pull = [&](int i) { return Vector3(kStiffness * (10 - i) * d); };
+        (void)port.move(Vector3::Zero(), pull(0));
+        const Vector3 brake = port.move(d, pull(1));
+        const double leak_J = share * 0.5 * kStiffness * d.squaredNorm();
+        CHECK(port.excess_J() == Approx(leak_J));
+        CHECK(brake.x() == Approx(-2.0 * leak_J / d.x()));
+        (void)port.move(d, pull(2));
+        CHECK(port.controller.energy().braked_J == Approx(share * 2.0 * leak_J));
+        CHECK(port.excess_J() == Approx(2.0 * leak_J - share * 2.0 * leak_J).margin(1e-6 * leak_J));
+    }
+}
+
+TEST_CASE("passivity: a spring that pushes away promises nothing for the period to come") {
+    const Vector3 d(1e-4, 0.0, 0.0);
+    Port away;
+    (void)away.move(Vector3::Zero(), Vector3(Vector3::Zero()));
+    away.controller.sent(Vector3(0.06, 0.0, 0.0));
+    CHECK(away.move(d, Vector3(0.1, 0.0, 0.0)).x() == Approx(-0.01));
+    CHECK(away.excess_J() == Approx((0.06 - 0.05) * 1e-4));
+}
+
 TEST_CASE("passivity: the brake takes a wall's push and makes no pull of it") {
     const Vector3 up = Vector3::UnitY();
     const auto brake = [&](double push_N, const Vector3& motion) {
@@ -198,6 +226,12 @@ TEST_CASE("passivity: the gate's share counts, whatever it is") {
     port.controller.sent(Vector3(3.0, 0.0, 0.0));
     (void)port.move(d, Vector3(-2.0, 0.0, 0.0));
     CHECK(port.excess_J() == Approx(3.0 * 1e-4));
+    // One that is late in letting go, likewise what is beyond what was asked.
+    Port late;
+    (void)late.move(Vector3::Zero(), Vector3(2.0, 0.0, 0.0));
+    late.controller.sent(Vector3(3.0, 0.0, 0.0));
+    (void)late.move(d, Vector3(2.0, 0.0, 0.0));
+    CHECK(late.excess_J() == Approx(1.0 * 1e-4));
     // And a damper that the gate sent though the scene asked for nothing takes.
     Port damped(make_settings(1.0));
     (void)damped.move(Vector3::Zero(), Vector3(Vector3::Zero()));
