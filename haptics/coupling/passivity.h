@@ -12,12 +12,14 @@
 // (own friction takes at least that: Cauchy and Schwarz). A weight gives 0, lowered or not. A spring k with a damper b:
 //   e = (k T/2 - b) |d|^2 / T:    above 0 below the line b = k T/2 of Colgate and Schenkel.
 // A gate that lags (slew) or clips gives A beside C: g = A.C / |C|^2 within [0, 1]; what is left over counts as it is.
+// Of a spring that the gate clips, g k |d|^2 / 2 too much is counted: the clipped force has no slope any more.
 // kink: where a contact begins or ends within a period S is not affine. The ideal spring gives or takes no more than the
 // energy U that it has on the side that touches: compute_kink_J. Exact for a wall at rest.
 //
 // Budget. E_n = max(E_(n-1) (1 - T / memory) + e_n, -headroom). What dampers earned is a small, short-lived credit, so
-// that minutes of stirring in honey license no buzz: the delay that Ryu, Preusche et al. (section II) find in an observer
-// that sums from the start. In any span the hand gets at most headroom beyond the ideal, while the brake suffices.
+// that minutes of stirring in honey license no buzz: the delay that Ryu, Preusche et al. find in an observer
+// that sums from the start. While the brake suffices, and in spans well below `memory`, the hand gets at
+// most the headroom beyond the ideal.
 //
 // Controller. If the hand goes on as it went, the next period adds D_n.d_n and the spring's leak l = g (S_(n-1) - H_n)/2 . d_n:
 //   E_n + D_n.d_n + max(l, 0) = w > 0:    A gets  - alpha d_n / T,   alpha = min(w T / |d_n|^2, m / 8 T)
@@ -26,9 +28,10 @@
 // u = 6 - sqrt 32 = 0.34. With u = 1/8, and 0.21 of the default coupling's damper, a bare handle does not overshoot at 1 kHz. A
 // damper whose velocity is known late (a window of 8 ms) overshoots by 0.32 without this brake, and by 0.26 with it.
 // Where a surface is touched the brake takes no more than its push: a wall never holds fast.
-// After this comes the gate. Where its slew limit holds all the time the brake comes late as well, and a wall can still buzz.
+// After this comes the gate. Where its slew limit holds all the time the brake comes late as well, and a wall can still buzz: at
+// 500 N/s a bare handle that comes at 0.1 m/s does so on walls without a damper above 2000 N/m.
 //
-// Thread: haptic loop. Cost: about 20 ns a port.
+// Thread: haptic loop. Cost: about 30 ns a port (315 instructions).
 // Source: B. Hannaford, J.-H. Ryu 2002, Time-domain passivity control of haptic interfaces, IEEE T-RA 18(1) (observer, series
 // controller); J.-H. Ryu, Y. S. Kim, B. Hannaford 2004, Sampled- and continuous-time passivity and stability of virtual
 // environments, IEEE T-RO 20(4) (the hold's energy, prediction by one sample); J.-H. Ryu, C. Preusche, B. Hannaford,

@@ -7,7 +7,7 @@
 //   theta_n = log(q_n q_(n-1)^-1)                     exact work of a held torque while the axis stays; else second order
 // A round without a new pose moves nothing; the next pose is charged at the force sent last.
 //
-// Thread: haptic loop. Cost: about 30 ns, half of it for the torque, which is there when the plan has torques.
+// Thread: haptic loop. Cost: about 30 ns, and as much again for the torque, which is there when the plan has torques.
 #pragma once
 
 #include "haptics/coupling/passivity.h"
