@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 namespace fulcrum {
@@ -34,6 +35,8 @@ enum class HapticStage : std::uint8_t {
     record
 };
 
+inline constexpr std::size_t kHapticStages = static_cast<std::size_t>(HapticStage::record) + 1;
+
 /// What a stage is called, for people: "read", or a force by its kind, "forces: weight".
 [[nodiscard]] constexpr const char* name_of(HapticStage stage) noexcept {
     constexpr const char* kNames[] = {"take inputs",
@@ -51,6 +54,7 @@ enum class HapticStage : std::uint8_t {
                                       "write",
                                       "publish",
                                       "record"};
+    static_assert(std::size(kNames) == kHapticStages);
     return kNames[static_cast<std::size_t>(stage)];
 }
 
@@ -88,7 +92,8 @@ struct HapticPlan {
     SafetySettings safety{};
     CouplingSettings coupling{};
     PassivitySettings passivity{};
-    double velocity_cutoff_hz = 80.0;  ///< of the velocity estimator's low pass, where it has one
+    double velocity_cutoff_hz =
+        80.0;  ///< of the turning's low pass, and of the velocity's where its method is one
     VelocityMethod velocity_method = VelocityMethod::adaptive_window;
     bool carries_weight = false;    ///< a weight stage: something can lie in the tool
     double weight_onset_s = 0.3;    ///< how softly a weight arrives and leaves
@@ -98,6 +103,11 @@ struct HapticPlan {
     std::vector<SolidPlan> solids;  ///< at most kMaxSolids; empty means no proxy stage
     std::vector<FieldPlan> fields;  ///< at most kMaxFields
 };
+
+/// Whether anything in the plan gives a torque. A stage that does has its place here, or nobody watches its energy.
+[[nodiscard]] inline bool has_torques(const HapticPlan& plan) noexcept {
+    return plan.lesson_force;
+}
 
 /// Whether anything in the plan gives a force; where nothing does there is no energy to watch.
 [[nodiscard]] inline bool has_forces(const HapticPlan& plan) noexcept {

@@ -8,7 +8,7 @@ PassivityStage::PassivityStage(const HapticPlan& plan, const DeviceTraits& trait
     : scale_(plan.workspace.scale),
       force_(plan.passivity,
              {plan.passivity.handle_mass_kg, traits.damping_Ns_per_m, 1.0 / plan.rate_hz}) {
-    if (plan.lesson_force && traits.max_torque_Nm > 0.0) {
+    if (has_torques(plan) && traits.max_torque_Nm > 0.0) {
         torque_.emplace(plan.passivity,
                         PortLimits{plan.passivity.handle_inertia_kg_m2, 0.0, 1.0 / plan.rate_hz});
     }

@@ -97,12 +97,22 @@ Expected<Analysis> measure_stages(LessonRun& run, const std::optional<double>& e
     settings.end_s = end_s;
     settings.clock = &clock;
     settings.shows_prints = false;
-    return run_headless(run, settings).map([&](const HeadlessOutcome& outcome) {
-        if (const std::string trouble = trouble_of(outcome); !trouble.empty()) {
-            std::fprintf(stderr, "%s\n", trouble.c_str());
-        }
-        return clock.finish(outcome.simulated_s, outcome.wall_s);
-    });
+    const auto outcome = run_headless(run, settings);
+    if (!outcome) {
+        return tl::unexpected(outcome.error());
+    }
+    if (outcome->interrupted) {
+        return fail("the play was broken off, so there are no figures of the whole of it", {},
+                    "let it come to its end, or give --seconds");
+    }
+    if (const std::string trouble = trouble_of(*outcome); !trouble.empty()) {
+        std::fprintf(stderr, "%s\n", trouble.c_str());
+    }
+    if (!clock.hand_moved()) {
+        std::fprintf(stderr,
+                     "The hand stayed where it was, so little was done; give --hand FILE.lua.\n");
+    }
+    return clock.finish(outcome->simulated_s, outcome->wall_s);
 }
 
 }  // namespace
@@ -179,6 +189,9 @@ int test_command(const Installation& installation, const Options& options) {
 }
 
 int explain_command(const Installation& installation, const Options& options) {
+    if (!options.analyze && (options.seconds || !options.hand.empty() || !options.say.empty())) {
+        return complain({"--hand, --say and --seconds are for a play", {}, "add --analyze"}, 2);
+    }
     RunRequest request = quiet_request(options);
     if (options.analyze) {
         auto played = make_request(installation.places, options, false);

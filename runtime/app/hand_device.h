@@ -34,7 +34,8 @@ class HandDevice {
     /// Where the mouse pointed last, whatever the hand on the screen does.
     [[nodiscard]] const Pose& pointer_W() const noexcept { return pointer_W_; }
 
-    /// How fast a simulated hand really moves, in the world, m/s; nothing of another device.
+    /// How fast a simulated hand really moves, in the world, m/s; nothing of another device. Only where loops take turns under
+    /// a virtual clock: it reads what the haptic thread writes.
     [[nodiscard]] std::optional<Vector3> true_velocity_W() const;
 
   private:

@@ -52,7 +52,7 @@ class VirtualClock {
         }
         auto report = run_.exchange_frame(input);
         if (stages_ != nullptr) {
-            stages_->passed("lesson");
+            stages_->passed_lesson();
         }
         return report;
     }
@@ -65,7 +65,7 @@ class VirtualClock {
         if (world_is_due) {
             stages_->begin();
             run_.world_loop()->step(now_s());
-            stages_->passed("world");
+            stages_->passed_world();
         }
     }
 
@@ -140,6 +140,7 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
         }
         clock.tick();
     }
+    outcome.interrupted = interrupted();
     outcome.never_ended = !outcome.finished && !settings.end_s && clock.now_s() >= longest_s;
     run.haptic_loop().silence(clock.now_s());
     outcome.simulated_s = clock.now_s();

@@ -30,6 +30,7 @@ struct HeadlessOutcome {
     bool finished = false;         ///< the lesson came to its end
     bool nobody_answered = false;  ///< it waited in vain for an answer
     bool never_ended = false;      ///< it went on for much longer than it says
+    bool interrupted = false;      ///< somebody broke it off
     double simulated_s = 0.0;
     double wall_s = 0.0;
 };

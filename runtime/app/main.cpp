@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) {
         return complain({std::string("the program cannot go on: ") + error.what(), {}, {}}, 2);
     }
-    if (std::fflush(stdout) != 0) {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
         return complain(
             {"what the program said could not be written", "standard output", "make room there"},
             2);

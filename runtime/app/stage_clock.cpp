@@ -8,8 +8,6 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr std::size_t kHapticStages = static_cast<std::size_t>(HapticStage::record) + 1;
-
 // The least of many: what two looks at the clock are apart when nothing lies between them.
 double measure_clock_us() {
     double least_s = 1.0;
@@ -41,7 +39,9 @@ StageClock::StageClock(const Plan& plan)
     : plan_(plan),
       clock_us_(measure_clock_us()),
       calls_(plan.stages.size()),
-      haptic_stages_(kHapticStages) {
+      haptic_stages_(kHapticStages),
+      world_stage_(find("world", {})),
+      lesson_stage_(find("lesson", {})) {
     for (std::size_t i = 0; i < kHapticStages; ++i) {
         haptic_stages_[i] = find("haptic", name_of(static_cast<HapticStage>(i)));
     }
@@ -60,15 +60,22 @@ void StageClock::begin() noexcept {
 }
 
 void StageClock::passed(HapticStage stage) noexcept {
-    count(haptic_stages_[static_cast<std::size_t>(stage)]);
+    const double ended_s = monotonic_now_s();
+    count(haptic_stages_[static_cast<std::size_t>(stage)], ended_s);
 }
 
-void StageClock::passed(std::string_view loop) noexcept {
-    count(find(loop, {}));
+void StageClock::passed_world() noexcept {
+    const double ended_s = monotonic_now_s();
+    count(world_stage_, ended_s);
 }
 
-void StageClock::count(std::size_t stage) noexcept {
-    const double took_us = std::max(1e6 * (monotonic_now_s() - began_s_) - clock_us_, 0.0);
+void StageClock::passed_lesson() noexcept {
+    const double ended_s = monotonic_now_s();
+    count(lesson_stage_, ended_s);
+}
+
+void StageClock::count(std::size_t stage, double ended_s) noexcept {
+    const double took_us = std::max(1e6 * (ended_s - began_s_) - clock_us_, 0.0);
     if (stage != kNoStage) {
         Calls& calls = calls_[stage];
         calls.total_us += took_us;
@@ -92,6 +99,9 @@ void StageClock::compare(const HapticState& state,
     if (true_velocity_W) {
         velocity_error_m_per_s_.add((state.tool_twist_W.linear - *true_velocity_W).norm());
     }
+    const Vector3& place_W = state.tool_pose_W.position;
+    hand_moved_ = hand_moved_ || place_W != first_place_W_.value_or(place_W);
+    first_place_W_ = first_place_W_.value_or(place_W);
     withheld_N_.add((state.commanded_W.force - state.applied_W.force).norm());
     force_energy_ = state.force_energy;
     torque_energy_ = state.torque_energy;
@@ -119,7 +129,7 @@ void StageClock::add_errors(StageFigures& figures) const {
     }
     if (is(HapticStage::limits)) {
         figures.errors.push_back(
-            {"force kept back, rms", withheld_N_.rms(), "N", "what the scene asked for"});
+            {"force kept back, rms", withheld_N_.rms(), "N", "what scene and brake asked for"});
     }
 }
 

@@ -28,10 +28,15 @@ class StageClock final : public StageListener {
     void begin() noexcept;
     /// A haptic stage has ended.
     void passed(HapticStage stage) noexcept override;
-    /// What began last was the first stage of that loop: "world" or "lesson".
-    void passed(std::string_view loop) noexcept;
+    /// What began last was a round of the world; it stands with the first of the world's stages.
+    void passed_world() noexcept;
+    /// What began last was a frame of the lesson.
+    void passed_lesson() noexcept;
     /// After a haptic round: what came of it, and how fast the hand really was, where that is known (world, m/s).
     void compare(const HapticState& state, const std::optional<Vector3>& true_velocity_W) noexcept;
+
+    /// Whether the hand was ever anywhere else than at first.
+    [[nodiscard]] bool hand_moved() const noexcept { return hand_moved_; }
 
     /// All figures; `simulated_s` and `wall_s` are the run's.
     [[nodiscard]] Analysis finish(double simulated_s, double wall_s) const;
@@ -52,7 +57,7 @@ class StageClock final : public StageListener {
         [[nodiscard]] double rms() const noexcept;
     };
 
-    void count(std::size_t stage) noexcept;
+    void count(std::size_t stage, double ended_s) noexcept;
     [[nodiscard]] std::size_t find(std::string_view loop, std::string_view name) const noexcept;
     void add_errors(StageFigures& figures) const;
 
@@ -61,8 +66,12 @@ class StageClock final : public StageListener {
     double began_s_ = 0.0;
     std::vector<Calls> calls_;                // one a stage of the plan
     std::vector<std::size_t> haptic_stages_;  // place in the plan of each HapticStage
+    std::size_t world_stage_;
+    std::size_t lesson_stage_;
     Sum velocity_error_m_per_s_;
     Sum withheld_N_;
+    std::optional<Vector3> first_place_W_;
+    bool hand_moved_ = false;
     PortEnergy force_energy_{};
     PortEnergy torque_energy_{};
 };

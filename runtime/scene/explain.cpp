@@ -23,7 +23,7 @@ std::string row(const std::string& loop, const std::string& stage, const std::st
                 const std::string& memory, const std::string& asked_by,
                 const std::string& because) {
     std::array<char, 256> text{};
-    std::snprintf(text.data(), text.size(), "%-8s %-15s %-12s %9s  %-15s %s\n", loop.c_str(),
+    std::snprintf(text.data(), text.size(), "%-8s %-17s %-11s %9s  %-15s %s\n", loop.c_str(),
                   stage.c_str(), rate.c_str(), memory.c_str(), asked_by.c_str(), because.c_str());
     return text.data();
 }

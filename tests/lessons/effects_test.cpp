@@ -115,6 +115,20 @@ TEST_CASE(
     CHECK(run.output.find("touched ball") == std::string::npos);
 }
 
+TEST_CASE(
+    "explain: what belongs to a play is refused without one, and a hand that rests is told of") {
+    const Sandbox sandbox;
+    const ProgramRun refused = sandbox.run(std::string("explain ") + kTouch + " --seconds 3");
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.output.find("add --analyze") != std::string::npos);
+    const ProgramRun still =
+        sandbox.run(std::string("explain ") + kTouch + " --analyze --headless --seconds 1");
+    CHECK(still.exit_code == 0);
+    CHECK(still.output.find("The hand stayed where it was") != std::string::npos);
+    const ProgramRun full = sandbox.run(std::string("explain ") + kTouch + " --json > /dev/full");
+    CHECK(full.exit_code == 2);
+}
+
 TEST_CASE("explain --json: one object, with the figures when it was played") {
     const Sandbox sandbox;
     const ProgramRun run =

@@ -58,7 +58,6 @@ class AxisMotion {
     AxisMotion() noexcept = default;
     explicit AxisMotion(const AxisPlant& plant) noexcept : plant_(plant) {}
 
-    [[nodiscard]] const AxisPlant& plant() const noexcept { return plant_; }
     /// Moves `state` on by `dt_s` >= 0 under a constant `force_N`.
     void step(AxisState& state, double force_N, double dt_s) noexcept;
 

@@ -44,6 +44,7 @@ SimulatedArm::SimulatedArm(const SimulatedArmSettings& settings, LatestValue<Han
     traits_.renders_force = true;
     traits_.max_force_N = settings.max_force_N;
     traits_.position_resolution_m = settings.position_resolution_m;
+    traits_.damping_Ns_per_m = settings.damping_Ns_per_m;
     reset();
 }
 

@@ -112,8 +112,9 @@ LineChart run_encoders(const Run& run) {
     LineChart chart = make_chart("encoder", "Stable walls against the step of the encoder, 1 kHz");
     chart.advice =
         "Spend on rate and delay before the encoder: up to 10 Ns/m steps of 10 to 200 um lie "
-        "within 1.4 times of one another; what needs more damping needs fine steps, for 200 um end "
-        "at 12 Ns/m and 55 um at 30.";
+        "within 1.4 times of one another, and with more damping 55 um pay over 200 um but 10 um "
+        "over "
+        "55 um no more.";
     for (const double step_um : {0.0, 10.0, 55.0, 200.0}) {
         WallTrial trial = make_base();
         trial.arm.position_resolution_m = 1.0e-6 * step_um;
@@ -127,8 +128,8 @@ LineChart run_encoders(const Run& run) {
 LineChart run_frictions(const Run& run) {
     LineChart chart = make_chart("friction", "Stable walls against the arm's dry friction, 1 kHz");
     chart.advice =
-        "Do not count on friction: 0.26 N of it makes the wall that stills this tap four times as "
-        "stiff, and none of that is there for a hand that friction does not hold.";
+        "Do not count on friction: 0.26 N of it makes the wall that stills this tap several times "
+        "as stiff, and none of that is there for a hand that friction does not hold.";
     for (const double friction_N : {0.0, 0.05, 0.26}) {
         WallTrial trial = make_base();
         trial.arm.dry_friction_N = friction_N;
@@ -142,9 +143,9 @@ LineChart run_filters(const Run& run) {
     LineChart chart =
         make_chart("velocity", "Stable walls against the estimator of velocity, 1 kHz");
     chart.advice =
-        "Up to 4 Ns/m all serve. One step of the encoder is felt through the plain difference from "
-        "5 Ns/m on, through the low pass from 14; up to there the low pass carries the stiffest "
-        "wall, beyond it the window and the Kalman filter go on, alike, to 25.";
+        "Up to 4 Ns/m all serve; then one step of the encoder is felt through the plain difference "
+        "first and through the low pass next, and what needs much damping needs the window or the "
+        "Kalman filter.";
     const std::vector<std::pair<std::string, VelocityMethod>> methods{
         {"finite difference", VelocityMethod::finite_difference},
         {"80 Hz low pass", VelocityMethod::filtered_difference},

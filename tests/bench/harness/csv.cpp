@@ -162,8 +162,9 @@ std::vector<std::string> take_record(std::string_view& text) {
 Table split(std::string_view text) {
     Table table;
     while (text.starts_with("# ")) {
-        const std::string_view line = text.substr(2, text.find('\n') - 2);
+        std::string_view line = text.substr(2, text.find('\n') - 2);
         text.remove_prefix(std::min(text.size(), line.size() + 3));
+        line.remove_suffix(line.ends_with('\r') ? 1 : 0);
         const std::size_t colon = line.find(": ");
         if (colon != std::string_view::npos) {
             table.heads.emplace_back(line.substr(0, colon), line.substr(colon + 2));

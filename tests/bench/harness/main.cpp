@@ -25,12 +25,22 @@ int complain(const Error& error) {
     return 2;
 }
 
+// Whole or not at all: a full disk leaves what was there before.
 Expected<void> write_file(const fs::path& path, const std::string& text) {
-    std::ofstream file(path, std::ios::binary);
+    fs::path half = path;
+    half += ".part";
+    std::ofstream file(half, std::ios::binary);
     file << text;
-    if (!file.flush()) {
+    file.close();
+    std::error_code error;
+    if (file) {
+        fs::rename(half, path, error);
+    }
+    if (!file || error) {
+        std::error_code ignored;
+        fs::remove(half, ignored);
         return fail("the file cannot be written", path.string(),
-                    "choose another folder with --out");
+                    "make room there, or choose another folder");
     }
     return {};
 }
@@ -53,9 +63,13 @@ Expected<void> write_exhibit(const fs::path& folder, Exhibit& exhibit,
 }
 
 Expected<void> draw_again(const std::string& name) {
+    constexpr std::uintmax_t kMostBytes = 64U << 20U;  // ours are below one
+    std::error_code error;
+    const bool readable =
+        fs::is_regular_file(name, error) && fs::file_size(name, error) <= kMostBytes;
     std::ifstream file(name, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file) {
+    const std::string text = readable ? std::string{std::istreambuf_iterator<char>(file), {}} : "";
+    if (!file || !readable) {
         return fail("the file cannot be read", name, "give a CSV file that fulcrum bench wrote");
     }
     return read_csv(text, name).and_then([&](const Exhibit& exhibit) -> Expected<void> {
@@ -113,10 +127,13 @@ void join_peers(Exhibit& exhibit, Run& run) {
     }
 }
 
-std::vector<std::string> describe_peers() {
+// Which other libraries stand on these exhibits' axes, and which could not.
+std::vector<std::string> describe_peers(const Report& exhibits) {
     std::vector<std::string> names;
     for (const Peer& peer : all_peers()) {
-        if (names.empty() || names.back() != peer.name) {
+        const bool joined = std::ranges::any_of(
+            exhibits, [&](const Exhibit& exhibit) { return name_of(exhibit) == peer.curve; });
+        if (joined && (names.empty() || names.back() != peer.name)) {
             names.push_back(peer.name);
         }
     }
@@ -130,8 +147,22 @@ std::vector<std::string> describe_peers() {
         sentences.push_back("Measured beside ours in the same run: " + built + ".");
     }
     if (!missing.empty()) {
-        sentences.push_back("Not installed when this was built, and so not measured: " + missing +
-                            "; packages-peers.txt names their packages.");
+        sentences.push_back(
+            "Not measured, for they were not installed or not asked for when this was built: " +
+            missing + "; packages-peers.txt names their packages.");
+    }
+    return sentences;
+}
+
+// What a reader of the page must know first: above all that it is not all of it yet.
+std::vector<std::string> describe_run(const Report& exhibits, std::size_t n_done,
+                                      std::size_t n_chosen) {
+    std::vector<std::string> sentences = describe_peers(exhibits);
+    if (n_done < n_chosen) {
+        sentences.insert(sentences.begin(),
+                         "Not all of it: " + std::to_string(n_done) + " of " +
+                             std::to_string(n_chosen) +
+                             " benchmarks had been measured when this was written.");
     }
     return sentences;
 }
@@ -151,7 +182,6 @@ Expected<void> run_all(const BenchOptions& options, const Environment& environme
         }
     }
     const fs::path page = fs::path(options.out) / "index.html";
-    const std::vector<std::string> peers = describe_peers();
     Report exhibits;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const Progress progress(i, chosen.size(), *chosen[i]);
@@ -166,7 +196,9 @@ Expected<void> run_all(const BenchOptions& options, const Environment& environme
             exhibits.push_back(std::move(exhibit));
         }
         // After each: a run that is broken off leaves a page of what it has.
-        if (const auto written = write_file(page, make_page(exhibits, environment, peers));
+        if (const auto written = write_file(
+                page,
+                make_page(exhibits, environment, describe_run(exhibits, i + 1, chosen.size())));
             !written) {
             return written;
         }
@@ -220,7 +252,13 @@ int main(int argc, char** argv) {
         return fulcrum::runtime::lesson_process_main(*socket);
     }
     try {
-        return fulcrum::bench::run_program(std::vector<std::string>(argv + 1, argv + argc));
+        const int code =
+            fulcrum::bench::run_program(std::vector<std::string>(argv + 1, argv + argc));
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+            std::fputs("standard output could not be written; make room there.\n", stderr);
+            return 2;
+        }
+        return code;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "The benchmarks cannot go on: %s.\n", error.what());
         return 2;

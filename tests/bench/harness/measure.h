@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace fulcrum::bench {
@@ -24,15 +25,14 @@ inline void keep(const T& value) {
     asm volatile("" : : "g"(&value) : "memory");
 }
 
-/// Calls `step()` samples x batch times; microseconds a step.
+/// Calls `step()` warm_up times, then samples x batch times; adds the mean of each batch, microseconds a step, to `us`.
 template <class Step>
-[[nodiscard]] Cost measure_cost(Step step, const Timing& timing = {}, std::size_t bytes = 0) {
+void time_batches(Step step, const Timing& timing, std::vector<double>& us) {
     using Clock = std::chrono::steady_clock;
     for (int i = 0; i < timing.warm_up; ++i) {
         step();
     }
-    std::vector<double> us;
-    us.reserve(static_cast<std::size_t>(timing.samples));
+    us.reserve(us.size() + static_cast<std::size_t>(timing.samples));
     for (int i = 0; i < timing.samples; ++i) {
         const auto before = Clock::now();
         for (int k = 0; k < timing.batch; ++k) {
@@ -41,8 +41,20 @@ template <class Step>
         const std::chrono::duration<double, std::micro> took = Clock::now() - before;
         us.push_back(took.count() / timing.batch);
     }
+}
+
+/// Median and 99 % of what was timed; at least one.
+[[nodiscard]] inline Cost summarise(std::vector<double> us, std::size_t bytes = 0) {
     std::sort(us.begin(), us.end());
     return {us[us.size() / 2], us[us.size() * 99 / 100], bytes};
+}
+
+/// Both at once.
+template <class Step>
+[[nodiscard]] Cost measure_cost(Step step, const Timing& timing = {}, std::size_t bytes = 0) {
+    std::vector<double> us;
+    time_batches(step, timing, us);
+    return summarise(std::move(us), bytes);
 }
 
 }  // namespace fulcrum::bench

@@ -86,7 +86,7 @@ std::string place_of_default(const CostCurve& curve) {
     });
     return "The default (" + p.series + ", " + to_text(p.knob) + " " + curve.knob.unit +
            ") is not on the Pareto front: " + std::to_string(better) +
-           " settings are at least as exact and faster.";
+           (better == 1 ? " setting is" : " settings are") + " at least as exact and faster.";
 }
 
 std::string section(const CostCurve& curve) {

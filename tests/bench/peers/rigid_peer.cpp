@@ -46,13 +46,11 @@ Cost measure_step(const MakeRigidPeer& make, const IntegratorProblem& problem, d
     for (int i = 0; i < run.pick(250, 25); ++i) {
         const auto peer = make(problem.inertia, problem.start);
         int n = 0;
-        const Cost cost = measure_cost(
-            [&] { step_once(*peer, *problem.load, n++ / rate_Hz, 1.0 / rate_Hz); },
-            {.samples = kAgain / kBatch, .batch = kBatch, .warm_up = i == 0 ? kBatch : 0});
-        us.push_back(cost.median_us);
+        time_batches([&] { step_once(*peer, *problem.load, n++ / rate_Hz, 1.0 / rate_Hz); },
+                     {.samples = kAgain / kBatch, .batch = kBatch, .warm_up = i == 0 ? kBatch : 0},
+                     us);
     }
-    std::sort(us.begin(), us.end());
-    return {us[us.size() / 2], us[us.size() * 99 / 100], 0};
+    return summarise(std::move(us));
 }
 
 std::vector<CostPoint> measure_peer(const std::string& name, const MakeRigidPeer& make,

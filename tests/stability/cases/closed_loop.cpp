@@ -20,8 +20,8 @@ struct Swing {
     double low = HUGE_VAL;
     double high = -HUGE_VAL;
     void take(double value) {
-        low = std::min(low, value);
-        high = std::max(high, value);
+        low = -worse(-low, -value);
+        high = worse(high, value);
     }
     [[nodiscard]] double width() const { return high - low; }
 };
@@ -155,8 +155,8 @@ Finding press_with_a_lying_device() {
         held.step();
         const Vector3& force = held.device().written_D.force;
         const double force_N = is_finite(force) ? force.norm() : HUGE_VAL;
-        worst_N = std::max(worst_N, force_N);
-        fastest_m_per_s = std::max(fastest_m_per_s, held.arm().velocity_D().norm());
+        worst_N = worse(worst_N, force_N);
+        fastest_m_per_s = worse(fastest_m_per_s, held.arm().velocity_D().norm());
         n_faults += any(held.state().faults) ? 1 : 0;
         // Where a lie has lasted, the force has faded.
         if (any(held.state().faults)) {
@@ -190,9 +190,9 @@ Finding let_go_on_the_floor() {
         double fastest_m_per_s = 0.0;
         for (int k = 0; k < 1000; ++k) {
             held.step();
-            fastest_m_per_s = std::max(fastest_m_per_s, held.arm().velocity_D().norm());
+            fastest_m_per_s = worse(fastest_m_per_s, held.arm().velocity_D().norm());
         }
-        worst = std::max(worst, 0.5 * arm.mass_kg * fastest_m_per_s * fastest_m_per_s / stored_J);
+        worst = worse(worst, 0.5 * arm.mass_kg * fastest_m_per_s * fastest_m_per_s / stored_J);
     }
     return {worst, 1.0, "energy, let go on the floor"};
 }
@@ -220,7 +220,7 @@ Finding let_go_on_a_spring() {
     double worst_m = 0.0;
     for (int k = 0; k < 1000; ++k) {
         held.step();
-        worst_m = std::max(worst_m, (held.arm().position_D() - anchor_W).cwiseAbs().maxCoeff());
+        worst_m = worse(worst_m, (held.arm().position_D() - anchor_W).cwiseAbs().maxCoeff());
     }
     return {worst_m, z_width::kCalmSteps * kStep_m, "in the fifth second"};
 }

@@ -46,9 +46,9 @@ Drift spin_for_an_hour(Integrator integrator) {
         }
         if (i % 100 == 0) {
             const double now = compute_kinetic_energy_J(kBlock, state) / energy_J;
-            drift.energy_up = std::max(drift.energy_up, now - 1.0);
-            drift.energy_down = std::max(drift.energy_down, 1.0 - now);
-            drift.momentum = std::max(
+            drift.energy_up = worse(drift.energy_up, now - 1.0);
+            drift.energy_down = worse(drift.energy_down, 1.0 - now);
+            drift.momentum = worse(
                 drift.momentum,
                 (compute_angular_momentum_W(kBlock, state) - momentum).norm() / momentum.norm());
         }
@@ -66,7 +66,7 @@ std::string percent(double share) {
 // an hour as for a second.
 Finding spin_with_verlet() {
     const Drift drift = spin_for_an_hour(Integrator::verlet);
-    return {std::max({drift.energy_up, drift.energy_down, drift.momentum}), 1.0e-5,
+    return {worse(worse(drift.energy_up, drift.energy_down), drift.momentum), 1.0e-5,
             "momentum " + percent(drift.momentum)};
 }
 
@@ -75,7 +75,7 @@ Finding spin_with_verlet() {
 Finding spin_with_default() {
     const Drift drift = spin_for_an_hour(IntegratorSettings{}.integrator);
     const double below = drift.energy_down - (1.0 - drift.least_energy);
-    return {std::max({drift.energy_up, below, drift.momentum}), 1.0e-4,
+    return {worse(worse(drift.energy_up, below), drift.momentum), 1.0e-4,
             "energy lost " + percent(drift.energy_down) + " of at most " +
                 percent(1.0 - drift.least_energy)};
 }
@@ -102,8 +102,7 @@ Finding drag_in_free_space() {
                 return {HUGE_VAL, 1.0e-3, "a step was refused"};
             }
             if (now_s > 0.5) {
-                worst_N =
-                    std::max(worst_N, coupling.compute_felt_wrench(state, now_s).force.norm());
+                worst_N = worse(worst_N, coupling.compute_felt_wrench(state, now_s).force.norm());
             }
         }
     }
@@ -169,12 +168,12 @@ Finding let_go_at_full_stretch() {
                 compute_kinetic_energy_J(tool, state) +
                 compute_spring_energy_J(settings, state.pose_W.position.norm(),
                                         compute_log(state.pose_W.orientation).norm());
-            worst = std::max(worst, now_J / held_J - 1.0);
+            worst = worse(worst, now_J / held_J - 1.0);
         }
         // At rest at the hand, or it has not come back.
         const double away_m =
             state.pose_W.position.norm() + 0.03 * compute_log(state.pose_W.orientation).norm();
-        worst = std::max(worst, away_m > 1.0e-6 ? away_m : 0.0);
+        worst = worse(worst, away_m <= 1.0e-6 ? 0.0 : away_m);
     }
     return {worst, 1.0e-6, "0.25 to 20 ms a step"};
 }

@@ -108,6 +108,17 @@ TEST_CASE("csv: what is no figure's file is refused with its name") {
     }
 }
 
+TEST_CASE("csv: a file that was saved with other line ends reads the same") {
+    std::string text;
+    for (const char c : to_csv(make_curve(), kEnvironment)) {
+        text += c == '\n' ? "\r\n" : std::string(1, c);
+    }
+    const auto read = read_csv(text, "wall.csv");
+    REQUIRE(read);
+    CHECK(std::get<CostCurve>(*read).default_series == make_curve().default_series);
+    CHECK(std::get<CostCurve>(*read).points.size() == 2);
+}
+
 TEST_CASE("csv: sizes that no memory has are none") {
     for (const char* bytes : {"1e300", "-5", "nan", "inf", "x"}) {
         const std::string text =

@@ -39,10 +39,10 @@ TEST_CASE("stage clock: each call is counted for its own stage, what is not in t
         clock.passed(HapticStage::proxy);  // not in this plan
         clock.passed(HapticStage::estimate);
         clock.begin();
-        clock.passed("world");
+        clock.passed_world();
     }
     clock.begin();
-    clock.passed("lesson");
+    clock.passed_lesson();
     const Analysis analysis = clock.finish(1.5, 0.5);
     CHECK(analysis.simulated_s == 1.5);
     CHECK(analysis.wall_s == 0.5);
@@ -110,6 +110,21 @@ TEST_CASE("stage clock: errors are what was compared, and stand with their stage
     const auto& withheld = find(analysis, 3)->errors;
     REQUIRE(withheld.size() == 1);
     CHECK(withheld[0].value == Approx(std::sqrt((9.0 + 16.0) / 2.0)));
+}
+
+TEST_CASE("stage clock: it knows whether the hand moved at all") {
+    const Plan plan = make_plan();
+    StageClock clock(plan);
+    HapticState state;
+    state.tool_pose_W.position = {0.1, 0.2, 0.3};
+    clock.compare(state, std::nullopt);
+    clock.compare(state, std::nullopt);
+    CHECK_FALSE(clock.hand_moved());
+    state.tool_pose_W.position.x() += 1e-6;
+    clock.compare(state, std::nullopt);
+    state.tool_pose_W.position.x() -= 1e-6;
+    clock.compare(state, std::nullopt);
+    CHECK(clock.hand_moved());
 }
 
 TEST_CASE("stage clock: a hand whose speed nobody knows has no error of velocity") {

@@ -14,7 +14,7 @@ TEST_CASE("explain: every stage stands on a line of its own with rate, memory, a
                    {"sound", "mixer", 100.0, 2500000, "there is somebody to hear it", 0}};
     const std::string text = explain(lesson, plan);
     CHECK(text.find("Which is heavier? (gravity)") == 0);
-    CHECK(text.find("haptic   weight          1000 Hz           96 B  lesson.lua:14   a body can "
+    CHECK(text.find("haptic   weight            1000 Hz          96 B  lesson.lua:14   a body can "
                     "be carried\n") != std::string::npos);
     CHECK(text.find("when needed") != std::string::npos);
     CHECK(text.find("2.5 MB  every lesson") != std::string::npos);

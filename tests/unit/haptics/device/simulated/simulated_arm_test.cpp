@@ -179,8 +179,10 @@ TEST_CASE("simulated arm: more forces on their way than it keeps are refused") {
 TEST_CASE("simulated arm: a longer force is shortened in its direction, a bad one is none") {
     SimulatedArmSettings settings = free_arm(1.0);
     settings.max_force_N = 5.0;
+    settings.damping_Ns_per_m = 0.5;
     Bench bench(settings);
     CHECK(bench.arm.traits().max_force_N == 5.0);
+    CHECK(bench.arm.traits().damping_Ns_per_m == 0.5);
     CHECK(bench.arm.write(0.0, {Vector3(30.0, 0.0, -40.0), Vector3::Zero()}));
     CHECK((bench.arm.force_D() - Vector3(3.0, 0.0, -4.0)).norm() < kRounding);
     CHECK(bench.arm.write(0.0, {Vector3(0.0, 4.9, 0.0), Vector3::Zero()}));
