@@ -86,6 +86,20 @@ void fade_out(LessonRun& run, VirtualClock& clock, const std::string& sentence) 
     }
 }
 
+// What a frame gave to show: the lesson's lines, and a picture on the way.
+void show(const HeadlessSettings& settings, const std::vector<std::string>& lines, double now_s) {
+    if (settings.shows_prints) {
+        print_lines(lines);
+    }
+    if (settings.after_frame) {
+        settings.after_frame(now_s);
+    }
+}
+
+bool asks_in_vain(const SessionHud& hud, double now_s, double patience_s) {
+    return hud.question_open && now_s - hud.question_asked_at_s > patience_s;
+}
+
 }  // namespace
 
 std::string trouble_of(const HeadlessOutcome& outcome) {
@@ -118,22 +132,15 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
                 fade_out(run, clock, to_sentence(report.error()));
                 return tl::unexpected(report.error());
             }
-            if (settings.shows_prints) {
-                print_lines(report->printed);
-            }
             clock.count_frame();
-            if (settings.after_frame) {
-                settings.after_frame(clock.now_s());
-            }
+            show(settings, report->printed, clock.now_s());
 
             const LessonSession& session = run.session();
             if (session.result().finished && !outcome.finished) {
                 outcome.finished = true;
                 end_s = std::min(end_s, clock.now_s() + settings.afterglow_s);
             }
-            const SessionHud& hud = session.hud();
-            if (hud.question_open &&
-                clock.now_s() - hud.question_asked_at_s > settings.nobody_answers_s) {
+            if (asks_in_vain(session.hud(), clock.now_s(), settings.nobody_answers_s)) {
                 outcome.nobody_answered = true;
                 break;
             }
