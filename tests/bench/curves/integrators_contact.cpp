@@ -1,7 +1,6 @@
 // 100 g pressed on a plane of 2 kN/m at each of three points, off its rest: a stiff contact that is not left.
 #include "haptics/dynamics/loads.h"
 #include "tests/bench/curves/integrators.h"
-#include "tests/bench/harness/csv.h"
 
 #include <array>
 #include <cmath>
@@ -54,10 +53,7 @@ IntegratorProblem make_contact_problem() {
     };
     problem.unstable_above = 6.0;  // twice the pressing force
     problem.rounding = 1.0e-9;
-    ConvergedCourse converged = compute_converged_course(problem, 20);
-    problem.course = std::move(converged.states);
-    problem.reference =
-        "converged: RK4 at 64 kHz, " + to_text(converged.error) + " N from RK4 at 32 kHz";
+    take_converged_course(problem, 20);
     return problem;
 }
 

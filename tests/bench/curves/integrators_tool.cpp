@@ -1,7 +1,6 @@
 // A tool of 50 g on its six-degree-of-freedom coupling, caught up by a handle that moves and turns.
 #include "haptics/dynamics/loads.h"
 #include "tests/bench/curves/integrators.h"
-#include "tests/bench/harness/csv.h"
 #include "tests/support/free_rotation.h"
 
 namespace fulcrum::bench {
@@ -47,10 +46,7 @@ IntegratorProblem make_tool_problem() {
     };
     problem.unstable_above = 30.0;  // twice the stretch at the start
     problem.rounding = 1.0e-9;
-    ConvergedCourse converged = compute_converged_course(problem, 10);
-    problem.course = std::move(converged.states);
-    problem.reference =
-        "converged: RK4 at 64 kHz, " + to_text(converged.error) + " mm from RK4 at 32 kHz";
+    take_converged_course(problem, 10);
     return problem;
 }
 

@@ -6,12 +6,10 @@
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/measure.h"
 #include "tests/bench/harness/registry.h"
+#include "tests/support/scratch_folder.h"
 
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
-#include <stdlib.h>
 #include <string>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -135,12 +133,11 @@ Report run_lesson_process(Run& run) {
         "into the program's own process.";
     sheet.columns = {"what", "median us", "99 % us"};
     const Timing timing{run.pick(20000, 1000), 1, 200};
-    std::string pattern = (std::filesystem::temp_directory_path() / "fulcrum-XXXXXX").string();
+    const ScratchFolder folder;
+    folder.write("lesson.lua", kLesson);
     LessonFiles files;
-    files.folder = mkdtemp(pattern.data());
-    std::ofstream(files.folder / "lesson.lua") << kLesson;
+    files.folder = folder.path();
     measure_process(sheet, files, timing);
-    std::filesystem::remove_all(files.folder);
     run.progress(0.6);
     measure_host(sheet, timing);
     Bytes bytes;

@@ -7,15 +7,13 @@
 #include "runtime/lua/process/lesson_process.h"
 #include "tests/bench/harness/measure.h"
 #include "tests/bench/harness/registry.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/unit/runtime/lua/hosted_lesson.h"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
-#include <stdlib.h>
 
 namespace fulcrum::bench {
 namespace {
@@ -134,12 +132,11 @@ struct Prices {
 
 // A frame there and back, between two processes as in the program.
 Cost measure_exchange(const Timing& timing) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "fulcrum-XXXXXX").string();
+    const ScratchFolder folder;
+    folder.write("lesson.lua", "return lesson { id = \"t\", title = \"T\" }\n");
     runtime::LessonFiles files;
-    files.folder = mkdtemp(pattern.data());
-    std::ofstream(files.folder / "lesson.lua") << "return lesson { id = \"t\", title = \"T\" }\n";
+    files.folder = folder.path();
     const auto process = runtime::LessonProcess::start(files);
-    std::filesystem::remove_all(files.folder);
     if (!process) {
         throw std::runtime_error(to_sentence(process.error()));
     }

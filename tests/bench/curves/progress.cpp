@@ -4,11 +4,11 @@
 #include "runtime/progress/sqlite/sqlite_store.h"
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/registry.h"
+#include "tests/support/scratch_folder.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
-#include <stdlib.h>
 #include <string>
 #include <vector>
 
@@ -31,25 +31,6 @@ T must(Expected<T> result) {
         return std::move(*result);
     }
 }
-
-// A folder that is gone when the benchmark is over.
-class Folder {
-  public:
-    Folder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "fulcrum-XXXXXX").string();
-        if (mkdtemp(pattern.data()) == nullptr) {
-            throw std::runtime_error(pattern + ": no folder can be made there");
-        }
-        path_ = pattern;
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path_); }
-    [[nodiscard]] std::string file(const std::string& name) const { return path_ / name; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 AttemptRecord attempt_in(const RecordId& session, int number) {
     AttemptRecord attempt;
@@ -89,7 +70,7 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-void compare_commits(Sheet& sheet, const Folder& folder, int rounds) {
+void compare_commits(Sheet& sheet, const ScratchFolder& folder, int rounds) {
     const auto full = open_with(folder.file("full.db"), Synchronous::full);
     const auto normal = open_with(folder.file("normal.db"), Synchronous::normal);
     const RecordId full_session = begin(*full);
@@ -111,7 +92,7 @@ void compare_commits(Sheet& sheet, const Folder& folder, int rounds) {
     sheet.rows.push_back({"NORMAL against FULL", to_text(median(ratios)), "times as fast", ""});
 }
 
-void time_large(Sheet& sheet, const Folder& folder, int attempts, int rounds) {
+void time_large(Sheet& sheet, const ScratchFolder& folder, int attempts, int rounds) {
     const std::string path = folder.file("large.db");
     {
         const auto store = open_with(path, Synchronous::normal);
@@ -150,7 +131,7 @@ Report run_progress(Run& run) {
         "Keep FULL: even the slower kind commits far more often than a class can answer, and a "
         "power cut takes nothing.";
     sheet.columns = {"what", "median", "unit", "a power cut may take"};
-    const Folder folder;
+    const ScratchFolder folder;
     compare_commits(sheet, folder, run.pick(11, 1));
     run.progress(0.5, "a large database");
     time_large(sheet, folder, run.pick(kLargeAttempts, 500), run.pick(9, 3));

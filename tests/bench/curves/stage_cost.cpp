@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -89,20 +88,13 @@ class Stand {
 
     // One pass: microseconds a round.
     Cost measure(int n_batches) {
-        using Clock = std::chrono::steady_clock;
         std::vector<double> us;
-        us.reserve(static_cast<std::size_t>(n_batches));
         for (int i = 0; i < n_batches; ++i) {
             prepare();
-            const auto before = Clock::now();
-            for (int k = 0; k < kBatch; ++k) {
-                loop_.step(kDt_s * ++round_);
-            }
-            const std::chrono::duration<double, std::micro> took = Clock::now() - before;
-            us.push_back(took.count() / kBatch);
+            time_batches([&] { loop_.step(kDt_s * ++round_); },
+                         {.samples = 1, .batch = kBatch, .warm_up = 0}, us);
         }
-        std::sort(us.begin(), us.end());
-        return {us[us.size() / 2], us[us.size() * 99 / 100], 0};
+        return summarise(std::move(us));
     }
     std::size_t count_bytes() const {
         std::size_t n = 0;
