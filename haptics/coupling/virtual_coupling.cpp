@@ -20,6 +20,27 @@ bool saturates(const CouplingSettings& settings) {
     return settings.saturation_range_m > 0.0;
 }
 
+// The Hermite between linear and constant, on u in [0, 1], with D the rise and g = k (s2 - s1):
+//   f = f1 + g u + (3 D - 2 g) u^2 + (g - 2 D) u^3
+struct Blend {
+    double width_m, u;
+    double start_N;           // f1
+    double slope_N;           // g
+    double square_N, cube_N;  // the two last coefficients
+};
+Blend blend_at(const CouplingSettings& settings, double stretch_m) noexcept {
+    const double width_m = settings.saturation_range_m - settings.linear_range_m;
+    const double start_N = settings.stiffness_N_per_m * settings.linear_range_m;
+    const double rise_N = settings.saturation_force_N - start_N;
+    const double slope_N = settings.stiffness_N_per_m * width_m;
+    return {width_m,
+            (stretch_m - settings.linear_range_m) / width_m,
+            start_N,
+            slope_N,
+            3.0 * rise_N - 2.0 * slope_N,
+            slope_N - 2.0 * rise_N};
+}
+
 Expected<void> validate_saturation(const CouplingSettings& settings) {
     const double rise_N =
         settings.saturation_force_N - settings.stiffness_N_per_m * settings.linear_range_m;
@@ -60,15 +81,8 @@ double compute_spring_force_N(const CouplingSettings& settings, double stretch_m
     if (stretch_m >= settings.saturation_range_m) {
         return settings.saturation_force_N;
     }
-    // Hermite on u in [0, 1], with D the rise and g = k (s2 - s1):
-    //   f = f1 + g u + (3 D - 2 g) u^2 + (g - 2 D) u^3
-    const double width_m = settings.saturation_range_m - settings.linear_range_m;
-    const double u = (stretch_m - settings.linear_range_m) / width_m;
-    const double start_N = settings.stiffness_N_per_m * settings.linear_range_m;
-    const double rise_N = settings.saturation_force_N - start_N;
-    const double slope_N = settings.stiffness_N_per_m * width_m;
-    return start_N +
-           u * (slope_N + u * ((3.0 * rise_N - 2.0 * slope_N) + u * (slope_N - 2.0 * rise_N)));
+    const Blend b = blend_at(settings, stretch_m);
+    return b.start_N + b.u * (b.slope_N + b.u * (b.square_N + b.u * b.cube_N));
 }
 
 double compute_spring_slope_N_per_m(const CouplingSettings& settings, double stretch_m) noexcept {
@@ -78,15 +92,9 @@ double compute_spring_slope_N_per_m(const CouplingSettings& settings, double str
     if (stretch_m >= settings.saturation_range_m) {
         return 0.0;
     }
-    // The derivative of the cubic above by u, over the width: du/ds = 1 / width.
-    const double width_m = settings.saturation_range_m - settings.linear_range_m;
-    const double u = (stretch_m - settings.linear_range_m) / width_m;
-    const double rise_N =
-        settings.saturation_force_N - settings.stiffness_N_per_m * settings.linear_range_m;
-    const double slope_N = settings.stiffness_N_per_m * width_m;
-    return (slope_N +
-            u * (2.0 * (3.0 * rise_N - 2.0 * slope_N) + 3.0 * u * (slope_N - 2.0 * rise_N))) /
-           width_m;
+    // The derivative of the cubic by u, over the width: du/ds = 1 / width.
+    const Blend b = blend_at(settings, stretch_m);
+    return (b.slope_N + b.u * (2.0 * b.square_N + 3.0 * b.u * b.cube_N)) / b.width_m;
 }
 
 double compute_spring_energy_J(const CouplingSettings& settings, double stretch_m) noexcept {
@@ -96,15 +104,11 @@ double compute_spring_energy_J(const CouplingSettings& settings, double stretch_
     if (!(stretch_m > linear_m)) {
         return energy_J;
     }
-    // Of the Hermite above, term by term:  w (f1 u + g u^2/2 + (3 D - 2 g) u^3/3 + (g - 2 D) u^4/4)
-    const double width_m = settings.saturation_range_m - settings.linear_range_m;
-    const double u = std::min((stretch_m - settings.linear_range_m) / width_m, 1.0);
-    const double start_N = settings.stiffness_N_per_m * settings.linear_range_m;
-    const double rise_N = settings.saturation_force_N - start_N;
-    const double slope_N = settings.stiffness_N_per_m * width_m;
-    energy_J += width_m * u *
-                (start_N + u * (0.5 * slope_N + u * ((3.0 * rise_N - 2.0 * slope_N) / 3.0 +
-                                                     u * 0.25 * (slope_N - 2.0 * rise_N))));
+    // The cubic's integral, term by term:  w (f1 u + g u^2/2 + (3 D - 2 g) u^3/3 + (g - 2 D) u^4/4)
+    const Blend b = blend_at(settings, std::min(stretch_m, settings.saturation_range_m));
+    energy_J +=
+        b.width_m * b.u *
+        (b.start_N + b.u * (0.5 * b.slope_N + b.u * (b.square_N / 3.0 + b.u * 0.25 * b.cube_N)));
     return energy_J +
            settings.saturation_force_N * std::max(stretch_m - settings.saturation_range_m, 0.0);
 }

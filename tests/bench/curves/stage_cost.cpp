@@ -9,7 +9,6 @@
 #include "tests/bench/harness/registry.h"
 #include "tests/support/touchable.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
