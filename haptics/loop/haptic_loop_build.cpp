@@ -1,9 +1,8 @@
 // The load path of haptic_loop.h: checks a plan, builds its stages, describes them.
 #include "haptics/base/range.h"
-#include "haptics/collision/collision_mesh.h"
 #include "haptics/coupling/virtual_coupling.h"
 #include "haptics/loop/haptic_loop.h"
-#include "haptics/point/god_object.h"
+#include "haptics/point/make_proxy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,14 +56,6 @@ LinearisedWrenchSettings choose_lesson_settings(const HapticPlan& plan,
     return settings;
 }
 
-// A plan without anything solid has no proxy.
-std::unique_ptr<Proxy> make_proxy(const HapticPlan& plan) {
-    if (plan.solids.empty()) {
-        return nullptr;
-    }
-    return std::make_unique<GodObject>(plan.solids);
-}
-
 }  // namespace
 
 Expected<void> validate(const HapticPlan& plan) {
@@ -79,7 +70,7 @@ Expected<void> validate(const HapticPlan& plan) {
         validate(plan.safety),
         validate(plan.coupling),
         validate(plan.passivity),
-        validate(plan.solids),
+        validate(plan.proxy, plan.solids),
         validate(VelocitySettings{.method = plan.velocity_method,
                                   .cutoff_Hz = plan.velocity_cutoff_hz,
                                   .noise_bound_m = kFineResolution_m}),
@@ -115,7 +106,7 @@ Expected<void> validate(const HapticPlan& plan, const DeviceTraits& traits) {
 }
 
 HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels)
-    : HapticLoop(plan, device, channels, make_proxy(plan)) {}
+    : HapticLoop(plan, device, channels, make_proxy(plan.proxy, plan.solids, {plan.coupling, 1.0 / plan.rate_hz})) {}
 
 HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels,
                        std::unique_ptr<Proxy> proxy)
@@ -165,11 +156,11 @@ std::vector<StageInfo> HapticLoop::stages() const {
     add(HapticStage::read, sizeof(reading_));
     add(HapticStage::estimate, sizeof(velocity_) + sizeof(angular_velocity_));
     if (touch_) {
-        std::size_t mesh_bytes = 0;
+        std::size_t bytes = sizeof(TouchStage);
         for (const SolidPlan& solid : plan_.solids) {
-            mesh_bytes += solid.mesh ? solid.mesh->memory_bytes() : 0;
+            bytes += memory_bytes(solid.shape);
         }
-        add(HapticStage::proxy, sizeof(TouchStage) + sizeof(GodObject) + mesh_bytes);
+        add(HapticStage::proxy, bytes);
         add(HapticStage::coupling, sizeof(CouplingSettings));
     }
     if (weight_) {

@@ -7,6 +7,7 @@
 #include "haptics/field/field_plan.h"
 #include "haptics/handover/messages.h"
 #include "haptics/math/spatial.h"
+#include "haptics/point/proxy_plan.h"
 #include "haptics/point/solid_plan.h"
 
 #include <cstddef>
@@ -100,6 +101,7 @@ struct HapticPlan {
     bool lesson_force = false;      ///< a linearised Lua wrench
     bool expects_lesson = true;     ///< commands come from a lesson and must stay fresh
     bool expects_world = false;     ///< a world loop runs and must stay fresh
+    ProxySettings proxy{};          ///< what touches them
     std::vector<SolidPlan> solids;  ///< at most kMaxSolids; empty means no proxy stage
     std::vector<FieldPlan> fields;  ///< at most kMaxFields
 };

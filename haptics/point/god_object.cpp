@@ -18,21 +18,6 @@ bool is_usable(const Vector3& hand_W) noexcept {
 
 }  // namespace
 
-Expected<void> validate(const std::vector<SolidPlan>& solids) {
-    if (solids.size() > static_cast<std::size_t>(kMaxSolids)) {
-        return fail("more than " + std::to_string(kMaxSolids) + " bodies can be touched", {},
-                    "make some of them untouchable");
-    }
-    for (const SolidPlan& solid : solids) {
-        if (solid.mesh == nullptr || !is_finite(solid.initial_pose_W)) {
-            return fail("body " + std::to_string(solid.body) +
-                            " cannot be touched: it has no mesh or no finite pose",
-                        {}, "give it both");
-        }
-    }
-    return {};
-}
-
 GodObject::GodObject(const std::vector<SolidPlan>& solids) {
     solids_.reserve(solids.size());
     near_.resize(solids.size());
@@ -48,49 +33,45 @@ void GodObject::reset(const Vector3& hand_W) noexcept {
     }
     planes_.count = 0;
     n_known_ = 0;
-    hand_W_ = hand_W;
+    goal_W_ = hand_W;
     accept(hand_W);
     leave_surface();
     publish(proxy_W_);
 }
 
-const ProxyContact& GodObject::step(const Vector3& hand_W,
-                                    std::span<const Pose> solid_poses_W) noexcept {
-    if (!is_usable(hand_W)) {
+const ProxyContact& GodObject::follow(const Vector3& goal_W) noexcept {
+    if (!is_usable(goal_W)) {
         return contact_;
     }
-    n_known_ = 0;
-    n_sweeps_ = 0;
-    follow_solids(solid_poses_W);
-    reach_m_ = std::max(largest_component(hand_W - hand_W_), std::numeric_limits<double>::min());
-    hand_W_ = hand_W;
-    find_near_solids(hand_W);
-    follow_hand(hand_W);
-    publish(hand_W);
+    reach_m_ = std::max(largest_component(goal_W - goal_W_), std::numeric_limits<double>::min());
+    goal_W_ = goal_W;
+    find_near_solids(goal_W);
+    follow_goal(goal_W);
+    publish(goal_W);
     return contact_;
 }
 
-void GodObject::find_near_solids(const Vector3& hand_W) noexcept {
+void GodObject::find_near_solids(const Vector3& goal_W) noexcept {
     // The distance to the hand never grows, so all that follows happens in this ball.
-    const double radius_m = (proxy_W_ - hand_W).norm();
+    const double radius_m = (proxy_W_ - goal_W).norm();
     n_near_ = 0;
     for (std::size_t i = 0; i < solids_.size(); ++i) {
-        if (solids_[i].is_near(hand_W, radius_m)) {
+        if (solids_[i].is_near(goal_W, radius_m)) {
             near_[n_near_++] = static_cast<std::int32_t>(i);
         }
     }
 }
 
-void GodObject::follow_hand(const Vector3& hand_W) noexcept {
+void GodObject::follow_goal(const Vector3& goal_W) noexcept {
     while (n_sweeps_ < kMaxSweeps) {
-        const Vector3 way = constrain(hand_W - proxy_W_, proxy_W_, planes_);
-        const Advance advanced = advance(planes_.count == 0 ? hand_W : proxy_W_ + way);
+        const Vector3 way = constrain(goal_W - proxy_W_, proxy_W_, planes_);
+        const Advance advanced = advance(planes_.count == 0 ? goal_W : proxy_W_ + way);
         if (advanced.blocked && !planes_.contain(advanced.plane)) {
             planes_.plane[planes_.count++] = advanced.plane;
             remember(advanced.plane);
             continue;
         }
-        if (!find_way_on(hand_W)) {
+        if (!find_way_on(goal_W)) {
             return;
         }
     }
@@ -183,7 +164,7 @@ void GodObject::move_to(const Vector3& proxy_W) noexcept {
 }
 
 // At rest: does each plane that pushes belong to a triangle right under the proxy? Otherwise try without it.
-bool GodObject::find_way_on(const Vector3& hand_W) noexcept {
+bool GodObject::find_way_on(const Vector3& goal_W) noexcept {
     const unsigned all = (1U << planes_.count) - 1U;
     unsigned under = 0;
     for (std::size_t i = 0; i < planes_.count; ++i) {
@@ -194,11 +175,11 @@ bool GodObject::find_way_on(const Vector3& hand_W) noexcept {
     if (under == all) {
         return false;
     }
-    if (try_without(hand_W, under)) {
+    if (try_without(goal_W, under)) {
         return true;
     }
     for (unsigned kept = 0; kept < all; ++kept) {
-        if (kept != under && try_without(hand_W, kept)) {
+        if (kept != under && try_without(goal_W, kept)) {
             return true;
         }
     }
@@ -206,7 +187,7 @@ bool GodObject::find_way_on(const Vector3& hand_W) noexcept {
 }
 
 // Moves as far as the kept planes alone allow. True when that gained something: a way, or a triangle not yet known.
-bool GodObject::try_without(const Vector3& hand_W, unsigned kept) noexcept {
+bool GodObject::try_without(const Vector3& goal_W, unsigned kept) noexcept {
     if (n_sweeps_ >= kMaxSweeps) {
         return false;
     }
@@ -217,8 +198,8 @@ bool GodObject::try_without(const Vector3& hand_W, unsigned kept) noexcept {
             fewer.plane[fewer.count++] = planes_.plane[i];
         }
     }
-    const Vector3 way = constrain(hand_W - proxy_W_, proxy_W_, fewer);
-    const Advance advanced = advance(fewer.count == 0 ? hand_W : proxy_W_ + way);
+    const Vector3 way = constrain(goal_W - proxy_W_, proxy_W_, fewer);
+    const Advance advanced = advance(fewer.count == 0 ? goal_W : proxy_W_ + way);
     const bool is_new = advanced.blocked && !is_known(advanced.plane);
     if (!is_new && !(advanced.moved_m > gain_m)) {
         return false;
@@ -251,7 +232,7 @@ void GodObject::remember(const TouchedPlane& plane) noexcept {
     }
 }
 
-void GodObject::publish(const Vector3& hand_W) noexcept {
+void GodObject::publish(const Vector3& goal_W) noexcept {
     for (MovingSolid& solid : solids_) {
         solid.put_proxy(proxy_W_);
     }
@@ -260,16 +241,26 @@ void GodObject::publish(const Vector3& hand_W) noexcept {
     if (planes_.count == 0) {
         return;
     }
-    const auto strongest =
-        std::max_element(planes_.push_m.begin(),
-                         planes_.push_m.begin() + static_cast<std::ptrdiff_t>(planes_.count));
-    const TouchedPlane& plane =
-        planes_.plane[static_cast<std::size_t>(strongest - planes_.push_m.begin())];
-    contact_.solid = plane.solid;
-    contact_.n_constraints = static_cast<std::int32_t>(std::min<std::size_t>(planes_.count, 3));
-    const Vector3 push = proxy_W_ - hand_W;
+    renew_touches();
+    const auto strongest = std::ranges::max_element(contact_.active(), {}, &SolidTouch::push_m);
+    contact_.solid = strongest->solid;
+    const Vector3 push = proxy_W_ - goal_W;
     contact_.normal_W =
-        push.squaredNorm() > 0.0 ? Vector3(push.stableNormalized()) : plane.normal_W;
+        push.squaredNorm() > 0.0 ? Vector3(push.stableNormalized()) : strongest->normal_W;
+}
+
+// What holds the proxy, as the contact tells it.
+void GodObject::renew_touches() noexcept {
+    contact_.n_constraints = static_cast<std::int32_t>(std::min(planes_.count, kMaxTouches));
+    for (std::size_t i = 0; i < contact_.active().size(); ++i) {
+        const TouchedPlane& plane = planes_.plane[i];
+        contact_.touches[i] = {.solid = plane.solid,
+                               .feature = plane.triangle,
+                               .normal_W = plane.normal_W,
+                               .push_m = planes_.push_m[i],
+                               .drag_W = Vector3::Zero(),
+                               .anchor_W = proxy_W_};
+    }
 }
 
 }  // namespace fulcrum

@@ -17,7 +17,6 @@
 // Source: C. B. Zilles, J. K. Salisbury 1995, A constraint-based god-object method for haptic display, IROS.
 #pragma once
 
-#include "haptics/base/error.h"
 #include "haptics/point/moving_solid.h"
 #include "haptics/point/plane_constraints.h"
 #include "haptics/point/proxy.h"
@@ -29,10 +28,7 @@
 
 namespace fulcrum {
 
-/// Refuses a list of solids longer than kMaxSolids, one without a mesh or with a pose that is not finite.
-[[nodiscard]] Expected<void> validate(const std::vector<SolidPlan>& solids);
-
-class GodObject final : public Proxy {
+class GodObject final : public SurfaceObject {
   public:
     /// Farthest coordinate of a hand that is followed, metres; one beyond is ignored like NaN.
     static constexpr double kFarthest_m = 1.0e30;
@@ -41,11 +37,11 @@ class GodObject final : public Proxy {
     explicit GodObject(const std::vector<SolidPlan>& solids);
 
     void reset(const Vector3& hand_W) noexcept override;
-    /// A hand that is not finite leaves all as it was. Poses beyond the number of solids are ignored, missing ones unchanged.
-    const ProxyContact& step(const Vector3& hand_W,
-                             std::span<const Pose> solid_poses_W) noexcept override;
+    void carry(std::span<const Pose> solid_poses_W) noexcept override;
+    /// A goal that is not finite leaves all as it was.
+    const ProxyContact& follow(const Vector3& goal_W) noexcept override;
+    [[nodiscard]] const ProxyContact& contact() const noexcept override { return contact_; }
 
-    [[nodiscard]] const ProxyContact& contact() const noexcept { return contact_; }
     /// How often a solid had to be let through, squeezed between two.
     [[nodiscard]] std::uint64_t n_squeezed() const noexcept { return n_squeezed_; }
     /// Sweeps of the last step: what it cost.
@@ -79,21 +75,22 @@ class GodObject final : public Proxy {
     static constexpr std::size_t kMaxKnown = 32;
 
     // Motion of the solids (god_object_solids.cpp).
-    void follow_solids(std::span<const Pose> solid_poses_W) noexcept;
+    void follow_touched() noexcept;
+    void renew_touches() noexcept;
     [[nodiscard]] bool place_carried(const Vector3& wish_W, Blocker& blocker) noexcept;
     [[nodiscard]] bool place_between(const Vector3& wish_W, const Blocker& first) noexcept;
     [[nodiscard]] Blocker find_blocker(const Vector3& to_W) const noexcept;
     void accept(const Vector3& proxy_W) noexcept;
     void leave_surface() noexcept;
 
-    // Motion of the hand.
-    void find_near_solids(const Vector3& hand_W) noexcept;
+    // Motion to the goal.
+    void find_near_solids(const Vector3& goal_W) noexcept;
     [[nodiscard]] std::span<const std::int32_t> near_solids() const noexcept {
         return {near_.data(), n_near_};
     }
-    void follow_hand(const Vector3& hand_W) noexcept;
-    [[nodiscard]] bool find_way_on(const Vector3& hand_W) noexcept;
-    [[nodiscard]] bool try_without(const Vector3& hand_W, unsigned kept) noexcept;
+    void follow_goal(const Vector3& goal_W) noexcept;
+    [[nodiscard]] bool find_way_on(const Vector3& goal_W) noexcept;
+    [[nodiscard]] bool try_without(const Vector3& goal_W, unsigned kept) noexcept;
     [[nodiscard]] Vector3 constrain(const Vector3& wish, const Vector3& from_W,
                                     Planes& planes) const noexcept;
     [[nodiscard]] Advance advance(const Vector3& target_W) noexcept;
@@ -101,15 +98,15 @@ class GodObject final : public Proxy {
     void move_to(const Vector3& proxy_W) noexcept;
     [[nodiscard]] bool is_known(const TouchedPlane& plane) const noexcept;
     void remember(const TouchedPlane& plane) noexcept;
-    void publish(const Vector3& hand_W) noexcept;
+    void publish(const Vector3& goal_W) noexcept;
 
     std::vector<MovingSolid> solids_;
     // Solids that the hand's motion can reach in this step: the first n_near_ entries.
     std::vector<std::int32_t> near_;
     std::size_t n_near_ = 0;
     Vector3 proxy_W_{Vector3::Zero()};
-    Vector3 hand_W_{Vector3::Zero()};
-    double reach_m_ = 0.0;  // how far the hand came in this step: about as far as the proxy will go
+    Vector3 goal_W_{Vector3::Zero()};
+    double reach_m_ = 0.0;  // how far the goal came in this step: about as far as the proxy will go
     Planes planes_;
     std::array<KnownTriangle, kMaxKnown> known_{};
     std::size_t n_known_ = 0;

@@ -11,20 +11,37 @@ constexpr int kMaxPushes = 8;  // planes met on the way out from between solids
 
 }  // namespace
 
-void GodObject::follow_solids(std::span<const Pose> solid_poses_W) noexcept {
+void GodObject::carry(std::span<const Pose> solid_poses_W) noexcept {
+    n_known_ = 0;
+    n_sweeps_ = 0;
     bool any_moved = false;
     for (std::size_t i = 0; i < std::min(solids_.size(), solid_poses_W.size()); ++i) {
         any_moved = solids_[i].take_pose(solid_poses_W[i]) || any_moved;
     }
-    if (!any_moved) {
-        return;
+    std::array<Vector3, kMaxTouches> anchors_W;
+    anchors_W.fill(proxy_W_);
+    if (any_moved) {
+        for (std::size_t i = 0; i < planes_.count; ++i) {
+            TouchedPlane& plane = planes_.plane[i];
+            const MovingSolid& solid = solids_[static_cast<std::size_t>(plane.solid)];
+            plane = solid.find_plane(plane.triangle, plane.side);
+            if (i < kMaxTouches) {
+                anchors_W[i] = solid.carried_proxy_W();
+            }
+        }
+        follow_touched();
     }
-    for (std::size_t i = 0; i < planes_.count; ++i) {
-        TouchedPlane& plane = planes_.plane[i];
-        plane =
-            solids_[static_cast<std::size_t>(plane.solid)].find_plane(plane.triangle, plane.side);
+    // Nothing pushes yet: that is known when the goal is.
+    planes_.push_m.fill(0.0);
+    renew_touches();
+    for (std::size_t i = 0; i < contact_.active().size(); ++i) {
+        contact_.touches[i].anchor_W = anchors_W[i];
     }
-    // With the touched solid, or where it was.
+    contact_.position_W = proxy_W_;
+}
+
+// With the touched solid, or where it was; else wherever there is room.
+void GodObject::follow_touched() noexcept {
     const Vector3 wish_W =
         contact_.solid == kNoBody
             ? proxy_W_

@@ -23,7 +23,7 @@ bool is_same(const Pose& a, const Pose& b) noexcept {
 }  // namespace
 
 MovingSolid::MovingSolid(const SolidPlan& plan, std::int32_t index)
-    : mesh_(plan.mesh), index_(index) {
+    : mesh_(std::get<MeshShape>(plan.shape)), index_(index) {
     take_pose(plan.initial_pose_W);
 }
 

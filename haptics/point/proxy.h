@@ -6,19 +6,40 @@
 #include "haptics/handover/messages.h"
 #include "haptics/math/spatial.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace fulcrum {
 
-/// What a proxy found in one step.
+inline constexpr std::size_t kMaxTouches = 3;
+
+/// One plane of a solid that holds the proxy. A coupling of stiffness k pushes the solid with -k (push_m normal_W + drag_W).
+struct SolidTouch {
+    std::int32_t solid = kNoBody;        ///< index in the plan
+    std::int32_t feature = -1;           ///< the mesh's triangle; -1 on shapes that have none
+    Vector3 normal_W{Vector3::UnitY()};  ///< unit, away from the surface
+    double push_m = 0.0;  ///< how far the plane holds the proxy off the hand, 0 or more
+    Vector3 drag_W{
+        Vector3::Zero()};  ///< metres along the plane that friction holds the proxy off the hand
+    /// Where the solid has taken the place that the proxy had at the end of the last step.
+    Vector3 anchor_W{Vector3::Zero()};
+};
+
+/// What a proxy found in one step: proxy - hand = sum over the touches of push_m normal_W + drag_W.
 struct ProxyContact {
     Vector3 position_W{Vector3::Zero()};  ///< the proxy; equals the hand's position in free space
     std::int32_t solid =
-        kNoBody;  ///< index of the touched solid in the plan, kNoBody in free space
-    std::int32_t n_constraints = 0;  ///< active planes, 0 to 3
+        kNoBody;  ///< index in the plan of the solid that pushes most, kNoBody in free space
+    std::int32_t n_constraints = 0;  ///< active planes, 0 to 3: as many of `touches` count
     Vector3 normal_W{
-        Vector3::Zero()};  ///< unit vector from proxy away from the surface; zero in free space
+        Vector3::Zero()};  ///< unit, along all that the planes push; zero in free space
+    std::array<SolidTouch, kMaxTouches> touches{};
+
+    [[nodiscard]] std::span<const SolidTouch> active() const noexcept {
+        return {touches.data(), static_cast<std::size_t>(n_constraints)};
+    }
 };
 
 class Proxy {
@@ -33,6 +54,23 @@ class Proxy {
     /// Moves the proxy towards the hand as far as the solids allow. `solid_poses_W` has one pose a solid of the plan.
     virtual const ProxyContact& step(const Vector3& hand_W,
                                      std::span<const Pose> solid_poses_W) noexcept = 0;
+};
+
+/// A proxy without friction whose step has two halves, so that a law of friction can choose the goal between them.
+class SurfaceObject : public Proxy {
+  public:
+    /// First half: the solids are here now. One that is touched takes the proxy along; `contact` tells its planes anew, their
+    /// anchors and no push. Poses beyond the number of solids are ignored, missing ones unchanged.
+    virtual void carry(std::span<const Pose> solid_poses_W) noexcept = 0;
+    /// Second half: goes as near to the goal as the solids allow. The contact's pushes are against the goal.
+    virtual const ProxyContact& follow(const Vector3& goal_W) noexcept = 0;
+    [[nodiscard]] virtual const ProxyContact& contact() const noexcept = 0;
+
+    const ProxyContact& step(const Vector3& hand_W,
+                             std::span<const Pose> solid_poses_W) noexcept final {
+        carry(solid_poses_W);
+        return follow(hand_W);
+    }
 };
 
 }  // namespace fulcrum

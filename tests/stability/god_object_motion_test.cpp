@@ -44,7 +44,7 @@ TEST_CASE("god object: a hand that jumps about wildly never gets the proxy into 
     const auto mesh = touchable(make_bumpy_sphere(1.0, 20, 0.05, 12.0));
     for (const double jump : {1e-6, 1e-3, 0.1, 3.0}) {
         Random random(12);
-        GodObject proxy({SolidPlan{.body = 0, .mesh = mesh, .initial_pose_W = {}}});
+        GodObject proxy({SolidPlan{.body = 0, .shape = mesh, .initial_pose_W = {}}});
         Vector3 hand(1.2, 0.0, 0.0);
         proxy.reset(hand);
         for (int i = 0; i < 20000; ++i) {
@@ -59,7 +59,7 @@ TEST_CASE("god object: bodies that tumble and jump never pass over the proxy") {
     const auto mesh = touchable(make_bumpy_sphere(1.0, 12, 0.05, 12.0));
     for (const double motion : {1e-3, 0.05, 0.8}) {
         Random random(13);
-        GodObject proxy({SolidPlan{.body = 0, .mesh = mesh, .initial_pose_W = {}}});
+        GodObject proxy({SolidPlan{.body = 0, .shape = mesh, .initial_pose_W = {}}});
         Pose pose;
         Vector3 hand(1.2, 0.0, 0.0);
         proxy.reset(hand);
@@ -79,10 +79,10 @@ TEST_CASE("god object: two bodies that tumble together never pass over it, unles
     Random random(14);
     GodObject proxy(
         {SolidPlan{.body = 0,
-                   .mesh = mesh,
+                   .shape = mesh,
                    .initial_pose_W = {Vector3(-2.0, 0.0, 0.0), Quaternion::Identity()}},
          SolidPlan{.body = 1,
-                   .mesh = mesh,
+                   .shape = mesh,
                    .initial_pose_W = {Vector3(2.0, 0.0, 0.0), Quaternion::Identity()}}});
     std::array<Pose, 2> poses;
     proxy.reset(Vector3::Zero());
@@ -126,7 +126,7 @@ TEST_CASE("god object: triangle soups neither crash it nor make it move away fro
                                  static_cast<std::int32_t>(random.integer() % 120)});
         }
         GodObject proxy({SolidPlan{.body = 0,
-                                   .mesh = touchable(TriangleMesh::build(vertices, triangles)),
+                                   .shape = touchable(TriangleMesh::build(vertices, triangles)),
                                    .initial_pose_W = {}}});
         Vector3 hand = Vector3::Zero();
         proxy.reset(hand);
@@ -145,8 +145,8 @@ TEST_CASE("god object: triangle soups neither crash it nor make it move away fro
 TEST_CASE("god object: no step allocates, in free space, sliding, in corners, on moving bodies") {
     const auto mesh = touchable(make_bumpy_sphere(1.0, 40, 0.03, 20.0));
     const auto box = touchable(make_box(Vector3::Ones()));
-    GodObject proxy({SolidPlan{.body = 0, .mesh = mesh, .initial_pose_W = {}},
-                     SolidPlan{.body = 1, .mesh = box, .initial_pose_W = {}}});
+    GodObject proxy({SolidPlan{.body = 0, .shape = mesh, .initial_pose_W = {}},
+                     SolidPlan{.body = 1, .shape = box, .initial_pose_W = {}}});
     Random random(15);
     std::array<Pose, 2> poses;
     Vector3 hand(0.0, 2.0, 0.0);

@@ -46,7 +46,7 @@ bool is_snagged(const CollisionMesh& mesh, const Vector3& proxy, const Vector3& 
 template <class Radius>
 void check_no_snag(const CollisionMesh& mesh, double depth, int n_steps, Radius&& radius) {
     GodObject proxy({SolidPlan{.body = 0,
-                               .mesh = std::shared_ptr<const CollisionMesh>(&mesh, [](auto*) {}),
+                               .shape = std::shared_ptr<const CollisionMesh>(&mesh, [](auto*) {}),
                                .initial_pose_W = {}}});
     Wanderer wanderer(7);
     std::mt19937_64 random(8);
@@ -84,7 +84,7 @@ TEST_CASE(
             const double most_excess =
                 side < 0.0 ? kNearest
                            : std::max(kNearest, kDepth * (1.0 - std::cos(between_faces)));
-            GodObject proxy({SolidPlan{.body = 0, .mesh = mesh, .initial_pose_W = {}}});
+            GodObject proxy({SolidPlan{.body = 0, .shape = mesh, .initial_pose_W = {}}});
             Wanderer wanderer(3);
             proxy.reset(wanderer.next() * (1.0 + 0.3 * side));
             for (int i = 0; i < 3000; ++i) {
@@ -149,9 +149,9 @@ TEST_CASE("god object: nothing snags on a noisy mesh, on slivers or on a ring") 
 
 TEST_CASE("god object: a mesh turned inside out feels the same, to the bit") {
     const auto mesh = make_bumpy_sphere(1.0, 30, kBumpHeight, kBumps);
-    GodObject front({SolidPlan{.body = 0, .mesh = touchable(mesh), .initial_pose_W = {}}});
+    GodObject front({SolidPlan{.body = 0, .shape = touchable(mesh), .initial_pose_W = {}}});
     GodObject back(
-        {SolidPlan{.body = 0, .mesh = touchable(make_inverted(*mesh)), .initial_pose_W = {}}});
+        {SolidPlan{.body = 0, .shape = touchable(make_inverted(*mesh)), .initial_pose_W = {}}});
     Wanderer wanderer(5);
     front.reset(1.3 * wanderer.next());
     back.reset(front.contact().position_W);
@@ -179,7 +179,7 @@ TEST_CASE("god object: cracks that the weld closes leak nowhere, not along them 
     }
     const auto mesh = touchable(TriangleMesh::build(vertices, triangles, {.weld_relative = 1e-4}));
     for (unsigned seed = 0; seed < 50; ++seed) {
-        GodObject proxy({SolidPlan{.body = 0, .mesh = mesh, .initial_pose_W = {}}});
+        GodObject proxy({SolidPlan{.body = 0, .shape = mesh, .initial_pose_W = {}}});
         Wanderer wanderer(100 + seed);
         proxy.reset(1.5 * wanderer.next());
         for (int i = 0; i < 1000; ++i) {

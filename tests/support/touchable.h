@@ -24,7 +24,7 @@ inline std::shared_ptr<const CollisionMesh> touchable(const Expected<TriangleMes
 /// The one solid of a scene, body 0.
 inline std::vector<SolidPlan> only_solid(std::shared_ptr<const CollisionMesh> mesh,
                                          const Pose& pose_W = {}) {
-    return {SolidPlan{.body = 0, .mesh = std::move(mesh), .initial_pose_W = pose_W}};
+    return {SolidPlan{.body = 0, .shape = std::move(mesh), .initial_pose_W = pose_W}};
 }
 
 }  // namespace fulcrum

@@ -21,7 +21,7 @@ Finding press_from_inside(const Vector3& pressed_W, double circle_m) {
     if (!mesh) {
         return {HUGE_VAL, 0.0, to_sentence(mesh.error())};
     }
-    GodObject proxy({SolidPlan{.body = 0, .mesh = *mesh, .initial_pose_W = {}}});
+    GodObject proxy({SolidPlan{.body = 0, .shape = *mesh, .initial_pose_W = {}}});
     proxy.reset(Vector3::Zero());
     double worst_m = 0.0;
     for (int i = 0; i < kSteps; ++i) {

@@ -14,7 +14,7 @@ SolidPlan touchable(const Expected<TriangleMesh>& mesh, const Pose& pose_W = {})
     REQUIRE(mesh);
     const auto made = CollisionMesh::create(*mesh);
     REQUIRE(made);
-    return {.body = 0, .mesh = *made, .initial_pose_W = pose_W};
+    return {.body = 0, .shape = *made, .initial_pose_W = pose_W};
 }
 
 Pose at(const Vector3& position_W) {

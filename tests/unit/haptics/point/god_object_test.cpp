@@ -21,7 +21,7 @@ class Hand {
   public:
     Hand(std::shared_ptr<const CollisionMesh> mesh, const Vector3& start_W, Pose pose_W = {})
         : pose_W_(pose_W),
-          proxy_({SolidPlan{.body = 0, .mesh = std::move(mesh), .initial_pose_W = pose_W}}),
+          proxy_({SolidPlan{.body = 0, .shape = std::move(mesh), .initial_pose_W = pose_W}}),
           at_W_(start_W) {
         proxy_.reset(start_W);
     }

@@ -16,8 +16,8 @@ const Pose kPose{Vector3(3.0, -2.0, 1.0),
 
 MovingSolid make_solid(const Expected<TriangleMesh>& mesh, const Pose& pose_W) {
     REQUIRE(mesh);
-    return MovingSolid({.body = 5, .mesh = *CollisionMesh::create(*mesh), .initial_pose_W = pose_W},
-                       2);
+    return MovingSolid(
+        {.body = 5, .shape = *CollisionMesh::create(*mesh), .initial_pose_W = pose_W}, 2);
 }
 
 TEST_CASE("moving solid: a plane is that of the turned and moved triangle, on the side asked for") {

@@ -1,0 +1,104 @@
+#include "haptics/point/friction_cone.h"
+
+#include <algorithm>
+
+namespace fulcrum {
+
+FrictionCone::FrictionCone(std::unique_ptr<SurfaceObject> surface_object,
+                           std::vector<FrictionLaw> laws, int max_rounds)
+    : surface_object_(std::move(surface_object)),
+      laws_(std::move(laws)),
+      stuck_(laws_.size(), 1),
+      max_rounds_(max_rounds) {
+    contact_ = surface_object_->contact();
+}
+
+void FrictionCone::reset(const Vector3& hand_W) noexcept {
+    surface_object_->reset(hand_W);
+    std::ranges::fill(stuck_, char{1});
+    contact_ = surface_object_->contact();
+}
+
+const ProxyContact& FrictionCone::step(const Vector3& hand_W,
+                                       std::span<const Pose> solid_poses_W) noexcept {
+    surface_object_->carry(solid_poses_W);
+    if (!hand_W.allFinite()) {
+        return contact_;
+    }
+    const ProxyContact before = surface_object_->contact();
+    Planes storage;
+    const std::span<FrictionPlane> planes = hold(hand_W, storage);
+    Vector3 drag_W = Vector3::Zero();
+    for (const FrictionPlane& plane : planes) {
+        drag_W += plane.drag;
+    }
+    contact_ = surface_object_->follow(hand_W + drag_W);
+    if (contact_.n_constraints == 0) {
+        // It slid off: there is nothing left to hold it back.
+        contact_ = surface_object_->follow(hand_W);
+        std::ranges::fill(stuck_, char{1});
+        return contact_;
+    }
+    share_drag(before.active(), planes);
+    return contact_;
+}
+
+// Solves friction at the planes that hold the surface object now.
+std::span<FrictionPlane> FrictionCone::hold(const Vector3& hand_W, Planes& storage) noexcept {
+    const ProxyContact& contact = surface_object_->contact();
+    std::size_t n = 0;
+    bool any = false;
+    for (const SolidTouch& touch : contact.active()) {
+        const auto solid = static_cast<std::size_t>(touch.solid);
+        storage[n] = {.normal = touch.normal_W,
+                      .point = contact.position_W,
+                      .anchor = touch.anchor_W,
+                      .law = laws_[solid],
+                      .stuck = stuck_[solid] != 0};
+        any = any || storage[n].law.any();
+        ++n;
+    }
+    residual_m_ = 0.0;
+    if (!any) {
+        return {};
+    }
+    const std::span<FrictionPlane> planes(storage.data(), n);
+    residual_m_ = solve_friction(hand_W, planes, max_rounds_);
+    // A solid is stuck when all its planes are, and one that is not touched sticks at the next touch.
+    std::ranges::fill(stuck_, char{1});
+    for (std::size_t i = 0; i < n; ++i) {
+        char& stuck = stuck_[static_cast<std::size_t>(contact.touches[i].solid)];
+        stuck = stuck != 0 && planes[i].stuck ? 1 : 0;
+    }
+    return planes;
+}
+
+// Each drag belongs to the solid that gave it, at whichever of its planes the surface object now lies.
+void FrictionCone::share_drag(std::span<const SolidTouch> before,
+                              std::span<const FrictionPlane> planes) noexcept {
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        SolidTouch* best = contact_.touches.data();
+        int best_match = -1;
+        for (std::int32_t k = 0; k < contact_.n_constraints; ++k) {
+            SolidTouch& touch = contact_.touches[static_cast<std::size_t>(k)];
+            const int match = touch.solid != before[i].solid       ? 0
+                              : touch.feature != before[i].feature ? 1
+                                                                   : 2;
+            if (match > best_match) {
+                best = &touch;
+                best_match = match;
+            }
+        }
+        best->drag_W += planes[i].drag;
+    }
+    // The normal is that of the planes alone: the force may lean away from it, but never pull.
+    Vector3 push_W = Vector3::Zero();
+    for (const SolidTouch& touch : contact_.active()) {
+        push_W += touch.push_m * touch.normal_W;
+    }
+    if (push_W.squaredNorm() > 0.0) {
+        contact_.normal_W = push_W.stableNormalized();
+    }
+}
+
+}  // namespace fulcrum

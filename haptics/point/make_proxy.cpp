@@ -1,0 +1,73 @@
+#include "haptics/point/make_proxy.h"
+
+#include "haptics/base/range.h"
+#include "haptics/coupling/virtual_coupling.h"
+#include "haptics/point/friction_cone.h"
+#include "haptics/point/god_object.h"
+
+#include <string>
+
+namespace fulcrum {
+namespace {
+
+Expected<void> check_solid(const SolidPlan& solid) {
+    const auto told = [&solid](const Error& error) {
+        return Error{"body " + std::to_string(solid.body) + ": " + error.message, error.where,
+                     error.what_to_do};
+    };
+    if (!is_finite(solid.initial_pose_W)) {
+        return fail("body " + std::to_string(solid.body) + " has no finite pose", {},
+                    "give it one");
+    }
+    if (!std::holds_alternative<MeshShape>(solid.shape)) {
+        return fail("body " + std::to_string(solid.body) + " is no mesh", {}, "make it one");
+    }
+    return validate(solid.shape)
+        .and_then([&] { return validate(solid.friction); })
+        .and_then([&] { return solid.coupling ? validate(*solid.coupling) : Expected<void>{}; })
+        .map_error(told);
+}
+
+std::unique_ptr<SurfaceObject> make_surface_object(const ProxySettings& /*settings*/,
+                                                   const std::vector<SolidPlan>& solids) {
+    return std::make_unique<GodObject>(solids);
+}
+
+}  // namespace
+
+Expected<void> validate(const ProxySettings& settings, const std::vector<SolidPlan>& solids) {
+    if (solids.size() > static_cast<std::size_t>(kMaxSolids)) {
+        return fail("more than " + std::to_string(kMaxSolids) + " bodies can be touched", {},
+                    "make some of them untouchable");
+    }
+    const Range ranges[] = {
+        {"rounds of friction", static_cast<double>(settings.friction_rounds), 1.0, 200.0}};
+    Expected<void> good = check_ranges("the proxy's", ranges);
+    for (std::size_t i = 0; good && i < solids.size(); ++i) {
+        good = check_solid(solids[i]);
+    }
+    return good;
+}
+
+std::unique_ptr<Proxy> make_proxy(const ProxySettings& settings,
+                                  const std::vector<SolidPlan>& solids,
+                                  const ProxySurroundings& surroundings) {
+    if (solids.empty()) {
+        return nullptr;
+    }
+    auto surface_object = make_surface_object(settings, solids);
+    if (settings.kind != ProxyKind::friction_cone) {
+        return surface_object;
+    }
+    std::vector<FrictionLaw> laws;
+    laws.reserve(solids.size());
+    for (const SolidPlan& solid : solids) {
+        const CouplingSettings& coupling = solid.coupling.value_or(surroundings.coupling);
+        laws.push_back(
+            make_friction_law(solid.friction, coupling.stiffness_N_per_m, surroundings.period_s));
+    }
+    return std::make_unique<FrictionCone>(std::move(surface_object), std::move(laws),
+                                          settings.friction_rounds);
+}
+
+}  // namespace fulcrum

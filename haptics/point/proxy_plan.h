@@ -1,0 +1,34 @@
+// Which proxy a scene is touched with.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/collision/solid_shape.h"
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace fulcrum {
+
+struct SolidPlan;  // solid_plan.h
+class Proxy;       // proxy.h
+
+/// By the names of the literature.
+enum class ProxyKind : std::uint8_t {
+    god_object,     ///< a point (Zilles and Salisbury 1995)
+    virtual_proxy,  ///< a sphere (Ruspini, Kolarov, Khatib 1997)
+    friction_cone,  ///< either of them, or any convex cursor, with friction (Melder and Harwin 2002; Barrow and Harwin)
+};
+
+/// The cursor's own shape, centred on the tool's position, with the world's axes.
+using CursorShape =
+    std::variant<std::monostate, SphereShape, BoxShape, CapsuleShape, CylinderShape>;
+
+struct ProxySettings {
+    ProxyKind kind = ProxyKind::god_object;
+    CursorShape cursor{};  ///< std::monostate: a point
+    int friction_rounds =
+        16;  ///< of the friction cone's solver where several planes hold, 1 to 200
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,49 @@
+#include "haptics/point/make_proxy.h"
+
+#include "haptics/geometry/shape.h"
+#include "haptics/point/friction_cone.h"
+#include "haptics/point/god_object.h"
+#include "tests/support/touchable.h"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+namespace fulcrum {
+namespace {
+
+SolidPlan plate() {
+    return {.body = 1, .shape = touchable(make_plate(4.0, 4.0, 3))};
+}
+bool fits(const std::vector<SolidPlan>& solids, const ProxySettings& settings = {}) {
+    return validate(settings, solids).has_value();
+}
+
+TEST_CASE("proxy: a list of solids that cannot be touched is refused") {
+    CHECK(fits({}));
+    CHECK(fits({plate()}));
+    CHECK_FALSE(fits(std::vector<SolidPlan>(17, plate())));
+    CHECK(fits(std::vector<SolidPlan>(16, plate())));
+    CHECK_FALSE(fits({SolidPlan{.body = 3, .shape = MeshShape{}}}));
+    SolidPlan nowhere = plate();
+    nowhere.initial_pose_W.position.x() = std::numeric_limits<double>::quiet_NaN();
+    CHECK_FALSE(fits({nowhere}));
+    SolidPlan slippery = plate();
+    slippery.friction.dynamic_coefficient = 0.5;  // more than the static one
+    CHECK_FALSE(fits({slippery}));
+    slippery.friction.static_coefficient = 0.5;
+    CHECK(fits({slippery}));
+    slippery.coupling = CouplingSettings{.stiffness_N_per_m = -1.0};
+    CHECK_FALSE(fits({slippery}));
+    CHECK_FALSE(fits({plate()}, {.friction_rounds = 0}));
+}
+
+TEST_CASE("proxy: the plan's kind is what is made, and nothing where nothing is solid") {
+    CHECK(make_proxy({}, {}, {}) == nullptr);
+    CHECK(dynamic_cast<GodObject*>(make_proxy({}, {plate()}, {}).get()) != nullptr);
+    const auto cone = make_proxy({.kind = ProxyKind::friction_cone}, {plate()}, {});
+    CHECK(dynamic_cast<FrictionCone*>(cone.get()) != nullptr);
+}
+
+}  // namespace
+}  // namespace fulcrum
