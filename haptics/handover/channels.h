@@ -6,6 +6,7 @@
 #include "haptics/handover/latest_value.h"
 #include "haptics/handover/messages.h"
 #include "haptics/handover/record_sample.h"
+#include "haptics/handover/touch_sample.h"
 
 #include <atomic>
 
@@ -48,6 +49,9 @@ struct HapticChannels {
     LatestValue<HapticState> state_for_lesson;  ///< writer: haptic loop; reader: lesson loop
     RecordRing* record =
         nullptr;  ///< writer: haptic loop; reader: recorder; null when nothing is recorded
+    /// Writer: haptic loop, at its own rate while an audible solid is touched; reader: sound. Null when nobody listens; then,
+    /// and where no solid of the plan is audible, nothing is told. A full ring drops the newest: that is no fault.
+    TouchRing* touches = nullptr;
 
     /// Pressed by anybody: the force fades at once and stays zero until `rearm`. Released by whoever
     /// pressed it.

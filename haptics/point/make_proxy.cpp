@@ -24,6 +24,7 @@ Expected<void> check_solid(const SolidPlan& solid) {
     }
     return validate(solid.shape)
         .and_then([&] { return validate(solid.friction); })
+        .and_then([&] { return validate(solid.surface); })
         .and_then([&] { return solid.coupling ? validate(*solid.coupling) : Expected<void>{}; })
         .map_error(told);
 }

@@ -6,6 +6,8 @@
 #include "haptics/handover/messages.h"
 #include "haptics/math/spatial.h"
 #include "haptics/surface/friction.h"
+#include "haptics/surface/material.h"
+#include "haptics/surface/surface_plan.h"
 
 #include <cstdint>
 #include <optional>
@@ -19,6 +21,16 @@ struct SolidPlan {
     Pose initial_pose_W{};
     std::optional<CouplingSettings> coupling{};  ///< of its own, instead of the plan's
     FrictionSettings friction{};                 ///< felt by proxies of the kind friction_cone
+    SurfacePlan surface{};                       ///< texture, transient, shading, sound
 };
+
+/// Makes the body of a material: its coupling, friction, texture and transient become the material's. Shading and sound
+/// stay as they are.
+inline void put_material(const Material& material, SolidPlan& solid) {
+    solid.coupling = material.coupling;
+    solid.friction = material.friction;
+    solid.surface.texture = material.texture;
+    solid.surface.transient = material.transient;
+}
 
 }  // namespace fulcrum

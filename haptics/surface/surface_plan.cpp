@@ -1,0 +1,18 @@
+#include "haptics/surface/surface_plan.h"
+
+#include "haptics/base/range.h"
+
+namespace fulcrum {
+
+Expected<void> validate(const ShadingSettings& settings) {
+    const Range ranges[] = {{"crease angle in degrees", settings.crease_angle_deg, 0.0, 180.0}};
+    return check_ranges("the shading's", ranges);
+}
+
+Expected<void> validate(const SurfacePlan& plan) {
+    return validate(plan.texture).and_then([&] { return validate(plan.transient); }).and_then([&] {
+        return validate(plan.shading);
+    });
+}
+
+}  // namespace fulcrum
