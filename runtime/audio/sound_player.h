@@ -14,6 +14,7 @@
 #include "haptics/base/error.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,18 @@ struct SoundSettings {
         names;                 ///< sounds that will be played, all of sound_names() when empty
     bool force_sound = true;   ///< make the continuous force sound ready
     double master_gain = 1.0;  ///< 0 to 1, multiplies everything
+};
+
+/// A sound that is made while it is heard.
+class SoundStream {
+  public:
+    SoundStream() = default;
+    SoundStream(const SoundStream&) = delete;
+    SoundStream& operator=(const SoundStream&) = delete;
+    virtual ~SoundStream() = default;
+
+    /// The next samples, all of them: mono, kSampleRate_Hz, -1 to 1. The player calls it on its own thread.
+    virtual void render(std::span<float> samples) noexcept = 0;
 };
 
 /// Something that plays sounds.
@@ -46,6 +59,10 @@ class SoundPlayer {
 
     /// The force that should be heard, newtons; 0 is silence. Not finite or negative counts as 0.
     virtual void set_force_sound(double force_N) = 0;
+
+    /// Plays `stream` from now on, until another, or none (null), is given; it outlives that. What a stream needs is made
+    /// with it and goes with it.
+    virtual void set_stream(SoundStream* stream) = 0;
 
     /// Advances ramps by `dt_s` seconds; call it 60 to 100 times a second.
     virtual void update(double dt_s) = 0;

@@ -16,6 +16,7 @@ BEGIN {
     home["^sqlite3"] = "^runtime/progress/sqlite/"
     home["^(libpq|pqxx)"] = "^runtime/progress/postgres/"
     home["^(tiny_gltf|stb_)"] = "^runtime/scene/gltf/"
+    home["^(png|jpeglib)[.]h$"] = "^runtime/scene/picture/"
     home["^nlohmann/"] = "^runtime/"
     home["^(hidapi|libusb)"] = "^haptics/device/hid/"
     home["^(pocketsphinx|sphinxbase|flite|onnxruntime)"] = "^dialogue/speech/"

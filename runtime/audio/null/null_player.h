@@ -17,6 +17,7 @@ class NullPlayer final : public SoundPlayer {
 
     Expected<void> play(std::string_view name, double gain, double pitch) override;
     void set_force_sound(double force_N) override;
+    void set_stream(SoundStream* stream) override { stream_ = stream; }
     void update(double dt_s) override;
     void stop() override;
     [[nodiscard]] bool audible() const override { return false; }
@@ -25,10 +26,13 @@ class NullPlayer final : public SoundPlayer {
     [[nodiscard]] std::size_t plays(std::string_view name) const;
     /// The force that would be heard now, newtons.
     [[nodiscard]] double force_N() const { return force_N_; }
+    /// The stream that would be heard now, or null.
+    [[nodiscard]] const SoundStream* stream() const { return stream_; }
 
   private:
     std::map<std::string, std::size_t, std::less<>> plays_;
     double force_N_ = 0.0;
+    SoundStream* stream_ = nullptr;
 };
 
 }  // namespace fulcrum::runtime

@@ -2,6 +2,7 @@
 
 #define AL_ALEXT_PROTOTYPES
 #include "runtime/audio/force_sound.h"
+#include "runtime/audio/openal/openal_stream.h"
 #include "runtime/audio/openal/quiet_backends.h"
 #include "runtime/audio/sound_bank.h"
 #include "runtime/audio/synthesis.h"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -57,6 +59,7 @@ class OpenalVoices {
 
     ~OpenalVoices() {
         use();
+        stream_.reset();
         for (const Voice& voice : voices_) {
             alSourceStop(voice.source);
             alDeleteSources(1, &voice.source);
@@ -115,9 +118,20 @@ class OpenalVoices {
 
     void set_force(double force_N) { force_target_N_ = audible_force_N(force_N); }
 
+    void set_stream(SoundStream* stream) {
+        use();
+        stream_.reset();
+        if (stream != nullptr) {
+            stream_.emplace(*stream);
+        }
+    }
+
     void update(double dt_s) {
         use();
         update_force(dt_s);
+        if (stream_) {
+            stream_->update();
+        }
         const double dt = std::isfinite(dt_s) ? std::max(dt_s, 0.0) : 0.0;
         for (Voice& voice : voices_) {
             fade(voice, dt);
@@ -204,6 +218,7 @@ class OpenalVoices {
     std::map<std::string, ALuint, std::less<>> buffers_;  ///< "" is the force sound
     std::array<Voice, kVoices> voices_{};
     std::uint64_t plays_ = 0;
+    std::optional<OpenalStream> stream_;
     ALuint force_source_ = 0;
     bool force_playing_ = false;
     double force_target_N_ = 0.0;
@@ -219,6 +234,7 @@ class OpenalPlayer : public Base {
         return voices.play(name, gain, pitch);
     }
     void set_force_sound(double force_N) override { voices.set_force(force_N); }
+    void set_stream(SoundStream* stream) override { voices.set_stream(stream); }
     void update(double dt_s) override { voices.update(dt_s); }
     void stop() override { voices.stop(); }
     [[nodiscard]] bool audible() const override { return true; }

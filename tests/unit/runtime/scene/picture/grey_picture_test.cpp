@@ -1,0 +1,103 @@
+// Pictures to be felt. The files are ramps from black on the left to white on the right.
+#include "runtime/scene/picture/grey_picture.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path file(const std::string& name) {
+    return fs::path(FULCRUM_PICTURES) / name;
+}
+
+GreyPicture load(const std::string& name) {
+    auto picture = load_grey_picture(file(name));
+    INFO(name << ": " << (picture ? "" : to_sentence(picture.error())));
+    REQUIRE(picture.has_value());
+    REQUIRE(picture->values.size() == picture->width * picture->height);
+    return std::move(*picture);
+}
+
+std::vector<std::byte> bytes_of(const std::string& name) {
+    std::ifstream stream(file(name), std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const auto* first = reinterpret_cast<const std::byte*>(text.data());
+    return {first, first + text.size()};
+}
+
+/// The largest distance from the ramp.
+float off_ramp(const GreyPicture& picture) {
+    float most = 0.0F;
+    for (std::size_t i = 0; i < picture.values.size(); ++i) {
+        const auto x = static_cast<float>(i % picture.width);
+        most =
+            std::max(most, std::abs(picture.values[i] - x / static_cast<float>(picture.width - 1)));
+    }
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("picture: a PNG's values are exact, in 16 bits, interlaced, with transparency") {
+    CHECK(load("grey16.png").width == 9);
+    CHECK(load("grey16.png").height == 3);
+    CHECK(off_ramp(load("grey16.png")) < 1.0F / 65535.0F);
+    CHECK(off_ramp(load("interlaced.png")) < 0.5F / 255.0F + 1e-6F);
+    CHECK(off_ramp(load("alpha16.png")) < 1.0F / 65535.0F);
+    const GreyPicture palette = load("palette.png");
+    CHECK(palette.values == std::vector<float>{0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1});
+}
+
+TEST_CASE("picture: a JPEG's ramp is a ramp, grey, in colours, and progressive") {
+    constexpr float kCoding = 0.02F;  // quality 95 loses some, and colours more
+    for (const char* name : {"grey.jpg", "colour.jpg", "progressive.jpg"}) {
+        CAPTURE(name);
+        const GreyPicture picture = load(name);
+        CHECK(picture.width == 16);
+        CHECK(picture.height == 8);
+        CHECK(off_ramp(picture) < kCoding);
+    }
+}
+
+TEST_CASE("picture: what is cut off anywhere is refused") {
+    for (const char* name : {"interlaced.png", "grey.jpg", "progressive.jpg"}) {
+        const std::vector<std::byte> whole = bytes_of(name);
+        REQUIRE(read_grey_picture(whole).has_value());
+        for (std::size_t n = 0; n + 4 < whole.size(); ++n) {
+            CAPTURE(name, n);
+            const auto cut = read_grey_picture(std::span(whole).first(n));
+            REQUIRE_FALSE(cut.has_value());
+            REQUIRE_THAT(cut.error().message, Contains("the picture"));
+        }
+    }
+}
+
+TEST_CASE("picture: too large, of inks, of another kind, or no file at all is one sentence") {
+    std::vector<std::byte> huge = bytes_of("grey.jpg");
+    // The frame header FF C0, length, precision, height, width.
+    for (std::size_t i = 0; i + 8 < huge.size(); ++i) {
+        if (huge[i] == std::byte{0xFF} && huge[i + 1] == std::byte{0xC0}) {
+            huge[i + 5] = std::byte{0x10};
+            huge[i + 6] = std::byte{0x01};
+            break;
+        }
+    }
+    CHECK_THAT(read_grey_picture(huge).error().message, Contains("16 x 4097 pixels"));
+    CHECK_THAT(load_grey_picture(file("inks.jpg")).error().message, Contains("CMYK"));
+    const std::array<std::byte, 4> other{std::byte{'G'}, std::byte{'I'}, std::byte{'F'},
+                                         std::byte{'8'}};
+    CHECK_THAT(read_grey_picture(other).error().message, Contains("neither PNG nor JPEG"));
+    const auto none = load_grey_picture(file("none.png"));
+    CHECK_THAT(to_sentence(none.error()), Contains("none.png cannot be read"));
+    CHECK_THAT(to_sentence(load_grey_picture(file(".")).error()), Contains("not a file"));
+}

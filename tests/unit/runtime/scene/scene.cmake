@@ -1,0 +1,2 @@
+# Pictures to be felt are read from the seeds that the fuzz target has too.
+target_compile_definitions(test_unit_scene PRIVATE FULCRUM_PICTURES="${CMAKE_SOURCE_DIR}/tests/fuzz/corpus/picture")
