@@ -106,7 +106,8 @@ Expected<void> validate(const HapticPlan& plan, const DeviceTraits& traits) {
 }
 
 HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels)
-    : HapticLoop(plan, device, channels, make_proxy(plan.proxy, plan.solids, {plan.coupling, 1.0 / plan.rate_hz})) {}
+    : HapticLoop(plan, device, channels,
+                 make_proxy(plan.proxy, plan.solids, {plan.coupling, 1.0 / plan.rate_hz})) {}
 
 HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels,
                        std::unique_ptr<Proxy> proxy)

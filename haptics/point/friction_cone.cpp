@@ -54,7 +54,7 @@ std::span<FrictionPlane> FrictionCone::hold(const Vector3& hand_W, Planes& stora
                       .point = contact.position_W,
                       .anchor = touch.anchor_W,
                       .law = laws_[solid],
-                      .stuck = stuck_[solid] != 0};
+                      .was_stuck = stuck_[solid] != 0};
         any = any || storage[n].law.any();
         ++n;
     }

@@ -1,6 +1,9 @@
 #include "haptics/point/friction_problem.h"
 
+#include "haptics/point/plane_constraints.h"
+
 #include <algorithm>
+#include <array>
 
 namespace fulcrum {
 namespace {
@@ -8,32 +11,48 @@ namespace {
 // A round that changes less than this, of the hand's distance, changes nothing that can be felt.
 constexpr double kSettled = 1.0e-12;
 
-// Push and drag of one plane, were the point at `free` without it. Returns how much that changes.
-double solve_plane(const Vector3& free, FrictionPlane& plane) noexcept {
-    const Vector3& n = plane.normal;
-    const double push_m = std::max(n.dot(plane.point - free), 0.0);
-    const Vector3 away = free - plane.anchor;
-    const Vector3 slip = away - n.dot(away) * n;
-    const double slip_m = slip.norm();
-    const double circle_m =
-        push_m * (plane.stuck ? plane.law.static_coefficient : plane.law.dynamic_coefficient);
-    Vector3 drag = Vector3::Zero();
-    bool stuck = true;
-    if (push_m > 0.0 && slip_m <= circle_m) {
-        drag = -slip;
-    } else if (push_m > 0.0) {
-        // |f| = mu l + beta (|slip| - |f|), for friction takes that much of the slip away.
+// The drag of one plane that would be left with the slip `free` if it had none, and is pushed by `push_m`.
+void solve_plane(const Vector3& free, FrictionPlane& plane) noexcept {
+    const double free_m = free.norm();
+    const double circle_m = plane.push_m * (plane.was_stuck ? plane.law.static_coefficient
+                                                            : plane.law.dynamic_coefficient);
+    plane.stuck = !(plane.push_m > 0.0) || free_m <= circle_m;
+    if (!(plane.push_m > 0.0)) {
+        plane.drag.setZero();
+    } else if (plane.stuck) {
+        plane.drag = -free;
+    } else {
+        // |f| = mu l + beta (|free| - |f|), for friction takes that much of the slip away.
         const double beta = plane.law.viscous_ratio;
-        const double drag_m = std::min(
-            (plane.law.dynamic_coefficient * push_m + beta * slip_m) / (1.0 + beta), slip_m);
-        drag = slip * (-drag_m / slip_m);
-        stuck = false;
+        const double drag_m =
+            (plane.law.dynamic_coefficient * plane.push_m + beta * free_m) / (1.0 + beta);
+        plane.drag = free * (-std::min(drag_m, free_m) / free_m);
     }
-    const double change_m = std::abs(push_m - plane.push_m) + (drag - plane.drag).norm();
-    plane.push_m = push_m;
-    plane.drag = drag;
-    plane.stuck = stuck;
-    return change_m;
+}
+
+// How far `place` has slipped over the plane.
+Vector3 find_slip(const Vector3& place, const FrictionPlane& plane) noexcept {
+    const Vector3 away = place - plane.anchor;
+    return away - plane.normal.dot(away) * plane.normal;
+}
+
+// Where the point lies under the drags as they are; sets the pushes.
+Vector3 solve_pushes(const Vector3& hand, std::span<FrictionPlane> planes,
+                     double slack_m) noexcept {
+    Vector3 wish = hand;
+    std::array<PlaneConstraint, kMaxPlanes> constraints;
+    const std::size_t n = std::min(planes.size(), kMaxPlanes);
+    for (std::size_t i = 0; i < n; ++i) {
+        wish += planes[i].drag;
+        constraints[i] = {planes[i].normal, planes[i].normal.dot(planes[i].point)};
+        planes[i].push_m = 0.0;
+    }
+    const ConstrainedPoint found =
+        compute_constrained_point(wish, std::span(constraints.data(), n), slack_m);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(found.n_active); ++i) {
+        planes[static_cast<std::size_t>(found.active[i])].push_m = found.multiplier[i];
+    }
+    return found.feasible ? found.position : wish;
 }
 
 }  // namespace
@@ -47,23 +66,32 @@ FrictionLaw make_friction_law(const FrictionSettings& settings, double stiffness
 
 double solve_friction(const Vector3& hand, std::span<FrictionPlane> planes,
                       int max_rounds) noexcept {
-    Vector3 held = Vector3::Zero();  // sum of all pushes and drags
     double reach_m = 0.0;
     for (FrictionPlane& plane : planes) {
-        plane.push_m = 0.0;
         plane.drag.setZero();
         reach_m = std::max(reach_m, (plane.anchor - hand).norm());
     }
+    if (planes.size() == 1) {
+        FrictionPlane& plane = planes.front();
+        plane.push_m = std::max(plane.normal.dot(plane.point - hand), 0.0);
+        solve_plane(find_slip(hand, plane), plane);
+        return 0.0;
+    }
+    const double settled_m = kSettled * reach_m;
+    Vector3 place = solve_pushes(hand, planes, settled_m);
     double change_m = 0.0;
     for (int round = 0; round < max_rounds; ++round) {
         change_m = 0.0;
         for (FrictionPlane& plane : planes) {
-            held -= plane.push_m * plane.normal + plane.drag;
-            change_m = std::max(change_m, solve_plane(hand + held, plane));
-            held += plane.push_m * plane.normal + plane.drag;
+            const Vector3 before = plane.drag;
+            const double push_m = plane.push_m;
+            solve_plane(find_slip(place, plane) - before, plane);
+            place = solve_pushes(hand, planes, settled_m);
+            change_m =
+                std::max({change_m, (plane.drag - before).norm(), std::abs(plane.push_m - push_m)});
         }
-        if (planes.size() < 2 || change_m <= kSettled * reach_m) {
-            return planes.size() < 2 ? 0.0 : change_m;
+        if (change_m <= settled_m) {
+            break;
         }
     }
     return change_m;

@@ -1,0 +1,207 @@
+#include "haptics/point/friction_cone.h"
+
+#include "haptics/geometry/shape.h"
+#include "haptics/point/make_proxy.h"
+#include "tests/support/touchable.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <memory>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kExact = 2.0e-9;  // clearance of a plate of some metres, and rounding
+constexpr FrictionSettings kFriction{0.6, 0.4, 0.0};
+const Pose kHere{};
+
+Pose at(const Vector3& position_W) {
+    return {position_W, Quaternion::Identity()};
+}
+SolidPlan plate(const FrictionSettings& friction = kFriction) {
+    return {.body = 1, .shape = touchable(make_plate(4.0, 4.0, 3)), .friction = friction};
+}
+std::unique_ptr<Proxy> cone(const std::vector<SolidPlan>& solids, double stiffness = 500.0) {
+    return make_proxy({.kind = ProxyKind::friction_cone}, solids,
+                      {{.stiffness_N_per_m = stiffness}, 0.001});
+}
+Vector3 lying(const ProxyContact& contact) {
+    Vector3 sum = Vector3::Zero();
+    for (const SolidTouch& touch : contact.active()) {
+        sum += touch.push_m * touch.normal_W + touch.drag_W;
+    }
+    return sum;
+}
+
+TEST_CASE(
+    "friction cone: a hand that drags sticks up to the static coefficient, and slides at the "
+    "dynamic one") {
+    const auto proxy = cone({plate()});
+    proxy->reset({0.0, 0.01, 0.0});
+    proxy->step({0.0, 0.01, 0.0}, {&kHere, 1});
+    proxy->step({0.0, -0.01, 0.0}, {&kHere, 1});
+    double largest_stuck = 0.0;
+    for (int i = 1; i <= 3000; ++i) {
+        const Vector3 hand(1.0e-5 * i, -0.01, 0.0);
+        const ProxyContact& contact = proxy->step(hand, {&kHere, 1});
+        const double ratio = (hand - contact.position_W).x() / 0.01;
+        REQUIRE((lying(contact) - (contact.position_W - hand)).norm() <= kExact);
+        if (contact.position_W.x() < 1.0e-8) {
+            largest_stuck = ratio;
+        } else {
+            REQUIRE(std::abs(ratio - 0.4) <= 1.0e-6);
+        }
+    }
+    CHECK(largest_stuck > 0.598);
+    CHECK(largest_stuck < 0.601);
+}
+
+TEST_CASE(
+    "friction cone: sliding turns into sticking when the hand turns back, and the spring unwinds "
+    "first") {
+    const auto proxy = cone({plate()});
+    proxy->reset({0.0, 0.01, 0.0});
+    proxy->step({0.0, -0.01, 0.0}, {&kHere, 1});
+    proxy->step({0.02, -0.01, 0.0}, {&kHere, 1});
+    const double held_x = proxy->step({0.02, -0.01, 0.0}, {&kHere, 1}).position_W.x();
+    CHECK(std::abs(held_x - 0.016) <= kExact);
+    // From +0.4 through to -0.6 of the push nothing moves.
+    for (const double x : {0.018, 0.014, 0.0101}) {
+        CHECK(std::abs(proxy->step({x, -0.01, 0.0}, {&kHere, 1}).position_W.x() - held_x) <=
+              kExact);
+    }
+    CHECK(proxy->step({0.0098, -0.01, 0.0}, {&kHere, 1}).position_W.x() < held_x - 1.0e-3);
+}
+
+TEST_CASE("friction cone: with viscosity alone the drag is b times the speed of the slip") {
+    const double viscous = 5.0;
+    const double stiffness = 500.0;
+    const auto proxy = cone({plate({0.0, 0.0, viscous})}, stiffness);
+    proxy->reset({0.0, 0.01, 0.0});
+    proxy->step({0.0, -0.01, 0.0}, {&kHere, 1});
+    const double speed_m_per_s = 0.1;
+    double lag_m = 0.0;
+    for (int i = 1; i <= 1000; ++i) {
+        const double x = 0.001 * speed_m_per_s * i;
+        lag_m = x - proxy->step({x, -0.01, 0.0}, {&kHere, 1}).position_W.x();
+    }
+    CHECK(std::abs(stiffness * lag_m - viscous * speed_m_per_s) <= 1.0e-6);
+}
+
+TEST_CASE("friction cone: a moving solid takes along what sticks to it, and drags what slides") {
+    for (const double coefficient : {0.0, 0.3}) {
+        const auto proxy = cone({plate({coefficient, coefficient, 0.0})});
+        proxy->reset({0.0, 0.01, 0.0});
+        proxy->step({0.0, -0.01, 0.0}, {&kHere, 1});
+        for (int i = 1; i <= 100; ++i) {
+            const Pose pose = at({1.0e-4 * i, 0.0, 0.0});
+            const double x = proxy->step({0.0, -0.01, 0.0}, {&pose, 1}).position_W.x();
+            REQUIRE(std::abs(x - std::min(1.0e-4 * i, coefficient * 0.01)) <= kExact);
+        }
+    }
+}
+
+TEST_CASE(
+    "friction cone: what turns under a still hand carries the proxy round up to the circle's "
+    "edge") {
+    const auto proxy = cone({plate({0.5, 0.5, 0.0})});
+    const Vector3 hand(0.5, -0.01, 0.0);
+    proxy->reset({0.5, 0.01, 0.0});
+    proxy->step(hand, {&kHere, 1});
+    for (int i = 1; i <= 200; ++i) {
+        const Pose pose{Vector3::Zero(),
+                        Quaternion(Eigen::AngleAxisd(1.0e-3 * i, Vector3::UnitY()))};
+        const Vector3 p = proxy->step(hand, {&pose, 1}).position_W;
+        REQUIRE(std::hypot(p.x() - 0.5, p.z()) <= 0.005 + kExact);
+    }
+    const Pose pose{Vector3::Zero(), Quaternion(Eigen::AngleAxisd(0.2, Vector3::UnitY()))};
+    CHECK(std::abs(proxy->step(hand, {&pose, 1}).position_W.z() + 0.005) <= 1.0e-4);
+}
+
+TEST_CASE("friction cone: off the edge of a box nothing holds the proxy back") {
+    const SolidPlan box{
+        .body = 0, .shape = touchable(make_box(Vector3::Ones())), .friction = {2.0, 2.0, 0.0}};
+    const auto proxy = cone({box});
+    proxy->reset({0.0, 0.6, 0.0});
+    proxy->step({0.0, 0.45, 0.0}, {&kHere, 1});
+    const Vector3 beside(0.7, 0.45, 0.0);
+    const ProxyContact& contact = proxy->step(beside, {&kHere, 1});
+    CHECK(contact.solid == kNoBody);
+    CHECK((contact.position_W - beside).norm() == 0.0);
+}
+
+TEST_CASE(
+    "friction cone: on a ball of triangles the drag is the coefficient times the push all the way "
+    "round") {
+    const SolidPlan ball{
+        .body = 0, .shape = touchable(make_sphere(1.0, 60)), .friction = {0.3, 0.3, 0.0}};
+    const auto proxy = cone({ball});
+    proxy->reset({1.2, 0.0, 0.0});
+    double worst = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+        const double angle = 0.002 * i;
+        const Vector3 hand =
+            0.98 * Vector3(std::cos(angle), 0.3 * std::sin(angle), std::sin(angle)).normalized();
+        const ProxyContact& contact = proxy->step(hand, {&kHere, 1});
+        const Vector3 radial = contact.position_W.normalized();
+        const Vector3 pull = contact.position_W - hand;
+        const double push_m = pull.dot(radial);
+        if (i > 100) {
+            worst = std::max(worst, std::abs((pull - push_m * radial).norm() / push_m - 0.3));
+        }
+    }
+    // A facet leans up to 0.6 degrees away from the ball.
+    CHECK(worst <= 0.015);
+}
+
+TEST_CASE("friction cone: two solids at once each get their own push and drag") {
+    SolidPlan floor = plate({0.5, 0.5, 0.0});
+    SolidPlan wall{.body = 7,
+                   .shape = touchable(make_box(Vector3::Ones())),
+                   .initial_pose_W = at({0.5, 0.5, 0.0}),
+                   .friction = {0.1, 0.1, 0.0}};
+    const auto proxy = cone({floor, wall});
+    const std::array poses{kHere, wall.initial_pose_W};
+    proxy->reset({-0.2, 0.2, 0.0});
+    proxy->step({-0.2, 0.2, 0.0}, poses);
+    proxy->step({-0.01, -0.02, 0.0}, poses);
+    for (int i = 0; i <= 200; ++i) {
+        proxy->step({0.01, -0.02, 0.0005 * i}, poses);
+    }
+    const ProxyContact& contact = proxy->step({0.01, -0.02, 0.1005}, poses);
+    REQUIRE(contact.n_constraints == 2);
+    const SolidTouch& on_floor = contact.touches[contact.touches[0].solid == 0 ? 0 : 1];
+    const SolidTouch& on_wall = contact.touches[contact.touches[0].solid == 0 ? 1 : 0];
+    CHECK(on_wall.solid == 1);
+    CHECK(contact.solid == 0);
+    CHECK(std::abs(on_floor.drag_W.z() + 0.5 * on_floor.push_m) <= 1.0e-6);
+    CHECK(std::abs(on_wall.drag_W.z() + 0.1 * on_wall.push_m) <= 1.0e-6);
+    CHECK((lying(contact) - (contact.position_W - Vector3(0.01, -0.02, 0.1005))).norm() <= kExact);
+}
+
+TEST_CASE("friction cone: without friction it is the god-object, to the bit") {
+    const SolidPlan ball{.body = 0, .shape = touchable(make_sphere(1.0, 20))};
+    const auto plain = make_proxy({}, {ball}, {});
+    const auto proxy = cone({ball});
+    plain->reset({0.0, 1.2, 0.0});
+    proxy->reset({0.0, 1.2, 0.0});
+    for (int i = 0; i < 1000; ++i) {
+        const Vector3 hand = Vector3(std::sin(0.005 * i), 1.1 - 0.0003 * i, 0.1);
+        REQUIRE(proxy->step(hand, {&kHere, 1}).position_W ==
+                plain->step(hand, {&kHere, 1}).position_W);
+    }
+}
+
+TEST_CASE("friction cone: a hand that is not a number is not followed, and leaves no trace") {
+    const auto proxy = cone({plate()});
+    proxy->reset({0.0, 0.01, 0.0});
+    const Vector3 before = proxy->step({0.0, -0.01, 0.0}, {&kHere, 1}).position_W;
+    const double nan = std::nan("");
+    CHECK(proxy->step({nan, 0.0, 0.0}, {&kHere, 1}).position_W == before);
+    CHECK(proxy->step({0.001, -0.01, 0.0}, {&kHere, 1}).position_W.allFinite());
+    CHECK(std::abs(proxy->step({0.001, -0.01, 0.0}, {&kHere, 1}).position_W.x()) <= kExact);
+}
+
+}  // namespace
+}  // namespace fulcrum
