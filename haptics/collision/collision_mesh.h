@@ -28,6 +28,11 @@ class CollisionMesh {
     [[nodiscard]] const Vector3& vertex_B(std::int32_t vertex) const noexcept {
         return vertices_B_[static_cast<std::size_t>(vertex)];
     }
+    /// The triangles of one of the tree's leaves will be asked for soon.
+    void prefetch_leaf(std::int32_t leaf) const noexcept {
+        const auto first = static_cast<std::size_t>(leaf) * BoundingTree::kWidth;
+        prefetch(&triangles_[first], BoundingTree::kWidth * sizeof(TriangleCorners));
+    }
     /// The index that a triangle had in the mesh given to `create`.
     [[nodiscard]] std::int32_t source_triangle(std::int32_t triangle) const noexcept {
         return tree_.order()[static_cast<std::size_t>(triangle)];

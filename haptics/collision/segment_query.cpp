@@ -33,7 +33,11 @@ void NearbyTriangles::collect(const CollisionMesh& mesh, const Box& box_B) noexc
     const std::optional<std::size_t> n_found = mesh.tree().collect_leaves(box_B, leaves_);
     covers_ = n_found.has_value();
     n_leaves_ = n_found.value_or(0);
+    for (std::size_t i = 0; i < n_leaves_; ++i) {
+        mesh.prefetch_leaf(leaves_[i]);
+    }
     box_B_ = box_B;
+    n_asked_ = kMaxAsked + 1;
 }
 
 double NearbyTriangles::find_covered_part(const Vector3& from_B,
@@ -52,17 +56,32 @@ double NearbyTriangles::find_covered_part(const Vector3& from_B,
 }
 
 SegmentHit NearbyTriangles::find_nearest_hit(const CollisionMesh& mesh, const Vector3& from_B,
-                                             const Vector3& to_B, double part) const noexcept {
+                                             const Vector3& to_B, double part) noexcept {
     const Vector3 end_B = part < 1.0 ? Vector3(from_B + part * (to_B - from_B)) : to_B;
+    const StepBox steps = mesh.tree().to_steps({from_B.cwiseMin(end_B), from_B.cwiseMax(end_B)});
     SegmentHit nearest;
-    mesh.tree().for_each_in_leaves(
-        std::span(leaves_.data(), n_leaves_), {from_B.cwiseMin(end_B), from_B.cwiseMax(end_B)},
-        [&](std::int32_t triangle) noexcept {
-            const SegmentHit hit = meet(prepare_triangle(mesh, triangle), from_B, to_B);
-            if (hit.is_before(nearest)) {
-                nearest = hit;
-            }
-        });
+    const auto take = [&](const PreparedTriangle& triangle) noexcept {
+        const SegmentHit hit = meet(triangle, from_B, to_B);
+        if (hit.is_before(nearest)) {
+            nearest = hit;
+        }
+    };
+    // Back on the way of the last sweep, as after a hit, only the same triangles can be met.
+    if (n_asked_ <= kMaxAsked && asked_box_.contains(steps)) {
+        std::for_each_n(asked_.begin(), n_asked_, take);
+    } else {
+        n_asked_ = 0;
+        asked_box_ = steps;
+        mesh.tree().for_each_in_leaves(
+            std::span(leaves_.data(), n_leaves_), steps, [&](std::int32_t index) noexcept {
+                const PreparedTriangle triangle = prepare_triangle(mesh, index);
+                take(triangle);
+                if (n_asked_ < kMaxAsked) {
+                    asked_[n_asked_] = triangle;
+                }
+                ++n_asked_;
+            });
+    }
     // Beyond the covered part there may be nearer triangles than one that only reaches into it.
     return nearest.t <= part ? nearest : SegmentHit{};
 }

@@ -29,7 +29,7 @@ namespace fulcrum {
                                                       const Vector3& from_B,
                                                       const Vector3& to_B) noexcept;
 
-/// The part of a mesh's tree around a box: short segments within the box are answered from it without a descent.
+/// The part of a mesh's tree around a box: short segments within the box are answered from it without a descent. One mesh.
 class NearbyTriangles {
   public:
     static constexpr std::size_t kCapacity = 24;  ///< leaves of up to 8 triangles
@@ -44,9 +44,15 @@ class NearbyTriangles {
                                            const Vector3& to_B) const noexcept;
     /// The nearest meeting in the first `part` of the segment, of which all is covered; `t` is that of the whole segment.
     [[nodiscard]] SegmentHit find_nearest_hit(const CollisionMesh& mesh, const Vector3& from_B,
-                                              const Vector3& to_B, double part) const noexcept;
+                                              const Vector3& to_B, double part) noexcept;
 
   private:
+    // The last sweep's triangles: one that goes back on its way needs no others.
+    static constexpr std::size_t kMaxAsked = 32;
+
+    std::array<PreparedTriangle, kMaxAsked> asked_;
+    std::size_t n_asked_ = kMaxAsked + 1;  // more than fit: nothing is remembered
+    StepBox asked_box_{};
     std::array<std::int32_t, kCapacity> leaves_{};
     std::size_t n_leaves_ = 0;
     Box box_B_;

@@ -10,6 +10,7 @@
 // questions O(log n + found) for small ones.
 #pragma once
 
+#include "haptics/base/prefetch.h"
 #include "haptics/geometry/step_box.h"
 #include "haptics/geometry/triangle_mesh.h"
 
@@ -51,11 +52,12 @@ class BoundingTree {
     [[nodiscard]] std::optional<std::size_t> collect_leaves(
         const Box& box, std::span<std::int32_t> leaves) const noexcept;
 
+    /// In the tree's own steps: triangles that `for_each_in_leaves` leaves out overlap no box within.
+    [[nodiscard]] StepBox to_steps(const Box& box) const noexcept { return grid_.to_steps(box); }
     /// As `for_each_in_box`, among the triangles of the given leaves only.
     template <class Visit>
-    void for_each_in_leaves(std::span<const std::int32_t> leaves, const Box& box,
+    void for_each_in_leaves(std::span<const std::int32_t> leaves, const StepBox& steps,
                             Visit&& visit) const noexcept {
-        const StepBox steps = grid_.to_steps(box);
         for (const std::int32_t leaf : leaves) {
             visit_children(leaf, find_overlapping(node_at({n_levels_ - 1, leaf, 0.0F}), steps),
                            visit);
@@ -138,8 +140,10 @@ void BoundingTree::for_each_leaf(const Box& box, VisitLeaf&& visit_leaf) const n
             continue;
         }
         while (overlapping != 0) {
-            stack[n_stacked++] = {place.level + 1,
-                                  place.index * kWidth + std::countr_zero(overlapping), 0.0F};
+            const Place child{place.level + 1, place.index * kWidth + std::countr_zero(overlapping),
+                              0.0F};
+            prefetch(&node_at(child), sizeof(EightBoxes));
+            stack[n_stacked++] = child;
             overlapping &= overlapping - 1U;
         }
     }

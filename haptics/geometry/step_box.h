@@ -34,6 +34,14 @@ struct Box {
 struct StepBox {
     std::array<std::int16_t, 3> lower{};
     std::array<std::int16_t, 3> upper{};
+
+    [[nodiscard]] bool contains(const StepBox& other) const noexcept {
+        bool inside = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            inside = inside && lower[axis] <= other.lower[axis] && other.upper[axis] <= upper[axis];
+        }
+        return inside;
+    }
 };
 
 class StepGrid {

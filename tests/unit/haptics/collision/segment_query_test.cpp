@@ -206,6 +206,38 @@ TEST_CASE(
     CHECK(n_covered > 20000);
 }
 
+TEST_CASE("segment query: a way back and a way aside after a sweep are answered as by the tree") {
+    // Within the last sweep's box its triangles are asked again; a little outside of it they are not enough.
+    const auto mesh = make_collision_mesh(make_bumpy_sphere(1.0, 24, 0.05, 9.0));
+    std::mt19937_64 random(37);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const auto vector = [&] { return Vector3(unit(random), unit(random), unit(random)); };
+    const auto check = [&](NearbyTriangles& nearby, const Vector3& from, const Vector3& to) {
+        if (!nearby.covers(from) || !nearby.covers(to)) {
+            return 0;
+        }
+        const SegmentHit near = nearby.find_nearest_hit(*mesh, from, to, 1.0);
+        const SegmentHit all = find_nearest_hit(*mesh, from, to);
+        REQUIRE(near.triangle == all.triangle);
+        REQUIRE(near.t == all.t);
+        return all.found() ? 1 : 0;
+    };
+    int n_hits = 0;
+    NearbyTriangles nearby;
+    for (int round = 0; round < 4000; ++round) {
+        const Vector3 centre = vector().normalized();
+        nearby.collect(*mesh, {centre - Vector3::Constant(0.1), centre + Vector3::Constant(0.1)});
+        const Vector3 from = centre + 0.05 * vector();
+        const Vector3 to = centre + 0.05 * vector();
+        n_hits += check(nearby, from, to);
+        n_hits += check(nearby, 0.5 * (from + to), from);
+        n_hits += check(nearby, from + 0.2 * (to - from), to);
+        n_hits += check(nearby, 0.5 * (from + to), to + 0.05 * vector());
+        n_hits += check(nearby, from, from + 0.7 * (to - from) + 0.01 * vector());
+    }
+    CHECK(n_hits > 2000);
+}
+
 TEST_CASE("segment query: too many triangles for the near set leave the answer to the tree") {
     const auto mesh = make_collision_mesh(make_sphere(1.0, 8));
     NearbyTriangles nearby;
