@@ -22,11 +22,11 @@ void solve_plane(const Vector3& free, FrictionPlane& plane) noexcept {
     } else if (plane.stuck) {
         plane.drag = -free;
     } else {
-        // |f| = mu l + beta (|free| - |f|), for friction takes that much of the slip away.
+        // |f| = mu l + beta (|free| - |f|), for friction takes that much of the slip away; less than |free|, for mu l is.
         const double beta = plane.law.viscous_ratio;
         const double drag_m =
             (plane.law.dynamic_coefficient * plane.push_m + beta * free_m) / (1.0 + beta);
-        plane.drag = free * (-std::min(drag_m, free_m) / free_m);
+        plane.drag = free * (-drag_m / free_m);
     }
 }
 

@@ -10,7 +10,7 @@
 // A plane that slid keeps the dynamic circle until the drag that would hold it fits within it: the two states of the friction
 // cone. One plane is solved in closed form. Of several, all pushes are solved together and exactly (plane_constraints.h), and the
 // drags one after the other, each as if the point would follow it freely along its plane:
-//   t = s_i - f_i;   |t| <= circle_i: f_i = -t,   else f_i = -t/|t| min((mu_d l_i + beta |t|) / (1 + beta), |t|)
+//   t = s_i - f_i;   |t| <= circle_i: f_i = -t,   else f_i = -t/|t| (mu_d l_i + beta |t|) / (1 + beta)
 // The point follows by a projection of what it is given, so each step is one of steepest descent no longer than that
 // allows, and the circles move with the pushes. (With the pushes in the same sweep as the drags two planes need a hundred rounds where this
 // needs two or three: the drag along a plane and the push of its neighbour fight for the same direction.)

@@ -13,7 +13,6 @@ namespace fulcrum::stability {
 namespace {
 
 constexpr double kStep_m = 5.5e-5;  // of the arm's encoder
-constexpr double kPress_m = 0.004;
 
 // The lowest and the highest of a number.
 struct Swing {
@@ -32,7 +31,7 @@ double measure_swing(const HumanImpedance& human, double stiffness, double dampi
     plan.coupling.stiffness_N_per_m = stiffness;
     plan.coupling.damping_Ns_per_m = damping;
     HeldArm held(plan, make_arm_over_floor(human));
-    held.aim(-kPress_m);
+    held.aim(-kFloorPress_m);
     held.run(10.0);  // near the edge a vibration takes seconds to go
     Swing swing;
     for (int k = 0; k < 1000; ++k) {
@@ -41,16 +40,6 @@ double measure_swing(const HumanImpedance& human, double stiffness, double dampi
     }
     // It must lie on the floor, which is as thick as a step of the encoder.
     return swing.high < kStep_m ? swing.width() : HUGE_VAL;
-}
-
-// Nine tenths of the stiffness at which the map ends, for this damping.
-double find_stiffness_inside(const HumanImpedance& human, double damping) {
-    z_width::WallTrial trial;
-    trial.arm = make_arm_over_floor(human);
-    trial.start_m = trial.arm.start_D.y();
-    trial.damping_Ns_per_m = damping;
-    trial.press_m = kPress_m;
-    return 0.9 * z_width::find_largest_stiffness(trial).value();
 }
 
 Finding press_at_the_edge() {
@@ -88,16 +77,16 @@ Finding press_under_jitter() {
     double worst = 0.0;
     for (const HumanImpedance& human : {kFingertip, kArm, kPosture}) {
         const double rest_m =
-            kPress_m * human.stiffness_N_per_m / (human.stiffness_N_per_m + stiffness);
+            kFloorPress_m * human.stiffness_N_per_m / (human.stiffness_N_per_m + stiffness);
         std::mt19937_64 random(3);
         std::uniform_real_distribution<double> length_s(0.0002, 0.005);
         HeldArm held(make_floor_plan(), make_arm_over_floor(human));
-        held.aim(-kPress_m);
+        held.aim(-kFloorPress_m);
         held.run(1.0);
         for (int k = 0; k < 4000; ++k) {
             held.step(k % 800 == 400 ? 0.1 : length_s(random));
             const double up_m = held.height_m() + rest_m;
-            worst = worse(worst, std::max(up_m / rest_m, -up_m / (kPress_m - rest_m)));
+            worst = worse(worst, std::max(up_m / rest_m, -up_m / (kFloorPress_m - rest_m)));
         }
     }
     return {worst, 1.0, "of three hands"};
@@ -139,13 +128,13 @@ void lie(int k, DeviceReading& reading) {
     }
 }
 
-// The truth is that the hand wants to be kPress_m deep, and moves at v: F <= K press + B v. A lie that is believed would
+// The truth is that the hand wants to be kFloorPress_m deep, and moves at v: F <= K press + B v. A lie that is believed would
 // take the force to all that the arm has.
 Finding press_with_a_lying_device() {
     HapticPlan plan = make_floor_plan();
     HeldArm held(plan, make_arm_over_floor(kArm));
     held.device().spoil = lie;
-    held.aim(-kPress_m);
+    held.aim(-kFloorPress_m);
     held.run(0.001 * kFirstLie - 0.1);  // the tap is over, and the hand at rest
     double worst_N = 0.0;
     double fastest_m_per_s = 0.0;
@@ -165,9 +154,10 @@ Finding press_with_a_lying_device() {
     }
     const bool seen = n_faults > 100 && calmest_N == 0.0;
     const CouplingSettings coupling;
-    return {seen ? worst_N : HUGE_VAL,
-            coupling.stiffness_N_per_m * kPress_m + coupling.damping_Ns_per_m * fastest_m_per_s,
-            std::to_string(n_faults) + " rounds with a fault"};
+    return {
+        seen ? worst_N : HUGE_VAL,
+        coupling.stiffness_N_per_m * kFloorPress_m + coupling.damping_Ns_per_m * fastest_m_per_s,
+        std::to_string(n_faults) + " rounds with a fault"};
 }
 
 // The hand lets go while the coupling is stretched as far as the arm's force allows: what the handle flies off with, over

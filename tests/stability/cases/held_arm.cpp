@@ -2,6 +2,7 @@
 
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/geometry/shape.h"
+#include "tests/support/wall_trial.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -36,9 +37,9 @@ void HeldArm::run(double seconds) {
     }
 }
 
-void HeldArm::aim(double height_m) {
+void HeldArm::aim_at(const Vector3& position_D) {
     HandTarget target;
-    target.pose_D.position = Vector3(0.013, height_m, 0.017);
+    target.pose_D.position = position_D;
     target_.publish(target);
 }
 
@@ -64,6 +65,15 @@ SimulatedArmSettings make_arm_over_floor(const HumanImpedance& human) {
     arm.dry_friction_N = 0.0;
     arm.start_D = Vector3(0.013, 0.01, 0.017);
     return arm;
+}
+
+double find_stiffness_inside(const HumanImpedance& human, double damping) {
+    z_width::WallTrial trial;
+    trial.arm = make_arm_over_floor(human);
+    trial.start_m = trial.arm.start_D.y();
+    trial.damping_Ns_per_m = damping;
+    trial.press_m = kFloorPress_m;
+    return 0.9 * z_width::find_largest_stiffness(trial).value();
 }
 
 }  // namespace fulcrum::stability

@@ -44,12 +44,14 @@ class HeldArm {
     /// Rounds of a millisecond for `seconds`.
     void run(double seconds);
     /// Where the hand wants to be: `height_m` over the floor.
-    void aim(double height_m);
+    void aim(double height_m) { aim_at({0.013, height_m, 0.017}); }
+    void aim_at(const Vector3& position_D);
 
     /// What the lesson asks for; stamped at each round.
     ForceCommand command;
 
     [[nodiscard]] SimulatedArm& arm() { return device_.arm; }
+    [[nodiscard]] Vector3 position_m() const { return device_.arm.position_D(); }
     [[nodiscard]] double height_m() const { return device_.arm.position_D().y(); }
     [[nodiscard]] SpoiledArm& device() { return device_; }
     [[nodiscard]] const HapticState& state() const { return loop_->state(); }
@@ -61,6 +63,11 @@ class HeldArm {
     std::unique_ptr<HapticLoop> loop_;
     double now_s_ = 0.0;
 };
+
+/// How far below the floor the hand of a case wants to be.
+inline constexpr double kFloorPress_m = 0.004;
+/// Nine tenths of the stiffness at which the map of stable walls ends for this hand, at this damping of the coupling.
+[[nodiscard]] double find_stiffness_inside(const HumanImpedance& human, double damping);
 
 /// A plan with the floor in it, the program's coupling, and no wait before forces come.
 [[nodiscard]] HapticPlan make_floor_plan();

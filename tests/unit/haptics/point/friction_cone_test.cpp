@@ -46,6 +46,7 @@ TEST_CASE(
         const Vector3 hand(1.0e-5 * i, -0.01, 0.0);
         const ProxyContact& contact = proxy->step(hand, {&kHere, 1});
         const double ratio = (hand - contact.position_W).x() / 0.01;
+        REQUIRE((contact.normal_W - Vector3::UnitY()).norm() <= 1.0e-12);
         REQUIRE((lying(contact) - (contact.position_W - hand)).norm() <= kExact);
         if (contact.position_W.x() < 1.0e-8) {
             largest_stuck = ratio;
@@ -166,10 +167,19 @@ TEST_CASE("friction cone: two solids at once each get their own push and drag") 
     proxy->reset({-0.2, 0.2, 0.0});
     proxy->step({-0.2, 0.2, 0.0}, poses);
     proxy->step({-0.01, -0.02, 0.0}, poses);
-    for (int i = 0; i <= 200; ++i) {
-        proxy->step({0.01, -0.02, 0.0005 * i}, poses);
+    // On the way it goes from one triangle of the floor to the next: whose drag it is does not depend on that.
+    for (int i = 0; i <= 1600; ++i) {
+        const ProxyContact& there = proxy->step({0.01, -0.02, -0.4 + 0.0005 * i}, poses);
+        for (const SolidTouch& touch : i < 10 ? std::span<const SolidTouch>() : there.active()) {
+            const double coefficient = touch.solid == 0 ? 0.5 : 0.1;
+            REQUIRE(touch.drag_W.norm() <= coefficient * touch.push_m + 1.0e-6);
+        }
     }
-    const ProxyContact& contact = proxy->step({0.01, -0.02, 0.1005}, poses);
+    proxy->step({0.01, -0.02, 0.1}, poses);
+    for (int i = 0; i <= 100; ++i) {
+        proxy->step({0.01, -0.02, 0.1 + 0.0005 * i}, poses);
+    }
+    const ProxyContact& contact = proxy->step({0.01, -0.02, 0.1505}, poses);
     REQUIRE(contact.n_constraints == 2);
     const SolidTouch& on_floor = contact.touches[contact.touches[0].solid == 0 ? 0 : 1];
     const SolidTouch& on_wall = contact.touches[contact.touches[0].solid == 0 ? 1 : 0];
@@ -177,7 +187,31 @@ TEST_CASE("friction cone: two solids at once each get their own push and drag") 
     CHECK(contact.solid == 0);
     CHECK(std::abs(on_floor.drag_W.z() + 0.5 * on_floor.push_m) <= 1.0e-6);
     CHECK(std::abs(on_wall.drag_W.z() + 0.1 * on_wall.push_m) <= 1.0e-6);
-    CHECK((lying(contact) - (contact.position_W - Vector3(0.01, -0.02, 0.1005))).norm() <= kExact);
+    CHECK((lying(contact) - (contact.position_W - Vector3(0.01, -0.02, 0.1505))).norm() <= kExact);
+}
+
+TEST_CASE(
+    "friction cone: in a groove of one solid push and drag account for all that holds the proxy") {
+    // Two plates that meet along z at right angles, both at 45 degrees.
+    const double h = std::sqrt(0.5);
+    const auto mesh = touchable(TriangleMesh::build(
+        {{-h, h, -1.0}, {0.0, 0.0, -1.0}, {h, h, -1.0}, {-h, h, 1.0}, {0.0, 0.0, 1.0}, {h, h, 1.0}},
+        {{0, 3, 4}, {0, 4, 1}, {1, 4, 5}, {1, 5, 2}}));
+    const auto proxy = cone({SolidPlan{.body = 0, .shape = mesh, .friction = kFriction}});
+    proxy->reset({0.0, 0.1, -0.5});
+    int n_corner = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const Vector3 hand(0.03 * std::sin(0.02 * i), -0.02 + 0.03 * std::sin(0.005 * i),
+                           -0.5 + 0.001 * i);
+        const ProxyContact& contact = proxy->step(hand, {&kHere, 1});
+        REQUIRE((lying(contact) - (contact.position_W - hand)).norm() <= kExact);
+        for (const SolidTouch& touch : contact.active()) {
+            // What slides along a groove has the drag of both its sides; each is within its own circle.
+            REQUIRE(touch.drag_W.norm() <= 0.6 * touch.push_m + 5.0e-4);
+        }
+        n_corner += contact.n_constraints == 2 ? 1 : 0;
+    }
+    CHECK(n_corner > 100);
 }
 
 TEST_CASE("friction cone: without friction it is the god-object, to the bit") {
@@ -199,8 +233,15 @@ TEST_CASE("friction cone: a hand that is not a number is not followed, and leave
     const Vector3 before = proxy->step({0.0, -0.01, 0.0}, {&kHere, 1}).position_W;
     const double nan = std::nan("");
     CHECK(proxy->step({nan, 0.0, 0.0}, {&kHere, 1}).position_W == before);
+    // What slid before goes on as what slid, and what stuck as what stuck.
+    const auto& state = dynamic_cast<const FrictionCone&>(*proxy);
+    CHECK(state.is_stuck(0));
     CHECK(proxy->step({0.001, -0.01, 0.0}, {&kHere, 1}).position_W.allFinite());
     CHECK(std::abs(proxy->step({0.001, -0.01, 0.0}, {&kHere, 1}).position_W.x()) <= kExact);
+    proxy->step({0.02, -0.01, 0.0}, {&kHere, 1});
+    REQUIRE_FALSE(state.is_stuck(0));
+    proxy->step({nan, 0.0, 0.0}, {&kHere, 1});
+    CHECK_FALSE(state.is_stuck(0));
 }
 
 }  // namespace
