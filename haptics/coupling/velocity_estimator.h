@@ -11,7 +11,7 @@
 // 55 um at 1 kHz). The window is long when the hand moves evenly (little noise) and short when it
 // turns (little lag). It is the default: over encoder steps of 55 um it is less than half as wrong as
 // the 80 Hz low pass while a hand swings slowly (2 cm at 1 Hz and less), where noise is felt most,
-// better up to 5 cm at 1 Hz, and worse from 5 cm at 2 Hz on. A test holds that at 1, 2 and 4 kHz.
+// better up to 5 cm at 1 Hz, and worse from 5 cm at 2 Hz on. A test holds that at 1, 2, 4 and 5 kHz.
 // `fulcrum bench velocity-estimators` draws all four: noise, lag, cost, and the damping that a wall may have.
 //
 // Thread: haptic loop. Cost: adaptive_window one division a sample of the window, the others one or two; no allocation.
@@ -47,7 +47,7 @@ struct VelocitySettings {
     double cutoff_Hz = 80.0;  ///< filtered_difference: of the low pass, 1 to 1000
     /// adaptive_window: largest error of one position; kalman: the encoder's step. 1e-9 to 0.1
     double noise_bound_m = 1.0e-5;
-    double longest_window_s = kLongestWindow_s;  ///< adaptive_window: 0.00025 to kLongestWindow_s
+    double longest_window_s = kLongestWindow_s;  ///< adaptive_window: 0.0002 to kLongestWindow_s
     /// kalman: spectral density of the hand's acceleration in m^2/s^3, 1e-12 to 1e6
     double acceleration_density = kHandAccelerationDensity;
 };
@@ -58,7 +58,7 @@ struct VelocitySettings {
 /// Estimates the velocity of a point. The frame is that of the positions given.
 class VelocityEstimator {
   public:
-    static constexpr int kMostIntervals = 32;  ///< in a window: kLongestWindow_s at 4 kHz
+    static constexpr int kMostIntervals = 40;  ///< in a window: kLongestWindow_s at 5 kHz
 
     /// Takes settings that `validate` accepted.
     explicit VelocityEstimator(const VelocitySettings& settings) noexcept : settings_(settings) {}

@@ -8,7 +8,7 @@ Expected<void> validate(const VelocitySettings& settings) {
     const Range ranges[] = {
         {"cut-off in hertz", settings.cutoff_Hz, 1.0, 1000.0},
         {"noise bound in metres", settings.noise_bound_m, 1e-9, 0.1},
-        {"longest window in seconds", settings.longest_window_s, 0.00025, kLongestWindow_s},
+        {"longest window in seconds", settings.longest_window_s, 0.0002, kLongestWindow_s},
         {"acceleration density in m^2/s^3", settings.acceleration_density, 1e-12, 1e6},
     };
     return check_ranges("the velocity estimator's", ranges);

@@ -25,6 +25,6 @@ struct RecordSample {
     GatePhase gate = GatePhase::waiting;
 };
 
-inline constexpr std::size_t kRecordRingCapacity = 4096;  ///< samples; one second at 4 kHz
+inline constexpr std::size_t kRecordRingCapacity = 4096;  ///< samples; 0.8 s at 5 kHz
 
 }  // namespace fulcrum

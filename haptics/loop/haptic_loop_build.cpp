@@ -60,7 +60,7 @@ LinearisedWrenchSettings choose_lesson_settings(const HapticPlan& plan,
 
 Expected<void> validate(const HapticPlan& plan) {
     const Range ranges[] = {
-        {"rate in hertz", plan.rate_hz, 1000.0, 4000.0},
+        {"rate in hertz", plan.rate_hz, 1000.0, kMostRate_Hz},
         {"workspace scale", plan.workspace.scale, 0.01, 100.0},
         {"onset of a weight in seconds", plan.weight_onset_s, 0.02, 5.0},
         {"number of force fields", static_cast<double>(plan.fields.size()), 0.0, kMaxFields},

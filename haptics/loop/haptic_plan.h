@@ -87,8 +87,10 @@ struct Workspace {
     double scale = 1.0;  ///< world metres a device metre
 };
 
+inline constexpr double kMostRate_Hz = 5000.0;  ///< of a haptic loop
+
 struct HapticPlan {
-    double rate_hz = 1000.0;  ///< 1000 to 4000
+    double rate_hz = 1000.0;  ///< 1000 to kMostRate_Hz
     Workspace workspace{};
     SafetySettings safety{};
     CouplingSettings coupling{};

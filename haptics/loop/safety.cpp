@@ -9,7 +9,7 @@ namespace {
 // Scaling to a limit rounds; staying this much below it keeps the rounded norm under the limit
 // itself.
 constexpr double kBelowLimit = 1.0 - 1.0e-12;
-constexpr double kShortestPeriod_s = 1.0 / 4000.0;  // of a haptic loop
+constexpr double kShortestPeriod_s = 1.0 / kMostRate_Hz;
 constexpr double kLongestPeriod_s = 1.0 / 1000.0;
 
 // `value` pulled into [low, high]; NaN becomes `strictest`.

@@ -60,7 +60,7 @@ struct CameraDescription {
 struct HandDescription {
     Vector3 centre_W{0.0, 0.3, 0.0};
     double scale = 1.0;         ///< 0.01 to 100
-    double rate_hz = 1000.0;    ///< of the haptic loop, 1000 to 4000
+    double rate_hz = 1000.0;    ///< of the haptic loop, 1000 to 5000
     bool lesson_force = false;  ///< hand:force(function …) was called
     SourceLine force_line = 0;
 };

@@ -130,7 +130,7 @@ function World:camera(options) end
 ---@class HandOptions
 ---@field centre? Vector|Body|Tool where the middle of the arm's reach lies; in metres, -10000 to 10000; default {0, 0.3, 0}
 ---@field scale? number metres in the scene for one metre of the hand; 0.01 to 100; default 1
----@field rate? number how often forces are computed; in hertz, 1000 to 4000; default 1000
+---@field rate? number how often forces are computed; in hertz, 1000 to 5000; default 1000
 
 ---Says where the hand works in the scene, once.
 ---@param options HandOptions

@@ -50,8 +50,8 @@ struct SimulatedArmSettings {
 
 class SimulatedArm final : public Device {
   public:
-    /// Forces on their way at once: delay_s at 4 kHz, and as many again.
-    static constexpr std::size_t kMostPending = 160;
+    /// Forces on their way at once: delay_s at 5 kHz, and as many again.
+    static constexpr std::size_t kMostPending = 200;
 
     /// Takes settings that `validate` accepted. `target` must outlive the arm; this is its only reader.
     SimulatedArm(const SimulatedArmSettings& settings, LatestValue<HandTarget>& target);

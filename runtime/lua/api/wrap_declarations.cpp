@@ -189,7 +189,7 @@ void add_scene_rows(ApiTable& table) {
          {{"centre", vector, "metres", -10000, 10000, "{0, 0.3, 0}",
            "where the middle of the arm's reach lies"},
           {"scale", number, "", 0.01, 100, "1", "metres in the scene for one metre of the hand"},
-          {"rate", number, "hertz", 1000, 4000, "1000", "how often forces are computed"}},
+          {"rate", number, "hertz", 1000, 5000, "1000", "how often forces are computed"}},
          "Hand",
          "Says where the hand works in the scene, once.",
          &set_hand});

@@ -108,7 +108,7 @@ void description(Archive& a, Description& d) {
     a.number("the camera's angle", d.camera.vertical_angle_deg, 5.0, 120.0);
     vector(a, "the hand's centre", d.hand.centre_W, kMaxCoordinate_m);
     a.number("the hand's scale", d.hand.scale, 0.01, 100.0);
-    a.number("the hand's rate", d.hand.rate_hz, 1000.0, 4000.0);
+    a.number("the hand's rate", d.hand.rate_hz, 1000.0, 5000.0);
     a.flag("a lesson force", d.hand.lesson_force);
     a.integer("a line", d.hand.force_line, 0, kMaxLine);
     a.list("questions", d.questions, kMaxQuestions, [](auto& each, auto& q) { question(each, q); });

@@ -96,7 +96,7 @@ TEST_CASE("velocity: the window grows to its longest on a line and shrinks to on
 TEST_CASE(
     "velocity: the window is eight milliseconds at every rate, rounds a little late included") {
     // One encoder step every 8 ms: a window of that length sees exactly one step.
-    for (const double rate_Hz : {1000.0, 2000.0, 4000.0}) {
+    for (const double rate_Hz : {1000.0, 2000.0, 4000.0, 5000.0}) {
         VelocityEstimator estimator(with(VelocityMethod::adaptive_window));
         const int n = static_cast<int>(0.008 * rate_Hz);
         for (int k = 0; k < 20 * n; ++k) {
@@ -145,7 +145,7 @@ TEST_CASE("velocity: the window equals the rule written out, sample by sample") 
 
 TEST_CASE("velocity: over encoder steps the default beats the low pass, fast swings excepted") {
     CHECK(VelocitySettings{}.method == VelocityMethod::adaptive_window);
-    for (const double rate_Hz : {1000.0, 2000.0, 4000.0}) {
+    for (const double rate_Hz : {1000.0, 2000.0, 4000.0, 5000.0}) {
         const auto ratio = [&](double amplitude_m, double frequency_Hz) {
             return measure_error(VelocityMethod::adaptive_window, amplitude_m, frequency_Hz,
                                  rate_Hz) /

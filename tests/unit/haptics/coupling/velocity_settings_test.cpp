@@ -32,9 +32,9 @@ TEST_CASE("velocity: settings outside their ranges are refused") {
         bounds.acceleration_density = acceleration_density;
         return validate(bounds).has_value();
     };
-    CHECK(accepts_others(0.00025, 1e-12));
+    CHECK(accepts_others(0.0002, 1e-12));
     CHECK(accepts_others(0.008, 1e6));
-    CHECK_FALSE(accepts_others(0.0002, 1.0));
+    CHECK_FALSE(accepts_others(0.00019, 1.0));
     CHECK_FALSE(accepts_others(0.0081, 1.0));
     CHECK_FALSE(accepts_others(0.008, 0.0));
     CHECK_FALSE(accepts_others(0.008, 1.1e6));

@@ -68,7 +68,7 @@ TEST_CASE("haptic loop: plans out of range are refused") {
     HapticPlan plan;
     plan.rate_hz = 500.0;
     REQUIRE_FALSE(validate(plan));
-    CHECK(to_sentence(validate(plan).error()).find("1000 to 4000") != std::string::npos);
+    CHECK(to_sentence(validate(plan).error()).find("1000 to 5000") != std::string::npos);
     plan = {};
     plan.safety.max_force_N = 11.0;
     CHECK_FALSE(validate(plan));
@@ -105,10 +105,10 @@ TEST_CASE(
     for (const double bad : {0.0099, 100.1}) {
         CHECK_FALSE(accepts([&](HapticPlan& plan) { plan.workspace.scale = bad; }));
     }
-    for (const double good : {1000.0, 4000.0}) {
+    for (const double good : {1000.0, 5000.0}) {
         CHECK(accepts([&](HapticPlan& plan) { plan.rate_hz = good; }));
     }
-    for (const double bad : {999.0, 4001.0}) {
+    for (const double bad : {999.0, 5001.0}) {
         CHECK_FALSE(accepts([&](HapticPlan& plan) { plan.rate_hz = bad; }));
     }
     CHECK_FALSE(accepts([&](HapticPlan& plan) { plan.passivity.memory_s = 0.0; }));

@@ -167,12 +167,12 @@ TEST_CASE("simulated arm: more forces on their way than it keeps are refused") {
     CHECK_FALSE(bench.arm.write(0.0, push(1.0)));
     bench.run(25);
     CHECK(bench.arm.write(bench.now_s, push(1.0)));
-    // At 4 kHz the longest delay fits.
+    // At 5 kHz the longest delay fits.
     SimulatedArm fast(settings, bench.target);
     DeviceReading reading;
     for (int k = 0; k < 1000; ++k) {
-        REQUIRE(fast.read(0.00025 * k, reading));
-        REQUIRE(fast.write(0.00025 * k, push(0.1)));
+        REQUIRE(fast.read(0.0002 * k, reading));
+        REQUIRE(fast.write(0.0002 * k, push(0.1)));
     }
 }
 

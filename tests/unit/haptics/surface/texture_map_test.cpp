@@ -1,0 +1,157 @@
+#include "haptics/surface/texture_map.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <rapidcheck.h>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+HeightMap make_random(std::int32_t n_u, std::int32_t n_v, unsigned seed) {
+    std::mt19937 random(seed);
+    HeightMap map{n_u, n_v, {}};
+    for (std::int32_t i = 0; i < n_u * n_v; ++i) {
+        map.heights.push_back(static_cast<float>(random() % 1001) / 1000.0F);
+    }
+    return map;
+}
+
+// `waves` waves of a sine along u on n x 1 samples.
+HeightMap make_wave(std::int32_t n, int waves) {
+    HeightMap map{n, 1, {}};
+    for (std::int32_t i = 0; i < n; ++i) {
+        map.heights.push_back(static_cast<float>(0.5 + 0.5 * std::sin(kTwoPi * waves * i / n)));
+    }
+    return map;
+}
+
+}  // namespace
+
+TEST_CASE("texture map: the finest level goes through every sample") {
+    for (const auto& [n_u, n_v] : {std::pair{1, 1}, {2, 1}, {3, 2}, {7, 5}, {16, 16}, {40, 9}}) {
+        const HeightMap map = make_random(n_u, n_v, 7);
+        const TextureMap texture(map, 0.3, 0.2, 0.002);
+        for (int j = 0; j < n_v; ++j) {
+            for (int i = 0; i < n_u; ++i) {
+                const auto k = static_cast<std::size_t>(j * n_u + i);
+                const HeightSample sample = texture.sample(0, 0.3 * i / n_u, 0.2 * j / n_v);
+                // Coefficients are kept in single precision.
+                CHECK(sample.height_m ==
+                      Approx(0.002 * static_cast<double>(map.heights[k])).margin(1.0e-9));
+            }
+        }
+    }
+}
+
+TEST_CASE("texture map: the slope is the height's derivative, and the height repeats") {
+    rc::check("anywhere on any map", [] {
+        const auto map = make_random(*rc::gen::inRange(1, 20), *rc::gen::inRange(1, 20),
+                                     *rc::gen::inRange(0U, 1000U));
+        const TextureMap texture(map, 0.05, 0.08, 0.001);
+        const auto level = *rc::gen::inRange<std::size_t>(0, texture.n_levels());
+        const double u = 1.0e-4 * *rc::gen::inRange(-2000, 2000);
+        const double v = 1.0e-4 * *rc::gen::inRange(-2000, 2000);
+        const double e = 1.0e-7;
+        const HeightSample at = texture.sample(level, u, v);
+        const double along_u =
+            (texture.sample(level, u + e, v).height_m - texture.sample(level, u - e, v).height_m) /
+            (2.0 * e);
+        const double along_v =
+            (texture.sample(level, u, v + e).height_m - texture.sample(level, u, v - e).height_m) /
+            (2.0 * e);
+        RC_ASSERT(std::abs(at.slope_u - along_u) < 1.0e-5);
+        RC_ASSERT(std::abs(at.slope_v - along_v) < 1.0e-5);
+        const HeightSample next = texture.sample(level, u + 0.05, v - 3 * 0.08);
+        RC_ASSERT(std::abs(next.height_m - at.height_m) < 1.0e-12);
+    });
+}
+
+TEST_CASE(
+    "texture map: a sine of eight samples a wave is itself to 1.2 thousandths, slope and all") {
+    const double tile_m = 0.016;
+    const TextureMap texture(make_wave(64, 8), tile_m, 1.0, 2.0);
+    for (int i = 0; i < 500; ++i) {
+        const double u = tile_m * i / 500.0;
+        const double phase = kTwoPi * 8.0 * u / tile_m;
+        const HeightSample sample = texture.sample(0, u, 0.3);
+        CHECK(sample.height_m - 1.0 == Approx(std::sin(phase)).margin(1.2e-3));
+        CHECK(
+            sample.slope_u ==
+            Approx(kTwoPi * 8.0 / tile_m * std::cos(phase)).margin(5.0e-3 * kTwoPi * 8.0 / tile_m));
+        CHECK(sample.slope_v == Approx(0.0).margin(1.0e-9));
+    }
+}
+
+TEST_CASE("texture map: a coarser level keeps long waves and their mean, and drops short ones") {
+    const auto swing = [](const TextureMap& map, std::size_t level) {
+        double low = HUGE_VAL;
+        double high = -HUGE_VAL;
+        double sum = 0.0;
+        for (int i = 0; i < 1000; ++i) {
+            const double height = map.sample(level, 1.0e-3 * i, 0.0).height_m;
+            low = std::min(low, height);
+            high = std::max(high, height);
+            sum += height;
+        }
+        CHECK(sum / 1000.0 == Approx(0.5).margin(0.01));
+        return high - low;
+    };
+    const TextureMap lengthy(make_wave(64, 4), 1.0, 1.0, 1.0);
+    REQUIRE(lengthy.n_levels() == 7);
+    CHECK(swing(lengthy, 2) == Approx(1.0).margin(0.03));  // 4 samples a wave
+    const TextureMap brief(make_wave(64, 14), 1.0, 1.0, 1.0);
+    CHECK(swing(brief, 1) > 0.7);   // 2.3 samples a wave
+    CHECK(swing(brief, 2) < 0.02);  // 1.1 samples a wave: it would be folded
+    CHECK(swing(brief, 6) < 1.0e-6);
+}
+
+TEST_CASE("texture map: levels halve down to one sample, whatever the sides") {
+    const TextureMap map(make_random(13, 3, 1), 1.0, 1.0, 1.0);
+    REQUIRE(map.n_levels() == 5);
+    CHECK(map.n_u(1) == 7);
+    CHECK(map.n_v(1) == 2);
+    CHECK(map.n_u(4) == 1);
+    CHECK(map.n_v(4) == 1);
+    CHECK(map.count_samples(0, 0.3, 0.0) == Approx(3.9));
+    CHECK(map.count_samples(0, 0.0, -0.5) == Approx(1.5));
+    CHECK(map.memory_bytes() >= sizeof(float) * (39 + 14 + 4 + 2 + 1));
+}
+
+TEST_CASE("texture map: places that are nowhere are flat") {
+    const TextureMap map(make_random(8, 8, 1), 0.1, 0.1, 1.0);
+    for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+        CHECK(map.sample(0, bad, 0.0).height_m == 0.0);
+        CHECK(map.sample(0, 0.0, bad).slope_v == 0.0);
+    }
+    CHECK(std::isfinite(map.sample(0, 1.0e300, -1.0e300).height_m));
+}
+
+TEST_CASE("texture map: resampling keeps a constant and, where it is coarser, the mean") {
+    for (const double one : resample_periodic({3.0, 3.0, 3.0}, 5)) {
+        CHECK(one == Approx(3.0).epsilon(1.0e-14));
+    }
+    const std::vector<double> halved = resample_periodic({0, 1, 0, 1, 0, 1, 0, 1}, 4);
+    for (const double one : halved) {
+        CHECK(one == Approx(0.5).margin(0.02));  // the wave is gone
+    }
+}
+
+TEST_CASE("texture map: coefficients solve the spline's equations on the circle") {
+    for (const std::size_t n : {1U, 2U, 3U, 4U, 11U, 64U}) {
+        std::vector<double> samples;
+        for (std::size_t i = 0; i < n; ++i) {
+            samples.push_back(std::sin(3.7 * static_cast<double>(i)) + 0.3);
+        }
+        const std::vector<double> c = compute_spline_coefficients(samples);
+        for (std::size_t i = 0; i < n; ++i) {
+            const double value = (c[(i + n - 1) % n] + 4.0 * c[i] + c[(i + 1) % n]) / 6.0;
+            CHECK(value == Approx(samples[i]).epsilon(1.0e-12));
+        }
+    }
+}
