@@ -54,7 +54,7 @@ Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
     if (!mark.understood) {
         return not_understood(mark);
     }
-    return meaning_right ? respond_to_form(mark) : wrong_meaning();
+    return meaning_right ? respond_to_form(mark) : wrong_meaning(mark);
 }
 
 Feedback Conversation::respond_to_form(const Mark& mark) {
@@ -144,13 +144,18 @@ Feedback Conversation::not_understood(const Mark& mark) {
     return feedback;
 }
 
-Feedback Conversation::wrong_meaning() {
+Feedback Conversation::wrong_meaning(const Mark& mark) {
     ++wrong_;
     if (settings_.tries > 0 && wrong_ >= settings_.tries) {
         return move_on();
     }
     state_ = State::asked;
     // What comes next depends on the lesson: only the question itself may tell more than "try again".
+    if (mark.turned_round) {
+        Feedback feedback = say(FeedbackKind::wrong_meaning, "feedback.turned_round");
+        feedback.ask_again = true;
+        return feedback;
+    }
     Feedback feedback = question_->again.empty()
                             ? say(FeedbackKind::wrong_meaning, "feedback.wrong_meaning")
                             : say(FeedbackKind::wrong_meaning, "feedback.wrong_meaning.again",

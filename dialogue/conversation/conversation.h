@@ -92,7 +92,7 @@ class Conversation {
     Feedback respond_to_form(const Mark& mark);
     Feedback respond_to_repeat(const Mark& mark, bool meaning_right);
     Feedback not_understood(const Mark& mark);
-    Feedback wrong_meaning();
+    Feedback wrong_meaning(const Mark& mark);
     Feedback move_on();
     Feedback say(FeedbackKind kind, std::string key, const CatalogueSlots& slots = {});
     [[nodiscard]] std::string ladder_key(const FormError& error) const;

@@ -1,5 +1,6 @@
 // Which of the catalogue's rules belongs to an error, and all keys that a conversation needs.
 #include "dialogue/conversation/conversation.h"
+#include "dialogue/english/noun.h"
 
 #include <array>
 #include <utility>
@@ -23,8 +24,41 @@ std::string degree_rule(const FormError& error) {
     return "rule." + degree + ".irregular";
 }
 
+/// The rules of "is made of".
+std::string passive_rule(const FormError& error) {
+    switch (error.code) {
+        case ErrorCode::agreement:
+            return "rule.verb.agreement";
+        case ErrorCode::verb_voice:
+            return "rule.passive.voice";
+        case ErrorCode::wrong_preposition:
+        case ErrorCode::missing_preposition:
+            return error.said == "from" ? "rule.passive.from" : "rule.passive.of";
+        default:
+            return error.right == "made" ? "rule.passive.made" : "rule.passive.be";
+    }
+}
+
+/// The rules of a plain adjective: "metal is hardly", "metal is harder".
+std::string positive_rule(const FormError& error) {
+    switch (error.code) {
+        case ErrorCode::morphology:
+            return "rule.adjective.form";
+        case ErrorCode::adjective_form:
+            return "rule.adjective.degree";
+        default:
+            return "rule.spelling";
+    }
+}
+
+/// A material takes no article and no plural.
+bool is_of_material(const FormError& error) {
+    const bool of_noun = error.code == ErrorCode::noun_number && error.role == Role::noun;
+    return (of_noun || error.code == ErrorCode::extra_determiner) && is_mass_noun(error.phrase);
+}
+
 /// Rules that hold for one code, whatever the word.
-constexpr std::array<std::pair<ErrorCode, std::string_view>, 12> kRules = {{
+constexpr std::array<std::pair<ErrorCode, std::string_view>, 19> kRules = {{
     {ErrorCode::missing_determiner, "rule.article.missing"},
     {ErrorCode::wrong_determiner, "rule.article.sound"},
     {ErrorCode::extra_determiner, "rule.article.extra"},
@@ -37,6 +71,13 @@ constexpr std::array<std::pair<ErrorCode, std::string_view>, 12> kRules = {{
     {ErrorCode::noun_number, "rule.noun.number"},
     {ErrorCode::noun_inflection, "rule.noun.plural"},
     {ErrorCode::orthography, "rule.spelling"},
+    {ErrorCode::missing_pronoun, "rule.pronoun.missing"},
+    {ErrorCode::missing_conjunction, "rule.and"},
+    {ErrorCode::wrong_conjunction, "rule.and"},
+    {ErrorCode::extra_preposition, "rule.preposition.extra"},
+    {ErrorCode::morphology, "rule.adjective.form"},
+    {ErrorCode::verb_inflection, "rule.passive.made"},
+    {ErrorCode::verb_voice, "rule.passive.voice"},
 }};
 
 std::vector<CatalogueNeed> make_needs() {
@@ -52,6 +93,7 @@ std::vector<CatalogueNeed> make_needs() {
                                      {"feedback.rule", {"sentence", "rule"}},
                                      {"feedback.wrong_meaning", {}},
                                      {"feedback.wrong_meaning.again", {"again"}},
+                                     {"feedback.turned_round", {}},
                                      {"feedback.opposite", {"said", "asked"}},
                                      {"feedback.not_understood.1", {}},
                                      {"feedback.not_understood.2", {"frame"}},
@@ -67,7 +109,9 @@ std::vector<CatalogueNeed> make_needs() {
     for (const std::string_view key :
          {"rule.superlative.ending", "rule.superlative.more_most", "rule.superlative.irregular",
           "rule.superlative.the", "rule.comparative.ending", "rule.comparative.more_most",
-          "rule.comparative.irregular", "rule.than", "rule.preposition"}) {
+          "rule.comparative.irregular", "rule.than", "rule.preposition", "rule.passive.be",
+          "rule.passive.of", "rule.passive.from", "rule.adjective.degree", "rule.article.adjective",
+          "rule.article.material", "rule.noun.material"}) {
         needs.push_back({key, words});
     }
     return needs;
@@ -76,8 +120,18 @@ std::vector<CatalogueNeed> make_needs() {
 }  // namespace
 
 std::string rule_key(const FormError& error) {
+    if (error.passive) {
+        return passive_rule(error);
+    }
     if (error.role == Role::adjective) {
-        return degree_rule(error);
+        return error.degree == Degree::positive ? positive_rule(error) : degree_rule(error);
+    }
+    if (is_of_material(error)) {
+        return error.role == Role::noun ? "rule.noun.material" : "rule.article.material";
+    }
+    if (error.code == ErrorCode::extra_determiner && error.target &&
+        error.degree == Degree::positive) {
+        return "rule.article.adjective";
     }
     if (error.role == Role::determiner && error.target &&
         error.code != ErrorCode::extra_determiner) {

@@ -51,8 +51,8 @@ constexpr std::array<std::string_view, 52> kBoth = {
     "silver",  "strict",   "dense",    "brittle"};
 
 /// Both ways too, but "more" is what one teaches.
-constexpr std::array<std::string_view, 6> kBothMoreFirst = {"tired",   "wicked",  "rotten",
-                                                            "crooked", "hateful", "just"};
+constexpr std::array<std::string_view, 7> kBothMoreFirst = {
+    "tired", "wicked", "rotten", "crooked", "hateful", "just", "slippery"};
 
 template <class Table>
 bool contains(const Table& table, std::string_view word) {

@@ -50,8 +50,9 @@ struct LearnerForm {
     int slip = 1;  ///< how far from the right form: 1 a slip, 2 a wrong pattern, 3 another degree
 };
 
-/// The labelled wrong forms of `adjective` in `degree` (not positive): "most heavy", "most heaviest", "heavyest",
-/// "heavier", "heavy". None of them is an accepted form, none appears twice.
+/// The labelled wrong forms of `adjective` in `degree`. Superlative: "most heavy", "most heaviest", "heavyest", "heavier",
+/// "heavy". Positive: another kind of word, "hardly", "hardness", "hardy", "stick" for sticky; another degree, "harder", "more hard".
+/// None of them is an accepted form, none appears twice.
 [[nodiscard]] std::vector<LearnerForm> learner_forms(std::string_view adjective, Degree degree);
 
 }  // namespace fulcrum::dialogue

@@ -2,7 +2,8 @@
 // the part of speech or the operation.
 //
 // Source: Bryant, Felice and Briscoe 2017, "Automatic Annotation and Evaluation of Error Types for Grammatical Error
-// Correction", ACL. One class is ours: R:PREP also holds a wrong word for "than" after a comparative.
+// Correction", ACL. Two things are ours: R:PREP also holds a wrong word for "than" after a comparative, and R:VERB:VOICE
+// is an active verb where the passive belongs.
 #pragma once
 
 #include <cstddef>
@@ -30,16 +31,24 @@ enum class ErrorCode : std::uint8_t {
     noun_inflection,      ///< R:NOUN:INFL "two mans"
     spelling,             ///< R:SPELL     "watermellon", "heavyest"
     orthography,          ///< R:ORTH      "water melon", "its" for "it's"
+    missing_pronoun,      ///< M:PRON      "is made of metal"
+    morphology,           ///< R:MORPH     "metal is hardly", "metal is hardness"
+    missing_conjunction,  ///< M:CONJ      "metal is hard smooth"
+    wrong_conjunction,    ///< R:CONJ      "metal is hard or smooth"
+    extra_preposition,    ///< U:PREP      "metal feels like hard"
+    verb_inflection,      ///< R:VERB:INFL "is maked of"
+    verb_voice,           ///< R:VERB:VOICE "a spaceship makes of metal"
 };
 
-inline constexpr int kErrorCodes = 17;
+inline constexpr int kErrorCodes = 24;
 
 /// The code as ERRANT writes it, e.g. "R:ADJ:FORM"; empty for `none`.
 [[nodiscard]] constexpr std::string_view errant_code(ErrorCode code) {
     constexpr std::string_view kNames[kErrorCodes] = {
-        "",       "M:DET",       "R:DET",        "U:DET",   "R:ADJ:FORM", "R:VERB:SVA",
-        "M:VERB", "R:VERB:FORM", "R:VERB:TENSE", "U:PRON",  "R:PREP",     "M:PREP",
-        "R:ADV",  "R:NOUN:NUM",  "R:NOUN:INFL",  "R:SPELL", "R:ORTH"};
+        "",        "M:DET",       "R:DET",        "U:DET",   "R:ADJ:FORM",  "R:VERB:SVA",
+        "M:VERB",  "R:VERB:FORM", "R:VERB:TENSE", "U:PRON",  "R:PREP",      "M:PREP",
+        "R:ADV",   "R:NOUN:NUM",  "R:NOUN:INFL",  "R:SPELL", "R:ORTH",      "M:PRON",
+        "R:MORPH", "M:CONJ",      "R:CONJ",       "U:PREP",  "R:VERB:INFL", "R:VERB:VOICE"};
     return kNames[static_cast<std::size_t>(code)];
 }
 

@@ -94,11 +94,65 @@ void add_other_degrees(const Target& target, Collector& forms) {
     forms.add(target.base, ErrorCode::adjective_form, 3);
 }
 
+/// The adverb: softly, stickily, gently.
+std::string adverb_of(std::string_view adjective) {
+    const std::string base(adjective);
+    const std::size_t n = base.size();
+    if (n > 1 && base.back() == 'y' && !is_vowel_letter(base[n - 2])) {
+        return base.substr(0, n - 1) + "ily";
+    }
+    if (n > 2 && base.substr(n - 2) == "le" && !is_vowel_letter(base[n - 3])) {
+        return base.substr(0, n - 1) + "y";
+    }
+    return base + "ly";
+}
+
+/// The noun that a -y makes an adjective of: stick, bump, fog; its own -y is no such ending in a short word.
+std::string without_y(std::string stem) {
+    stem.pop_back();
+    const std::size_t n = stem.size();
+    if (n > 2 && stem[n - 1] == stem[n - 2] && !is_vowel_letter(stem[n - 1])) {
+        stem.pop_back();
+    }
+    return stem;
+}
+
+/// Where the plain adjective belongs: hardly, hardness, hardy, hards; stick, stickey for sticky; then the other degrees.
+std::vector<LearnerForm> positive_forms(std::string_view adjective) {
+    Collector forms({std::string(adjective)});
+    const std::string base(adjective);
+    const std::size_t n = base.size();
+    const bool in_y = n > 3 && base.back() == 'y' && !is_vowel_letter(base[n - 2]);
+    forms.add(adverb_of(base), ErrorCode::morphology, 2);
+    forms.add((in_y ? base.substr(0, n - 1) + "i" : base) + "ness", ErrorCode::morphology, 2);
+    if (in_y) {
+        forms.add(without_y(base), ErrorCode::morphology, 2);
+        forms.add(base.substr(0, n - 1) + "ey", ErrorCode::spelling, 1);
+    } else {
+        forms.add(with_ending(base, "y"), ErrorCode::morphology, 2);
+        forms.add(base + "s", ErrorCode::morphology, 2);
+    }
+    for (const Degree degree : {Degree::comparative, Degree::superlative}) {
+        const std::string word = degree == Degree::comparative ? "more " : "most ";
+        forms.add(word + base, ErrorCode::adjective_form, 3);
+        for (const std::string& form : degree_forms(base, degree)) {
+            forms.add(form, ErrorCode::adjective_form, 3);
+            if (form.find(' ') == std::string::npos) {
+                forms.add(word + form, ErrorCode::adjective_form, 3);
+            }
+        }
+    }
+    return forms.take();
+}
+
 }  // namespace
 
 std::vector<LearnerForm> learner_forms(std::string_view adjective, Degree degree) {
-    if (adjective.empty() || degree == Degree::positive) {
+    if (adjective.empty()) {
         return {};
+    }
+    if (degree == Degree::positive) {
+        return positive_forms(adjective);
     }
     const bool comparative = degree == Degree::comparative;
     const Target target{std::string(adjective),

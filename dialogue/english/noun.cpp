@@ -74,18 +74,29 @@ constexpr std::array kIrregularPlurals = {
     PluralPair{"grandchild", "grandchildren"},
 };
 
-constexpr std::array<std::string_view, 73> kMass = {
-    "water",   "air",       "wood",      "metal",   "iron",      "steel",    "gold",
-    "silver",  "copper",    "plastic",   "paper",   "rubber",    "cotton",   "wool",
-    "leather", "glass",     "sand",      "oil",     "milk",      "juice",    "tea",
-    "coffee",  "rice",      "bread",     "butter",  "cheese",    "meat",     "sugar",
-    "salt",    "flour",     "soup",      "honey",   "snow",      "ice",      "rain",
-    "wind",    "weather",   "gravity",   "energy",  "light",     "heat",     "electricity",
-    "music",   "homework",  "furniture", "luggage", "money",     "advice",   "information",
-    "news",    "knowledge", "equipment", "traffic", "software",  "clothing", "jewellery",
-    "jewelry", "concrete",  "granite",   "marble",  "sandpaper", "clay",     "dust",
-    "grass",   "hair",      "lava",      "mud",     "oxygen",    "hydrogen", "helium",
-    "silk",    "foam",      "aluminium"};
+constexpr std::array<std::string_view, 101> kMass = {
+    "water",   "air",       "wood",      "metal",     "iron",      "steel",     "gold",
+    "silver",  "copper",    "plastic",   "paper",     "rubber",    "cotton",    "wool",
+    "leather", "glass",     "sand",      "oil",       "milk",      "juice",     "tea",
+    "coffee",  "rice",      "bread",     "butter",    "cheese",    "meat",      "sugar",
+    "salt",    "flour",     "soup",      "honey",     "snow",      "ice",       "rain",
+    "wind",    "weather",   "gravity",   "energy",    "light",     "heat",      "electricity",
+    "music",   "homework",  "furniture", "luggage",   "money",     "advice",    "information",
+    "news",    "knowledge", "equipment", "traffic",   "software",  "clothing",  "jewellery",
+    "jewelry", "concrete",  "granite",   "marble",    "sandpaper", "clay",      "dust",
+    "grass",   "hair",      "lava",      "mud",       "oxygen",    "hydrogen",  "helium",
+    "silk",    "foam",      "aluminium", "aluminum",  "titanium",  "tin",       "brass",
+    "bronze",  "velvet",    "nylon",     "bamboo",    "cardboard", "porcelain", "cork",
+    "wax",     "chalk",     "fur",       "denim",     "ivory",     "gravel",    "cement",
+    "soil",    "lace",      "linen",     "polyester", "silicone",  "plaster",   "dough",
+    "straw",   "ceramic",   "fibreglass"};
+
+/// Materials whose plural means kinds of them: metals are hard. (Glasses and papers are other things.)
+constexpr std::array<std::string_view, 4> kHasKinds = {"metal", "plastic", "juice", "cheese"};
+
+/// Plural-only nouns without their s are other words, or none that anybody says.
+constexpr std::array<std::string_view, 6> kNoSingular = {"glasses", "clothes", "shorts",
+                                                         "pants",   "jeans",   "pyjamas"};
 
 constexpr std::array<std::string_view, 14> kPluralOnly = {
     "scissors", "glasses", "trousers", "jeans",    "shorts",     "pants",      "pyjamas",
@@ -100,7 +111,10 @@ constexpr std::array<std::string_view, 22> kSingularInS = {
 /// "the" belongs to the name.
 constexpr std::array<std::string_view, 2> kNamedThe = {"moon", "sun"};
 
-std::string_view last_word(std::string_view phrase) {
+/// The word that carries the number: pair of scissors -> pair; big apple -> apple.
+std::string_view head_word(std::string_view phrase) {
+    const std::size_t of = phrase.find(" of ");
+    phrase = phrase.substr(0, of);
     const std::size_t space = phrase.find_last_of(" -");
     return space == std::string_view::npos ? phrase : phrase.substr(space + 1);
 }
@@ -112,6 +126,27 @@ bool ends_with(std::string_view word, std::string_view end) {
 template <class Table>
 bool contains(const Table& table, std::string_view word) {
     return std::find(table.begin(), table.end(), word) != table.end();
+}
+
+/// The singular of a regular plural: citi(es) -> city, box(es) -> box, window(s) -> window.
+std::string regular_singular(const std::string& plural) {
+    const std::string stem = plural.substr(0, plural.size() - 1);
+    if (ends_with(plural, "ies") && plural.size() > 4) {
+        return plural.substr(0, plural.size() - 3) + "y";
+    }
+    for (const std::string_view end : {"xes", "sses", "shes", "ches", "zzes"}) {
+        if (ends_with(plural, end)) {
+            return stem.substr(0, stem.size() - 1);
+        }
+    }
+    return stem;
+}
+
+/// `phrase` with another word for its head.
+std::string with_head(std::string_view phrase, const std::string& word) {
+    const std::string_view head = head_word(phrase);
+    const auto at = static_cast<std::size_t>(head.data() - phrase.data());
+    return std::string(phrase.substr(0, at)) + word + std::string(phrase.substr(at + head.size()));
 }
 
 std::string plural_of_word(std::string_view word) {
@@ -140,15 +175,35 @@ std::string plural_of(std::string_view noun) {
     if (noun.empty()) {
         return {};
     }
-    const std::string_view last = last_word(noun);
-    if (last.empty() || contains(kPluralOnly, lower_case(last))) {
+    const std::string_view head = head_word(noun);
+    if (head.empty() || contains(kPluralOnly, lower_case(head))) {
         return std::string(noun);
     }
-    return std::string(noun.substr(0, noun.size() - last.size())) + plural_of_word(last);
+    return with_head(noun, plural_of_word(head));
+}
+
+std::string singular_of(std::string_view noun) {
+    if (!looks_plural(noun)) {
+        return {};
+    }
+    const std::string word = lower_case(head_word(noun));
+    if (contains(kNoSingular, word)) {
+        return {};
+    }
+    for (const PluralPair& pair : kIrregularPlurals) {
+        if (pair.plural == word) {
+            return with_head(noun, std::string(pair.singular));
+        }
+    }
+    return with_head(noun, regular_singular(word));
+}
+
+bool is_plural_only(std::string_view noun) {
+    return contains(kPluralOnly, lower_case(head_word(noun)));
 }
 
 bool looks_plural(std::string_view noun) {
-    const std::string word = lower_case(last_word(noun));
+    const std::string word = lower_case(head_word(noun));
     const bool irregular = std::any_of(
         kIrregularPlurals.begin(), kIrregularPlurals.end(),
         [&](const PluralPair& pair) { return pair.plural == word && pair.singular != word; });
@@ -160,7 +215,11 @@ bool looks_plural(std::string_view noun) {
 }
 
 bool is_mass_noun(std::string_view noun) {
-    return contains(kMass, lower_case(last_word(noun)));
+    return contains(kMass, lower_case(head_word(noun)));
+}
+
+bool has_kinds(std::string_view noun) {
+    return contains(kHasKinds, lower_case(head_word(noun)));
 }
 
 Noun understand_noun(std::string_view entry) {

@@ -50,14 +50,24 @@ struct Noun {
 /// True when both are heard before `phrase`: a herb (British), an herb (American); a historic, an historic.
 [[nodiscard]] bool both_articles(std::string_view phrase);
 
-/// The plural of the last word of `noun`: "box" -> "boxes", "big foot" -> "big feet", "sheep" -> "sheep".
+/// The plural of the head of `noun`: "box" -> "boxes", "big foot" -> "big feet", "pair of scissors" -> "pairs of scissors".
 [[nodiscard]] std::string plural_of(std::string_view noun);
 
-/// True when the last word looks plural ("apples", "feet", "scissors"; not "glass", "bus", "Mars").
+/// The singular of a plural: "windows" -> "window", "feet" -> "foot", "scissors" -> "scissor", which nobody should say
+/// (`is_plural_only`). Empty when `noun` isn't plural or its singular is another word: "glasses", "clothes".
+[[nodiscard]] std::string singular_of(std::string_view noun);
+
+/// True for nouns that have no singular: "scissors", "trousers".
+[[nodiscard]] bool is_plural_only(std::string_view noun);
+
+/// True when the head of the phrase looks plural ("apples", "feet", "scissors"; not "glass", "bus", "Mars").
 [[nodiscard]] bool looks_plural(std::string_view noun);
 
 /// True for nouns without a plural ("water", "wood", "advice").
 [[nodiscard]] bool is_mass_noun(std::string_view noun);
+
+/// True for mass nouns whose plural means kinds of them: "metals", "cheeses"; not "woods", "glasses".
+[[nodiscard]] bool has_kinds(std::string_view noun);
 
 /// Wrong plurals that learners make: "foots", "mans", "boxs", "citys", "mices". None is the right one.
 [[nodiscard]] std::vector<std::string> learner_plurals(std::string_view noun);

@@ -7,15 +7,15 @@ namespace fulcrum::dialogue {
 namespace {
 
 /// Each pair holds both ways, and a word stands in one pair only.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 29> kOpposites = {{
-    {"heavy", "light"},    {"big", "small"},  {"large", "little"},   {"long", "short"},
-    {"high", "low"},       {"hot", "cold"},   {"warm", "cool"},      {"fast", "slow"},
-    {"hard", "soft"},      {"thick", "thin"}, {"wide", "narrow"},    {"deep", "shallow"},
-    {"strong", "weak"},    {"loud", "quiet"}, {"rough", "smooth"},   {"wet", "dry"},
-    {"old", "young"},      {"good", "bad"},   {"near", "far"},       {"expensive", "cheap"},
-    {"bright", "dark"},    {"full", "empty"}, {"easy", "difficult"}, {"early", "late"},
-    {"clean", "dirty"},    {"happy", "sad"},  {"rich", "poor"},      {"sharp", "blunt"},
-    {"stiff", "flexible"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 31> kOpposites = {{
+    {"heavy", "light"},    {"big", "small"},  {"large", "little"},    {"long", "short"},
+    {"high", "low"},       {"hot", "cold"},   {"warm", "cool"},       {"fast", "slow"},
+    {"hard", "soft"},      {"thick", "thin"}, {"wide", "narrow"},     {"deep", "shallow"},
+    {"strong", "weak"},    {"loud", "quiet"}, {"rough", "smooth"},    {"wet", "dry"},
+    {"old", "young"},      {"good", "bad"},   {"near", "far"},        {"expensive", "cheap"},
+    {"bright", "dark"},    {"full", "empty"}, {"easy", "difficult"},  {"early", "late"},
+    {"clean", "dirty"},    {"happy", "sad"},  {"rich", "poor"},       {"sharp", "blunt"},
+    {"stiff", "flexible"}, {"bumpy", "flat"}, {"sticky", "slippery"},
 }};
 
 }  // namespace

@@ -43,11 +43,13 @@ FormError error_of(const std::vector<Piece>& pieces, int at) {
     error.begin = piece.begin;
     error.end = piece.end;
     error.right = piece.right;
-    error.phrase = render_phrase(pieces, phrase_around(pieces, at));
+    error.phrase = render_phrase(
+        pieces, piece.element.passive ? passive_around(pieces, at) : phrase_around(pieces, at));
     error.base = piece.element.base;
     error.role = piece.element.role;
     error.degree = piece.element.degree;
-    error.target = belongs_to_target(pieces, at);
+    error.target = piece.element.target || belongs_to_target(pieces, at);
+    error.passive = piece.element.passive;
     return error;
 }
 
@@ -61,6 +63,25 @@ PieceRange same_phrase(const std::vector<Piece>& whole, int slot) {
     return {};
 }
 
+/// The same for piece `at`: by its slot or its phrase's, or the last slot before it ("hard [and] smooth").
+PieceRange same_phrase(const std::vector<Piece>& whole, const std::vector<Piece>& part, int at) {
+    const PieceRange phrase = phrase_around(part, at);
+    const auto slot_of = [&](int i) { return part[static_cast<std::size_t>(i)].element.slot; };
+    const auto same_role = std::find_if(whole.begin(), whole.end(), [&](const Piece& piece) {
+        return piece.element.role == part[static_cast<std::size_t>(at)].element.role;
+    });
+    if (part[static_cast<std::size_t>(at)].element.role == Role::conjunction &&
+        same_role != whole.end()) {
+        return phrase_around(whole, static_cast<int>(same_role - whole.begin()));
+    }
+    for (int i = phrase.last - 1; i >= 0; --i) {
+        if (slot_of(i) != kNone) {
+            return same_phrase(whole, slot_of(i));
+        }
+    }
+    return same_phrase(whole, slot_of(static_cast<int>(part.size()) - 1));
+}
+
 /// The whole right sentence; a short answer is completed.
 void write_sentences(const TemplateSet& set, const Parse& parse, int main_piece, Mark& mark) {
     const Graph& graph = set.graphs[static_cast<std::size_t>(parse.graph)];
@@ -68,8 +89,7 @@ void write_sentences(const TemplateSet& set, const Parse& parse, int main_piece,
     PieceRange range = main_piece == kNone ? PieceRange{} : phrase_around(pieces, main_piece);
     if (!graph.whole_sentence) {
         pieces = canonical_pieces(set, graph.answer, parse.slots);
-        const int slot = parse.pieces.back().element.slot;
-        range = main_piece == kNone ? PieceRange{} : same_phrase(pieces, slot);
+        range = main_piece == kNone ? PieceRange{} : same_phrase(pieces, parse.pieces, main_piece);
     }
     mark.corrected = render(pieces);
     mark.emphasised = main_piece == kNone ? mark.corrected : render(pieces, range);
@@ -100,8 +120,8 @@ void find_opposite(const TemplateSet& set, std::string_view text, Mark& mark) {
     const std::string said = lower_case(text.substr(0, kLongestUtterance_bytes));
     for (const Graph& graph : set.graphs) {
         for (const Element& element : graph.elements) {
-            if (element.role != Role::adjective) {
-                continue;
+            if (element.role != Role::adjective || element.slot != kNone) {
+                continue;  // a list's adjectives are the learner's choice
             }
             const std::string asked = degree_forms(element.base, element.degree).front();
             if (const std::string form = opposite_in(set, said, element, asked); !form.empty()) {
@@ -156,6 +176,7 @@ Mark mark_answer(const Question& question, std::string_view text, double confide
     mark.understood = true;
     const Graph& graph = set.graphs[static_cast<std::size_t>(parse->graph)];
     mark.short_answer = graph.short_answer;
+    mark.turned_round = graph.turned_round;
     mark.answer = graph.answer;
     mark.slots = parse->slots;
     std::vector<int> places;

@@ -31,7 +31,8 @@ struct FormError {
     std::string base;    ///< an adjective's or counted noun's own word: "heavy"; empty for others
     Role role = Role::word;
     Degree degree = Degree::positive;
-    bool target = false;  ///< in the form that the question teaches
+    bool target = false;   ///< in the form that the question teaches
+    bool passive = false;  ///< in "is made of": the auxiliary, the participle or the preposition
 
     /// The code as ERRANT writes it, "R:ADJ:FORM".
     [[nodiscard]] std::string_view errant() const { return errant_code(code); }
@@ -46,7 +47,9 @@ struct Mark {
     std::string opposite_of;    ///< what is asked: "heavier", "the heaviest"
     int answer = kNone;         ///< which of the question's answers it is, from 0
     bool short_answer = false;  ///< "The watermelon.": fine
-    double confidence = 1.0;    ///< the recogniser's, 0 to 1; 1 for typed answers
+    bool turned_round =
+        false;  ///< "Metal is made of a spaceship.": thing and material changed places, so it can't be true
+    double confidence = 1.0;  ///< the recogniser's, 0 to 1; 1 for typed answers
     std::vector<std::pair<std::string, std::string>> slots;  ///< thing -> watermelon
     std::vector<FormError> form_errors;                      ///< in the order said
     std::string corrected;  ///< the whole right sentence: "A watermelon is the heaviest."

@@ -1,11 +1,12 @@
 #include "dialogue/template/compile.h"
 
 #include "dialogue/english/letters.h"
+#include "dialogue/english/variant.h"
 #include "dialogue/template/graph_builder.h"
+#include "dialogue/template/short_answers.h"
 #include "dialogue/template/tokens.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace fulcrum::dialogue {
 namespace {
@@ -41,6 +42,11 @@ Expected<ListItem> parse_item(const std::string& entry) {
         }
         if (item.spoken.empty()) {
             item.value = noun.text;
+        }
+        // The other spelling is as right as this one.
+        if (const std::string other = other_spelling(noun.text); !other.empty()) {
+            item.spoken.push_back(noun);
+            noun.text = other;
         }
         item.spoken.push_back(std::move(noun));
         if (bar == rest.size()) {
@@ -94,90 +100,6 @@ Expected<ParsedRules> parse_rules(const NamedTexts& rules) {
     return result;
 }
 
-std::size_t arcs_left(const TemplateSet& set) {
-    std::size_t used = 0;
-    for (const Graph& graph : set.graphs) {
-        used += graph.arcs.size();
-    }
-    return kLargestGraph_arcs - std::min(used, kLargestGraph_arcs);
-}
-
-/// True when a right sentence may have no word at all.
-bool may_be_empty(const Graph& graph) {
-    std::vector<bool> reached(static_cast<std::size_t>(graph.nodes()), false);
-    reached[0] = true;
-    for (const Arc& arc : graph.arcs) {
-        if (arc.word_count == 0 && arc.code == ErrorCode::none &&
-            reached[static_cast<std::size_t>(arc.from)]) {
-            reached[static_cast<std::size_t>(arc.to)] = true;
-        }
-    }
-    return reached.back();
-}
-
-Expected<Graph> build_sentence(TemplateSet& set, const ParsedRules& rules,
-                               const std::string& text) {
-    const auto syntax = parse_template(text);
-    if (!syntax) {
-        return tl::unexpected(syntax.error());
-    }
-    ArcWriter writer(set, arcs_left(set));
-    const int start = writer.add_node();
-    const auto built = GraphBuilder(set, writer, rules).build(*syntax, start);
-    if (!built) {
-        return tl::unexpected(built.error());
-    }
-    if (writer.full()) {
-        return fail(concat({"the templates grow beyond ", std::to_string(kLargestGraph_arcs),
-                            " arcs; shorten rules or lists"}));
-    }
-    const int end = writer.add_node();
-    writer.join(built->to, end);
-    Graph graph = writer.finish(start, end);
-    graph.slots = built->slots;
-    graph.required = built->required;
-    graph.definite = built->definite;
-    if (may_be_empty(graph)) {
-        return fail("the sentence may be empty; keep at least one word outside [ ]", 1);
-    }
-    return graph;
-}
-
-/// "The watermelon." and "It is the watermelon." for a sentence whose one required slot says it all.
-Expected<bool> add_short_answers(TemplateSet& set, const ParsedRules& rules, int sentence,
-                                 int slot) {
-    const WordList& list =
-        set.lists[static_cast<std::size_t>(set.slot_lists[static_cast<std::size_t>(slot)])];
-    const std::uint32_t bit = 1U << static_cast<unsigned>(slot);
-    ArcWriter writer(set, arcs_left(set));
-    const int start = writer.add_node();
-    const int end = writer.add_node();
-    add_noun_phrase(writer, list, slot, ArticlePolicy::short_answer, start, end);
-    if (writer.full()) {
-        return fail(concat({"the templates grow beyond ", std::to_string(kLargestGraph_arcs),
-                            " arcs; shorten rules or lists"}));
-    }
-    Graph bare = writer.finish(start, end);
-    bare.slots = bare.required = bit;
-    bare.short_answer = true;
-    bare.whole_sentence = false;
-    bare.answer = sentence;
-    set.graphs.push_back(std::move(bare));
-
-    const std::string name = set.slots[static_cast<std::size_t>(slot)];
-    const bool definite = (set.graphs[static_cast<std::size_t>(sentence)].definite & bit) != 0;
-    const std::string article = definite ? "the" : "<article>";
-    auto it_is = build_sentence(
-        set, rules, concat({"(it|this|that) is ", article, " {", list.name, ":", name, "}"}));
-    if (!it_is) {
-        return tl::unexpected(it_is.error());
-    }
-    it_is->short_answer = true;
-    it_is->answer = sentence;
-    set.graphs.push_back(std::move(*it_is));
-    return true;
-}
-
 }  // namespace
 
 Expected<TemplateSet> compile_templates(const TemplateSource& source) {
@@ -195,28 +117,20 @@ Expected<TemplateSet> compile_templates(const TemplateSource& source) {
     }
     TemplateSet set;
     set.lists = std::move(*lists);
+    std::vector<FormSlots> forms;
     for (std::size_t i = 0; i < source.sentences.size(); ++i) {
-        auto graph = build_sentence(set, *rules, source.sentences[i]);
-        if (!graph) {
-            return within("answer " + std::to_string(i + 1), graph.error());
+        auto sentence = build_sentence(set, *rules, source.sentences[i]);
+        if (!sentence) {
+            return within("answer " + std::to_string(i + 1), sentence.error());
         }
-        graph->answer = static_cast<int>(i);
-        set.graphs.push_back(std::move(*graph));
+        sentence->graph.answer = static_cast<int>(i);
+        set.graphs.push_back(std::move(sentence->graph));
+        forms.push_back(std::move(sentence->forms));
     }
     set.answers = static_cast<int>(set.graphs.size());
 
-    // Short answers for the first sentence of each slot that alone is required.
-    std::uint32_t done = 0;
-    for (int i = 0; i < set.answers; ++i) {
-        const std::uint32_t required = set.graphs[static_cast<std::size_t>(i)].required;
-        if (std::popcount(required) != 1 || (done & required) != 0) {
-            continue;
-        }
-        done |= required;
-        if (const auto added = add_short_answers(set, *rules, i, std::countr_zero(required));
-            !added) {
-            return within("short answers", added.error());
-        }
+    if (const auto added = add_short_answers(set, *rules, forms); !added) {
+        return within("short answers", added.error());
     }
     return set;
 }

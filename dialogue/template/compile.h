@@ -7,8 +7,9 @@
 // Grammar-aware: an article or a bracket of articles before a {list} asks for the article that the noun needs, and the first
 // of a bracket is the one that is said back: "[a|an|the] {thing}" any such thing ("An apple is …", as <article> does),
 // "[the|a|an] {thing}" and "the {thing}" the one that is there ("The apple is …"). Verbs agree
-// with the noun before them; <superlative:…>, <comparative:…>, <plural:…> and <article> know their right forms and the
-// wrong ones that learners say. A question that a single word answers is given short answers too ("The watermelon.").
+// with the noun before them; <superlative:…>, <comparative:…>, <adjective:…>, <made_of:…>, <plural:…>, <article> and <it>
+// know their right forms and the wrong ones that learners say; the first four also take any word of a list, <made_of:{material}>. A
+// question that a single word answers is given short answers too ("The watermelon.").
 //
 // Bounded: depth, length, words and arcs; a rule that uses itself is refused.
 //

@@ -57,17 +57,19 @@ enum class Role : std::uint8_t {
     modifier,
     verb,
     preposition,
-    pronoun
+    pronoun,
+    conjunction
 };
 
 /// One place of a template; all arcs for that place share it.
 struct Element {
     Role role = Role::word;
-    int slot = kNone;    ///< noun: the slot it fills
+    int slot = kNone;    ///< noun or adjective: the slot it fills
     std::string base{};  ///< adjective or counted noun: the word of the form, e.g. "heavy"
     Degree degree = Degree::positive;  ///< adjective
     VerbForms verb{};                  ///< verb
     bool target = false;               ///< a form that the question teaches
+    bool passive = false;              ///< part of "is made of"
 };
 
 /// One step of a sentence: some words that may be said at a place.
@@ -80,7 +82,7 @@ struct Arc {
     int right = kNone;  ///< what belongs here, a number of `TemplateSet::texts`; kNone when nothing
     ErrorCode code = ErrorCode::none;
     int cost = 0;                      ///< 0 for what is right
-    int item = kNone;                  ///< noun: the entry of the slot's list
+    int item = kNone;                  ///< noun or adjective: the entry of the slot's list
     Number number = Number::singular;  ///< noun
     bool canonical = false;            ///< part of the sentence that a recast gives
 };
@@ -96,7 +98,9 @@ struct Graph {
     std::uint32_t definite = 0;  ///< bit i: slot i stands behind "the": one thing that is there
     bool short_answer = false;   ///< "The watermelon."
     bool whole_sentence = true;  ///< false for a noun alone: a recast completes it
-    int answer = kNone;          ///< the answer that this is, or is short for
+    bool turned_round =
+        false;           ///< "Metal is made of a spaceship.": thing and material change places
+    int answer = kNone;  ///< the answer that this is, or is short for
 
     [[nodiscard]] int nodes() const { return static_cast<int>(first_arc.size()) - 1; }
     [[nodiscard]] int start() const { return 0; }
@@ -133,10 +137,11 @@ struct TemplateSet {
     std::vector<std::uint8_t>
         standing;  ///< by word: 2 in a recast's sentence, 1 elsewhere, 0 a misspelling; see matcher
     std::vector<WordList> lists;
-    std::vector<std::string> slots;  ///< names
-    std::vector<int> slot_lists;     ///< by slot: the list that fills it
-    std::vector<Graph> graphs;       ///< the answers in order, then the short answers
-    int answers = 0;                 ///< how many of `graphs` are whole answers
+    std::vector<std::string>
+        slots;  ///< names; a name may come again for what is turned round, from another list
+    std::vector<int> slot_lists;  ///< by slot: the list that fills it
+    std::vector<Graph> graphs;    ///< the answers in order, then the short answers
+    int answers = 0;              ///< how many of `graphs` are whole answers
 };
 
 }  // namespace fulcrum::dialogue

@@ -73,6 +73,23 @@ std::string known_lists(const std::vector<WordList>& lists, std::string_view nam
     return "the lists are: " + (names.empty() ? "none" : names);
 }
 
+bool is_adjective(const SyntaxNode& part) {
+    return part.kind == Kind::rule && part.text == "adjective";
+}
+
+/// The number of a subject that is a plain word.
+SubjectNumber subject_number(const SyntaxNode& part) {
+    if (part.kind != Kind::word) {
+        return SubjectNumber::unknown;
+    }
+    for (const std::string_view plural : {"they", "these", "those", "both"}) {
+        if (part.text == plural) {
+            return SubjectNumber::plural;
+        }
+    }
+    return looks_plural(part.text) ? SubjectNumber::plural : SubjectNumber::singular;
+}
+
 }  // namespace
 
 Expected<Built> GraphBuilder::build(const Syntax& syntax, int from) {
@@ -106,24 +123,26 @@ Expected<Built> GraphBuilder::node(const Syntax& syntax, int index, int from,
         case Kind::list:
             return list(part, ArticlePolicy::bare, from);
         case Kind::rule:
-            return rule(part, from, neighbours);
+            return rule(syntax, part, from, neighbours);
         case Kind::word:
             break;
     }
     Built built{writer_.add_node()};
     const std::string& shown = part.argument.empty() ? part.text : part.argument;
-    add_word(writer_, part.text, shown, neighbours.after_list, from, built.to);
+    add_word(writer_, part.text, shown, neighbours, from, built.to);
     return built;
 }
 
 Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& part, int from,
                                        Neighbours neighbours) {
     Built built{from};
+    const bool adjective_follows = neighbours.before_adjective;
     for (std::size_t i = 0; i < part.children.size(); ++i) {
         const int child = part.children[i];
         const auto policy = article_policy(syntax, child);
         const SyntaxNode* next =
             i + 1 < part.children.size() ? &unwrapped(syntax, part.children[i + 1]) : nullptr;
+        neighbours.before_adjective = next != nullptr ? is_adjective(*next) : adjective_follows;
         const bool noun_phrase = policy && next != nullptr && next->kind == Kind::list;
         const auto made = noun_phrase ? list(*next, *policy, built.to)
                                       : node(syntax, child, built.to, neighbours);
@@ -139,8 +158,11 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
         }
         built = {made->to, built.slots | made->slots, built.required | made->required,
                  built.definite | made->definite};
+        const SyntaxNode& done = unwrapped(syntax, child);
         neighbours.after_article = policy.has_value() && !noun_phrase;
-        neighbours.after_list = noun_phrase || unwrapped(syntax, child).kind == Kind::list;
+        neighbours.after_list = noun_phrase || done.kind == Kind::list;
+        neighbours.after_adjective = is_adjective(done);
+        neighbours.subject = subject_number(done);
     }
     return built;
 }
@@ -213,10 +235,7 @@ Expected<int> GraphBuilder::slot_number(const SyntaxNode& part, int list) {
     return static_cast<int>(number);
 }
 
-Expected<Built> GraphBuilder::list(const SyntaxNode& part, ArticlePolicy policy, int from) {
-    if (const auto within = step(part); !within) {
-        return tl::unexpected(within.error());
-    }
+Expected<std::size_t> GraphBuilder::list_number(const SyntaxNode& part) const {
     const auto found =
         std::find_if(set_.lists.begin(), set_.lists.end(),
                      [&](const WordList& candidate) { return candidate.name == part.text; });
@@ -224,20 +243,33 @@ Expected<Built> GraphBuilder::list(const SyntaxNode& part, ArticlePolicy policy,
         return fail("there is no list \"" + part.text + "\"; " + known_lists(set_.lists, part.text),
                     part.column);
     }
-    const auto slot = slot_number(part, static_cast<int>(found - set_.lists.begin()));
+    return static_cast<std::size_t>(found - set_.lists.begin());
+}
+
+Expected<Built> GraphBuilder::list(const SyntaxNode& part, ArticlePolicy policy, int from) {
+    if (const auto within = step(part); !within) {
+        return tl::unexpected(within.error());
+    }
+    const auto found = list_number(part);
+    if (!found) {
+        return tl::unexpected(found.error());
+    }
+    const auto slot = slot_number(part, static_cast<int>(*found));
     if (!slot) {
         return tl::unexpected(slot.error());
     }
     const std::uint32_t bit = 1U << static_cast<unsigned>(*slot);
     Built built{writer_.add_node(), bit, bit, policy == ArticlePolicy::definite ? bit : 0};
-    add_noun_phrase(writer_, *found, *slot, policy, from, built.to);
+    add_noun_phrase(writer_, set_.lists[*found], *slot, policy, from, built.to);
+    form_slots_.things = form_slots_.material == kNone ? *slot : form_slots_.things;
     return built;
 }
 
-Expected<Built> GraphBuilder::rule(const SyntaxNode& part, int from, Neighbours neighbours) {
+Expected<Built> GraphBuilder::rule(const Syntax& syntax, const SyntaxNode& part, int from,
+                                   Neighbours neighbours) {
     const auto found = rules_.find(part.text);
-    if (!part.argument.empty() || found == rules_.end()) {
-        return form(part, from, neighbours);
+    if (!part.argument.empty() || !part.children.empty() || found == rules_.end()) {
+        return form(syntax, part, from, neighbours);
     }
     if (std::find(open_rules_.begin(), open_rules_.end(), part.text) != open_rules_.end()) {
         return fail("the rule <" + part.text + "> uses itself; take one use out", part.column);
@@ -254,31 +286,6 @@ Expected<Built> GraphBuilder::rule(const SyntaxNode& part, int from, Neighbours 
         return fail("in <" + part.text + ">: " + made.error().message, part.column);
     }
     return made;
-}
-
-Expected<Built> GraphBuilder::form(const SyntaxNode& part, int from, Neighbours neighbours) {
-    Built built{writer_.add_node()};
-    if (part.text == "article" && part.argument.empty()) {
-        add_article(writer_, {}, from, built.to);
-    } else if (part.text == "superlative" && !part.argument.empty()) {
-        add_degree(writer_, part.argument, Degree::superlative, neighbours.after_article, from,
-                   built.to);
-    } else if (part.text == "comparative" && !part.argument.empty()) {
-        add_degree(writer_, part.argument, Degree::comparative, neighbours.after_article, from,
-                   built.to);
-    } else if (part.text == "plural" && !part.argument.empty()) {
-        add_plural(writer_, part.argument, from, built.to);
-    } else if (part.argument.empty()) {
-        return fail(
-            "there is no rule <" + part.text +
-                ">; forms are <superlative:word>, <comparative:word>, <plural:word>, <article>",
-            part.column);
-    } else {
-        return fail(
-            "there is no form <" + part.text + ":…>; forms are superlative, comparative and plural",
-            part.column);
-    }
-    return built;
 }
 
 }  // namespace fulcrum::dialogue

@@ -10,6 +10,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace fulcrum::dialogue {
 
@@ -19,6 +20,13 @@ struct Built {
     std::uint32_t slots = 0;     ///< those it can fill
     std::uint32_t required = 0;  ///< those it always fills
     std::uint32_t definite = 0;  ///< those that stand behind "the"
+};
+
+/// Slots that forms of grammar fill.
+struct FormSlots {
+    std::vector<int> adjectives;  ///< <adjective:{…}>
+    int things = kNone;           ///< the last list before <made_of:{…}>: what is made
+    int material = kNone;         ///< <made_of:{…}>
 };
 
 /// The rules of a question, parsed.
@@ -33,12 +41,10 @@ class GraphBuilder {
     /// Writes `syntax` from `from` on.
     [[nodiscard]] Expected<Built> build(const Syntax& syntax, int from);
 
+    /// The slots of grammar that were written, in the order of the template.
+    [[nodiscard]] const FormSlots& form_slots() const { return form_slots_; }
+
   private:
-    /// What stands around a part in its sequence.
-    struct Neighbours {
-        bool after_article = false;
-        bool after_list = false;
-    };
     Expected<Built> node(const Syntax& syntax, int index, int from, Neighbours neighbours);
     Expected<Built> sequence(const Syntax& syntax, const SyntaxNode& part, int from,
                              Neighbours neighbours);
@@ -46,14 +52,24 @@ class GraphBuilder {
                                  int from, Neighbours neighbours);
     Expected<Built> permutation(const Syntax& syntax, const SyntaxNode& part, int from);
     Expected<Built> list(const SyntaxNode& part, ArticlePolicy policy, int from);
-    Expected<Built> rule(const SyntaxNode& part, int from, Neighbours neighbours);
-    Expected<Built> form(const SyntaxNode& part, int from, Neighbours neighbours);
+    Expected<Built> rule(const Syntax& syntax, const SyntaxNode& part, int from,
+                         Neighbours neighbours);
+    Expected<Built> form(const Syntax& syntax, const SyntaxNode& part, int from,
+                         Neighbours neighbours);
+    Expected<Built> degree(const Syntax& syntax, const SyntaxNode& part, Degree degree, int from,
+                           Neighbours neighbours);
+    Expected<Built> made_of(const Syntax& syntax, const SyntaxNode& part, int from,
+                            Neighbours neighbours);
+    struct Words;
+    Expected<Words> words_of_form(const Syntax& syntax, const SyntaxNode& part);
+    Expected<std::size_t> list_number(const SyntaxNode& part) const;
     Expected<int> slot_number(const SyntaxNode& part, int list);
     Expected<bool> step(const SyntaxNode& part);
 
     TemplateSet& set_;
     ArcWriter& writer_;
     const ParsedRules& rules_;
+    FormSlots form_slots_;
     std::vector<std::string> open_rules_;
 };
 

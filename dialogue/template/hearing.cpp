@@ -41,18 +41,22 @@ constexpr std::array kContractions = {
     Contraction{"theyre", "they", "are"}, Contraction{"im", "i", "am"}};
 
 /// Real words that are never taken for a slip of another: a pear is no bear.
-constexpr std::array<std::string_view, 96> kRealWords = {
-    "pear",    "bear",   "bean",   "beans",  "peach",  "plum",   "lemon",  "melon",  "mango",
-    "grape",   "grapes", "lime",   "cherry", "berry",  "onion",  "carrot", "corn",   "nut",
-    "nuts",    "egg",    "leg",    "ham",    "fish",   "dish",   "cat",    "hat",    "bat",
-    "rat",     "dog",    "cow",    "pig",    "hen",    "duck",   "goose",  "horse",  "house",
-    "mouse",   "ball",   "bell",   "box",    "book",   "rock",   "sock",   "clock",  "lock",
-    "stone",   "store",  "wood",   "food",   "wool",   "wheel",  "steel",  "paper",  "pepper",
-    "water",   "waiter", "winter", "metal",  "medal",  "sand",   "hand",   "band",   "land",
-    "stand",   "star",   "stair",  "car",    "cart",   "card",   "chair",  "hair",   "table",
-    "cable",   "light",  "right",  "night",  "weight", "height", "eight",  "heavy",  "heaven",
-    "lighter", "later",  "letter", "bigger", "better", "bitter", "butter", "longer", "larger",
-    "less",    "least",  "last",   "not",    "now",    "none"};
+constexpr std::array<std::string_view, 131> kRealWords = {
+    "pear",     "bear",   "bean",   "beans",  "peach",  "plum",   "lemon",  "melon",  "mango",
+    "grape",    "grapes", "lime",   "cherry", "berry",  "onion",  "carrot", "corn",   "nut",
+    "nuts",     "egg",    "leg",    "ham",    "fish",   "dish",   "cat",    "hat",    "bat",
+    "rat",      "dog",    "cow",    "pig",    "hen",    "duck",   "goose",  "horse",  "house",
+    "mouse",    "ball",   "bell",   "box",    "book",   "rock",   "sock",   "clock",  "lock",
+    "stone",    "store",  "wood",   "food",   "wool",   "wheel",  "steel",  "paper",  "pepper",
+    "water",    "waiter", "winter", "metal",  "medal",  "sand",   "hand",   "band",   "land",
+    "stand",    "star",   "stair",  "car",    "cart",   "card",   "chair",  "hair",   "table",
+    "cable",    "light",  "right",  "night",  "weight", "height", "eight",  "heavy",  "heaven",
+    "lighter",  "later",  "letter", "bigger", "better", "bitter", "butter", "longer", "larger",
+    "less",     "least",  "last",   "not",    "now",    "none",   "grass",  "glove",  "word",
+    "stove",    "boot",   "coat",   "cap",    "cut",    "cub",    "coil",   "bull",   "wall",
+    "cook",     "tablet", "cattle", "castor", "status", "battle", "chain",  "tile",   "time",
+    "tired",    "widow",  "robber", "rudder", "stinky", "hare",   "herd",   "sort",   "sofa",
+    "slippers", "rack",   "roof",   "male",   "mode"};
 
 template <class Table>
 bool contains(const Table& table, std::string_view word) {
@@ -136,8 +140,13 @@ bool mark_phrase(const std::vector<Token>& tokens, std::size_t at,
     return true;
 }
 
+bool all_known(const TemplateSet& set, const std::vector<std::string>& words) {
+    return std::all_of(words.begin(), words.end(),
+                       [&](const std::string& word) { return set.words.find(word) != kNone; });
+}
+
 /// Marks what frames an answer as fillers: known phrases at its beginning and end, one behind the other.
-void mark_phrases(const std::vector<Token>& tokens, std::size_t end,
+void mark_phrases(const TemplateSet& set, const std::vector<Token>& tokens, std::size_t end,
                   std::vector<HeardWord>& heard) {
     bool again = true;
     while (again) {
@@ -151,6 +160,9 @@ void mark_phrases(const std::vector<Token>& tokens, std::size_t end,
         }
         for (const std::string_view phrase : kPhrases) {
             const std::vector<std::string> words = words_of(phrase);
+            if (all_known(set, words)) {
+                continue;  // "it feels like" where the templates speak of how it feels
+            }
             const auto begin = static_cast<std::size_t>(first - heard.begin());
             if (begin + words.size() >= last) {
                 continue;  // nothing would be left to understand
@@ -239,7 +251,7 @@ std::vector<HeardWord> hear_words(const TemplateSet& set, std::string_view utter
         heard.push_back(word);
         tokens.push_back(std::move(mended_token.token));
     }
-    mark_phrases(tokens, reason, heard);
+    mark_phrases(set, tokens, reason, heard);
     return heard;
 }
 

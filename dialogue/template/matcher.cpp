@@ -176,7 +176,11 @@ std::optional<Parse> match(const TemplateSet& set, std::string_view utterance, M
     }
     std::optional<Parse> best;
     for (int number = 0; number < static_cast<int>(set.graphs.size()); ++number) {
-        const Lattice lattice(set.graphs[static_cast<std::size_t>(number)], heard, counted);
+        const Graph& graph = set.graphs[static_cast<std::size_t>(number)];
+        if (graph.turned_round && best) {
+            continue;  // only where nothing else is meant
+        }
+        const Lattice lattice(graph, heard, counted);
         if (lattice.cost() == kUnreached) {
             continue;
         }

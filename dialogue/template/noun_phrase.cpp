@@ -4,7 +4,10 @@
 #include "dialogue/template/phrases.h"
 
 #include <array>
+#include <functional>
 #include <map>
+#include <string>
+#include <utility>
 
 namespace fulcrum::dialogue {
 namespace {
@@ -179,6 +182,80 @@ Branch branch_of(const Noun& noun) {
     return indefinite_article(noun.text) == "an" ? Branch::with_an : Branch::with_a;
 }
 
+/// Writes the noun in the number that its list doesn't give.
+class OtherNumber {
+  public:
+    OtherNumber(ArcWriter& writer, int place, int to, std::function<int(Branch)> node_of)
+        : writer_(writer), place_(place), to_(to), node_of_(std::move(node_of)) {}
+
+    void add(const Noun& noun, int item, Branch branch) {
+        switch (noun.noun_class) {
+            case NounClass::count:
+                return plural_of_count(noun, item, branch);
+            case NounClass::mass:
+                return plural_of_mass(noun, item);
+            case NounClass::plural:
+                return singular_of_plural(noun, item);
+            default:
+                return;
+        }
+    }
+
+  private:
+    /// Right by itself, wrong after a or an, and wrong of the one thing that is there.
+    void plural_of_count(const Noun& noun, int item, Branch branch) {
+        const std::string plural = plural_of(noun.text);
+        if (lower_case(plural) == lower_case(noun.text)) {
+            return;
+        }
+        const bool with_an = branch == Branch::with_an;
+        wrong(with_an ? Branch::plural_after_an : Branch::plural_after_a, plural, noun, item);
+        wrong(Branch::plural_of_one, plural, noun, item);
+        right(Branch::made_plural, plural, Number::plural, item);
+    }
+
+    /// "The metals", "woods": wrong, except for kinds of it in general, "Metals are hard".
+    void plural_of_mass(const Noun& noun, int item) {
+        const std::string plural = plural_of(noun.text);
+        if (lower_case(plural) == lower_case(noun.text)) {
+            return;
+        }
+        wrong(Branch::plural_of_one, plural, noun, item);
+        if (has_kinds(noun.text)) {
+            right(Branch::made_plural, plural, Number::plural, item);
+        } else {
+            wrong(Branch::bare_or_the, plural, noun, item);
+        }
+    }
+
+    /// "The window" of several windows is one of them; nobody says "the scissor".
+    void singular_of_plural(const Noun& noun, int item) {
+        const std::string singular = singular_of(noun.text);
+        if (singular.empty()) {
+            return;
+        }
+        if (is_plural_only(noun.text)) {
+            return wrong(Branch::bare_plural, singular, noun, item);
+        }
+        const bool with_an = indefinite_article(singular) == "an";
+        right(with_an ? Branch::with_an : Branch::with_a, singular, Number::singular, item);
+    }
+
+    void wrong(Branch branch, const std::string& said, const Noun& noun, int item) {
+        ArcText arc{said, noun.text, ErrorCode::noun_number, kSlipCost, false, item};
+        arc.number = noun.number();
+        writer_.add_arc(node_of_(branch), to_, place_, arc);
+    }
+    void right(Branch branch, const std::string& said, Number number, int item) {
+        writer_.add_arc(node_of_(branch), to_, place_,
+                        {said, said, ErrorCode::none, 0, false, item, number});
+    }
+
+    ArcWriter& writer_;
+    int place_, to_;
+    std::function<int(Branch)> node_of_;
+};
+
 }  // namespace
 
 void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticlePolicy policy,
@@ -199,6 +276,7 @@ void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticleP
         return entry->second;
     };
 
+    OtherNumber other_number(writer, place, to, node_of);
     for (std::size_t i = 0; i < list.items.size() && !writer.full(); ++i) {
         const std::vector<Noun>& spoken = list.items[i].spoken;
         for (const Noun& noun : spoken) {
@@ -207,20 +285,7 @@ void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticleP
             arc.number = noun.number();
             const Branch branch = branch_of(noun);
             writer.add_arc(node_of(branch), to, place, arc);
-            const std::string plural = plural_of(noun.text);
-            if (noun.noun_class != NounClass::count ||
-                lower_case(plural) == lower_case(noun.text)) {
-                continue;
-            }
-            // The plural: right by itself, wrong after a or an, and wrong of the one thing that is there.
-            const bool with_an = branch == Branch::with_an;
-            arc = {plural,    noun.text, ErrorCode::noun_number,
-                   kSlipCost, false,     static_cast<int>(i)};
-            writer.add_arc(node_of(with_an ? Branch::plural_after_an : Branch::plural_after_a), to,
-                           place, arc);
-            writer.add_arc(node_of(Branch::plural_of_one), to, place, arc);
-            arc = {plural, plural, ErrorCode::none, 0, false, static_cast<int>(i), Number::plural};
-            writer.add_arc(node_of(Branch::made_plural), to, place, arc);
+            other_number.add(noun, static_cast<int>(i), branch);
         }
     }
 }

@@ -1,5 +1,7 @@
 #include "dialogue/template/phrases.h"
 
+#include "dialogue/english/variant.h"
+
 #include <algorithm>
 #include <array>
 
@@ -24,21 +26,18 @@ constexpr std::array kConfusions = {
     Confusion{"as", {"than", "like", "so", "", "", ""}},
 };
 
-/// Said before a comparative, rightly.
-constexpr std::array<std::string_view, 9> kModifiers = {
-    "way", "a little bit", "much", "far", "a lot", "a bit", "a little", "slightly", "even"};
-
-void add_verb(ArcWriter& writer, std::string_view word, const VerbForms& forms, bool after_noun,
-              int from, int to) {
-    int start = from;
-    if (after_noun) {
-        start = writer.add_node();
-        writer.join(from, start);
-        const int pronoun = writer.add_element({Role::pronoun});
-        for (const std::string_view said : {"it", "they"}) {
-            writer.add_arc(from, start, pronoun, {said, "", ErrorCode::extra_pronoun, kSlipCost});
-        }
+/// Feel with an adjective takes no preposition; and what felt hard may be told so.
+void add_feel(ArcWriter& writer, int verb, int from, int to) {
+    const int past = writer.add_element({Role::word});
+    writer.add_arc(from, to, past, {"felt", "felt"});
+    for (const std::string_view said : {"feels like", "feel like"}) {
+        writer.add_arc(from, to, verb, {said, "feels", ErrorCode::extra_preposition, kSlipCost});
     }
+}
+
+void add_verb(ArcWriter& writer, std::string_view word, const VerbForms& forms, Neighbours near,
+              int from, int to) {
+    const int start = near.after_list ? add_repeated_subject(writer, from) : from;
     Element element{Role::verb};
     element.verb = forms;
     const int verb = writer.add_element(std::move(element));
@@ -53,38 +52,82 @@ void add_verb(ArcWriter& writer, std::string_view word, const VerbForms& forms, 
     if (forms.is_be) {
         writer.add_arc(start, to, verb, {"", word, ErrorCode::missing_verb, kPatternCost});
     }
+    if (forms.plural == "feel" && near.before_adjective) {
+        add_feel(writer, verb, start, to);
+    }
+}
+
+/// "and" between two adjectives: "hard but smooth" and "hard and it is smooth" are right too.
+void add_and(ArcWriter& writer, int from, int to) {
+    const int conjunction = writer.add_element({Role::conjunction});
+    writer.add_arc(from, to, conjunction, {"and", "and", ErrorCode::none, 0, true});
+    for (const std::string_view said :
+         {"but", "and also", "but also", "and it is", "and they are", "and it feels",
+          "and they feel", "and is", "and are", "and feels", "and feel"}) {
+        writer.add_arc(from, to, conjunction, {said, said});
+    }
+    // Two sentences, one behind the other.
+    writer.add_arc(from, to, conjunction, {"it is", "and it is"});
+    writer.add_arc(from, to, conjunction, {"they are", "and they are"});
+    for (const std::string_view said : {"or", "with", "of"}) {
+        writer.add_arc(from, to, conjunction,
+                       {said, "and", ErrorCode::wrong_conjunction, kPatternCost});
+    }
+    for (const std::string_view said : {"end", "an", "ad"}) {
+        writer.add_arc(from, to, conjunction, {said, "and", ErrorCode::spelling, kSlipCost});
+    }
+    writer.add_arc(from, to, conjunction, {"", "and", ErrorCode::missing_conjunction, kSlipCost});
 }
 
 }  // namespace
+
+int add_repeated_subject(ArcWriter& writer, int from) {
+    const int to = writer.add_node();
+    writer.join(from, to);
+    const int pronoun = writer.add_element({Role::pronoun});
+    for (const std::string_view said : {"it", "they"}) {
+        writer.add_arc(from, to, pronoun, {said, "", ErrorCode::extra_pronoun, kSlipCost});
+    }
+    return to;
+}
 
 bool is_article(std::string_view word) {
     return word == "a" || word == "an" || word == "the";
 }
 
-void add_word(ArcWriter& writer, std::string_view word, std::string_view shown, bool after_noun,
+void add_word(ArcWriter& writer, std::string_view word, std::string_view shown, Neighbours near,
               int from, int to) {
     if (is_article(word)) {
         add_article(writer, word, from, to);
         return;
     }
     if (VerbForms forms; understand_verb(word, forms)) {
-        add_verb(writer, word, forms, after_noun, from, to);
+        add_verb(writer, word, forms, near, from, to);
+        return;
+    }
+    if (word == "and" && near.after_adjective) {
+        add_and(writer, from, to);
         return;
     }
     const auto* confusion =
         std::find_if(kConfusions.begin(), kConfusions.end(),
                      [&](const Confusion& entry) { return entry.right == word; });
     if (confusion == kConfusions.end()) {
-        writer.add_arc(from, to, writer.add_element({Role::word}),
-                       {word, shown, ErrorCode::none, 0, true});
+        const int place = writer.add_element({Role::word});
+        writer.add_arc(from, to, place, {word, shown, ErrorCode::none, 0, true});
+        if (const std::string other = other_spelling(word); !other.empty()) {
+            writer.add_arc(from, to, place, {other, other});
+        }
         return;
     }
     const int preposition = writer.add_element({Role::preposition});
     writer.add_arc(from, to, preposition, {word, shown, ErrorCode::none, 0, true});
     for (const std::string_view said : confusion->said) {
         if (!said.empty()) {
+            // "harder that metal": rather a slip of "than" than "that metal" without it.
+            const int cost = word == "than" && said == "that" ? kSlipCost : kPatternCost;
             writer.add_arc(from, to, preposition,
-                           {said, shown, ErrorCode::wrong_preposition, kPatternCost});
+                           {said, shown, ErrorCode::wrong_preposition, cost});
         }
     }
     writer.add_arc(from, to, preposition,
@@ -109,41 +152,16 @@ void add_article(ArcWriter& writer, std::string_view word, int from, int to) {
     writer.add_arc(from, to, determiner, {"", word, ErrorCode::missing_determiner, kSlipCost});
 }
 
-void add_degree(ArcWriter& writer, std::string_view adjective, Degree degree, bool after_article,
-                int from, int to) {
-    // Before the adjective: an article that the template leaves out, or "much" before a comparative.
-    int start = from;
-    if (!after_article || degree == Degree::comparative) {
-        start = writer.add_node();
-        writer.join(from, start);
+void add_it(ArcWriter& writer, int from, int to) {
+    const int place = writer.add_element({Role::noun});
+    writer.add_arc(from, to, place, {"", "it", ErrorCode::missing_pronoun, kPatternCost});
+    for (const std::string_view said : {"it", "this", "that"}) {
+        writer.add_arc(from, to, place, {said, said, ErrorCode::none, 0, said == "it"});
     }
-    if (!after_article) {
-        // Marked as part of the form: whether "the" is right depends on what follows (resolve.h).
-        Element article{Role::determiner};
-        article.target = true;
-        writer.add_arc(from, start, writer.add_element(std::move(article)), {"the", "the"});
-    }
-    if (degree == Degree::comparative) {
-        const int modifier = writer.add_element({Role::modifier});
-        for (const std::string_view said : kModifiers) {
-            writer.add_arc(from, start, modifier, {said, said});
-        }
-        writer.add_arc(from, start, modifier, {"very", "much", ErrorCode::wrong_adverb, kSlipCost});
-    }
-
-    // The adjective itself, right and wrong.
-    Element element{Role::adjective};
-    element.base = std::string(adjective);
-    element.degree = degree;
-    element.target = true;
-    const int place = writer.add_element(std::move(element));
-    const std::vector<std::string> right = degree_forms(adjective, degree);
-    for (const std::string& form : right) {
-        writer.add_arc(start, to, place, {form, form, ErrorCode::none, 0, &form == right.data()});
-    }
-    for (const LearnerForm& wrong : learner_forms(adjective, degree)) {
-        writer.add_arc(start, to, place,
-                       {wrong.text, right.front(), wrong.code, wrong.slip * kSlipCost});
+    for (const std::string_view said : {"they", "these", "those"}) {
+        ArcText arc{said, said};
+        arc.number = Number::plural;
+        writer.add_arc(from, to, place, arc);
     }
 }
 

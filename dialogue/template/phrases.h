@@ -26,13 +26,38 @@ enum class ArticlePolicy : std::uint8_t {
     short_answer,  ///< the noun alone is a whole answer: it may go without
 };
 
+/// What is known of the number of a subject that is plain words: "the scissors", "they".
+enum class SubjectNumber : std::uint8_t { unknown, singular, plural };
+
+/// What stands around a part in its sequence.
+struct Neighbours {
+    bool after_article = false;
+    bool after_list = false;
+    bool after_adjective = false;   ///< after <adjective:…>: "and" joins two of them
+    bool before_adjective = false;  ///< before one: "feels like hard" is wrong
+    SubjectNumber subject = SubjectNumber::unknown;  ///< of the word before
+};
+
 /// "a watermelon": the article by the noun's class and sound, then the noun, in singular or plural.
 void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticlePolicy policy,
                      int from, int to);
 
-/// <superlative:heavy>, <comparative:heavy>; `after_article` when the template has "the" before it.
-void add_degree(ArcWriter& writer, std::string_view adjective, Degree degree, bool after_article,
-                int from, int to);
+/// <adjective:hard>, <comparative:heavy>, <superlative:heavy>: one of `words`, which fills `slot` unless that is kNone;
+/// `after_article` when the template has "the" before it.
+void add_degree(ArcWriter& writer, const WordList& words, int slot, Degree degree,
+                bool after_article, int from, int to);
+
+/// "is made of", "are made of" after the subject; the node behind it.
+int add_made_of(ArcWriter& writer, Neighbours near, int from);
+
+/// What something is made of: one of `words` without an article, which fills `slot` unless that is kNone.
+void add_material(ArcWriter& writer, const WordList& words, int slot, int from, int to);
+
+/// <it>: it, this, that, they, these, those; the verb behind it agrees.
+void add_it(ArcWriter& writer, int from, int to);
+
+/// Lets "it" or "they" repeat the subject that ends at `from`, as an error; the node behind it.
+int add_repeated_subject(ArcWriter& writer, int from);
 
 /// <plural:moon>.
 void add_plural(ArcWriter& writer, std::string_view noun, int from, int to);
@@ -40,9 +65,9 @@ void add_plural(ArcWriter& writer, std::string_view noun, int from, int to);
 /// <article> or a literal article before plain words; `word` is empty for <article>.
 void add_article(ArcWriter& writer, std::string_view word, int from, int to);
 
-/// A literal word: a verb that agrees, a preposition, or any other; `shown` is how a recast writes it. `after_noun`: a
-/// pronoun that repeats the subject is looked for ("a watermelon it is").
-void add_word(ArcWriter& writer, std::string_view word, std::string_view shown, bool after_noun,
+/// A literal word: a verb that agrees, a preposition, "and" between adjectives, or any other; `shown` is how a recast
+/// writes it. After a list a pronoun that repeats the subject is looked for ("a watermelon it is").
+void add_word(ArcWriter& writer, std::string_view word, std::string_view shown, Neighbours near,
               int from, int to);
 
 /// True for a, an, the.

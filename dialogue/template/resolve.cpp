@@ -1,8 +1,11 @@
 #include "dialogue/template/resolve.h"
 
 #include "dialogue/english/letters.h"
+#include "dialogue/english/making.h"
 #include "dialogue/template/phrases.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace fulcrum::dialogue {
@@ -102,6 +105,21 @@ void sound(std::vector<Piece>& pieces, int at) {
     }
 }
 
+/// "made from" is right where the material was changed in the making: paper is made from wood.
+void allow_from(std::vector<Piece>& pieces, int preposition) {
+    Piece& piece = pieces[static_cast<std::size_t>(preposition)];
+    const auto is_noun = [](const Piece& other) { return other.element.role == Role::noun; };
+    const auto at = pieces.begin() + preposition;
+    const auto material = std::find_if(at, pieces.end(), is_noun);
+    const auto thing = std::find_if(std::reverse_iterator(at), pieces.rend(), is_noun);
+    if (lower_case(piece.said) == "from" && material != pieces.end() && thing != pieces.rend() &&
+        changed_in_making(thing->right, material->right)) {
+        piece.right = "from";
+        piece.code = ErrorCode::none;
+        piece.cost = 0;
+    }
+}
+
 }  // namespace
 
 void resolve(std::vector<Piece>& pieces) {
@@ -117,6 +135,8 @@ void resolve(std::vector<Piece>& pieces) {
             drop_the_before_than(pieces, i);
         } else if (piece.element.role == Role::determiner) {
             sound(pieces, i);
+        } else if (piece.element.role == Role::preposition && piece.element.passive) {
+            allow_from(pieces, i);
         }
     }
 }

@@ -156,6 +156,18 @@ PieceRange phrase_around(const std::vector<Piece>& pieces, int at) {
     return range;
 }
 
+PieceRange passive_around(const std::vector<Piece>& pieces, int at) {
+    const auto passive = [&](int i) { return pieces[static_cast<std::size_t>(i)].element.passive; };
+    PieceRange range{at, at + 1};
+    while (range.first > 0 && passive(range.first - 1)) {
+        --range.first;
+    }
+    while (range.last < static_cast<int>(pieces.size()) && passive(range.last)) {
+        ++range.last;
+    }
+    return range;
+}
+
 std::string render_phrase(const std::vector<Piece>& pieces, PieceRange range) {
     std::string text;
     for (int i = range.first; i < range.last; ++i) {

@@ -28,6 +28,9 @@ struct PieceRange {
 /// The phrase around piece `at`: "the heaviest", "a watermelon", "is".
 [[nodiscard]] PieceRange phrase_around(const std::vector<Piece>& pieces, int at);
 
+/// All of "is made of" around piece `at`, which is part of it.
+[[nodiscard]] PieceRange passive_around(const std::vector<Piece>& pieces, int at);
+
 /// The right sentence with capital and full stop. `mark` is set in *asterisks*, or left out as "…" when `blank`.
 [[nodiscard]] std::string render(const std::vector<Piece>& pieces, PieceRange mark = {},
                                  bool blank = false);

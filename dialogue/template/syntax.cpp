@@ -153,7 +153,7 @@ class Parser {
 
     [[nodiscard]] bool touches_word() const { return at_ > 0 && is_name_character(text_[at_ - 1]); }
 
-    /// {list}, {list:slot}, <rule> or <form:word>.
+    /// {list}, {list:slot}, <rule>, <form:word> or <form:{list}>.
     Expected<bool> reference(int holder, char sign) {
         const int start = column();
         const char closing = sign == '{' ? '}' : '>';
@@ -174,6 +174,9 @@ class Parser {
         if (!is_name(name)) {
             return fail("a name of letters, digits and _ is missing here", start + 1);
         }
+        if (sign == '<' && argument.substr(0, 1) == "{") {
+            return form_of_list(holder, name, end);
+        }
         if (colon < inside.size() &&
             (argument.empty() || (sign == '{' && !is_name(argument)) ||
              argument.find_first_of("[](){}<>|;") != std::string_view::npos)) {
@@ -182,6 +185,23 @@ class Parser {
         const int made = add(sign == '{' ? Kind::list : Kind::rule, start);
         node(made).text = std::string(name);
         node(made).argument = std::string(argument);
+        node(holder).children.push_back(made);
+        at_ = end + 1;
+        return true;
+    }
+
+    /// <form:{list}> or <form:{list:slot}> from `at_` to `end`; the list becomes the form's child.
+    Expected<bool> form_of_list(int holder, std::string_view name, std::size_t end) {
+        const int made = add(Kind::rule, column());
+        node(made).text = std::string(name);
+        at_ = text_.find('{', at_);
+        const auto list = reference(made, '{');
+        if (!list) {
+            return list;
+        }
+        if (at_ > end || !trimmed(text_.substr(at_, end - at_)).empty()) {
+            return fail("only one {list} may stand in < >; close it with '>'", column());
+        }
         node(holder).children.push_back(made);
         at_ = end + 1;
         return true;

@@ -5,6 +5,7 @@
 //   (a|b)            one of them               (a;b)       all of them, in any order (at most 4)
 //   {list}           a word of a list          {list:slot} the same under another name
 //   <rule>           another template          <form:word> a form of grammar, e.g. <superlative:heavy>
+//                                              <form:{list}>, <form:{list:slot}> the same of each word of a list
 //   \x               the character x itself
 //
 // A template is parsed into a tree that lies in one array; children are indices into it, always of later nodes.
@@ -38,10 +39,11 @@ struct SyntaxNode {
         rule
     };
     Kind kind = Kind::sequence;
-    std::string text;           ///< the word; the list's or rule's name
-    std::string argument;       ///< the slot of a list, the word of a form; may be empty
-    std::vector<int> children;  ///< of sequence, alternatives, permutation, optional (one child)
-    int column = 1;             ///< where it begins
+    std::string text;      ///< the word; the list's or rule's name
+    std::string argument;  ///< the slot of a list, the word of a form; may be empty
+    std::vector<int>
+        children;  ///< of sequence, alternatives, permutation, optional (one child), form of a list (the list)
+    int column = 1;  ///< where it begins
 };
 
 /// A parsed template; node 0 is the whole.

@@ -53,10 +53,22 @@ degrees, plurals, agreement) are understood and corrected.
 | `[a\|an\|the] {thing}`, `<article> {thing}` | the noun with the article that it needs; the wrong one is an error of form. The first article is the one that is said back: `[the\|a\|an] {thing}` gives "The apple is …" |
 | `<comparative:heavy>` | "heavier"; "more heavy", "heavyer" are errors of form |
 | `<superlative:heavy>` | "heaviest", after a template's own "the" |
+| `<adjective:hard>` | "hard", "very hard"; "hardly", "hardness", "harder" are errors of form |
+| `<adjective:{feel}>`, `<comparative:{feel}>`, `<superlative:{feel}>` | the same of any word of `lists = { feel = { "hard", "smooth" } }`, which becomes `answer.feel`. With `<adjective:{feel}> [and <adjective:{feel:also}>]` the learner may give two, `answer.feel` and `answer.also`; without the brackets two are asked for. A missing "and" is an error of form |
+| `<made_of:{material}>` | "is made of metal", "are made of metal"; the material, a word of `lists.material`, becomes `answer.material`. "made by", "is make of", "makes of", "made of a metal" and a missing "is" are errors of form |
+| `<made_of:metal>` | the same of one material |
+| `<it>` | it, this, that, they, these, those; a verb after it agrees |
 | `<plural:moon>` | "moons" |
 | `\[` | the character itself |
 
-A list's word may be said in several ways, `"bike|bicycle"`; the answer has the first.
+A list's word may be said in several ways, `"bike|bicycle"`; the answer has the first. British and American spelling of a
+word ("tyre", "tire") need not be listed.
+
+Short answers come by themselves: "The egg." where only `{thing}` is needed; "Metal." and "It is made of metal." where
+`<made_of:{material}>` is; "Hard and smooth." and "It feels hard." where `<adjective:{feel}>` is. What a short answer
+leaves out is nil: after "Metal." to `"{thing} <made_of:{material}>"` `answer.thing` is nil, for it is the thing that was asked
+about. "Metal is made of a spaceship." is understood too, and gives `answer.thing == "metal"` and
+`answer.material == "spaceship"`: `right` should compare with them, not index by them.
 
 ```lua
 L:question "heavier" {
@@ -66,6 +78,23 @@ L:question "heavier" {
     local thing, other = answer.bodies.thing, answer.bodies.other
     return thing ~= nil and other ~= nil and thing.weight > other.weight
   end,
+}
+
+L:question "feel" {
+  prompt = "How does metal feel?",
+  answers = { "{material} (is|feels) <adjective:{feel}> [and <adjective:{feel:also}>]" },
+  lists = { material = { "metal", "wood", "rock" }, feel = { "hard", "soft", "smooth", "rough" } },
+  right = function(answer)
+    local ok = { hard = true, smooth = true }
+    return (answer.material or "metal") == "metal" and ok[answer.feel] and (not answer.also or ok[answer.also])
+  end,
+}
+
+L:question "made" {
+  prompt = "What is the spaceship made of?",
+  answers = { "(the|a) spaceship <made_of:{material}>" },
+  lists = { material = { "metal", "wood", "rock" } },
+  right = function(answer) return answer.material == "metal" end,
 }
 
 L:question "count" {

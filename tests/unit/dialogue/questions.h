@@ -84,6 +84,73 @@ inline Question weighs() {
                      fruit()});
 }
 
+/// The things and materials of a lesson on textures.
+inline const NamedLists& textures() {
+    static const NamedLists lists{
+        {"thing",
+         {"spaceship", "table", "chair", "windows", "scissors", "bottle", "tyre", "ball", "castle",
+          "statue", "cup", "book", "pencil", "door", "boat", "key", "coin"}},
+        {"material", {"metal", "wood", "rock", "stone", "rubber", "glass", "paper", "sandpaper"}},
+        {"feel", {"hard", "soft", "smooth", "rough", "bumpy", "slippery", "sticky"}}};
+    return lists;
+}
+
+inline Question made_of_what() {
+    return compiled({"made_of_what",
+                     "What is it made of?",
+                     {"[a|an|the] {thing} <made_of:{material}>"},
+                     textures()});
+}
+
+inline Question spaceship_of_what() {
+    return compiled({"spaceship_of_what",
+                     "What is the spaceship made of?",
+                     {"(the|a) spaceship <made_of:{material}>"},
+                     textures()});
+}
+
+inline Question scissors_of_what() {
+    return compiled({"scissors_of_what",
+                     "What are the scissors made of?",
+                     {"[the|these] scissors <made_of:{material}>"},
+                     textures()});
+}
+
+inline Question what_of_metal() {
+    return compiled({"what_of_metal",
+                     "Which thing is made of metal?",
+                     {"[the|a|an] {thing} <made_of:metal>"},
+                     textures()});
+}
+
+inline Question feels_how() {
+    return compiled({"feels_how",
+                     "How does it feel?",
+                     {"{material} (is|feels) <adjective:{feel}> [and <adjective:{feel:also}>]"},
+                     textures()});
+}
+
+inline Question feels_two() {
+    return compiled({"feels_two",
+                     "Say two words.",
+                     {"{material} (is|feels) <adjective:{feel}> and <adjective:{feel:also}>"},
+                     textures()});
+}
+
+inline Question compares_feel() {
+    return compiled({"compares_feel",
+                     "How do they differ?",
+                     {"{material} (is|feels) <comparative:{feel}> than {material:other}"},
+                     textures()});
+}
+
+inline Question most_of_feel() {
+    return compiled({"most_of_feel",
+                     "What can you tell?",
+                     {"{material} is the <superlative:{feel}> [material]"},
+                     textures()});
+}
+
 /// All of them, each once.
 inline std::vector<Question> all_questions() {
     return {heaviest(),
@@ -93,6 +160,14 @@ inline std::vector<Question> all_questions() {
             dearer(),
             moons(),
             weighs(),
+            made_of_what(),
+            spaceship_of_what(),
+            scissors_of_what(),
+            what_of_metal(),
+            feels_how(),
+            feels_two(),
+            compares_feel(),
+            most_of_feel(),
             compiled({"any_order", "Say it.", {"(it is heavy;really) [now]"}, {}}),
             compiled({"quiet",
                       "Which is quieter?",

@@ -166,6 +166,36 @@ TEST_CASE("conversation: the opposite of what is asked is named, called neither 
     CHECK(talk.respond(talk.hear("the egg is lighter"), false).kind == FeedbackKind::moved_on);
 }
 
+TEST_CASE("conversation: thing and material that changed places are a wrong meaning of their own") {
+    Conversation talk(words());
+    const Question question = made_of_what();
+    const Feedback turned = answer(talk, question, "Metal is made of spaceship", false);
+    CHECK(turned.kind == FeedbackKind::wrong_meaning);
+    CHECK(turned.text == "Not yet. Say the thing first, then what it is made of.");
+    CHECK(turned.ask_again);
+    CHECK(talk.respond(talk.hear("a spaceship is made of wood"), false).text ==
+          "Not yet. Try again.");
+    // Such answers count among the tries.
+    answer(talk, question, "Metal is made of spaceship", false);
+    for (int i = 0; i < 2; ++i) {
+        CHECK(talk.respond(talk.hear("Metal is made of a key"), false).ask_again);
+    }
+    CHECK(talk.respond(talk.hear("Metal is made of a key"), false).kind == FeedbackKind::moved_on);
+}
+
+TEST_CASE("conversation: the passive climbs the ladder from recast to rule") {
+    Conversation talk(words());
+    const Question question = made_of_what();
+    CHECK(answer(talk, question, "a spaceship makes of metal").text ==
+          "Yes. A spaceship *is made* of metal.");
+    CHECK(answer(talk, question, "a table makes of wood").text ==
+          "Yes, you are right. Say it once more: A table … of wood.");
+    CHECK(
+        answer(talk, question, "scissors make of metal").text ==
+        "Yes. Scissors *are made* of metal. The thing does not make anything. Somebody made it, so "
+        "we say *are made of*.");
+}
+
 TEST_CASE("conversation: nobody stays at one question for ever") {
     ConversationSettings settings;
     settings.tries = 3;

@@ -37,6 +37,36 @@ TEST_CASE("rules: each error has the rule that helps with it") {
     CHECK(rule_for(heaviest(), "a watermellon is the heaviest") == "rule.spelling");
 }
 
+TEST_CASE("rules: adjectives, materials and the passive have their own") {
+    const Question made = made_of_what();
+    CHECK(rule_for(made, "a key is made by metal") == "rule.passive.of");
+    CHECK(rule_for(made, "a key is made metal") == "rule.passive.of");
+    CHECK(rule_for(made, "a key is made from metal") == "rule.passive.from");
+    CHECK(rule_for(made, "a key is make of metal") == "rule.passive.made");
+    CHECK(rule_for(made, "a key is maked of metal") == "rule.passive.made");
+    CHECK(rule_for(made, "a key is maid of metal") == "rule.passive.made");
+    CHECK(rule_for(made, "a key makes of metal") == "rule.passive.voice");
+    CHECK(rule_for(made, "a key made of metal") == "rule.passive.be");
+    CHECK(rule_for(made, "a key has made of metal") == "rule.passive.be");
+    CHECK(rule_for(made, "a key are made of metal") == "rule.verb.agreement");
+    CHECK(rule_for(made, "a key is made of a metal") == "rule.article.material");
+    CHECK(rule_for(made, "a key is made of metals") == "rule.noun.material");
+    CHECK(rule_for(made, "key is made of metal") == "rule.article.missing");
+    CHECK(rule_for(made, "is made of metal") == "rule.pronoun.missing");
+    const Question feels = feels_how();
+    CHECK(rule_for(feels, "metal is hardly") == "rule.adjective.form");
+    CHECK(rule_for(feels, "metal is harder") == "rule.adjective.degree");
+    CHECK(rule_for(feels, "metal is bumpey") == "rule.spelling");
+    CHECK(rule_for(feels, "metal is a hard") == "rule.article.adjective");
+    CHECK(rule_for(feels, "a metal is hard") == "rule.article.material");
+    CHECK(rule_for(feels, "the metals are hard") == "rule.noun.material");
+    CHECK(rule_for(feels, "metal is hard smooth") == "rule.and");
+    CHECK(rule_for(feels, "metal is hard or smooth") == "rule.and");
+    CHECK(rule_for(feels, "metal feels like hard") == "rule.preposition.extra");
+    CHECK(rule_for(feels, "metal hard") == "rule.verb.missing");
+    CHECK(rule_for(compares_feel(), "wood is more soft than rock") == "rule.comparative.ending");
+}
+
 TEST_CASE("rules: every error that any template labels has a rule among the needed keys") {
     std::set<std::string> needed;
     for (const CatalogueNeed& need : conversation_needs()) {

@@ -41,7 +41,7 @@ TEST_CASE("compile: mistakes name their place") {
     CHECK_THAT(error_of({{"<biggest:heavy>"}, {}, {}}),
                Catch::Contains("there is no form <biggest:"));
     CHECK_THAT(error_of({{"<superlative>"}, {}, {}}),
-               Catch::Contains("there is no rule <superlative>"));
+               Catch::Contains("<superlative> needs a word: <superlative:word>"));
     CHECK_THAT(error_of({{"{thng} is"}, {{"other", {"x"}}, {"thing", {"y"}}}, {}}),
                Catch::Contains("there is no list \"thng\"; did you mean thing?"));
     CHECK_THAT(error_of({{"{a} is"}, {{"b", {"x"}}, {"c", {"y"}}}, {}}),

@@ -109,6 +109,7 @@ TEST_CASE(
     "matcher: each labelled error, put into a right sentence, is found with its code and its "
     "meaning kept") {
     int tried = 0;
+    int otherwise = 0;
     for (const Question& question : all_questions()) {
         const TemplateSet& set = *question.templates;
         for (const Graph& graph : set.graphs) {
@@ -122,14 +123,18 @@ TEST_CASE(
                 const auto parse = match(set, wrong.said);
                 REQUIRE(parse);
                 ++tried;
-                // "was" is no error where the template says (is|was).
-                CHECK((has_code(*parse, arc.code) ||
-                       (question.id == "best" && parse->cost < arc.cost)));
+                // Some are right read otherwise: "was" where the template says (is|was), "a" where it says (the|a).
+                const bool cheaper =
+                    parse->cost == 0 || (question.id == "best" && parse->cost < arc.cost);
+                const bool right_otherwise = cheaper && !has_code(*parse, arc.code);
+                otherwise += right_otherwise ? 1 : 0;
+                CHECK((has_code(*parse, arc.code) || right_otherwise));
                 CHECK(parse->slots == wrong.slots);
             }
         }
     }
     CHECK(tried > 200);
+    CHECK(otherwise <= 10);
 }
 
 TEST_CASE("matcher: what is said back is always right") {

@@ -32,18 +32,23 @@ std::map<std::string, ErrorCode> codes(const Write& write) {
     return result;
 }
 
+WordList only(const std::string& word) {
+    return {"", {{word, {Noun{word}}}}};
+}
+
 }  // namespace
 
 TEST_CASE("phrases: a literal verb knows its other number, its absence and its wrong forms") {
     const auto is =
-        codes([](ArcWriter& writer, int a, int b) { add_word(writer, "is", "is", false, a, b); });
+        codes([](ArcWriter& writer, int a, int b) { add_word(writer, "is", "is", {}, a, b); });
     CHECK(is.at("is") == ErrorCode::none);
     CHECK(is.at("are") == ErrorCode::agreement);
     CHECK(is.at("") == ErrorCode::missing_verb);
     CHECK(is.at("be") == ErrorCode::verb_form);
     CHECK(is.at("was") == ErrorCode::verb_tense);
-    const auto floats = codes(
-        [](ArcWriter& writer, int a, int b) { add_word(writer, "floats", "floats", true, a, b); });
+    const auto floats = codes([](ArcWriter& writer, int a, int b) {
+        add_word(writer, "floats", "floats", {.after_list = true}, a, b);
+    });
     CHECK(floats.at("float") == ErrorCode::agreement);
     CHECK(floats.at("it") == ErrorCode::extra_pronoun);
     CHECK(floats.count("") == 0);
@@ -51,7 +56,7 @@ TEST_CASE("phrases: a literal verb knows its other number, its absence and its w
 
 TEST_CASE("phrases: a literal article may be wrong or missing, <article> may not") {
     const auto the =
-        codes([](ArcWriter& writer, int a, int b) { add_word(writer, "the", "the", false, a, b); });
+        codes([](ArcWriter& writer, int a, int b) { add_word(writer, "the", "the", {}, a, b); });
     CHECK(the.at("the") == ErrorCode::none);
     CHECK(the.at("a") == ErrorCode::wrong_determiner);
     CHECK(the.at("") == ErrorCode::missing_determiner);
@@ -64,25 +69,25 @@ TEST_CASE("phrases: a literal article may be wrong or missing, <article> may not
 }
 
 TEST_CASE("phrases: prepositions are confused and left out, other words are as they are") {
-    const auto than = codes(
-        [](ArcWriter& writer, int a, int b) { add_word(writer, "than", "than", false, a, b); });
+    const auto than =
+        codes([](ArcWriter& writer, int a, int b) { add_word(writer, "than", "than", {}, a, b); });
     CHECK(than.at("then") == ErrorCode::wrong_preposition);
     CHECK(than.at("") == ErrorCode::missing_preposition);
     const auto fruit = codes(
-        [](ArcWriter& writer, int a, int b) { add_word(writer, "fruit", "fruit", false, a, b); });
+        [](ArcWriter& writer, int a, int b) { add_word(writer, "fruit", "fruit", {}, a, b); });
     CHECK(fruit.size() == 1);
 }
 
 TEST_CASE("phrases: degrees and plurals hold right and wrong forms") {
     const auto heavier = codes([](ArcWriter& writer, int a, int b) {
-        add_degree(writer, "heavy", Degree::comparative, false, a, b);
+        add_degree(writer, only("heavy"), kNone, Degree::comparative, false, a, b);
     });
     CHECK(heavier.at("heavier") == ErrorCode::none);
     CHECK(heavier.at("much") == ErrorCode::none);
     CHECK(heavier.at("very") == ErrorCode::wrong_adverb);
     CHECK(heavier.at("more heavy") == ErrorCode::adjective_form);
     const auto heaviest = codes([](ArcWriter& writer, int a, int b) {
-        add_degree(writer, "heavy", Degree::superlative, true, a, b);
+        add_degree(writer, only("heavy"), kNone, Degree::superlative, true, a, b);
     });
     CHECK(heaviest.count("the") == 0);
     CHECK(heaviest.count("much") == 0);

@@ -1,0 +1,130 @@
+// "is made of metal": the auxiliary, the participle, the preposition and the material, each with what learners say there,
+// and the active verb that learners put for all three.
+//
+//   --is--> --made--> --of--> --metal-->
+//     are R:VERB:SVA (settled by the subject, resolve.h) · nothing M:VERB · make R:VERB:FORM · maked R:VERB:INFL
+//   --makes R:VERB:VOICE----> --by R:PREP--> --a R:DET metal-->
+#include "dialogue/english/letters.h"
+#include "dialogue/english/making.h"
+#include "dialogue/template/phrases.h"
+
+namespace fulcrum::dialogue {
+namespace {
+
+constexpr int kVoiceCost = 30;  // below that of a missing "is" and a wrong form of "made" together
+
+Element passive_element(Role role) {
+    Element element{role};
+    element.passive = true;
+    element.target = true;
+    return element;
+}
+
+void add_auxiliary(ArcWriter& writer, SubjectNumber subject, int from, int to) {
+    Element element = passive_element(Role::verb);
+    element.verb = {"is", "are", true};
+    const int verb = writer.add_element(std::move(element));
+    const bool plural = subject == SubjectNumber::plural;
+    const std::string_view own = plural ? "are" : "is";
+    const std::string_view other = plural ? "is" : "are";
+    writer.add_arc(from, to, verb, {own, own, ErrorCode::none, 0, true});
+    if (subject == SubjectNumber::unknown) {
+        writer.add_arc(from, to, verb, {other, other});
+    } else {
+        writer.add_arc(from, to, verb, {other, own, ErrorCode::agreement, kSlipCost});
+    }
+    for (const LearnerVerb& wrong : learner_auxiliaries()) {
+        writer.add_arc(from, to, verb, {wrong.text, own, wrong.code, kPatternCost});
+    }
+    writer.add_arc(from, to, verb, {"", own, ErrorCode::missing_verb, kPatternCost});
+}
+
+void add_active(ArcWriter& writer, SubjectNumber subject, int from, int to) {
+    Element element = passive_element(Role::verb);
+    element.verb = {"is made", "are made", false};
+    const int verb = writer.add_element(std::move(element));
+    const std::string_view right = subject == SubjectNumber::plural ? "are made" : "is made";
+    for (const LearnerVerb& wrong : active_for_passive()) {
+        writer.add_arc(from, to, verb, {wrong.text, right, wrong.code, kVoiceCost});
+    }
+}
+
+void add_participle(ArcWriter& writer, int from, int to) {
+    // No agreement of its own: it follows the auxiliary, not the subject.
+    const int made = writer.add_element(passive_element(Role::word));
+    writer.add_arc(from, to, made, {"made", "made", ErrorCode::none, 0, true});
+    for (const LearnerVerb& wrong : learner_participles()) {
+        writer.add_arc(from, to, made, {wrong.text, "made", wrong.code, kPatternCost});
+    }
+}
+
+void add_of(ArcWriter& writer, int from, int to) {
+    const int preposition = writer.add_element(passive_element(Role::preposition));
+    writer.add_arc(from, to, preposition, {"of", "of", ErrorCode::none, 0, true});
+    for (const std::string_view said : {"out of", "up of"}) {
+        writer.add_arc(from, to, preposition, {said, said});
+    }
+    // "from" is settled once thing and material are known (resolve.h).
+    for (const std::string_view said : {"by", "from", "with", "in", "for", "to", "off", "as"}) {
+        writer.add_arc(from, to, preposition,
+                       {said, "of", ErrorCode::wrong_preposition, kPatternCost});
+    }
+    writer.add_arc(from, to, preposition, {"", "of", ErrorCode::missing_preposition, kPatternCost});
+}
+
+}  // namespace
+
+void add_material(ArcWriter& writer, const WordList& words, int slot, int from, int to) {
+    // No article: "of the metal" and "of some wood" pass and are said back without; "of a metal" is wrong.
+    const int noun = writer.add_node();
+    const int determiner = writer.add_element({Role::determiner});
+    writer.add_arc(from, noun, determiner, {"", "", ErrorCode::none, 0, true});
+    for (const std::string_view said : {"the", "some", "this", "that"}) {
+        writer.add_arc(from, noun, determiner, {said, ""});
+    }
+    for (const std::string_view said : {"a", "an"}) {
+        writer.add_arc(from, noun, determiner, {said, "", ErrorCode::extra_determiner, kSlipCost});
+    }
+    Element element{Role::noun};
+    element.slot = slot;
+    const int place = writer.add_element(std::move(element));
+    for (std::size_t i = 0; i < words.items.size() && !writer.full(); ++i) {
+        const std::vector<Noun>& spoken = words.items[i].spoken;
+        for (const Noun& word : spoken) {
+            ArcText arc{word.text, word.text, ErrorCode::none, 0, &word == spoken.data()};
+            arc.item = static_cast<int>(i);
+            arc.number = word.number();
+            writer.add_arc(noun, to, place, arc);
+            const std::string plural = plural_of(word.text);
+            if (word.noun_class == NounClass::plural ||
+                lower_case(plural) == lower_case(word.text)) {
+                continue;
+            }
+            // "of rocks", "of bricks" is right; "of metals", "of glasses" isn't.
+            const bool counted = word.noun_class == NounClass::count;
+            arc.said = plural;
+            arc.right = counted ? std::string_view(plural) : std::string_view(word.text);
+            arc.code = counted ? ErrorCode::none : ErrorCode::noun_number;
+            arc.cost = counted ? 0 : kSlipCost;
+            arc.canonical = false;
+            arc.number = counted ? Number::plural : Number::singular;
+            writer.add_arc(noun, to, place, arc);
+        }
+    }
+}
+
+int add_made_of(ArcWriter& writer, Neighbours near, int from) {
+    const int start = near.after_list ? add_repeated_subject(writer, from) : from;
+    const int auxiliary = writer.add_node();
+    const int participle = writer.add_node();
+    const int preposition = writer.add_node();
+    // After a list resolve.h settles the number; until then it is a singular as other verbs are.
+    const SubjectNumber subject = near.after_list ? SubjectNumber::singular : near.subject;
+    add_auxiliary(writer, subject, start, auxiliary);
+    add_participle(writer, auxiliary, participle);
+    add_active(writer, subject, start, participle);
+    add_of(writer, participle, preposition);
+    return preposition;
+}
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,33 @@
+// What a template set is given beside the author's sentences: short answers to them, and the passive turned round.
+//
+//   "the {thing} is the <superlative:heavy>"        "The watermelon." "It is the watermelon."
+//   "{thing} <made_of:{material}>"                  "Metal." "It is metal." "It is made of metal." "Made of metal."
+//   "{material} is <adjective:{feel}> [and <…>]"    "Hard and smooth." "It is hard and smooth." "They feel hard."
+//   "{thing} <made_of:{material}>", turned round    "Metal is made of a spaceship.": understood, and not true
+//
+// Thread: pure.  Cost: linear in the arcs.
+#pragma once
+
+#include "dialogue/result.h"
+#include "dialogue/template/graph_builder.h"
+
+#include <string>
+#include <vector>
+
+namespace fulcrum::dialogue {
+
+/// One sentence, and the slots of grammar in it.
+struct BuiltSentence {
+    Graph graph;
+    FormSlots forms;
+};
+
+/// Compiles one sentence of `set`; an error has its column.
+[[nodiscard]] Expected<BuiltSentence> build_sentence(TemplateSet& set, const ParsedRules& rules,
+                                                     const std::string& text);
+
+/// Adds the graphs that `set.answers` sentences ask for; `forms` has the slots of each.
+[[nodiscard]] Expected<bool> add_short_answers(TemplateSet& set, const ParsedRules& rules,
+                                               const std::vector<FormSlots>& forms);
+
+}  // namespace fulcrum::dialogue
