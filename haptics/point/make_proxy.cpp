@@ -4,13 +4,34 @@
 #include "haptics/coupling/virtual_coupling.h"
 #include "haptics/point/friction_cone.h"
 #include "haptics/point/god_object.h"
+#include "haptics/point/make_obstacle.h"
+#include "haptics/point/virtual_proxy.h"
 
 #include <string>
 
 namespace fulcrum {
 namespace {
 
-Expected<void> check_solid(const SolidPlan& solid) {
+bool is_point(const ProxySettings& settings) {
+    return std::holds_alternative<std::monostate>(settings.cursor);
+}
+
+Expected<void> check_cursor(const ProxySettings& settings) {
+    if (settings.kind == ProxyKind::god_object && !is_point(settings)) {
+        return fail("a god-object's cursor is a point", {},
+                    "give it none, or take a virtual proxy");
+    }
+    if (settings.kind == ProxyKind::virtual_proxy &&
+        !std::holds_alternative<SphereShape>(settings.cursor)) {
+        return fail("a virtual proxy's cursor is a sphere", {}, "give it one");
+    }
+    if (const auto* ball = std::get_if<SphereShape>(&settings.cursor)) {
+        return validate(SolidShape(*ball));
+    }
+    return {};
+}
+
+Expected<void> check_solid(const SolidPlan& solid, const CursorShape& cursor) {
     const auto told = [&solid](const Error& error) {
         return Error{"body " + std::to_string(solid.body) + ": " + error.message, error.where,
                      error.what_to_do};
@@ -19,19 +40,20 @@ Expected<void> check_solid(const SolidPlan& solid) {
         return fail("body " + std::to_string(solid.body) + " has no finite pose", {},
                     "give it one");
     }
-    if (!std::holds_alternative<MeshShape>(solid.shape)) {
-        return fail("body " + std::to_string(solid.body) + " is no mesh", {}, "make it one");
-    }
     return validate(solid.shape)
+        .and_then([&] { return validate_pair(cursor, solid.shape); })
         .and_then([&] { return validate(solid.friction); })
         .and_then([&] { return validate(solid.surface); })
         .and_then([&] { return solid.coupling ? validate(*solid.coupling) : Expected<void>{}; })
         .map_error(told);
 }
 
-std::unique_ptr<SurfaceObject> make_surface_object(const ProxySettings& /*settings*/,
+std::unique_ptr<SurfaceObject> make_surface_object(const ProxySettings& settings,
                                                    const std::vector<SolidPlan>& solids) {
-    return std::make_unique<GodObject>(solids);
+    if (is_point(settings)) {
+        return std::make_unique<GodObject>(solids);
+    }
+    return std::make_unique<VirtualProxy>(make_obstacles(settings.cursor, solids));
 }
 
 }  // namespace
@@ -43,9 +65,10 @@ Expected<void> validate(const ProxySettings& settings, const std::vector<SolidPl
     }
     const Range ranges[] = {
         {"rounds of friction", static_cast<double>(settings.friction_rounds), 1.0, 200.0}};
-    Expected<void> good = check_ranges("the proxy's", ranges);
+    Expected<void> good =
+        check_ranges("the proxy's", ranges).and_then([&] { return check_cursor(settings); });
     for (std::size_t i = 0; good && i < solids.size(); ++i) {
-        good = check_solid(solids[i]);
+        good = check_solid(solids[i], settings.cursor);
     }
     return good;
 }

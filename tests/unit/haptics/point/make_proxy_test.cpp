@@ -3,6 +3,7 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/point/friction_cone.h"
 #include "haptics/point/god_object.h"
+#include "haptics/point/virtual_proxy.h"
 #include "tests/support/touchable.h"
 
 #include <catch2/catch.hpp>
@@ -38,9 +39,20 @@ TEST_CASE("proxy: a list of solids that cannot be touched is refused") {
     CHECK_FALSE(fits({plate()}, {.friction_rounds = 0}));
 }
 
+TEST_CASE("proxy: a kind takes the cursor that it is made for") {
+    const SphereShape ball{0.01};
+    CHECK(fits({plate()}, {.kind = ProxyKind::virtual_proxy, .cursor = ball}));
+    CHECK_FALSE(fits({plate()}, {.kind = ProxyKind::virtual_proxy}));
+    CHECK_FALSE(fits({plate()}, {.kind = ProxyKind::virtual_proxy, .cursor = SphereShape{-0.01}}));
+    CHECK_FALSE(fits({plate()}, {.kind = ProxyKind::god_object, .cursor = ball}));
+    CHECK(fits({plate()}, {.kind = ProxyKind::friction_cone, .cursor = ball}));
+}
+
 TEST_CASE("proxy: the plan's kind is what is made, and nothing where nothing is solid") {
     CHECK(make_proxy({}, {}, {}) == nullptr);
     CHECK(dynamic_cast<GodObject*>(make_proxy({}, {plate()}, {}).get()) != nullptr);
+    const ProxySettings ball{.kind = ProxyKind::virtual_proxy, .cursor = SphereShape{0.01}};
+    CHECK(dynamic_cast<VirtualProxy*>(make_proxy(ball, {plate()}, {}).get()) != nullptr);
     const auto cone = make_proxy({.kind = ProxyKind::friction_cone}, {plate()}, {});
     CHECK(dynamic_cast<FrictionCone*>(cone.get()) != nullptr);
 }

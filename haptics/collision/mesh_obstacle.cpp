@@ -1,0 +1,241 @@
+#include "haptics/collision/mesh_obstacle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+
+namespace {
+
+// How far around a way triangles are remembered: of the reach asked for, and of the ball's radius.
+constexpr double kReach = 1.5;
+constexpr double kRadius = 0.25;
+// A long way through a mesh is asked for in pieces of this many reaches.
+constexpr double kPiece = 4.0;
+constexpr double kMostPieces = 64.0;
+// A triangle that touches the nearest point is not much further than this, of the distance.
+constexpr double kNearby = 1.001;
+// By far more than rounding, of a length.
+constexpr double kRounding = 1.0e-12;
+
+Box box_around(const Vector3& from, const Vector3& to, double margin_m) noexcept {
+    const Vector3 margin = Vector3::Constant(margin_m);
+    return {from.cwiseMin(to) - margin, from.cwiseMax(to) + margin};
+}
+
+// Are both ends of the way above the triangle, as seen along the direction?
+bool separates(const Vector3& direction, const TriangleForGap& triangle,
+               const CastQuestion& question, double distance_m) noexcept {
+    const double lowest = std::min(direction.dot(question.from_B), direction.dot(question.to_B));
+    return lowest - triangle.highest_along(direction) >= distance_m;
+}
+
+// Along the edge, if it is one.
+Vector3 find_straight(const TriangleForGap& triangle, TrianglePart part) noexcept {
+    switch (part) {
+        case TrianglePart::ab:
+            return triangle.ab.normalized();
+        case TrianglePart::ac:
+            return triangle.ac.normalized();
+        case TrianglePart::bc:
+            return (triangle.ac - triangle.ab).normalized();
+        default:
+            return Vector3::Zero();
+    }
+}
+
+}  // namespace
+
+MeshObstacle::MeshObstacle(std::shared_ptr<const CollisionMesh> mesh, double radius_m)
+    : mesh_(std::move(mesh)), ball_radius_m_(radius_m) {
+    triangles_.reserve(kMostRemembered);
+    bounds_m_.reserve(kMostRemembered);
+}
+
+CastHit MeshObstacle::cast(const CastQuestion& question) noexcept {
+    const double around_m = ball_radius_m_ + question.level_m;
+    if (!mesh_->tree().root_box().overlaps(box_around(question.from_B, question.to_B, around_m))) {
+        return {};
+    }
+    const auto is_remembered = [&](const Vector3& at_B) noexcept {
+        return (at_B - centre_B_).norm() + around_m <= reach_m_;
+    };
+    if (!is_remembered(question.from_B) || !is_remembered(question.to_B)) {
+        const double length_m = (question.to_B - question.from_B).norm();
+        const double margin_m = std::max(kReach * question.reach_m, kRadius * ball_radius_m_);
+        if (length_m > kPiece * (margin_m + around_m)) {
+            return cast_through_tree(question);
+        }
+        remember(0.5 * (question.from_B + question.to_B), around_m + margin_m + 0.5 * length_m);
+        if (reach_m_ < 0.0) {
+            return cast_through_tree(question);
+        }
+    }
+    return cast_remembered(question);
+}
+
+void MeshObstacle::remember(const Vector3& centre_B, double radius_m) noexcept {
+    triangles_.clear();
+    bounds_m_.clear();
+    centre_B_ = centre_B;
+    last_B_ = centre_B;
+    reach_m_ = radius_m;
+    travelled_m_ = 0.0;
+    mesh_->tree().for_each_in_box(box_around(centre_B, centre_B, radius_m),
+                                  [this](std::int32_t triangle) noexcept { remember(triangle); });
+}
+
+// Unless it lies beyond the ball's reach, as its own middle and radius tell.
+void MeshObstacle::remember(std::int32_t triangle) noexcept {
+    const TriangleCorners& corners = mesh_->corners(triangle);
+    const Vector3& a = mesh_->vertex_B(corners[0]);
+    const Vector3& b = mesh_->vertex_B(corners[1]);
+    const Vector3& c = mesh_->vertex_B(corners[2]);
+    const Vector3 middle = (a + b + c) * (1.0 / 3.0);
+    const double square = std::max(
+        {(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()});
+    const double least_m = ((middle - centre_B_).norm() - std::sqrt(square)) * (1.0 - kRounding);
+    if (least_m > reach_m_ || reach_m_ < 0.0) {
+        return;
+    }
+    if (triangles_.size() == kMostRemembered) {
+        reach_m_ = -1.0;
+        return;
+    }
+    triangles_.push_back(prepare_for_gap(*mesh_, triangle));
+    bounds_m_.push_back(least_m);
+}
+
+CastHit MeshObstacle::cast_remembered(const CastQuestion& question) noexcept {
+    travelled_m_ += (question.from_B - last_B_).norm() * (1.0 + kRounding);
+    last_B_ = question.from_B;
+    CastHit nearest;
+    const double length_m = (question.to_B - question.from_B).norm();
+    const double around_m = (ball_radius_m_ + question.level_m + length_m) * (1.0 + kRounding);
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        if (bounds_m_[i] - travelled_m_ > around_m) {
+            continue;
+        }
+        const TriangleGap gap = find_triangle_gap(triangles_[i], question.from_B);
+        bounds_m_[i] = gap.distance_m * (1.0 - kRounding) + travelled_m_;
+        meet(triangles_[i], gap, question, nearest);
+    }
+    return nearest;
+}
+
+CastHit MeshObstacle::cast_through_tree(const CastQuestion& question) const noexcept {
+    const Vector3 way = question.to_B - question.from_B;
+    const double wanted =
+        way.norm() / (kPiece * (ball_radius_m_ + question.level_m + question.reach_m));
+    const int n_pieces = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, kMostPieces));
+    CastHit nearest;
+    for (int i = 0; i < n_pieces && !nearest.found(); ++i) {
+        CastQuestion piece = question;
+        piece.from_B = question.from_B + static_cast<double>(i) / n_pieces * way;
+        piece.to_B = i + 1 == n_pieces
+                         ? question.to_B
+                         : Vector3(question.from_B + static_cast<double>(i + 1) / n_pieces * way);
+        cast_piece(piece, nearest);
+        if (nearest.found()) {
+            nearest.t = (static_cast<double>(i) + nearest.t) / n_pieces;
+        }
+    }
+    return nearest;
+}
+
+void MeshObstacle::cast_piece(const CastQuestion& question, CastHit& nearest) const noexcept {
+    const double around_m = ball_radius_m_ + question.level_m;
+    mesh_->tree().for_each_in_box(
+        box_around(question.from_B, question.to_B, around_m), [&](std::int32_t index) noexcept {
+            const TriangleForGap t = prepare_for_gap(*mesh_, index);
+            meet(t, find_triangle_gap(t, question.from_B), question, nearest);
+        });
+}
+
+void MeshObstacle::meet(const TriangleForGap& triangle, const TriangleGap& gap,
+                        const CastQuestion& question, CastHit& nearest) const noexcept {
+    const double distance_m = ball_radius_m_ + question.level_m;
+    const double rest_m = gap.distance_m - distance_m;
+    const double end = std::min(nearest.t, 1.0);
+    const Vector3 way = question.to_B - question.from_B;
+    if (gap.normal_B.dot(way) * end >= -std::max(rest_m, 0.0)) {
+        return;
+    }
+    // A plane of its own or one of those given may show at once that it is not met.
+    for (const Vector3& normal_B : question.normals_B) {
+        if (separates(normal_B, triangle, question, distance_m)) {
+            return;
+        }
+    }
+    const double side = triangle.normal.dot(question.from_B - triangle.a) < 0.0 ? -1.0 : 1.0;
+    if (separates(side * triangle.normal, triangle, question, distance_m)) {
+        return;
+    }
+    const double t = cast_convex(question, [&](const Vector3& at_B) noexcept {
+        const TriangleGap there = find_triangle_gap(triangle, at_B);
+        return Gap{.normal_B = there.normal_B, .gap_m = there.distance_m - ball_radius_m_};
+    });
+    if (t < nearest.t || (t == nearest.t && t <= 1.0 && triangle.index < nearest.feature)) {
+        nearest = {t, triangle.index};
+    }
+}
+
+Gap MeshObstacle::find_gap(std::int32_t feature, const Vector3& at_B) const noexcept {
+    const TriangleForGap triangle = prepare_for_gap(*mesh_, feature);
+    const TriangleGap seen = find_triangle_gap(triangle, at_B);
+    Gap gap{.normal_B = seen.normal_B, .gap_m = seen.distance_m - ball_radius_m_};
+    if (seen.part != TrianglePart::face && seen.distance_m > 0.0) {
+        gap.curvature_per_m = 1.0 / seen.distance_m;
+        gap.straight_B = find_straight(triangle, seen.part);
+    }
+    return gap;
+}
+
+// The nearest point stays where it is as long as no corner of the triangles round it comes above the plane across the normal there:
+// (n d + way) . (corner - nearest) <= 0 with the distance d.
+double MeshObstacle::find_bend(std::int32_t feature, const Vector3& at_B,
+                               const Vector3& direction_B) const noexcept {
+    constexpr double kFarthestTurn = 0.3;  // radians, where nothing ends it
+    constexpr double kBeside = 1.0e-9;     // of an edge's length: a corner of the same edge
+    const TriangleForGap triangle = prepare_for_gap(*mesh_, feature);
+    const TriangleGap seen = find_triangle_gap(triangle, at_B);
+    const Vector3 from_nearest = seen.distance_m * seen.normal_B;
+    const Vector3 nearest_B = at_B - from_nearest;
+    const auto shares = [&](const TriangleForGap& other) noexcept {
+        constexpr double kSame = 1.0e-9;  // of the distance
+        return find_triangle_gap(other, nearest_B).distance_m <= kSame * seen.distance_m;
+    };
+    const double farthest_m = kNearby * seen.distance_m + travelled_m_ + (at_B - last_B_).norm();
+    double least_m = kFarthestTurn * seen.distance_m;
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        const TriangleForGap& other = triangles_[i];
+        if (bounds_m_[i] > farthest_m || !shares(other)) {
+            continue;
+        }
+        for (const Vector3& beyond_a : {Vector3(Vector3::Zero()), other.ab, other.ac}) {
+            const Vector3 corner = other.a + beyond_a - nearest_B;
+            const double rise = direction_B.dot(corner);
+            if (rise > kBeside * corner.norm()) {
+                least_m = std::min(least_m, std::max(-from_nearest.dot(corner), 0.0) / rise);
+            }
+        }
+    }
+    return least_m;
+}
+
+std::int32_t MeshObstacle::find_nearest(const Vector3& at_B, double level_m) const noexcept {
+    std::int32_t nearest = -1;
+    double least_m = ball_radius_m_ + level_m;
+    mesh_->tree().for_each_in_box(
+        box_around(at_B, at_B, least_m), [&](std::int32_t triangle) noexcept {
+            const double distance_m =
+                find_triangle_gap(prepare_for_gap(*mesh_, triangle), at_B).distance_m;
+            if (distance_m < least_m) {
+                least_m = distance_m;
+                nearest = triangle;
+            }
+        });
+    return nearest;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,88 @@
+#include "haptics/point/moving_obstacle.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace fulcrum {
+
+namespace {
+
+// The gap at which the proxy is held, of the solid's size: far above rounding, far below what can be felt.
+constexpr double kClearance = 1.0e-10;
+// The same as a multiple of the rounding of the world's coordinates, for small solids far from the origin.
+constexpr double kRoundings = 64.0;
+// The gap that counts as met, of the clearance: the difference is what rounding may do to a proxy that slides.
+constexpr double kMet = 0.5;
+
+bool is_same(const Pose& a, const Pose& b) noexcept {
+    return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
+}  // namespace
+
+MovingObstacle::MovingObstacle(std::unique_ptr<Obstacle> obstacle, std::int32_t index,
+                               const Pose& pose_W)
+    : obstacle_(std::move(obstacle)), index_(index) {
+    take_pose(pose_W);
+    obstacle_->turn(turn_);
+}
+
+bool MovingObstacle::take_pose(const Pose& pose_W) noexcept {
+    if (is_same(pose_W, pose_W_)) {
+        return false;
+    }
+    const double length = pose_W.orientation.norm();
+    if (!is_finite(pose_W) || !(length > 0.0) ||
+        !(length < std::numeric_limits<double>::infinity())) {
+        return false;
+    }
+    pose_W_ = pose_W;
+    origin_W_ = pose_W.position;
+    turn_ = Eigen::Quaterniond(pose_W.orientation.coeffs() / length).toRotationMatrix();
+    obstacle_->turn(turn_);
+    return true;
+}
+
+double MovingObstacle::clearance_m() const noexcept {
+    const double farthest_m =
+        (to_world(proxy_B_) - origin_W_).cwiseAbs().maxCoeff() + origin_W_.cwiseAbs().maxCoeff();
+    return kClearance * obstacle_->size_m() +
+           kRoundings * std::numeric_limits<double>::epsilon() * farthest_m;
+}
+
+CastHit MovingObstacle::cast(const Vector3& to_W, double reach_m,
+                             std::span<const Vector3> normals_W) noexcept {
+    const Vector3 to_B = to_body(to_W);
+    if (to_B == proxy_B_) {
+        return {};
+    }
+    std::array<Vector3, kMostNormals> normals_B;
+    const std::size_t n = std::min(normals_W.size(), kMostNormals);
+    for (std::size_t i = 0; i < n; ++i) {
+        normals_B[i] = turn_.transpose() * normals_W[i];
+    }
+    return obstacle_->cast({.from_B = proxy_B_,
+                            .to_B = to_B,
+                            .level_m = kMet * clearance_m(),
+                            .reach_m = reach_m,
+                            .normals_B = {normals_B.data(), n}});
+}
+
+ObstaclePlane MovingObstacle::find_plane(std::int32_t feature) const noexcept {
+    const Gap gap = obstacle_->find_gap(feature, proxy_B_);
+    return {.solid = index_,
+            .feature = feature,
+            .normal_W = turn_ * gap.normal_B,
+            .gap_m = gap.gap_m,
+            .clearance_m = clearance_m(),
+            .curvature_per_m = gap.curvature_per_m,
+            .straight_W = turn_ * gap.straight_B};
+}
+
+bool MovingObstacle::is_near(const Vector3& centre_W, double radius_m) const noexcept {
+    const double reach_m = (obstacle_->radius_m() + radius_m) * (1.0 + 1.0e-9) + clearance_m();
+    return (to_body(centre_W) - obstacle_->centre_B()).squaredNorm() <= reach_m * reach_m;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,97 @@
+// A ball that slides over all solids: it goes as near to the hand as their surfaces, drawn out by its radius, allow.
+//
+// Law: where the proxy touches features of solids, each is replaced by its tangent plane there: of all places in front of these
+// planes the proxy takes the nearest to the hand (plane_constraints.h), and looks again from there.
+//  - All features are convex, so a tangent plane has nothing of its feature in front of it: each step's place is free of what
+//    gave its planes, and nearer to the hand than the one before. What is left of a curved feature's error shrinks by depth over
+//    radius of curvature a round. A place that stays is one that real contacts hold.
+//  - It moves only along ways that no feature comes into (obstacle.h), in the frame of each solid: first contact ends a way, and
+//    the feature met joins the planes. Features that do not push are left.
+//  - So a gap narrower than the ball is no way through, however its edges lie; with the radius 0 the ball is a point that keeps
+//    1e-10 of the solid's size off it.
+//  - A solid that moves carries the proxy that touches it, and takes along one that it meets; between two solids that close on it
+//    the proxy is pushed out sideways. If there is no way out it lets one solid come nearer and counts that.
+// A ball that starts in a surface is pushed out of it. All lengths are relative to the solid's size.
+//
+// Thread: haptic loop. Cost: bounded casts a step; no allocation, noexcept.
+// Source: D. C. Ruspini, K. Kolarov, O. Khatib 1997, The haptic display of complex graphical environments, SIGGRAPH.
+#pragma once
+
+#include "haptics/point/moving_obstacle.h"
+#include "haptics/point/proxy.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace fulcrum {
+
+class VirtualProxy final : public SurfaceObject {
+  public:
+    /// Farthest coordinate of a hand that is followed, metres; one beyond is ignored like NaN.
+    static constexpr double kFarthest_m = 1.0e30;
+
+    /// The solids as the cursor meets them; the proxy starts at the origin, `reset` puts it on the hand.
+    explicit VirtualProxy(std::vector<MovingObstacle> solids);
+
+    void reset(const Vector3& hand_W) noexcept override;
+    void carry(std::span<const Pose> solid_poses_W) noexcept override;
+    /// A goal that is not finite leaves all as it was.
+    const ProxyContact& follow(const Vector3& goal_W) noexcept override;
+    [[nodiscard]] const ProxyContact& contact() const noexcept override { return contact_; }
+
+    /// How often a solid had to be let come nearer, squeezed between two.
+    [[nodiscard]] std::uint64_t n_squeezed() const noexcept { return n_squeezed_; }
+    /// Casts of the last step: what it cost.
+    [[nodiscard]] int n_casts() const noexcept { return n_casts_; }
+
+  private:
+    // Planes that act together, with how much each pushes. One more than can be active.
+    struct Planes {
+        static constexpr std::size_t kMost = 4;
+        std::array<ObstaclePlane, kMost> plane;
+        std::array<double, kMost> push_m{};
+        std::size_t count = 0;
+    };
+    struct Blocker {
+        std::int32_t solid = kNoBody;
+        CastHit hit;
+    };
+
+    static constexpr int kMostCasts = 64;  ///< in a step; a smooth surface takes about 3
+
+    // Motion of the solids (virtual_proxy_solids.cpp).
+    void follow_touched() noexcept;
+    [[nodiscard]] bool place_carried(const Vector3& wish_W, Blocker& blocker) noexcept;
+    [[nodiscard]] bool place_between(const Vector3& wish_W, const Blocker& first) noexcept;
+    [[nodiscard]] Blocker find_blocker(const Vector3& to_W) noexcept;
+    void accept(const Vector3& proxy_W) noexcept;
+    void leave_surfaces() noexcept;
+
+    // Motion to the goal.
+    void find_near_solids(const Vector3& goal_W) noexcept;
+    void follow_goal(const Vector3& goal_W) noexcept;
+    [[nodiscard]] static Vector3 constrain(const Vector3& wish, Planes& planes) noexcept;
+    [[nodiscard]] Vector3 lengthen(const Vector3& way) const noexcept;
+    [[nodiscard]] Blocker cast_all(const Vector3& to_W) noexcept;
+    void move_to(const Vector3& proxy_W) noexcept;
+    void stop_at(const Blocker& blocker, const Vector3& target_W) noexcept;
+    void look_again() noexcept;
+    void publish(const Vector3& goal_W) noexcept;
+    void renew_touches() noexcept;
+
+    std::vector<MovingObstacle> solids_;
+    // Solids that the hand's motion can reach in this step: the first n_near_ entries.
+    std::vector<std::int32_t> near_;
+    std::size_t n_near_ = 0;
+    Vector3 proxy_W_{Vector3::Zero()};
+    Vector3 goal_W_{Vector3::Zero()};
+    double reach_m_ = 0.0;  // how far the goal came in this step: about as far as the proxy will go
+    Planes planes_;
+    int n_casts_ = 0;
+    std::uint64_t n_squeezed_ = 0;
+    ProxyContact contact_;
+};
+
+}  // namespace fulcrum

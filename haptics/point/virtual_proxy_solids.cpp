@@ -1,0 +1,145 @@
+// How the proxy keeps out of solids that move.
+#include "haptics/point/virtual_proxy.h"
+
+#include <algorithm>
+
+namespace fulcrum {
+
+namespace {
+
+constexpr int kMaxPushes = 8;        // features met on the way out from between solids
+constexpr int kMaxSeparations = 32;  // looks for features that a ball starts in
+
+}  // namespace
+
+void VirtualProxy::carry(std::span<const Pose> solid_poses_W) noexcept {
+    n_casts_ = 0;
+    bool any_moved = false;
+    for (std::size_t i = 0; i < std::min(solids_.size(), solid_poses_W.size()); ++i) {
+        any_moved = solids_[i].take_pose(solid_poses_W[i]) || any_moved;
+    }
+    std::array<Vector3, kMaxTouches> anchors_W;
+    anchors_W.fill(proxy_W_);
+    if (any_moved) {
+        for (std::size_t i = 0; i < std::min(planes_.count, kMaxTouches); ++i) {
+            anchors_W[i] =
+                solids_[static_cast<std::size_t>(planes_.plane[i].solid)].carried_proxy_W();
+        }
+        follow_touched();
+    }
+    look_again();
+    // Nothing pushes yet: that is known when the goal is.
+    planes_.push_m.fill(0.0);
+    renew_touches();
+    for (std::size_t i = 0; i < contact_.active().size(); ++i) {
+        contact_.touches[i].anchor_W = anchors_W[i];
+    }
+    contact_.position_W = proxy_W_;
+}
+
+// With the touched solid, or where it was; else wherever there is room.
+void VirtualProxy::follow_touched() noexcept {
+    const Vector3 wish_W =
+        contact_.solid == kNoBody
+            ? proxy_W_
+            : solids_[static_cast<std::size_t>(contact_.solid)].carried_proxy_W();
+    Blocker blocker;
+    if (!place_carried(wish_W, blocker) && !place_between(wish_W, blocker)) {
+        ++n_squeezed_;
+        accept(wish_W);
+        leave_surfaces();
+    }
+}
+
+// Tries the wish, then standing still, then going with each solid that is in the way.
+bool VirtualProxy::place_carried(const Vector3& wish_W, Blocker& blocker) noexcept {
+    blocker = find_blocker(wish_W);
+    Blocker next = blocker;
+    Vector3 candidate_W = wish_W;
+    if (next.solid != kNoBody && wish_W != proxy_W_) {
+        candidate_W = proxy_W_;
+        next = find_blocker(candidate_W);
+    }
+    unsigned tried = 0;
+    while (next.solid != kNoBody) {
+        const unsigned bit = 1U << static_cast<unsigned>(next.solid);
+        if ((tried & bit) != 0) {
+            return false;
+        }
+        tried |= bit;
+        candidate_W = solids_[static_cast<std::size_t>(next.solid)].carried_proxy_W();
+        next = find_blocker(candidate_W);
+    }
+    accept(candidate_W);
+    return true;
+}
+
+// Out of the way of all: the place nearest to the wish in front of every plane met so far, until nothing is met.
+bool VirtualProxy::place_between(const Vector3& wish_W, const Blocker& first) noexcept {
+    Blocker blocker = first;
+    Vector3 candidate_W = wish_W;
+    Planes planes;
+    // Each solid's planes are those where it has the proxy now, moved along: as seen from the wish.
+    const auto add = [&](const ObstaclePlane& seen) noexcept {
+        ObstaclePlane plane = seen;
+        const Vector3 at_W = solids_[static_cast<std::size_t>(seen.solid)].carried_proxy_W();
+        plane.gap_m += plane.normal_W.dot(wish_W - at_W);
+        planes.plane[planes.count] = plane;
+        planes.push_m[planes.count++] = 0.0;
+    };
+    for (std::size_t i = 0; i < std::min<std::size_t>(planes_.count, 3); ++i) {
+        add(solids_[static_cast<std::size_t>(planes_.plane[i].solid)].find_plane(
+            planes_.plane[i].feature));
+    }
+    for (int push = 0; push < kMaxPushes && planes.count < Planes::kMost; ++push) {
+        add(solids_[static_cast<std::size_t>(blocker.solid)].find_plane(blocker.hit.feature));
+        candidate_W = wish_W + constrain(Vector3::Zero(), planes);
+        blocker = find_blocker(candidate_W);
+        if (blocker.solid == kNoBody) {
+            accept(candidate_W);
+            return true;
+        }
+    }
+    return false;
+}
+
+VirtualProxy::Blocker VirtualProxy::find_blocker(const Vector3& to_W) noexcept {
+    for (std::size_t i = 0; i < solids_.size(); ++i) {
+        const CastHit hit = solids_[i].cast(to_W, reach_m_, {});
+        if (hit.found()) {
+            return {static_cast<std::int32_t>(i), hit};
+        }
+    }
+    return {};
+}
+
+void VirtualProxy::accept(const Vector3& proxy_W) noexcept {
+    proxy_W_ = proxy_W;
+    for (MovingObstacle& solid : solids_) {
+        solid.put_proxy(proxy_W);
+    }
+}
+
+// Out of all that it is in, the deepest first: to the nearest place in front of their planes.
+void VirtualProxy::leave_surfaces() noexcept {
+    Planes planes;
+    for (int look = 0; look < kMaxSeparations; ++look) {
+        const std::size_t before = planes.count;
+        for (std::size_t i = 0; i < solids_.size() && planes.count < Planes::kMost; ++i) {
+            const std::int32_t feature = solids_[i].find_deepest();
+            if (feature >= 0) {
+                planes.plane[planes.count++] = solids_[i].find_plane(feature);
+            }
+        }
+        if (planes.count == before) {
+            return;
+        }
+        accept(proxy_W_ + constrain(Vector3::Zero(), planes));
+        for (std::size_t i = 0; i < planes.count; ++i) {
+            planes.plane[i] = solids_[static_cast<std::size_t>(planes.plane[i].solid)].find_plane(
+                planes.plane[i].feature);
+        }
+    }
+}
+
+}  // namespace fulcrum
