@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace fulcrum {
@@ -28,6 +29,8 @@ class CollisionMesh {
     [[nodiscard]] const Vector3& vertex_B(std::int32_t vertex) const noexcept {
         return vertices_B_[static_cast<std::size_t>(vertex)];
     }
+    [[nodiscard]] std::span<const Vector3> vertices_B() const noexcept { return vertices_B_; }
+    [[nodiscard]] std::span<const TriangleCorners> triangles() const noexcept { return triangles_; }
     /// The triangles of one of the tree's leaves will be asked for soon.
     void prefetch_leaf(std::int32_t leaf) const noexcept {
         const auto first = static_cast<std::size_t>(leaf) * BoundingTree::kWidth;
