@@ -73,7 +73,8 @@ std::span<FrictionPlane> FrictionCone::hold(const Vector3& hand_W, Planes& stora
     return planes;
 }
 
-// Each drag belongs to the solid that gave it, at whichever of its planes the surface object now lies.
+// The contact is the surface object's, seen from the goal: its normal is that of the planes alone, so the force may lean away
+// from it, but never pulls. Each drag belongs to the solid that gave it, at whichever of its planes the surface object now lies.
 void FrictionCone::share_drag(std::span<const SolidTouch> before,
                               std::span<const FrictionPlane> planes) noexcept {
     for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -90,14 +91,6 @@ void FrictionCone::share_drag(std::span<const SolidTouch> before,
             }
         }
         best->drag_W += planes[i].drag;
-    }
-    // The normal is that of the planes alone: the force may lean away from it, but never pull.
-    Vector3 push_W = Vector3::Zero();
-    for (const SolidTouch& touch : contact_.active()) {
-        push_W += touch.push_m * touch.normal_W;
-    }
-    if (push_W.squaredNorm() > 0.0) {
-        contact_.normal_W = push_W.stableNormalized();
     }
 }
 
