@@ -54,6 +54,15 @@ class HashGrid {
   private:
     [[nodiscard]] bool clip(const Vector3& from, const Vector3& to, double& t_in,
                             double& t_out) const noexcept;
+    // Where the segment crosses the cell's next border on an axis; never, if it does not move along it. From the border's own
+    // place each time, so that no rounding adds up on the way.
+    [[nodiscard]] double find_border(const Vector3& from, const Vector3& to, const Cell& cell,
+                                     std::size_t axis) const noexcept {
+        const auto i = static_cast<Eigen::Index>(axis);
+        const double border = box_.lower[i] + cell_m_ * (cell[axis] + (to[i] > from[i] ? 1 : 0));
+        return to[i] == from[i] ? std::numeric_limits<double>::infinity()
+                                : (border - from[i]) / (to[i] - from[i]);
+    }
     [[nodiscard]] std::size_t slot_of(std::uint64_t key) const noexcept;
 
     Box box_;
@@ -71,33 +80,22 @@ void HashGrid::for_each_along(const Vector3& from, const Vector3& to,
     if (!clip(from, to, t_in, t_out)) {
         return;
     }
-    constexpr double kNever = std::numeric_limits<double>::infinity();
     Cell cell = find_cell(from + t_in * (to - from));
-    Cell step{};
-    std::array<double, 3> t_next{kNever, kNever, kNever};  // of the next border on each axis
-    // Each from the border's own place, so that no rounding adds up on the way.
-    const auto find_next = [&](std::size_t axis) noexcept {
-        const auto i = static_cast<Eigen::Index>(axis);
-        const double border = box_.lower[i] + cell_m_ * (cell[axis] + (step[axis] > 0 ? 1 : 0));
-        return (border - from[i]) / (to[i] - from[i]);
-    };
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<Eigen::Index>(axis);
-        step[axis] = to[i] > from[i] ? 1 : (to[i] < from[i] ? -1 : 0);
-        t_next[axis] = step[axis] != 0 ? find_next(axis) : kNever;
-    }
+    std::array<double, 3> t_next{find_border(from, to, cell, 0), find_border(from, to, cell, 1),
+                                 find_border(from, to, cell, 2)};
     while (true) {
         const std::size_t xy = t_next[0] <= t_next[1] ? 0 : 1;
         const std::size_t axis = t_next[xy] <= t_next[2] ? xy : 2;
         const double t_leave = t_next[axis];
+        const auto i = static_cast<Eigen::Index>(axis);
         if (!visit(to_key(cell), t_leave) || t_leave > t_out) {
             return;
         }
-        cell[axis] += step[axis];
+        cell[axis] += to[i] > from[i] ? 1 : -1;
         if (cell[axis] < 0 || cell[axis] >= n_cells_[axis]) {
             return;
         }
-        t_next[axis] = find_next(axis);
+        t_next[axis] = find_border(from, to, cell, axis);
     }
 }
 

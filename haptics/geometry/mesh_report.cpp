@@ -1,55 +1,28 @@
 #include "haptics/geometry/mesh_report.h"
 
+#include "haptics/geometry/mesh_edges.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <utility>
+#include <span>
 #include <vector>
 
 namespace fulcrum {
 
 namespace {
 
-struct DirectedEdge {
-    std::int32_t low = 0;
-    std::int32_t high = 0;
-    bool upwards = false;  // the triangle runs from low to high
-};
-
-std::vector<DirectedEdge> collect_edges(const TriangleMesh& mesh) {
-    std::vector<DirectedEdge> edges;
-    edges.reserve(3 * mesh.triangles().size());
-    for (const TriangleCorners& corners : mesh.triangles()) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::int32_t from = corners[i];
-            const std::int32_t to = corners[(i + 1) % 3];
-            edges.push_back({std::min(from, to), std::max(from, to), from < to});
-        }
-    }
-    std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
-        return std::pair(a.low, a.high) < std::pair(b.low, b.high);
+void count_edges(const TriangleMesh& mesh, MeshReport& report) {
+    const std::vector<MeshEdge> edges = collect_edges(mesh.triangles(), mesh.vertices_B().size());
+    for_each_shared_edge(edges, [&report](std::span<const MeshEdge> shared) {
+        const auto n_upwards = std::count_if(shared.begin(), shared.end(),
+                                             [](const MeshEdge& edge) { return edge.upwards; });
+        report.open_edges += shared.size() == 1 ? 1 : 0;
+        report.non_manifold_edges += shared.size() > 2 ? 1 : 0;
+        report.inconsistent_edges += shared.size() == 2 && n_upwards != 1 ? 1 : 0;
     });
-    return edges;
 }
 
-void count_edges(const std::vector<DirectedEdge>& edges, MeshReport& report) {
-    for (std::size_t first = 0; first < edges.size();) {
-        std::size_t end = first;
-        std::int64_t n_upwards = 0;
-        while (end < edges.size() && edges[end].low == edges[first].low &&
-               edges[end].high == edges[first].high) {
-            n_upwards += edges[end].upwards ? 1 : 0;
-            ++end;
-        }
-        const std::size_t n_sharing = end - first;
-        report.open_edges += n_sharing == 1 ? 1 : 0;
-        report.non_manifold_edges += n_sharing > 2 ? 1 : 0;
-        report.inconsistent_edges += n_sharing == 2 && n_upwards != 1 ? 1 : 0;
-        first = end;
-    }
-}
-
-// About the box's centre, so that a mesh far from its origin loses no digits.
 double compute_signed_volume_m3(const TriangleMesh& mesh) {
     const Vector3 centre = 0.5 * (mesh.lower_B() + mesh.upper_B());
     double sextuple = 0.0;
@@ -89,8 +62,18 @@ std::vector<std::string> list_defects(const MeshReport& report) {
         defects.push_back(counted(report.inconsistent_edges, "edge", "edges") +
                           " where one neighbour is turned over (touch is the same, light is not)");
     }
+    if (report.self_intersections > 0) {
+        defects.push_back((report.more_self_intersections ? "at least " : "") +
+                          counted(report.self_intersections, "place", "places") +
+                          " where it passes through itself (both surfaces are felt)");
+    } else if (report.more_self_intersections) {
+        defects.emplace_back("triangles too crowded to tell whether it passes through itself");
+    }
     if (report.inside_out) {
         defects.emplace_back("all its fronts looking inwards (touch is the same, light is not)");
+    }
+    if (report.closed_cracks > 0) {
+        defects.push_back(counted(report.closed_cracks, "crack", "cracks") + ", now closed");
     }
     if (report.degenerate_triangles > 0) {
         defects.push_back(counted(report.degenerate_triangles, "triangle", "triangles") +
@@ -106,8 +89,9 @@ MeshReport compute_mesh_report(const TriangleMesh& mesh) {
     report.n_triangles = static_cast<std::int64_t>(mesh.triangles().size());
     report.n_vertices = static_cast<std::int64_t>(mesh.vertices_B().size());
     report.degenerate_triangles = mesh.counts().degenerate_triangles;
+    report.closed_cracks = mesh.counts().closed_cracks;
     report.size_m = mesh.upper_B() - mesh.lower_B();
-    count_edges(collect_edges(mesh), report);
+    count_edges(mesh, report);
     if (report.is_closed() && report.inconsistent_edges == 0) {
         const double signed_volume_m3 = compute_signed_volume_m3(mesh);
         report.inside_out = signed_volume_m3 < 0.0;

@@ -138,8 +138,11 @@ void ObbForest::for_each_met(std::int32_t root, const CentredSegment& segment,
             stack[n_stacked++] = node.first + 1;
             stack[n_stacked++] = node.first;
         }
-        for (std::int32_t i = 0; i < node.n_triangles; ++i) {
-            visit(triangles_[static_cast<std::size_t>(node.first + i)]);
+        const auto first = static_cast<std::size_t>(node.first);
+        const auto count = static_cast<std::size_t>(node.n_triangles);
+        for (const std::int32_t triangle :
+             std::span(triangles_).subspan(count > 0 ? first : 0, count)) {
+            visit(triangle);
         }
     }
 }

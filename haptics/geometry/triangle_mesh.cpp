@@ -1,5 +1,6 @@
 #include "haptics/geometry/triangle_mesh.h"
 
+#include "haptics/geometry/crack.h"
 #include "haptics/geometry/weld.h"
 
 #include <algorithm>
@@ -21,6 +22,10 @@ std::optional<Error> find_bad_input(const std::vector<Vector3>& vertices,
     if (!(settings.weld_relative >= 0.0 && settings.weld_relative <= kLargestWeld)) {
         return Error{"the weld distance is not between 0 and 0.01 of the mesh's size", where,
                      "choose for example 1e-6"};
+    }
+    if (!(settings.crack_relative >= 0.0 && settings.crack_relative <= kLargestWeld)) {
+        return Error{"the width of cracks to close is not between 0 and 0.01 of the mesh's size",
+                     where, "choose for example 4e-4"};
     }
     if (vertices.size() > kMaxCount || triangles.size() > kMaxCount) {
         return Error{"the mesh has more than a thousand million triangles or vertices", where,
@@ -68,8 +73,17 @@ void find_extents(const std::vector<Vector3>& vertices,
     }
 }
 
-// Points the triangles at the vertices that remain; the others stay in the list, unused. Returns
-// how many left.
+// Points the triangles at the vertices that remain; the others stay in the list, unused.
+void rename_corners(std::vector<TriangleCorners>& triangles,
+                    const std::vector<std::int32_t>& becomes) {
+    for (TriangleCorners& corners : triangles) {
+        for (std::int32_t& corner : corners) {
+            corner = becomes[static_cast<std::size_t>(corner)];
+        }
+    }
+}
+
+// Returns how many vertices left.
 std::int64_t weld(const std::vector<Vector3>& vertices, std::vector<TriangleCorners>& triangles,
                   double tolerance_m) {
     const std::vector<std::int32_t> becomes = compute_welded_indices(vertices, tolerance_m);
@@ -77,12 +91,19 @@ std::int64_t weld(const std::vector<Vector3>& vertices, std::vector<TriangleCorn
     for (std::size_t i = 0; i < becomes.size(); ++i) {
         n_welded += becomes[i] != static_cast<std::int32_t>(i) ? 1 : 0;
     }
-    for (TriangleCorners& corners : triangles) {
-        for (std::int32_t& corner : corners) {
-            corner = becomes[static_cast<std::size_t>(corner)];
-        }
-    }
+    rename_corners(triangles, becomes);
     return n_welded;
+}
+
+void mend_cracks(const std::vector<Vector3>& vertices, std::vector<TriangleCorners>& triangles,
+                 double tolerance_m, MeshBuildCounts& counts) {
+    const ClosedCracks closed = close_cracks(vertices, triangles, tolerance_m);
+    if (!closed.becomes.empty()) {
+        rename_corners(triangles, closed.becomes);
+    }
+    counts.welded_vertices += closed.welded_vertices;
+    counts.closed_edges = closed.closed_edges;
+    counts.closed_cracks = closed.cracks;
 }
 
 void drop_unused_vertices(std::vector<Vector3>& vertices, std::vector<TriangleCorners>& triangles) {
@@ -100,11 +121,7 @@ void drop_unused_vertices(std::vector<Vector3>& vertices, std::vector<TriangleCo
         }
     }
     vertices.resize(static_cast<std::size_t>(n_used));
-    for (TriangleCorners& corners : triangles) {
-        for (std::int32_t& corner : corners) {
-            corner = renamed[static_cast<std::size_t>(corner)];
-        }
-    }
+    rename_corners(triangles, renamed);
 }
 
 }  // namespace
@@ -132,6 +149,10 @@ Expected<TriangleMesh> TriangleMesh::build(std::vector<Vector3> vertices_B,
     mesh.counts_.degenerate_triangles = static_cast<std::int64_t>(n_before - triangles.size());
     if (triangles.empty()) {
         return fail("the mesh has no triangle with an area", where, "export the model again");
+    }
+    if (settings.weld_relative > 0.0 && settings.crack_relative > 0.0 && mesh.diagonal_m() > 0.0) {
+        mend_cracks(vertices_B, triangles, settings.crack_relative * mesh.diagonal_m(),
+                    mesh.counts_);
     }
     drop_unused_vertices(vertices_B, triangles);
     find_extents(vertices_B, triangles, mesh.lower_B_, mesh.upper_B_);

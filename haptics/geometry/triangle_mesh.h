@@ -18,15 +18,20 @@ namespace fulcrum {
 using TriangleCorners = std::array<std::int32_t, 3>;
 
 struct MeshBuildSettings {
-    /// Vertices nearer than this times the mesh's diagonal become one; 0 leaves all as they are. 0
-    /// to 0.01. The default closes what rounding to single precision opens.
+    /// Vertices nearer than this times the mesh's diagonal become one; 0 leaves all as they are, cracks
+    /// too. 0 to 0.01. The default closes what rounding to single precision opens.
     double weld_relative = 1.0e-6;
+    /// Open edges that face each other nearer than this times the diagonal become one (crack.h). 0 to
+    /// 0.01, 0 leaves cracks open.
+    double crack_relative = 4.0e-4;
 };
 
 /// What a build changed.
 struct MeshBuildCounts {
     std::int64_t welded_vertices = 0;       ///< vertices that became another
     std::int64_t degenerate_triangles = 0;  ///< triangles without area, dropped
+    std::int64_t closed_cracks = 0;         ///< rows of open edges that became one
+    std::int64_t closed_edges = 0;          ///< pairs of open edges in them
 };
 
 class TriangleMesh {

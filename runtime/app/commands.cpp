@@ -1,6 +1,6 @@
 #include "runtime/app/commands.h"
 
-#include "haptics/geometry/mesh_report.h"
+#include "haptics/collision/self_intersection.h"
 #include "runtime/app/headless.h"
 #include "runtime/app/lesson_parts.h"
 #include "runtime/app/lesson_run.h"
@@ -83,7 +83,7 @@ void say_of_mesh(const Places& places, const std::filesystem::path& folder,
     if (!mesh) {
         return;  // the plan was compiled from the same file a moment ago
     }
-    const MeshReport report = compute_mesh_report(*mesh);
+    const MeshReport report = compute_full_mesh_report(*mesh);
     if (!report.is_sound()) {
         std::printf("lesson.lua:%d: %s: %s\n", body.line, body.name.c_str(),
                     to_sentence(report).c_str());

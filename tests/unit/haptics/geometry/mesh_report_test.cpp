@@ -57,6 +57,23 @@ TEST_CASE("mesh report: dropped triangles are told") {
           "The mesh of 12 triangles, 1 x 1 x 1 m, has 1 triangle without area, left out.");
 }
 
+TEST_CASE("mesh report: closed cracks and places where it passes through itself are told") {
+    MeshReport report = compute_mesh_report(*make_box(Vector3::Ones()));
+    report.closed_cracks = 2;
+    CHECK_FALSE(report.is_sound());
+    CHECK(to_sentence(report) ==
+          "The mesh of 12 triangles, 1 x 1 x 1 m, has 2 cracks, now closed.");
+    report.closed_cracks = 0;
+    report.self_intersections = 1;
+    CHECK_FALSE(report.is_sound());
+    CHECK(mentions(to_sentence(report), "has 1 place where it passes through itself"));
+    report.more_self_intersections = true;
+    CHECK(mentions(to_sentence(report), "at least 1 place"));
+    report.self_intersections = 0;
+    CHECK_FALSE(report.is_sound());
+    CHECK(mentions(to_sentence(report), "too crowded"));
+}
+
 TEST_CASE("mesh report: a mesh far from its origin keeps its volume") {
     auto vertices = make_box(Vector3::Ones())->vertices_B();
     for (Vector3& vertex : vertices) {

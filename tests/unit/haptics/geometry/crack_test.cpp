@@ -1,0 +1,175 @@
+#include "haptics/geometry/crack.h"
+
+#include "haptics/geometry/mesh_report.h"
+#include "haptics/geometry/shape.h"
+#include "tests/support/hard_meshes.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+namespace fulcrum {
+namespace {
+
+MeshReport build_and_report(std::vector<Vector3> vertices, std::vector<TriangleCorners> triangles,
+                            const MeshBuildSettings& settings = {}) {
+    const auto mesh = TriangleMesh::build(std::move(vertices), std::move(triangles), settings);
+    REQUIRE(mesh);
+    return compute_mesh_report(*mesh);
+}
+
+// All meshes in one, nothing joined.
+struct Parts {
+    std::vector<Vector3> vertices;
+    std::vector<TriangleCorners> triangles;
+    void add(const TriangleMesh& mesh, const Vector3& by, bool turned = false) {
+        const auto first = static_cast<std::int32_t>(vertices.size());
+        for (const Vector3& vertex : mesh.vertices_B()) {
+            vertices.emplace_back(vertex + by);
+        }
+        for (const TriangleCorners& t : mesh.triangles()) {
+            triangles.push_back(
+                {first + t[0], first + (turned ? t[2] : t[1]), first + (turned ? t[1] : t[2])});
+        }
+    }
+};
+
+TEST_CASE("crack: one of 1e-5 or 1e-4 m round a ball of 0.1 m is closed by default, and told") {
+    const auto ball = make_bumpy_sphere(0.1, 12, 0.03, 5.0);
+    for (const double crack_m : {1e-5, 1e-4}) {
+        const auto cracked = make_cracked(*ball, crack_m, 41, 0.0);
+        const MeshReport open = compute_mesh_report(*cracked);
+        CHECK(open.open_edges > 50);
+        CHECK(open.closed_cracks == 0);
+        const MeshReport closed = build_and_report(cracked->vertices_B(), cracked->triangles());
+        CHECK(closed.is_closed());
+        CHECK(closed.inconsistent_edges == 0);
+        CHECK(closed.closed_cracks == 1);
+        CHECK(closed.n_triangles == open.n_triangles);
+        CHECK(to_sentence(closed).find("1 crack, now closed") != std::string::npos);
+    }
+}
+
+TEST_CASE("crack: one wider than asked for stays open, and 0 closes none") {
+    const auto ball = make_sphere(0.1, 12);
+    const auto cracked = make_cracked(*ball, 1e-3, 41, 0.0);
+    CHECK(build_and_report(cracked->vertices_B(), cracked->triangles()).open_edges > 50);
+    const auto fine = make_cracked(*ball, 1e-4, 41, 0.0);
+    CHECK(build_and_report(fine->vertices_B(), fine->triangles(), {.crack_relative = 0.0})
+              .open_edges > 50);
+    CHECK(
+        build_and_report(fine->vertices_B(), fine->triangles(), {.weld_relative = 0.0}).open_edges >
+        50);
+}
+
+TEST_CASE("crack: two cracks are counted as two, whichever way the faces look") {
+    // Two cracked balls beside each other, one of them turned over.
+    Parts parts;
+    const auto ring = make_cracked(*make_sphere(0.1, 6), 2e-5, 3, 0.0);
+    parts.add(*ring, Vector3::Zero());
+    parts.add(*ring, Vector3(0.3, 0.0, 0.0), true);
+    const MeshReport report = build_and_report(parts.vertices, parts.triangles);
+    CHECK(report.closed_cracks == 2);
+    CHECK(report.is_closed());
+}
+
+TEST_CASE("crack: the two faces of an open thin plate are never joined") {
+    // 0.1 mm apart, well within the tolerance of 0.4 of a thousandth of the diagonal of 0.5 m.
+    const auto sheet = make_plate(0.35, 0.35, 6);
+    for (const double apart_m : {1e-4, 2e-5}) {
+        Parts parts;
+        parts.add(*sheet, Vector3::Zero());
+        parts.add(*sheet, Vector3(0.0, apart_m, 0.0), true);
+        const MeshReport report = build_and_report(parts.vertices, parts.triangles);
+        CHECK(report.closed_cracks == 0);
+        CHECK(report.open_edges == 48);
+        CHECK(report.n_vertices == 2 * 49);
+    }
+}
+
+TEST_CASE("crack: two sheets side by side become one, and so do two at a right angle") {
+    const auto sheet = make_plate(0.2, 0.2, 4);
+    Parts flat;
+    flat.add(*sheet, Vector3::Zero());
+    flat.add(*sheet, Vector3(0.2 + 5e-5, 2e-5, 1e-5));
+    const MeshReport joined = build_and_report(flat.vertices, flat.triangles);
+    CHECK(joined.closed_cracks == 1);
+    CHECK(joined.open_edges == 24);
+    CHECK(joined.n_vertices == 2 * 25 - 5);
+    // The second one stands on the first one's rim.
+    Parts corner;
+    corner.add(*sheet, Vector3::Zero());
+    const auto first = static_cast<std::int32_t>(corner.vertices.size());
+    for (const Vector3& vertex : sheet->vertices_B()) {
+        corner.vertices.emplace_back(0.1 + 3e-5, vertex.x() + 0.1, vertex.z() + 2e-5);
+    }
+    for (const TriangleCorners& t : sheet->triangles()) {
+        corner.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+    const MeshReport bent = build_and_report(corner.vertices, corner.triangles);
+    CHECK(bent.closed_cracks == 1);
+    CHECK(bent.open_edges == 24);
+}
+
+TEST_CASE("crack: no triangle that the first weld kept collapses or turns over") {
+    // A fan of slivers thinner than the tolerance, twice, side by side: all of it stays.
+    Random random(12);
+    Parts parts;
+    const auto strip = make_plate(1.0, 1.0, 1);
+    parts.add(*strip, Vector3::Zero());
+    for (int i = 0; i < 200; ++i) {
+        const auto first = static_cast<std::int32_t>(parts.vertices.size());
+        const Vector3 at = random.in_cube();
+        parts.vertices.emplace_back(at);
+        parts.vertices.emplace_back(at + 2e-4 * random.in_cube());
+        parts.vertices.emplace_back(at + 2e-4 * random.in_cube());
+        parts.triangles.push_back({first, first + 1, first + 2});
+        parts.vertices.emplace_back(at + 2e-4 * random.in_cube());
+        parts.vertices.emplace_back(at + 2e-4 * random.in_cube());
+        parts.vertices.emplace_back(at + 2e-4 * random.in_cube());
+        parts.triangles.push_back({first + 3, first + 4, first + 5});
+    }
+    const auto without = TriangleMesh::build(parts.vertices, parts.triangles,
+                                             {.weld_relative = 1e-9, .crack_relative = 0.0});
+    const auto with = TriangleMesh::build(parts.vertices, parts.triangles,
+                                          {.weld_relative = 1e-9, .crack_relative = 4e-4});
+    REQUIRE(without->triangles().size() == with->triangles().size());
+    CHECK(with->counts().welded_vertices > 20);
+    for (std::size_t i = 0; i < with->triangles().size(); ++i) {
+        const auto normal = [i](const TriangleMesh& mesh) {
+            const TriangleCorners& t = mesh.triangles()[i];
+            const auto& v = mesh.vertices_B();
+            const Vector3& a = v[static_cast<std::size_t>(t[0])];
+            return (v[static_cast<std::size_t>(t[1])] - a)
+                .cross(v[static_cast<std::size_t>(t[2])] - a)
+                .normalized();
+        };
+        REQUIRE(normal(*with).dot(normal(*without)) > 0.49);
+    }
+}
+
+TEST_CASE("crack: a T-junction stays open and is reported") {
+    // Two triangles above a seam, one below it: the vertex between the two faces no vertex.
+    const std::vector<Vector3> vertices{{0, 0, 0},     {0.5, 0, 0},   {1, 0, 0},   {0.5, 1, 0},
+                                        {0, -1e-6, 0}, {1, -1e-6, 0}, {0.5, -1, 0}};
+    const MeshReport report =
+        build_and_report(vertices, {{0, 1, 3}, {1, 2, 3}, {4, 6, 5}}, {.weld_relative = 1e-9});
+    CHECK(report.closed_cracks == 0);
+    CHECK(report.open_edges == 7);
+}
+
+TEST_CASE("crack: a closed mesh is left as it is") {
+    const auto ball = make_sphere(1.0, 4);
+    const ClosedCracks none = close_cracks(ball->vertices_B(), ball->triangles(), 0.5);
+    CHECK(none.becomes.empty());
+    CHECK(none.cracks == 0);
+    CHECK(none.closed_edges == 0);
+}
+
+TEST_CASE("crack: a width out of range is refused") {
+    const auto box = make_box(Vector3::Ones());
+    CHECK_FALSE(TriangleMesh::build(box->vertices_B(), box->triangles(), {.crack_relative = 0.02}));
+    CHECK_FALSE(TriangleMesh::build(box->vertices_B(), box->triangles(), {.crack_relative = -1.0}));
+}
+
+}  // namespace
+}  // namespace fulcrum
