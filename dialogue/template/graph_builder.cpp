@@ -74,7 +74,8 @@ std::string known_lists(const std::vector<WordList>& lists, std::string_view nam
 }
 
 bool is_adjective(const SyntaxNode& part) {
-    return part.kind == Kind::rule && part.text == "adjective";
+    return part.kind == Kind::rule &&
+           (part.text == "adjective" || part.text == "comparative" || part.text == "superlative");
 }
 
 /// The number of a subject that is a plain word.

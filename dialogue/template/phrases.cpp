@@ -105,7 +105,7 @@ void add_word(ArcWriter& writer, std::string_view word, std::string_view shown, 
         add_verb(writer, word, forms, near, from, to);
         return;
     }
-    if (word == "and" && near.after_adjective) {
+    if (word == "and" && near.after_adjective && near.before_adjective) {
         add_and(writer, from, to);
         return;
     }

@@ -33,8 +33,8 @@ enum class SubjectNumber : std::uint8_t { unknown, singular, plural };
 struct Neighbours {
     bool after_article = false;
     bool after_list = false;
-    bool after_adjective = false;   ///< after <adjective:…>: "and" joins two of them
-    bool before_adjective = false;  ///< before one: "feels like hard" is wrong
+    bool after_adjective = false;   ///< after <adjective:…> in any degree
+    bool before_adjective = false;  ///< before one: "and" joins two, "feels like hard" is wrong
     SubjectNumber subject = SubjectNumber::unknown;  ///< of the word before
 };
 

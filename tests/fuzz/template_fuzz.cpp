@@ -26,7 +26,9 @@ QuestionSource source_of(std::string_view text) {
     source.prompt = "What?";
     source.lists = {
         {"thing", {"watermelon", "an egg", "water", "scissors", "the Moon", "bike|bicycle"}},
-        {"number", {"2", "21"}}};
+        {"number", {"2", "21"}},
+        {"material", {"metal", "rock", "glass|crystal"}},
+        {"feel", {"hard", "sticky", "grey"}}};
     const std::size_t end = text.find('\n');
     source.answers = {std::string(text.substr(0, end))};
     for (int i = 1; end != std::string_view::npos && i < 8; ++i) {

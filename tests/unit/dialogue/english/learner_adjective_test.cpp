@@ -82,3 +82,39 @@ TEST_CASE("learner forms: none is right, none comes twice, each has a code") {
         }
     }
 }
+
+TEST_CASE("learner forms: what learners say for the plain adjective, with its code") {
+    const struct {
+        const char *adjective, *said;
+        ErrorCode code;
+    } rows[] = {{"hard", "hardly", ErrorCode::morphology},
+                {"hard", "hardness", ErrorCode::morphology},
+                {"hard", "hardy", ErrorCode::morphology},
+                {"hard", "hards", ErrorCode::morphology},
+                {"hard", "harder", ErrorCode::adjective_form},
+                {"hard", "more hard", ErrorCode::adjective_form},
+                {"hard", "hardest", ErrorCode::adjective_form},
+                {"hard", "more harder", ErrorCode::adjective_form},
+                {"sticky", "stickily", ErrorCode::morphology},
+                {"sticky", "stickiness", ErrorCode::morphology},
+                {"sticky", "stick", ErrorCode::morphology},
+                {"sticky", "stickey", ErrorCode::spelling},
+                {"foggy", "fog", ErrorCode::morphology},
+                {"gentle", "gently", ErrorCode::morphology},
+                {"slippery", "most slippery", ErrorCode::adjective_form},
+                {"dry", "dryly", ErrorCode::none},
+                {"hard", "hard", ErrorCode::none},
+                {"hard", "soft", ErrorCode::none}};
+    for (const auto& row : rows) {
+        INFO(row.said);
+        CHECK(code_of(row.adjective, Degree::positive, row.said) == row.code);
+    }
+    for (const char* adjective : {"hard", "sticky", "slippery", "good", "y", "ty", "e"}) {
+        std::set<std::string> seen{adjective};
+        for (const LearnerForm& form : learner_forms(adjective, Degree::positive)) {
+            INFO(form.text);
+            CHECK(seen.insert(form.text).second);
+            CHECK(form.code != ErrorCode::none);
+        }
+    }
+}

@@ -70,3 +70,51 @@ TEST_CASE("noun: wrong plurals that learners make are none of the right ones") {
         CHECK(std::find(forms.begin(), forms.end(), plural_of(noun)) == forms.end());
     }
 }
+
+TEST_CASE("noun: the singular of a plural, and what has none") {
+    const std::pair<const char*, const char*> rows[] = {{"windows", "window"},
+                                                        {"boxes", "box"},
+                                                        {"glasses", ""},
+                                                        {"cities", "city"},
+                                                        {"feet", "foot"},
+                                                        {"scissors", "scissor"},
+                                                        {"clothes", ""},
+                                                        {"houses", "house"},
+                                                        {"knives", "knife"},
+                                                        {"benches", "bench"},
+                                                        {"ties", "tie"},
+                                                        {"metal", ""},
+                                                        {"bus", ""},
+                                                        {"glass", ""},
+                                                        {"", ""},
+                                                        {"blue doors", "blue door"},
+                                                        {"pairs of scissors", "pair of scissors"}};
+    for (const auto& [plural, singular] : rows) {
+        INFO(plural);
+        CHECK(singular_of(plural) == singular);
+    }
+    CHECK(is_plural_only("scissors"));
+    CHECK_FALSE(is_plural_only("windows"));
+}
+
+TEST_CASE("noun: the head of a phrase with of carries its number and class") {
+    CHECK(plural_of("pair of scissors") == "pairs of scissors");
+    CHECK(plural_of("cup of tea") == "cups of tea");
+    CHECK_FALSE(looks_plural("pair of scissors"));
+    CHECK(understand_noun("pair of scissors").noun_class == NounClass::count);
+    CHECK(understand_noun("cup of tea").noun_class == NounClass::count);
+    CHECK(understand_noun("bars of gold").noun_class == NounClass::plural);
+}
+
+TEST_CASE("noun: materials are mass nouns; some have kinds") {
+    for (const char* material : {"metal", "wood", "rubber", "glass", "paper", "sandpaper",
+                                 "cardboard", "stainless steel", "aluminum"}) {
+        INFO(material);
+        CHECK(is_mass_noun(material));
+    }
+    CHECK_FALSE(is_mass_noun("rock"));
+    CHECK_FALSE(is_mass_noun("stone"));
+    CHECK(has_kinds("metal"));
+    CHECK_FALSE(has_kinds("glass"));
+    CHECK_FALSE(has_kinds("rock"));
+}

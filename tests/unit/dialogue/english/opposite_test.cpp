@@ -10,7 +10,8 @@ TEST_CASE("opposite: goes both ways, and a word without one has none") {
     CHECK(opposite_of("expensive") == "cheap");
     CHECK(opposite_of("wooden").empty());
     CHECK(opposite_of("").empty());
-    for (const char* word : {"big", "long", "hot", "thick", "strong", "rough", "near", "stiff"}) {
+    for (const char* word : {"big", "long", "hot", "thick", "strong", "rough", "near", "stiff",
+                             "bumpy", "sticky", "slippery"}) {
         INFO(word);
         CHECK(opposite_of(opposite_of(word)) == word);
     }

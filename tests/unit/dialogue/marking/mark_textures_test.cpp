@@ -274,6 +274,15 @@ TEST_CASE("mark: materials are compared by any word of a list") {
         CHECK(mark.emphasised == row.recast);
         CHECK_FALSE(mark.slot("feel").empty());
     }
+    const Question both = compiled({"both",
+                                    "How do they differ?",
+                                    {"{material} is <comparative:{feel}> [and "
+                                     "<comparative:{feel:also}>] than {material:other}"},
+                                    textures()});
+    const Mark two = mark_answer(both, "metal is harder and smoother than wood");
+    CHECK(two.form_right());
+    CHECK(two.slot("also") == "smooth");
+    CHECK(codes_of(mark_answer(both, "metal is harder smoother than wood")) == "M:CONJ");
     CHECK(codes_of(mark_answer(most_of_feel(), "rock is the most rough")) == "R:ADJ:FORM");
     CHECK(mark_answer(most_of_feel(), "rock is the roughest").slot("feel") == "rough");
 }

@@ -92,3 +92,22 @@ TEST_CASE("hearing: a slip needs the same first letter or its swap, and one best
     CHECK(heard("appel") == "apple~");
     CHECK(heard("bananna") == "banana~");
 }
+
+TEST_CASE("hearing: a frame whose words the templates know is no frame") {
+    const Question question = feels_how();
+    std::size_t work = 0;
+    for (const HeardWord& word : hear_words(*question.templates, "it feels like hard", work)) {
+        CHECK_FALSE(word.filler);
+    }
+    const Question plain = heaviest();
+    CHECK(hear_words(*plain.templates, "it feels like an egg", work)[2].filler);
+}
+
+TEST_CASE("hearing: real words near to the words of textures are no slips") {
+    const Question question = feels_how();
+    for (const char* said : {"stinky", "grass", "sort", "robber", "medal", "hare", "word"}) {
+        INFO(said);
+        std::size_t work = 0;
+        CHECK(hear_words(*question.templates, said, work)[0].word == kNone);
+    }
+}

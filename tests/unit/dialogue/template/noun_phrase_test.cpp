@@ -86,3 +86,43 @@ TEST_CASE("noun phrase: each class of noun has its articles") {
         CHECK(codes_of(row.article, row.said) == row.codes);
     }
 }
+
+TEST_CASE("noun phrase: a noun in the number that its list doesn't give") {
+    const TemplateSet any =
+        compiled_templates({{"look at <article> {thing} here"},
+                            {{"thing", {"wood", "metal", "windows", "scissors"}}},
+                            {}});
+    const TemplateSet there = compiled_templates(
+        {{"look at the {thing} here"}, {{"thing", {"wood", "metal", "windows", "scissors"}}}, {}});
+    const struct {
+        const char *said, *any, *there;
+    } rows[] = {
+        {"wood", "", ""},
+        {"woods", "R:NOUN:NUM", "R:NOUN:NUM"},
+        {"the woods", "R:NOUN:NUM", "R:NOUN:NUM"},
+        {"metals", "", "M:DET R:NOUN:NUM"},
+        {"the metals", "R:NOUN:NUM", "R:NOUN:NUM"},
+        {"windows", "", ""},
+        {"a window", "", ""},
+        {"the window", "", ""},
+        {"window", "M:DET", "M:DET"},
+        {"an window", "R:DET", "R:DET"},
+        {"scissor", "R:NOUN:NUM", "R:NOUN:NUM"},
+        {"a scissor", "U:DET R:NOUN:NUM", "U:DET R:NOUN:NUM"},
+    };
+    const auto codes = [](const TemplateSet& set, const char* said) {
+        const auto parse = match(set, "look at " + std::string(said) + " here");
+        std::string text = parse ? "" : "?";
+        for (std::size_t i = 0; parse && i < parse->pieces.size(); ++i) {
+            if (parse->pieces[i].code != ErrorCode::none) {
+                text += (text.empty() ? "" : " ") + std::string(errant_code(parse->pieces[i].code));
+            }
+        }
+        return text;
+    };
+    for (const auto& row : rows) {
+        INFO(row.said);
+        CHECK(codes(any, row.said) == row.any);
+        CHECK(codes(there, row.said) == row.there);
+    }
+}

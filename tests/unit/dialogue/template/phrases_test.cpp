@@ -100,3 +100,38 @@ TEST_CASE("phrases: degrees and plurals hold right and wrong forms") {
         codes([](ArcWriter& writer, int a, int b) { add_plural(writer, "sheep", a, b); });
     CHECK(sheep.at("sheep") == ErrorCode::none);
 }
+
+TEST_CASE("phrases: and between adjectives may be but, is left out or is another word") {
+    const auto between = codes([](ArcWriter& writer, int a, int b) {
+        add_word(writer, "and", "and", {.after_adjective = true, .before_adjective = true}, a, b);
+    });
+    CHECK(between.at("and") == ErrorCode::none);
+    CHECK(between.at("but") == ErrorCode::none);
+    CHECK(between.at("") == ErrorCode::missing_conjunction);
+    CHECK(between.at("or") == ErrorCode::wrong_conjunction);
+    const auto plain = codes([](ArcWriter& writer, int a, int b) {
+        add_word(writer, "and", "and", {.after_adjective = true}, a, b);
+    });
+    CHECK(plain.size() == 1);
+}
+
+TEST_CASE("phrases: feels takes no like before an adjective, and may be felt") {
+    const auto feels = codes([](ArcWriter& writer, int a, int b) {
+        add_word(writer, "feels", "feels", {.before_adjective = true}, a, b);
+    });
+    CHECK(feels.at("feels like") == ErrorCode::extra_preposition);
+    CHECK(feels.at("felt") == ErrorCode::none);
+    const auto like = codes(
+        [](ArcWriter& writer, int a, int b) { add_word(writer, "feels", "feels", {}, a, b); });
+    CHECK(like.count("feels like") == 0);
+}
+
+TEST_CASE("phrases: <it> is one or many, or forgotten; tyre is tire") {
+    const auto it = codes([](ArcWriter& writer, int a, int b) { add_it(writer, a, b); });
+    CHECK(it.at("it") == ErrorCode::none);
+    CHECK(it.at("those") == ErrorCode::none);
+    CHECK(it.at("") == ErrorCode::missing_pronoun);
+    const auto tyre =
+        codes([](ArcWriter& writer, int a, int b) { add_word(writer, "tyre", "tyre", {}, a, b); });
+    CHECK(tyre.at("tire") == ErrorCode::none);
+}

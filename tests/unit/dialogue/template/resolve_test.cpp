@@ -82,3 +82,14 @@ TEST_CASE("resolve: a literal a goes by the sound of the next word") {
     CHECK(put_right(source, "it is a bigger thing") == "It is a bigger thing. 0");
     CHECK(put_right(source, "it is an bigger thing") == "It is a bigger thing. 10");
 }
+
+TEST_CASE("resolve: made from is right where the material was changed, in either number") {
+    const TemplateSource made{{"[the] {thing} <made_of:{material}>"},
+                              {{"thing", {"paper", "table"}}, {"material", {"wood", "trees"}}},
+                              {}};
+    CHECK(put_right(made, "the paper is made from wood") == "The paper is made from wood. 0");
+    CHECK(put_right(made, "paper is made from trees") == "Paper is made from trees. 0");
+    CHECK(put_right(made, "paper is made by wood") == "Paper is made of wood. 20");
+    CHECK(put_right(made, "the table is made from wood") == "The table is made of wood. 20");
+    CHECK(put_right(made, "it is made from wood") == "It is made of wood. 20");
+}

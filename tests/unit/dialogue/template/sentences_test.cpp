@@ -59,3 +59,15 @@ TEST_CASE("sentences: a walk takes the ways that are chosen") {
         walk(*question.templates, 0, true, [](std::size_t ways) { return ways - 1; });
     CHECK(last.said != first.said);
 }
+
+TEST_CASE("sentences: the passive around each of its parts") {
+    const Question question = made_of_what();
+    const auto pieces =
+        canonical_pieces(*question.templates, 0, {{"thing", "scissors"}, {"material", "glass"}});
+    CHECK(render(pieces) == "Scissors are made of glass.");
+    for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
+        if (pieces[static_cast<std::size_t>(i)].element.passive) {
+            CHECK(render_phrase(pieces, passive_around(pieces, i)) == "are made of");
+        }
+    }
+}

@@ -31,7 +31,7 @@ std::string shown(const Syntax& syntax, int index = 0) {
         case Kind::list:
             return "{" + node.text + argument + "}";
         case Kind::rule:
-            return "<" + node.text + argument + ">";
+            return "<" + node.text + argument + (inside.empty() ? "" : ":" + inside) + ">";
     }
     return "?";
 }
@@ -50,6 +50,8 @@ TEST_CASE("syntax: every construct becomes its node") {
     CHECK(parsed("(a;b c;d)") == "p(a s(b c) d)");
     CHECK(parsed("{list:slot} { other }") == "s({list:slot} {other})");
     CHECK(parsed("<superlative:heavy> <rule>") == "s(<superlative:heavy> <rule>)");
+    CHECK(parsed("<made_of:{material}> <adjective: { feel : other } >x") ==
+          "s(<made_of:{material}> <adjective:{feel:other}> x)");
     CHECK(parsed("a [b [c (d|e)]]") == "s(a o(s(b o(s(c a(d e))))))");
     CHECK(parsed("yes|no") == "a(yes no)");
     CHECK(parsed("\\[ five \\]") == "five");
@@ -77,6 +79,13 @@ TEST_CASE("syntax: mistakes are told with their column") {
         {"{thing:}", "missing after ':'", 8},
         {"<superlative:>", "missing after ':'", 14},
         {"{a:b c}", "missing after ':'", 4},
+        {"<made_of:{material>", "never closed; add '}'", 10},
+        {"<made_of:{material}", "never closed; add '>'", 1},
+        {"<made_of:{}>", "a name", 11},
+        {"<made_of:{a} {b}>", "only one {list}", 13},
+        {"<made_of:{a}b>", "only one {list}", 13},
+        {"<made_of:{a> b}", "a name", 11},
+        {"<made_of:b{a}>", "missing after ':'", 10},
         {"(a|b;c)", "mixed", 5},
         {"light[s]", "space is missing before", 6},
         {"[un]happy", "space is missing after", 5},

@@ -72,3 +72,45 @@ TEST_CASE(
     lesson.questions.push_back(lesson.questions[0]);
     CHECK_FALSE(compile_questions(lesson).has_value());
 }
+
+TEST_CASE("questions: mistakes in the slots of grammar have their line and say what was meant") {
+    const struct {
+        const char *answer, *part;
+    } rows[] = {
+        {"the {thing} <made_of:{materiel}>",
+         "there is no list \"materiel\"; did you mean material?"},
+        {"the {thing} <made_of>", "<made_of> needs a word"},
+        {"the {thing} <made_off:metal>", "did you mean <made_of:word>?"},
+        {"the {thing} is <adjective:{fel}>", "there is no list \"fel\"; did you mean feel?"},
+        {"the {thing} is <adjective:{feel}> and <adjective:{feel}>", "filled twice"},
+        {"the {thing} is <adjective:{feel>", "closed"},
+    };
+    for (const auto& row : rows) {
+        INFO(row.answer);
+        LessonDescription lesson = two_things();
+        lesson.questions[0].answers = {row.answer};
+        lesson.questions[0].lists = {{"material", {"metal", "wood"}}, {"feel", {"hard", "soft"}}};
+        const auto bad = compile_questions(lesson);
+        REQUIRE_FALSE(bad.has_value());
+        CHECK(bad.error().where == "lesson.lua:7");
+        CHECK_THAT(bad.error().message, Catch::Contains(row.part));
+    }
+}
+
+TEST_CASE(
+    "questions: what a thing of the scene is made of, and how it feels, are slots of the answer") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].answers = {
+        "[the|a|an] {thing} <made_of:{material}>",
+        "[the|a|an] {thing} is <adjective:{feel}> and <adjective:{feel:also}>"};
+    lesson.questions[0].lists = {{"material", {"metal", "wood"}}, {"feel", {"hard", "soft"}}};
+    const auto questions = compile_questions(lesson);
+    REQUIRE(questions.has_value());
+    const auto& question = questions->at("heaviest");
+    const auto made = fulcrum::dialogue::mark_answer(question, "the egg is make of wood");
+    CHECK(made.slot("thing") == "egg");
+    CHECK(made.slot("material") == "wood");
+    const auto feels = fulcrum::dialogue::mark_answer(question, "an apple is hard soft");
+    CHECK(feels.slot("feel") == "hard");
+    CHECK(feels.slot("also") == "soft");
+}
