@@ -62,7 +62,7 @@ class GraphBuilder {
                             Neighbours neighbours);
     struct Words;
     Expected<Words> words_of_form(const Syntax& syntax, const SyntaxNode& part);
-    Expected<std::size_t> list_number(const SyntaxNode& part) const;
+    [[nodiscard]] Expected<std::size_t> list_number(const SyntaxNode& part) const;
     Expected<int> slot_number(const SyntaxNode& part, int list);
     Expected<bool> step(const SyntaxNode& part);
 

@@ -72,19 +72,39 @@ void add_of(ArcWriter& writer, int from, int to) {
     writer.add_arc(from, to, preposition, {"", "of", ErrorCode::missing_preposition, kPatternCost});
 }
 
+/// No article: "of the metal" and "of some wood" pass and are said back without; "of a metal" is wrong.
+void add_article_of_material(ArcWriter& writer, int from, int to) {
+    const int determiner = writer.add_element({Role::determiner});
+    writer.add_arc(from, to, determiner, {"", "", ErrorCode::none, 0, true});
+    for (const std::string_view said : {"the", "some", "this", "that"}) {
+        writer.add_arc(from, to, determiner, {said, ""});
+    }
+    for (const std::string_view said : {"a", "an"}) {
+        writer.add_arc(from, to, determiner, {said, "", ErrorCode::extra_determiner, kSlipCost});
+    }
+}
+
+/// "Of rocks", "of bricks" is right; "of metals", "of glasses" isn't.
+void add_plural_of_material(ArcWriter& writer, const Noun& word, int item, int place, int from,
+                            int to) {
+    const std::string plural = plural_of(word.text);
+    if (word.noun_class == NounClass::plural || lower_case(plural) == lower_case(word.text)) {
+        return;
+    }
+    if (word.noun_class == NounClass::count) {
+        writer.add_arc(from, to, place,
+                       {plural, plural, ErrorCode::none, 0, false, item, Number::plural});
+    } else {
+        writer.add_arc(from, to, place,
+                       {plural, word.text, ErrorCode::noun_number, kSlipCost, false, item});
+    }
+}
+
 }  // namespace
 
 void add_material(ArcWriter& writer, const WordList& words, int slot, int from, int to) {
-    // No article: "of the metal" and "of some wood" pass and are said back without; "of a metal" is wrong.
     const int noun = writer.add_node();
-    const int determiner = writer.add_element({Role::determiner});
-    writer.add_arc(from, noun, determiner, {"", "", ErrorCode::none, 0, true});
-    for (const std::string_view said : {"the", "some", "this", "that"}) {
-        writer.add_arc(from, noun, determiner, {said, ""});
-    }
-    for (const std::string_view said : {"a", "an"}) {
-        writer.add_arc(from, noun, determiner, {said, "", ErrorCode::extra_determiner, kSlipCost});
-    }
+    add_article_of_material(writer, from, noun);
     Element element{Role::noun};
     element.slot = slot;
     const int place = writer.add_element(std::move(element));
@@ -95,20 +115,7 @@ void add_material(ArcWriter& writer, const WordList& words, int slot, int from, 
             arc.item = static_cast<int>(i);
             arc.number = word.number();
             writer.add_arc(noun, to, place, arc);
-            const std::string plural = plural_of(word.text);
-            if (word.noun_class == NounClass::plural ||
-                lower_case(plural) == lower_case(word.text)) {
-                continue;
-            }
-            // "of rocks", "of bricks" is right; "of metals", "of glasses" isn't.
-            const bool counted = word.noun_class == NounClass::count;
-            arc.said = plural;
-            arc.right = counted ? std::string_view(plural) : std::string_view(word.text);
-            arc.code = counted ? ErrorCode::none : ErrorCode::noun_number;
-            arc.cost = counted ? 0 : kSlipCost;
-            arc.canonical = false;
-            arc.number = counted ? Number::plural : Number::singular;
-            writer.add_arc(noun, to, place, arc);
+            add_plural_of_material(writer, word, arc.item, place, noun, to);
         }
     }
 }
