@@ -5,25 +5,11 @@
 
 #include "haptics/collision/h_collide.h"
 #include "haptics/collision/segment_query.h"
+#include "haptics/collision/segment_structure_kind.h"
 
-#include <cstdint>
 #include <memory>
-#include <optional>
-#include <string_view>
 
 namespace fulcrum {
-
-enum class SegmentStructureKind : std::uint8_t {
-    bounding_tree,  ///< the mesh's own tree of 8-fold boxes (bounding_tree.h)
-    h_collide,      ///< a hashed grid of trees of oriented boxes (h_collide.h)
-    brute_force,    ///< every triangle: the reference
-};
-
-/// "bounding_tree", "h_collide", "brute_force".
-[[nodiscard]] std::string_view name_of(SegmentStructureKind kind) noexcept;
-/// The kind of that name, if there is one.
-[[nodiscard]] std::optional<SegmentStructureKind> find_segment_structure(
-    std::string_view name) noexcept;
 
 class SegmentStructure {
   public:

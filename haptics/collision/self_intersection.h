@@ -3,7 +3,7 @@
 // An edge (p, q) crosses (a, b, c) when p and q lie on different sides of its plane and a, b, c wind round the line p q all one way,
 // by exact signs; so what only touches, neighbours above all, is not counted. Pairs come from the bounding tree.
 //
-// Thread: load. Cost: O(n log n); about a second for a million triangles. It stops at a number of crossings, and at a number of
+// Thread: load. Cost: O(n log n); about a quarter of a second for a million triangles. It stops at a number of crossings, and at a number of
 // pairs looked at, which a sound mesh does not reach, so that a mesh all of whose triangles cross does not take for ever.
 // Source: signs as in segment_triangle.h.
 #pragma once

@@ -18,11 +18,11 @@ bool is_usable(const Vector3& hand_W) noexcept {
 
 }  // namespace
 
-GodObject::GodObject(const std::vector<SolidPlan>& solids) {
+GodObject::GodObject(const std::vector<SolidPlan>& solids, SegmentStructureKind structure) {
     solids_.reserve(solids.size());
     near_.resize(solids.size());
     for (const SolidPlan& solid : solids) {
-        solids_.emplace_back(solid, static_cast<std::int32_t>(solids_.size()));
+        solids_.emplace_back(solid, static_cast<std::int32_t>(solids_.size()), structure);
     }
     reset(Vector3::Zero());
 }

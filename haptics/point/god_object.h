@@ -34,7 +34,8 @@ class GodObject final : public SurfaceObject {
     static constexpr double kFarthest_m = 1.0e30;
 
     /// Takes solids that `validate` accepted; the proxy starts at the origin, `reset` puts it on the hand.
-    explicit GodObject(const std::vector<SolidPlan>& solids);
+    explicit GodObject(const std::vector<SolidPlan>& solids,
+                       SegmentStructureKind structure = SegmentStructureKind::bounding_tree);
 
     void reset(const Vector3& hand_W) noexcept override;
     void carry(std::span<const Pose> solid_poses_W) noexcept override;

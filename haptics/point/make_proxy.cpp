@@ -51,7 +51,7 @@ Expected<void> check_solid(const SolidPlan& solid, const CursorShape& cursor) {
 std::unique_ptr<SurfaceObject> make_surface_object(const ProxySettings& settings,
                                                    const std::vector<SolidPlan>& solids) {
     if (is_point(settings)) {
-        return std::make_unique<GodObject>(solids);
+        return std::make_unique<GodObject>(solids, settings.structure);
     }
     return std::make_unique<VirtualProxy>(make_obstacles(settings.cursor, solids));
 }

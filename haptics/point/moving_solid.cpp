@@ -22,8 +22,11 @@ bool is_same(const Pose& a, const Pose& b) noexcept {
 
 }  // namespace
 
-MovingSolid::MovingSolid(const SolidPlan& plan, std::int32_t index)
+MovingSolid::MovingSolid(const SolidPlan& plan, std::int32_t index, SegmentStructureKind structure)
     : mesh_(std::get<MeshShape>(plan.shape)), index_(index) {
+    if (structure != SegmentStructureKind::bounding_tree) {
+        structure_ = make_segment_structure(structure, mesh_).value();
+    }
     take_pose(plan.initial_pose_W);
 }
 
@@ -44,13 +47,13 @@ bool MovingSolid::take_pose(const Pose& pose_W) noexcept {
 
 SegmentHit MovingSolid::sweep(const Vector3& to_W) const noexcept {
     const Vector3 to_B = to_body(to_W);
-    return to_B == proxy_B_ ? SegmentHit{} : find_nearest_hit(*mesh_, proxy_B_, to_B);
+    return to_B == proxy_B_ ? SegmentHit{} : sweep_B(to_B);
 }
 
 SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W, double reach_m) noexcept {
     const Vector3 to_B = to_body(to_W);
-    if (to_B == proxy_B_) {
-        return {};
+    if (to_B == proxy_B_ || structure_) {
+        return sweep(to_W);
     }
     // What is remembered serves when it reaches to the end, or as far as anything collected anew would.
     const double length_m = largest_component(to_B - proxy_B_);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "haptics/collision/segment_query.h"
+#include "haptics/collision/segment_structure.h"
 #include "haptics/math/spatial.h"
 #include "haptics/point/solid_plan.h"
 
@@ -29,7 +30,8 @@ struct TouchedPlane {
 class MovingSolid {
   public:
     /// `index` is the solid's place in the plan. The mesh must be there.
-    MovingSolid(const SolidPlan& plan, std::int32_t index);
+    MovingSolid(const SolidPlan& plan, std::int32_t index,
+                SegmentStructureKind structure = SegmentStructureKind::bounding_tree);
 
     /// Moves the solid; true when that changed anything. A pose that is not finite is ignored.
     bool take_pose(const Pose& pose_W) noexcept;
@@ -62,7 +64,13 @@ class MovingSolid {
         return turn_ * p_B + origin_W_;
     }
 
+    [[nodiscard]] SegmentHit sweep_B(const Vector3& to_B) const noexcept {
+        return structure_ ? structure_->find_nearest_hit(proxy_B_, to_B)
+                          : find_nearest_hit(*mesh_, proxy_B_, to_B);
+    }
+
     std::shared_ptr<const CollisionMesh> mesh_;
+    std::unique_ptr<SegmentStructure> structure_;  // none: the mesh's own tree, and what is nearby
     std::int32_t index_;
     Pose pose_W_;
     Matrix3 turn_{Matrix3::Identity()};  // R_WB

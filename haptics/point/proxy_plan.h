@@ -2,6 +2,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/collision/segment_structure_kind.h"
 #include "haptics/collision/solid_shape.h"
 
 #include <cstdint>
@@ -26,6 +27,8 @@ using CursorShape =
 
 struct ProxySettings {
     ProxyKind kind = ProxyKind::god_object;
+    /// How a point finds the triangles of meshes; where it goes is the same with all.
+    SegmentStructureKind structure = SegmentStructureKind::bounding_tree;
     CursorShape cursor{};  ///< std::monostate: a point
     int friction_rounds =
         16;  ///< of the friction cone's solver where several planes hold, 1 to 200

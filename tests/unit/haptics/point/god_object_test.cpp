@@ -3,6 +3,7 @@
 #include "haptics/geometry/shape.h"
 #include "tests/support/hard_meshes.h"
 #include "tests/support/touchable.h"
+#include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
@@ -228,6 +229,29 @@ TEST_CASE("god object: a turning plate sweeps the proxy round, in small and in l
                         .norm() <= 2.0 * kExact);
         }
     }
+}
+
+TEST_CASE("god object: whichever structure finds the triangles, it goes the same way to the bit") {
+    const auto mesh = touchable(make_bumpy_sphere(1.0, 12, 0.05, 9.0));
+    GodObject by_tree(only_solid(mesh));
+    GodObject by_grid(only_solid(mesh), SegmentStructureKind::h_collide);
+    GodObject by_all(only_solid(mesh), SegmentStructureKind::brute_force);
+    Random random(77);
+    Vector3 hand(1.2, 0.0, 0.0);
+    int n_touching = 0;
+    for (GodObject* const proxy : {&by_tree, &by_grid, &by_all}) {
+        proxy->reset(hand);
+    }
+    for (int i = 0; i < 3000; ++i) {
+        hand = 0.98 * hand + 0.03 * random.vector();
+        Pose pose;
+        pose.position = 0.1 * Vector3(std::sin(0.01 * i), 0.0, 0.0);
+        const Vector3 place = by_tree.step(hand, std::span(&pose, 1)).position_W;
+        REQUIRE(by_grid.step(hand, std::span(&pose, 1)).position_W == place);
+        REQUIRE(by_all.step(hand, std::span(&pose, 1)).position_W == place);
+        n_touching += by_all.contact().solid == 0 ? 1 : 0;
+    }
+    CHECK(n_touching > 300);
 }
 
 }  // namespace
