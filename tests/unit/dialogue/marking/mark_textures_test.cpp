@@ -311,6 +311,13 @@ TEST_CASE("mark: thing and material that change places are understood, and said 
                   {{"thing", {"paper", "table"}}, {"material", {"paper", "wood"}}}});
     CHECK_FALSE(mark_answer(both, "paper is made of wood").turned_round);
     CHECK(mark_answer(both, "wood is made of paper").turned_round);
+    const Question coins = compiled({"coins",
+                                     "What?",
+                                     {"[a|the] {thing} <made_of:{material}>"},
+                                     {{"thing", {"coin"}}, {"material", {"coin", "metal"}}}});
+    // Turned round it would have fewer errors; yet it is no less a sentence as it stands.
+    CHECK(codes_of(mark_answer(coins, "coin is made of a coin")) == "M:DET U:DET");
+    CHECK_FALSE(mark_answer(coins, "coin is made of a coin").turned_round);
 }
 
 TEST_CASE("mark: paper is made from wood, and a table isn't") {
@@ -364,6 +371,12 @@ TEST_CASE("mark: what turns an adjective round, or is no such thing, is not unde
         CHECK_FALSE(mark_answer(made_of_what(), said).understood);
     }
     CHECK(mark_answer(feels_how(), "metal is soft").opposite_said.empty());
+    const Question few = compiled({"few",
+                                   "How does it feel?",
+                                   {"{material} is <adjective:{feel}>"},
+                                   {{"material", {"metal"}}, {"feel", {"hard", "rough"}}}});
+    CHECK_FALSE(mark_answer(few, "metal is soft").understood);
+    CHECK(mark_answer(few, "metal is soft").opposite_said.empty());
     const Question soft = compiled({"soft",
                                     "Which is soft?",
                                     {"{material} is <adjective:soft>"},

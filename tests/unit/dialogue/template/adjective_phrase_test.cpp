@@ -1,4 +1,5 @@
 #include "dialogue/template/matcher.h"
+#include "dialogue/template/sentences.h"
 #include "tests/unit/dialogue/questions.h"
 
 #include <catch2/catch.hpp>
@@ -33,6 +34,12 @@ TEST_CASE("adjective phrase: a fixed word in its three degrees") {
     CHECK(codes_of(plain, "it is stickey") == "R:SPELL");
     CHECK(codes_of(plain, "it is not sticky") == "?");
     CHECK(codes_of(plain, "it is less sticky") == "?");
+    // A capital of the template's is not said back.
+    CHECK(render(match(plain, "it is stickey")->pieces) == "It is sticky.");
+    // "The" is no error before a superlative that is written without it.
+    const TemplateSet most = compiled_templates({{"it is <superlative:sticky>"}, {}, {}});
+    CHECK(codes_of(most, "it is the stickiest").empty());
+    CHECK(codes_of(most, "it is stickiest").empty());
     // The template's own article is no error.
     const TemplateSet thing = compiled_templates({{"it is a <adjective:hard> thing"}, {}, {}});
     CHECK(codes_of(thing, "it is a hard thing").empty());

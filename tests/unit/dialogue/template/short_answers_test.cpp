@@ -54,6 +54,11 @@ TEST_CASE("short answers: what is turned round comes last and is taken for nothi
     CHECK(&graph == &set.graphs.back());
     CHECK(turned->slots == std::vector<std::pair<std::string, std::string>>{{"thing", "wood"},
                                                                             {"material", "table"}});
+    // The thing is what stands before, whatever follows.
+    const TemplateSet more =
+        compiled_templates({{"{thing} <made_of:{material}> like {thing:other}"}, textures(), {}});
+    REQUIRE(match(more, "wood is made of a table"));
+    CHECK(match(more, "wood is made of a table")->slots[0].first == "thing");
     // Where the thing isn't asked for, or both come from one list, there is nothing to turn round.
     const Question spaceship = spaceship_of_what();
     for (const Graph& one : spaceship.templates->graphs) {
