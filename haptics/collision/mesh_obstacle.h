@@ -33,8 +33,8 @@ class MeshObstacle final : public Obstacle {
     [[nodiscard]] double radius_m() const noexcept override {
         return mesh_->radius_m() + ball_radius_m_;
     }
-    [[nodiscard]] double size_m() const noexcept override {
-        return std::max(mesh_->radius_m(), ball_radius_m_);
+    [[nodiscard]] double clearance_m() const noexcept override {
+        return kExactClearance * std::max(mesh_->radius_m(), ball_radius_m_);
     }
 
   private:

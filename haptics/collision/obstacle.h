@@ -49,6 +49,9 @@ struct CastQuestion {
     std::span<const Vector3> normals_B{};
 };
 
+/// The clearance where distances are right to rounding, of the size of what touches.
+inline constexpr double kExactClearance = 1.0e-10;
+
 class Obstacle {
   public:
     Obstacle() = default;
@@ -73,8 +76,8 @@ class Obstacle {
     /// A sphere round all places where the cursor touches the solid.
     [[nodiscard]] virtual Vector3 centre_B() const noexcept = 0;
     [[nodiscard]] virtual double radius_m() const noexcept = 0;
-    /// The solid's measure of size, above 0: what is small is small against it.
-    [[nodiscard]] virtual double size_m() const noexcept = 0;
+    /// The gap at which a proxy is held, above 0: far above rounding, far below what can be felt.
+    [[nodiscard]] virtual double clearance_m() const noexcept = 0;
 };
 
 /// `Obstacle::cast` for one feature: find_gap(place) tells its gap. Returns t, or 2 when the way is free.

@@ -9,7 +9,7 @@
 // Source: the signs of tetrahedra as in Shewchuk 1997 (see orientation.h); t from the heights over the plane.
 #pragma once
 
-#include "haptics/collision/orientation.h"
+#include "haptics/math/orientation.h"
 #include "haptics/math/spatial.h"
 
 #include <cmath>

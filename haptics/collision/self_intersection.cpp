@@ -1,6 +1,6 @@
 #include "haptics/collision/self_intersection.h"
 
-#include "haptics/collision/orientation.h"
+#include "haptics/math/orientation.h"
 #include "haptics/geometry/bounding_tree.h"
 
 #include <algorithm>

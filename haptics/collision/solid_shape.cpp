@@ -2,6 +2,9 @@
 
 #include "haptics/base/range.h"
 #include "haptics/collision/collision_mesh.h"
+#include "haptics/collision/distance_function.h"
+#include "haptics/geometry/convex_hull.h"
+#include "haptics/geometry/height_field.h"
 
 namespace fulcrum {
 namespace {
@@ -39,14 +42,61 @@ Expected<void> check(const CylinderShape& cylinder) {
     return check_ranges("the cylinder's", ranges);
 }
 
+Expected<void> check(const HullShape& hull) {
+    return check(hull.mesh);
+}
+Expected<void> check(const HeightFieldShape& field) {
+    return check(field.mesh);
+}
+Expected<void> check(const DistanceShape& shape) {
+    const auto& function = shape.function;
+    if (!function) {
+        return fail("a solid has no distance function", {}, "give it one");
+    }
+    if (!function->centre_B().allFinite()) {
+        return fail("the distance function's centre is not finite", {}, "give it one that is");
+    }
+    const Range ranges[] = {
+        {"radius in metres", function->radius_m(), kSmallest_m, kLargest_m},
+        {"Lipschitz bound", function->lipschitz(), kSmallest_m, kLargest_m},
+    };
+    return check_ranges("the distance function's", ranges);
+}
+
+Expected<MeshShape> make_touchable(const Expected<TriangleMesh>& mesh) {
+    return mesh ? CollisionMesh::create(*mesh) : tl::make_unexpected(mesh.error());
+}
+
 }  // namespace
+
+Expected<HullShape> make_hull_shape(const std::vector<Vector3>& points_B) {
+    return make_touchable(make_convex_hull(points_B)).map([](const MeshShape& mesh) {
+        return HullShape{mesh};
+    });
+}
+
+Expected<HeightFieldShape> make_height_field_shape(const HeightField& field) {
+    return make_touchable(make_height_field(field)).map([](const MeshShape& mesh) {
+        return HeightFieldShape{mesh};
+    });
+}
+
+const MeshShape* find_mesh(const SolidShape& shape) noexcept {
+    if (const auto* hull = std::get_if<HullShape>(&shape)) {
+        return &hull->mesh;
+    }
+    if (const auto* field = std::get_if<HeightFieldShape>(&shape)) {
+        return &field->mesh;
+    }
+    return std::get_if<MeshShape>(&shape);
+}
 
 Expected<void> validate(const SolidShape& shape) {
     return std::visit([](const auto& solid) { return check(solid); }, shape);
 }
 
 std::size_t memory_bytes(const SolidShape& shape) noexcept {
-    const auto* mesh = std::get_if<MeshShape>(&shape);
+    const MeshShape* mesh = find_mesh(shape);
     return sizeof(SolidShape) + (mesh != nullptr && *mesh ? (*mesh)->memory_bytes() : 0);
 }
 

@@ -1,6 +1,8 @@
 #include "haptics/point/make_obstacle.h"
 
+#include "haptics/collision/distance_obstacle.h"
 #include "haptics/collision/mesh_obstacle.h"
+#include "haptics/collision/shape_obstacle.h"
 
 namespace fulcrum {
 namespace {
@@ -15,14 +17,31 @@ double ball_radius_m(const CursorShape& cursor) {
     return ball != nullptr ? ball->radius_m : 0.0;
 }
 
+// An obstacle for a ball, by the solid's shape.
+struct MakeForBall {
+    double radius_m;
+
+    std::unique_ptr<Obstacle> operator()(const MeshShape& mesh) const {
+        return std::make_unique<MeshObstacle>(mesh, radius_m);
+    }
+    std::unique_ptr<Obstacle> operator()(const HullShape& hull) const { return (*this)(hull.mesh); }
+    std::unique_ptr<Obstacle> operator()(const HeightFieldShape& field) const {
+        return (*this)(field.mesh);
+    }
+    std::unique_ptr<Obstacle> operator()(const DistanceShape& shape) const {
+        return std::make_unique<DistanceObstacle>(shape.function, radius_m);
+    }
+    template <class Shape>
+    std::unique_ptr<Obstacle> operator()(const Shape& shape) const {
+        return std::make_unique<ShapeObstacle<Shape>>(shape, radius_m);
+    }
+};
+
 }  // namespace
 
-Expected<void> validate_pair(const CursorShape& cursor, const SolidShape& shape) {
+Expected<void> validate_pair(const CursorShape& cursor, const SolidShape& /*shape*/) {
     if (!is_ball(cursor)) {
         return fail("this cursor is no ball", {}, "take a sphere or a point");
-    }
-    if (!std::holds_alternative<MeshShape>(shape)) {
-        return fail("it is no mesh", {}, "make it one");
     }
     return {};
 }
@@ -32,9 +51,8 @@ std::vector<MovingObstacle> make_obstacles(const CursorShape& cursor,
     std::vector<MovingObstacle> obstacles;
     obstacles.reserve(solids.size());
     for (const SolidPlan& solid : solids) {
-        obstacles.emplace_back(
-            std::make_unique<MeshObstacle>(std::get<MeshShape>(solid.shape), ball_radius_m(cursor)),
-            static_cast<std::int32_t>(obstacles.size()), solid.initial_pose_W);
+        obstacles.emplace_back(std::visit(MakeForBall{ball_radius_m(cursor)}, solid.shape),
+                               static_cast<std::int32_t>(obstacles.size()), solid.initial_pose_W);
     }
     return obstacles;
 }

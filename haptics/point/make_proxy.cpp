@@ -7,6 +7,7 @@
 #include "haptics/point/make_obstacle.h"
 #include "haptics/point/virtual_proxy.h"
 
+#include <algorithm>
 #include <string>
 
 namespace fulcrum {
@@ -50,7 +51,9 @@ Expected<void> check_solid(const SolidPlan& solid, const CursorShape& cursor) {
 
 std::unique_ptr<SurfaceObject> make_surface_object(const ProxySettings& settings,
                                                    const std::vector<SolidPlan>& solids) {
-    if (is_point(settings)) {
+    const bool all_meshes = std::ranges::all_of(
+        solids, [](const SolidPlan& solid) { return find_mesh(solid.shape) != nullptr; });
+    if (is_point(settings) && all_meshes) {
         return std::make_unique<GodObject>(solids, settings.structure);
     }
     return std::make_unique<VirtualProxy>(make_obstacles(settings.cursor, solids));

@@ -8,9 +8,7 @@ namespace fulcrum {
 
 namespace {
 
-// The gap at which the proxy is held, of the solid's size: far above rounding, far below what can be felt.
-constexpr double kClearance = 1.0e-10;
-// The same as a multiple of the rounding of the world's coordinates, for small solids far from the origin.
+// What is added to the obstacle's clearance, as a multiple of the rounding of the world's coordinates, for small solids far from the origin.
 constexpr double kRoundings = 64.0;
 // The gap that counts as met, of the clearance: the difference is what rounding may do to a proxy that slides.
 constexpr double kMet = 0.5;
@@ -47,7 +45,7 @@ bool MovingObstacle::take_pose(const Pose& pose_W) noexcept {
 double MovingObstacle::clearance_m() const noexcept {
     const double farthest_m =
         (to_world(proxy_B_) - origin_W_).cwiseAbs().maxCoeff() + origin_W_.cwiseAbs().maxCoeff();
-    return kClearance * obstacle_->size_m() +
+    return obstacle_->clearance_m() +
            kRoundings * std::numeric_limits<double>::epsilon() * farthest_m;
 }
 
@@ -78,6 +76,11 @@ ObstaclePlane MovingObstacle::find_plane(std::int32_t feature) const noexcept {
             .clearance_m = clearance_m(),
             .curvature_per_m = gap.curvature_per_m,
             .straight_W = turn_ * gap.straight_B};
+}
+
+Vector3 MovingObstacle::move_off(std::int32_t feature, const Vector3& p_W) const noexcept {
+    const Gap gap = obstacle_->find_gap(feature, to_body(p_W));
+    return p_W + (clearance_m() - gap.gap_m) * (turn_ * gap.normal_B);
 }
 
 bool MovingObstacle::is_near(const Vector3& centre_W, double radius_m) const noexcept {

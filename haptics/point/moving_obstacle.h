@@ -41,6 +41,8 @@ class MovingObstacle {
                                std::span<const Vector3> normals_W) noexcept;
     /// A feature's plane where the proxy is now.
     [[nodiscard]] ObstaclePlane find_plane(std::int32_t feature) const noexcept;
+    /// The place nearest to `p_W` at which the feature is as far as it should, to first order.
+    [[nodiscard]] Vector3 move_off(std::int32_t feature, const Vector3& p_W) const noexcept;
     /// How far along `direction_W` the feature stays bent (Obstacle::find_bend).
     [[nodiscard]] double find_bend(std::int32_t feature,
                                    const Vector3& direction_W) const noexcept {

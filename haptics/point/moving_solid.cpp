@@ -23,7 +23,7 @@ bool is_same(const Pose& a, const Pose& b) noexcept {
 }  // namespace
 
 MovingSolid::MovingSolid(const SolidPlan& plan, std::int32_t index, SegmentStructureKind structure)
-    : mesh_(std::get<MeshShape>(plan.shape)), index_(index) {
+    : mesh_(*find_mesh(plan.shape)), index_(index) {
     if (structure != SegmentStructureKind::bounding_tree) {
         structure_ = make_segment_structure(structure, mesh_).value();
     }

@@ -29,7 +29,7 @@ struct TouchedPlane {
 
 class MovingSolid {
   public:
-    /// `index` is the solid's place in the plan. The mesh must be there.
+    /// `index` is the solid's place in the plan. The shape must be made of triangles.
     MovingSolid(const SolidPlan& plan, std::int32_t index,
                 SegmentStructureKind structure = SegmentStructureKind::bounding_tree);
 

@@ -27,7 +27,7 @@ using CursorShape =
 
 struct ProxySettings {
     ProxyKind kind = ProxyKind::god_object;
-    /// How a point finds the triangles of meshes; where it goes is the same with all.
+    /// How a point finds triangles where all solids are made of them; where it goes is the same with all.
     SegmentStructureKind structure = SegmentStructureKind::bounding_tree;
     CursorShape cursor{};  ///< std::monostate: a point
     int friction_rounds =

@@ -15,6 +15,8 @@ constexpr double kNoMotion = 0.01;
 constexpr double kSlack = 0.1;
 // After a free way shorter than this many clearances (1e-8 of the solid's size) the proxy has settled for this step.
 constexpr double kSettled = 1.0e2;
+// Steps of Newton's method from a tangent plane to the surface.
+constexpr int kMostCorrections = 3;
 // A plane of a gap of up to this many clearances is touched.
 constexpr double kTouching = 2.0;
 // A way over a bent feature is made longer by at most this.
@@ -89,7 +91,9 @@ void VirtualProxy::follow_goal(const Vector3& goal_W) noexcept {
         const Vector3 target_W = is_free ? goal_W : Vector3(proxy_W_ + way);
         const Blocker blocker = cast_all(target_W);
         if (blocker.solid != kNoBody) {
-            stop_at(blocker, target_W);
+            if (!go_round(blocker, target_W, goal_W) && !stop_at(blocker, target_W)) {
+                return;
+            }
             continue;
         }
         move_to(target_W);
@@ -100,8 +104,35 @@ void VirtualProxy::follow_goal(const Vector3& goal_W) noexcept {
     }
 }
 
-// Goes to the first meeting on the way, and takes what is met there to the planes.
-void VirtualProxy::stop_at(const Blocker& blocker, const Vector3& target_W) noexcept {
+// A feature that is not convex may be in the way along its own tangent plane: then to the surface over the plane's place.
+bool VirtualProxy::go_round(const Blocker& blocker, const Vector3& target_W,
+                            const Vector3& goal_W) noexcept {
+    if (!holds(blocker)) {
+        return false;
+    }
+    const MovingObstacle& solid = solids_[static_cast<std::size_t>(blocker.solid)];
+    Vector3 over_W = target_W;
+    for (int i = 0; i < kMostCorrections; ++i) {
+        over_W = solid.move_off(blocker.hit.feature, over_W);
+    }
+    if (!((over_W - goal_W).squaredNorm() < (proxy_W_ - goal_W).squaredNorm()) ||
+        cast_all(over_W).solid != kNoBody) {
+        return false;
+    }
+    move_to(over_W);
+    look_again();
+    return true;
+}
+
+bool VirtualProxy::holds(const Blocker& blocker) const noexcept {
+    const auto end = planes_.plane.begin() + static_cast<std::ptrdiff_t>(planes_.count);
+    return std::any_of(planes_.plane.begin(), end, [&](const ObstaclePlane& plane) {
+        return plane.solid == blocker.solid && plane.feature == blocker.hit.feature;
+    });
+}
+
+// Goes to the first meeting on the way, and takes what is met there to the planes. False when that is nothing new.
+bool VirtualProxy::stop_at(const Blocker& blocker, const Vector3& target_W) noexcept {
     move_to(proxy_W_ + blocker.hit.t * (target_W - proxy_W_));
     look_again();
     // What no longer touches need not be known: it will be met again if it is in the way.
@@ -111,9 +142,13 @@ void VirtualProxy::stop_at(const Blocker& blocker, const Vector3& target_W) noex
             touching.plane[touching.count++] = planes_.plane[i];
         }
     }
-    touching.plane[touching.count++] =
-        solids_[static_cast<std::size_t>(blocker.solid)].find_plane(blocker.hit.feature);
     planes_ = touching;
+    const bool is_known = holds(blocker);
+    if (!is_known) {
+        planes_.plane[planes_.count++] =
+            solids_[static_cast<std::size_t>(blocker.solid)].find_plane(blocker.hit.feature);
+    }
+    return !is_known || blocker.hit.t > 0.0;
 }
 
 // Where to go to be as near to the wish as the planes allow; keeps the planes that push.

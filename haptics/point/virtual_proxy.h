@@ -76,7 +76,10 @@ class VirtualProxy final : public SurfaceObject {
     [[nodiscard]] Vector3 lengthen(const Vector3& way) const noexcept;
     [[nodiscard]] Blocker cast_all(const Vector3& to_W) noexcept;
     void move_to(const Vector3& proxy_W) noexcept;
-    void stop_at(const Blocker& blocker, const Vector3& target_W) noexcept;
+    [[nodiscard]] bool go_round(const Blocker& blocker, const Vector3& target_W,
+                                const Vector3& goal_W) noexcept;
+    [[nodiscard]] bool holds(const Blocker& blocker) const noexcept;
+    [[nodiscard]] bool stop_at(const Blocker& blocker, const Vector3& target_W) noexcept;
     void look_again() noexcept;
     void publish(const Vector3& goal_W) noexcept;
     void renew_touches() noexcept;

@@ -1,9 +1,11 @@
 #include "haptics/point/make_proxy.h"
 
+#include "haptics/geometry/height_field.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/point/friction_cone.h"
 #include "haptics/point/god_object.h"
 #include "haptics/point/virtual_proxy.h"
+#include "tests/support/distance_bodies.h"
 #include "tests/support/touchable.h"
 
 #include <catch2/catch.hpp>
@@ -55,6 +57,36 @@ TEST_CASE("proxy: the plan's kind is what is made, and nothing where nothing is 
     CHECK(dynamic_cast<VirtualProxy*>(make_proxy(ball, {plate()}, {}).get()) != nullptr);
     const auto cone = make_proxy({.kind = ProxyKind::friction_cone}, {plate()}, {});
     CHECK(dynamic_cast<FrictionCone*>(cone.get()) != nullptr);
+}
+
+TEST_CASE("proxy: every body can be touched, by a god-object those of triangles alone") {
+    const auto hull = make_hull_shape({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    const auto ground = make_height_field_shape({});
+    REQUIRE(hull);
+    REQUIRE(ground);
+    const auto of = [](const SolidShape& shape) { return SolidPlan{.body = 1, .shape = shape}; };
+    const auto is_god_object = [](const std::vector<SolidPlan>& solids) {
+        return dynamic_cast<GodObject*>(make_proxy({}, solids, {}).get()) != nullptr;
+    };
+    CHECK(is_god_object({plate(), of(*hull), of(*ground)}));
+    for (const SolidShape& shape :
+         {SolidShape(SphereShape{}), SolidShape(BoxShape{}), SolidShape(CapsuleShape{}),
+          SolidShape(CylinderShape{}),
+          SolidShape(DistanceShape{std::make_shared<BallFunction>(0.1)})}) {
+        CHECK(fits({plate(), of(shape)}));
+        CHECK_FALSE(is_god_object({plate(), of(shape)}));
+    }
+    CHECK_FALSE(fits({of(SphereShape{0.0})}));
+    CHECK_FALSE(fits({of(BoxShape{{1.0, -1.0, 1.0}})}));
+    CHECK_FALSE(fits({of(CapsuleShape{0.1, -0.1})}));
+    CHECK_FALSE(fits({of(CylinderShape{0.1, std::numeric_limits<double>::quiet_NaN()})}));
+    CHECK_FALSE(fits({of(HullShape{})}));
+    CHECK_FALSE(fits({of(HeightFieldShape{})}));
+    CHECK_FALSE(fits({of(DistanceShape{})}));
+    CHECK_FALSE(fits({of(DistanceShape{std::make_shared<BallFunction>(-1.0)})}));
+    CHECK_FALSE(fits({of(DistanceShape{std::make_shared<BallFunction>(1.0, -1.0)})}));
+    CHECK_FALSE(make_hull_shape({{0, 0, 0}}));
+    CHECK_FALSE(make_height_field_shape({.n_x = 7}));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "haptics/collision/orientation.h"
+#include "haptics/math/orientation.h"
 
 #include <array>
 #include <cstddef>
