@@ -1,7 +1,7 @@
 #include "haptics/collision/self_intersection.h"
 
-#include "haptics/math/orientation.h"
 #include "haptics/geometry/bounding_tree.h"
+#include "haptics/math/orientation.h"
 
 #include <algorithm>
 #include <array>
