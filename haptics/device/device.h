@@ -28,6 +28,7 @@ struct DeviceTraits {
         0.0;  ///< encoder step; 0 when it is finer than 1e-5 m or unknown
     /// Its own viscous friction at the handle, the least there is anywhere; 0 when it is unknown.
     double damping_Ns_per_m = 0.0;
+    double mass_kg = 0.0;  ///< felt at the handle; 0 when it is unknown
 };
 
 class Device {

@@ -178,6 +178,7 @@ void HapticLoop::move_proxy() noexcept {
         return;
     }
     touch_->contact = {};
+    touch_->poses_W = {};
     const std::size_t n_solids = touch_->initial_poses_W.size();
     const std::span<const Pose> poses_W =
         plan_.expects_world && heard_world_
@@ -187,6 +188,7 @@ void HapticLoop::move_proxy() noexcept {
         state_.faults |= Fault::command_invalid;
         return;
     }
+    touch_->poses_W = poses_W;
     touch_->contact = touch_->proxy->step(state_.tool_pose_W.position, poses_W);
     state_.proxy_position_W = touch_->contact.position_W;
     touch_->proxy_velocity.step(state_.proxy_position_W, reading_.stamp_s);
@@ -201,6 +203,9 @@ void HapticLoop::compute_forces(const Passed& passed) noexcept {
     if (touch_) {
         add_contact();
         passed(HapticStage::coupling);
+        if (touch_->effects) {
+            add_surface(passed);
+        }
     }
     if (weight_) {
         add_weight();
@@ -215,6 +220,30 @@ void HapticLoop::compute_forces(const Passed& passed) noexcept {
         passed(HapticStage::lesson);
     }
     state_.commanded_W = has_pose_ ? demand_.wrench_W : Wrench{};
+}
+
+template <class Passed>
+void HapticLoop::add_surface(const Passed& passed) noexcept {
+    SurfaceEffects& effects = *touch_->effects;
+    effects.begin_round(
+        touch_->coupling.touches(), touch_->poses_W,
+        {state_.tool_pose_W.position, state_.proxy_position_W, state_.tool_twist_W.linear, dt_s_});
+    if (effects.texture) {
+        add_surface_force(effects.add_texture());
+        passed(HapticStage::texture);
+    }
+    if (effects.transient) {
+        add_surface_force(effects.add_transient());
+        passed(HapticStage::transient);
+    }
+    if (effects.teller) {
+        effects.tell(now_s_);
+    }
+}
+
+void HapticLoop::add_surface_force(const SurfaceForce& felt) noexcept {
+    demand_.wrench_W.force += felt.force_W;
+    demand_.force += felt.counted;
 }
 
 void HapticLoop::keep_passive() noexcept {
@@ -267,6 +296,9 @@ void HapticLoop::forget_motion() noexcept {
     if (touch_) {
         touch_->proxy->reset(state_.tool_pose_W.position);
         touch_->proxy_velocity.reset();
+        if (touch_->effects) {
+            touch_->effects->forget();
+        }
     }
     if (passivity_) {
         passivity_->forget();

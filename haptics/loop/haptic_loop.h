@@ -18,15 +18,18 @@
 #include "haptics/field/linearised_wrench.h"
 #include "haptics/field/weight.h"
 #include "haptics/handover/channels.h"
+#include "haptics/loop/contact_stage.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/loop/passivity_stage.h"
 #include "haptics/loop/safety.h"
 #include "haptics/loop/stage_listener.h"
+#include "haptics/loop/surface_effects.h"
 #include "haptics/point/proxy.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace fulcrum {
@@ -71,11 +74,13 @@ class HapticLoop final : public PeriodicTask {
     // What happens between proxy and hand; there when the plan has solids.
     struct TouchStage {
         std::unique_ptr<Proxy> proxy;
-        CouplingSettings coupling{};
+        ContactStage coupling;
         VelocityEstimator proxy_velocity;  // like the hand's, so that both lag alike
         std::vector<Pose> initial_poses_W;
         std::vector<std::int32_t> bodies;  // index of the scene of each solid
         ProxyContact contact{};
+        std::span<const Pose> poses_W{};  // of the solids in this round
+        std::unique_ptr<SurfaceEffects> effects{};
     };
 
     template <class Passed>
@@ -88,6 +93,9 @@ class HapticLoop final : public PeriodicTask {
     template <class Passed>
     void compute_forces(const Passed& passed) noexcept;
     void add_contact() noexcept;
+    template <class Passed>
+    void add_surface(const Passed& passed) noexcept;
+    void add_surface_force(const SurfaceForce& felt) noexcept;
     void add_weight() noexcept;
     void add_field(std::size_t index) noexcept;
     void add_lesson_force() noexcept;

@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace fulcrum {
 namespace {
 
 constexpr double kFineResolution_m = 1.0e-5;  // of a device that names none
+constexpr double kFastestRinging = 0.4;       // of the loop's rate: 2.5 rounds a wave
 
 VelocitySettings choose_velocity_settings(const HapticPlan& plan, const DeviceTraits& traits) {
     VelocitySettings settings;
@@ -56,6 +58,32 @@ LinearisedWrenchSettings choose_lesson_settings(const HapticPlan& plan,
     return settings;
 }
 
+template <class Add>
+void add_surface_stages(const SurfaceEffects* effects, const Add& add) {
+    if (effects != nullptr && effects->texture) {
+        add(HapticStage::texture,
+            effects->texture->memory_bytes() + effects->motion.memory_bytes());
+    }
+    if (effects != nullptr && effects->transient) {
+        add(HapticStage::transient, effects->transient->memory_bytes());
+    }
+}
+
+// What rings must be slow enough for the loop to tell.
+Expected<void> check_ringing(const HapticPlan& plan) {
+    Expected<void> good;
+    for (const SolidPlan& solid : plan.solids) {
+        if (good && solid.surface.transient.any()) {
+            const Range ranges[] = {{"frequency in hertz", solid.surface.transient.frequency_Hz,
+                                     0.0, kFastestRinging * plan.rate_hz}};
+            good = check_ranges(
+                "at a loop of " + std::to_string(std::lround(plan.rate_hz)) + " Hz the tap's",
+                ranges);
+        }
+    }
+    return good;
+}
+
 }  // namespace
 
 Expected<void> validate(const HapticPlan& plan) {
@@ -71,6 +99,7 @@ Expected<void> validate(const HapticPlan& plan) {
         validate(plan.coupling),
         validate(plan.passivity),
         validate(plan.proxy, plan.solids),
+        check_ringing(plan),
         validate(VelocitySettings{.method = plan.velocity_method,
                                   .cutoff_Hz = plan.velocity_cutoff_hz,
                                   .noise_bound_m = kFineResolution_m}),
@@ -120,11 +149,13 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
     if (proxy) {
         touch_ = std::make_unique<TouchStage>(
             TouchStage{std::move(proxy),
-                       plan.coupling,
+                       ContactStage(plan),
                        VelocityEstimator(choose_velocity_settings(plan, device.traits())),
                        {},
                        {},
-                       {}});
+                       {},
+                       {},
+                       make_surface_effects(plan, device.traits(), channels.touches)});
         for (const SolidPlan& solid : plan.solids) {
             touch_->initial_poses_W.push_back(solid.initial_pose_W);
             touch_->bodies.push_back(solid.body);
@@ -162,7 +193,8 @@ std::vector<StageInfo> HapticLoop::stages() const {
             bytes += memory_bytes(solid.shape);
         }
         add(HapticStage::proxy, bytes);
-        add(HapticStage::coupling, sizeof(CouplingSettings));
+        add(HapticStage::coupling, touch_->coupling.memory_bytes());
+        add_surface_stages(touch_->effects.get(), add);
     }
     if (weight_) {
         add(HapticStage::weight, sizeof(WeightRamp));

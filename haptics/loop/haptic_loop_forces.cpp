@@ -1,25 +1,19 @@
 // What each effect of the plan adds to the force, and what of it gives the hand's work back. See haptic_loop.h.
-#include "haptics/coupling/virtual_coupling.h"
 #include "haptics/loop/haptic_loop.h"
 
 namespace fulcrum {
 
 void HapticLoop::add_contact() noexcept {
     if (touch_->contact.solid < 0) {
+        touch_->coupling.leave();
         return;
     }
-    const Vector3& proxy_W = state_.proxy_position_W;
-    const Vector3& hand_W = state_.tool_pose_W.position;
-    ContactSpring& spring = demand_.contact;
-    spring.force = compute_coupling_spring(touch_->coupling, proxy_W, hand_W);
-    spring.energy_J = compute_spring_energy_J(touch_->coupling, (proxy_W - hand_W).stableNorm());
-    const Vector3 force_W = compute_contact_force(
-        touch_->coupling, spring.force,
-        state_.tool_twist_W.linear - touch_->proxy_velocity.velocity(), touch_->contact.normal_W);
-    spring.normal = touch_->contact.normal_W;
-    spring.push = force_W.dot(spring.normal);
-    demand_.force += {spring.force, spring.force};
-    demand_.wrench_W.force += force_W;
+    const ContactForce felt = touch_->coupling.step(
+        touch_->contact, state_.tool_pose_W.position,
+        state_.tool_twist_W.linear - touch_->proxy_velocity.velocity(), touch_->poses_W);
+    demand_.contact = felt.spring;
+    demand_.force += {felt.spring.force, felt.spring.force};
+    demand_.wrench_W.force += felt.force_W;
 }
 
 void HapticLoop::add_weight() noexcept {

@@ -55,6 +55,8 @@ class Texture {
     /// `stroke` is the way of the contact in a round. Anything that is not finite gives nothing.
     [[nodiscard]] TextureOffset feel(const SurfaceVector& place, const SurfaceVector& stroke,
                                      double depth_m) const noexcept;
+    /// What one bump holds under this pressure at most, joules for each newton a metre of the coupling: for energy_loan.h.
+    [[nodiscard]] double bump_m2(double depth_m) const noexcept;
     /// The unfiltered relief.
     [[nodiscard]] HeightSample relief(const SurfaceVector& place) const noexcept;
 

@@ -1,63 +1,12 @@
+// The step path of texture_map.h.
 #include "haptics/surface/texture_map.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace fulcrum {
 namespace {
-
-const double kPole = std::numbers::sqrt3 - 2.0;
-constexpr double kLobes = 3.0;
-
-double sinc(double x) {
-    const double y = std::numbers::pi * x;
-    return y == 0.0 ? 1.0 : std::sin(y) / y;
-}
-double lanczos(double x) {
-    return std::abs(x) < kLobes ? sinc(x) * sinc(x / kLobes) : 0.0;
-}
-
-// A grid of doubles, on whose rows and columns a function of one period works.
-struct Grid {
-    std::size_t n_u;
-    std::size_t n_v;
-    std::vector<double> at;
-};
-
-template <class Function>
-Grid map_rows(const Grid& grid, std::size_t n_out, Function function) {
-    Grid out{n_out, grid.n_v, std::vector<double>(n_out * grid.n_v)};
-    std::vector<double> row(grid.n_u);
-    for (std::size_t v = 0; v < grid.n_v; ++v) {
-        std::copy_n(grid.at.begin() + static_cast<std::ptrdiff_t>(v * grid.n_u), grid.n_u,
-                    row.begin());
-        const std::vector<double> made = function(row);
-        std::ranges::copy(made, out.at.begin() + static_cast<std::ptrdiff_t>(v * n_out));
-    }
-    return out;
-}
-
-Grid transpose(const Grid& grid) {
-    Grid out{grid.n_v, grid.n_u, std::vector<double>(grid.at.size())};
-    for (std::size_t v = 0; v < grid.n_v; ++v) {
-        for (std::size_t u = 0; u < grid.n_u; ++u) {
-            out.at[u * grid.n_v + v] = grid.at[v * grid.n_u + u];
-        }
-    }
-    return out;
-}
-
-Grid shrink(const Grid& grid) {
-    const auto half = [](std::size_t n) { return std::max<std::size_t>((n + 1) / 2, 1); };
-    const auto along = [&half](const Grid& one) {
-        const std::size_t n = half(one.n_u);
-        return map_rows(one, n,
-                        [n](const std::vector<double>& row) { return resample_periodic(row, n); });
-    };
-    return transpose(along(transpose(along(grid))));
-}
 
 // The four B-splines that are not zero at a fraction t of the way from one sample to the next, and their derivatives.
 struct SplineWeights {
@@ -90,88 +39,6 @@ Neighbours find_neighbours(double x, std::int32_t n) noexcept {
 
 }  // namespace
 
-std::vector<double> resample_periodic(const std::vector<double>& samples, std::size_t n_out) {
-    const auto n_in = static_cast<std::ptrdiff_t>(samples.size());
-    const double step = static_cast<double>(n_in) / static_cast<double>(n_out);
-    const double width = std::max(step, 1.0);
-    std::vector<double> out(n_out);
-    for (std::size_t k = 0; k < n_out; ++k) {
-        const double x = static_cast<double>(k) * step;
-        double sum = 0.0;
-        double weights = 0.0;
-        const auto first = static_cast<std::ptrdiff_t>(std::ceil(x - kLobes * width));
-        const auto last = static_cast<std::ptrdiff_t>(std::floor(x + kLobes * width));
-        for (std::ptrdiff_t i = first; i <= last; ++i) {
-            const double weight = lanczos((static_cast<double>(i) - x) / width);
-            sum += weight * samples[static_cast<std::size_t>(((i % n_in) + n_in) % n_in)];
-            weights += weight;
-        }
-        out[k] = sum / weights;
-    }
-    return out;
-}
-
-// (c_(i-1) + 4 c_i + c_(i+1)) / 6 = s_i factors into one recursion up and one down, each with the pole z; on a circle of n
-// the first value of each is the whole circle's sum, sum_k z^k s_(i-k) / (1 - z^n).
-std::vector<double> compute_spline_coefficients(const std::vector<double>& samples) {
-    std::vector<double> c = samples;
-    const std::size_t n = c.size();
-    const double whole = 1.0 / (1.0 - std::pow(kPole, static_cast<double>(n)));
-    const auto run = [&](auto at) {
-        double sum = 0.0;
-        double power = 1.0;
-        for (std::size_t k = 0; k < n; ++k) {
-            sum += power * at((n - k) % n);
-            power *= kPole;
-        }
-        at(0) = sum * whole;
-        for (std::size_t i = 1; i < n; ++i) {
-            at(i) += kPole * at(i - 1);
-        }
-    };
-    run([&c](std::size_t i) -> double& { return c[i]; });
-    run([&c, n](std::size_t i) -> double& { return c[n - 1 - i]; });
-    for (double& one : c) {
-        one *= -6.0 * kPole;
-    }
-    return c;
-}
-
-TextureMap::TextureMap(const HeightMap& map, double tile_u_m, double tile_v_m, double height_m)
-    : tile_u_m_(tile_u_m), tile_v_m_(tile_v_m) {
-    Grid grid{static_cast<std::size_t>(map.n_u), static_cast<std::size_t>(map.n_v), {}};
-    grid.at.reserve(map.heights.size());
-    for (const float height : map.heights) {
-        grid.at.push_back(height_m * static_cast<double>(height));
-    }
-    for (;;) {
-        Level level = make_level(grid.at, static_cast<std::int32_t>(grid.n_u),
-                                 static_cast<std::int32_t>(grid.n_v));
-        level.per_u = level.n_u / tile_u_m;
-        level.per_v = level.n_v / tile_v_m;
-        levels_.push_back(std::move(level));
-        if (grid.n_u == 1 && grid.n_v == 1) {
-            return;
-        }
-        grid = shrink(grid);
-    }
-}
-
-TextureMap::Level TextureMap::make_level(std::vector<double> heights_m, std::int32_t n_u,
-                                         std::int32_t n_v) {
-    const auto along = [](const Grid& grid) {
-        return map_rows(grid, grid.n_u, compute_spline_coefficients);
-    };
-    const Grid samples{static_cast<std::size_t>(n_u), static_cast<std::size_t>(n_v),
-                       std::move(heights_m)};
-    const Grid c = transpose(along(transpose(along(samples))));
-    Level level;
-    level.n_u = n_u;
-    level.n_v = n_v;
-    level.c.assign(c.at.begin(), c.at.end());
-    return level;
-}
-
 HeightSample TextureMap::sample(std::size_t level, double u_m, double v_m) const noexcept {
     if (!std::isfinite(u_m) || !std::isfinite(v_m)) {
         return {};
@@ -200,14 +67,6 @@ HeightSample TextureMap::sample(std::size_t level, double u_m, double v_m) const
 
 double TextureMap::count_samples(std::size_t level, double u_m, double v_m) const noexcept {
     return std::hypot(u_m * levels_[level].per_u, v_m * levels_[level].per_v);
-}
-
-std::size_t TextureMap::memory_bytes() const noexcept {
-    std::size_t bytes = sizeof(TextureMap) + levels_.capacity() * sizeof(Level);
-    for (const Level& level : levels_) {
-        bytes += level.c.capacity() * sizeof(float);
-    }
-    return bytes;
 }
 
 }  // namespace fulcrum

@@ -167,6 +167,27 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
     }
 }
 
+template <class Add>
+void list_surface_stages(const LessonDescription& lesson, const HapticPlan& haptic,
+                         const Add& add) {
+    const auto find = [&](auto has) -> const SolidPlan* {
+        const auto found = std::ranges::find_if(haptic.solids, has);
+        return found == haptic.solids.end() ? nullptr : &*found;
+    };
+    const SolidPlan* rough =
+        find([](const SolidPlan& solid) { return solid.surface.texture.any(); });
+    const SolidPlan* ringing =
+        find([](const SolidPlan& solid) { return solid.surface.transient.any(); });
+    if (rough != nullptr) {
+        add(HapticStage::texture, "a surface has a texture",
+            lesson.bodies[static_cast<std::size_t>(rough->body)].line);
+    }
+    if (ringing != nullptr) {
+        add(HapticStage::transient, "a surface answers a tap",
+            lesson.bodies[static_cast<std::size_t>(ringing->body)].line);
+    }
+}
+
 void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
     const auto add = [&plan](HapticStage stage, std::string because, SourceLine line) {
         plan.stages.push_back(
@@ -179,6 +200,7 @@ void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
         const auto body = static_cast<std::size_t>(plan.haptic.solids.front().body);
         add(HapticStage::proxy, "a body can be touched", lesson.bodies[body].line);
         add(HapticStage::coupling, "a body can be touched", lesson.bodies[body].line);
+        list_surface_stages(lesson, plan.haptic, add);
     }
     if (plan.haptic.carries_weight) {
         const SourceLine line =

@@ -45,6 +45,7 @@ SimulatedArm::SimulatedArm(const SimulatedArmSettings& settings, LatestValue<Han
     traits_.max_force_N = settings.max_force_N;
     traits_.position_resolution_m = settings.position_resolution_m;
     traits_.damping_Ns_per_m = settings.damping_Ns_per_m;
+    traits_.mass_kg = settings.mass_kg;
     reset();
 }
 

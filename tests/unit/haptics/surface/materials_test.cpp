@@ -1,0 +1,84 @@
+#include "haptics/surface/materials.h"
+
+#include "haptics/surface/texture.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+
+using namespace fulcrum;
+
+namespace {
+
+MaterialFacts facts_of(const char* name) {
+    const Material* material = find_material(name);
+    REQUIRE(material != nullptr);
+    return describe(*material);
+}
+
+}  // namespace
+
+TEST_CASE("materials: all that are promised ship, are good, and have names of their own") {
+    std::set<std::string> names;
+    for (const Material& material : shipped_materials()) {
+        INFO(material.name);
+        CHECK(validate(material));
+        CHECK(names.insert(material.name).second);
+        CHECK(find_material(material.name) == &material);
+        CHECK(material.friction.any());
+        CHECK(material.transient.any());
+    }
+    for (const char* name : {"wood", "metal", "rock", "rubber", "glass", "paper", "sandpaper"}) {
+        CHECK(names.count(name) == 1);
+    }
+    CHECK(find_material("cheese") == nullptr);
+}
+
+TEST_CASE("materials: what people say of them is true of their numbers") {
+    for (const char* hard : {"wood", "metal", "rock", "glass"}) {
+        INFO(hard);
+        CHECK(facts_of(hard).hardness >= kGradeMiddle);
+    }
+    CHECK(facts_of("rubber").hardness < kGradeMiddle);
+    for (const char* rough : {"rock", "sandpaper", "wood"}) {
+        INFO(rough);
+        CHECK(facts_of(rough).roughness >= kGradeMiddle);
+    }
+    for (const char* smooth : {"metal", "glass", "paper", "rubber"}) {
+        INFO(smooth);
+        CHECK(facts_of(smooth).roughness < kGradeMiddle);
+    }
+    for (const char* slippery : {"metal", "glass"}) {
+        INFO(slippery);
+        CHECK(facts_of(slippery).slipperiness >= kGradeMiddle);
+    }
+    for (const char* sticky : {"rubber", "rock", "sandpaper", "wood"}) {
+        INFO(sticky);
+        CHECK(facts_of(sticky).slipperiness < kGradeMiddle);
+    }
+}
+
+TEST_CASE("materials: each differs from each other in something that is felt") {
+    const auto all = shipped_materials();
+    for (const Material& one : all) {
+        for (const Material& other : all) {
+            if (&one != &other) {
+                const MaterialFacts a = describe(one);
+                const MaterialFacts b = describe(other);
+                INFO(one.name << " and " << other.name);
+                CHECK(std::max({std::abs(a.hardness - b.hardness),
+                                std::abs(a.roughness - b.roughness),
+                                std::abs(a.slipperiness - b.slipperiness)}) > 0.05);
+            }
+        }
+    }
+}
+
+TEST_CASE("materials: the tapped ones are ordered as Okamura found them") {
+    CHECK(facts_of("rubber").ringing_Hz == 18.0);
+    CHECK(facts_of("wood").ringing_Hz == 30.0);
+    CHECK(facts_of("metal").ringing_Hz == 100.0);
+    CHECK(facts_of("rubber").hardness < facts_of("wood").hardness);
+    CHECK(facts_of("wood").hardness < facts_of("metal").hardness);
+}
