@@ -1,0 +1,161 @@
+#include "haptics/loop/contact_stage.h"
+
+#include "haptics/coupling/virtual_coupling.h"
+#include "haptics/geometry/shape.h"
+#include "tests/support/touchable.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr CouplingSettings kSoft{.stiffness_N_per_m = 200.0, .damping_Ns_per_m = 1.0};
+constexpr CouplingSettings kHard{.stiffness_N_per_m = 900.0, .damping_Ns_per_m = 5.0};
+
+// Two solids of their own stiffness, and a third that has the plan's.
+HapticPlan make_plan() {
+    HapticPlan plan;
+    plan.coupling = {.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 3.0};
+    plan.solids.resize(3);
+    plan.solids[0].coupling = kSoft;
+    plan.solids[1].coupling = kHard;
+    return plan;
+}
+
+// A hand `a` deep in a floor of solid 0 and `b` deep in a wall of solid 1; the proxy at the origin.
+ProxyContact make_corner(double a, double b) {
+    ProxyContact contact;
+    contact.solid = a > b ? 0 : 1;
+    contact.n_constraints = 2;
+    contact.touches[0] = {.solid = 0, .feature = -1, .normal_W = Vector3::UnitY(), .push_m = a};
+    contact.touches[1] = {.solid = 1, .feature = -1, .normal_W = Vector3::UnitX(), .push_m = b};
+    contact.normal_W = Vector3(b, a, 0.0).normalized();
+    return contact;
+}
+
+}  // namespace
+
+TEST_CASE("contact stage: each solid has its own coupling, one without has the plan's") {
+    ContactStage stage(make_plan());
+    for (const auto& [solid, coupling] :
+         {std::pair{0, kSoft}, {1, kHard}, {2, make_plan().coupling}, {7, make_plan().coupling}}) {
+        ProxyContact contact;
+        contact.solid = solid;
+        contact.n_constraints = 1;
+        contact.normal_W = Vector3::UnitY();
+        contact.touches[0] = {
+            .solid = solid, .feature = -1, .normal_W = Vector3::UnitY(), .push_m = 0.002};
+        const Vector3 velocity(0.0, -0.1, 0.0);
+        const ContactForce felt = stage.step(contact, Vector3(0.0, -0.002, 0.0), velocity, {});
+        CHECK(felt.spring.force.y() == Approx(0.002 * coupling.stiffness_N_per_m));
+        CHECK(felt.force_W.y() ==
+              Approx(0.002 * coupling.stiffness_N_per_m + 0.1 * coupling.damping_Ns_per_m));
+        CHECK(felt.spring.push == Approx(felt.force_W.y()));
+        CHECK(felt.spring.energy_J == Approx(0.5 * coupling.stiffness_N_per_m * 4.0e-6));
+        REQUIRE(stage.touches().size() == 1);
+        CHECK(stage.touches()[0].stiffness_N_per_m == Approx(coupling.stiffness_N_per_m));
+        CHECK(stage.touches()[0].depth_m == 0.002);
+    }
+    stage.leave();
+    CHECK(stage.touches().empty());
+}
+
+TEST_CASE("contact stage: between two solids the stiffness is weighed by how much each pushes") {
+    ContactStage stage(make_plan());
+    const auto felt = [&stage](double a, double b) {
+        return stage.step(make_corner(a, b), Vector3(-b, -a, 0.0), Vector3::Zero(), {});
+    };
+    const double k = (0.003 * 200.0 + 0.001 * 900.0) / 0.004;
+    CHECK((felt(0.003, 0.001).force_W - k * Vector3(0.001, 0.003, 0.0)).norm() < 1.0e-12);
+    // From one solid to the other without a step, at either end the force of one alone.
+    Vector3 before = felt(0.003, 0.0).force_W;
+    CHECK(before.y() == Approx(0.003 * 200.0));
+    for (int i = 1; i <= 1000; ++i) {
+        const double s = 1.0e-3 * i;
+        const Vector3 now = felt(0.003 * (1.0 - s), 0.003 * s).force_W;
+        CHECK((now - before).norm() < 0.01);
+        before = now;
+    }
+    CHECK(before.x() == Approx(0.003 * 900.0));
+}
+
+TEST_CASE("contact stage: a wall never pulls, and a proxy without planes has one") {
+    ContactStage stage(make_plan());
+    ProxyContact contact;
+    contact.solid = 1;
+    contact.normal_W = Vector3::UnitY();
+    const ContactForce felt = stage.step(contact, Vector3(0.0, -1.0e-4, 0.0), Vector3(0, 1, 0), {});
+    CHECK(felt.force_W == Vector3::Zero());
+    REQUIRE(stage.touches().size() == 1);
+    CHECK(stage.touches()[0].depth_m == Approx(1.0e-4));
+    CHECK(stage.touches()[0].solid == 1);
+}
+
+TEST_CASE(
+    "contact stage: shading turns the force and keeps its size; without it the force is the "
+    "spring's") {
+    const auto mesh = touchable(make_sphere(0.05, 3));
+    HapticPlan plan;
+    plan.coupling = {.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 0.0};
+    plan.solids = only_solid(mesh);
+    ContactStage flat(plan);
+    plan.solids[0].surface.shading = {true, 60.0};
+    ContactStage shaded(plan);
+    CHECK(shaded.memory_bytes() > flat.memory_bytes());
+    // A place beside the middle of a triangle, the solid moved and turned.
+    const Pose pose_W{Vector3(0.3, 0.2, 0.1),
+                      Quaternion(Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()))};
+    const auto& corners = mesh->corners(5);
+    const Vector3 p0 = mesh->vertex_B(corners[0]);
+    const Vector3 p1 = mesh->vertex_B(corners[1]);
+    const Vector3 p2 = mesh->vertex_B(corners[2]);
+    const Vector3 place_B = 0.7 * p0 + 0.2 * p1 + 0.1 * p2;
+    const Vector3 normal_W = pose_W.orientation * (p1 - p0).cross(p2 - p0).normalized();
+    ProxyContact contact;
+    contact.position_W = pose_W * place_B;
+    contact.solid = 0;
+    contact.n_constraints = 1;
+    contact.normal_W = normal_W;
+    contact.touches[0] = {.solid = 0, .feature = 5, .normal_W = normal_W, .push_m = 0.002};
+    const Vector3 hand_W = contact.position_W - 0.002 * normal_W;
+    const std::array<Pose, 1> poses{pose_W};
+    const ContactForce plain = flat.step(contact, hand_W, Vector3::Zero(), poses);
+    CHECK((plain.force_W - normal_W).norm() < 1.0e-9);
+    const ContactForce turned = shaded.step(contact, hand_W, Vector3::Zero(), poses);
+    CHECK(turned.force_W.norm() == Approx(1.0));
+    const Vector3 smooth_W = pose_W.orientation * place_B.normalized();
+    CHECK(turned.force_W.dot(smooth_W) > plain.force_W.dot(smooth_W));
+    CHECK((turned.force_W - smooth_W).norm() < 0.02);
+    CHECK((turned.spring.normal - turned.force_W).norm() < 1.0e-12);
+    CHECK((shaded.touches()[0].normal_W - turned.force_W).norm() < 1.0e-12);
+    // From the inside it is turned as well, and still away from the surface.
+    contact.touches[0].normal_W = contact.normal_W = -normal_W;
+    const ContactForce inside =
+        shaded.step(contact, contact.position_W + 0.002 * normal_W, Vector3::Zero(), poses);
+    CHECK((inside.force_W + turned.force_W).norm() < 1.0e-9);
+}
+
+TEST_CASE("contact stage: what friction holds stays in a shaded force") {
+    HapticPlan plan;
+    plan.solids = only_solid(touchable(make_sphere(0.05, 3)));
+    plan.solids[0].surface.shading = {true, 60.0};
+    plan.coupling = {.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 0.0};
+    ContactStage stage(plan);
+    ProxyContact contact;
+    const auto mesh = std::get<MeshShape>(plan.solids[0].shape);
+    contact.position_W = mesh->vertex_B(mesh->corners(0)[0]);
+    contact.solid = 0;
+    contact.n_constraints = 1;
+    const Vector3 n = contact.position_W.normalized();
+    const Vector3 t = n.unitOrthogonal();
+    contact.normal_W = n;
+    contact.touches[0] = {
+        .solid = 0, .feature = 0, .normal_W = n, .push_m = 0.002, .drag_W = 0.001 * t};
+    const std::array<Pose, 1> poses{};
+    const ContactForce felt =
+        stage.step(contact, contact.position_W - 0.002 * n - 0.001 * t, Vector3::Zero(), poses);
+    CHECK((felt.force_W - Vector3(1.0 * n + 0.5 * t)).norm() < 1.0e-9);
+}
