@@ -10,7 +10,7 @@ set(load_path
     replay_device_build.cpp.o world_build.cpp.o world_loop_build.cpp.o
     mesh_report.cpp.o shape.cpp.o triangle_mesh.cpp.o weld.cpp.o
     record_layout.cpp.o record_reader.cpp.o record_writer.cpp.o
-    texture_settings.cpp.o transient_settings.cpp.o surface_plan.cpp.o material.cpp.o materials.cpp.o relief.cpp.o
+    friction.cpp.o texture_settings.cpp.o transient_settings.cpp.o surface_plan.cpp.o material.cpp.o materials.cpp.o relief.cpp.o
     texture_map_build.cpp.o texture_build.cpp.o shading_build.cpp.o contact_stage_build.cpp.o texture_stage_build.cpp.o
     transient_stage_build.cpp.o surface_effects_build.cpp.o
     realtime_thread.cpp.o) # the thread itself waits between the steps

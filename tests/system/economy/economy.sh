@@ -20,7 +20,12 @@ fail() {
 # An effect, and what its functions are called: the beginnings of their names in namespace fulcrum.
 effects='
 god-object  (GodObject|MovingSolid|BoundingTree|NearbyTriangles|find_nearest_hit|compute_constrained_point)
-coupling    (compute_contact_force|compute_coupling|compute_spring_force_N)
+coupling    (ContactStage::step|compute_contact_force|compute_coupling|compute_spring_force_N)
+surface     (SurfaceEffects::|TouchMotion::)
+texture     (TextureStage::|Texture::|TextureMap::|feel_on_body)
+transient   (TransientStage::|Transient::)
+sound       TouchTeller::
+shading     (ShadedNormals::|ContactStage::shade)
 weight      WeightRamp::
 fields      FieldStage::
 spring      pull_of_spring
@@ -41,6 +46,9 @@ viscosity  fields viscosity passivity
 magnet     fields magnet passivity
 lesson     lesson passivity
 solid      god-object coupling passivity
+textured   god-object coupling surface texture passivity
+tapped     god-object coupling surface transient passivity
+shaded     god-object coupling shading passivity
 kalman     kalman
 rest-4
 fall-4     flight

@@ -33,6 +33,12 @@ HapticPlan make_field(FieldKind kind) {
     return plan;
 }
 
+HapticPlan make_ball() {
+    HapticPlan plan;
+    plan.solids = only_solid(touchable(make_sphere(kBall_m, 8)));
+    return plan;
+}
+
 const std::map<std::string, HapticPlan (*)()> kHapticScenes{
     {"bare", [] { return HapticPlan{}; }},
     {"weight",
@@ -53,10 +59,24 @@ const std::map<std::string, HapticPlan (*)()> kHapticScenes{
          plan.lesson_force = true;
          return plan;
      }},
-    {"solid",
+    {"solid", make_ball},
+    {"textured",
      [] {
-         HapticPlan plan;
-         plan.solids = only_solid(touchable(make_sphere(kBall_m, 8)));
+         HapticPlan plan = make_ball();
+         plan.solids[0].surface.texture.source = SineTexture{};
+         return plan;
+     }},
+    {"tapped",
+     [] {
+         HapticPlan plan = make_ball();
+         plan.solids[0].surface.transient.kind = TransientKind::decaying_sinusoid;
+         plan.solids[0].surface.transient.force_Ns_per_m = 5.0;
+         return plan;
+     }},
+    {"shaded",
+     [] {
+         HapticPlan plan = make_ball();
+         plan.solids[0].surface.shading.on = true;
          return plan;
      }},
     {"kalman",

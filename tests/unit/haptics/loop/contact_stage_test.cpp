@@ -157,5 +157,6 @@ TEST_CASE("contact stage: what friction holds stays in a shaded force") {
     const std::array<Pose, 1> poses{};
     const ContactForce felt =
         stage.step(contact, contact.position_W - 0.002 * n - 0.001 * t, Vector3::Zero(), poses);
-    CHECK((felt.force_W - Vector3(1.0 * n + 0.5 * t)).norm() < 1.0e-9);
+    // The corner of a coarse ball: its normal is a degree off the radius.
+    CHECK((felt.force_W - Vector3(1.0 * n + 0.5 * t)).norm() < 0.02);
 }
