@@ -1,5 +1,7 @@
 #include "runtime/lesson/session_log.h"
 
+#include "dialogue/marking/grammar_point.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -30,7 +32,9 @@ void SessionLog::keep_attempt(const MarkedAnswer& answer) {
     attempt.answer_s = answer.answer_s;
     attempt.said_utc_ms = utc_now_ms();
     for (const dialogue::FormError& error : mark.form_errors) {
-        attempt.errors.push_back({std::string(error.errant()), error.said, error.right});
+        attempt.errors.push_back(
+            {std::string(error.errant()), error.said, error.right,
+             std::string(dialogue::grammar_point_id(dialogue::grammar_point(error)))});
     }
     keep([&] { return store_->add_attempt(attempt); });
 }

@@ -79,6 +79,8 @@ struct ErrorRecord {
     std::string code;  ///< ERRANT-like, e.g. "R:ADJ:FORM"; not empty
     std::string span;  ///< the learner's words, e.g. "most heavy"; empty when a word is missing
     std::string correction;  ///< what belongs there, e.g. "heaviest"; empty when a word is too many
+    std::string
+        point{};  ///< of grammar, e.g. "passive_voice"; empty in what was kept before points were
 
     bool operator==(const ErrorRecord&) const = default;
 };

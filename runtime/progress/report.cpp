@@ -50,7 +50,16 @@ class QuestionTally {
         report_.form_wrong += attempt.understood && !attempt.form_right ? 1 : 0;
         wrong_run_ = right ? 0 : wrong_run_ + 1;
         report_.wrong_in_a_row = std::max(report_.wrong_in_a_row, wrong_run_);
+        for (auto& [name, point] : points_) {
+            point.answers_since += attempt.understood ? 1 : 0;
+        }
         for (const ErrorRecord& error : attempt.errors) {
+            if (!error.point.empty()) {
+                GrammarPointReport& point = points_[error.point];
+                point.point = error.point;
+                point.count += 1;
+                point.answers_since = 0;
+            }
             FormErrorReport& kind = errors_[error.code];
             kind.code = error.code;
             kind.count += 1;
@@ -72,6 +81,10 @@ class QuestionTally {
             report_.form_errors.push_back(std::move(kind));
         }
         sort_by_count(report_.form_errors);
+        for (auto& [name, point] : points_) {
+            report_.points.push_back(std::move(point));
+        }
+        sort_by_count(report_.points);
         return std::move(report_);
     }
 
@@ -84,6 +97,7 @@ class QuestionTally {
     QuestionReport report_;
     std::map<std::string, FormErrorReport>
         errors_;  // by code, so that equal counts come in a fixed order
+    std::map<std::string, GrammarPointReport> points_;  // by name, likewise
     RecordId session_;
     std::int32_t number_ = 0;
     std::int64_t wrong_run_ = 0;

@@ -45,6 +45,14 @@ struct FormErrorReport {
     std::vector<FormExample> examples;  ///< all of them, the most frequent first
 };
 
+/// How a point of grammar goes in the answers to one question.
+struct GrammarPointReport {
+    std::string point;       ///< e.g. "passive_voice"
+    std::int64_t count = 0;  ///< errors that belong to it
+    std::int64_t answers_since =
+        0;  ///< answers understood since the last of them, that one not counted
+};
+
 struct QuestionReport {
     std::string question;
     std::int64_t asked = 0;
@@ -57,6 +65,7 @@ struct QuestionReport {
     std::int64_t wrong_now = 0;
     Stuck stuck = Stuck::no;
     std::vector<FormErrorReport> form_errors;  ///< the most frequent first
+    std::vector<GrammarPointReport> points;    ///< the most frequent first
 };
 
 struct LessonReport {

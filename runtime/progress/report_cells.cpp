@@ -55,6 +55,25 @@ std::string plain_words(const FormErrorReport& error) {
     return text + (rest > 0 ? ", and others (" + times(rest) + ")" : "");
 }
 
+std::string plain_words(const GrammarPointReport& point) {
+    std::string name = point.point;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    const std::string since =
+        point.answers_since == 0 ? "in the last answer"
+        : point.answers_since == 1
+            ? "none in the last answer"
+            : "none in the last " + std::to_string(point.answers_since) + " answers";
+    return name + ' ' + std::to_string(point.count) + " (" + since + ")";
+}
+
+std::string point_cell(const GrammarPointReport& point) {
+    return point.point + ' ' + std::to_string(point.count);
+}
+
+std::string since_cell(const GrammarPointReport& point) {
+    return point.point + ' ' + std::to_string(point.answers_since);
+}
+
 std::string error_cell(const FormErrorReport& error) {
     return error.code + " " + std::to_string(error.count);
 }

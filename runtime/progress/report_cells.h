@@ -21,6 +21,15 @@ namespace fulcrum::runtime {
 /// word belongs (once)`. The most frequent examples stand there, the rest is counted.
 [[nodiscard]] std::string plain_words(const FormErrorReport& error);
 
+/// A point of grammar as a teacher reads it: `passive voice 3 (none in the last 5 answers)`, `article 1 (in the last answer)`.
+[[nodiscard]] std::string plain_words(const GrammarPointReport& point);
+
+/// `passive_voice 3`: a point and how often; for the CSV.
+[[nodiscard]] std::string point_cell(const GrammarPointReport& point);
+
+/// `passive_voice 5`: a point and how many answers it has gone well since; for the CSV.
+[[nodiscard]] std::string since_cell(const GrammarPointReport& point);
+
 /// `R:ADJ:FORM 2`: a code and how often; for the CSV.
 [[nodiscard]] std::string error_cell(const FormErrorReport& error);
 

@@ -13,8 +13,8 @@ constexpr const char* kHeader =
     "learner,learner_id,lesson,played,finished,last_played,best_stars,best_score,question,asked,"
     "attempts,right_first_time,right_in_the_end,not_understood,form_wrong,wrong_now,wrong_in_a_row,"
     "stuck,"
-    "form_errors,examples";
-constexpr std::size_t kColumns = 20;
+    "form_errors,examples,grammar_points,answers_since";
+constexpr std::size_t kColumns = 22;
 constexpr std::size_t kQuestionColumn = 8;
 
 using Row = std::array<std::string, kColumns>;
@@ -68,6 +68,13 @@ void fill_question(const QuestionReport& question, Row& row) {
         errors += separator + error_cell(error);
         examples += separator + example_cell(error);
     }
+    std::string points;
+    std::string since;
+    for (const GrammarPointReport& point : question.points) {
+        const char* separator = points.empty() ? "" : "; ";
+        points += separator + point_cell(point);
+        since += separator + since_cell(point);
+    }
     std::size_t at = kQuestionColumn;
     row[at++] = text_cell(question.question);
     for (const std::int64_t number :
@@ -79,6 +86,8 @@ void fill_question(const QuestionReport& question, Row& row) {
     row[at++] = stuck_cell(question.stuck);
     row[at++] = text_cell(errors);
     row[at++] = text_cell(examples);
+    row[at++] = text_cell(points);
+    row[at++] = text_cell(since);
 }
 
 void write_lesson(const LessonReport& lesson, const ReportStyle& style, Row row, std::string& csv) {

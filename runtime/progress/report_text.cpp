@@ -88,6 +88,13 @@ void write_wrapped(const std::string& text, std::size_t indent, std::string& out
 }
 
 void write_notes(const QuestionReport& question, std::string& out) {
+    std::string points;
+    for (const GrammarPointReport& point : question.points) {
+        points += (points.empty() ? "slips: " : ", ") + plain_words(point);
+    }
+    if (!points.empty()) {
+        write_wrapped(printable(points), kNoteIndent, out);
+    }
     for (const FormErrorReport& error : question.form_errors) {
         write_wrapped(printable(plain_words(error)), kNoteIndent, out);
     }

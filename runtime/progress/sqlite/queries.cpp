@@ -27,7 +27,7 @@ AttemptRecord as_kept(AttemptRecord attempt) {
         *text = kept_text(*text);
     }
     for (ErrorRecord& error : attempt.errors) {
-        for (std::string* text : {&error.code, &error.span, &error.correction}) {
+        for (std::string* text : {&error.code, &error.span, &error.correction, &error.point}) {
             *text = kept_text(*text);
         }
     }
@@ -69,7 +69,7 @@ std::optional<AttemptRecord> find_attempt(Database& database, const RecordId& id
     }
     AttemptRecord attempt = attempt_of(row);
     Statement error(database,
-                    "SELECT code, span, correction FROM attempt_error WHERE attempt = ?"
+                    "SELECT code, span, correction, point FROM attempt_error WHERE attempt = ?"
                     " ORDER BY position");
     error.bind(id);
     while (error.step()) {
@@ -194,13 +194,14 @@ void keep(Database& database, const AttemptRecord& given) {
     std::int64_t position = 0;
     for (const ErrorRecord& error : attempt.errors) {
         Statement(database,
-                  "INSERT INTO attempt_error(attempt, position, code, span, correction)"
-                  " VALUES(?, ?, ?, ?, ?)")
+                  "INSERT INTO attempt_error(attempt, position, code, span, correction, point)"
+                  " VALUES(?, ?, ?, ?, ?, ?)")
             .bind(attempt.id)
             .bind(position++)
             .bind(error.code)
             .bind(error.span)
             .bind(error.correction)
+            .bind(error.point)
             .run();
     }
 }

@@ -59,6 +59,7 @@ ErrorRecord error_of(Statement& row) {
     error.code = row.text();
     error.span = row.text();
     error.correction = row.text();
+    error.point = row.text();
     return error;
 }
 

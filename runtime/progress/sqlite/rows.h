@@ -19,7 +19,7 @@ inline constexpr const char* kSelectAttempt =
 inline constexpr const char* kSelectSetting =
     "SELECT session_setting.session, name, value FROM session_setting";
 inline constexpr const char* kSelectError =
-    "SELECT attempt_error.attempt, code, span, correction FROM attempt_error";
+    "SELECT attempt_error.attempt, code, span, correction, point FROM attempt_error";
 
 /// The record in the statement's present row; lists (settings, errors) are left empty.
 [[nodiscard]] Learner learner_of(Statement& row);

@@ -80,10 +80,15 @@ CREATE TRIGGER session_setting_is_fact BEFORE UPDATE ON session_setting
   BEGIN SELECT RAISE(ABORT, 'a kept fact is never changed'); END;
 )sql";
 
+// An error of form belongs to a point of grammar; those kept before belong to none.
+constexpr const char* kStep2 = R"sql(
+ALTER TABLE attempt_error ADD COLUMN point TEXT NOT NULL DEFAULT '';
+)sql";
+
 }  // namespace
 
 const std::array<const char*, kSchemaVersion>& migrations() noexcept {
-    static constexpr std::array<const char*, kSchemaVersion> kSteps{kStep0, kStep1};
+    static constexpr std::array<const char*, kSchemaVersion> kSteps{kStep0, kStep1, kStep2};
     return kSteps;
 }
 

@@ -26,6 +26,7 @@ MarkedAnswer some_answer() {
     answer.mark.understood = true;
     answer.mark.slots = {{"thing", "apple"}, {"other", "egg"}};
     answer.mark.form_errors.resize(1);
+    answer.mark.form_errors[0].code = dialogue::ErrorCode::adjective_form;
     answer.mark.form_errors[0].said = "most heavy";
     answer.mark.form_errors[0].right = "heaviest";
     answer.feedback.attempt = 3;
@@ -81,6 +82,8 @@ TEST_CASE("session log: beginning, answers and end are kept as they were") {
     REQUIRE(attempt.errors.size() == 1);
     CHECK(attempt.errors[0].span == "most heavy");
     CHECK(attempt.errors[0].correction == "heaviest");
+    CHECK(attempt.errors[0].code == "R:ADJ:FORM");
+    CHECK_FALSE(attempt.errors[0].point.empty());
     REQUIRE(store.data.ends.size() == 1);
     CHECK(store.data.ends[0].reason == EndReason::finished);
     CHECK(store.data.ends[0].stars == 2);

@@ -46,7 +46,7 @@ class Diary {
             attempt.meaning_right = letter == 'R' || letter == 'F';
             attempt.form_right = letter == 'R' || letter == 'W';
             if (letter == 'F') {
-                attempt.errors = {{"R:ADJ:FORM", "most heavy", "heaviest"}};
+                attempt.errors = {{"R:ADJ:FORM", "most heavy", "heaviest", "comparison"}};
             }
             data.attempts.push_back(attempt);
         }

@@ -37,6 +37,16 @@ TEST_CASE("report cells: an error in plain words shows the most frequent example
     CHECK(times(2) == "2 times");
 }
 
+TEST_CASE("report cells: a point of grammar tells how it goes now") {
+    CHECK(plain_words(GrammarPointReport{"passive_voice", 3, 5}) ==
+          "passive voice 3 (none in the last 5 answers)");
+    CHECK(plain_words(GrammarPointReport{"article", 1, 1}) ==
+          "article 1 (none in the last answer)");
+    CHECK(plain_words(GrammarPointReport{"article", 2, 0}) == "article 2 (in the last answer)");
+    CHECK(point_cell({"passive_voice", 3, 5}) == "passive_voice 3");
+    CHECK(since_cell({"passive_voice", 3, 5}) == "passive_voice 5");
+}
+
 TEST_CASE("report cells: stuck, errors and examples in words") {
     CHECK(std::string(stuck_cell(Stuck::no)) == "no");
     CHECK(std::string(stuck_cell(Stuck::before)) == "before");

@@ -110,7 +110,9 @@ TEST_CASE("report: the CSV says when, how well, and with which errors") {
                                                  "3",
                                                  "before",
                                                  "R:ADJ:FORM 1",
-                                                 "\"most heavy\" -> \"heaviest\""});
+                                                 "\"most heavy\" -> \"heaviest\"",
+                                                 "comparison 1",
+                                                 "comparison 0"});
     const std::string with_mark = to_csv({}, {.byte_order_mark = true});
     CHECK(with_mark.substr(0, 10) == "\xEF\xBB\xBFlearner");
 }
@@ -119,7 +121,7 @@ TEST_CASE("report: without learners the CSV is its header alone") {
     const auto rows = test::parse_csv(to_csv(compute_report({})));
     REQUIRE(rows);
     REQUIRE(rows->size() == 1);
-    CHECK((*rows)[0].size() == 20);
+    CHECK((*rows)[0].size() == 22);
 }
 
 TEST_CASE("report: no cell of the CSV is a formula, and every cell is read back whole") {
@@ -134,7 +136,7 @@ TEST_CASE("report: no cell of the CSV is a formula, and every cell is read back 
         REQUIRE(rows);
         REQUIRE(rows->size() == 2);
         for (const auto& row : *rows) {
-            REQUIRE(row.size() == 20);
+            REQUIRE(row.size() == 22);
         }
         const auto& row = (*rows)[1];
         CAPTURE(nasty, csv);

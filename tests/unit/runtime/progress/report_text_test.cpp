@@ -37,6 +37,7 @@ mina
                                           right  right  not un-  form  wrong in
     question             asked attempts at once in end derstood wrong a row now
     heaviest                 1        2       0      1        0     1         0
+      slips: comparison 1 (in the last answer)
       "most heavy" for "heaviest" (once)
     lighter-than-egg         1        3       0      0        0     0         3
       STUCK now: the last 3 answers were not right
@@ -99,6 +100,27 @@ TEST_CASE("report: errors of form are told in words, without codes") {
     CHECK_THAT(text, !Catch::Contains("DET") && !Catch::Contains("ADJ"));
     CHECK_THAT(to_csv(compute_report(diary.data)),
                Catch::Contains("M:DET 4; R:ADJ:FORM 1; U:PRON 1"));
+}
+
+TEST_CASE("report: points of grammar are counted, and so are the answers since") {
+    Diary diary("Mina");
+    diary.session("textures").answers("made_of", "FFRUFRRU");
+    const ErrorRecord missing{"M:VERB", "", "is", "passive_voice"};
+    const ErrorRecord article{"M:DET", "", "a", "article"};
+    const std::vector<ErrorRecord> errors[] = {{missing, article}, {missing}, {missing, missing}};
+    diary.data.attempts[0].errors = errors[0];
+    diary.data.attempts[1].errors = errors[1];
+    diary.data.attempts[4].errors = errors[2];
+    const Report report = compute_report(diary.data);
+    CHECK_THAT(
+        to_text(report, kUtc),
+        Catch::Contains("      slips: passive voice 4 (none in the last 2 answers), article 1 "
+                        "(none in\n        the last 5 answers)\n"));
+    CHECK_THAT(to_csv(report), Catch::Contains("passive_voice 4; article 1") &&
+                                   Catch::Contains("passive_voice 2; article 5"));
+    // What was kept before points were has none.
+    diary.data.attempts[0].errors[1].point.clear();
+    CHECK_THAT(to_csv(compute_report(diary.data)), !Catch::Contains("article"));
 }
 
 TEST_CASE("report: lines are broken between words, and no word is lost") {

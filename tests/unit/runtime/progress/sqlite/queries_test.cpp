@@ -17,7 +17,7 @@ TEST_CASE("store: a repeated write leaves one record and is acknowledged") {
     const TemporaryFolder folder;
     Classroom room(folder.file("progress.db"));
     AttemptRecord attempt = attempt_for(room.session.id, "heaviest", 1, false);
-    attempt.errors = {{"M:DET", "", "the"}};
+    attempt.errors = {{"M:DET", "", "the", "article"}};
     const SessionEnd end{room.session.id, 2'000, EndReason::left, 0, 0, 1};
     for (int i = 0; i < 3; ++i) {
         CHECK(room.store->add_learner(room.learner));

@@ -40,7 +40,7 @@ void make_version_1(const std::string& path) {
         .run();
 }
 
-TEST_CASE("opening: version 1 becomes version 2 and keeps every fact") {
+TEST_CASE("opening: version 1 becomes the newest and keeps every fact") {
     const TemporaryFolder folder;
     const std::string path = folder.file("progress.db");
     make_version_1(path);
@@ -54,14 +54,14 @@ TEST_CASE("opening: version 1 becomes version 2 and keeps every fact") {
         CHECK(data->attempts[0].understood);
         CHECK(data->attempts[0].said == "an egg");
         CHECK(data->attempts[1].errors == std::vector{ErrorRecord{"M:DET", "", "the"}});
-        // What version 2 brought works on what version 1 kept.
+        // What later versions brought works on what version 1 kept.
         SessionRecord session{
             std::string(32, 'd'),     std::string(32, 'a'), "gravity", "", "A1", 8,
             {{"force_limit_N", "10"}}};
         CHECK((*store)->begin_session(session));
         CHECK((*store)->read({})->sessions.back() == session);
     }
-    CHECK(query(path, "PRAGMA user_version") == "2");
+    CHECK(query(path, "PRAGMA user_version") == "3");
     CHECK(query(path, "PRAGMA integrity_check") == "ok");
 }
 
