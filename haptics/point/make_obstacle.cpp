@@ -1,5 +1,6 @@
 #include "haptics/point/make_obstacle.h"
 
+#include "haptics/collision/convex_cursor.h"
 #include "haptics/collision/distance_obstacle.h"
 #include "haptics/collision/mesh_obstacle.h"
 #include "haptics/collision/shape_obstacle.h"
@@ -37,11 +38,49 @@ struct MakeForBall {
     }
 };
 
+// The same for a convex cursor. There is none against a distance function.
+struct MakeForConvex {
+    ConvexBody cursor;
+
+    std::unique_ptr<Obstacle> operator()(const MeshShape& mesh) const {
+        return std::make_unique<ConvexMeshObstacle>(mesh, cursor);
+    }
+    std::unique_ptr<Obstacle> operator()(const HeightFieldShape& field) const {
+        return (*this)(field.mesh);
+    }
+    std::unique_ptr<Obstacle> operator()(const HullShape& hull) const { return (*this)(hull.mesh); }
+    template <class Shape>
+    std::unique_ptr<Obstacle> operator()(const Shape& shape) const {
+        return std::make_unique<ConvexObstacle>(make_convex_solid(SolidShape(shape)), cursor);
+    }
+};
+
+std::unique_ptr<Obstacle> make_obstacle(const CursorShape& cursor, const SolidShape& solid) {
+    const std::optional<SolidShape> body = to_solid_shape(cursor);
+    if (is_ball(cursor) || !body) {
+        return std::visit(MakeForBall{ball_radius_m(cursor)}, solid);
+    }
+    return std::visit(MakeForConvex{make_convex_cursor(*body)}, solid);
+}
+
 }  // namespace
 
-Expected<void> validate_pair(const CursorShape& cursor, const SolidShape& /*shape*/) {
-    if (!is_ball(cursor)) {
-        return fail("this cursor is no ball", {}, "take a sphere or a point");
+std::optional<SolidShape> to_solid_shape(const CursorShape& cursor) {
+    return std::visit(
+        [](const auto& shape) -> std::optional<SolidShape> {
+            if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, std::monostate>) {
+                return std::nullopt;
+            } else {
+                return SolidShape(shape);
+            }
+        },
+        cursor);
+}
+
+Expected<void> validate_pair(const CursorShape& cursor, const SolidShape& shape) {
+    if (!is_ball(cursor) && std::holds_alternative<DistanceShape>(shape)) {
+        return fail("a distance function is touched by a point or a sphere alone", {},
+                    "take such a cursor, or make the body a mesh");
     }
     return {};
 }
@@ -51,7 +90,7 @@ std::vector<MovingObstacle> make_obstacles(const CursorShape& cursor,
     std::vector<MovingObstacle> obstacles;
     obstacles.reserve(solids.size());
     for (const SolidPlan& solid : solids) {
-        obstacles.emplace_back(std::visit(MakeForBall{ball_radius_m(cursor)}, solid.shape),
+        obstacles.emplace_back(make_obstacle(cursor, solid.shape),
                                static_cast<std::int32_t>(obstacles.size()), solid.initial_pose_W);
     }
     return obstacles;

@@ -9,9 +9,13 @@
 #include "haptics/point/proxy_plan.h"
 #include "haptics/point/solid_plan.h"
 
+#include <optional>
 #include <vector>
 
 namespace fulcrum {
+
+/// The cursor as a body; none for a point.
+[[nodiscard]] std::optional<SolidShape> to_solid_shape(const CursorShape& cursor);
 
 /// Refuses what no obstacle is there for.
 [[nodiscard]] Expected<void> validate_pair(const CursorShape& cursor, const SolidShape& shape);

@@ -22,14 +22,12 @@ Expected<void> check_cursor(const ProxySettings& settings) {
         return fail("a god-object's cursor is a point", {},
                     "give it none, or take a virtual proxy");
     }
-    if (settings.kind == ProxyKind::virtual_proxy &&
-        !std::holds_alternative<SphereShape>(settings.cursor)) {
-        return fail("a virtual proxy's cursor is a sphere", {}, "give it one");
+    if (settings.kind == ProxyKind::virtual_proxy && is_point(settings)) {
+        return fail("a virtual proxy's cursor has a size", {},
+                    "give it a sphere, or take a god-object");
     }
-    if (const auto* ball = std::get_if<SphereShape>(&settings.cursor)) {
-        return validate(SolidShape(*ball));
-    }
-    return {};
+    const std::optional<SolidShape> body = to_solid_shape(settings.cursor);
+    return body ? validate(*body) : Expected<void>{};
 }
 
 Expected<void> check_solid(const SolidPlan& solid, const CursorShape& cursor) {

@@ -17,13 +17,13 @@ class Proxy;       // proxy.h
 /// By the names of the literature.
 enum class ProxyKind : std::uint8_t {
     god_object,     ///< a point (Zilles and Salisbury 1995)
-    virtual_proxy,  ///< a sphere (Ruspini, Kolarov, Khatib 1997)
+    virtual_proxy,  ///< a sphere (Ruspini, Kolarov, Khatib 1997), or any convex cursor
     friction_cone,  ///< either of them, or any convex cursor, with friction (Melder and Harwin 2002; Barrow and Harwin)
 };
 
 /// The cursor's own shape, centred on the tool's position, with the world's axes.
 using CursorShape =
-    std::variant<std::monostate, SphereShape, BoxShape, CapsuleShape, CylinderShape>;
+    std::variant<std::monostate, SphereShape, BoxShape, CapsuleShape, CylinderShape, HullShape>;
 
 struct ProxySettings {
     ProxyKind kind = ProxyKind::god_object;
