@@ -11,7 +11,7 @@ ContactStage::ContactStage(const HapticPlan& plan) : common_(plan.coupling) {
         couplings_.push_back(solid.coupling.value_or(plan.coupling));
     }
     const auto is_shaded = [](const SolidPlan& solid) {
-        const auto* mesh = std::get_if<MeshShape>(&solid.shape);
+        const MeshShape* mesh = find_mesh(solid.shape);
         return solid.surface.shading.on && mesh != nullptr && *mesh;
     };
     if (!std::ranges::any_of(plan.solids, is_shaded)) {
@@ -22,7 +22,7 @@ ContactStage::ContactStage(const HapticPlan& plan) : common_(plan.coupling) {
         const SolidPlan& solid = plan.solids[i];
         if (is_shaded(solid)) {
             shading_[i] = std::make_unique<const ShadedNormals>(
-                std::get<MeshShape>(solid.shape), solid.surface.shading.crease_angle_deg);
+                *find_mesh(solid.shape), solid.surface.shading.crease_angle_deg);
         }
     }
 }

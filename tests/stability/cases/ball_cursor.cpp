@@ -1,0 +1,168 @@
+// A ball as the cursor: cracks narrower than it, and plates at speed.
+#include "haptics/geometry/shape.h"
+#include "haptics/point/make_obstacle.h"
+#include "haptics/point/virtual_proxy.h"
+#include "tests/stability/cases/stability_case.h"
+#include "tests/support/hard_meshes.h"
+#include "tests/support/nearest_point.h"
+#include "tests/support/touchable.h"
+#include "tests/support/wander.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace fulcrum::stability {
+namespace {
+
+VirtualProxy make_ball(const SolidShape& shape, double radius_m, const Pose& pose_W = {}) {
+    return VirtualProxy(make_obstacles(
+        SphereShape{radius_m}, {SolidPlan{.body = 0, .shape = shape, .initial_pose_W = pose_W}}));
+}
+
+// How deep the ball is in the mesh, of its radius; a ball that slips through is in it on its way, whatever it is later.
+double find_depth(const CollisionMesh& mesh, const Vector3& at_B, double radius_m) {
+    return 1.0 - (at_B - find_nearest_on_mesh(mesh, at_B)).norm() / radius_m;
+}
+
+// Slides along the seam of two halves that do not meet; the hand is pressed in by several radii.
+Finding slide_along_crack(double crack_m) {
+    constexpr double kBodyRadius_m = 0.1;
+    constexpr double kRadius_m = 2.0e-3;
+    constexpr int kSlides = 50;
+    constexpr int kSteps = 400;
+    const auto mesh =
+        touchable(make_cracked(*make_bumpy_sphere(kBodyRadius_m, 12, 0.03, 5.0), crack_m, 41, 0.0));
+    double deepest = 0.0;
+    int n_leaks = 0;
+    for (int slide = 0; slide < kSlides; ++slide) {
+        VirtualProxy proxy = make_ball(mesh, kRadius_m);
+        Random random(400U + static_cast<unsigned>(slide));
+        const double begin = 3.0 * random.uniform();
+        const double pressed_m = kBodyRadius_m * (0.9 + 0.05 * random.uniform());
+        double height_m = 0.0;
+        for (int i = 0; i < kSteps; ++i) {
+            const double turn = begin + 0.01 * i;
+            height_m = 0.95 * height_m + 5.0e-4 * random.uniform();
+            const Vector3 hand_W(pressed_m * std::sin(turn), height_m, pressed_m * std::cos(turn));
+            if (i == 0) {
+                proxy.reset(1.5 * hand_W);
+            }
+            const Vector3& at_W = proxy.step(hand_W, {}).position_W;
+            if (i % 20 == 19) {
+                deepest = worse(deepest, find_depth(*mesh, at_W, kRadius_m));
+            }
+        }
+        n_leaks += proxy.contact().position_W.norm() < 0.96 * kBodyRadius_m ? 1 : 0;
+    }
+    return {std::max(deepest, static_cast<double>(n_leaks)), 1.0e-6,
+            std::to_string(n_leaks) + " of " + std::to_string(kSlides) + " slides leaked"};
+}
+
+struct Passes {
+    double worst_m = 0.0;
+    int n_met = 0;
+    int n = 0;
+    [[nodiscard]] Finding finding() const {
+        return {worst_m, 1.0e-9,
+                std::to_string(n_met) + " of " + std::to_string(n) + " passes met the plate"};
+    }
+};
+
+// How far the ball's middle is over the wrong side of a plate's plane, or nearer to the plate than its radius.
+double find_fault_m(const Vector3& at_B, double side, const Vector3& half_m, double radius_m) {
+    const Vector3 beyond = (at_B.cwiseAbs() - half_m).cwiseMax(0.0);
+    const bool is_over = std::abs(at_B.x()) < half_m.x() && std::abs(at_B.z()) < half_m.z();
+    const double wrong_m = is_over ? -side * at_B.y() : 0.0;
+    return std::max(radius_m - beyond.norm(), wrong_m);
+}
+
+// The hand goes through at 5 m/s from any side, slanting, and comes back.
+Finding shoot_through(double thickness_m) {
+    constexpr double kRadius_m = 1.0e-3;
+    const Vector3 half(0.1, 0.5 * thickness_m, 0.1);
+    const auto mesh = touchable(make_box(2.0 * half));
+    Random random(51);
+    Passes passes;
+    for (; passes.n < 200; ++passes.n) {
+        const Vector3 from_W = 0.25 * random.direction();
+        const Vector3 way = (0.7 * half.cwiseProduct(random.in_cube()) - from_W).normalized();
+        VirtualProxy proxy = make_ball(mesh, kRadius_m);
+        proxy.reset(from_W);
+        bool met = false;
+        double side = 0.0;
+        for (int i = 1; i <= 200; ++i) {
+            const ProxyContact& contact =
+                proxy.step(from_W + 0.005 * std::min(i, 200 - i) * way, {});
+            const Vector3& at_W = contact.position_W;
+            // The side on which it came over the plate is where it stays while over it.
+            const bool is_over = std::abs(at_W.x()) < half.x() && std::abs(at_W.z()) < half.z();
+            side = !is_over ? 0.0 : side == 0.0 ? (at_W.y() < 0.0 ? -1.0 : 1.0) : side;
+            passes.worst_m = worse(passes.worst_m, find_fault_m(at_W, side, half, kRadius_m));
+            met = met || contact.n_constraints > 0;
+        }
+        passes.n_met += met ? 1 : 0;
+    }
+    return passes.finding();
+}
+
+// A plate flies and turns through a still hand at up to 5 m/s.
+Finding fly_through(double thickness_m, double turn_rad_per_s) {
+    constexpr double kRadius_m = 1.0e-3;
+    const Vector3 half(0.1, 0.5 * thickness_m, 0.1);
+    const auto mesh = touchable(make_box(2.0 * half));
+    Random random(52);
+    Passes passes;
+    for (; passes.n < 200; ++passes.n) {
+        const Quaternion turn = random.turn(3.0);
+        const Vector3 axis = random.direction();
+        const Vector3 velocity = (0.5 + 2.25 * (1.0 + random.uniform())) * random.direction();
+        const Vector3 place_B = 0.7 * half.cwiseProduct(random.in_cube());
+        const auto pose_at = [&](double t_s) {
+            const Quaternion now = Quaternion(Eigen::AngleAxisd(turn_rad_per_s * t_s, axis)) * turn;
+            return Pose{velocity * t_s - now * place_B, now};
+        };
+        VirtualProxy proxy = make_ball(mesh, kRadius_m, pose_at(-0.1));
+        proxy.reset(Vector3::Zero());
+        double side = 0.0;
+        bool met = false;
+        for (int i = -99; i <= 100; ++i) {
+            const Pose pose = pose_at(1.0e-3 * i);
+            const ProxyContact& contact = proxy.step(Vector3::Zero(), std::span(&pose, 1));
+            const Vector3 at_B = pose.inverse() * contact.position_W;
+            const bool is_over = std::abs(at_B.x()) < half.x() && std::abs(at_B.z()) < half.z();
+            side = !is_over ? 0.0 : side == 0.0 ? (at_B.y() < 0.0 ? -1.0 : 1.0) : side;
+            passes.worst_m = worse(passes.worst_m, find_fault_m(at_B, side, half, kRadius_m));
+            met = met || contact.n_constraints > 0;
+        }
+        passes.n_met += met ? 1 : 0;
+    }
+    return passes.finding();
+}
+
+constexpr const char* kThrough = "middle beyond the plate's plane, or surface in it";
+
+const HardCase kFine{{"a ball of 2 mm over a crack of 1e-5 m", "it slides 50 times along the seam",
+                      "depth in the mesh, of the radius", "",
+                      [] { return slide_along_crack(1e-5); }}};
+const HardCase kWide{{"a ball of 2 mm over a crack of 1e-4 m", "it slides 50 times along the seam",
+                      "depth in the mesh, of the radius", "",
+                      [] { return slide_along_crack(1e-4); }}};
+const HardCase kWidest{{"a ball of 2 mm over a crack of 1 mm", "it slides 50 times along the seam",
+                        "depth in the mesh, of the radius", "",
+                        [] { return slide_along_crack(1e-3); }}};
+const HardCase kShot{{"a ball through a plate of 1 mm at 5 m/s",
+                      "the hand goes through from any side and back", kThrough, "m",
+                      [] { return shoot_through(1e-3); }}};
+const HardCase kThinShot{{"a ball through a plate of 0.1 mm at 5 m/s",
+                          "the hand goes through from any side and back", kThrough, "m",
+                          [] { return shoot_through(1e-4); }}};
+const HardCase kFlight{{"a plate of 0.1 mm through a still ball at 5 m/s",
+                        "the plate flies straight", kThrough, "m",
+                        [] { return fly_through(1e-4, 0.0); }}};
+const HardCase kTumble{{"a plate of 0.1 mm tumbling through a still ball",
+                        "it flies at 5 m/s and turns at 20 rad/s", kThrough, "m",
+                        [] { return fly_through(1e-4, 20.0); }}};
+}  // namespace
+}  // namespace fulcrum::stability
