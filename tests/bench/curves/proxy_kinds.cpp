@@ -4,6 +4,7 @@
 // Time and snags: a ball with bumps of 3 %, pressed in 2 % of the radius, 4 radii a second at 1 kHz. Every pass does the same steps:
 // the least time of a step over the passes is what it costs when the machine does nothing else. Error: inside a smooth ball, where
 // there is one nearest place, found by asking every face. Leaks: slides along the seam of a body in two halves, not welded.
+#include "haptics/collision/segment_query.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/point/make_proxy.h"
 #include "haptics/point/plane_constraints.h"
