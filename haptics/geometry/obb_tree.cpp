@@ -57,41 +57,49 @@ std::array<Vector3, 3> ObbForest::corners_of(std::int32_t triangle) const {
             vertices_[static_cast<std::size_t>(t[2])]};
 }
 
+// Half the sizes that a box of this centre and these axes needs. It reads them as they are kept, in single precision: inlined
+// after their rounding, g++ 12 at -O3 takes the numbers from before it, and then the box is too small.
+[[gnu::noinline]] Vector3 ObbForest::measure(const OrientedBox& box,
+                                             std::span<const std::int32_t> triangles,
+                                             Vector3& middle) const {
+    Vector3 lower = Vector3::Constant(std::numeric_limits<double>::infinity());
+    Vector3 upper = -lower;
+    for (const std::int32_t triangle : triangles) {
+        for (const Vector3& corner : corners_of(triangle)) {
+            const Vector3 place = box.to_frame(corner);
+            lower = lower.cwiseMin(place);
+            upper = upper.cwiseMax(place);
+        }
+    }
+    middle = 0.5 * (lower + upper);
+    Vector3 half = lower.cwiseAbs().cwiseMax(upper.cwiseAbs());
+    half.array() += kRoundings * half.sum();  // a flat box is as thick as rounding
+    return half;
+}
+
 OrientedBox ObbForest::fit(std::span<const std::int32_t> triangles) const {
     const Vector3 origin = corners_of(triangles.front())[0];
     Moments moments;
     for (const std::int32_t triangle : triangles) {
         moments.add(corners_of(triangle), origin);
     }
-    const Eigen::Matrix3f axes = moments.find_axes().cast<float>();
-    const Matrix3 frame = axes.cast<double>();
-    const auto measure = [&](const Vector3& centre, Vector3& lower, Vector3& upper) {
-        lower.setConstant(std::numeric_limits<double>::infinity());
-        upper = -lower;
-        for (const std::int32_t triangle : triangles) {
-            for (const Vector3& corner : corners_of(triangle)) {
-                const Vector3 place = frame * (corner - centre);
-                lower = lower.cwiseMin(place);
-                upper = upper.cwiseMax(place);
-            }
-        }
-    };
-    // The centre is rounded first, then sizes are measured from it.
-    Vector3 lower;
-    Vector3 upper;
-    measure(origin, lower, upper);
-    const Vector3 middle = origin + frame.transpose() * (0.5 * (lower + upper));
+    const Matrix3 axes = moments.find_axes();
     OrientedBox box;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        box.centre[i] = static_cast<float>(middle[row]);
-        box.axes[i] = {axes(row, 0), axes(row, 1), axes(row, 2)};
+        box.centre[i] = static_cast<float>(origin[row]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            box.axes[i][k] = static_cast<float>(axes(row, static_cast<Eigen::Index>(k)));
+        }
     }
-    const Vector3 centre(static_cast<double>(box.centre[0]), static_cast<double>(box.centre[1]),
-                         static_cast<double>(box.centre[2]));
-    measure(centre, lower, upper);
-    Vector3 half = lower.cwiseAbs().cwiseMax(upper.cwiseAbs());
-    half.array() += kRoundings * half.sum();  // a flat box is as thick as rounding
+    // About any centre first, to find a better one; the sizes are those about the centre as it is kept.
+    Vector3 middle;
+    (void)measure(box, triangles, middle);
+    const Vector3 moved = axes.transpose() * middle;
+    for (std::size_t i = 0; i < 3; ++i) {
+        box.centre[i] += static_cast<float>(moved[static_cast<Eigen::Index>(i)]);
+    }
+    const Vector3 half = measure(box, triangles, middle);
     box.half_size = {round_up(half.x()), round_up(half.y()), round_up(half.z())};
     return box;
 }
@@ -100,9 +108,7 @@ OrientedBox ObbForest::fit(std::span<const std::int32_t> triangles) const {
 std::size_t ObbForest::split(const OrientedBox& box, std::span<std::int32_t> triangles) const {
     const auto longest = static_cast<std::size_t>(
         std::max_element(box.half_size.begin(), box.half_size.end()) - box.half_size.begin());
-    const Vector3 axis(static_cast<double>(box.axes[longest][0]),
-                       static_cast<double>(box.axes[longest][1]),
-                       static_cast<double>(box.axes[longest][2]));
+    const Vector3 axis = box.axis(longest);
     const auto place = [&](std::int32_t triangle) {
         const auto [a, b, c] = corners_of(triangle);
         return axis.dot(a) + axis.dot(b) + axis.dot(c);

@@ -29,6 +29,22 @@ struct OrientedBox {
     std::array<float, 3> centre{};
     std::array<std::array<float, 3>, 3> axes{};  ///< one a row
     std::array<float, 3> half_size{};
+
+    /// A row of the frame.
+    [[nodiscard]] Vector3 axis(std::size_t row) const noexcept {
+        return {static_cast<double>(axes[row][0]), static_cast<double>(axes[row][1]),
+                static_cast<double>(axes[row][2])};
+    }
+    [[nodiscard]] Vector3 from_centre(const Vector3& point) const noexcept {
+        return {point.x() - static_cast<double>(centre[0]),
+                point.y() - static_cast<double>(centre[1]),
+                point.z() - static_cast<double>(centre[2])};
+    }
+    /// A point in the box's frame.
+    [[nodiscard]] Vector3 to_frame(const Vector3& point) const noexcept {
+        const Vector3 away = from_centre(point);
+        return {axis(0).dot(away), axis(1).dot(away), axis(2).dot(away)};
+    }
 };
 
 /// A segment as the boxes want it.
@@ -49,16 +65,13 @@ struct CentredSegment {
     constexpr double kRoundings = 64.0 * std::numeric_limits<double>::epsilon();
     std::array<double, 3> m{};
     std::array<double, 3> w{};
-    const Vector3 away(segment.middle.x() - static_cast<double>(box.centre[0]),
-                       segment.middle.y() - static_cast<double>(box.centre[1]),
-                       segment.middle.z() - static_cast<double>(box.centre[2]));
+    const Vector3 away = box.from_centre(segment.middle);
     double error_m = kRoundings * segment.largest_m;
     for (std::size_t i = 0; i < 3; ++i) {
         error_m += kRoundings * std::abs(static_cast<double>(box.centre[i]));
     }
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vector3 axis(static_cast<double>(box.axes[i][0]), static_cast<double>(box.axes[i][1]),
-                           static_cast<double>(box.axes[i][2]));
+        const Vector3 axis = box.axis(i);
         m[i] = axis.dot(away);
         w[i] = axis.dot(segment.half);
         if (std::abs(m[i]) > static_cast<double>(box.half_size[i]) + std::abs(w[i]) + error_m) {
@@ -111,6 +124,8 @@ class ObbForest {
     static constexpr std::size_t kStack = 64;
 
     [[nodiscard]] OrientedBox fit(std::span<const std::int32_t> triangles) const;
+    [[nodiscard]] Vector3 measure(const OrientedBox& box, std::span<const std::int32_t> triangles,
+                                  Vector3& middle) const;
     [[nodiscard]] std::size_t split(const OrientedBox& box,
                                     std::span<std::int32_t> triangles) const;
     [[nodiscard]] std::array<Vector3, 3> corners_of(std::int32_t triangle) const;

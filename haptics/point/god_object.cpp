@@ -249,6 +249,14 @@ void GodObject::publish(const Vector3& goal_W) noexcept {
         push.squaredNorm() > 0.0 ? Vector3(push.stableNormalized()) : strongest->normal_W;
 }
 
+std::uint64_t GodObject::n_searches() const noexcept {
+    std::uint64_t n = 0;
+    for (const MovingSolid& solid : solids_) {
+        n += solid.n_searches();
+    }
+    return n;
+}
+
 // What holds the proxy, as the contact tells it.
 void GodObject::renew_touches() noexcept {
     contact_.n_constraints = static_cast<std::int32_t>(std::min(planes_.count, kMaxTouches));

@@ -45,6 +45,8 @@ class GodObject final : public SurfaceObject {
 
     /// How often a solid had to be let through, squeezed between two.
     [[nodiscard]] std::uint64_t n_squeezed() const noexcept { return n_squeezed_; }
+    /// How often triangles had to be searched for, instead of being at hand from before.
+    [[nodiscard]] std::uint64_t n_searches() const noexcept;
     /// Sweeps of the last step: what it cost.
     [[nodiscard]] int n_sweeps() const noexcept { return n_sweeps_; }
 

@@ -62,6 +62,7 @@ SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W, double reach_m) noexce
         const double wanted = std::min(1.0, reach_m / length_m);
         const Vector3 end_B = proxy_B_ + wanted * (to_B - proxy_B_);
         const Vector3 margin = Vector3::Constant(kReach * reach_m);
+        ++n_searches_;
         nearby_.collect(*mesh_,
                         {proxy_B_.cwiseMin(end_B) - margin, proxy_B_.cwiseMax(end_B) + margin});
         part = nearby_.covers(proxy_B_) ? nearby_.find_covered_part(proxy_B_, to_B) : 0.0;
@@ -72,6 +73,7 @@ SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W, double reach_m) noexce
             return hit;
         }
     }
+    ++n_searches_;
     return find_nearest_hit(*mesh_, proxy_B_, to_B);
 }
 

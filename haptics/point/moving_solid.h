@@ -45,6 +45,9 @@ class MovingSolid {
     /// The same, by the triangles remembered around the proxy; collects them anew, `reach_m` around, when needed.
     [[nodiscard]] SegmentHit sweep_nearby(const Vector3& to_W, double reach_m) noexcept;
 
+    /// How often triangles had to be searched for from the root in `sweep_nearby`: what it cost.
+    [[nodiscard]] std::uint64_t n_searches() const noexcept { return n_searches_; }
+
     /// The triangle in which the proxy lies exactly, if any.
     [[nodiscard]] SegmentHit find_touching() const noexcept {
         return find_nearest_hit(*mesh_, proxy_B_, proxy_B_);
@@ -77,6 +80,7 @@ class MovingSolid {
     Vector3 origin_W_{Vector3::Zero()};
     Vector3 proxy_B_{Vector3::Zero()};
     NearbyTriangles nearby_;
+    std::uint64_t n_searches_ = 0;
 };
 
 }  // namespace fulcrum

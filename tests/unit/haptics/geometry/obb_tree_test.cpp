@@ -115,6 +115,30 @@ TEST_CASE("obb tree: a box has the axes along which the surface spreads, and hol
     }
 }
 
+TEST_CASE("obb tree: a box as it is kept, in single precision, holds every corner") {
+    const auto mesh = make_bumpy_sphere(1.0, 12, 0.05, 9.0);
+    ObbForest forest(mesh->vertices_B(), mesh->triangles(), 1);
+    double worst = -1.0;
+    for (std::int32_t first = 0; first + 8 <= 2880; ++first) {
+        std::vector<std::int32_t> some(1 + static_cast<std::size_t>(first % 8));
+        std::iota(some.begin(), some.end(), first);
+        const OrientedBox box = forest.box(forest.add(some));
+        for (const std::int32_t triangle : some) {
+            for (const std::int32_t corner :
+                 mesh->triangles()[static_cast<std::size_t>(triangle)]) {
+                const Vector3 place =
+                    box.to_frame(mesh->vertices_B()[static_cast<std::size_t>(corner)]);
+                for (std::size_t i = 0; i < 3; ++i) {
+                    worst = std::max(worst, std::abs(place[static_cast<Eigen::Index>(i)]) -
+                                                static_cast<double>(box.half_size[i]));
+                }
+            }
+        }
+    }
+    CHECK(worst <= 0.0);
+    CHECK(worst > -1.0e-6);
+}
+
 TEST_CASE("obb tree: the covariance is that of the surface, not of its corners or triangles") {
     // Halves of a plate of 2 x 1, one of them in many triangles: the axes must not lean towards it.
     const auto fine = make_plate(1.0, 1.0, 8);

@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -252,6 +253,28 @@ TEST_CASE("god object: whichever structure finds the triangles, it goes the same
         n_touching += by_all.contact().solid == 0 ? 1 : 0;
     }
     CHECK(n_touching > 300);
+}
+
+TEST_CASE("god object: triangles are at hand from step to step, as often at any scale and speed") {
+    std::array<std::uint64_t, 3> n_searches{};
+    for (const double step_rad : {0.0004, 0.004}) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            // Powers of two, so that the ways are the same but for the scale.
+            const double scale = std::ldexp(1.0, 10 * (static_cast<int>(i) - 1));
+            const auto mesh = touchable(make_sphere(scale, 32));
+            GodObject proxy(only_solid(mesh));
+            Wanderer wanderer(3, step_rad);
+            proxy.reset(1.2 * scale * wanderer.next());
+            for (int k = 0; k < 4000; ++k) {
+                proxy.step(0.98 * scale * wanderer.next(), {});
+            }
+            n_searches[i] = proxy.n_searches();
+        }
+        CHECK(n_searches[0] == n_searches[1]);
+        CHECK(n_searches[2] == n_searches[1]);
+        CHECK(n_searches[1] > 200);
+        CHECK(n_searches[1] < 2000);
+    }
 }
 
 }  // namespace

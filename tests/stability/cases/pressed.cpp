@@ -1,0 +1,204 @@
+// Bumpy balls and rings of 1 k to 100 k triangles: the hand slides 2 % of the radius deep at 4 radii a second, with and without
+// friction. Nothing snags, the proxy is at the nearest point, the force turns evenly.
+//
+// The nearest point is a matter of the mesh alone where it is one: the proxy stands on facets, and two facets at an angle share a
+// ridge over which it comes a little late, as it holds on to the first until its foot leaves it. So the place is asked for from inside,
+// where edges are concave and the nearest point is one, and in distance only from outside.
+// How evenly the force turns is told beyond what the mesh itself does: the widest angle between any two facets within two ticks' way
+// of the proxy is the surface's own; where it is smooth that is nothing, on a mesh of 1 k triangles it is some ten degrees.
+#include "haptics/geometry/shape.h"
+#include "haptics/point/god_object.h"
+#include "haptics/point/make_proxy.h"
+#include "tests/stability/cases/stability_case.h"
+#include "tests/support/nearest_point.h"
+#include "tests/support/touchable.h"
+#include "tests/support/wander.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+
+namespace fulcrum::stability {
+namespace {
+
+constexpr double kDepth = 0.02;
+constexpr double kHeight = 0.03;
+constexpr double kBumps = 20.0;
+constexpr double kTube = 0.4;  // of the ring's radius of 1
+constexpr int kSteps = 20000;
+constexpr double kFar = 3.0;         // times the depth: further is a snag
+constexpr double kNearest = 2.0e-5;  // radii
+
+// A body and where a hand is that presses it, for a direction that wanders.
+struct Body {
+    std::shared_ptr<const CollisionMesh> mesh;
+    std::function<Vector3(const Vector3& u, double depth)> press;
+};
+
+double bumpy_radius(const Vector3& u) {
+    return 1.0 +
+           kHeight *
+               (std::sin(kBumps * u.x()) + std::sin(kBumps * u.y()) + std::sin(kBumps * u.z())) /
+               3.0;
+}
+
+Body make_ball(int frequency) {
+    return {touchable(make_bumpy_sphere(1.0, frequency, kHeight, kBumps)),
+            [](const Vector3& u, double depth) { return Vector3(u * (bumpy_radius(u) - depth)); }};
+}
+
+// The direction leads once round the ring and once round the tube, whichever way it wanders.
+Body make_ring(int n_ring) {
+    return {touchable(make_torus(1.0, kTube, n_ring, n_ring * 2 / 5)),
+            [](const Vector3& u, double depth) {
+                const double turn = std::atan2(u.x(), u.z());
+                const double tilt = 2.0 * std::asin(std::clamp(u.y(), -1.0, 1.0));
+                const Vector3 out(std::sin(turn), 0.0, std::cos(turn));
+                return Vector3(out + (kTube - depth) * (std::cos(tilt) * out +
+                                                        std::sin(tilt) * Vector3::UnitY()));
+            }};
+}
+
+// How far from the surface the hand is, and how far from it the proxy, over the whole way.
+struct Course {
+    int n_snagged = 0;
+    int n_free = 0;
+    double worst_excess = 0.0;  // of the proxy's distance from the hand over the nearest point's
+};
+
+Course slide(const Body& body, double side, const FrictionSettings& friction, int steps_a_check) {
+    std::vector<SolidPlan> solids = only_solid(body.mesh);
+    solids.front().friction = friction;
+    ProxySettings settings;
+    settings.kind =
+        friction.static_coefficient > 0.0 ? ProxyKind::friction_cone : ProxyKind::god_object;
+    const auto proxy = make_proxy(settings, solids, {});
+    Wanderer wanderer(7);
+    proxy->reset(body.press(wanderer.next(), -0.1 * side));
+    Course course;
+    for (int i = 0; i < kSteps; ++i) {
+        const Vector3& u = wanderer.next();
+        const Vector3 hand_W = body.press(u, kDepth * side);
+        const ProxyContact& contact = proxy->step(hand_W, {});
+        const double gap = (contact.position_W - hand_W).norm();
+        // Friction of coefficient mu holds the proxy back by mu times the depth at most.
+        const double most = kFar * kDepth * std::hypot(1.0, friction.static_coefficient);
+        course.n_snagged += gap > most ? 1 : 0;
+        // A coarse mesh does not reach all bumps: free it is rightly where no facet lies above the hand.
+        course.n_free +=
+            contact.solid == kNoBody &&
+                    find_nearest_hit(*body.mesh, hand_W, body.press(u, -0.1 * side)).found()
+                ? 1
+                : 0;
+        if (steps_a_check > 0 && i % steps_a_check == steps_a_check - 1) {
+            const Vector3 nearest = find_nearest_on_mesh(*body.mesh, hand_W);
+            course.worst_excess = worse(course.worst_excess, gap - (nearest - hand_W).norm());
+        }
+    }
+    return course;
+}
+
+Finding count_snags(const Body& body, const FrictionSettings& friction) {
+    int n_snagged = 0;
+    int n_free = 0;
+    for (const double side : {1.0, -1.0}) {
+        const Course course = slide(body, side, friction, 0);
+        n_snagged += course.n_snagged;
+        n_free += course.n_free;
+    }
+    return {static_cast<double>(n_snagged + n_free), 0.0,
+            std::to_string(body.mesh->n_triangles()) + " triangles, " + std::to_string(2 * kSteps) +
+                " steps, free in " + std::to_string(n_free)};
+}
+
+// From inside, where the mesh's nearest point is one as long as the hand is not beyond the bumps' centres of curvature.
+Finding find_nearest_error(const Body& body) {
+    const Course course = slide(body, -1.0, {}, 400);
+    return {course.worst_excess, kNearest,
+            std::to_string(body.mesh->n_triangles()) + " triangles, against the nearest of all"};
+}
+
+// The widest angle between the facets that lie within `reach` of a point.
+double find_spread_rad(const CollisionMesh& mesh, const Vector3& centre_B, double reach) {
+    std::vector<Vector3> normals;
+    const Vector3 half = Vector3::Constant(reach);
+    mesh.tree().for_each_in_box({centre_B - half, centre_B + half}, [&](std::int32_t triangle) {
+        normals.emplace_back(prepare_triangle(mesh, triangle).doubled_area.normalized());
+    });
+    double widest = 0.0;
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            widest = std::max(widest, std::atan2(normals[i].cross(normals[k]).norm(),
+                                                 normals[i].dot(normals[k])));
+        }
+    }
+    return widest;
+}
+
+// By how much the force turns in a tick more than the facets do that lie within two ticks' way of the proxy.
+Finding find_turn(const Body& body) {
+    double worst_deg = 0.0;
+    double widest_deg = 0.0;
+    for (const double side : {1.0, -1.0}) {
+        GodObject proxy(only_solid(body.mesh));
+        Wanderer wanderer(9);
+        proxy.reset(body.press(wanderer.next(), -0.1 * side));
+        Vector3 before = Vector3::Zero();
+        for (int i = 0; i < kSteps / 4; ++i) {
+            const ProxyContact contact = proxy.step(body.press(wanderer.next(), kDepth * side), {});
+            if (i > 0) {
+                const double turned =
+                    std::atan2(before.cross(contact.normal_W).norm(), before.dot(contact.normal_W));
+                const double spread =
+                    find_spread_rad(*body.mesh, contact.position_W, 2.0 * Wanderer::kStep);
+                constexpr double kDegrees = 180.0 / std::numbers::pi;
+                worst_deg = worse(worst_deg, kDegrees * (turned - spread));
+                widest_deg = std::max(widest_deg, kDegrees * turned);
+            }
+            before = contact.normal_W;
+        }
+    }
+    char note[96];
+    std::snprintf(note, sizeof note, "%d triangles; with the facets it turned by up to %.2f",
+                  body.mesh->n_triangles(), widest_deg);
+    return {worst_deg, 1.0, note};
+}
+
+constexpr FrictionSettings kRough{.static_coefficient = 0.5, .dynamic_coefficient = 0.4};
+constexpr const char* kSnags =
+    "steps further than three depths from the hand, or free where they should not";
+constexpr const char* kSlide = "the hand slides over it and along its inside, 2 % deep";
+constexpr const char* kRub = "the same with friction of 0.5 and 0.4";
+
+const HardCase kBall1k{{"pressed: a bumpy ball of 1 k", kSlide, kSnags, "",
+                        [] { return count_snags(make_ball(7), {}); }}};
+const HardCase kBall10k{{"pressed: a bumpy ball of 10 k", kSlide, kSnags, "",
+                         [] { return count_snags(make_ball(22), {}); }}};
+const HardCase kBall100k{{"pressed: a bumpy ball of 100 k", kSlide, kSnags, "",
+                          [] { return count_snags(make_ball(71), {}); }}};
+const HardCase kRing1k{
+    {"pressed: a ring of 1 k", kSlide, kSnags, "", [] { return count_snags(make_ring(36), {}); }}};
+const HardCase kRing100k{{"pressed: a ring of 100 k", kSlide, kSnags, "",
+                          [] { return count_snags(make_ring(354), {}); }}};
+const HardCase kRough10k{{"pressed: a rough bumpy ball of 10 k", kRub, kSnags, "",
+                          [] { return count_snags(make_ball(22), kRough); }}};
+const HardCase kRough100k{{"pressed: a rough ring of 100 k", kRub, kSnags, "",
+                           [] { return count_snags(make_ring(354), kRough); }}};
+const HardCase kNear10k{{"pressed: the nearest point of 10 k", "from inside a bumpy ball, 2 % deep",
+                         "distance from the hand over the nearest point's", "R",
+                         [] { return find_nearest_error(make_ball(22)); }}};
+const HardCase kNear100k{{"pressed: the nearest point of 100 k",
+                          "from inside a bumpy ball, 2 % deep",
+                          "distance from the hand over the nearest point's", "R",
+                          [] { return find_nearest_error(make_ball(71)); }}};
+const HardCase kTurn{{"pressed: turns of the force on a ball of 100 k", kSlide,
+                      "turn in a tick beyond that of the facets around", "degrees",
+                      [] { return find_turn(make_ball(71)); }}};
+const HardCase kTurnRing{{"pressed: turns of the force on a ring of 100 k", kSlide,
+                          "turn in a tick beyond that of the facets around", "degrees",
+                          [] { return find_turn(make_ring(354)); }}};
+
+}  // namespace
+}  // namespace fulcrum::stability
