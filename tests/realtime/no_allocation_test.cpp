@@ -83,6 +83,11 @@ HapticPlan make_full_plan() {
                    FieldPlan{FieldKind::viscosity, Vector3::Zero(), 0.0, 1.0},
                    FieldPlan{FieldKind::magnet, Vector3::Zero(), 0.0, 0.0, 1.0, 0.05}};
     plan.solids.push_back({1, CollisionMesh::create(make_sphere(0.1, 20).value()).value(), {}});
+    plan.solids[0].surface.shading.on = true;
+    plan.solids[0].surface.audible = true;
+    plan.solids[0].surface.texture.source = NoiseTexture{};
+    plan.solids[0].surface.transient.kind = TransientKind::decaying_sinusoid;
+    plan.solids[0].surface.transient.force_Ns_per_m = 5.0;
     return plan;
 }
 
@@ -124,6 +129,8 @@ TEST_CASE(
     auto channels = std::make_unique<WorldChannels>();
     auto ring = std::make_unique<RecordRing>();
     haptics->record = ring.get();
+    auto touches = std::make_unique<TouchRing>();
+    haptics->touches = touches.get();
     LatestValue<HandTarget> target;
     SimulatedHand hand(SimulatedHandSettings{}, target);
     HapticLoop loop(make_full_plan(), hand, *haptics);
@@ -163,6 +170,8 @@ TEST_CASE(
     CHECK(n == 0);
     CHECK(touched);
     CHECK(pushed);
+    TouchSample heard;
+    CHECK(touches->pop(heard));
 }
 
 TEST_CASE("no allocation: mouse and replay") {
