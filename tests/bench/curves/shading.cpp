@@ -134,7 +134,7 @@ LineChart draw_creases(Run& run) {
     chart.reference = "the normals of the true drum, of its side and of its lids";
     chart.advice =
         "Choose the crease angle above what a round side bends by from face to face, and below "
-        "what is an edge: 30 degrees from 13 sides on.";
+        "what is an edge: 30 degrees from 12 sides on.";
     chart.x = {"crease angle", "°", false};
     chart.y = {"worst error of a normal", "°", false};
     for (const std::int32_t sides : {12, 24, 48}) {
