@@ -25,7 +25,7 @@ inline constexpr double kStrokeStop = 0.5;      ///< waves a round from which on
 inline constexpr double kStrokeRipple = 0.01;   ///< of the amplitude
 inline constexpr double kStrokeRemoved = 0.01;  ///< of the amplitude: -40 dB
 inline constexpr int kStrokeReach = 7;          ///< rounds to either side
-inline constexpr int kMostPerRound = 4;         ///< m at most
+inline constexpr int kMostPerRound = 8;         ///< m at most
 
 /// The weights for m samples a round, 1 to kMostPerRound; the middle one is at 0.
 [[nodiscard]] std::span<const double> stroke_weights(int per_round) noexcept;

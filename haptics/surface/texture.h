@@ -12,9 +12,9 @@
 //
 // What is returned is over the coupling's own k d N. Each law is averaged along the stroke after it was applied at every
 // sample of it (stroke_filter.h): h grad h has waves of twice the relief's, which would be folded if the relief alone were filtered.
-// Waves shorter than 1 / 1.75 of a round's way are taken out of the relief before (a coarser level of texture_map.h).
+// Waves shorter than 1 / 3.75 of a round's way are taken out of the relief before (a coarser level of texture_map.h).
 //
-// Thread: haptic loop. Cost: 20 ns at rest, up to 1.2 us at high speed; no allocation.
+// Thread: haptic loop. Cost: 50 ns at rest, up to 3 us at high speed; no allocation.
 // Source: perturbed_normal: C. Basdogan, C.-H. Ho, M. A. Srinivasan 1997, A ray-based haptic rendering technique for
 // displaying shape and texture of 3D objects in virtual environments, ASME DSC 61; C.-H. Ho, C. Basdogan, M. A. Srinivasan
 // 1999, Efficient point-based rendering techniques for haptic display of virtual objects, Presence 8(5). lateral: M. Minsky,

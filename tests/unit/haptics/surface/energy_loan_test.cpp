@@ -57,7 +57,7 @@ TEST_CASE("energy loan: what is given for good is lent once, to the limit and no
 }
 
 TEST_CASE("energy loan: what is taken earns no more than the limit") {
-    rc::check("whatever the forces and the ways, ideal energy is within twice the limit", [] {
+    CHECK(rc::check("whatever the forces and the ways, ideal energy is within twice the limit", [] {
         EnergyLoan loan;
         Vector3 before = Vector3::Zero();
         double highest = 0.0;
@@ -76,7 +76,7 @@ TEST_CASE("energy loan: what is taken earns no more than the limit") {
             RC_ASSERT(std::abs(loan.owed_J()) <= 1.0e-4 * (1.0 + 1.0e-9));
         }
         RC_ASSERT(highest <= 2.0e-4 * (1.0 + 1.0e-9));
-    });
+    }));
 }
 
 TEST_CASE("energy loan: a limit falls slowly and rises at once; the surface left, all is settled") {

@@ -50,7 +50,7 @@ TEST_CASE("texture map: the finest level goes through every sample") {
 }
 
 TEST_CASE("texture map: the slope is the height's derivative, and the height repeats") {
-    rc::check("anywhere on any map", [] {
+    CHECK(rc::check("anywhere on any map", [] {
         const auto map = make_random(*rc::gen::inRange(1, 20), *rc::gen::inRange(1, 20),
                                      *rc::gen::inRange(0U, 1000U));
         const TextureMap texture(map, 0.05, 0.08, 0.001);
@@ -69,7 +69,7 @@ TEST_CASE("texture map: the slope is the height's derivative, and the height rep
         RC_ASSERT(std::abs(at.slope_v - along_v) < 1.0e-5);
         const HeightSample next = texture.sample(level, u + 0.05, v - 3 * 0.08);
         RC_ASSERT(std::abs(next.height_m - at.height_m) < 1.0e-12);
-    });
+    }));
 }
 
 TEST_CASE(

@@ -147,7 +147,7 @@ TEST_CASE(
 }
 
 TEST_CASE("texture: never a pull, never more than the relief's height, nothing from nowhere") {
-    rc::check("of any law, place and stroke", [] {
+    CHECK(rc::check("of any law, place and stroke", [] {
         TextureSettings settings;
         settings.source = NoiseTexture{0.001, 0.002, 1};
         settings.law = static_cast<TextureLaw>(*rc::gen::inRange(0, 3));
@@ -164,7 +164,7 @@ TEST_CASE("texture: never a pull, never more than the relief's height, nothing f
         RC_ASSERT(felt.height_m > -0.05 * settings.height_m);
         RC_ASSERT(felt.height_m < 1.05 * settings.height_m);
         RC_ASSERT(std::isfinite(felt.along.u_m) && std::isfinite(felt.along.v_m));
-    });
+    }));
     const Texture texture(make_grooves(TextureLaw::height_offset));
     const double nan = std::nan("");
     for (const TextureOffset& felt :

@@ -47,14 +47,14 @@ TEST_CASE("triplanar: a face along an axis has one view, u and v as told") {
 }
 
 TEST_CASE("triplanar: weights add up to one and turn without a step") {
-    rc::check("for any normal", [] {
+    CHECK(rc::check("for any normal", [] {
         const Vector3 normal = any_unit();
         const Vector3 weights = compute_view_weights(normal);
         RC_ASSERT(std::abs(weights.sum() - 1.0) < 1.0e-12);
         RC_ASSERT(weights.minCoeff() >= 0.0);
         const Vector3 beside = (normal + 1.0e-6 * any_unit()).normalized();
         RC_ASSERT((compute_view_weights(beside) - weights).cwiseAbs().maxCoeff() < 1.0e-4);
-    });
+    }));
 }
 
 TEST_CASE(
@@ -62,7 +62,7 @@ TEST_CASE(
     "kept") {
     static const Texture lateral = make_bumps(TextureLaw::lateral);
     static const Texture carved = make_bumps(TextureLaw::height_offset);
-    rc::check("for any normal", [] {
+    CHECK(rc::check("for any normal", [] {
         const Vector3 normal = any_unit();
         const Vector3 place = 0.01 * any_unit();
         const BodyOffset felt = feel_on_body(lateral, place, 1.0e-4 * any_unit(), normal, 0.002);
@@ -71,7 +71,7 @@ TEST_CASE(
         RC_ASSERT(cut.offset_B_m.dot(normal) <= 1.0e-15);
         // Between its samples a relief may reach a little over its peak.
         RC_ASSERT(std::abs(-cut.offset_B_m.dot(normal) - (3.0e-4 - cut.height_m)) < 3.0e-6);
-    });
+    }));
 }
 
 TEST_CASE("triplanar: on a floor it is the texture itself") {
