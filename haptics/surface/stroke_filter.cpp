@@ -35,15 +35,15 @@ struct Table {
     }
     static void fill(int m, std::array<double, kMostWeights>& out) {
         double sum = 0.0;
+        std::size_t at = 0;
         for (int j = -kStrokeReach * m; j <= kStrokeReach * m; ++j) {
             const double s = static_cast<double>(j) / m;  // rounds
             const double x = 2.0 * std::numbers::pi * kCutoff * s;
             const double ideal = j == 0 ? 1.0 : std::sin(x) / x;
             const double side = s / kStrokeReach;
             const double window = bessel_i0(kShape * std::sqrt(1.0 - side * side));
-            double& weight = out[static_cast<std::size_t>(j + kStrokeReach * m)];
-            weight = ideal * window;
-            sum += weight;
+            out[at] = ideal * window;
+            sum += out[at++];
         }
         for (double& weight : out) {
             weight /= sum;
@@ -58,7 +58,7 @@ const Table kTable;
 std::span<const double> stroke_weights(int per_round) noexcept {
     const int m = std::clamp(per_round, 1, kMostPerRound);
     return {kTable.weights[static_cast<std::size_t>(m - 1)].data(),
-            static_cast<std::size_t>(2 * kStrokeReach * m + 1)};
+            2 * kStrokeReach * static_cast<std::size_t>(m) + 1};
 }
 
 int choose_samples_per_round(double waves) noexcept {
