@@ -8,7 +8,7 @@ namespace fulcrum {
 namespace {
 
 // How far around a way triangles are remembered: of the reach asked for, and of the ball's radius.
-constexpr double kReach = 1.5;
+constexpr double kReach = 1.0;
 constexpr double kRadius = 0.25;
 // A long way through a mesh is asked for in pieces of this many reaches.
 constexpr double kPiece = 4.0;
@@ -28,6 +28,21 @@ bool separates(const Vector3& direction, const TriangleForGap& triangle,
                const CastQuestion& question, double distance_m) noexcept {
     const double lowest = std::min(direction.dot(question.from_B), direction.dot(question.to_B));
     return lowest - triangle.highest_along(direction) >= distance_m;
+}
+
+// Does a plane, the triangle's own or one of those given, show at once that it is not met?
+bool is_apart(const TriangleForGap& triangle, const CastQuestion& question,
+              double distance_m) noexcept {
+    const double from_m = triangle.normal.dot(question.from_B);
+    const double to_m = triangle.normal.dot(question.to_B);
+    if (std::min(from_m, to_m) - triangle.highest_m >= distance_m ||
+        triangle.lowest_m - std::max(from_m, to_m) >= distance_m) {
+        return true;
+    }
+    return std::any_of(question.normals_B.begin(), question.normals_B.end(),
+                       [&](const Vector3& normal_B) noexcept {
+                           return separates(normal_B, triangle, question, distance_m);
+                       });
 }
 
 // Along the edge, if it is one.
@@ -111,9 +126,11 @@ CastHit MeshObstacle::cast_remembered(const CastQuestion& question) noexcept {
     last_B_ = question.from_B;
     CastHit nearest;
     const double length_m = (question.to_B - question.from_B).norm();
-    const double around_m = (ball_radius_m_ + question.level_m + length_m) * (1.0 + kRounding);
+    const double distance_m = ball_radius_m_ + question.level_m;
+    const double around_m = (distance_m + length_m) * (1.0 + kRounding);
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
-        if (bounds_m_[i] - travelled_m_ > around_m) {
+        if (bounds_m_[i] - travelled_m_ > around_m ||
+            is_apart(triangles_[i], question, distance_m)) {
             continue;
         }
         const TriangleGap gap = find_triangle_gap(triangles_[i], question.from_B);
@@ -159,16 +176,6 @@ void MeshObstacle::meet(const TriangleForGap& triangle, const TriangleGap& gap,
     const double end = std::min(nearest.t, 1.0);
     const Vector3 way = question.to_B - question.from_B;
     if (gap.normal_B.dot(way) * end >= -std::max(rest_m, 0.0)) {
-        return;
-    }
-    // A plane of its own or one of those given may show at once that it is not met.
-    for (const Vector3& normal_B : question.normals_B) {
-        if (separates(normal_B, triangle, question, distance_m)) {
-            return;
-        }
-    }
-    const double side = triangle.normal.dot(question.from_B - triangle.a) < 0.0 ? -1.0 : 1.0;
-    if (separates(side * triangle.normal, triangle, question, distance_m)) {
         return;
     }
     const double t = cast_convex(question, [&](const Vector3& at_B) noexcept {

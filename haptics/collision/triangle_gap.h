@@ -19,6 +19,8 @@ namespace fulcrum {
 struct TriangleForGap {
     Vector3 a, ab, ac;
     Vector3 normal;  ///< unit, along the front's
+    double lowest_m = 0.0,
+           highest_m = 0.0;  ///< its corners along the normal: alike, but for rounding
     double ab_ab = 0.0, ab_ac = 0.0, ac_ac = 0.0;
     double inverse = 0.0;  ///< 1 / |ab x ac|^2; 0 for a sliver, whose edges are all there is to it
     std::int32_t index = -1;
@@ -55,6 +57,11 @@ struct TriangleGap {
     t.ab_ac = t.ab.dot(t.ac);
     t.ac_ac = t.ac.squaredNorm();
     t.normal = doubled_area / std::sqrt(square);
+    const double a_m = t.normal.dot(t.a);
+    const double ab_m = t.normal.dot(t.ab);
+    const double ac_m = t.normal.dot(t.ac);
+    t.lowest_m = a_m + std::min({ab_m, ac_m, 0.0});
+    t.highest_m = a_m + std::max({ab_m, ac_m, 0.0});
     t.inverse = square > kSliver * t.ab_ab * t.ac_ac ? 1.0 / square : 0.0;
     return t;
 }

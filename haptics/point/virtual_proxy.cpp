@@ -72,36 +72,36 @@ void VirtualProxy::find_near_solids(const Vector3& goal_W) noexcept {
 void VirtualProxy::follow_goal(const Vector3& goal_W) noexcept {
     look_again();
     double least_m2 = std::numeric_limits<double>::infinity();
-    while (n_casts_ < kMostCasts) {
-        Vector3 way = constrain(goal_W - proxy_W_, planes_);
-        const bool is_free = planes_.count == 0;
-        const double clearance_m = is_free ? 0.0 : planes_.plane[0].clearance_m;
-        if (way.cwiseAbs().maxCoeff() <= kNoMotion * clearance_m) {
-            return;
-        }
-        const double settled_m = kSettled * clearance_m;
-        const bool is_long = way.squaredNorm() > settled_m * settled_m;
-        // Longer ways only as long as they lead nearer to the goal.
-        const double apart_m2 = (goal_W - proxy_W_).squaredNorm();
-        if (is_long && apart_m2 < least_m2) {
-            const Vector3 longer = lengthen(way);
-            least_m2 = longer == way ? least_m2 : apart_m2;
-            way = longer;
-        }
-        const Vector3 target_W = is_free ? goal_W : Vector3(proxy_W_ + way);
-        const Blocker blocker = cast_all(target_W);
-        if (blocker.solid != kNoBody) {
-            if (!go_round(blocker, target_W, goal_W) && !stop_at(blocker, target_W)) {
-                return;
-            }
-            continue;
-        }
-        move_to(target_W);
-        if (is_free || !is_long) {
-            return;
-        }
-        look_again();
+    while (n_casts_ < kMostCasts && go_on(goal_W, least_m2)) {
     }
+}
+
+// One round: to the place that the planes allow, or to what is met on the way. False when that was the last. `least_m2`: the squared
+// distance to the goal from which a way was last made longer.
+bool VirtualProxy::go_on(const Vector3& goal_W, double& least_m2) noexcept {
+    Vector3 way = constrain(goal_W - proxy_W_, planes_);
+    const bool is_free = planes_.count == 0;
+    const double clearance_m = is_free ? 0.0 : planes_.plane[0].clearance_m;
+    if (way.cwiseAbs().maxCoeff() <= kNoMotion * clearance_m) {
+        return false;
+    }
+    const double settled_m = kSettled * clearance_m;
+    const bool is_long = way.squaredNorm() > settled_m * settled_m;
+    // Longer ways only as long as they lead nearer to the goal.
+    const double apart_m2 = (goal_W - proxy_W_).squaredNorm();
+    if (is_long && apart_m2 < least_m2) {
+        const Vector3 longer = lengthen(way);
+        least_m2 = longer == way ? least_m2 : apart_m2;
+        way = longer;
+    }
+    const Vector3 target_W = is_free ? goal_W : Vector3(proxy_W_ + way);
+    const Blocker blocker = cast_all(target_W);
+    if (blocker.solid != kNoBody) {
+        return go_round(blocker, target_W, goal_W) || stop_at(blocker, target_W);
+    }
+    move_to(target_W);
+    look_again();
+    return !is_free && is_long;
 }
 
 // A feature that is not convex may be in the way along its own tangent plane: then to the surface over the plane's place.

@@ -72,6 +72,7 @@ class VirtualProxy final : public SurfaceObject {
     // Motion to the goal.
     void find_near_solids(const Vector3& goal_W) noexcept;
     void follow_goal(const Vector3& goal_W) noexcept;
+    [[nodiscard]] bool go_on(const Vector3& goal_W, double& least_m2) noexcept;
     [[nodiscard]] static Vector3 constrain(const Vector3& wish, Planes& planes) noexcept;
     [[nodiscard]] Vector3 lengthen(const Vector3& way) const noexcept;
     [[nodiscard]] Blocker cast_all(const Vector3& to_W) noexcept;
