@@ -182,9 +182,7 @@ class CrackCloser {
             for (std::size_t k = 0; k < 3; ++k) {
                 moved[k] = becomes(t[k]) == before ? kept : becomes(t[k]);
             }
-            if (moved[0] == moved[1] || moved[1] == moved[2] || moved[2] == moved[0]) {
-                return false;
-            }
+            // Zero for one that would have no area left.
             const auto normal = [&](const TriangleCorners& c) {
                 return (at(c[1]) - at(c[0])).cross(at(c[2]) - at(c[0])).stableNormalized();
             };

@@ -185,8 +185,10 @@ Expected<void> run_all(const BenchOptions& options, const Environment& environme
     Report exhibits;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const Progress progress(i, chosen.size(), *chosen[i]);
-        Run run(options.quick,
-                [&](double share, const std::string& what) { progress.say(share, what); });
+        Run run(
+            options.quick,
+            [&](double share, const std::string& what) { progress.say(share, what); },
+            options.mesh);
         for (Exhibit& exhibit : chosen[i]->run(run)) {
             join_peers(exhibit, run);
             // At once: a run that is broken off leaves what it has.

@@ -31,13 +31,15 @@ Expected<BenchOptions> parse_bench_options(std::span<const std::string> words,
             options.list = true;
         } else if (word == "--help") {
             options.help = true;
-        } else if (word == "--out" || word == "--draw") {
+        } else if (word == "--out" || word == "--draw" || word == "--mesh") {
             if (i + 1 == words.size()) {
                 return fail(word + " needs a value", {}, "see fulcrum bench --help");
             }
             ++i;
             if (word == "--out") {
                 options.out = words[i];
+            } else if (word == "--mesh") {
+                options.mesh = words[i];
             } else {
                 options.draw.push_back(words[i]);
             }
@@ -62,6 +64,7 @@ std::string bench_usage() {
   fulcrum bench [NAME…]      measures all benchmarks, or those named, and draws error against time
       --out DIR              where CSV, SVG and index.html are written (bench-results)
       --quick                a rough answer: fewer settings, fewer repetitions
+      --mesh FILE            an OBJ, GLB or glTF file of your own, for those that take one: snags
       --list                 what there is
       --draw FILE.csv        draws a figure again from its file, beside it; measures nothing
 )";

@@ -17,10 +17,13 @@ class Run {
   public:
     /// `say` gets the share done, 0 to 1, and a few words.
     using Say = std::function<void(double, const std::string&)>;
-    Run(bool quick, Say say) : quick_(quick), say_(std::move(say)) {}
+    Run(bool quick, Say say, std::string mesh_file = {})
+        : quick_(quick), say_(std::move(say)), mesh_file_(std::move(mesh_file)) {}
 
     /// True when a rough answer within a few seconds is wanted: fewer settings, fewer repetitions, the same figures.
     [[nodiscard]] bool quick() const { return quick_; }
+    /// The mesh that a person wants to see measured; empty when none was named.
+    [[nodiscard]] const std::string& mesh_file() const { return mesh_file_; }
     /// Tells the person who waits how far it has come: `share` 0 to 1.
     void progress(double share, const std::string& what = {}) const { say_(share, what); }
     /// `full` or, in a quick run, `rough`.
@@ -32,6 +35,7 @@ class Run {
   private:
     bool quick_;
     Say say_;
+    std::string mesh_file_;
 };
 
 struct Bench {

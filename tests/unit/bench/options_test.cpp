@@ -19,9 +19,11 @@ TEST_CASE("bench options: a name, the first part of several names, or none for a
     CHECK(parse({"integrators", "--quick"})->quick);
 }
 
-TEST_CASE("bench options: out and draw take their values") {
-    const auto options = parse({"--out", "there", "--draw", "a.csv", "--draw", "b.csv"});
+TEST_CASE("bench options: out, mesh and draw take their values") {
+    const auto options =
+        parse({"--out", "there", "--draw", "a.csv", "--draw", "b.csv", "--mesh", "bunny.obj"});
     REQUIRE(options);
+    CHECK(options->mesh == "bunny.obj");
     CHECK(options->out == "there");
     CHECK(options->draw == std::vector<std::string>{"a.csv", "b.csv"});
 }
@@ -33,6 +35,7 @@ TEST_CASE("bench options: what is not known is refused in a sentence that helps"
     CHECK_FALSE(parse({"integ"}));
     CHECK_FALSE(parse({"--fast"}));
     CHECK_FALSE(parse({"--out"}));
+    CHECK_FALSE(parse({"--mesh"}));
 }
 
 }  // namespace
