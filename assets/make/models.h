@@ -24,4 +24,13 @@ make_bucket();  ///< origin at the rim's centre, opening up; 0.11 m radius insid
 [[nodiscard]] Model make_box();    ///< 2 m along each side; drawn at a body's radius as half a side
 [[nodiscard]] Model make_plank();  ///< shelf board, 0.9 m by 0.2 m, its top at y = 0
 
+// Of the lesson on materials; what they are made of gives them their look.
+[[nodiscard]] Model make_cloth();      ///< over a box of 2 m a side; drawn at a body's radius
+[[nodiscard]] Model make_spaceship();  ///< 0.16 m tall, three fins, origin in its middle
+[[nodiscard]] Model make_table();      ///< 0.17 m wide, 0.12 m tall
+[[nodiscard]] Model make_statue();     ///< 0.16 m tall, on a pedestal
+[[nodiscard]] Model make_bell();       ///< 0.11 m tall
+[[nodiscard]] Model make_chair();      ///< 0.17 m tall
+[[nodiscard]] Model make_castle();     ///< 0.16 m wide, two towers
+
 }  // namespace fulcrum::assets

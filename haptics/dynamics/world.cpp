@@ -17,6 +17,7 @@ constexpr double kRestSpeed_m_per_s = 0.2;  // a slower bounce is none
 constexpr double kFarthest_m = 1.0e4;       // no scene is larger
 constexpr double kFastest_m_per_s = 1.0e3;  // no thing in a scene is faster
 constexpr double kUnitTolerance = 1.0e-3;
+const Vector3 kOutOfReach_W(0.0, -2.0 * kFarthest_m, 0.0);  // of every hand: hidden solids
 
 // The tool as it is seen: turned like the hand, standing where the proxy is.
 Pose get_tool_pose(const HapticState& tool) noexcept {
@@ -229,7 +230,11 @@ WorldFrame World::make_frame(double stamp_s,
     for (std::size_t i = 0; i < n; ++i) {
         const std::int32_t body = solid_bodies[i];
         if (body >= 0 && static_cast<std::size_t>(body) < bodies_.size()) {
-            frame.solid_poses_W[i] = bodies_[static_cast<std::size_t>(body)].pose_W;
+            const RigidBody& solid = bodies_[static_cast<std::size_t>(body)];
+            frame.solid_poses_W[i] = solid.pose_W;
+            if (solid.where == BodyWhere::hidden) {
+                frame.solid_poses_W[i].position = kOutOfReach_W;
+            }
         }
     }
     return frame;

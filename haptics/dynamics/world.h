@@ -55,7 +55,7 @@ class World {
     [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
     /// What the haptic loop needs, stamped `stamp_s` seconds of the run's clock. Solids keep
     /// `solid_bodies`' poses: entry i is the pose of the scene's body solid_bodies[i], which a
-    /// `place` command has put there.
+    /// `place` command has put there; a hidden one is out of every hand's reach.
     [[nodiscard]] WorldFrame make_frame(double stamp_s,
                                         std::span<const std::int32_t> solid_bodies) const noexcept;
     /// What happened in the last `step`, in the order of the bodies.

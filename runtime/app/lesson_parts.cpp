@@ -5,6 +5,7 @@
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/scene/gltf/collision_from_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
+#include "runtime/scene/picture/grey_picture.h"
 #include "runtime/scene/shape_models.h"
 
 #include <algorithm>
@@ -108,6 +109,24 @@ SolidLoader make_solid_loader(const Places& places, const fs::path& lesson_folde
             return tl::unexpected(mesh.error());
         }
         return CollisionMesh::create(*mesh);
+    };
+}
+
+PictureLoader make_picture_loader(const fs::path& lesson_folder) {
+    return [lesson_folder](
+               const MaterialDescription& material) -> Expected<std::shared_ptr<const HeightMap>> {
+        auto picture = load_grey_picture(lesson_folder / material.image);
+        if (!picture) {
+            const Error& error = picture.error();
+            const std::string file = error.where.empty() ? "" : error.where + ": ";
+            return fail(file + error.message, "lesson.lua:" + std::to_string(material.line),
+                        error.what_to_do);
+        }
+        auto map = std::make_shared<HeightMap>();
+        map->n_u = static_cast<std::int32_t>(picture->width);
+        map->n_v = static_cast<std::int32_t>(picture->height);
+        map->heights = std::move(picture->values);
+        return map;
     };
 }
 

@@ -32,6 +32,9 @@ namespace fulcrum::runtime {
 [[nodiscard]] SolidLoader make_solid_loader(const Places& places,
                                             const std::filesystem::path& lesson_folder);
 
+/// Reads the pictures of materials, which lie beside the lesson.
+[[nodiscard]] PictureLoader make_picture_loader(const std::filesystem::path& lesson_folder);
+
 /// Changes when the lesson's files change: FNV-1a, 64 bits (Fowler, Noll, Vo), over their bytes, as hexadecimal digits.
 [[nodiscard]] std::string version_of(const std::vector<std::filesystem::path>& files);
 

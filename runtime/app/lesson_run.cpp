@@ -42,7 +42,8 @@ Expected<void> LessonRun::load(const Places& places, const RunRequest& request) 
     PlanOptions options = request.plan;
     options.device_force_limit_N = HandDevice::force_limit_N(request.hand);
     auto plan =
-        compile_plan(process_->description(), options, make_solid_loader(places, request.folder));
+        compile_plan(process_->description(), options, make_solid_loader(places, request.folder),
+                     make_picture_loader(request.folder));
     if (!plan) {
         return tl::unexpected(plan.error());
     }
@@ -70,6 +71,9 @@ Expected<void> LessonRun::build_loops(const RunRequest& request) {
         }
         recorder_ = std::move(*recorder);
     }
+    if (plan_.touch_sound) {
+        build_touch_sound();
+    }
     haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, hand_->device(), channels_);
     if (plan_.world) {
         std::vector<std::int32_t> solid_bodies;
@@ -82,6 +86,23 @@ Expected<void> LessonRun::build_loops(const RunRequest& request) {
     }
     fill_in_memory(plan_, *haptic_loop_);
     return {};
+}
+
+// The loop tells what it touches, and each solid that can be heard has its tone.
+void LessonRun::build_touch_sound() {
+    std::vector<TapTone> tones;
+    for (const SolidPlan& solid : plan_.haptic.solids) {
+        tones.push_back(solid.surface.audible ? tone_of(solid.surface.transient) : TapTone{});
+    }
+    touches_ = std::make_unique<TouchRing>();
+    channels_.touches = touches_.get();
+    touch_sound_ =
+        std::make_unique<TouchSound>(*touches_, std::move(tones), 1.0 / plan_.haptic.rate_hz);
+    for (PlanStage& stage : plan_.stages) {
+        if (stage.loop == "sound" && stage.name == "touch") {
+            stage.memory_bytes = sizeof(TouchRing) + sizeof(TouchSound);
+        }
+    }
 }
 
 // Who plays, and who answers.

@@ -15,6 +15,7 @@
 #include "runtime/app/places.h"
 #include "runtime/app/run_recorder.h"
 #include "runtime/app/run_request.h"
+#include "runtime/audio/touch_sound.h"
 #include "runtime/lesson/session.h"
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/lua/process/lesson_process.h"
@@ -61,6 +62,8 @@ class LessonRun {
     [[nodiscard]] HapticChannels& channels() { return channels_; }
     [[nodiscard]] const LessonProcess& process() const { return *process_; }
     [[nodiscard]] const Device& device() const { return hand_->device(); }
+    /// What strokes and taps sound like; null when the plan has no sound of touch.
+    [[nodiscard]] SoundStream* touch_sound() { return touch_sound_.get(); }
     [[nodiscard]] const HandDevice& hand() const { return *hand_; }
 
     /// One frame, waiting for the lesson's answer. An error means that the lesson has failed.
@@ -87,6 +90,7 @@ class LessonRun {
     // In this order.
     [[nodiscard]] Expected<void> load(const Places& places, const RunRequest& request);
     [[nodiscard]] Expected<void> build_loops(const RunRequest& request);
+    void build_touch_sound();
     [[nodiscard]] Expected<void> build_session(const RunRequest& request, ProgressStore& store,
                                                const dialogue::Catalogue& catalogue);
 
@@ -103,6 +107,8 @@ class LessonRun {
     std::unique_ptr<HandDevice> hand_;
     std::unique_ptr<HapticLoop> haptic_loop_;
     std::unique_ptr<WorldLoop> world_loop_;
+    std::unique_ptr<TouchRing> touches_;  // null when touch is not heard, like the next
+    std::unique_ptr<TouchSound> touch_sound_;
     std::unique_ptr<RunRecorder> recorder_;  // null when nothing is recorded
     std::unique_ptr<LessonSession> session_;
     std::optional<SimulatedPupil> pupil_;

@@ -82,6 +82,9 @@ void LessonScreen::begin() {
          desktop_.picture->load_models(run_->description(), request_.folder)) {
         std::fprintf(stderr, "%s\n", notice.c_str());
     }
+    if (desktop_.sound) {
+        desktop_.sound->set_stream(run_->touch_sound());
+    }
     // An emergency stop outlives the lesson: only the key that lifts it does.
     if (stopped_) {
         run_->channels().emergency_stop.press();
@@ -102,6 +105,9 @@ void LessonScreen::stop() {
             std::chrono::duration<double>(run_->plan().haptic.safety.fade_s + kFadeMargin_s));
     }
     loops_.stop();
+    if (desktop_.sound) {
+        desktop_.sound->set_stream(nullptr);
+    }
     if (run_) {
         // No hand feels anything now, so this may wait for the disk.
         run_->session().end(EndReason::left);

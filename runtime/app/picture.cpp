@@ -3,6 +3,7 @@
 #include "runtime/render/egl/offscreen.h"
 #include "runtime/render/image.h"
 #include "runtime/scene/gltf/gltf_model.h"
+#include "runtime/scene/shape_models.h"
 
 #include <system_error>
 
@@ -32,6 +33,9 @@ std::vector<std::string> Picture::load_models(const LessonDescription& lesson,
     }
     for (const BodyDescription& body : lesson.bodies) {
         names.push_back(body.model);
+        if (body.solid) {
+            names.emplace_back(kClothModel);  // what can be felt may be covered
+        }
     }
     return load_models(names, lesson_folder);
 }

@@ -32,6 +32,12 @@ void RunRecorder::keep_frame(const SessionInput& input) {
     for (const WorldEvent& event : input.world_events) {
         note(writer_.append(RecordEvent{event.time_s, record_kind(event.kind), event.body, {}}));
     }
+    if (input.hand.touched_body != touched_) {
+        touched_ = input.hand.touched_body;
+        if (touched_ != kNoBody) {
+            note(writer_.append(RecordEvent{input.time_s, RecordEventKind::touched, touched_, {}}));
+        }
+    }
     if (input.heard) {
         note(writer_.append(
             RecordEvent{input.time_s, RecordEventKind::answered, kNoBody, *input.heard}));

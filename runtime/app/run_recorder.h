@@ -36,6 +36,7 @@ class RunRecorder {
     RecordRing ring_;
     RecordWriter writer_;
     Expected<void> trouble_{};
+    std::int32_t touched_ = kNoBody;
 };
 
 }  // namespace fulcrum::runtime

@@ -32,6 +32,14 @@ Expected<void> LessonSession::carry_out(const MoveCommand& command, SessionOutpu
     return {};
 }
 
+Expected<void> LessonSession::carry_out(const CoverCommand& command, SessionOutput&) {
+    if (!is_index(command.body, hud_.covered.size())) {
+        return undeclared();
+    }
+    hud_.covered[static_cast<std::size_t>(command.body)] = command.covered;
+    return {};
+}
+
 Expected<void> LessonSession::carry_out(const FieldChangeCommand& command, SessionOutput&) {
     if (!is_index(command.force, description_.forces.size())) {
         return undeclared();

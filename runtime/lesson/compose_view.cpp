@@ -31,7 +31,20 @@ const BodyState* state_of(const Scenery& scenery, std::size_t body) {
                : nullptr;
 }
 
-void add_bodies(const LessonDescription& lesson, const Scenery& scenery, View& view) {
+bool is_covered(const SessionHud& hud, std::size_t body) {
+    return body < hud.covered.size() && hud.covered[body];
+}
+
+// What lies under a cloth gives nothing away but where it is and how large.
+void lay_cloth_over(const BodyDescription& body, ViewBody& shown) {
+    shown.model = kClothModel;
+    shown.scale = Vector3::Constant(body.radius_m);
+    shown.look.clear();
+    shown.label.clear();
+}
+
+void add_bodies(const LessonDescription& lesson, const SessionHud& hud, const Scenery& scenery,
+                View& view) {
     const double force_N = scenery.hand.applied_W.force.norm();
     for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
         const BodyDescription& body = lesson.bodies[i];
@@ -52,6 +65,12 @@ void add_bodies(const LessonDescription& lesson, const Scenery& scenery, View& v
         }
         if (where == BodyWhere::held || where == BodyWhere::placed) {
             shown.label = body.movable ? body.noun : "";
+        }
+        if (body.material != kNoMaterial) {
+            shown.look = lesson.materials[static_cast<std::size_t>(body.material)].look;
+        }
+        if (is_covered(hud, i)) {
+            lay_cloth_over(body, shown);
         }
         view.bodies.push_back(std::move(shown));
     }
@@ -90,7 +109,7 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
     view.time_s = scenery.time_s;
     view.camera = lesson.camera;
     view.ground_height_m = lesson.ground_height_m;
-    add_bodies(lesson, scenery, view);
+    add_bodies(lesson, hud, scenery, view);
 
     // The tool is drawn where it may be; a ghost shows where the hand is.
     view.tool.model = lesson.bucket.present ? lesson.bucket.model : "cursor";

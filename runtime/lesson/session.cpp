@@ -24,7 +24,12 @@ LessonSession::LessonSession(LessonDescription description, const Plan& plan,
     for (std::size_t i = 0; i < description_.forces.size(); ++i) {
         force_.fields[i].anchor_W = description_.forces[i].field.anchor_W;
     }
-    queued_.push_back(ReadyEvent{plan.felt_weight_N, plan.felt_scale});
+    hud_.covered.resize(description_.bodies.size(), false);
+    ReadyEvent ready{plan.felt_weight_N, plan.felt_scale, {}};
+    for (const MaterialFacts& facts : plan.material_facts) {
+        ready.materials.push_back({facts.hardness, facts.roughness, facts.slipperiness});
+    }
+    queued_.push_back(std::move(ready));
 }
 
 Expected<std::unique_ptr<LessonSession>> LessonSession::create(

@@ -62,6 +62,7 @@ struct SessionHud {
     std::string level_title;
     int stars = -1;        ///< 0 to 3 once the lesson is over
     bool invited = false;  ///< the answer was right; it may be said once more, and need not be
+    std::vector<bool> covered{};  ///< by body: under a cloth
 };
 
 /// How one play went; what `fulcrum test` compares with what the lesson expects.
@@ -112,6 +113,7 @@ class LessonSession {
 
     // One for each command a lesson can send; an error when it names something that isn't there.
     Expected<void> carry_out(const MoveCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const CoverCommand& command, SessionOutput& output);
     Expected<void> carry_out(const FieldChangeCommand& command, SessionOutput& output);
     Expected<void> carry_out(const LessonForceCommand& command, SessionOutput& output);
     Expected<void> carry_out(const CaptionCommand& command, SessionOutput& output);

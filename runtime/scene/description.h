@@ -5,9 +5,12 @@
 #include "haptics/handover/messages.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/math/spatial.h"
+#include "haptics/point/proxy_plan.h"
+#include "haptics/surface/material.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,6 +20,17 @@ namespace fulcrum::runtime {
 
 /// Line of lesson.lua, 0 when unknown.
 using SourceLine = std::int32_t;
+
+inline constexpr std::int32_t kNoMaterial = -1;
+inline constexpr std::size_t kMaxMaterials = 32;
+
+/// What bodies are made of. Heights that come from a picture are not here yet: the program reads the file for the plan.
+struct MaterialDescription {
+    Material felt{};    ///< in the hand's metres; its name is how Lua and learners call it
+    std::string look;   ///< the program's own material that it looks like; empty for none
+    std::string image;  ///< PNG or JPEG beside the lesson, empty for none
+    SourceLine line = 0;
+};
 
 struct BodyDescription {
     std::string name;        ///< unique; how Lua calls it
@@ -32,6 +46,7 @@ struct BodyDescription {
     bool visible = false;       ///< seen from the start, at `position_W`
     Vector3 position_W{Vector3::Zero()};
     SourceLine line = 0;
+    std::int32_t material = kNoMaterial;  ///< index into LessonDescription::materials
 };
 
 struct ForceDescription {
@@ -63,6 +78,10 @@ struct HandDescription {
     double rate_hz = 1000.0;    ///< of the haptic loop, 1000 to 5000
     bool lesson_force = false;  ///< hand:force(function …) was called
     SourceLine force_line = 0;
+    /// What solid bodies are touched with; not given: what the scene needs.
+    std::optional<ProxyKind> proxy{};
+    CursorShape cursor{};
+    SourceLine line = 0;
 };
 
 /// A question with its answer templates; `right` stays in Lua and is asked by a Judge message.
@@ -99,6 +118,7 @@ struct LessonDescription {
     double minutes = 10;  ///< planned length
     Vector3 gravity_W{0.0, -9.81, 0.0};
     double ground_height_m = 0.0;
+    std::vector<MaterialDescription> materials;
     std::vector<BodyDescription> bodies;
     std::vector<ForceDescription> forces;
     BucketDescription bucket{};

@@ -49,10 +49,19 @@ struct AnsweredEvent {
     std::int32_t attempt = 1;
 };
 
-/// The plan is compiled: what each body weighs in the hand. Sent once, before the first frame.
+/// What can be said of a material, each from 0 to 1; from 0.5 on it is hard, rough, slippery (haptics/surface/material.h).
+struct MaterialGrades {
+    double hardness = 0.0;
+    double roughness = 0.0;
+    double slipperiness = 0.0;
+};
+
+/// The plan is compiled: what each body weighs in the hand, and what each material is like. Sent once, before the first
+/// frame.
 struct ReadyEvent {
     std::vector<double> felt_weight_N;  ///< one a body; 0 when it can't be carried
     double felt_scale = 1.0;            ///< factor that fitted all weights under the force limit
+    std::vector<MaterialGrades> materials{};  ///< one a material of the description
 };
 
 using LessonEvent = std::variant<BodyEvent, KeyEvent, JudgeEvent, AnsweredEvent, ReadyEvent>;
@@ -73,6 +82,11 @@ struct LessonFrame {
 /// drop, place, hide, hold or release a body.
 struct MoveCommand {
     WorldCommand move{};
+};
+/// Lays a cloth over a body or takes it away: it is not seen, and felt as before.
+struct CoverCommand {
+    std::int32_t body = kNoBody;
+    bool covered = true;
 };
 /// Switches or moves a declared force.
 struct FieldChangeCommand {
@@ -113,9 +127,10 @@ struct PrintCommand {
     std::string text;
 };
 
-using LessonCommand = std::variant<MoveCommand, FieldChangeCommand, LessonForceCommand,
-                                   CaptionCommand, AskCommand, VerdictCommand, ScoreCommand,
-                                   LevelCommand, SoundCommand, FinishCommand, PrintCommand>;
+using LessonCommand =
+    std::variant<MoveCommand, FieldChangeCommand, LessonForceCommand, CaptionCommand, AskCommand,
+                 VerdictCommand, ScoreCommand, LevelCommand, SoundCommand, FinishCommand,
+                 PrintCommand, CoverCommand>;
 
 struct LessonReply {
     std::vector<LessonCommand> commands;

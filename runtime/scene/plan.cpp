@@ -1,18 +1,16 @@
 #include "runtime/scene/plan.h"
 
 #include "haptics/field/field.h"
+#include "runtime/scene/plan_touch.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <set>
 
 namespace fulcrum::runtime {
 namespace {
-
-std::string at_line(SourceLine line) {
-    return "lesson.lua:" + std::to_string(line);
-}
 
 Expected<void> check_counts(const LessonDescription& lesson) {
     if (lesson.bodies.size() > static_cast<std::size_t>(kMaxBodies)) {
@@ -74,34 +72,12 @@ Expected<void> check_felt_fields(const LessonDescription& lesson) {
     return {};
 }
 
-Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& load_solid,
-                          HapticPlan& plan) {
-    for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
-        const BodyDescription& body = lesson.bodies[i];
-        if (!body.solid) {
-            continue;
-        }
-        if (plan.solids.size() == static_cast<std::size_t>(kMaxSolids)) {
-            return fail("the lesson has more than " + std::to_string(kMaxSolids) + " solid bodies",
-                        at_line(body.line), "make fewer bodies solid");
-        }
-        auto mesh = load_solid(body);
-        if (!mesh) {
-            return tl::unexpected(mesh.error());
-        }
-        plan.solids.push_back({static_cast<std::int32_t>(i), *mesh, Pose::at(body.position_W)});
-    }
-    return {};
-}
-
 HapticPlan haptic_plan(const LessonDescription& lesson, const PlanOptions& options) {
     HapticPlan plan;
     plan.rate_hz = lesson.hand.rate_hz;
     plan.workspace.pose_WD.position = lesson.hand.centre_W;
     plan.workspace.scale = lesson.hand.scale;
-    // A wall is as stiff in the hand at every scale.
-    plan.coupling.stiffness_N_per_m /= lesson.hand.scale;
-    plan.coupling.damping_Ns_per_m /= lesson.hand.scale;
+    scale_coupling(plan.coupling, lesson.hand.scale);
     plan.safety.max_force_N = options.force_limit_N;
     plan.lesson_force = lesson.hand.lesson_force;
     plan.expects_lesson = true;
@@ -134,6 +110,19 @@ const BodyDescription* first_movable(const LessonDescription& lesson) {
     return found == lesson.bodies.end() ? nullptr : &*found;
 }
 
+/// Of the first solid body that is made of something.
+SourceLine first_material_line(const LessonDescription& lesson) {
+    const auto found = std::ranges::find_if(lesson.bodies, [](const BodyDescription& body) {
+        return body.solid && body.material != kNoMaterial;
+    });
+    return found == lesson.bodies.end() ? 0 : found->line;
+}
+
+std::string_view name_of(ProxyKind kind) {
+    constexpr std::string_view kNames[] = {"god-object", "virtual proxy", "friction cone"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
 void list_other_loops(const LessonDescription& lesson, Plan& plan) {
     const auto add = [&plan](std::string loop, std::string name, double rate_hz,
                              std::string because, SourceLine line) {
@@ -161,6 +150,10 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
     }
     if (plan.sound) {
         add("sound", "mixer", 100.0, "there is somebody to hear it", 0);
+    }
+    if (plan.touch_sound) {
+        add("sound", "touch", 48000.0, "what is stroked and tapped is heard",
+            first_material_line(lesson));
     }
     if (plan.record) {
         add("record", "writer", plan.haptic.rate_hz, "--record was given", 0);
@@ -198,7 +191,9 @@ void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
     add(HapticStage::estimate, "dampers and the lesson need a velocity", 0);
     if (!plan.haptic.solids.empty()) {
         const auto body = static_cast<std::size_t>(plan.haptic.solids.front().body);
-        add(HapticStage::proxy, "a body can be touched", lesson.bodies[body].line);
+        add(HapticStage::proxy,
+            "a body can be touched, by a " + std::string(name_of(plan.haptic.proxy.kind)),
+            lesson.hand.proxy ? lesson.hand.line : lesson.bodies[body].line);
         add(HapticStage::coupling, "a body can be touched", lesson.bodies[body].line);
         list_surface_stages(lesson, plan.haptic, add);
     }
@@ -259,7 +254,7 @@ FeltWeights fit_felt_weights(const std::vector<BodyDescription>& bodies, double 
 }
 
 Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& options,
-                            const SolidLoader& load_solid) {
+                            const SolidLoader& load_solid, const PictureLoader& load_picture) {
     if (auto counts = check_counts(lesson); !counts) {
         return tl::unexpected(counts.error());
     }
@@ -272,9 +267,20 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
 
     Plan plan;
     plan.haptic = haptic_plan(lesson, options);
-    if (auto solids = add_solids(lesson, load_solid, plan.haptic); !solids) {
+    const auto materials = make_materials(lesson, load_picture);
+    if (!materials) {
+        return tl::unexpected(materials.error());
+    }
+    std::ranges::transform(*materials, std::back_inserter(plan.material_facts), describe);
+    if (auto solids = add_solids(lesson, load_solid, *materials, options.sound, plan.haptic);
+        !solids) {
         return tl::unexpected(solids.error());
     }
+    if (auto proxy = choose_proxy(lesson, plan.haptic); !proxy) {
+        return tl::unexpected(proxy.error());
+    }
+    plan.touch_sound = std::ranges::any_of(
+        plan.haptic.solids, [](const SolidPlan& solid) { return solid.surface.audible; });
 
     // Weights fit under the limit; a world exists only when something may move in it.
     const int holds = lesson.bucket.present ? lesson.bucket.holds : 1;

@@ -57,11 +57,13 @@ struct Plan {
     double lesson_rate_hz = 60.0;
     bool picture = false;
     bool sound = false;
+    bool touch_sound = false;  ///< strokes and taps are heard: a solid body is audible
     bool record = false;
     bool dialogue = false;                   ///< the lesson asks questions
     SpeechInput speech = SpeechInput::text;  ///< how answers arrive, when there are any
     bool recogniser = false;  ///< a speech recogniser listens; never with SpeechInput::text
-    std::vector<double> felt_weight_N;  ///< one a body, 0 when it can't be carried
+    std::vector<double> felt_weight_N;          ///< one a body, 0 when it can't be carried
+    std::vector<MaterialFacts> material_facts;  ///< one a material of the lesson, as it is felt
     double felt_scale =
         1.0;  ///< the factor that fitted the felt weights under the limit, at most 1
     std::vector<PlanStage>
@@ -75,12 +77,16 @@ struct Plan {
 using SolidLoader =
     std::function<Expected<std::shared_ptr<const CollisionMesh>>(const BodyDescription&)>;
 
+/// Gives the heights of a material's picture; called for materials with a picture that a solid body has.
+using PictureLoader =
+    std::function<Expected<std::shared_ptr<const HeightMap>>(const MaterialDescription&)>;
+
 /// Compiles `lesson` for this machine. Refuses with one sentence a scene that cannot be rendered
 /// safely or truthfully: two bodies of one name, felt weights whose order contradicts the true one,
-/// too many bodies, solids or forces.
+/// too many bodies, solids or forces, a material with anything out of its range.
 [[nodiscard]] Expected<Plan> compile_plan(const LessonDescription& lesson,
-                                          const PlanOptions& options,
-                                          const SolidLoader& load_solid);
+                                          const PlanOptions& options, const SolidLoader& load_solid,
+                                          const PictureLoader& load_picture = {});
 
 /// Felt weights in newtons: true weight times exaggeration, all times one factor so that the
 /// `holds` heaviest together stay within kWeightShareOfLimit of the limit, the site's or the

@@ -12,6 +12,9 @@ inline constexpr int kSphereModelFrequency = 24;
 /// A cube twice that wide.
 inline constexpr std::string_view kBoxModel = "box";
 
+/// A cloth over a body of that radius: what a covered body is drawn as.
+inline constexpr std::string_view kClothModel = "cloth";
+
 [[nodiscard]] constexpr bool is_shape_model(std::string_view model) noexcept {
     return model == kSphereModel || model == kBoxModel;
 }

@@ -15,6 +15,7 @@ struct ViewBody {
     Pose pose_W{};
     Vector3 scale{Vector3::Ones()};  ///< squash and stretch
     double highlight = 0.0;          ///< 0 to 1: a calm outline
+    std::string look;                ///< what it is made of, "wood"; empty: as the model is painted
     std::string label;               ///< small text beside it, e.g. "apple"; empty for none
 };
 

@@ -50,12 +50,25 @@ local Hand = {}
 ---@field mass number kilograms; the true mass
 ---@field weight number newtons; the true weight: mass × gravity
 ---@field felt_weight number newtons; what the hand feels of it
+---@field material Material|nil what it is made of; nil when it has no material
+---@field covered boolean under a cloth
 ---@field position Vector metres; {x, y, z}
 ---@field where "hidden"|"placed"|"falling"|"held"|"landed" "hidden", "placed", "falling", "held" in the tool, or "landed" on the ground
 ---@field x number metres; to the right
 ---@field y number metres; up
 ---@field z number metres; towards the viewer
 local Body = {}
+
+---What a body is made of: what world:material { … } gives, and body.material. Its numbers are those of the surface that the hand feels.
+---@class Material
+---@field name string
+---@field hardness number 0 (soft) to 1, hard from 0.5 on: from the stiffness of its spring and the tone of a tap
+---@field roughness number 0 (smooth) to 1, rough from 0.5 on: from its relief and how it pushes sideways
+---@field slipperiness number 0 (sticky) to 1, slippery from 0.5 on: from its friction while it slides
+---@field stiffness number newtons per metre; of its spring
+---@field friction number what holds a resting hand, in parts of how hard it presses
+---@field ring number hertz; the tone of a tap; 0 when it has none
+local Material = {}
 
 ---What the hand holds.
 ---@class Tool
@@ -127,16 +140,6 @@ function World:ground(height) end
 ---@param options CameraOptions
 function World:camera(options) end
 
----@class HandOptions
----@field centre? Vector|Body|Tool where the middle of the arm's reach lies; in metres, -10000 to 10000; default {0, 0.3, 0}
----@field scale? number metres in the scene for one metre of the hand; 0.01 to 100; default 1
----@field rate? number how often forces are computed; in hertz, 1000 to 5000; default 1000
-
----Says where the hand works in the scene, once.
----@param options HandOptions
----@return Hand
-function World:hand(options) end
-
 ---@class BodyOptions
 ---@field name string unique; how the lesson calls it, never the learner
 ---@field noun? string English noun, as answers give it; the name by default; of at most 64 bytes
@@ -146,6 +149,7 @@ function World:hand(options) end
 ---@field exaggeration? number felt weight / true weight, before all are made to fit the arm; 0 to 100; default 1
 ---@field movable? boolean may fall, be caught and be held; default false
 ---@field solid? boolean can be touched; default false
+---@field material? Material|string what a solid body is made of, see Materials: "wood", or what world:material gave
 ---@field visible? boolean is seen from the start; default false
 ---@field at? Vector|Body|Tool where it is at first; in metres, -10000 to 10000; default {0, 0, 0}
 ---@field drag_area? number drag coefficient × cross-section, for falling in air; in square metres, 0 to 10; default 0
@@ -196,9 +200,51 @@ function World:viscosity(options) end
 ---@return Force
 function World:magnet(options) end
 
+---@class HandOptions
+---@field centre? Vector|Body|Tool where the middle of the arm's reach lies; in metres, -10000 to 10000; default {0, 0.3, 0}
+---@field scale? number metres in the scene for one metre of the hand; 0.01 to 100; default 1
+---@field rate? number how often forces are computed; in hertz, 1000 to 5000; default 1000
+---@field proxy? string what solid bodies are touched with, by the name of its method; what the scene needs by default: friction_cone where something has friction; "god_object", "virtual_proxy" or "friction_cone"
+---@field cursor? string the shape that touches; a ball is for virtual_proxy and friction_cone, the others for friction_cone alone; "point", "ball", "box", "capsule" or "cylinder"; default point
+---@field cursor_size? number its radius, or half its side; a capsule and a cylinder are so long to each side; in metres, 0.0005 to 1; default 0.005
+
+---Says where the hand works in the scene, once.
+---@param options HandOptions
+---@return Hand
+function World:hand(options) end
+
 ---Declares the lesson's own force on the hand, computed 60 times a second and carried on in between by its slope; a torque by its slope in place alone. It comes at 50 newtons a second at most, and more slowly when it is steeper than 2000 newtons per metre.
 ---@param compute function function(tool): gives three newtons from tool.x, .y, .z, .vx, .vy, .vz; or six numbers, the last three a torque in newton metres
 function Hand:force(compute) end
+
+---@class MaterialTexture
+---@field image? string PNG or JPEG beside the lesson, such as "felt.jpg": dark is low, light is high; of at most 48 bytes
+---@field grooves? number straight grooves instead, so far apart; in metres, 0.0001 to 1
+---@field bumps? number random bumps instead, at most so wide; in metres, 0.0001 to 1
+---@field size? number width of the whole picture on the surface; in metres, 0.0001 to 100; default 0.05
+---@field height? number from the deepest valley to the highest peak; in metres, 1e-07 to 0.01
+---@field strength? number how strongly it is felt; 1 is as it is, 0 is smooth; 0 to 100
+---@field law? string how it is felt: the surface leans against each slope, or pushes sideways, or is carved; "perturbed_normal", "lateral" or "height_offset"
+
+---@class MaterialTap
+---@field frequency? number of the ringing; in hertz, 5 to 1000
+---@field time? number until it has died away to a third; in seconds, 0.0005 to 0.2
+---@field strength? number of the ringing; in newtons for each metre a second, 0 to 100
+
+---@class MaterialOptions
+---@field name string unique; what it is called
+---@field like? string a material that it begins as, see Materials; what is not said here is that one's
+---@field stiffness? number of its spring; a cushion is about 100, and an arm holds some 500 to 1000; in newtons per metre, 10 to 5000
+---@field damping? number how much it swallows; in newton seconds per metre, 0 to 50
+---@field friction? number what holds a resting hand, in parts of how hard it presses; ice 0.05, wood 0.4, rubber 1; 0 to 5
+---@field sliding_friction? number the same while it slides; 0.8 of friction by default; 0 to 5
+---@field texture? MaterialTexture its relief
+---@field tap? MaterialTap how it rings when it is tapped
+
+---Makes a material for bodies: out of another one, out of numbers, or out of a picture.
+---@param options MaterialOptions
+---@return Material
+function World:material(options) end
 
 ---Takes everything out of the bucket.
 function World:release() end
@@ -264,6 +310,12 @@ function Body:hide() end
 
 ---Lays it into the tool, so that its weight is felt.
 function Body:hold() end
+
+---Lays a cloth over it: it is not seen, and felt as before.
+function Body:cover() end
+
+---Takes the cloth away.
+function Body:uncover() end
 
 ---Switches it on, as it is when it is declared.
 function Force:on() end

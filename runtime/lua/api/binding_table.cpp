@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdio>
+#include <iterator>
+#include <sstream>
 
 namespace fulcrum::runtime {
 namespace {
@@ -71,14 +73,24 @@ std::string giver_of(const ApiTable& table, const char* owner) {
 
 }  // namespace
 
-const Argument& Arguments::operator[](std::string_view name) const {
+std::size_t Arguments::place_of(std::string_view name) const {
     for (std::size_t i = 0; i < values_.size(); ++i) {
-        if (name == binding_.parameters[i].name) {
-            return values_[i];
+        if (name == parameters_[i].name) {
+            return i;
         }
     }
     assert(false && "a binding asked for a parameter that it does not have");
-    return values_.front();
+    return 0;
+}
+
+const Argument& Arguments::operator[](std::string_view name) const {
+    return values_[place_of(name)];
+}
+
+Arguments Arguments::record(std::string_view name) const {
+    const std::size_t place = place_of(name);
+    const Parameter& parameter = parameters_[place];
+    return {{parameter.fields, parameter.n_fields}, values_[place].fields};
 }
 
 const ApiTable& api_table() {
@@ -86,6 +98,8 @@ const ApiTable& api_table() {
         ApiTable table;
         add_lesson_api(table);
         add_declaration_api(table);
+        add_hand_api(table);
+        add_material_api(table);
         add_action_api(table);
         add_body_api(table);
         add_force_api(table);
@@ -108,8 +122,18 @@ std::string range_text(const Parameter& parameter) {
                 number_text(parameter.high);
     } else if (parameter.type == ParameterType::text) {
         text = "of at most " + number_text(parameter.high) + " bytes";
+    } else if (parameter.type == ParameterType::choice) {
+        const std::vector<std::string> names = choices_of(parameter);
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            text += (i == 0 ? "\"" : i + 1 == names.size() ? " or \"" : ", \"") + names[i] + '"';
+        }
     }
     return text;
+}
+
+std::vector<std::string> choices_of(const Parameter& parameter) {
+    std::istringstream names(parameter.choices);
+    return {std::istream_iterator<std::string>(names), {}};
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates,

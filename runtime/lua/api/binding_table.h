@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,9 +30,12 @@ enum class ParameterType : std::uint8_t {
     name,     ///< a-z, 0-9, _ and -
     vector,   ///< {x, y, z}, {x=, y=, z=} or anything with x, y, z; each within [low, high]
     function,
-    texts,   ///< a list of texts
-    lists,   ///< a table: name -> list of texts
-    values,  ///< a table: name -> number, text or boolean
+    texts,     ///< a list of texts
+    lists,     ///< a table: name -> list of texts
+    values,    ///< a table: name -> number, text or boolean
+    choice,    ///< one of `choices`
+    record,    ///< a table of `fields`
+    material,  ///< what world:material gave, or the name of a material
 };
 
 /// A default that says "this must be given".
@@ -45,6 +49,9 @@ struct Parameter {
     double high = 0.0;
     const char* fallback = kRequired;  ///< as Lua text, e.g. "0.05", "{0, 0, 0}", "nil"
     const char* text = "";
+    const char* choices = "";           ///< of a choice: its names, a blank between two
+    const Parameter* fields = nullptr;  ///< of a record: `n_fields` of them
+    std::size_t n_fields = 0;
 };
 
 /// How a function is written in Lua.
@@ -73,20 +80,23 @@ struct Argument {
     std::vector<std::pair<std::string, std::vector<std::string>>> lists;  ///< sorted by name
     std::vector<std::pair<std::string, std::string>> values;              ///< sorted by name
     int stack_index = 0;                                                  ///< of a function
+    std::vector<Argument> fields;                                         ///< of a record
+    std::int32_t material = -1;                                           ///< of the description
 };
-
-struct Binding;
 
 /// The checked arguments of one call, found by the parameter's name.
 class Arguments {
   public:
-    Arguments(const Binding& binding, std::vector<Argument> values)
-        : binding_(binding), values_(std::move(values)) {}
-    /// The argument of that name; the name is one of the binding's (asserted).
+    Arguments(std::span<const Parameter> parameters, std::vector<Argument> values)
+        : parameters_(parameters), values_(std::move(values)) {}
+    /// The argument of that name; the name is one of the parameters' (asserted).
     [[nodiscard]] const Argument& operator[](std::string_view name) const;
+    /// The fields of the record of that name.
+    [[nodiscard]] Arguments record(std::string_view name) const;
 
   private:
-    const Binding& binding_;
+    [[nodiscard]] std::size_t place_of(std::string_view name) const;
+    std::span<const Parameter> parameters_;
     std::vector<Argument> values_;
 };
 
@@ -106,7 +116,7 @@ struct Binding {
 
 /// A field that is read as body.mass. Pushes one value.
 struct Property {
-    const char* owner;  ///< "world", "body", "tool" or "force"
+    const char* owner;  ///< "world", "body", "material", "tool" or "force"
     const char* name;
     const char* type;  ///< for the annotations
     const char* unit;
@@ -133,7 +143,9 @@ struct ApiTable {
 // Its parts, one a wrap_*.cpp.
 void add_lesson_api(ApiTable& table);
 void add_declaration_api(ApiTable& table);
+void add_hand_api(ApiTable& table);
 void add_action_api(ApiTable& table);
+void add_material_api(ApiTable& table);
 void add_body_api(ApiTable& table);
 void add_force_api(ApiTable& table);
 
@@ -144,6 +156,8 @@ void add_force_api(ApiTable& table);
                                          const std::vector<LibraryModule>& library);
 /// "kilograms, 0 to 10000", as errors and texts say it; empty when there is nothing to say.
 [[nodiscard]] std::string range_text(const Parameter& parameter);
+/// The names of a choice.
+[[nodiscard]] std::vector<std::string> choices_of(const Parameter& parameter);
 /// The candidate that `word` most likely stands for, at most `most_steps` letters away; empty when none is so near.
 [[nodiscard]] std::string nearest_word(std::string_view word,
                                        const std::vector<std::string>& candidates,

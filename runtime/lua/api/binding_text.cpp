@@ -21,6 +21,10 @@ constexpr std::array kOwners = {
     Owner{"world", "World", "world", "The scene of a lesson."},
     Owner{"hand", "Hand", "hand", "The learner's hand: what world:hand { … } gives."},
     Owner{"body", "Body", "body", "A thing in the scene."},
+    Owner{"material", "Material", "material",
+          "What a body is made of: what world:material { … } gives, and body.material. Its numbers "
+          "are those of "
+          "the surface that the hand feels."},
     Owner{"tool", "Tool", "tool", "What the hand holds."},
     Owner{"force", "Force", "force", "A force on the hand."},
 };
@@ -64,6 +68,12 @@ const char* lua_type(const Parameter& parameter) {
             return "table<string, string[]>";
         case ParameterType::values:
             return "table<string, string|number|boolean>";
+        case ParameterType::choice:
+            return "string";
+        case ParameterType::record:
+            return "table";
+        case ParameterType::material:
+            return "Material|string";
     }
     return "any";
 }
@@ -96,13 +106,38 @@ std::size_t n_positional(const Binding& binding) {
                                                   : 1;
 }
 
+std::string record_type(const Binding& binding, const Parameter& parameter) {
+    std::string type = parameter.name;
+    type[0] = static_cast<char>(type[0] - 'a' + 'A');
+    std::string owner = binding.name;
+    owner[0] = static_cast<char>(owner[0] - 'a' + 'A');
+    return owner + type;
+}
+
+std::string field_type(const Binding& binding, const Parameter& parameter) {
+    return parameter.type == ParameterType::record ? record_type(binding, parameter)
+                                                   : lua_type(parameter);
+}
+
+void annotate_field(std::string& out, const Binding& binding, const Parameter& parameter) {
+    out += std::string("---@field ") + parameter.name +
+           (parameter.fallback == kRequired ? "" : "?") + ' ' + field_type(binding, parameter) +
+           ' ' + explained(parameter) + '\n';
+}
+
 void annotate_options(std::string& out, const Binding& binding) {
+    for (const Parameter& parameter : binding.parameters) {
+        if (parameter.type == ParameterType::record) {
+            out += "---@class " + record_type(binding, parameter) + '\n';
+            for (std::size_t i = 0; i < parameter.n_fields; ++i) {
+                annotate_field(out, binding, parameter.fields[i]);
+            }
+            out += '\n';
+        }
+    }
     out += "---@class " + options_type(binding) + '\n';
     for (std::size_t i = n_positional(binding); i < binding.parameters.size(); ++i) {
-        const Parameter& parameter = binding.parameters[i];
-        out += std::string("---@field ") + parameter.name +
-               (parameter.fallback == kRequired ? "" : "?") + ' ' + lua_type(parameter) + ' ' +
-               explained(parameter) + '\n';
+        annotate_field(out, binding, binding.parameters[i]);
     }
     out += '\n';
 }
@@ -227,6 +262,12 @@ void refer_to_function(std::string& out, const Binding& binding, const Owner& ow
     for (const Parameter& parameter : binding.parameters) {
         const char* required = parameter.fallback == kRequired ? "(must be given) " : "";
         out += std::string("- `") + parameter.name + "` " + required + explained(parameter) + '\n';
+        for (std::size_t i = 0; i < parameter.n_fields; ++i) {
+            const Parameter& field = parameter.fields[i];
+            out += std::string("  - `") + field.name + "` " +
+                   (field.fallback == kRequired ? "(must be given) " : "") + explained(field) +
+                   '\n';
+        }
     }
 }
 

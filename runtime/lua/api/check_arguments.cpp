@@ -1,4 +1,5 @@
 // Checks what a lesson passes, by the binding table's types, units and ranges, and says what is wrong in one sentence.
+#include "runtime/lua/api/argument_place.h"
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/sandbox/safe_library.h"
@@ -10,68 +11,6 @@
 
 namespace fulcrum::runtime {
 namespace {
-
-constexpr std::size_t kMaxShownBytes = 40;
-
-const char* type_words(ParameterType type) {
-    switch (type) {
-        case ParameterType::number:
-            return "a number";
-        case ParameterType::integer:
-            return "a whole number";
-        case ParameterType::flag:
-            return "true or false";
-        case ParameterType::text:
-            return "a text";
-        case ParameterType::name:
-            return "a plain name (a to z, 0 to 9, _ and -)";
-        case ParameterType::vector:
-            return "a place such as {0, 0.5, 0}";
-        case ParameterType::function:
-            return "a function";
-        case ParameterType::texts:
-            return "a list of texts";
-        case ParameterType::lists:
-            return "a table of lists of texts";
-        case ParameterType::values:
-            return "a table of numbers and texts";
-    }
-    return "something else";
-}
-
-/// One parameter of one call: where to find it, and how errors call it.
-struct Place {
-    const Parameter& parameter;
-    std::string label;
-    int index;
-};
-
-[[noreturn]] void refuse(lua_State* lua, const Place& place, const std::string& got) {
-    const std::string range = range_text(place.parameter);
-    // A number that is merely too large needs no lesson about types.
-    const bool only_range =
-        lua_type(lua, place.index) == LUA_TNUMBER && place.parameter.type == ParameterType::number;
-    const std::string type = only_range ? "" : type_words(place.parameter.type);
-    const std::string gap = type.empty() || range.empty()                              ? ""
-                            : *place.parameter.unit != '\0' || range.starts_with("of") ? " "
-                                                                                       : ", ";
-    raise_in_lesson(lua, place.label + " is " + type + gap + range + "; got " + got);
-}
-
-std::string check_text(lua_State* lua, const Place& place, int index, std::size_t max_bytes) {
-    if (lua_type(lua, index) != LUA_TSTRING) {
-        refuse(lua, place, given_text(lua, index));
-    }
-    std::size_t n = 0;
-    const char* text = lua_tolstring(lua, index, &n);
-    if (n > max_bytes) {
-        refuse(lua, place, std::to_string(n) + " bytes");
-    }
-    if (!is_clean_utf8({text, n})) {
-        raise_in_lesson(lua, place.label + " is no clean UTF-8 text; save the file as UTF-8");
-    }
-    return {text, n};
-}
 
 double check_number(lua_State* lua, const Place& place, int index) {
     const double value = lua_tonumber(lua, index);
@@ -107,82 +46,62 @@ Vector3 check_vector(lua_State* lua, const Place& place) {
     return v;
 }
 
-std::vector<std::string> check_texts(lua_State* lua, const Place& place, int index) {
-    if (!lua_istable(lua, index)) {
-        refuse(lua, place, given_text(lua, index));
+Argument check_one(lua_State* lua, const Parameter& parameter, std::string label, int index);
+void check_field_names(lua_State* lua, int index, const std::string& called,
+                       std::span<const Parameter> known_fields);
+
+void check_choice(lua_State* lua, const Place& place, Argument& argument) {
+    if (lua_type(lua, place.index) != LUA_TSTRING) {
+        refuse(lua, place, given_text(lua, place.index));
     }
-    index = lua_absindex(lua, index);
-    const std::size_t n = lua_rawlen(lua, index);
-    if (n > kMaxListItems) {
-        raise_in_lesson(lua, place.label + " has " + std::to_string(n) + " items; " +
-                                 std::to_string(kMaxListItems) + " are the most");
+    argument.text = check_text(lua, place, place.index, kMaxTextBytes);
+    const std::vector<std::string> names = choices_of(place.parameter);
+    if (std::find(names.begin(), names.end(), argument.text) == names.end()) {
+        const std::string near = nearest_word(argument.text, names);
+        refuse(lua, place,
+               given_text(lua, place.index) +
+                   (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
     }
-    std::vector<std::string> texts;
-    for (std::size_t i = 1; i <= n; ++i) {
-        lua_rawgeti(lua, index, static_cast<lua_Integer>(i));
-        texts.push_back(check_text(lua, place, -1, kMaxTextBytes));
-        lua_pop(lua, 1);
-    }
-    return texts;
 }
 
-/// Goes through a table with text keys, in the order of the keys.
-template <class Each>
-void for_each_name(lua_State* lua, const Place& place, Each each) {
+void check_record(lua_State* lua, const Place& place, Argument& argument) {
     if (!lua_istable(lua, place.index)) {
         refuse(lua, place, given_text(lua, place.index));
     }
-    std::vector<std::string> names;
-    for (lua_pushnil(lua); lua_next(lua, place.index) != 0; lua_pop(lua, 1)) {
-        if (lua_type(lua, -2) != LUA_TSTRING || names.size() >= kMaxListItems) {
-            raise_in_lesson(lua, place.label + " is a table with at most " +
-                                     std::to_string(kMaxListItems) + " named items");
-        }
-        names.push_back(check_text(lua, place, -2, kMaxNameBytes));
-    }
-    std::sort(names.begin(), names.end());
-    for (const std::string& name : names) {
-        lua_pushlstring(lua, name.data(), name.size());
+    const std::span<const Parameter> fields(place.parameter.fields, place.parameter.n_fields);
+    check_field_names(lua, place.index, place.label, fields);
+    for (const Parameter& field : fields) {
+        lua_pushstring(lua, field.name);
         lua_rawget(lua, place.index);
-        each(name);
-        lua_pop(lua, 1);
+        argument.fields.push_back(
+            check_one(lua, field, place.label + '.' + field.name, lua_gettop(lua)));
     }
 }
 
-std::string check_value(lua_State* lua, const Place& place) {
-    if (lua_type(lua, -1) == LUA_TBOOLEAN) {
-        return lua_toboolean(lua, -1) != 0 ? "true" : "false";
-    }
-    if (lua_type(lua, -1) == LUA_TNUMBER) {
-        lua_pushvalue(lua, -1);
-        std::string text = lua_tostring(lua, -1);
-        lua_pop(lua, 1);
-        return text;
-    }
-    return check_text(lua, place, -1, kMaxTextBytes);
-}
-
-void check_tables(lua_State* lua, const Place& place, Argument& argument) {
-    if (place.parameter.type == ParameterType::texts) {
-        argument.texts = check_texts(lua, place, place.index);
-    } else if (place.parameter.type == ParameterType::lists) {
-        for_each_name(lua, place, [&](const std::string& name) {
-            if (!is_name(name)) {
-                raise_in_lesson(lua, place.label + " has a list \"" +
-                                         clean_text(name, kMaxShownBytes) +
-                                         "\"; a list's name is plain (a to z, 0 to 9, _ and -)");
-            }
-            argument.lists.emplace_back(name, check_texts(lua, place, -1));
-        });
+/// What world:material gave is found by its index, the program's own by its name.
+void check_material(lua_State* lua, const Place& place, Argument& argument) {
+    const Handle* handle = to_handle(lua, place.index);
+    if (handle != nullptr && handle->kind == Handle::Kind::material) {
+        argument.material =
+            check_handle(lua, place.index, Handle::Kind::material, place.label.c_str()).index;
+    } else if (lua_type(lua, place.index) == LUA_TSTRING) {
+        argument.text = check_text(lua, place, place.index, kMaxTextBytes);
     } else {
-        for_each_name(lua, place, [&](const std::string& name) {
-            argument.values.emplace_back(name, check_value(lua, place));
-        });
+        refuse(lua, place, given_text(lua, place.index));
     }
 }
 
 void check_given(lua_State* lua, const Place& place, Argument& argument) {
     switch (place.parameter.type) {
+        case ParameterType::choice:
+            check_choice(lua, place, argument);
+            break;
+        case ParameterType::record:
+            check_record(lua, place, argument);
+            break;
+        case ParameterType::material:
+            check_material(lua, place, argument);
+            break;
         case ParameterType::number:
             argument.number = check_number(lua, place, place.index);
             break;
@@ -263,23 +182,22 @@ Argument check_one(lua_State* lua, const Parameter& parameter, std::string label
     return argument;
 }
 
-/// Every field of the record at `index` is one of the parameters from `first_parameter` on.
-void check_field_names(lua_State* lua, int index, const Binding& binding,
-                       std::size_t first_parameter) {
+/// Every field of the record at `index` is one of those.
+void check_field_names(lua_State* lua, int index, const std::string& called,
+                       std::span<const Parameter> known_fields) {
     std::vector<std::string> known;
-    for (std::size_t i = first_parameter; i < binding.parameters.size(); ++i) {
-        known.emplace_back(binding.parameters[i].name);
+    for (const Parameter& field : known_fields) {
+        known.emplace_back(field.name);
     }
     for (lua_pushnil(lua); lua_next(lua, index) != 0; lua_pop(lua, 1)) {
         if (lua_type(lua, -2) != LUA_TSTRING) {
-            raise_in_lesson(lua, std::string(binding.name) +
-                                     " takes fields with names, such as { " + known.front() +
-                                     " = … }");
+            raise_in_lesson(
+                lua, called + " takes fields with names, such as { " + known.front() + " = … }");
         }
         const std::string name = clean_text(lua_tostring(lua, -2), kMaxShownBytes);
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             const std::string near = nearest_word(name, known);
-            raise_in_lesson(lua, std::string(binding.name) + " has no field \"" + name + '"' +
+            raise_in_lesson(lua, called + " has no field \"" + name + '"' +
                                      (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
         }
     }
@@ -340,7 +258,7 @@ Arguments check_arguments(lua_State* lua, int first, const Binding& binding) {
         values.push_back(check_one(lua, parameter, label, first + static_cast<int>(i)));
     }
     if (binding.shape == CallShape::positional) {
-        return {binding, std::move(values)};
+        return {binding.parameters, std::move(values)};
     }
     // The record: nothing at all is an empty one.
     const int record = first + static_cast<int>(n_positional);
@@ -351,7 +269,8 @@ Arguments check_arguments(lua_State* lua, int first, const Binding& binding) {
         raise_in_lesson(lua,
                         called + " takes a table of fields { … }; got " + given_text(lua, record));
     }
-    check_field_names(lua, record, binding, n_positional);
+    const std::span<const Parameter> parameters(binding.parameters);
+    check_field_names(lua, record, binding.name, parameters.subspan(n_positional));
     for (std::size_t i = n_positional; i < binding.parameters.size(); ++i) {
         const Parameter& parameter = binding.parameters[i];
         lua_pushstring(lua, parameter.name);
@@ -359,7 +278,7 @@ Arguments check_arguments(lua_State* lua, int first, const Binding& binding) {
         values.push_back(check_one(lua, parameter, std::string(binding.name) + '.' + parameter.name,
                                    lua_gettop(lua)));
     }
-    return {binding, std::move(values)};
+    return {binding.parameters, std::move(values)};
 }
 
 }  // namespace fulcrum::runtime

@@ -20,7 +20,7 @@ enum class LessonPhase : std::uint8_t { loading, starting, running };
 
 /// A thing in Lua: full userdata holding one of these. An old handle is refused by its generation.
 struct Handle {
-    enum class Kind : std::uint8_t { world, tool, body, force, hand };
+    enum class Kind : std::uint8_t { world, tool, body, force, hand, material };
     Kind kind = Kind::world;
     std::int32_t index = 0;
     std::uint32_t generation = 0;
@@ -39,11 +39,13 @@ struct LessonContext {
     LessonDescription description{};
     LessonFrame frame{};                ///< the newest; its bodies are as many as the description's
     std::vector<double> felt_weight_N;  ///< empty before ReadyEvent
-    LessonReply reply{};                ///< being filled
-    int n_prints = 0;                   ///< in this frame
-    std::vector<FieldCommand> fields;   ///< how each declared force stands
-    int lesson_ref = LUA_NOREF;         ///< the table that lesson{} gave
-    bool has_hand = false;              ///< world:hand was called
+    std::vector<MaterialGrades> grades;  ///< one a material; empty before ReadyEvent
+    LessonReply reply{};                 ///< being filled
+    int n_prints = 0;                    ///< in this frame
+    std::vector<FieldCommand> fields;    ///< how each declared force stands
+    std::vector<bool> covered;           ///< by body, as far as any was covered
+    int lesson_ref = LUA_NOREF;          ///< the table that lesson{} gave
+    bool has_hand = false;               ///< world:hand was called
     int force_function_ref = LUA_NOREF;
     std::vector<std::pair<std::string, int>> judges;  ///< question -> its `right`
     std::vector<int> listeners;                       ///< L:listen

@@ -1,9 +1,11 @@
 #include "runtime/lua/api/reference_sections.h"
 
+#include "haptics/surface/materials.h"
 #include "runtime/scene/description.h"
 #include "runtime/scene/sounds.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <sstream>
 
 namespace fulcrum::runtime {
@@ -150,6 +152,38 @@ std::string names_sections() {
     return out;
 }
 
+/// A number as a table shows it, with what it is in.
+std::string short_number(double value, const char* format) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return text.data();
+}
+
+std::string materials_section() {
+    std::string out =
+        "\n## Materials\n\n`material` of a solid body, and `like` of `world:material`, is one of "
+        "these. What can truly be said of a material comes from its numbers: "
+        "`body.material.hardness` and the others, see material.\n\n| material | stiffness N/m | "
+        "friction | tone of a tap Hz | hardness | roughness | slipperiness |\n"
+        "|---|---|---|---|---|---|---|\n";
+    for (const Material& material : shipped_materials()) {
+        const MaterialFacts facts = describe(material);
+        out += "| `" + material.name + "` | " + short_number(facts.stiffness_N_per_m, "%.0f") +
+               " | " + short_number(material.friction.static_coefficient, "%.2g") + " | " +
+               short_number(facts.ringing_Hz, "%.0f") + " | " +
+               short_number(facts.hardness, "%.2f") + " | " +
+               short_number(facts.roughness, "%.2f") + " | " +
+               short_number(facts.slipperiness, "%.2f") + " |\n";
+    }
+    return out +
+           "\nA material out of another one and a photo, which lies beside the lesson; dark is "
+           "low, "
+           "light is high:\n\n```lua\nlocal felt = world:material {\n  name = \"felt\", like = "
+           "\"wood\", stiffness = 300, friction = 0.6,\n  texture = { image = \"felt.jpg\", size = "
+           "0.05, height = 0.0004 },\n}\nworld:body { name = \"cushion\", model = \"box\", solid = "
+           "true, visible = true, material = felt }\n```\n";
+}
+
 // ---- modules of the library ---------------------------------------------------------------------------------------
 
 bool begins(const std::string& line, std::string_view with) {
@@ -223,7 +257,7 @@ std::string general_sections() {
     for (const FieldText& field : kAnswerFields) {
         out += "| `answer." + std::string(field.name) + "` | " + std::string(field.text) + " |\n";
     }
-    out += kTemplates + names_sections() + kTests + quoted(kTestFacts) +
+    out += kTemplates + names_sections() + materials_section() + kTests + quoted(kTestFacts) +
            ": `finished` is true or false, the others are whole numbers.\n";
     return out;
 }

@@ -31,9 +31,10 @@ struct EventText {
 [[nodiscard]] std::vector<EventText> event_texts();
 
 /// The models that the program makes, and those that need no file.
-inline constexpr std::array<std::string_view, 16> kModelNames{
-    "watermelon", "apple", "banana", "egg",   "bucket", "cursor", "ghost",  "star",
-    "ground",     "hill",  "tree",   "cloud", "flower", "plank",  "sphere", "box"};
+inline constexpr std::array<std::string_view, 23> kModelNames{
+    "watermelon", "apple",     "banana", "egg",    "bucket", "cursor", "ghost",  "star",
+    "ground",     "hill",      "tree",   "cloud",  "flower", "plank",  "sphere", "box",
+    "cloth",      "spaceship", "table",  "statue", "bell",   "chair",  "castle"};
 
 /// A file of scripts/lib.
 struct LibraryModule {

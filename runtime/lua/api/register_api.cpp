@@ -17,11 +17,11 @@ constexpr int kHandlesAKind = 1000;
 constexpr std::uint64_t kCallWork = 30;  // what a call counts as, in instructions
 
 constexpr Handle::Kind kHandleKinds[] = {Handle::Kind::world, Handle::Kind::tool,
-                                         Handle::Kind::body, Handle::Kind::force,
-                                         Handle::Kind::hand};
+                                         Handle::Kind::body,  Handle::Kind::force,
+                                         Handle::Kind::hand,  Handle::Kind::material};
 
 const char* owner_name(Handle::Kind kind) {
-    constexpr const char* kNames[] = {"world", "tool", "body", "force", "hand"};
+    constexpr const char* kNames[] = {"world", "tool", "body", "force", "hand", "material"};
     return kNames[static_cast<int>(kind)];
 }
 
@@ -175,10 +175,14 @@ int handle_to_text(lua_State* lua) {
     const Handle* handle = to_handle(lua, 1);
     const LessonContext& context = context_of(lua);
     std::string text = handle != nullptr ? owner_name(handle->kind) : "object";
-    if (handle != nullptr && handle->generation == context.generation &&
-        handle->kind == Handle::Kind::body &&
-        static_cast<std::size_t>(handle->index) < context.description.bodies.size()) {
-        text = context.description.bodies[static_cast<std::size_t>(handle->index)].name;
+    if (handle != nullptr && handle->generation == context.generation) {
+        const auto index = static_cast<std::size_t>(handle->index);
+        if (handle->kind == Handle::Kind::body && index < context.description.bodies.size()) {
+            text = context.description.bodies[index].name;
+        } else if (handle->kind == Handle::Kind::material &&
+                   index < context.description.materials.size()) {
+            text = context.description.materials[index].felt.name;
+        }
     }
     lua_pushlstring(lua, text.data(), text.size());
     return 1;
@@ -280,9 +284,11 @@ Handle check_handle(lua_State* lua, int index, Handle::Kind kind, const char* ca
     const LessonContext& context = context_of(lua);
     const std::size_t n_bodies = context.description.bodies.size();
     const std::size_t n_forces = context.description.forces.size();
-    const std::size_t n = kind == Handle::Kind::body    ? n_bodies
-                          : kind == Handle::Kind::force ? n_forces
-                                                        : 1;
+    const std::size_t n_materials = context.description.materials.size();
+    const std::size_t n = kind == Handle::Kind::body       ? n_bodies
+                          : kind == Handle::Kind::force    ? n_forces
+                          : kind == Handle::Kind::material ? n_materials
+                                                           : 1;
     if (handle->generation != context.generation || static_cast<std::size_t>(handle->index) >= n) {
         raise_in_lesson(lua, std::string(called) + ": this " + owner_name(kind) +
                                  " belongs to a scene that is gone");

@@ -60,6 +60,20 @@ int hold(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/)
     return 0;
 }
 
+int set_covered(lua_State* lua, LessonContext& context, bool covered) {
+    const std::int32_t body = to_handle(lua, 1)->index;
+    context.covered.resize(context.description.bodies.size(), false);
+    context.covered[static_cast<std::size_t>(body)] = covered;
+    add_command(lua, CoverCommand{body, covered});
+    return 0;
+}
+int cover(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/) {
+    return set_covered(lua, context, true);
+}
+int uncover(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/) {
+    return set_covered(lua, context, false);
+}
+
 int push_text(lua_State* lua, const std::string& text) {
     lua_pushlstring(lua, text.data(), text.size());
     return 1;
@@ -88,6 +102,20 @@ int get_felt_weight(lua_State* lua, LessonContext& context, std::int32_t index) 
                         "not in L:start");
     }
     lua_pushnumber(lua, context.felt_weight_N[i]);
+    return 1;
+}
+int get_material(lua_State* lua, LessonContext& context, std::int32_t index) {
+    const std::int32_t material = description_of(context, index).material;
+    if (material == kNoMaterial) {
+        lua_pushnil(lua);
+    } else {
+        push_handle(lua, Handle::Kind::material, material);
+    }
+    return 1;
+}
+int get_covered(lua_State* lua, LessonContext& context, std::int32_t index) {
+    const auto i = static_cast<std::size_t>(index);
+    lua_pushboolean(lua, i < context.covered.size() && context.covered[i] ? 1 : 0);
     return 1;
 }
 int get_position(lua_State* lua, LessonContext& context, std::int32_t index) {
@@ -147,6 +175,22 @@ void add_body_api(ApiTable& table) {
                                "",
                                "Lays it into the tool, so that its weight is felt.",
                                &hold});
+    table.functions.push_back({"body",
+                               "cover",
+                               CallShape::positional,
+                               kActing,
+                               {},
+                               "",
+                               "Lays a cloth over it: it is not seen, and felt as before.",
+                               &cover});
+    table.functions.push_back({"body",
+                               "uncover",
+                               CallShape::positional,
+                               kActing,
+                               {},
+                               "",
+                               "Takes the cloth away.",
+                               &uncover});
 
     table.properties.push_back({"body", "name", "string", "", "", &get_name});
     table.properties.push_back({"body", "noun", "string", "", "the English noun", &get_noun});
@@ -155,6 +199,9 @@ void add_body_api(ApiTable& table) {
         {"body", "weight", "number", "newtons", "the true weight: mass × gravity", &get_weight});
     table.properties.push_back({"body", "felt_weight", "number", "newtons",
                                 "what the hand feels of it", &get_felt_weight});
+    table.properties.push_back({"body", "material", "Material|nil", "",
+                                "what it is made of; nil when it has no material", &get_material});
+    table.properties.push_back({"body", "covered", "boolean", "", "under a cloth", &get_covered});
     table.properties.push_back(
         {"body", "position", "Vector", "metres", "{x, y, z}", &get_position});
     table.properties.push_back({"body", "where",

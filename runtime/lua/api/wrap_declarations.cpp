@@ -1,6 +1,7 @@
 // What L:start(world) declares: bodies, forces, bucket, view.
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/lesson_context.h"
+#include "runtime/lua/api/materials.h"
 
 #include <algorithm>
 
@@ -25,20 +26,6 @@ int set_camera(lua_State* /*lua*/, LessonContext& context, const Arguments& argu
     return 0;
 }
 
-int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments) {
-    if (context.has_hand) {
-        raise_in_lesson(lua,
-                        "a lesson has one hand; this is the second world:hand { … }; keep what the "
-                        "first one gives");
-    }
-    context.has_hand = true;
-    context.description.hand.centre_W = arguments["centre"].vector;
-    context.description.hand.scale = arguments["scale"].number;
-    context.description.hand.rate_hz = arguments["rate"].number;
-    push_handle(lua, Handle::Kind::hand, 0);
-    return 1;
-}
-
 int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     std::vector<BodyDescription>& bodies = context.description.bodies;
     BodyDescription body;
@@ -54,6 +41,9 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
     body.visible = arguments["visible"].flag;
     body.position_W = arguments["at"].vector;
     body.line = place_in_lesson(lua).line;
+    if (arguments["material"].given && !body.solid) {
+        raise_in_lesson(lua, body.name + " has a material but can't be touched; add solid = true");
+    }
     if (std::any_of(bodies.begin(), bodies.end(),
                     [&](const auto& b) { return b.name == body.name; })) {
         raise_in_lesson(lua, "there is already a body \"" + body.name + '"');
@@ -67,6 +57,7 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
         raise_in_lesson(lua,
                         "a lesson has at most " + std::to_string(kMaxSolids) + " solid bodies");
     }
+    body.material = find_or_add_material(lua, context, arguments["material"]);
     bodies.push_back(std::move(body));
     push_handle(lua, Handle::Kind::body, static_cast<std::int32_t>(bodies.size()) - 1);
     return 1;
@@ -139,17 +130,6 @@ int add_magnet(lua_State* lua, LessonContext& context, const Arguments& argument
     return add_force(lua, context, arguments["name"], "magnet", field);
 }
 
-int set_force_function(lua_State* lua, LessonContext& context, const Arguments& arguments) {
-    if (context.force_function_ref != LUA_NOREF) {
-        raise_in_lesson(lua, "a lesson has one force function; this is the second hand:force(…)");
-    }
-    lua_pushvalue(lua, arguments["function"].stack_index);
-    context.force_function_ref = luaL_ref(lua, LUA_REGISTRYINDEX);
-    context.description.hand.lesson_force = true;
-    context.description.hand.force_line = place_in_lesson(lua).line;
-    return 0;
-}
-
 void add_scene_rows(ApiTable& table) {
     using enum ParameterType;
     table.functions.push_back({"world",
@@ -183,18 +163,6 @@ void add_scene_rows(ApiTable& table) {
          &set_camera});
     table.functions.push_back(
         {"world",
-         "hand",
-         CallShape::record,
-         CallTime::declaring,
-         {{"centre", vector, "metres", -10000, 10000, "{0, 0.3, 0}",
-           "where the middle of the arm's reach lies"},
-          {"scale", number, "", 0.01, 100, "1", "metres in the scene for one metre of the hand"},
-          {"rate", number, "hertz", 1000, 5000, "1000", "how often forces are computed"}},
-         "Hand",
-         "Says where the hand works in the scene, once.",
-         &set_hand});
-    table.functions.push_back(
-        {"world",
          "body",
          CallShape::record,
          CallTime::declaring,
@@ -207,6 +175,8 @@ void add_scene_rows(ApiTable& table) {
            "felt weight / true weight, before all are made to fit the arm"},
           {"movable", flag, "", 0, 0, "false", "may fall, be caught and be held"},
           {"solid", flag, "", 0, 0, "false", "can be touched"},
+          {"material", material, "", 0, 0, "nil",
+           "what a solid body is made of, see Materials: \"wood\", or what world:material gave"},
           {"visible", flag, "", 0, 0, "false", "is seen from the start"},
           {"at", vector, "metres", -10000, 10000, "{0, 0, 0}", "where it is at first"},
           {"drag_area", number, "square metres", 0, 10, "0",
@@ -268,19 +238,6 @@ void add_declaration_api(ApiTable& table) {
          "Force",
          "Declares a magnet that pulls the hand. It is on from the start.",
          &add_magnet});
-    table.functions.push_back(
-        {"hand",
-         "force",
-         CallShape::positional,
-         CallTime::declaring,
-         {{"function", function, "", 0, 0, kRequired,
-           "function(tool): gives three newtons from tool.x, .y, .z, .vx, .vy, .vz; or six "
-           "numbers, the last three a torque in newton metres"}},
-         "",
-         "Declares the lesson's own force on the hand, computed 60 times a second and carried on "
-         "in between by its slope; a torque by its slope in place alone. It comes at 50 newtons a "
-         "second at most, and more slowly when it is steeper than 2000 newtons per metre.",
-         &set_force_function});
 }
 
 }  // namespace fulcrum::runtime

@@ -211,6 +211,7 @@ std::optional<ScriptError> LessonHost::run_frame(const LessonFrame& frame, Lesso
     }
     hand_.frame = frame;
     hand_.felt_weight_N = lesson_.felt_weight_N;
+    hand_.grades = lesson_.grades;
     hand_.n_prints = 0;
     hand_script_->begin_budget(message_.frame_instructions);
     auto error = hand_script_->protect([&](lua_State* lua) { run_hand(lua, reply); });
@@ -253,6 +254,8 @@ void LessonHost::deliver(lua_State* lua, const LessonEvent& event) {
     if (const auto* ready = std::get_if<ReadyEvent>(&event)) {
         lesson_.felt_weight_N = ready->felt_weight_N;
         lesson_.felt_weight_N.resize(description().bodies.size(), 0.0);
+        lesson_.grades = ready->materials;
+        lesson_.grades.resize(description().materials.size());
         return;
     }
     if (const auto* judge = std::get_if<JudgeEvent>(&event)) {

@@ -179,6 +179,23 @@ bool is_name(std::string_view text) {
     return true;
 }
 
+bool is_picture_name(std::string_view text) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    if (text.size() > kMaxNameBytes || text.starts_with('.') || text.starts_with(' ')) {
+        return false;
+    }
+    std::string small(text.size(), ' ');
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        small[i] = lower(text[i]);
+        const char c = small[i];
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        if (!plain && c != ' ' && c != '_' && c != '-' && c != '.') {
+            return false;
+        }
+    }
+    return small.ends_with(".png") || small.ends_with(".jpg") || small.ends_with(".jpeg");
+}
+
 bool is_clean_utf8(std::string_view text) {
     while (!text.empty()) {
         const std::size_t n = clean_character_bytes(text);

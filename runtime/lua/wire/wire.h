@@ -118,6 +118,9 @@ void encode(const ScriptError& message, Bytes& out);
 /// True when `text` is a name: 1 to kMaxNameBytes of a-z, 0-9, '_' and '-', the first a letter or
 /// digit.
 [[nodiscard]] bool is_name(std::string_view text);
+/// True when `text` is the name of a picture beside a lesson: letters, digits, blanks, '_', '-' and '.', not first a '.' or a
+/// blank, kMaxNameBytes at most, ending in .png, .jpg or .jpeg, in capitals or not.
+[[nodiscard]] bool is_picture_name(std::string_view text);
 /// True when `text` is UTF-8 without overlong forms or surrogates, and has no control characters
 /// but newline and tab.
 [[nodiscard]] bool is_clean_utf8(std::string_view text);

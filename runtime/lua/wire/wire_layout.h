@@ -3,13 +3,12 @@
 #pragma once
 
 #include "runtime/lua/wire/wire_archive.h"
+#include "runtime/lua/wire/wire_surface.h"
 
 #include <algorithm>
 #include <set>
 
 namespace fulcrum::runtime::wire {
-
-inline constexpr std::int64_t kMaxLine = 10'000'000;
 
 // ---- description
 // -----------------------------------------------------------------------------------------------
@@ -28,6 +27,7 @@ void body(Archive& a, Body& b) {
     a.flag("visible", b.visible);
     vector(a, "a body's position", b.position_W, kMaxCoordinate_m);
     a.integer("a line", b.line, 0, kMaxLine);
+    a.integer("a body's material", b.material, kNoMaterial, kMaxMaterials - 1);
 }
 
 template <class Archive, class Force>
@@ -93,6 +93,7 @@ void description(Archive& a, Description& d) {
     a.number("the minutes", d.minutes, 0.0, 1000.0);
     vector(a, "gravity", d.gravity_W, 100.0);
     a.number("the ground", d.ground_height_m, -100.0, 100.0);
+    a.list("materials", d.materials, kMaxMaterials, [](auto& each, auto& m) { material(each, m); });
     a.list("bodies", d.bodies, static_cast<std::size_t>(kMaxBodies),
            [](auto& each, auto& b) { body(each, b); });
     a.list("forces", d.forces, static_cast<std::size_t>(kMaxFields),
@@ -111,6 +112,7 @@ void description(Archive& a, Description& d) {
     a.number("the hand's rate", d.hand.rate_hz, 1000.0, 5000.0);
     a.flag("a lesson force", d.hand.lesson_force);
     a.integer("a line", d.hand.force_line, 0, kMaxLine);
+    proxy(a, d.hand);
     a.list("questions", d.questions, kMaxQuestions, [](auto& each, auto& q) { question(each, q); });
     a.list("tests", d.tests, kMaxListItems, [](auto& each, auto& t) { test(each, t); });
 }
@@ -122,6 +124,16 @@ void description(Archive& a, Description& d) {
     for (const BodyDescription& b : d.bodies) {
         if (b.name.empty() || !names.insert(b.name).second) {
             return "has two bodies of one name";
+        }
+    }
+    const auto n_materials = static_cast<std::int32_t>(d.materials.size());
+    if (std::ranges::any_of(d.bodies, [&](const auto& b) { return b.material >= n_materials; })) {
+        return "has a body of a material that it never made";
+    }
+    names.clear();
+    for (const MaterialDescription& m : d.materials) {
+        if (m.felt.name.empty() || !names.insert(m.felt.name).second) {
+            return "has two materials of one name";
         }
     }
     names.clear();
@@ -173,6 +185,11 @@ void event(Archive& a, Event& e) {
         a.list("felt weights", e.felt_weight_N, static_cast<std::size_t>(kMaxBodies),
                [](auto& each, auto& weight) { each.number("a felt weight", weight, 0.0, 1e6); });
         a.number("the felt scale", e.felt_scale, 0.0, 1e6);
+        a.list("materials", e.materials, kMaxMaterials, [](auto& each, auto& grades) {
+            each.number("hardness", grades.hardness, 0.0, 1.0);
+            each.number("roughness", grades.roughness, 0.0, 1.0);
+            each.number("slipperiness", grades.slipperiness, 0.0, 1.0);
+        });
     }
 }
 
@@ -271,6 +288,9 @@ void command(Archive& a, Command& c, const ReplyBounds& bounds) {
         a.text("a level's title", c.title, 200);
     } else if constexpr (std::is_same_v<Kind, SoundCommand>) {
         a.name("a sound", c.name);
+    } else if constexpr (std::is_same_v<Kind, CoverCommand>) {
+        a.integer("a covered body", c.body, 0, bounds.n_bodies - 1);
+        a.flag("covered", c.covered);
     } else {
         static_assert(std::is_same_v<Kind, FinishCommand>);
         a.integer("stars", c.stars, 0, 3);

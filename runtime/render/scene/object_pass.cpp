@@ -1,5 +1,6 @@
 #include "runtime/render/scene/object_pass.h"
 
+#include "runtime/render/scene/looks.h"
 #include "runtime/render/scene/scene_shaders.h"
 #include "runtime/render/theme.h"
 
@@ -32,20 +33,25 @@ void draw_parts(const gl::Mesh& mesh, std::size_t level) {
 
 Expected<ObjectPass> ObjectPass::create() {
     ObjectPass pass;
-    const std::string lit_fragment = std::string(shaders::kLighting) + shaders::kObjectFragment;
+    const std::string lit_fragment =
+        std::string(shaders::kLooksFragment) + shaders::kLighting + shaders::kObjectFragment;
     auto lit = gl::Program::build("object", "#define TAPS 2\n#define SPREAD 1.6\n",
                                   shaders::kObjectVertex, lit_fragment);
+    auto of_material = gl::Program::build("object of a material",
+                                          "#define TAPS 2\n#define SPREAD 1.6\n#define LOOKS\n",
+                                          shaders::kObjectVertex, lit_fragment);
     auto unshaded = gl::Program::build("far object", "#define NO_SHADOWS\n", shaders::kObjectVertex,
                                        lit_fragment);
     auto outline =
         gl::Program::build("outline", "", shaders::kOutlineVertex, shaders::kFlatFragment);
     auto ghost = gl::Program::build("ghost", "", shaders::kObjectVertex, shaders::kGhostFragment);
-    for (const auto* program : {&lit, &unshaded, &outline, &ghost}) {
+    for (const auto* program : {&lit, &of_material, &unshaded, &outline, &ghost}) {
         if (!*program) {
             return tl::make_unexpected(program->error());
         }
     }
     pass.lit_ = std::move(*lit);
+    pass.lit_of_material_ = std::move(*of_material);
     pass.lit_unshaded_ = std::move(*unshaded);
     pass.outline_ = std::move(*outline);
     pass.ghost_ = std::move(*ghost);
@@ -61,7 +67,7 @@ Expected<ObjectPass> ObjectPass::create() {
 
 void ObjectPass::begin(const SceneFrame& frame, const ShadowPass& shadows) const {
     shadows.bind_map(1);
-    for (const gl::Program* program : {&lit_, &lit_unshaded_}) {
+    for (const gl::Program* program : {&lit_, &lit_of_material_, &lit_unshaded_}) {
         program->use();
         program->set("u_clip_from_world", frame.clip_from_world);
         program->set("u_shadow_from_world", frame.light.shadow_from_world);
@@ -93,6 +99,15 @@ void ObjectPass::draw_lit(const gl::Mesh& mesh, const Placement& placement,
                           std::size_t level) const {
     lit_.use();
     draw_with(lit_, mesh, placement, level);
+}
+
+void ObjectPass::draw_of_material(const gl::Mesh& mesh, const Placement& placement,
+                                  std::size_t level, int look) const {
+    lit_of_material_.use();
+    lit_of_material_.set("u_look", look);
+    const Eigen::Matrix3f stretched = placement.world_from_model.topLeftCorner<3, 3>();
+    lit_of_material_.set("u_stretch", Eigen::Vector3f(stretched.colwise().norm().transpose()));
+    draw_with(lit_of_material_, mesh, placement, level);
 }
 
 void ObjectPass::draw_far(const gl::Mesh& mesh, const Placement& placement, std::size_t level,

@@ -37,6 +37,9 @@ class ObjectPass {
 
     /// A lit model at a level of detail, see gl::Mesh, on which others' shadows can fall.
     void draw_lit(const gl::Mesh& mesh, const Placement& placement, std::size_t level = 0) const;
+    /// The same of a material, by its number (looks.h), instead of as it is painted.
+    void draw_of_material(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
+                          int look) const;
     /// A lit model on which no shadow falls. Up to `foot_m` above the floor it has the floor's
     /// colour, more so the lower: a far hill grows out of its meadow.
     void draw_far(const gl::Mesh& mesh, const Placement& placement, std::size_t level,
@@ -57,6 +60,7 @@ class ObjectPass {
                    std::size_t level) const;
 
     gl::Program lit_;
+    gl::Program lit_of_material_;
     gl::Program lit_unshaded_;
     gl::Program outline_;
     gl::Program ghost_;

@@ -1,6 +1,7 @@
 #include "runtime/render/scene/scene_content.h"
 
 #include "runtime/render/scene/light.h"
+#include "runtime/render/scene/looks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,8 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr double kGhostApart = 0.02;  // of the camera's distance: the ghost is fully seen
+constexpr double kWidestMarked =
+    0.35;  // half width, of the camera's distance: a floor or a shelf has none
 constexpr double kBelowFloor = 0.25;  // of its radius: deeper things have no mark
 
 std::optional<SceneItem> item_of(const ViewBody& body, const Camera& camera,
@@ -21,6 +24,7 @@ std::optional<SceneItem> item_of(const ViewBody& body, const Camera& camera,
     SceneItem item;
     item.mesh = &find_mesh(body.model);
     item.placement = *placement;
+    item.look = look_number(body.look);
     item.bounds = bounds_of(*placement, item.mesh->lowest, item.mesh->highest);
     item.highlight = std::isfinite(body.highlight)
                          ? static_cast<float>(std::clamp(body.highlight, 0.0, 1.0))
@@ -36,9 +40,11 @@ std::optional<SceneItem> item_of(const ViewBody& body, const Camera& camera,
 }
 
 /// Marks lie where the lamp reaches; beyond, nothing falls that a hand could catch.
-void add_mark(SceneContent& content, const SceneItem& item, double floor_m, bool is_hand) {
+void add_mark(SceneContent& content, const SceneItem& item, const Camera& camera, double floor_m,
+              bool is_hand) {
     const double height_m = item.bounds.lowest_m - floor_m;
-    if (item.near && height_m > -kBelowFloor * item.bounds.radius_m) {
+    const bool is_thing = item.bounds.half_width_m < kWidestMarked * camera.distance_m();
+    if (item.near && is_thing && height_m > -kBelowFloor * item.bounds.radius_m) {
         content.marks.push_back(
             {item.bounds.centre_W, item.bounds.half_width_m, std::max(height_m, 0.0), is_hand});
     }
@@ -114,14 +120,14 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
             item->sunk_m = std::max(floor_m - item->bounds.lowest_m, 0.0);
             content.items.push_back(*item);
             if (!hand || !lies_in(*item, *hand)) {
-                add_mark(content, *item, floor_m, false);
+                add_mark(content, *item, camera, floor_m, false);
             }
             add_label(content, camera, view.bodies[i], *item);
         }
     }
     if (hand) {
         content.items.push_back(*hand);
-        add_mark(content, *hand, floor_m, true);
+        add_mark(content, *hand, camera, floor_m, true);
         add_label(content, camera, view.tool, *hand);
     }
     if (view.ghost_visible) {

@@ -25,6 +25,7 @@ struct SceneItem {
     Placement placement;
     Bounds bounds;
     float highlight = 0.0F;  ///< 0 to 1
+    int look = 0;            ///< of a material, looks.h; 0: as it is painted
     std::size_t level = 0;   ///< of detail
     bool near = true;        ///< where the lamp's shadows reach
     double sunk_m = 0.0;     ///< how deep its lowest point is below the floor

@@ -125,7 +125,9 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
     std::vector<Bounds> casters;
     for (const SceneItem& item : content.items) {
         if (item.near) {
-            objects_.draw_lit(*item.mesh, item.placement, item.level);
+            item.look > 0
+                ? objects_.draw_of_material(*item.mesh, item.placement, item.level, item.look)
+                : objects_.draw_lit(*item.mesh, item.placement, item.level);
             casters.push_back(item.bounds);
         } else {
             objects_.draw_far(*item.mesh, item.placement, item.level, item.sunk_m);

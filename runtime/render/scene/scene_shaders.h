@@ -26,7 +26,14 @@ out vec3 v_position;
 out vec3 v_normal;
 out vec2 v_uv;
 out vec3 v_shadow;
+#ifdef LOOKS
+uniform vec3 u_stretch;
+out vec3 v_place;
+#endif
 void main() {
+#ifdef LOOKS
+  v_place = u_stretch * a_position;
+#endif
   vec4 world = u_world_from_model * vec4(a_position, 1.0);
   vec3 normal = u_normal_from_model * a_normal;
   v_position = world.xyz;
@@ -94,7 +101,14 @@ void main() {
   vec3 to_eye = normalize(u_eye - v_position);
   vec3 n = normalize(v_normal);
   n = dot(n, to_eye) < 0.0 && !gl_FrontFacing ? -n : n;
+#ifdef LOOKS
+  vec4 look = look_of(v_place);
+  vec3 albedo = u_base_colour.rgb * look.rgb;
+  float roughness = look.a;
+#else
   vec3 albedo = u_base_colour.rgb * texture(u_picture, v_uv).rgb;
+  float roughness = u_roughness;
+#endif
   float facing = dot(n, u_to_light);
   float lit = lit_part(v_shadow);
   float wrapped = max((facing + 0.25) / 1.25, 0.0);
@@ -102,14 +116,14 @@ void main() {
   float sun = wrapped * mix(1.0, lit, smoothstep(0.0, 0.35, dot(n, u_to_lamp)));
   vec3 light = albedo * (kKey * sun + mix(kBounce, kSky, 0.5 + 0.5 * n.y));
   vec3 half_way = normalize(to_eye + u_to_light);
-  float a = max(u_roughness * u_roughness, 0.02);
+  float a = max(roughness * roughness, 0.02);
   float power = 2.0 / (a * a) - 2.0 + 4.0;
   float gloss = 0.04 * (power + 8.0) / 8.0 * pow(max(dot(n, half_way), 0.0), power);
   float edge = 1.0 - max(dot(n, to_eye), 0.0);
   edge *= edge;
   edge *= edge;
   light += kKey * min(gloss, 1.2) * max(facing, 0.0);
-  light += (0.22 - 0.12 * u_roughness) * edge * (0.6 + 0.4 * n.y) * vec3(0.85, 0.95, 1.0);
+  light += (0.22 - 0.12 * roughness) * edge * (0.6 + 0.4 * n.y) * vec3(0.85, 0.95, 1.0);
   vec3 colour = to_screen(light);
 #ifdef NO_SHADOWS
   // What is sunk in the floor grows out of it without an edge.

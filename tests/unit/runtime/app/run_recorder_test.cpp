@@ -27,6 +27,11 @@ TEST_CASE("run recorder: rounds, what happened and how it failed stand in the fi
                           {WorldEvent::Kind::landed, 3, 0.002, 1.0}};
     input.heard = "An egg.";
     (*recorder)->keep_frame(input);
+    SessionInput touching;
+    touching.time_s = 0.0055;
+    touching.hand.touched_body = 4;
+    (*recorder)->keep_frame(touching);
+    (*recorder)->keep_frame(touching);  // still the same touch
     (*recorder)->keep_failure(0.006, "lesson.lua:3: no.");
     CHECK((*recorder)->dropped() == 0);
     REQUIRE((*recorder)->finish());
@@ -36,13 +41,14 @@ TEST_CASE("run recorder: rounds, what happened and how it failed stand in the fi
     CHECK_FALSE(record->cut_off);
     CHECK(record->header.lesson == "gravity");
     CHECK(record->samples.size() == 5);
-    REQUIRE(record->events.size() == 4);
+    REQUIRE(record->events.size() == 5);
     CHECK((record->events[0].kind == RecordEventKind::caught && record->events[0].body == 2));
     CHECK((record->events[1].kind == RecordEventKind::landed && record->events[1].body == 3));
     CHECK((record->events[2].kind == RecordEventKind::answered &&
            record->events[2].text == "An egg."));
-    CHECK((record->events[3].kind == RecordEventKind::failed &&
-           record->events[3].text == "lesson.lua:3: no."));
+    CHECK((record->events[3].kind == RecordEventKind::touched && record->events[3].body == 4));
+    CHECK((record->events[4].kind == RecordEventKind::failed &&
+           record->events[4].text == "lesson.lua:3: no."));
     std::filesystem::remove_all(folder);
 }
 

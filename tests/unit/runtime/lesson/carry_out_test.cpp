@@ -47,6 +47,17 @@ TEST_CASE("commands: a declared force is on where it was declared until the less
     CHECK(play.refuses(change));
 }
 
+TEST_CASE("commands: a cloth lies on one body until it is taken away") {
+    Play play;
+    play.frame();
+    (void)play.reply({CoverCommand{1, true}});
+    CHECK(play.session->hud().covered == std::vector<bool>{false, true});
+    (void)play.reply({CoverCommand{1, false}});
+    CHECK(play.session->hud().covered == std::vector<bool>{false, false});
+    CHECK(play.refuses(CoverCommand{2, true}));
+    CHECK(play.refuses(CoverCommand{-1, true}));
+}
+
 TEST_CASE("commands: a force of the lesson's own carries the time of its frame") {
     Play play(with_forces());
     play.time_s = 4.0;

@@ -37,6 +37,24 @@ TEST_CASE("view: hidden bodies are not shown, falling ones are, held ones are na
     CHECK(shown.view().bodies[0].label == "apple");
 }
 
+TEST_CASE("view: a material gives its look, and under a cloth nothing is given away") {
+    Shown shown;
+    MaterialDescription felt;
+    felt.felt.name = "felt";
+    felt.look = "wood";
+    shown.lesson.materials = {felt};
+    shown.lesson.bodies[0].material = 0;
+    shown.lesson.bodies[0].radius_m = 0.04;
+    shown.world.bodies[0].where = BodyWhere::placed;
+    CHECK(shown.view().bodies.at(0).look == "wood");
+    CHECK(shown.view().bodies.at(0).label == "apple");
+    shown.hud.covered = {true, false};
+    const ViewBody covered = shown.view().bodies.at(0);
+    CHECK(covered.model == "cloth");
+    CHECK(covered.scale == Vector3::Constant(0.04));
+    CHECK((covered.look.empty() && covered.label.empty()));
+}
+
 TEST_CASE("view: a held thing shows its felt and its true weight in newtons") {
     Shown shown;
     shown.world.bodies[0].where = BodyWhere::held;

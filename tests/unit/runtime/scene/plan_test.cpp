@@ -231,3 +231,115 @@ TEST_CASE("plan: weights fit under the limit of a device that is weaker than the
     CHECK(strong->felt_weight_N[0] == Approx(kWeightShareOfLimit * 10.0).epsilon(0.1));
     CHECK(strong->felt_weight_N[0] <= kWeightShareOfLimit * 10.0);
 }
+
+namespace {
+
+/// A solid ball of a material.
+LessonDescription ball_of(const Material& felt) {
+    LessonDescription lesson;
+    MaterialDescription material;
+    material.felt = felt;
+    material.felt.name = "felt";
+    material.line = 5;
+    lesson.materials = {material};
+    BodyDescription ball;
+    ball.name = "ball";
+    ball.solid = true;
+    ball.line = 7;
+    ball.material = 0;
+    lesson.bodies = {ball};
+    return lesson;
+}
+
+Expected<Plan> plan_of(const LessonDescription& lesson, const PictureLoader& load_picture = {}) {
+    return compile_plan(
+        lesson, {}, [](const BodyDescription&) { return some_mesh(); }, load_picture);
+}
+
+}  // namespace
+
+TEST_CASE("plan: a material is put onto its body, as stiff in the hand at every scale") {
+    Material felt;
+    felt.coupling.stiffness_N_per_m = 300.0;
+    felt.coupling.damping_Ns_per_m = 6.0;
+    felt.transient.kind = TransientKind::decaying_sinusoid;
+    LessonDescription lesson = ball_of(felt);
+    lesson.hand.scale = 2.0;
+    const auto plan = plan_of(lesson);
+    REQUIRE(plan);
+    const SolidPlan& solid = plan->haptic.solids.at(0);
+    CHECK(solid.coupling->stiffness_N_per_m == 150.0);
+    CHECK(solid.coupling->damping_Ns_per_m == 3.0);
+    CHECK(solid.surface.transient.kind == TransientKind::decaying_sinusoid);
+    CHECK(solid.surface.audible);
+    CHECK(plan->touch_sound);
+    CHECK(plan->has("sound", "touch"));
+    // Without sound nothing of it is built; without a material neither.
+    PlanOptions mute;
+    mute.sound = false;
+    const auto muted =
+        compile_plan(lesson, mute, [](const BodyDescription&) { return some_mesh(); });
+    REQUIRE(muted);
+    CHECK_FALSE(muted->haptic.solids[0].surface.audible);
+    CHECK_FALSE(muted->touch_sound);
+    lesson.bodies[0].material = kNoMaterial;
+    const auto plain = plan_of(lesson);
+    REQUIRE(plain);
+    CHECK_FALSE(plain->haptic.solids[0].surface.audible);
+    CHECK_FALSE(plain->haptic.solids[0].coupling.has_value());
+    CHECK_FALSE(plain->has("sound", "touch"));
+}
+
+TEST_CASE("plan: the proxy is the least that shows the scene, or what the lesson chose") {
+    LessonDescription lesson = ball_of({});
+    const auto kind = [&] { return plan_of(lesson).value().haptic.proxy.kind; };
+    CHECK(kind() == ProxyKind::god_object);
+    lesson.materials[0].felt.friction = {0.5, 0.4, 0.0};
+    CHECK(kind() == ProxyKind::friction_cone);
+    lesson.hand.proxy = ProxyKind::god_object;
+    CHECK(kind() == ProxyKind::god_object);
+}
+
+TEST_CASE("plan: a material's picture is read once, and its heights keep the picture's shape") {
+    Material felt;
+    felt.texture.source = ImageTexture{nullptr, 0.04, 0.04};
+    LessonDescription lesson = ball_of(felt);
+    lesson.materials[0].image = "felt.png";
+    BodyDescription other = lesson.bodies[0];
+    other.name = "other";
+    lesson.bodies.push_back(other);
+    int n_read = 0;
+    const auto read =
+        [&n_read](
+            const MaterialDescription& material) -> Expected<std::shared_ptr<const HeightMap>> {
+        CHECK(material.image == "felt.png");
+        ++n_read;
+        return std::make_shared<HeightMap>(HeightMap{2, 1, {0.0F, 1.0F}});
+    };
+    const auto plan = plan_of(lesson, read);
+    REQUIRE(plan);
+    CHECK(n_read == 1);
+    // A picture is a relief like any other.
+    CHECK(plan->material_facts.at(0).rms_height_m > 1e-5);
+    CHECK(plan->material_facts[0].roughness > 0.0);
+    for (const SolidPlan& solid : plan->haptic.solids) {
+        const auto& image = std::get<ImageTexture>(solid.surface.texture.source);
+        CHECK(image.map->heights.size() == 2);
+        CHECK(image.tile_u_m == 0.04);
+        CHECK(image.tile_v_m == 0.02);
+    }
+    const auto refused = plan_of(lesson, [](const MaterialDescription&) {
+        return fail("the picture is damaged", "lesson.lua:5", "save it again");
+    });
+    REQUIRE_FALSE(refused);
+    CHECK(to_sentence(refused.error()) == "lesson.lua:5: the picture is damaged; save it again.");
+}
+
+TEST_CASE("plan: a material out of its range is refused with its line") {
+    Material felt;
+    felt.friction = {0.2, 0.4, 0.0};
+    const auto plan = plan_of(ball_of(felt));
+    REQUIRE_FALSE(plan);
+    CHECK(plan.error().where == "lesson.lua:5");
+    CHECK(plan.error().message.find("felt") == 0);
+}

@@ -31,6 +31,19 @@ LessonDescription full_description() {
     d.minutes = 15;
     d.gravity_W = Vector3(0, -1.62, 0);
     d.ground_height_m = 0.25;
+    MaterialDescription felt;
+    felt.felt.name = "felt";
+    felt.felt.coupling.stiffness_N_per_m = 300.0;
+    felt.felt.friction = {0.6, 0.5, 2.0};
+    felt.felt.texture = {ImageTexture{nullptr, 0.02, 0.03}, TextureLaw::lateral, 4e-4, 2.0};
+    felt.felt.transient.kind = TransientKind::decaying_sinusoid;
+    felt.look = "wood";
+    felt.image = "Felt.JPG";
+    felt.line = 11;
+    MaterialDescription gravel;
+    gravel.felt.name = "gravel";
+    gravel.felt.texture.source = NoiseTexture{0.001, 0.004, 7};
+    d.materials = {felt, gravel};
     d.bodies = {
         {"apple", "apple", "apple", 0.04, 0.204, 3, 0.01, true, true, true, Vector3(0, 1, 0), 12},
         {"egg", "egg", "egg", 0.03, 0.06, 1, 0, false, true, false, Vector3(1, 2, 3), 13}};
@@ -38,7 +51,9 @@ LessonDescription full_description() {
                 {"m", {FieldKind::magnet, Vector3(1, 0, 0), 0, 0, 4, 0.2}, 15}};
     d.bucket = {true, "bucket", 0.2, 0.3, 3, 16};
     d.camera = {Vector3(0, 0.5, 1.5), Vector3(0, 0.3, 0), 50};
-    d.hand = {Vector3(0, 0.4, 0), 2.0, 2000.0, true, 17};
+    d.hand = {Vector3(0, 0.4, 0), 2.0, 2000.0, true, 17, ProxyKind::virtual_proxy,
+              SphereShape{0.01},  20};
+    d.bodies[1].material = 1;
     d.questions = {{"heaviest",
                     "Which?",
                     {"the {thing}", "{thing}"},
@@ -72,7 +87,8 @@ LessonReply full_reply() {
                   LevelCommand{2, "Two"},
                   SoundCommand{"pop"},
                   FinishCommand{3},
-                  PrintCommand{"hi\tthere"}};
+                  PrintCommand{"hi\tthere"},
+                  CoverCommand{1, true}};
     r.has_hand_target = true;
     r.hand_target_W.position = Vector3(0.1, 0.2, 0.3);
     r.hand_buttons = 5;
@@ -92,7 +108,7 @@ LessonFrame full_frame() {
         BodyEvent{BodyEvent::Kind::landed, 1, 3.5}, KeyEvent{"space"},
         JudgeEvent{"heaviest", {{"thing", "egg"}}},
         AnsweredEvent{"heaviest", "an egg", {{"thing", "egg"}}, true, false, true, false, 3},
-        ReadyEvent{{6.0, 3.0}, 0.5}};
+        ReadyEvent{{6.0, 3.0}, 0.5, {{0.75, 0.5, 0.25}}}};
     return f;
 }
 
@@ -105,6 +121,9 @@ TEST_CASE("wire: a description, a reply and a frame come back as they were") {
     CHECK(d->bodies[0].solid);
     CHECK(d->questions[0].lists[0].second[1] == "egg");
     CHECK(d->questions[0].again == "Lift it.");
+    CHECK(std::get<NoiseTexture>(d->materials[1].felt.texture.source).seed == 7);
+    CHECK(d->hand.proxy == ProxyKind::virtual_proxy);
+    CHECK(std::get<SphereShape>(d->hand.cursor).radius_m == 0.01);
     const Bytes reply = bytes_of(full_reply());
     const auto r = decode_reply(body_of(reply), *d);
     REQUIRE(r);
@@ -181,6 +200,9 @@ TEST_CASE("wire: numbers, indices and names of a reply are checked") {
     CHECK_FALSE(take(ScoreCommand{2'000'000}));
     CHECK_FALSE(take(LevelCommand{-1, ""}));
     CHECK_FALSE(take(FinishCommand{4}));
+    CHECK(take(CoverCommand{1, false}));
+    CHECK_FALSE(take(CoverCommand{2, true}));
+    CHECK_FALSE(take(CoverCommand{-1, true}));
     CHECK_FALSE(take(SoundCommand{"../pop"}));
     CHECK_FALSE(take(CaptionCommand{std::string(kMaxTextBytes + 1, 'x')}));
     CHECK_FALSE(take(CaptionCommand{"\xFF"}));
@@ -240,6 +262,25 @@ TEST_CASE("wire: contradictions of a description are found") {
     CHECK_FALSE(taken([](auto& d) { d.bodies[1].radius_m = 0; }));
     CHECK_FALSE(taken([](auto& d) { d.bodies[1].line = -1; }));
     CHECK_FALSE(taken([](auto& d) { d.forces[1].name = "s"; }));
+    CHECK_FALSE(taken([](auto& d) { d.bodies[0].material = 2; }));
+    CHECK_FALSE(taken([](auto& d) { d.bodies[0].material = -2; }));
+    CHECK_FALSE(taken([](auto& d) { d.materials[1].felt.name = "felt"; }));
+    CHECK_FALSE(taken([](auto& d) { d.materials[1].felt.name.clear(); }));
+    CHECK_FALSE(taken([](auto& d) { d.materials[0].image = "../felt.png"; }));
+    CHECK_FALSE(taken([](auto& d) { d.materials[0].image = "felt.png/"; }));
+    CHECK_FALSE(taken([](auto& d) { d.materials[0].look = "a b"; }));
+    CHECK_FALSE(taken([](auto& d) { d.materials[0].felt.texture.height_m = kNaN; }));
+    CHECK_FALSE(taken([](auto& d) { d.materials[0].felt.friction.static_coefficient = 6; }));
+    CHECK_FALSE(
+        taken([](auto& d) { d.materials[0].felt.texture.law = static_cast<TextureLaw>(3); }));
+    CHECK_FALSE(taken([](auto& d) { d.materials.assign(kMaxMaterials + 1, d.materials[0]); }));
+    CHECK_FALSE(taken([](auto& d) { d.hand.proxy = static_cast<ProxyKind>(3); }));
+    CHECK_FALSE(taken([](auto& d) { d.hand.cursor = SphereShape{0.0}; }));
+    CHECK(taken([](auto& d) { d.hand.cursor = BoxShape{}; }));
+    CHECK(taken([](auto& d) { d.hand.cursor = CapsuleShape{}; }));
+    CHECK(taken([](auto& d) { d.hand.cursor = CylinderShape{}; }));
+    CHECK_FALSE(taken([](auto& d) { d.hand.cursor = HullShape{}; }));
+    CHECK(taken([](auto& d) { d.hand.proxy.reset(); }));
     CHECK_FALSE(taken([](auto& d) { d.forces[0].field.stiffness_N_per_m = 2001; }));
     CHECK_FALSE(taken([](auto& d) { d.forces[0].field.kind = static_cast<FieldKind>(3); }));
     CHECK_FALSE(taken([](auto& d) { d.questions.push_back(d.questions[0]); }));
@@ -291,6 +332,17 @@ TEST_CASE(
         }
     }
     CHECK(n_taken > 1000);
+}
+
+TEST_CASE("wire: names of pictures") {
+    for (const char* good : {"felt.png", "IMG_1234.JPG", "my felt.jpeg", "a.b.PNG"}) {
+        CHECK(is_picture_name(good));
+    }
+    for (const char* bad : {"", "felt", "felt.gif", ".png", " a.png", "a/b.png", "a\\b.png",
+                            "a\xC3\xA4.png", "c:felt.png"}) {
+        CHECK_FALSE(is_picture_name(bad));
+    }
+    CHECK_FALSE(is_picture_name(std::string(kMaxNameBytes - 3, 'a') + ".png"));
 }
 
 TEST_CASE("wire: names and texts") {

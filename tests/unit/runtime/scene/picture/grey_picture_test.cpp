@@ -58,6 +58,14 @@ TEST_CASE("picture: a PNG's values are exact, in 16 bits, interlaced, with trans
     CHECK(palette.values == std::vector<float>{0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1});
 }
 
+TEST_CASE("picture: red, green and blue count as an eye weighs them") {
+    const GreyPicture picture = load("primaries.png");
+    REQUIRE(picture.values.size() == 3);
+    CHECK(picture.values[0] == Approx(0.299));
+    CHECK(picture.values[1] == Approx(0.587));
+    CHECK(picture.values[2] == Approx(0.114));
+}
+
 TEST_CASE("picture: a JPEG's ramp is a ramp, grey, in colours, and progressive") {
     constexpr float kCoding = 0.02F;  // quality 95 loses some, and colours more
     for (const char* name : {"grey.jpg", "colour.jpg", "progressive.jpg"}) {

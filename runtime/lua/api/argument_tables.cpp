@@ -1,0 +1,146 @@
+// Texts, and the tables that hold them, out of what a lesson passes; and the sentence for what is none.
+#include "runtime/lua/api/argument_place.h"
+#include "runtime/lua/sandbox/safe_library.h"
+
+#include <algorithm>
+
+namespace fulcrum::runtime {
+
+const char* type_words(ParameterType type) {
+    switch (type) {
+        case ParameterType::number:
+            return "a number";
+        case ParameterType::integer:
+            return "a whole number";
+        case ParameterType::flag:
+            return "true or false";
+        case ParameterType::text:
+            return "a text";
+        case ParameterType::name:
+            return "a plain name (a to z, 0 to 9, _ and -)";
+        case ParameterType::vector:
+            return "a place such as {0, 0.5, 0}";
+        case ParameterType::function:
+            return "a function";
+        case ParameterType::texts:
+            return "a list of texts";
+        case ParameterType::lists:
+            return "a table of lists of texts";
+        case ParameterType::values:
+            return "a table of numbers and texts";
+        case ParameterType::choice:
+            return "";
+        case ParameterType::record:
+            return "a table of fields { … }";
+        case ParameterType::material:
+            return "a material or the name of one";
+    }
+    return "something else";
+}
+
+[[noreturn]] void refuse(lua_State* lua, const Place& place, const std::string& got) {
+    const std::string range = range_text(place.parameter);
+    // A number that is merely too large needs no lesson about types.
+    const bool only_range =
+        lua_type(lua, place.index) == LUA_TNUMBER && place.parameter.type == ParameterType::number;
+    const std::string type = only_range ? "" : type_words(place.parameter.type);
+    const std::string gap = type.empty() || range.empty()                              ? ""
+                            : *place.parameter.unit != '\0' || range.starts_with("of") ? " "
+                                                                                       : ", ";
+    raise_in_lesson(lua, place.label + " is " + type + gap + range + "; got " + got);
+}
+
+std::string check_text(lua_State* lua, const Place& place, int index, std::size_t max_bytes) {
+    if (lua_type(lua, index) != LUA_TSTRING) {
+        refuse(lua, place, given_text(lua, index));
+    }
+    std::size_t n = 0;
+    const char* text = lua_tolstring(lua, index, &n);
+    if (n > max_bytes) {
+        refuse(lua, place, std::to_string(n) + " bytes");
+    }
+    if (!is_clean_utf8({text, n})) {
+        raise_in_lesson(lua, place.label + " is no clean UTF-8 text; save the file as UTF-8");
+    }
+    return {text, n};
+}
+
+namespace {
+
+std::vector<std::string> check_texts(lua_State* lua, const Place& place, int index) {
+    if (!lua_istable(lua, index)) {
+        refuse(lua, place, given_text(lua, index));
+    }
+    index = lua_absindex(lua, index);
+    const std::size_t n = lua_rawlen(lua, index);
+    if (n > kMaxListItems) {
+        raise_in_lesson(lua, place.label + " has " + std::to_string(n) + " items; " +
+                                 std::to_string(kMaxListItems) + " are the most");
+    }
+    std::vector<std::string> texts;
+    for (std::size_t i = 1; i <= n; ++i) {
+        lua_rawgeti(lua, index, static_cast<lua_Integer>(i));
+        texts.push_back(check_text(lua, place, -1, kMaxTextBytes));
+        lua_pop(lua, 1);
+    }
+    return texts;
+}
+
+/// Goes through a table with text keys, in the order of the keys.
+template <class Each>
+void for_each_name(lua_State* lua, const Place& place, Each each) {
+    if (!lua_istable(lua, place.index)) {
+        refuse(lua, place, given_text(lua, place.index));
+    }
+    std::vector<std::string> names;
+    for (lua_pushnil(lua); lua_next(lua, place.index) != 0; lua_pop(lua, 1)) {
+        if (lua_type(lua, -2) != LUA_TSTRING || names.size() >= kMaxListItems) {
+            raise_in_lesson(lua, place.label + " is a table with at most " +
+                                     std::to_string(kMaxListItems) + " named items");
+        }
+        names.push_back(check_text(lua, place, -2, kMaxNameBytes));
+    }
+    std::sort(names.begin(), names.end());
+    for (const std::string& name : names) {
+        lua_pushlstring(lua, name.data(), name.size());
+        lua_rawget(lua, place.index);
+        each(name);
+        lua_pop(lua, 1);
+    }
+}
+
+std::string check_value(lua_State* lua, const Place& place) {
+    if (lua_type(lua, -1) == LUA_TBOOLEAN) {
+        return lua_toboolean(lua, -1) != 0 ? "true" : "false";
+    }
+    if (lua_type(lua, -1) == LUA_TNUMBER) {
+        lua_pushvalue(lua, -1);
+        std::string text = lua_tostring(lua, -1);
+        lua_pop(lua, 1);
+        return text;
+    }
+    return check_text(lua, place, -1, kMaxTextBytes);
+}
+
+}  // namespace
+
+void check_tables(lua_State* lua, const Place& place, Argument& argument) {
+    if (place.parameter.type == ParameterType::texts) {
+        argument.texts = check_texts(lua, place, place.index);
+    } else if (place.parameter.type == ParameterType::lists) {
+        for_each_name(lua, place, [&](const std::string& name) {
+            if (!is_name(name)) {
+                raise_in_lesson(lua, place.label + " has a list \"" +
+                                         clean_text(name, kMaxShownBytes) +
+                                         "\"; a list's name is plain (a to z, 0 to 9, _ and -)");
+            }
+            argument.lists.emplace_back(name, check_texts(lua, place, -1));
+        });
+    } else {
+        for_each_name(lua, place, [&](const std::string& name) {
+            argument.values.emplace_back(name, check_value(lua, place));
+        });
+    }
+}
+
+}  // namespace fulcrum::runtime

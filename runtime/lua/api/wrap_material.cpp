@@ -1,0 +1,266 @@
+// What bodies are made of: the program's own materials, and those that a lesson makes out of them or out of a picture.
+#include "haptics/surface/materials.h"
+#include "runtime/lua/api/binding_table.h"
+#include "runtime/lua/api/lesson_context.h"
+#include "runtime/lua/api/materials.h"
+
+#include <algorithm>
+
+namespace fulcrum::runtime {
+namespace {
+
+using enum ParameterType;
+
+constexpr Parameter kTexture[] = {
+    {"image", text, "", 0, 48, "nil",
+     "PNG or JPEG beside the lesson, such as \"felt.jpg\": dark is low, light is high"},
+    {"grooves", number, "metres", 1e-4, 1, "nil", "straight grooves instead, so far apart"},
+    {"bumps", number, "metres", 1e-4, 1, "nil", "random bumps instead, at most so wide"},
+    {"size", number, "metres", 1e-4, 100, "0.05", "width of the whole picture on the surface"},
+    {"height", number, "metres", 1e-7, 0.01, "nil", "from the deepest valley to the highest peak"},
+    {"strength", number, "", 0, 100, "nil", "how strongly it is felt; 1 is as it is, 0 is smooth"},
+    {"law", choice, "", 0, 0, "nil",
+     "how it is felt: the surface leans against each slope, or pushes sideways, or is carved",
+     "perturbed_normal lateral height_offset"},
+};
+
+constexpr Parameter kTap[] = {
+    {"frequency", number, "hertz", 5, 1000, "nil", "of the ringing"},
+    {"time", number, "seconds", 0.0005, 0.2, "nil", "until it has died away to a third"},
+    {"strength", number, "newtons for each metre a second", 0, 100, "nil", "of the ringing"},
+};
+
+/// How much of the bumps' widest wave the narrowest has.
+constexpr double kNarrowBumps = 0.25;
+constexpr double kSlidingShare = 0.8;  // of the friction that holds, while it slides
+
+template <class Field>
+void take(const Argument& argument, Field& field) {
+    if (argument.given) {
+        field = argument.number;
+    }
+}
+
+void take_texture(lua_State* lua, const Arguments& given, MaterialDescription& material) {
+    TextureSettings& texture = material.felt.texture;
+    const int n_sources = static_cast<int>(given["image"].given) +
+                          static_cast<int>(given["grooves"].given) +
+                          static_cast<int>(given["bumps"].given);
+    if (n_sources > 1) {
+        raise_in_lesson(lua, "material.texture has an image, grooves or bumps; give one of them");
+    }
+    if (given["image"].given) {
+        material.image = given["image"].text;
+        if (!is_picture_name(material.image)) {
+            raise_in_lesson(lua,
+                            "material.texture.image is the name of a .png, .jpg or .jpeg file "
+                            "beside the lesson; got \"" +
+                                clean_text(material.image, kMaxNameBytes) + '"');
+        }
+        texture.source = ImageTexture{nullptr, given["size"].number, given["size"].number};
+    } else if (given["grooves"].given) {
+        material.image.clear();
+        texture.source = SineTexture{given["grooves"].number, 0.0};
+    } else if (given["bumps"].given) {
+        material.image.clear();
+        const double widest_m = given["bumps"].number;
+        texture.source =
+            NoiseTexture{std::max(kNarrowBumps * widest_m, kTexture[2].low), widest_m, 1};
+    } else if (!texture.any()) {
+        raise_in_lesson(lua, "material.texture has no relief; give it image, grooves or bumps");
+    }
+    take(given["height"], texture.height_m);
+    take(given["strength"], texture.gain);
+    if (given["law"].given) {
+        const std::vector<std::string> laws = choices_of(kTexture[6]);
+        texture.law = static_cast<TextureLaw>(
+            std::find(laws.begin(), laws.end(), given["law"].text) - laws.begin());
+    }
+}
+
+void take_tap(const Arguments& given, TransientSettings& transient) {
+    transient.kind = TransientKind::decaying_sinusoid;
+    take(given["frequency"], transient.frequency_Hz);
+    take(given["strength"], transient.force_Ns_per_m);
+    if (given["time"].given) {
+        transient.decay_per_s = 1.0 / given["time"].number;
+    }
+}
+
+std::int32_t add_material(lua_State* lua, LessonContext& context, MaterialDescription material) {
+    std::vector<MaterialDescription>& materials = context.description.materials;
+    if (materials.size() >= kMaxMaterials) {
+        raise_in_lesson(lua,
+                        "a lesson has at most " + std::to_string(kMaxMaterials) + " materials");
+    }
+    materials.push_back(std::move(material));
+    return static_cast<std::int32_t>(materials.size()) - 1;
+}
+
+/// The program's own of that name; raises with the names that there are.
+const Material& own_material(lua_State* lua, const std::string& name) {
+    std::vector<std::string> names;
+    for (const Material& material : shipped_materials()) {
+        if (material.name == name) {
+            return material;
+        }
+        names.push_back(material.name);
+    }
+    std::string listed;
+    for (const std::string& each : names) {
+        listed += (listed.empty() ? "" : ", ") + each;
+    }
+    const std::string near = nearest_word(name, names);
+    raise_in_lesson(lua,
+                    "there is no material \"" + clean_text(name, kMaxNameBytes) + "\"; " +
+                        (near.empty() ? "there are " + listed + ", and what world:material makes"
+                                      : "did you mean \"" + near + "\"?"));
+}
+
+int make_material(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    MaterialDescription material;
+    if (arguments["like"].given) {
+        const std::string& like = arguments["like"].text;
+        const auto& made = context.description.materials;
+        const auto found = std::ranges::find_if(
+            made, [&](const MaterialDescription& m) { return m.felt.name == like; });
+        material.felt = found != made.end() ? found->felt : own_material(lua, like);
+        material.look = found != made.end() ? found->look : like;
+        material.image = found != made.end() ? found->image : std::string();
+    }
+    material.felt.name = arguments["name"].text;
+    material.line = place_in_lesson(lua).line;
+    const auto& others = context.description.materials;
+    if (std::ranges::any_of(others, [&](const MaterialDescription& other) {
+            return other.felt.name == material.felt.name;
+        })) {
+        raise_in_lesson(lua, "there is already a material \"" + material.felt.name + '"');
+    }
+    take(arguments["stiffness"], material.felt.coupling.stiffness_N_per_m);
+    take(arguments["damping"], material.felt.coupling.damping_Ns_per_m);
+    FrictionSettings& friction = material.felt.friction;
+    if (arguments["friction"].given) {
+        friction.static_coefficient = arguments["friction"].number;
+        friction.dynamic_coefficient = kSlidingShare * friction.static_coefficient;
+    }
+    take(arguments["sliding_friction"], friction.dynamic_coefficient);
+    if (friction.dynamic_coefficient > friction.static_coefficient) {
+        raise_in_lesson(lua,
+                        "material.sliding_friction is more than friction; what slides is never "
+                        "held more than what rests");
+    }
+    if (arguments["texture"].given) {
+        take_texture(lua, arguments.record("texture"), material);
+    }
+    if (arguments["tap"].given) {
+        take_tap(arguments.record("tap"), material.felt.transient);
+    }
+    push_handle(lua, Handle::Kind::material, add_material(lua, context, std::move(material)));
+    return 1;
+}
+
+const Material& felt_of(const LessonContext& context, std::int32_t index) {
+    return context.description.materials[static_cast<std::size_t>(index)].felt;
+}
+
+int get_name(lua_State* lua, LessonContext& context, std::int32_t index) {
+    const std::string& name = felt_of(context, index).name;
+    lua_pushlstring(lua, name.data(), name.size());
+    return 1;
+}
+
+/// A number of the surface as a field.
+template <auto kNumber>
+int get_number(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, kNumber(felt_of(context, index)));
+    return 1;
+}
+
+/// A grade as a field: the program finds it out once a picture's heights are read too.
+template <auto kGrade>
+int get_grade(lua_State* lua, LessonContext& context, std::int32_t index) {
+    const auto i = static_cast<std::size_t>(index);
+    if (i >= context.grades.size()) {
+        raise_in_lesson(lua,
+                        "what a material is like is known once the lesson runs, in L:update and "
+                        "later, not in L:start");
+    }
+    lua_pushnumber(lua, context.grades[i].*kGrade);
+    return 1;
+}
+
+double ring_of(const Material& material) {
+    const TransientKind kind = material.transient.kind;
+    const bool rings =
+        kind == TransientKind::decaying_sinusoid || kind == TransientKind::acceleration_matching;
+    return rings ? material.transient.frequency_Hz : 0.0;
+}
+
+void add_properties(ApiTable& table) {
+    const auto add = [&table](const char* property, const char* unit, const char* text,
+                              int (*get)(lua_State*, LessonContext&, std::int32_t)) {
+        table.properties.push_back({"material", property, "number", unit, text, get});
+    };
+    table.properties.push_back({"material", "name", "string", "", "", &get_name});
+    add("hardness", "",
+        "0 (soft) to 1, hard from 0.5 on: from the stiffness of its spring and the tone of a tap",
+        &get_grade<&MaterialGrades::hardness>);
+    add("roughness", "",
+        "0 (smooth) to 1, rough from 0.5 on: from its relief and how it pushes sideways",
+        &get_grade<&MaterialGrades::roughness>);
+    add("slipperiness", "",
+        "0 (sticky) to 1, slippery from 0.5 on: from its friction while it slides",
+        &get_grade<&MaterialGrades::slipperiness>);
+    add("stiffness", "newtons per metre", "of its spring",
+        &get_number<[](const Material& m) { return m.coupling.stiffness_N_per_m; }>);
+    add("friction", "", "what holds a resting hand, in parts of how hard it presses",
+        &get_number<[](const Material& m) { return m.friction.static_coefficient; }>);
+    add("ring", "hertz", "the tone of a tap; 0 when it has none", &get_number<&ring_of>);
+}
+
+}  // namespace
+
+std::int32_t find_or_add_material(lua_State* lua, LessonContext& context, const Argument& given) {
+    if (!given.given || given.material >= 0) {
+        return given.given ? given.material : kNoMaterial;
+    }
+    const auto& made = context.description.materials;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        if (made[i].felt.name == given.text) {
+            return static_cast<std::int32_t>(i);
+        }
+    }
+    MaterialDescription material;
+    material.felt = own_material(lua, given.text);
+    material.look = given.text;
+    material.line = place_in_lesson(lua).line;
+    return add_material(lua, context, std::move(material));
+}
+
+void add_material_api(ApiTable& table) {
+    table.functions.push_back(
+        {"world",
+         "material",
+         CallShape::record,
+         CallTime::declaring,
+         {{"name", name, "", 0, 0, kRequired, "unique; what it is called"},
+          {"like", name, "", 0, 0, "nil",
+           "a material that it begins as, see Materials; what is not said here is that one's"},
+          {"stiffness", number, "newtons per metre", 10, 5000, "nil",
+           "of its spring; a cushion is about 100, and an arm holds some 500 to 1000"},
+          {"damping", number, "newton seconds per metre", 0, 50, "nil", "how much it swallows"},
+          {"friction", number, "", 0, 5, "nil",
+           "what holds a resting hand, in parts of how hard it presses; ice 0.05, wood 0.4, rubber "
+           "1"},
+          {"sliding_friction", number, "", 0, 5, "nil",
+           "the same while it slides; 0.8 of friction by default"},
+          {"texture", record, "", 0, 0, "nil", "its relief", "", kTexture, std::size(kTexture)},
+          {"tap", record, "", 0, 0, "nil", "how it rings when it is tapped", "", kTap,
+           std::size(kTap)}},
+         "Material",
+         "Makes a material for bodies: out of another one, out of numbers, or out of a picture.",
+         &make_material});
+    add_properties(table);
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,102 @@
+// Layout and limits of what a description says of surfaces and of what touches them.
+#pragma once
+
+#include "runtime/lua/wire/wire_archive.h"
+
+#include <optional>
+
+namespace fulcrum::runtime::wire {
+
+inline constexpr std::int64_t kMaxLine = 10'000'000;
+
+template <class Archive, class Source>
+void texture_source(Archive& a, Source& s) {
+    using Kind = std::remove_cvref_t<Source>;
+    if constexpr (std::is_same_v<Kind, ImageTexture>) {
+        a.number("a picture's width", s.tile_u_m, 1e-4, 100.0);
+        a.number("a picture's height", s.tile_v_m, 1e-4, 100.0);
+    } else if constexpr (std::is_same_v<Kind, SineTexture>) {
+        a.number("the grooves' distance", s.wavelength_m, 1e-4, 1.0);
+        a.number("the grooves' direction", s.direction_rad, -100.0, 100.0);
+    } else if constexpr (std::is_same_v<Kind, NoiseTexture>) {
+        a.number("the bumps' least width", s.shortest_m, 1e-4, 1.0);
+        a.number("the bumps' most width", s.longest_m, 1e-4, 1.0);
+        a.integer("the bumps' seed", s.seed, 0, UINT32_MAX);
+    }
+}
+
+template <class Archive, class Felt>
+void felt(Archive& a, Felt& m) {
+    a.name("a material's name", m.name);
+    a.number("a material's stiffness", m.coupling.stiffness_N_per_m, 0.0, 1e5);
+    a.number("a material's damping", m.coupling.damping_Ns_per_m, 0.0, 1e3);
+    a.number("a material's linear range", m.coupling.linear_range_m, 0.0, 1e3);
+    a.number("a material's saturation", m.coupling.saturation_range_m, 0.0, 1e3);
+    a.number("a material's largest force", m.coupling.saturation_force_N, 0.0, 1e3);
+    a.number("a material's friction", m.friction.static_coefficient, 0.0, 5.0);
+    a.number("a material's sliding friction", m.friction.dynamic_coefficient, 0.0, 5.0);
+    a.number("a material's drag", m.friction.viscous_Ns_per_m, 0.0, 100.0);
+    a.one_of("a texture", m.texture.source,
+             [](auto& archive, auto& alternative) { texture_source(archive, alternative); });
+    a.choice("a texture's law", m.texture.law, TextureLaw::height_offset);
+    a.number("a texture's height", m.texture.height_m, 0.0, 0.01);
+    a.number("a texture's strength", m.texture.gain, 0.0, 100.0);
+    a.choice("a tap", m.transient.kind, TransientKind::acceleration_matching);
+    a.number("a tap's force", m.transient.force_Ns_per_m, 0.0, 100.0);
+    a.number("a tap's acceleration", m.transient.acceleration_per_s, 0.0, 1e4);
+    a.number("a tap's frequency", m.transient.frequency_Hz, 0.0, 1e4);
+    a.number("a tap's decay", m.transient.decay_per_s, 0.0, 1e4);
+    a.number("a tap's length", m.transient.pulse_s, 0.0, 1.0);
+    a.number("a tap's largest force", m.transient.max_force_N, 0.0, 10.0);
+    a.number("a tap's energy", m.transient.energy_share, 0.0, 1.0);
+}
+
+template <class Archive, class Described>
+void material(Archive& a, Described& m) {
+    felt(a, m.felt);
+    a.name("a material's look", m.look);
+    a.text("a material's picture", m.image, kMaxNameBytes);
+    if constexpr (Archive::kReads) {
+        if (!m.image.empty() && !is_picture_name(m.image)) {
+            a.refuse("a material's picture", "is not the name of a picture beside the lesson");
+        }
+    }
+    a.integer("a line", m.line, 0, kMaxLine);
+}
+
+template <class Archive, class Shape>
+void cursor(Archive& a, Shape& shape) {
+    using Kind = std::remove_cvref_t<Shape>;
+    if constexpr (std::is_same_v<Kind, HullShape>) {
+        if constexpr (Archive::kReads) {
+            a.refuse("the cursor", "is a shape that lessons do not have");
+        }
+    } else if constexpr (std::is_same_v<Kind, BoxShape>) {
+        for (int i = 0; i < 3; ++i) {
+            a.number("the cursor's size", shape.half_size_m[i], 1e-6, 10.0);
+        }
+    } else if constexpr (!std::is_same_v<Kind, std::monostate>) {
+        a.number("the cursor's radius", shape.radius_m, 1e-6, 10.0);
+    }
+    if constexpr (std::is_same_v<Kind, CapsuleShape>) {
+        a.number("the cursor's length", shape.half_length_m, 0.0, 10.0);
+    } else if constexpr (std::is_same_v<Kind, CylinderShape>) {
+        a.number("the cursor's height", shape.half_height_m, 1e-6, 10.0);
+    }
+}
+
+/// What touches: its shape by number, as in CursorShape.
+template <class Archive, class Hand>
+void proxy(Archive& a, Hand& h) {
+    bool chosen = h.proxy.has_value();
+    a.flag("a proxy is chosen", chosen);
+    auto kind = h.proxy.value_or(ProxyKind::god_object);
+    a.choice("the proxy", kind, ProxyKind::friction_cone);
+    if constexpr (Archive::kReads) {
+        h.proxy = chosen ? std::optional(kind) : std::nullopt;
+    }
+    a.one_of("the cursor", h.cursor, [](auto& archive, auto& shape) { cursor(archive, shape); });
+    a.integer("a line", h.line, 0, kMaxLine);
+}
+
+}  // namespace fulcrum::runtime::wire

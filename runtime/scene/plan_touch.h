@@ -1,0 +1,37 @@
+// The part of the plan that is touched: materials, solid bodies, and what touches them. For plan.cpp.
+//
+// Thread: load path.
+#pragma once
+
+#include "runtime/scene/plan.h"
+
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// "lesson.lua:7", where errors say what they are about.
+[[nodiscard]] inline std::string at_line(SourceLine line) {
+    return "lesson.lua:" + std::to_string(line);
+}
+
+/// A wall is as stiff in the hand at every scale.
+inline void scale_coupling(CouplingSettings& coupling, double scale) {
+    coupling.stiffness_N_per_m /= scale;
+    coupling.damping_Ns_per_m /= scale;
+}
+
+/// Each material of the lesson ready to be felt, in the hand's metres; pictures are read.
+[[nodiscard]] Expected<std::vector<Material>> make_materials(const LessonDescription& lesson,
+                                                             const PictureLoader& load_picture);
+
+/// Adds the solid bodies, each with its material; `audible`: somebody hears them.
+[[nodiscard]] Expected<void> add_solids(const LessonDescription& lesson,
+                                        const SolidLoader& load_solid,
+                                        const std::vector<Material>& materials, bool audible,
+                                        HapticPlan& plan);
+
+/// What the lesson chose, or the least that shows what the solids of the plan have.
+[[nodiscard]] Expected<void> choose_proxy(const LessonDescription& lesson, HapticPlan& plan);
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,279 @@
+// Strokes and taps, measured in what is rendered.
+#include "runtime/audio/touch_sound.h"
+
+#include "runtime/audio/openal/openal_player.h"
+#include "runtime/audio/waveform.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <memory>
+#include <numbers>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kRound_s = 1e-3;
+constexpr double kForce_N = 2.0;
+constexpr double kPressed = kForce_N / (kForce_N + 0.5);  // n(F)
+constexpr double kStrokeGain_s_per_m = 8.0;
+
+/// A hand that strokes a relief of one wavelength, as the haptic loop tells it, and a tap at the beginning of the touch.
+struct Stroke {
+    double speed_m_per_s = 0.2;
+    double wavelength_m = 0.002;
+    double amplitude_m = 2e-5;
+    double impact_m_per_s = 0.0;
+    double from_s = 0.1;
+    double until_s = 1.6;
+};
+
+/// What is heard of `seconds` of it, rendered in pieces of 10 ms as rounds come in.
+std::vector<float> hear(const Stroke& stroke, double seconds, TapTone tone = {},
+                        const std::function<void(TouchSample&)>& change = {}) {
+    auto ring = std::make_unique<TouchRing>();
+    TouchSound sound(*ring, {tone}, kRound_s);
+    std::vector<float> heard(static_cast<std::size_t>(seconds * kSampleRate_Hz));
+    constexpr std::size_t kPiece = 480;
+    int round = 0;
+    for (std::size_t at = 0; at + kPiece <= heard.size(); at += kPiece) {
+        const double now_s = static_cast<double>(at + kPiece) / kSampleRate_Hz;
+        for (; round * kRound_s < now_s; ++round) {
+            const double t = round * kRound_s;
+            if (t < stroke.from_s || t > stroke.until_s + 0.5 * kRound_s) {
+                continue;
+            }
+            TouchSample sample;
+            sample.time_s = t;
+            sample.solid = 0;
+            sample.normal_force_N = static_cast<float>(kForce_N);
+            const double way_m = stroke.speed_m_per_s * (t - stroke.from_s);
+            sample.texture_height_m = static_cast<float>(
+                stroke.amplitude_m * (1.0 + std::sin(2.0 * kPi * way_m / stroke.wavelength_m)));
+            sample.impact_speed_m_per_s = static_cast<float>(
+                t < stroke.from_s + 0.5 * kRound_s ? stroke.impact_m_per_s : 0.0);
+            if (change) {
+                change(sample);
+            }
+            (void)ring->push(sample);
+        }
+        sound.render(std::span(heard).subspan(at, kPiece));
+    }
+    return heard;
+}
+
+/// Amplitude of the sine of that frequency in a piece of sound, Hann window.
+double line(std::span<const float> sound, double frequency_Hz) {
+    std::complex<double> sum = 0.0;
+    const auto n = static_cast<double>(sound.size());
+    for (std::size_t i = 0; i < sound.size(); ++i) {
+        const double x = static_cast<double>(i);
+        const double window = 0.5 - 0.5 * std::cos(2.0 * kPi * x / n);
+        sum += window * static_cast<double>(sound[i]) *
+               std::polar(1.0, -2.0 * kPi * frequency_Hz * x / kSampleRate_Hz);
+    }
+    return 4.0 * std::abs(sum) / n;
+}
+
+/// The strongest line between two frequencies, to a hertz.
+double strongest_Hz(std::span<const float> sound, double from_Hz, double to_Hz) {
+    double best_Hz = from_Hz;
+    double most = 0.0;
+    for (double f = from_Hz; f <= to_Hz; f += 1.0) {
+        const double amplitude = line(sound, f);
+        best_Hz = amplitude > most ? f : best_Hz;
+        most = std::max(most, amplitude);
+    }
+    return best_Hz;
+}
+
+float loudest(std::span<const float> sound) {
+    float most = 0.0F;
+    for (const float x : sound) {
+        most = std::max(most, std::abs(x));
+    }
+    return most;
+}
+
+std::span<const float> piece(const std::vector<float>& sound, double from_s, double to_s) {
+    const auto at = [](double s) { return static_cast<std::size_t>(s * kSampleRate_Hz); };
+    return std::span(sound).subspan(at(from_s), at(to_s) - at(from_s));
+}
+
+}  // namespace
+
+TEST_CASE(
+    "touch sound: a stroke is a line at speed over wavelength, as loud as the relief's change") {
+    for (const double speed_m_per_s : {0.05, 0.1, 0.2, 0.4}) {
+        CAPTURE(speed_m_per_s);
+        Stroke stroke;
+        stroke.speed_m_per_s = speed_m_per_s;
+        const double wanted_Hz = speed_m_per_s / stroke.wavelength_m;
+        const auto heard = hear(stroke, 1.5);
+        const auto steady = piece(heard, 0.4, 1.4);
+        CHECK(strongest_Hz(steady, 10.0, 600.0) == Approx(wanted_Hz).margin(1.0));
+        // s = G n(F) dh/dt; the cubic's slope falls short of the sine's by what it cannot know above a quarter of the rounds.
+        const double slope_m_per_s = stroke.amplitude_m * 2.0 * kPi * wanted_Hz;
+        const double level = kStrokeGain_s_per_m * kPressed * slope_m_per_s;
+        CHECK(line(steady, wanted_Hz) == Approx(level / std::sqrt(1.0 + 0.7 * level * level))
+                                             .epsilon(wanted_Hz < 120.0 ? 0.03 : 0.15));
+        CHECK(line(steady, 1.5 * wanted_Hz) < 0.01 * line(steady, wanted_Hz));
+    }
+}
+
+TEST_CASE("touch sound: what is smooth, not touched, or not moved makes no sound") {
+    Stroke smooth;
+    smooth.amplitude_m = 0.0;
+    CHECK(loudest(hear(smooth, 1.5)) == 0.0F);
+    Stroke still;
+    still.speed_m_per_s = 0.0;
+    CHECK(loudest(hear(still, 1.5)) < 1e-6F);
+    CHECK(loudest(hear({}, 1.5, {}, [](TouchSample& s) { s.solid = kNoBody; })) == 0.0F);
+    CHECK(loudest(hear({}, 1.5, {}, [](TouchSample& s) { s.normal_force_N = 0.0F; })) == 0.0F);
+    // A touch that begins on a peak does not click.
+    Stroke short_one;
+    short_one.until_s = 0.3;
+    const auto heard = hear(short_one, 1.0);
+    CHECK(loudest(piece(heard, 0.1, 0.4)) > 0.01F);
+    CHECK(loudest(piece(heard, 0.5, 0.9)) == 0.0F);
+}
+
+TEST_CASE("touch sound: coming down on a peak and leaving it is no slope of the relief") {
+    Stroke still;
+    still.speed_m_per_s = 0.0;
+    still.amplitude_m = 1e-3;
+    // Nothing is touched up to 0.5 s, and nothing from 1 s on; in between the hand rests on a height of a millimetre.
+    const auto heard = hear(still, 1.5, {}, [](TouchSample& s) {
+        if (s.time_s < 0.5 || s.time_s > 1.0) {
+            s.solid = kNoBody;
+            s.texture_height_m = 0.0F;
+        }
+    });
+    CHECK(loudest(heard) == 0.0F);
+}
+
+TEST_CASE("touch sound: a relief of a mountain is as loud as there is, and no louder") {
+    Stroke rough;
+    rough.amplitude_m = 2e-3;
+    const float most = loudest(hear(rough, 1.0));
+    CHECK(most > 0.95F);
+    CHECK(most < 1.0F);
+}
+
+TEST_CASE(
+    "touch sound: a tap rings at its frequency and dies away at its rate, as strong as it was "
+    "fast") {
+    Stroke tap;
+    tap.amplitude_m = 0.0;
+    tap.impact_m_per_s = 0.05;
+    const TapTone tone{320.0, 40.0};
+    const auto heard = hear(tap, 1.0, tone);
+    const double begins_s = 0.1 + kTouchDelay_s;
+    CHECK(loudest(piece(heard, 0.0, begins_s - 0.011)) == 0.0F);
+    CHECK(strongest_Hz(piece(heard, begins_s, begins_s + 0.2), 50.0, 1000.0) ==
+          Approx(320.0).margin(1.0));
+    // Two pieces of the same length, 50 ms apart: the envelope has fallen by exp(-40 * 0.05).
+    const double early = line(piece(heard, begins_s + 0.01, begins_s + 0.06), 320.0);
+    const double late = line(piece(heard, begins_s + 0.06, begins_s + 0.11), 320.0);
+    CHECK(late / early == Approx(std::exp(-2.0)).epsilon(0.02));
+    Stroke softer = tap;
+    softer.impact_m_per_s = 0.025;
+    const auto half = hear(softer, 1.0, tone);
+    CHECK(line(piece(half, begins_s + 0.01, begins_s + 0.06), 320.0) ==
+          Approx(0.5 * early).epsilon(0.02));
+    CHECK(loudest(hear(tap, 1.0, TapTone{})) == 0.0F);  // this solid is not heard
+    // A sledgehammer is limited.
+    Stroke hammer = tap;
+    hammer.impact_m_per_s = 100.0;
+    CHECK(loudest(hear(hammer, 1.0, tone)) < 0.9F);
+}
+
+TEST_CASE("touch sound: the tone of a tap is its force's") {
+    TransientSettings transient;
+    CHECK(tone_of(transient).frequency_Hz == 0.0);
+    transient.kind = TransientKind::decaying_sinusoid;
+    transient.frequency_Hz = 250.0;
+    transient.decay_per_s = 70.0;
+    CHECK(tone_of(transient).frequency_Hz == 250.0);
+    CHECK(tone_of(transient).decay_per_s == 70.0);
+    transient.kind = TransientKind::fixed_pulse;
+    transient.pulse_s = 0.01;
+    CHECK(tone_of(transient).frequency_Hz == Approx(50.0));
+}
+
+TEST_CASE(
+    "touch sound: the same touches are the same samples; stamps that are no time change nothing") {
+    Stroke stroke;
+    stroke.impact_m_per_s = 0.1;
+    const TapTone tone{200.0, 60.0};
+    CHECK(hear(stroke, 0.8, tone) == hear(stroke, 0.8, tone));
+    int n = 0;
+    const auto with_nonsense = hear(stroke, 0.8, tone, [&n](TouchSample& s) {
+        if (++n == 100) {
+            s.time_s = std::nan("");
+        }
+    });
+    for (const float x : with_nonsense) {
+        REQUIRE(std::isfinite(x));
+    }
+}
+
+TEST_CASE("touch sound: the next touch after a long rest is heard in time") {
+    auto ring = std::make_unique<TouchRing>();
+    TouchSound sound(*ring, {{200.0, 60.0}}, kRound_s);
+    std::vector<float> heard(480);
+    TouchSample sample;
+    sample.time_s = 1.0;
+    sample.solid = 0;
+    sample.normal_force_N = 1.0F;
+    (void)ring->push(sample);
+    sound.render(heard);
+    for (int i = 0; i < 500; ++i) {  // five seconds of nothing, a little slower than the clock
+        sound.render(std::span(heard).first(470));
+    }
+    sample.time_s = 6.0;
+    sample.impact_speed_m_per_s = 0.2F;
+    (void)ring->push(sample);
+    float most = 0.0F;
+    for (int i = 0; i < 6; ++i) {
+        sound.render(heard);
+        most = std::max(most, loudest(heard));
+    }
+    CHECK(most > 0.1F);
+}
+
+TEST_CASE("touch sound: through OpenAL the line stays where it is") {
+    auto player = open_openal_loopback({{"click"}, false, 1.0});
+    REQUIRE(player.has_value());
+    auto ring = std::make_unique<TouchRing>();
+    TouchSound sound(*ring, {TapTone{}}, kRound_s);
+    (*player)->set_stream(&sound);
+    std::vector<float> heard;
+    for (int piece_number = 0; piece_number < 150; ++piece_number) {
+        for (int i = 0; i < 10; ++i) {
+            TouchSample sample;
+            sample.time_s = (10 * piece_number + i) * kRound_s;
+            sample.solid = 0;
+            sample.normal_force_N = static_cast<float>(kForce_N);
+            sample.texture_height_m =
+                static_cast<float>(2e-5 * std::sin(2.0 * kPi * 100.0 * sample.time_s));
+            (void)ring->push(sample);
+        }
+        (*player)->update(0.01);
+        const auto both = (*player)->render(480);
+        for (std::size_t i = 0; i < both.size(); i += 2) {
+            heard.push_back(both[i]);
+        }
+    }
+    (*player)->set_stream(nullptr);
+    const auto steady = piece(heard, 0.4, 1.4);
+    CHECK(strongest_Hz(steady, 20.0, 500.0) == Approx(100.0).margin(1.0));
+    CHECK(line(steady, 100.0) > 0.03);
+    CHECK(line(steady, 150.0) < 0.01 * line(steady, 100.0));
+}

@@ -1,0 +1,171 @@
+#include "tests/unit/runtime/lua/hosted_lesson.h"
+
+#include <catch2/catch.hpp>
+
+namespace fulcrum::runtime {
+namespace {
+
+using test::HostedLesson;
+
+std::string sentence(const std::string& in_start) {
+    return HostedLesson().start(in_start);
+}
+
+TEST_CASE("materials: five lines make one out of another and a picture") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start(R"(
+  local felt = world:material {
+    name = "felt", like = "wood", stiffness = 300, friction = 0.6,
+    texture = { image = "Felt 2.JPG", size = 0.05, height = 0.0004, strength = 2, law = "lateral" },
+  }
+  world:body { name = "cushion", solid = true, material = felt }
+  world:body { name = "table", solid = true, material = "wood" }
+  world:body { name = "rug", solid = true, material = "felt" }
+  print(felt, felt.name, felt.stiffness, felt.friction))") == "");
+    CHECK(lesson.prints == "felt\tfelt\t300.0\t0.6;");
+    const LessonDescription& d = lesson.host->description();
+    REQUIRE(d.materials.size() == 2);
+    const MaterialDescription& felt = d.materials[0];
+    CHECK((felt.felt.name == "felt" && felt.look == "wood" && felt.image == "Felt 2.JPG"));
+    CHECK(felt.line == 3);
+    CHECK(felt.felt.coupling.stiffness_N_per_m == 300.0);
+    CHECK(felt.felt.friction.static_coefficient == 0.6);
+    CHECK(felt.felt.friction.dynamic_coefficient == Approx(0.48));
+    const auto* image = std::get_if<ImageTexture>(&felt.felt.texture.source);
+    REQUIRE(image != nullptr);
+    CHECK((image->map == nullptr && image->tile_u_m == 0.05));
+    CHECK((felt.felt.texture.height_m == 0.0004 && felt.felt.texture.gain == 2.0));
+    CHECK(felt.felt.texture.law == TextureLaw::lateral);
+    // What was not said is the wood's.
+    const MaterialDescription& wood = d.materials[1];
+    CHECK((wood.felt.name == "wood" && wood.line == 8));
+    CHECK(felt.felt.transient.frequency_Hz == wood.felt.transient.frequency_Hz);
+    CHECK(felt.felt.transient.kind == wood.felt.transient.kind);
+    CHECK(d.bodies[0].material == 0);
+    CHECK(d.bodies[1].material == 1);
+    CHECK(d.bodies[2].material == 0);
+}
+
+TEST_CASE("materials: of numbers alone, with grooves or bumps and a tap") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start(R"(
+  world:material { name = "comb", stiffness = 500, friction = 0.5, sliding_friction = 0.3, texture = { grooves = 0.002, height = 0.0002 } }
+  local m = world:material { name = "gravel", texture = { bumps = 0.004, height = 0.001 }, tap = { frequency = 200, time = 0.02, strength = 3 } }
+  print(m.ring, world:material { name = "plain" }.ring))") == "");
+    CHECK(lesson.prints == "200.0\t0.0;");
+    const auto& materials = lesson.host->description().materials;
+    CHECK(std::get<SineTexture>(materials[0].felt.texture.source).wavelength_m == 0.002);
+    CHECK(materials[0].felt.friction.dynamic_coefficient == 0.3);
+    CHECK(materials[0].look.empty());
+    const auto& bumps = std::get<NoiseTexture>(materials[1].felt.texture.source);
+    CHECK((bumps.longest_m == 0.004 && bumps.shortest_m == 0.001));
+    CHECK(materials[1].felt.transient.kind == TransientKind::decaying_sinusoid);
+    CHECK(materials[1].felt.transient.decay_per_s == Approx(50.0));
+}
+
+TEST_CASE("materials: what is wrong is told with its line and what was meant") {
+    const auto material = [](const std::string& fields) {
+        return sentence("world:material { name = 'm', " + fields + " }");
+    };
+    CHECK(sentence("world:body { name = 'a', solid = true, material = 'metl' }") ==
+          "lesson.lua:2: there is no material \"metl\"; did you mean \"metal\"?");
+    CHECK_THAT(material("like = 'marshmallow'"),
+               Catch::Contains("there is no material \"marshmallow\"; there are ") &&
+                   Catch::Contains("sandpaper"));
+    CHECK(sentence("world:body { name = 'a', material = 'wood' }") ==
+          "lesson.lua:2: a has a material but can't be touched; add solid = true.");
+    CHECK(sentence("world:body { name = 'a', solid = true, material = 3 }") ==
+          "lesson.lua:2: body.material is a material or the name of one; got 3.");
+    CHECK(material("stiffness = 1e5") ==
+          "lesson.lua:2: material.stiffness is in newtons per metre, 10 to 5000; got 100000.");
+    CHECK(material("texture = { grooves = 2 }") ==
+          "lesson.lua:2: material.texture.grooves is in metres, 0.0001 to 1; got 2.");
+    CHECK(material("texture = { hieght = 2 }") ==
+          "lesson.lua:2: material.texture has no field \"hieght\"; did you mean \"height\"?");
+    CHECK(material("texture = 'felt.jpg'") ==
+          "lesson.lua:2: material.texture is a table of fields { … }; got the text \"felt.jpg\".");
+    CHECK(material("texture = { height = 0.001 }") ==
+          "lesson.lua:2: material.texture has no relief; give it image, grooves or bumps.");
+    CHECK(material("texture = { grooves = 0.01, bumps = 0.01 }") ==
+          "lesson.lua:2: material.texture has an image, grooves or bumps; give one of them.");
+    CHECK(material("texture = { grooves = 0.01, law = 'latteral' }") ==
+          "lesson.lua:2: material.texture.law is \"perturbed_normal\", \"lateral\" or "
+          "\"height_offset\"; got the text \"latteral\"; did you mean \"lateral\"?");
+    for (const std::string image : {"../felt.png", "felt.gif", "/etc/felt.png", ".png"}) {
+        CHECK(material("texture = { image = '" + image + "' }") ==
+              "lesson.lua:2: material.texture.image is the name of a .png, .jpg or .jpeg file "
+              "beside the lesson; got \"" +
+                  image + "\".");
+    }
+    CHECK(
+        material("friction = 0.2, sliding_friction = 0.3") ==
+        "lesson.lua:2: material.sliding_friction is more than friction; what slides is never held "
+        "more than what rests.");
+    CHECK(sentence("world:material { name = 'm' } world:material { name = 'm' }") ==
+          "lesson.lua:2: there is already a material \"m\".");
+    CHECK(sentence("for i = 1, 33 do world:material { name = 'm' .. i } end") ==
+          "lesson.lua:2: a lesson has at most 32 materials.");
+    CHECK(sentence("world:material { name = 'm' }.hardness = 3") ==
+          "lesson.lua:2: material.hardness can't be set; it shows how things stand.");
+}
+
+TEST_CASE("materials: a body knows what it is made of, and that it is covered") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load(R"(local a, b
+function L:start(world)
+  a = world:body { name = "a", solid = true, material = "rock" }
+  b = world:body { name = "b" }
+  a:cover()
+  print(a.material, a.material == world:find("a").material, b.material, a.covered, b.covered)
+end
+function L:update() a:uncover() print(a.covered) end)") == "");
+    CHECK(lesson.prints == "rock\ttrue\tnil\ttrue\tfalse;");
+    CHECK(lesson.play() == "");
+    const auto covers = lesson.commands<CoverCommand>();
+    REQUIRE(covers.size() == 2);
+    CHECK((covers[0].body == 0 && covers[0].covered && !covers[1].covered));
+}
+
+TEST_CASE("materials: what they are like is known once the lesson runs, to the hand too") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load(
+                R"(local a
+function L:start(world)
+  a = world:body { name = "a", solid = true, material = "rock" }
+end
+function L:update() print(a.material.hardness, a.material.roughness, a.material.slipperiness) end)",
+                "return function(hand, t, world) print(world:find('a').material.roughness) end") ==
+            "");
+    CHECK(lesson.play(lesson.frame({ReadyEvent{{0.0}, 1.0, {{0.75, 0.5, 0.25}}}})) == "");
+    CHECK(lesson.prints == "0.75\t0.5\t0.25;0.5;");
+    CHECK(sentence("print(world:material { name = 'm' }.hardness)") ==
+          "lesson.lua:2: what a material is like is known once the lesson runs, in L:update and "
+          "later, not in L:start.");
+}
+
+TEST_CASE("hand: what touches is chosen by name") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start(
+                "world:hand { proxy = 'virtual_proxy', cursor = 'ball', cursor_size = 0.01 }") ==
+            "");
+    const HandDescription& hand = lesson.host->description().hand;
+    CHECK(hand.proxy == ProxyKind::virtual_proxy);
+    REQUIRE(std::holds_alternative<SphereShape>(hand.cursor));
+    CHECK(std::get<SphereShape>(hand.cursor).radius_m == 0.01);
+    CHECK(hand.line == 2);
+    HostedLesson plain;
+    REQUIRE(plain.start("world:hand {}") == "");
+    CHECK_FALSE(plain.host->description().hand.proxy.has_value());
+    CHECK(std::holds_alternative<std::monostate>(plain.host->description().hand.cursor));
+    CHECK(sentence("world:hand { proxy = 'god' }") ==
+          "lesson.lua:2: hand.proxy is \"god_object\", \"virtual_proxy\" or \"friction_cone\"; got "
+          "the text \"god\".");
+    for (const char* shape : {"box", "capsule", "cylinder"}) {
+        HostedLesson shaped;
+        REQUIRE(shaped.start(std::string("world:hand { cursor = '") + shape + "' }") == "");
+        CHECK_FALSE(std::holds_alternative<std::monostate>(shaped.host->description().hand.cursor));
+    }
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime
