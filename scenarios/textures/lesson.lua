@@ -1,0 +1,265 @@
+-- What is it made of? Metal, wood and rock: first seen and felt, then under a cloth, then as a spaceship, a table and a
+-- statue.
+--
+-- The answer key is the material's physics: what is hard, rough or slippery is read off the numbers that the hand feels.
+-- Give a block another material below and the right answers change with it.
+
+local story = require "story"
+local wait, wait_until = story.wait, story.wait_until
+
+local L = lesson { id = "textures", title = "What is it made of?", level = "A1", minutes = 12 }
+
+local names = { "metal", "wood", "rock" }
+
+-- What is true of a material, from its stiffness, the tone of a tap, its relief and its friction: 0 to 1 each.
+local is = {
+  hard     = function(m) return m.hardness >= 0.5 end,
+  soft     = function(m) return m.hardness < 0.5 end,
+  rough    = function(m) return m.roughness >= 0.5 end,
+  smooth   = function(m) return m.roughness < 0.5 end,
+  slippery = function(m) return m.slipperiness >= 0.5 end,
+  sticky   = function(m) return m.slipperiness < 0.5 end,
+}
+local adjectives = { "hard", "soft", "rough", "smooth", "slippery", "sticky" }
+
+-- The things of the third level, and what each is made of.
+local things = {
+  { name = "spaceship", material = "metal", above = 0.096 },
+  { name = "table",     material = "wood",  above = 0.062 },
+  { name = "statue",    material = "rock",  above = 0.080 },
+}
+
+local top = 0.3                     -- of the board on which everything stands
+local places = { -0.2, 0, 0.2 }   -- left, middle, right
+local side = 0.045                  -- half a side of a block
+
+local blocks = {}      -- material's name -> block
+local made = {}        -- thing's name -> body
+local touched          -- the body under the hand
+local felt = {}        -- body -> metres that the hand has stroked over it
+local guide            -- the pull that leads the hand back
+local score = 0
+
+function L:start(world)
+  world:ground(top - 0.025)
+  world:camera { eye = { 0, 0.80, 0.80 }, target = { 0, 0.40, 0 }, angle = 36 }
+  world:hand { centre = { 0, 0.46, 0 } }
+  world:body { name = "board", model = "plank", visible = true, at = { 0, top, 0 } }
+  for i, name in ipairs(names) do
+    blocks[name] = world:body {
+      name = name, model = "box", radius = side, material = name,
+      solid = true, movable = true, visible = true, at = { places[i], top + side, 0 },
+    }
+  end
+  for i, thing in ipairs(things) do
+    made[thing.name] = world:body {
+      name = thing.name, model = thing.name, radius = thing.above, material = thing.material,
+      solid = true, movable = true, at = { places[i], top + thing.above, 0 },
+    }
+    made[thing.name]:hide()
+  end
+  guide = world:spring { name = "guide", at = { 0, 0.5, 0 }, stiffness = 40, damping = 4 }
+  guide:off()
+  story(L, function() play(world) end)
+end
+
+-- ---- what the hand feels --------------------------------------------------------------------------------------------
+
+function L:touched(body) touched = body end
+function L:released() touched = nil end
+
+local last   -- where the hand was a frame ago
+
+function L:update(world)
+  local here = world:tool().position
+  if touched and last then
+    felt[touched] = (felt[touched] or 0) + math.sqrt((here.x - last.x) ^ 2 + (here.z - last.z) ^ 2)
+  end
+  last = here
+end
+
+-- Waits until the hand has stroked so much of it.
+local enough = 0.06
+local function feel(body)
+  felt[body] = 0
+  wait_until(function() return felt[body] >= enough end)
+end
+
+-- Nothing is moved where a hand is: it is led up first, above everything.
+local clear = top + 0.2
+local function hands_off(world)
+  if world:tool().y < clear then
+    world:caption "Lift your hand."
+    guide:move { at = { 0, clear + 0.04, 0 } }
+    guide:on()
+    wait_until(function() return world:tool().y >= clear end)
+    guide:off()
+  end
+  world:caption ""
+end
+
+-- Leads the hand over a body and lets go of it there.
+local function lead(world, body)
+  world:caption "Come with me."
+  local over = { body.x, body.y + 0.12, body.z }
+  guide:move { at = over }
+  guide:on()
+  wait(1.5)
+  guide:off()
+end
+
+-- ---- questions ------------------------------------------------------------------------------------------------------
+
+-- Is all that was said true of that material?
+local function all_true(material, one, also)
+  return is[one](material) and (also == nil or is[also](material))
+end
+
+for _, name in ipairs(names) do
+  L:question("like_" .. name) {
+    prompt = "What is " .. name .. " like?",
+    again = "Let's feel it again.",
+    answers = { "{material} is <adjective:{feel}> [and <adjective:{feel:also}>]" },
+    lists = { material = names, feel = adjectives },
+    right = function(a)   -- "It is hard" says no material: then it is the one that was asked for
+      return (a.material or name) == name and all_true(blocks[name].material, a.feel, a.also)
+    end,
+  }
+end
+
+local hidden   -- the block that is asked for
+
+L:question "under" {
+  prompt = "What is under this cloth?",
+  again = "Let's feel it again.",
+  answers = { "<it> is {material}", "{material} [is under (the|this) cloth]" },
+  lists = { material = names },
+  right = function(a) return a.material == hidden.material.name end,
+}
+
+for _, thing in ipairs(things) do
+  L:question("made_" .. thing.name) {
+    prompt = "What is the " .. thing.name .. " made of?",
+    again = "Let's feel it again.",
+    answers = { "[a|an|the] {thing} <made_of:{material}>" },
+    lists = { thing = { "spaceship", "table", "statue" }, material = names },
+    right = function(a)
+      return (a.thing or thing.name) == thing.name and a.material == made[thing.name].material.name
+    end,
+  }
+end
+
+-- ---- the game -------------------------------------------------------------------------------------------------------
+
+-- Asks until the meaning is right. After a wrong answer the hand is led back and feels again; after two there is a hint.
+local function ask(world, question, body, hint)
+  local points, answer = 3, nil
+  repeat
+    answer = story.ask(world, question)
+    if answer.understood and not answer.right and not answer.over then
+      points = math.max(points - 1, 1)
+      wait(2)
+      lead(world, body)
+      world:caption(answer.attempt >= 2 and hint or "Feel it again.")
+      feel(body)
+    end
+  until answer.over
+  if answer.right then
+    score = score + points
+    world:score(score)
+  end
+  wait(2.5)
+  world:caption ""
+end
+
+local function seen(world)
+  world:level(1, "Look and feel")
+  for _, name in ipairs(names) do
+    world:caption("This is " .. name .. ". Tap it and stroke it.")
+    feel(blocks[name])
+    ask(world, "like_" .. name, blocks[name], "Is it hard? Is it rough?")
+  end
+end
+
+-- The three blocks in another order, the same in every play of a test.
+local function shuffle()
+  local order = { 1, 2, 3 }
+  for i = #order, 2, -1 do
+    local j = math.random(i)
+    order[i], order[j] = order[j], order[i]
+  end
+  for i, name in ipairs(names) do
+    blocks[name]:place { at = { places[order[i]], top + side, 0 } }
+  end
+end
+
+local function under_a_cloth(world)
+  world:level(2, "Under a cloth")
+  hands_off(world)
+  for _, name in ipairs(names) do blocks[name]:cover() end
+  shuffle()
+  wait(1.5)
+  for turn, name in ipairs { "rock", "metal" } do
+    hidden = blocks[name]
+    lead(world, hidden)
+    world:caption(turn == 1 and "Don't look! Feel what is under the cloth." or "And this one?")
+    feel(hidden)
+    ask(world, "under", hidden, "Is it rough or smooth?")
+    hands_off(world)
+    hidden:uncover()
+    world:sound "pop"
+    wait(1)
+  end
+end
+
+local function things_made(world)
+  world:level(3, "Things")
+  hands_off(world)
+  for _, name in ipairs(names) do blocks[name]:hide() end
+  for i, thing in ipairs(things) do
+    made[thing.name]:place { at = { places[i], top + thing.above, 0 } }
+  end
+  wait(1)
+  for _, thing in ipairs(things) do
+    local body = made[thing.name]
+    world:caption("This is a " .. thing.name .. ". Feel it.")
+    feel(body)
+    ask(world, "made_" .. thing.name, body, "Is it metal, wood or rock?")
+  end
+end
+
+local function begin_again()
+  for _, thing in ipairs(things) do made[thing.name]:hide() end
+  for i, name in ipairs(names) do
+    blocks[name]:uncover()
+    blocks[name]:place { at = { places[i], top + side, 0 } }
+  end
+end
+
+local best = 3 * (#names + 2 + #things)
+
+function play(world)
+  wait(1.5)
+  while true do
+    score = 0
+    world:score(0)
+    seen(world)
+    under_a_cloth(world)
+    things_made(world)
+    world:caption "Press the space bar to play again."
+    world:finish { stars = score >= best and 3 or score >= 0.75 * best and 2 or 1 }
+    story.wait_for { "key", key = "space" }
+    hands_off(world)
+    begin_again()
+  end
+end
+
+L:test {
+  hand = "stroker.lua",
+  say = { "metal is hard and smooth", "wood is hard and rough", "rock is hard and rough",
+          "it is rock", "it is metal",
+          "a spaceship is made of metal", "a table is made of wood", "a statue is made of rock" },
+  expect = { finished = true, stars = 3, form_errors = 0 },
+}
+
+return L

@@ -1,0 +1,183 @@
+// The lesson on materials, played to its end by its own simulated hand and pupil.
+#include "tests/lessons/program.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+// Scene indices, in the order of lesson.lua.
+enum Body : int { board, metal, wood, rock, spaceship, table, statue };
+
+constexpr const char* kRun = "run textures --headless --record r.rec";
+
+std::string bytes_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// How often a body was touched, and how far it was stroked while it was: metres, pressed with at least 0.3 N.
+struct Felt {
+    int touches = 0;
+    double stroked_m = 0.0;
+};
+Felt felt_between(const Record& record, double from_s, double to_s) {
+    Felt felt;
+    for (const RecordEvent& event : record.events) {
+        felt.touches +=
+            event.kind == RecordEventKind::touched && event.time_s >= from_s && event.time_s < to_s;
+    }
+    for (const RecordSample& sample : record.samples) {
+        if (sample.time_s >= from_s && sample.time_s < to_s &&
+            sample.commanded_W.force.norm() > 0.3) {
+            felt.stroked_m += sample.twist_W.linear.norm() / record.header.rate_Hz;
+        }
+    }
+    return felt;
+}
+
+}  // namespace
+
+TEST_CASE("textures: its own test passes") {
+    const Sandbox sandbox;
+    const ProgramRun run = sandbox.run("test textures");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+}
+
+TEST_CASE("textures: the same input twice gives the same bytes, and nothing passes the limit") {
+    const Sandbox sandbox;
+    REQUIRE(sandbox.run("run textures --headless --record a.rec").exit_code == 0);
+    REQUIRE(sandbox.run("run textures --headless --record b.rec").exit_code == 0);
+    const std::string bytes = bytes_of(sandbox.path("a.rec"));
+    CHECK(bytes.size() > 100'000);
+    CHECK(bytes == bytes_of(sandbox.path("b.rec")));
+    const Record record = read_run(sandbox.path("a.rec"));
+    for (const RecordSample& sample : record.samples) {
+        REQUIRE(sample.applied_W.force.norm() <= 5.0 + 1e-9);
+    }
+}
+
+TEST_CASE("textures: the hand really taps, presses and strokes each block and each thing") {
+    const Sandbox sandbox;
+    REQUIRE(sandbox.run(kRun).exit_code == 0);
+    const Record record = read_run(sandbox.path("r.rec"));
+    for (const int body : {metal, wood, rock, spaceship, table, statue}) {
+        CAPTURE(body);
+        const double touched_s = time_of(record, RecordEventKind::touched, body);
+        REQUIRE(touched_s > 0.0);
+        CHECK(felt_between(record, touched_s, touched_s + 2.5).stroked_m > 0.03);
+    }
+    double hardest_N = 0.0;
+    for (const RecordSample& sample : record.samples) {
+        hardest_N = std::max(hardest_N, sample.applied_W.force.norm());
+    }
+    CHECK(hardest_N > 1.0);
+}
+
+TEST_CASE(
+    "textures: a wrong meaning is felt again, a wrong form is said back rightly, and the report "
+    "tells the teacher") {
+    const Sandbox sandbox;
+    sandbox.write("say.txt",
+                  "metal is soft and smooth\n"  // wrong meaning: felt again
+                  "metal is hard and smooth\n"
+                  "wood are hard and rough\n"  // right meaning, wrong form
+                  "bla bla\n"                  // not understood
+                  "rock is hard and rough\n"
+                  "it is wood\n"  // under the cloth is rock: felt again
+                  "it is rock\n"
+                  "it is metal\n"
+                  "spaceship is made of metal\n"  // the article is missing
+                  "a table is made of rock\n"     // wrong meaning
+                  "a table is made of wood\n"
+                  "a statue is made of rock\n");
+    const ProgramRun run =
+        sandbox.run("run textures --headless --say say.txt --learner Mina --record r.rec");
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    CHECK(run.output.find("textures: finished") != std::string::npos);
+
+    // After each wrong meaning something was touched and stroked before the next answer.
+    const Record record = read_run(sandbox.path("r.rec"));
+    std::vector<double> answers_s;
+    for (const RecordEvent& event : record.events) {
+        if (event.kind == RecordEventKind::answered) {
+            answers_s.push_back(event.time_s);
+        }
+    }
+    REQUIRE(answers_s.size() == 12);
+    for (const std::size_t wrong : {0U, 5U, 9U}) {
+        CAPTURE(wrong);
+        const Felt felt = felt_between(record, answers_s[wrong], answers_s[wrong + 1]);
+        CHECK(felt.touches > 0);
+        CHECK(felt.stroked_m > 0.06);
+    }
+    const ProgramRun report = sandbox.run("report --learner Mina");
+    INFO(report.output);
+    CHECK(report.exit_code == 0);
+    CHECK(report.output.find("Mina") != std::string::npos);
+    CHECK(report.output.find("textures") != std::string::npos);
+}
+
+TEST_CASE(
+    "textures: the truth of adjectives is the physics: a block of sponge is soft, whatever it is "
+    "called") {
+    const Sandbox sandbox;
+    std::ifstream file(FULCRUM_SCENARIOS "/textures/lesson.lua");
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    // The first block is made of something else, under the old name.
+    const std::string was = "  for i, name in ipairs(names) do\n    blocks[name] = world:body {\n";
+    const std::size_t at = text.find(was);
+    REQUIRE(at != std::string::npos);
+    text.replace(text.find("material = name,", at), std::string("material = name,").size(),
+                 "material = i == 1 and sponge or name,");
+    text.insert(
+        at,
+        "  local sponge = world:material { name = \"sponge\", stiffness = 100, friction = 1.2, "
+        "texture = { bumps = 0.004, height = 0.0005 } }\n");
+    sandbox.write("soft/lesson.lua", text);
+    std::ifstream hand(FULCRUM_SCENARIOS "/textures/stroker.lua");
+    sandbox.write("soft/stroker.lua", {std::istreambuf_iterator<char>(hand), {}});
+    sandbox.write("say.txt", "metal is hard\nmetal is soft and sticky\n");
+    const ProgramRun run = sandbox.run(
+        "run soft --headless --hand soft/stroker.lua --say say.txt --seconds 30 --learner Mina");
+    INFO(run.output);
+    CHECK(run.output.find("score 2,") != std::string::npos);  // right at the second try
+}
+
+TEST_CASE("textures: explain names what is felt and heard, and mute leaves no sound in the plan") {
+    const Sandbox sandbox;
+    const ProgramRun run = sandbox.run("explain textures");
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    CHECK(run.output.find("friction cone") != std::string::npos);
+    CHECK(run.output.find("sound    touch") != std::string::npos);
+    const ProgramRun muted = sandbox.run("explain textures --mute");
+    CHECK(muted.output.find("sound") == std::string::npos);
+}
+
+TEST_CASE("materials: a picture that is none, or is not there, is one sentence with its line") {
+    const Sandbox sandbox;
+    std::ifstream file(FULCRUM_TEST_LESSONS "/felt/lesson.lua");
+    sandbox.write("felt/lesson.lua", {std::istreambuf_iterator<char>(file), {}});
+    const ProgramRun missing = sandbox.run("check felt");
+    CHECK(missing.exit_code == 1);
+    CHECK(missing.output.find("lesson.lua:5: the file felt.png cannot be read") !=
+          std::string::npos);
+    sandbox.write("felt/felt.png", "\x89PNG\r\n\x1a\nnonsense");
+    const ProgramRun broken = sandbox.run("check felt");
+    CHECK(broken.exit_code == 1);
+    CHECK(broken.output.find("lesson.lua:5: felt.png: the picture is damaged") !=
+          std::string::npos);
+    CHECK(std::count(broken.output.begin(), broken.output.end(), '\n') == 1);
+    CHECK(sandbox.run("check " FULCRUM_TEST_LESSONS "/felt").exit_code == 0);
+}
