@@ -62,6 +62,22 @@ TEST_CASE("virtual proxy: on a sphere and a capsule it is over the hand's own di
     }
 }
 
+TEST_CASE("virtual proxy: deep in a round body it settles in one step, in a few rounds") {
+    // What a tangent plane leaves of the error shrinks by depth over radius, 0.9, a round: alone, 150 rounds.
+    for (const double radius_m : {0.0, 0.05}) {
+        const double place_m = 0.1 + radius_m;
+        VirtualProxy proxy(
+            make_obstacles(cursor_of(radius_m), {SolidPlan{.body = 0, .shape = SphereShape{0.1}}}));
+        proxy.reset(Vector3(0.0, 2.0 * place_m, 0.0));
+        for (int i = 0; i < 20; ++i) {
+            const Vector3 u(std::sin(0.05 * i), std::cos(0.05 * i), 0.0);
+            const ProxyContact& contact = proxy.step(0.1 * place_m * u, {});
+            REQUIRE((contact.position_W - place_m * u).norm() <= 1e-7 * place_m);
+            REQUIRE(proxy.n_casts() <= 12);
+        }
+    }
+}
+
 TEST_CASE("virtual proxy: on a box and a cylinder it is over the face that it came through") {
     for (const double radius_m : {0.0, 0.02, 0.5}) {
         const BoxShape box{{0.1, 0.2, 0.3}};
