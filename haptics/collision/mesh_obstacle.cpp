@@ -63,8 +63,8 @@ Vector3 find_straight(const TriangleForGap& triangle, TrianglePart part) noexcep
 
 MeshObstacle::MeshObstacle(std::shared_ptr<const CollisionMesh> mesh, double radius_m)
     : mesh_(std::move(mesh)), ball_radius_m_(radius_m) {
-    triangles_.reserve(kMostRemembered);
-    bounds_m_.reserve(kMostRemembered);
+    triangles_.resize(kMostRemembered);
+    bounds_m_.resize(kMostRemembered);
 }
 
 CastHit MeshObstacle::cast(const CastQuestion& question) noexcept {
@@ -90,8 +90,7 @@ CastHit MeshObstacle::cast(const CastQuestion& question) noexcept {
 }
 
 void MeshObstacle::remember(const Vector3& centre_B, double radius_m) noexcept {
-    triangles_.clear();
-    bounds_m_.clear();
+    n_remembered_ = 0;
     centre_B_ = centre_B;
     last_B_ = centre_B;
     reach_m_ = radius_m;
@@ -113,12 +112,12 @@ void MeshObstacle::remember(std::int32_t triangle) noexcept {
     if (least_m > reach_m_ || reach_m_ < 0.0) {
         return;
     }
-    if (triangles_.size() == kMostRemembered) {
+    if (n_remembered_ == kMostRemembered) {
         reach_m_ = -1.0;
         return;
     }
-    triangles_.push_back(prepare_for_gap(*mesh_, triangle));
-    bounds_m_.push_back(least_m);
+    triangles_[n_remembered_] = prepare_for_gap(*mesh_, triangle);
+    bounds_m_[n_remembered_++] = least_m;
 }
 
 CastHit MeshObstacle::cast_remembered(const CastQuestion& question) noexcept {
@@ -128,7 +127,7 @@ CastHit MeshObstacle::cast_remembered(const CastQuestion& question) noexcept {
     const double length_m = (question.to_B - question.from_B).norm();
     const double distance_m = ball_radius_m_ + question.level_m;
     const double around_m = (distance_m + length_m) * (1.0 + kRounding);
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    for (std::size_t i = 0; i < n_remembered_; ++i) {
         if (bounds_m_[i] - travelled_m_ > around_m ||
             is_apart(triangles_[i], question, distance_m)) {
             continue;
@@ -214,7 +213,7 @@ double MeshObstacle::find_bend(std::int32_t feature, const Vector3& at_B,
     };
     const double farthest_m = kNearby * seen.distance_m + travelled_m_ + (at_B - last_B_).norm();
     double least_m = kFarthestTurn * seen.distance_m;
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    for (std::size_t i = 0; i < n_remembered_; ++i) {
         const TriangleForGap& other = triangles_[i];
         if (bounds_m_[i] > farthest_m || !shares(other)) {
             continue;

@@ -51,7 +51,9 @@ class MeshObstacle final : public Obstacle {
 
     std::shared_ptr<const CollisionMesh> mesh_;
     double ball_radius_m_;
-    std::vector<TriangleForGap> triangles_;  // remembered
+    std::size_t n_remembered_ = 0;
+    std::vector<TriangleForGap>
+        triangles_;                 // room for kMostRemembered, as many as remembered count
     std::vector<double> bounds_m_;  // their distances were at least this less the way travelled
     double travelled_m_ = 0.0;
     Vector3 last_B_{Vector3::Zero()};

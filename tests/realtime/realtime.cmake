@@ -8,7 +8,8 @@ set(load_path
     error.cpp.o range.cpp.o tool_coupling_settings.cpp.o integrator_settings.cpp.o collision_mesh.cpp.o velocity_settings.cpp.o passivity_settings.cpp.o field_settings.cpp.o
     haptic_loop_build.cpp.o safety_settings.cpp.o pointer_settings.cpp.o simulated_hand_settings.cpp.o simulated_arm_settings.cpp.o
     replay_device_build.cpp.o world_build.cpp.o world_loop_build.cpp.o
-    mesh_report.cpp.o shape.cpp.o triangle_mesh.cpp.o weld.cpp.o
+    mesh_report.cpp.o shape.cpp.o triangle_mesh.cpp.o weld.cpp.o crack.cpp.o mesh_edges.cpp.o convex_hull.cpp.o self_intersection.cpp.o
+    make_proxy.cpp.o make_obstacle.cpp.o solid_shape.cpp.o
     record_layout.cpp.o record_reader.cpp.o record_writer.cpp.o
     friction.cpp.o texture_settings.cpp.o transient_settings.cpp.o surface_plan.cpp.o material.cpp.o materials.cpp.o relief.cpp.o
     texture_map_build.cpp.o texture_build.cpp.o shading_build.cpp.o contact_stage_build.cpp.o texture_stage_build.cpp.o
@@ -17,6 +18,12 @@ set(load_path
 # Behind "=": functions that only load and stand in a file with others.
 set(load_functions
     "virtual_coupling.cpp.o=validate" "god_object.cpp.o=GodObject::~?GodObject|validate"
+    "moving_solid.cpp.o=MovingSolid::MovingSolid|bad_expected_access|expected_storage_base|Error::Error" "segment_structure.cpp.o=make_segment_structure|Structure::~|BruteForce::~"
+    "h_collide.cpp.o=HCollide::(list_entries|plant|create|~?HCollide)|validate" "hash_grid.cpp.o=HashGrid::(reserve|HashGrid)" "obb_tree.cpp.o=ObbForest::(add|shrink)" "height_field.cpp.o=make_height_field"
+    "convex_cursor.cpp.o=MakeCore|make_convex_(cursor|solid)|Obstacle::~" "distance_obstacle.cpp.o=DistanceObstacle::~"
+    "mesh_obstacle.cpp.o=MeshObstacle::~?MeshObstacle"
+    "friction_cone.cpp.o=FrictionCone::~?FrictionCone"
+    "virtual_proxy.cpp.o=VirtualProxy::~?VirtualProxy"
     "touch_motion.cpp.o=TouchMotion::TouchMotion" "touch_teller.cpp.o=TouchTeller::TouchTeller"
     "bounding_tree.cpp.o=BoundingTree::BoundingTree|build_nodes|find_centres|put_in_order|memory_bytes")
 function(add_symbol_check name finds)
