@@ -133,6 +133,7 @@ void LessonScreen::fail_with(const Error& error) {
 }
 
 Left LessonScreen::play() {
+    const double opened_s = monotonic_now_s();
     begin();
     while (!left_) {
         take_input(desktop_.window->poll());
@@ -140,8 +141,10 @@ Left LessonScreen::play() {
         watch_files();
         last_view_ = compose();
         desktop_.draw(last_view_);
+        // A lesson that could not begin has its time too, or a script would wait for it for ever.
+        const double since_s = run_ ? epoch_s_ : opened_s;
         const bool time_is_up =
-            options_.seconds && run_ && monotonic_now_s() - epoch_s_ >= *options_.seconds;
+            options_.seconds && monotonic_now_s() - since_s >= *options_.seconds;
         save_wanted_screenshot(time_is_up);
         if (desktop_.sound) {
             const bool unfelt = run_ && !run_->device().traits().renders_force;

@@ -24,7 +24,7 @@ lesson() { printf '%s\n' 'local L = lesson { id = "x", title = "X", level = "A1"
 mkdir "$folder/x"
 : >"$folder/said"
 lesson 'function L:start(world' 'end'
-"$program" run "$folder/x" --mute --seconds 8 --screenshot "$folder/picture.png" >"$folder/said" 2>&1 &
+"$program" run "$folder/x" --mute --seconds 12 --screenshot "$folder/picture.png" >"$folder/said" 2>&1 &
 child=$!
 wait_for "lesson.lua:3:" 30
 
@@ -44,3 +44,9 @@ wait "$child" || { echo "exit code $?"; cat "$folder/said"; exit 1; }
 child=
 grep -q "Haptic loop:" "$folder/said"
 [[ $(head -c 4 "$folder/picture.png" | tail -c 3) == PNG ]]
+
+# One that nobody mends has its time too.
+lesson 'function L:start(world' 'end'
+timeout 60 "$program" run "$folder/x" --mute --seconds 1 >"$folder/said" 2>&1 || code=$?
+[[ ${code:-0} != 124 ]] || { echo "a lesson that cannot begin never ends"; exit 1; }
+grep -q "lesson.lua:3:" "$folder/said"
