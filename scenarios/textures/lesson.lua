@@ -42,7 +42,7 @@ local score = 0
 
 function L:start(world)
   world:ground(top - 0.025)
-  world:camera { eye = { 0, 0.80, 0.80 }, target = { 0, 0.40, 0 }, angle = 36 }
+  world:camera { eye = { 0, 0.80, 0.80 }, target = { 0, 0.46, 0 }, angle = 36 }
   world:hand { centre = { 0, 0.46, 0 } }
   world:body { name = "board", model = "plank", visible = true, at = { 0, top, 0 } }
   for i, name in ipairs(names) do
