@@ -5,7 +5,7 @@
 //             rubber, wood and aluminium, and the ratio of their amplitudes. The device's own scale of force is chosen: 10 N for each
 //             m/s on metal, so that a tap of 0.2 m/s rings with 2 N, two thirds of what a desktop arm gives.
 //   Marks     Marks' Standard Handbook for Mechanical Engineers, table of coefficients of static and sliding friction
-//   FEPA      FEPA standard 43-1 for coated abrasives: mean grain of P80 0.201 mm
+//   FEPA      FEPA standard 43-1 for coated abrasives: mean grain of P40 0.425 mm
 //   stiffness is chosen everywhere: real walls are a thousand times as stiff as any arm can show. What counts is the order, rubber
 //   < paper < wood < rock, glass, metal, and that all lie inside the Z-width of a desktop arm at 1 kHz (`fulcrum bench z-width`);
 //   the damper is critical for the handle alone, 2 sqrt(m k), as in coupling_settings.h.
@@ -108,8 +108,9 @@ Material make_sandpaper() {
         .coupling = stiff(800.0),
         // Chosen: grains that dig in hold as rubber does.
         .friction = {0.9, 0.8, 0.0},
-        // P80: grains of 0.201 mm (FEPA), two to four grains from one to the next; a third of a grain stands out of the glue (chosen).
-        .texture = relief(NoiseTexture{0.0004, 0.0008, 80}, TextureLaw::lateral, 6.7e-5),
+        // P40: grains of 0.425 mm (FEPA), two to four grains from one to the next; half a grain stands out of the glue (chosen).
+        // Finer paper has waves that no loop of 1 kHz can give at a stroke's usual speed.
+        .texture = relief(NoiseTexture{0.00085, 0.0017, 80}, TextureLaw::lateral, 2.1e-4),
         .transient =
             ringing(5.0, 30.0, 120.0)};  // wood under it (Okamura), deadened by glue (chosen)
 }
