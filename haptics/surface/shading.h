@@ -9,7 +9,7 @@
 //
 // Of a smooth body with faces of size s and radius R the faces' own normals are wrong by s / R, these by about (s / R)^2; near a
 // crease that is rounded off they are wrong by as much as half of it: `fulcrum bench shading`.
-// Thread: made at load, then read from any. Cost: O(n log n) at load, 60 bytes a triangle; about 20 ns a normal.
+// Thread: made at load, then read from any. Cost: O(n log n) at load, 33 bytes a triangle; about 50 ns a normal.
 // Source: C. Basdogan, C.-H. Ho, M. A. Srinivasan 1997, A ray-based haptic rendering technique for displaying shape and
 // texture of 3D objects in virtual environments, ASME DSC 61 (after H. Gouraud's and B. T. Phong's shading): normals by
 // angles at the vertices, by areas within the triangle. The groups by creases are ours.
