@@ -43,32 +43,43 @@ void lay_cloth_over(const BodyDescription& body, ViewBody& shown) {
     shown.label.clear();
 }
 
+BodyWhere where_of(const BodyDescription& body, const BodyState* state) {
+    if (state != nullptr) {
+        return state->where;
+    }
+    return body.visible ? BodyWhere::placed : BodyWhere::hidden;
+}
+
+ViewBody show_body(const LessonDescription& lesson, const BodyDescription& body,
+                   const BodyState* state, const Scenery& scenery) {
+    const BodyWhere where = where_of(body, state);
+    ViewBody shown;
+    shown.model = body.model;
+    shown.pose_W = state != nullptr ? state->pose_W : Pose::at(body.position_W);
+    shown.scale = model_scale(body);
+    if (where == BodyWhere::held && !scenery.renders_force) {
+        const double force_N = scenery.hand.applied_W.force.norm();
+        shown.scale = shown.scale.cwiseProduct(
+            squash(std::min(kSquashPerNewton * force_N, kStrongestSquash)));
+    }
+    if (where == BodyWhere::held || where == BodyWhere::placed) {
+        shown.label = body.movable ? body.noun : "";
+    }
+    if (body.material != kNoMaterial) {
+        shown.look = lesson.materials[static_cast<std::size_t>(body.material)].look;
+    }
+    return shown;
+}
+
 void add_bodies(const LessonDescription& lesson, const SessionHud& hud, const Scenery& scenery,
                 View& view) {
-    const double force_N = scenery.hand.applied_W.force.norm();
     for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
         const BodyDescription& body = lesson.bodies[i];
         const BodyState* state = state_of(scenery, i);
-        const BodyWhere where = state != nullptr ? state->where
-                                : body.visible   ? BodyWhere::placed
-                                                 : BodyWhere::hidden;
-        if (where == BodyWhere::hidden) {
+        if (where_of(body, state) == BodyWhere::hidden) {
             continue;
         }
-        ViewBody shown;
-        shown.model = body.model;
-        shown.pose_W = state != nullptr ? state->pose_W : Pose::at(body.position_W);
-        shown.scale = model_scale(body);
-        if (where == BodyWhere::held && !scenery.renders_force) {
-            shown.scale = shown.scale.cwiseProduct(
-                squash(std::min(kSquashPerNewton * force_N, kStrongestSquash)));
-        }
-        if (where == BodyWhere::held || where == BodyWhere::placed) {
-            shown.label = body.movable ? body.noun : "";
-        }
-        if (body.material != kNoMaterial) {
-            shown.look = lesson.materials[static_cast<std::size_t>(body.material)].look;
-        }
+        ViewBody shown = show_body(lesson, body, state, scenery);
         if (is_covered(hud, i)) {
             lay_cloth_over(body, shown);
         }

@@ -28,6 +28,6 @@ struct Place {
 [[nodiscard]] std::string check_text(lua_State* lua, const Place& place, int index,
                                      std::size_t max_bytes);
 /// Lists and tables of texts and values.
-void check_tables(lua_State* lua, const Place& place, Argument& argument);
+void check_tables(lua_State* lua, const Place& place, PlainArgument& argument);
 
 }  // namespace fulcrum::runtime

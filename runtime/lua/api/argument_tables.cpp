@@ -124,7 +124,7 @@ std::string check_value(lua_State* lua, const Place& place) {
 
 }  // namespace
 
-void check_tables(lua_State* lua, const Place& place, Argument& argument) {
+void check_tables(lua_State* lua, const Place& place, PlainArgument& argument) {
     if (place.parameter.type == ParameterType::texts) {
         argument.texts = check_texts(lua, place, place.index);
     } else if (place.parameter.type == ParameterType::lists) {

@@ -90,7 +90,11 @@ const Argument& Arguments::operator[](std::string_view name) const {
 Arguments Arguments::record(std::string_view name) const {
     const std::size_t place = place_of(name);
     const Parameter& parameter = parameters_[place];
-    return {{parameter.fields, parameter.n_fields}, values_[place].fields};
+    std::vector<Argument> fields;
+    for (const PlainArgument& field : values_[place].fields) {
+        fields.push_back({field, {}});
+    }
+    return {{parameter.fields, parameter.n_fields}, std::move(fields)};
 }
 
 const ApiTable& api_table() {

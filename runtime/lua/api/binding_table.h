@@ -69,8 +69,8 @@ enum class CallTime : std::uint8_t {
     looking,    ///< always, in simulated hands too
 };
 
-/// What a parameter was given as, checked.
-struct Argument {
+/// What a parameter was given as, checked; a record's fields apart.
+struct PlainArgument {
     bool given = false;
     double number = 0.0;
     bool flag = false;
@@ -80,8 +80,11 @@ struct Argument {
     std::vector<std::pair<std::string, std::vector<std::string>>> lists;  ///< sorted by name
     std::vector<std::pair<std::string, std::string>> values;              ///< sorted by name
     int stack_index = 0;                                                  ///< of a function
-    std::vector<Argument> fields;                                         ///< of a record
     std::int32_t material = -1;                                           ///< of the description
+};
+
+struct Argument : PlainArgument {
+    std::vector<PlainArgument> fields;  ///< of a record
 };
 
 /// The checked arguments of one call, found by the parameter's name.

@@ -46,11 +46,7 @@ Vector3 check_vector(lua_State* lua, const Place& place) {
     return v;
 }
 
-Argument check_one(lua_State* lua, const Parameter& parameter, std::string label, int index);
-void check_field_names(lua_State* lua, int index, const std::string& called,
-                       std::span<const Parameter> known_fields);
-
-void check_choice(lua_State* lua, const Place& place, Argument& argument) {
+void check_choice(lua_State* lua, const Place& place, PlainArgument& argument) {
     if (lua_type(lua, place.index) != LUA_TSTRING) {
         refuse(lua, place, given_text(lua, place.index));
     }
@@ -64,22 +60,8 @@ void check_choice(lua_State* lua, const Place& place, Argument& argument) {
     }
 }
 
-void check_record(lua_State* lua, const Place& place, Argument& argument) {
-    if (!lua_istable(lua, place.index)) {
-        refuse(lua, place, given_text(lua, place.index));
-    }
-    const std::span<const Parameter> fields(place.parameter.fields, place.parameter.n_fields);
-    check_field_names(lua, place.index, place.label, fields);
-    for (const Parameter& field : fields) {
-        lua_pushstring(lua, field.name);
-        lua_rawget(lua, place.index);
-        argument.fields.push_back(
-            check_one(lua, field, place.label + '.' + field.name, lua_gettop(lua)));
-    }
-}
-
 /// What world:material gave is found by its index, the program's own by its name.
-void check_material(lua_State* lua, const Place& place, Argument& argument) {
+void check_material(lua_State* lua, const Place& place, PlainArgument& argument) {
     const Handle* handle = to_handle(lua, place.index);
     if (handle != nullptr && handle->kind == Handle::Kind::material) {
         argument.material =
@@ -91,13 +73,10 @@ void check_material(lua_State* lua, const Place& place, Argument& argument) {
     }
 }
 
-void check_given(lua_State* lua, const Place& place, Argument& argument) {
+void check_given(lua_State* lua, const Place& place, PlainArgument& argument) {
     switch (place.parameter.type) {
         case ParameterType::choice:
             check_choice(lua, place, argument);
-            break;
-        case ParameterType::record:
-            check_record(lua, place, argument);
             break;
         case ParameterType::material:
             check_material(lua, place, argument);
@@ -141,7 +120,7 @@ void check_given(lua_State* lua, const Place& place, Argument& argument) {
     }
 }
 
-void take_default(const Parameter& parameter, Argument& argument) {
+void take_default(const Parameter& parameter, PlainArgument& argument) {
     const std::string_view fallback = parameter.fallback;
     if (fallback == "nil") {
         return;
@@ -166,22 +145,6 @@ void take_default(const Parameter& parameter, Argument& argument) {
     }
 }
 
-/// The value at `index`, or its default, or the error that it is missing.
-Argument check_one(lua_State* lua, const Parameter& parameter, std::string label, int index) {
-    Argument argument;
-    if (!lua_isnoneornil(lua, index)) {
-        argument.given = true;
-        check_given(lua, Place{parameter, std::move(label), index}, argument);
-    } else if (parameter.fallback == kRequired) {
-        const std::string range = range_text(parameter);
-        raise_in_lesson(lua, label + " is missing; it is " + type_words(parameter.type) +
-                                 (range.empty() ? "" : " " + range));
-    } else {
-        take_default(parameter, argument);
-    }
-    return argument;
-}
-
 /// Every field of the record at `index` is one of those.
 void check_field_names(lua_State* lua, int index, const std::string& called,
                        std::span<const Parameter> known_fields) {
@@ -197,10 +160,57 @@ void check_field_names(lua_State* lua, int index, const std::string& called,
         const std::string name = clean_text(lua_tostring(lua, -2), kMaxShownBytes);
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             const std::string near = nearest_word(name, known);
-            raise_in_lesson(lua, called + " has no field \"" + name + '"' +
-                                     (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+            std::string problem = called;
+            problem += " has no field \"";
+            problem += name;
+            problem += '"';
+            raise_in_lesson(lua,
+                            problem + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
         }
     }
+}
+
+/// The value at `index`, or its default, or the error that it is missing; no record.
+PlainArgument check_plain(lua_State* lua, const Parameter& parameter, std::string label,
+                          int index) {
+    PlainArgument argument;
+    if (!lua_isnoneornil(lua, index)) {
+        argument.given = true;
+        check_given(lua, Place{parameter, std::move(label), index}, argument);
+    } else if (parameter.fallback == kRequired) {
+        const std::string range = range_text(parameter);
+        raise_in_lesson(lua, label + " is missing; it is " + type_words(parameter.type) +
+                                 (range.empty() ? "" : " " + range));
+    } else {
+        take_default(parameter, argument);
+    }
+    return argument;
+}
+
+std::vector<PlainArgument> check_record(lua_State* lua, const Place& place) {
+    if (!lua_istable(lua, place.index)) {
+        refuse(lua, place, given_text(lua, place.index));
+    }
+    const std::span<const Parameter> fields(place.parameter.fields, place.parameter.n_fields);
+    check_field_names(lua, place.index, place.label, fields);
+    std::vector<PlainArgument> arguments;
+    for (const Parameter& field : fields) {
+        lua_pushstring(lua, field.name);
+        lua_rawget(lua, place.index);
+        arguments.push_back(
+            check_plain(lua, field, place.label + '.' + field.name, lua_gettop(lua)));
+    }
+    return arguments;
+}
+
+Argument check_one(lua_State* lua, const Parameter& parameter, std::string label, int index) {
+    if (parameter.type != ParameterType::record || lua_isnoneornil(lua, index)) {
+        return {check_plain(lua, parameter, std::move(label), index), {}};
+    }
+    Argument argument;
+    argument.given = true;
+    argument.fields = check_record(lua, Place{parameter, std::move(label), index});
+    return argument;
 }
 
 }  // namespace
