@@ -13,38 +13,26 @@ constexpr double kRoundings = 64.0;
 // The gap that counts as met, of the clearance: the difference is what rounding may do to a proxy that slides.
 constexpr double kMet = 0.5;
 
-bool is_same(const Pose& a, const Pose& b) noexcept {
-    return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
-}
-
 }  // namespace
 
 MovingObstacle::MovingObstacle(std::unique_ptr<Obstacle> obstacle, std::int32_t index,
                                const Pose& pose_W)
     : obstacle_(std::move(obstacle)), index_(index) {
     take_pose(pose_W);
-    obstacle_->turn(turn_);
+    obstacle_->turn(turn_WB());
 }
 
 bool MovingObstacle::take_pose(const Pose& pose_W) noexcept {
-    if (is_same(pose_W, pose_W_)) {
-        return false;
+    const bool moved = ProxyFrame::take_pose(pose_W);
+    if (moved) {
+        obstacle_->turn(turn_WB());
     }
-    const double length = pose_W.orientation.norm();
-    if (!is_finite(pose_W) || !(length > 0.0) ||
-        !(length < std::numeric_limits<double>::infinity())) {
-        return false;
-    }
-    pose_W_ = pose_W;
-    origin_W_ = pose_W.position;
-    turn_ = Eigen::Quaterniond(pose_W.orientation.coeffs() / length).toRotationMatrix();
-    obstacle_->turn(turn_);
-    return true;
+    return moved;
 }
 
 double MovingObstacle::clearance_m() const noexcept {
     const double farthest_m =
-        (to_world(proxy_B_) - origin_W_).cwiseAbs().maxCoeff() + origin_W_.cwiseAbs().maxCoeff();
+        (to_world(proxy_B()) - origin_W()).cwiseAbs().maxCoeff() + origin_W().cwiseAbs().maxCoeff();
     return obstacle_->clearance_m() +
            kRoundings * std::numeric_limits<double>::epsilon() * farthest_m;
 }
@@ -52,15 +40,15 @@ double MovingObstacle::clearance_m() const noexcept {
 CastHit MovingObstacle::cast(const Vector3& to_W, double reach_m,
                              std::span<const Vector3> normals_W) noexcept {
     const Vector3 to_B = to_body(to_W);
-    if (to_B == proxy_B_) {
+    if (to_B == proxy_B()) {
         return {};
     }
     std::array<Vector3, kMostNormals> normals_B;
     const std::size_t n = std::min(normals_W.size(), kMostNormals);
     for (std::size_t i = 0; i < n; ++i) {
-        normals_B[i] = turn_.transpose() * normals_W[i];
+        normals_B[i] = turn_WB().transpose() * normals_W[i];
     }
-    return obstacle_->cast({.from_B = proxy_B_,
+    return obstacle_->cast({.from_B = proxy_B(),
                             .to_B = to_B,
                             .level_m = kMet * clearance_m(),
                             .reach_m = reach_m,
@@ -68,19 +56,19 @@ CastHit MovingObstacle::cast(const Vector3& to_W, double reach_m,
 }
 
 ObstaclePlane MovingObstacle::find_plane(std::int32_t feature) const noexcept {
-    const Gap gap = obstacle_->find_gap(feature, proxy_B_);
+    const Gap gap = obstacle_->find_gap(feature, proxy_B());
     return {.solid = index_,
             .feature = feature,
-            .normal_W = turn_ * gap.normal_B,
+            .normal_W = turn_WB() * gap.normal_B,
             .gap_m = gap.gap_m,
             .clearance_m = clearance_m(),
             .curvature_per_m = gap.curvature_per_m,
-            .straight_W = turn_ * gap.straight_B};
+            .straight_W = turn_WB() * gap.straight_B};
 }
 
 Vector3 MovingObstacle::move_off(std::int32_t feature, const Vector3& p_W) const noexcept {
     const Gap gap = obstacle_->find_gap(feature, to_body(p_W));
-    return p_W + (clearance_m() - gap.gap_m) * (turn_ * gap.normal_B);
+    return p_W + (clearance_m() - gap.gap_m) * (turn_WB() * gap.normal_B);
 }
 
 bool MovingObstacle::is_near(const Vector3& centre_W, double radius_m) const noexcept {

@@ -5,6 +5,7 @@
 
 #include "haptics/collision/obstacle.h"
 #include "haptics/math/spatial.h"
+#include "haptics/point/proxy_frame.h"
 #include "haptics/point/solid_plan.h"
 
 #include <cstdint>
@@ -24,17 +25,12 @@ struct ObstaclePlane {
     Vector3 straight_W{Vector3::Zero()};
 };
 
-class MovingObstacle {
+class MovingObstacle : public ProxyFrame {
   public:
     MovingObstacle(std::unique_ptr<Obstacle> obstacle, std::int32_t index, const Pose& pose_W);
 
-    /// Moves the solid; true when that changed anything. A pose that is not finite is ignored.
+    /// As ProxyFrame::take_pose, and tells the obstacle how it is turned.
     bool take_pose(const Pose& pose_W) noexcept;
-    /// Says where the proxy is; the way from where it was must be free.
-    void put_proxy(const Vector3& proxy_W) noexcept { proxy_B_ = to_body(proxy_W); }
-    /// Where the proxy would be, had it moved along with the solid.
-    [[nodiscard]] Vector3 carried_proxy_W() const noexcept { return to_world(proxy_B_); }
-
     /// The first meeting on the way from the proxy's place in the solid's frame to `to_W`. `normals_W`: planes that it
     /// does not sink through.
     [[nodiscard]] CastHit cast(const Vector3& to_W, double reach_m,
@@ -46,11 +42,11 @@ class MovingObstacle {
     /// How far along `direction_W` the feature stays bent (Obstacle::find_bend).
     [[nodiscard]] double find_bend(std::int32_t feature,
                                    const Vector3& direction_W) const noexcept {
-        return obstacle_->find_bend(feature, proxy_B_, turn_.transpose() * direction_W);
+        return obstacle_->find_bend(feature, proxy_B(), turn_WB().transpose() * direction_W);
     }
     /// The feature that the proxy is most deeply in, if any: -1 when it is as far from all as it should.
     [[nodiscard]] std::int32_t find_deepest() const noexcept {
-        return obstacle_->find_nearest(proxy_B_, 0.5 * clearance_m());
+        return obstacle_->find_nearest(proxy_B(), 0.5 * clearance_m());
     }
     /// Can a proxy within `radius_m` of `centre_W` reach the solid?
     [[nodiscard]] bool is_near(const Vector3& centre_W, double radius_m) const noexcept;
@@ -60,19 +56,8 @@ class MovingObstacle {
   private:
     static constexpr std::size_t kMostNormals = 4;
 
-    [[nodiscard]] Vector3 to_body(const Vector3& p_W) const noexcept {
-        return turn_.transpose() * (p_W - origin_W_);
-    }
-    [[nodiscard]] Vector3 to_world(const Vector3& p_B) const noexcept {
-        return turn_ * p_B + origin_W_;
-    }
-
     std::unique_ptr<Obstacle> obstacle_;
     std::int32_t index_;
-    Pose pose_W_;
-    Matrix3 turn_{Matrix3::Identity()};  // R_WB
-    Vector3 origin_W_{Vector3::Zero()};
-    Vector3 proxy_B_{Vector3::Zero()};
 };
 
 }  // namespace fulcrum

@@ -16,10 +16,6 @@ constexpr double kEdgeMargin = 1.0e-13;
 // How far around a sweep triangles are collected, so that the next sweeps find them there; of the reach asked for.
 constexpr double kReach = 2.0;
 
-bool is_same(const Pose& a, const Pose& b) noexcept {
-    return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
-}
-
 }  // namespace
 
 MovingSolid::MovingSolid(const SolidPlan& plan, std::int32_t index, SegmentStructureKind structure)
@@ -30,60 +26,45 @@ MovingSolid::MovingSolid(const SolidPlan& plan, std::int32_t index, SegmentStruc
     take_pose(plan.initial_pose_W);
 }
 
-bool MovingSolid::take_pose(const Pose& pose_W) noexcept {
-    if (is_same(pose_W, pose_W_)) {
-        return false;
-    }
-    const double length = pose_W.orientation.norm();
-    if (!is_finite(pose_W) || !(length > 0.0) ||
-        !(length < std::numeric_limits<double>::infinity())) {
-        return false;
-    }
-    pose_W_ = pose_W;
-    origin_W_ = pose_W.position;
-    turn_ = Eigen::Quaterniond(pose_W.orientation.coeffs() / length).toRotationMatrix();
-    return true;
-}
-
 SegmentHit MovingSolid::sweep(const Vector3& to_W) const noexcept {
     const Vector3 to_B = to_body(to_W);
-    return to_B == proxy_B_ ? SegmentHit{} : sweep_B(to_B);
+    return to_B == proxy_B() ? SegmentHit{} : sweep_B(to_B);
 }
 
 SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W, double reach_m) noexcept {
     const Vector3 to_B = to_body(to_W);
-    if (to_B == proxy_B_ || structure_) {
+    if (to_B == proxy_B() || structure_) {
         return sweep(to_W);
     }
     // What is remembered serves when it reaches to the end, or as far as anything collected anew would.
-    const double length_m = largest_component(to_B - proxy_B_);
-    double part = nearby_.covers(proxy_B_) ? nearby_.find_covered_part(proxy_B_, to_B) : 0.0;
+    const double length_m = largest_component(to_B - proxy_B());
+    double part = nearby_.covers(proxy_B()) ? nearby_.find_covered_part(proxy_B(), to_B) : 0.0;
     if (part < 1.0 && part * length_m < reach_m) {
         const double wanted = std::min(1.0, reach_m / length_m);
-        const Vector3 end_B = proxy_B_ + wanted * (to_B - proxy_B_);
+        const Vector3 end_B = proxy_B() + wanted * (to_B - proxy_B());
         const Vector3 margin = Vector3::Constant(kReach * reach_m);
         ++n_searches_;
         nearby_.collect(*mesh_,
-                        {proxy_B_.cwiseMin(end_B) - margin, proxy_B_.cwiseMax(end_B) + margin});
-        part = nearby_.covers(proxy_B_) ? nearby_.find_covered_part(proxy_B_, to_B) : 0.0;
+                        {proxy_B().cwiseMin(end_B) - margin, proxy_B().cwiseMax(end_B) + margin});
+        part = nearby_.covers(proxy_B()) ? nearby_.find_covered_part(proxy_B(), to_B) : 0.0;
     }
     if (part > 0.0) {
-        const SegmentHit hit = nearby_.find_nearest_hit(*mesh_, proxy_B_, to_B, part);
+        const SegmentHit hit = nearby_.find_nearest_hit(*mesh_, proxy_B(), to_B, part);
         if (part == 1.0 || hit.found()) {
             return hit;
         }
     }
     ++n_searches_;
-    return find_nearest_hit(*mesh_, proxy_B_, to_B);
+    return find_nearest_hit(*mesh_, proxy_B(), to_B);
 }
 
 TouchedPlane MovingSolid::find_plane(std::int32_t triangle, int side) const noexcept {
     const PreparedTriangle prepared = prepare_triangle(*mesh_, triangle);
     const double side_sign = side < 0 ? -1.0 : 1.0;
     TouchedPlane plane{.solid = index_, .triangle = triangle, .side = side < 0 ? -1 : 1};
-    plane.normal_W = turn_ * (prepared.doubled_area.normalized() * side_sign);
+    plane.normal_W = turn_WB() * (prepared.doubled_area.normalized() * side_sign);
     plane.point_W = to_world(prepared.a);
-    const double farthest_m = largest_component(plane.point_W) + largest_component(origin_W_);
+    const double farthest_m = largest_component(plane.point_W) + largest_component(origin_W());
     plane.clearance_m = kClearance * mesh_->radius_m() +
                         kRoundings * std::numeric_limits<double>::epsilon() * farthest_m;
     return plane;
@@ -93,7 +74,7 @@ bool MovingSolid::is_over(std::int32_t triangle) const noexcept {
     const PreparedTriangle t = prepare_triangle(*mesh_, triangle);
     const double margin = kEdgeMargin * t.doubled_area.squaredNorm();
     const auto inside = [&](const Vector3& u, const Vector3& v) noexcept {
-        return t.doubled_area.dot((v - u).cross(proxy_B_ - u)) > margin;
+        return t.doubled_area.dot((v - u).cross(proxy_B() - u)) > margin;
     };
     return inside(t.a, t.b) && inside(t.b, t.c) && inside(t.c, t.a);
 }

@@ -6,6 +6,7 @@
 #include "haptics/collision/segment_query.h"
 #include "haptics/collision/segment_structure.h"
 #include "haptics/math/spatial.h"
+#include "haptics/point/proxy_frame.h"
 #include "haptics/point/solid_plan.h"
 
 #include <cstdint>
@@ -27,18 +28,11 @@ struct TouchedPlane {
     }
 };
 
-class MovingSolid {
+class MovingSolid : public ProxyFrame {
   public:
     /// `index` is the solid's place in the plan. The shape must be made of triangles.
     MovingSolid(const SolidPlan& plan, std::int32_t index,
                 SegmentStructureKind structure = SegmentStructureKind::bounding_tree);
-
-    /// Moves the solid; true when that changed anything. A pose that is not finite is ignored.
-    bool take_pose(const Pose& pose_W) noexcept;
-    /// Says where the proxy is; there must be no triangle between here and where it was.
-    void put_proxy(const Vector3& proxy_W) noexcept { proxy_B_ = to_body(proxy_W); }
-    /// Where the proxy would be, had it moved along with the solid.
-    [[nodiscard]] Vector3 carried_proxy_W() const noexcept { return to_world(proxy_B_); }
 
     /// First triangle between the proxy's place in the solid's frame and `to_W`.
     [[nodiscard]] SegmentHit sweep(const Vector3& to_W) const noexcept;
@@ -50,7 +44,7 @@ class MovingSolid {
 
     /// The triangle in which the proxy lies exactly, if any.
     [[nodiscard]] SegmentHit find_touching() const noexcept {
-        return find_nearest_hit(*mesh_, proxy_B_, proxy_B_);
+        return find_nearest_hit(*mesh_, proxy_B(), proxy_B());
     }
     /// The plane of a triangle, where the solid is now.
     [[nodiscard]] TouchedPlane find_plane(std::int32_t triangle, int side) const noexcept;
@@ -60,25 +54,14 @@ class MovingSolid {
     [[nodiscard]] bool is_near(const Vector3& centre_W, double radius_m) const noexcept;
 
   private:
-    [[nodiscard]] Vector3 to_body(const Vector3& p_W) const noexcept {
-        return turn_.transpose() * (p_W - origin_W_);
-    }
-    [[nodiscard]] Vector3 to_world(const Vector3& p_B) const noexcept {
-        return turn_ * p_B + origin_W_;
-    }
-
     [[nodiscard]] SegmentHit sweep_B(const Vector3& to_B) const noexcept {
-        return structure_ ? structure_->find_nearest_hit(proxy_B_, to_B)
-                          : find_nearest_hit(*mesh_, proxy_B_, to_B);
+        return structure_ ? structure_->find_nearest_hit(proxy_B(), to_B)
+                          : find_nearest_hit(*mesh_, proxy_B(), to_B);
     }
 
     std::shared_ptr<const CollisionMesh> mesh_;
     std::unique_ptr<SegmentStructure> structure_;  // none: the mesh's own tree, and what is nearby
     std::int32_t index_;
-    Pose pose_W_;
-    Matrix3 turn_{Matrix3::Identity()};  // R_WB
-    Vector3 origin_W_{Vector3::Zero()};
-    Vector3 proxy_B_{Vector3::Zero()};
     NearbyTriangles nearby_;
     std::uint64_t n_searches_ = 0;
 };

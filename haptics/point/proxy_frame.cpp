@@ -1,0 +1,30 @@
+#include "haptics/point/proxy_frame.h"
+
+#include <limits>
+
+namespace fulcrum {
+
+namespace {
+
+bool is_same(const Pose& a, const Pose& b) noexcept {
+    return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
+}  // namespace
+
+bool ProxyFrame::take_pose(const Pose& pose_W) noexcept {
+    if (is_same(pose_W, pose_W_)) {
+        return false;
+    }
+    const double length = pose_W.orientation.norm();
+    if (!is_finite(pose_W) || !(length > 0.0) ||
+        !(length < std::numeric_limits<double>::infinity())) {
+        return false;
+    }
+    pose_W_ = pose_W;
+    origin_W_ = pose_W.position;
+    turn_WB_ = Eigen::Quaterniond(pose_W.orientation.coeffs() / length).toRotationMatrix();
+    return true;
+}
+
+}  // namespace fulcrum

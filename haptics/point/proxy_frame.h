@@ -1,0 +1,39 @@
+// Where a solid is, and where in its own frame the proxy was last: what every proxy keeps of each solid.
+//
+//   p_W = R_WB p_B + origin_W
+//
+// Thread: haptic loop. Cost: some operations; no allocation.
+#pragma once
+
+#include "haptics/math/spatial.h"
+
+namespace fulcrum {
+
+class ProxyFrame {
+  public:
+    /// Moves the solid; true when that changed anything. A pose that is not finite is ignored.
+    bool take_pose(const Pose& pose_W) noexcept;
+    /// Says where the proxy is; the way from where it was must be free.
+    void put_proxy(const Vector3& proxy_W) noexcept { proxy_B_ = to_body(proxy_W); }
+    /// Where the proxy would be, had it moved along with the solid.
+    [[nodiscard]] Vector3 carried_proxy_W() const noexcept { return to_world(proxy_B_); }
+
+  protected:
+    [[nodiscard]] Vector3 to_body(const Vector3& p_W) const noexcept {
+        return turn_WB_.transpose() * (p_W - origin_W_);
+    }
+    [[nodiscard]] Vector3 to_world(const Vector3& p_B) const noexcept {
+        return turn_WB_ * p_B + origin_W_;
+    }
+    [[nodiscard]] const Matrix3& turn_WB() const noexcept { return turn_WB_; }
+    [[nodiscard]] const Vector3& origin_W() const noexcept { return origin_W_; }
+    [[nodiscard]] const Vector3& proxy_B() const noexcept { return proxy_B_; }
+
+  private:
+    Pose pose_W_;
+    Matrix3 turn_WB_{Matrix3::Identity()};
+    Vector3 origin_W_{Vector3::Zero()};
+    Vector3 proxy_B_{Vector3::Zero()};
+};
+
+}  // namespace fulcrum
