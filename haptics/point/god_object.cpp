@@ -66,7 +66,7 @@ void GodObject::follow_goal(const Vector3& goal_W) noexcept {
     while (n_sweeps_ < kMaxSweeps) {
         const Vector3 way = constrain(goal_W - proxy_W_, proxy_W_, planes_);
         const Advance advanced = advance(planes_.count == 0 ? goal_W : proxy_W_ + way);
-        if (advanced.blocked && !planes_.contain(advanced.plane)) {
+        if (advanced.blocked && !contains(planes_, advanced.plane)) {
             planes_.plane[planes_.count++] = advanced.plane;
             remember(advanced.plane);
             continue;
@@ -78,39 +78,9 @@ void GodObject::follow_goal(const Vector3& goal_W) noexcept {
 }
 
 // Where to go from `from_W` to be as near to the wish as the planes allow; keeps the planes that push.
-Vector3 GodObject::constrain(const Vector3& wish, const Vector3& from_W,
-                             Planes& planes) const noexcept {
-    if (planes.count == 0) {
-        return wish;
-    }
-    std::array<PlaneConstraint, kMaxPlanes> constraints;
-    double clearance_m = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < planes.count; ++i) {
-        const TouchedPlane& plane = planes.plane[i];
-        constraints[i] = {plane.normal_W, plane.clearance_m - plane.height_m(from_W)};
-        clearance_m = std::min(clearance_m, plane.clearance_m);
-    }
-    const std::span<PlaneConstraint> given(constraints.data(), planes.count);
-    ConstrainedPoint found = compute_constrained_point(wish, given, kSlack * clearance_m);
-    if (!found.feasible) {
-        // In a gap too narrow for the clearance: no nearer to any plane than now.
-        for (PlaneConstraint& constraint : given) {
-            constraint.gap_m = std::min(constraint.gap_m, 0.0);
-        }
-        found = compute_constrained_point(wish, given, kSlack * clearance_m);
-    }
-    if (!found.feasible) {
-        planes.count = std::min<std::size_t>(planes.count, 3);
-        return Vector3::Zero();
-    }
-    Planes pushing;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(found.n_active); ++i) {
-        pushing.plane[i] = planes.plane[static_cast<std::size_t>(found.active[i])];
-        pushing.push_m[i] = found.multiplier[i];
-    }
-    pushing.count = static_cast<std::size_t>(found.n_active);
-    planes = pushing;
-    return found.position;
+Vector3 GodObject::constrain(const Vector3& wish, const Vector3& from_W, Planes& planes) noexcept {
+    return planes.constrain(wish, kSlack,
+                            [&](const TouchedPlane& plane) { return plane.height_m(from_W); });
 }
 
 // Moves towards the target, up to the first triangle.
@@ -170,7 +140,7 @@ bool GodObject::find_way_on(const Vector3& goal_W) noexcept {
     for (std::size_t i = 0; i < planes_.count; ++i) {
         const TouchedPlane& plane = planes_.plane[i];
         under |=
-            solids_[static_cast<std::size_t>(plane.solid)].is_over(plane.triangle) ? 1U << i : 0U;
+            solids_[static_cast<std::size_t>(plane.solid)].is_over(plane.feature) ? 1U << i : 0U;
     }
     if (under == all) {
         return false;
@@ -204,7 +174,7 @@ bool GodObject::try_without(const Vector3& goal_W, unsigned kept) noexcept {
     if (!is_new && !(advanced.moved_m > gain_m)) {
         return false;
     }
-    if (advanced.blocked && !fewer.contain(advanced.plane)) {
+    if (advanced.blocked && !contains(fewer, advanced.plane)) {
         fewer.plane[fewer.count++] = advanced.plane;
         remember(advanced.plane);
     }
@@ -212,23 +182,22 @@ bool GodObject::try_without(const Vector3& goal_W, unsigned kept) noexcept {
     return true;
 }
 
-bool GodObject::Planes::contain(const TouchedPlane& other) const noexcept {
-    return std::any_of(plane.begin(), plane.begin() + static_cast<std::ptrdiff_t>(count),
-                       [&other](const TouchedPlane& mine) {
-                           return mine.solid == other.solid && mine.triangle == other.triangle;
-                       });
+bool GodObject::contains(const Planes& planes, const TouchedPlane& other) noexcept {
+    return std::ranges::any_of(planes.all(), [&other](const TouchedPlane& mine) {
+        return mine.solid == other.solid && mine.feature == other.feature;
+    });
 }
 
 bool GodObject::is_known(const TouchedPlane& plane) const noexcept {
     return std::any_of(known_.begin(), known_.begin() + static_cast<std::ptrdiff_t>(n_known_),
                        [&plane](const KnownTriangle& known) {
-                           return known.solid == plane.solid && known.triangle == plane.triangle;
+                           return known.solid == plane.solid && known.triangle == plane.feature;
                        });
 }
 
 void GodObject::remember(const TouchedPlane& plane) noexcept {
     if (n_known_ < kMaxKnown && !is_known(plane)) {
-        known_[n_known_++] = {plane.solid, plane.triangle};
+        known_[n_known_++] = {plane.solid, plane.feature};
     }
 }
 
@@ -236,17 +205,7 @@ void GodObject::publish(const Vector3& goal_W) noexcept {
     for (MovingSolid& solid : solids_) {
         solid.put_proxy(proxy_W_);
     }
-    contact_ = {
-        .position_W = proxy_W_, .solid = kNoBody, .n_constraints = 0, .normal_W = Vector3::Zero()};
-    if (planes_.count == 0) {
-        return;
-    }
-    renew_touches();
-    const auto strongest = std::ranges::max_element(contact_.active(), {}, &SolidTouch::push_m);
-    contact_.solid = strongest->solid;
-    const Vector3 push = proxy_W_ - goal_W;
-    contact_.normal_W =
-        push.squaredNorm() > 0.0 ? Vector3(push.stableNormalized()) : strongest->normal_W;
+    contact_ = planes_.make_contact(proxy_W_, goal_W);
 }
 
 std::uint64_t GodObject::n_searches() const noexcept {
@@ -255,20 +214,6 @@ std::uint64_t GodObject::n_searches() const noexcept {
         n += solid.n_searches();
     }
     return n;
-}
-
-// What holds the proxy, as the contact tells it.
-void GodObject::renew_touches() noexcept {
-    contact_.n_constraints = static_cast<std::int32_t>(std::min(planes_.count, kMaxTouches));
-    for (std::size_t i = 0; i < contact_.active().size(); ++i) {
-        const TouchedPlane& plane = planes_.plane[i];
-        contact_.touches[i] = {.solid = plane.solid,
-                               .feature = plane.triangle,
-                               .normal_W = plane.normal_W,
-                               .push_m = planes_.push_m[i],
-                               .drag_W = Vector3::Zero(),
-                               .anchor_W = proxy_W_};
-    }
 }
 
 }  // namespace fulcrum

@@ -17,8 +17,8 @@
 // Source: C. B. Zilles, J. K. Salisbury 1995, A constraint-based god-object method for haptic display, IROS.
 #pragma once
 
+#include "haptics/point/held_planes.h"
 #include "haptics/point/moving_solid.h"
-#include "haptics/point/plane_constraints.h"
 #include "haptics/point/proxy.h"
 
 #include <array>
@@ -65,22 +65,13 @@ class GodObject final : public SurfaceObject {
         std::int32_t solid = kNoBody;
         SegmentHit hit;
     };
-    // Planes that act together, with how much each pushes.
-    struct Planes {
-        std::array<TouchedPlane, kMaxPlanes> plane;
-        std::array<double, kMaxPlanes> push_m{};
-        std::size_t count = 0;
-
-        [[nodiscard]] bool contain(const TouchedPlane& other) const noexcept;
-    };
+    using Planes = HeldPlanes<TouchedPlane>;
 
     static constexpr int kMaxSweeps = 64;  ///< in a step; a smooth surface takes about 2
     static constexpr std::size_t kMaxKnown = 32;
 
     // Motion of the solids (god_object_solids.cpp).
     void follow_touched() noexcept;
-    void renew_touches() noexcept;
-    [[nodiscard]] bool place_carried(const Vector3& wish_W, Blocker& blocker) noexcept;
     [[nodiscard]] bool place_between(const Vector3& wish_W, const Blocker& first) noexcept;
     [[nodiscard]] Blocker find_blocker(const Vector3& to_W) const noexcept;
     void accept(const Vector3& proxy_W) noexcept;
@@ -94,8 +85,9 @@ class GodObject final : public SurfaceObject {
     void follow_goal(const Vector3& goal_W) noexcept;
     [[nodiscard]] bool find_way_on(const Vector3& goal_W) noexcept;
     [[nodiscard]] bool try_without(const Vector3& goal_W, unsigned kept) noexcept;
-    [[nodiscard]] Vector3 constrain(const Vector3& wish, const Vector3& from_W,
-                                    Planes& planes) const noexcept;
+    [[nodiscard]] static Vector3 constrain(const Vector3& wish, const Vector3& from_W,
+                                           Planes& planes) noexcept;
+    [[nodiscard]] static bool contains(const Planes& planes, const TouchedPlane& other) noexcept;
     [[nodiscard]] Advance advance(const Vector3& target_W) noexcept;
     [[nodiscard]] Blocker sweep_all(const Vector3& to_W) noexcept;
     void move_to(const Vector3& proxy_W) noexcept;

@@ -24,7 +24,7 @@ void GodObject::carry(std::span<const Pose> solid_poses_W) noexcept {
         for (std::size_t i = 0; i < planes_.count; ++i) {
             TouchedPlane& plane = planes_.plane[i];
             const MovingSolid& solid = solids_[static_cast<std::size_t>(plane.solid)];
-            plane = solid.find_plane(plane.triangle, plane.side);
+            plane = solid.find_plane(plane.feature, plane.side);
             if (i < kMaxTouches) {
                 anchors_W[i] = solid.carried_proxy_W();
             }
@@ -33,7 +33,7 @@ void GodObject::carry(std::span<const Pose> solid_poses_W) noexcept {
     }
     // Nothing pushes yet: that is known when the goal is.
     planes_.push_m.fill(0.0);
-    renew_touches();
+    planes_.tell_touches(proxy_W_, contact_);
     for (std::size_t i = 0; i < contact_.active().size(); ++i) {
         contact_.touches[i].anchor_W = anchors_W[i];
     }
@@ -47,33 +47,16 @@ void GodObject::follow_touched() noexcept {
             ? proxy_W_
             : solids_[static_cast<std::size_t>(contact_.solid)].carried_proxy_W();
     Blocker blocker;
-    if (!place_carried(wish_W, blocker) && !place_between(wish_W, blocker)) {
+    // The wish, then standing still, then going with each solid that is in the way.
+    const std::optional<Vector3> carried_W = find_carried_place(
+        solids_, wish_W, proxy_W_, [this](const Vector3& to_W) { return find_blocker(to_W); },
+        blocker);
+    if (carried_W) {
+        accept(*carried_W);
+    } else if (!place_between(wish_W, blocker)) {
         ++n_squeezed_;
         accept(wish_W);
     }
-}
-
-// Tries the wish, then standing still, then going with each solid that is in the way.
-bool GodObject::place_carried(const Vector3& wish_W, Blocker& blocker) noexcept {
-    blocker = find_blocker(wish_W);
-    Blocker next = blocker;
-    Vector3 candidate_W = wish_W;
-    if (next.solid != kNoBody && wish_W != proxy_W_) {
-        candidate_W = proxy_W_;
-        next = find_blocker(candidate_W);
-    }
-    unsigned tried = 0;
-    while (next.solid != kNoBody) {
-        const unsigned bit = 1U << static_cast<unsigned>(next.solid);
-        if ((tried & bit) != 0) {
-            return false;
-        }
-        tried |= bit;
-        candidate_W = solids_[static_cast<std::size_t>(next.solid)].carried_proxy_W();
-        next = find_blocker(candidate_W);
-    }
-    accept(candidate_W);
-    return true;
 }
 
 // Out of the way of all: the point nearest to the wish in front of every plane met so far, until nothing is met.

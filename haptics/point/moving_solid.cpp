@@ -61,7 +61,7 @@ SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W, double reach_m) noexce
 TouchedPlane MovingSolid::find_plane(std::int32_t triangle, int side) const noexcept {
     const PreparedTriangle prepared = prepare_triangle(*mesh_, triangle);
     const double side_sign = side < 0 ? -1.0 : 1.0;
-    TouchedPlane plane{.solid = index_, .triangle = triangle, .side = side < 0 ? -1 : 1};
+    TouchedPlane plane{.solid = index_, .feature = triangle, .side = side < 0 ? -1 : 1};
     plane.normal_W = turn_WB() * (prepared.doubled_area.normalized() * side_sign);
     plane.point_W = to_world(prepared.a);
     const double farthest_m = largest_component(plane.point_W) + largest_component(origin_W());

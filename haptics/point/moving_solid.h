@@ -17,7 +17,7 @@ namespace fulcrum {
 /// The plane of a touched triangle, on the proxy's side of it.
 struct TouchedPlane {
     std::int32_t solid = kNoBody;
-    std::int32_t triangle = -1;
+    std::int32_t feature = -1;           ///< the triangle
     int side = 1;                        ///< +1 the triangle's front, -1 its back
     Vector3 normal_W{Vector3::UnitY()};  ///< unit, towards the proxy
     Vector3 point_W{Vector3::Zero()};    ///< a corner of the triangle

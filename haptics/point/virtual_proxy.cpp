@@ -1,7 +1,5 @@
 #include "haptics/point/virtual_proxy.h"
 
-#include "haptics/point/plane_constraints.h"
-
 #include <algorithm>
 #include <limits>
 
@@ -153,37 +151,7 @@ bool VirtualProxy::stop_at(const Blocker& blocker, const Vector3& target_W) noex
 
 // Where to go to be as near to the wish as the planes allow; keeps the planes that push.
 Vector3 VirtualProxy::constrain(const Vector3& wish, Planes& planes) noexcept {
-    if (planes.count == 0) {
-        return wish;
-    }
-    std::array<PlaneConstraint, kMaxPlanes> constraints;
-    double clearance_m = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < planes.count; ++i) {
-        const ObstaclePlane& plane = planes.plane[i];
-        constraints[i] = {plane.normal_W, plane.clearance_m - plane.gap_m};
-        clearance_m = std::min(clearance_m, plane.clearance_m);
-    }
-    const std::span<PlaneConstraint> given(constraints.data(), planes.count);
-    ConstrainedPoint found = compute_constrained_point(wish, given, kSlack * clearance_m);
-    if (!found.feasible) {
-        // In a gap too narrow: no nearer to any plane than now.
-        for (PlaneConstraint& constraint : given) {
-            constraint.gap_m = std::min(constraint.gap_m, 0.0);
-        }
-        found = compute_constrained_point(wish, given, kSlack * clearance_m);
-    }
-    if (!found.feasible) {
-        planes.count = std::min<std::size_t>(planes.count, 3);
-        return Vector3::Zero();
-    }
-    Planes pushing;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(found.n_active); ++i) {
-        pushing.plane[i] = planes.plane[static_cast<std::size_t>(found.active[i])];
-        pushing.push_m[i] = found.multiplier[i];
-    }
-    pushing.count = static_cast<std::size_t>(found.n_active);
-    planes = pushing;
-    return found.position;
+    return planes.constrain(wish, kSlack, [](const ObstaclePlane& plane) { return plane.gap_m; });
 }
 
 // A way along tangent planes stops short where the surface turns with the proxy, and beyond a ridge hardly leaves it: what is left
@@ -225,7 +193,7 @@ Vector3 VirtualProxy::lengthen(const Vector3& way) const noexcept {
 }
 
 VirtualProxy::Blocker VirtualProxy::cast_all(const Vector3& to_W) noexcept {
-    std::array<Vector3, Planes::kMost> normals_W;
+    std::array<Vector3, kMaxPlanes> normals_W;
     for (std::size_t i = 0; i < planes_.count; ++i) {
         normals_W[i] = planes_.plane[i].normal_W;
     }
@@ -260,31 +228,7 @@ void VirtualProxy::publish(const Vector3& goal_W) noexcept {
     for (MovingObstacle& solid : solids_) {
         solid.put_proxy(proxy_W_);
     }
-    contact_ = {
-        .position_W = proxy_W_, .solid = kNoBody, .n_constraints = 0, .normal_W = Vector3::Zero()};
-    if (planes_.count == 0) {
-        return;
-    }
-    renew_touches();
-    const auto strongest = std::ranges::max_element(contact_.active(), {}, &SolidTouch::push_m);
-    contact_.solid = strongest->solid;
-    const Vector3 push = proxy_W_ - goal_W;
-    contact_.normal_W =
-        push.squaredNorm() > 0.0 ? Vector3(push.stableNormalized()) : strongest->normal_W;
-}
-
-// What holds the proxy, as the contact tells it.
-void VirtualProxy::renew_touches() noexcept {
-    contact_.n_constraints = static_cast<std::int32_t>(std::min(planes_.count, kMaxTouches));
-    for (std::size_t i = 0; i < contact_.active().size(); ++i) {
-        const ObstaclePlane& plane = planes_.plane[i];
-        contact_.touches[i] = {.solid = plane.solid,
-                               .feature = plane.feature,
-                               .normal_W = plane.normal_W,
-                               .push_m = planes_.push_m[i],
-                               .drag_W = Vector3::Zero(),
-                               .anchor_W = proxy_W_};
-    }
+    contact_ = planes_.make_contact(proxy_W_, goal_W);
 }
 
 }  // namespace fulcrum

@@ -17,6 +17,7 @@
 // Source: D. C. Ruspini, K. Kolarov, O. Khatib 1997, The haptic display of complex graphical environments, SIGGRAPH.
 #pragma once
 
+#include "haptics/point/held_planes.h"
 #include "haptics/point/moving_obstacle.h"
 #include "haptics/point/proxy.h"
 
@@ -47,13 +48,7 @@ class VirtualProxy final : public SurfaceObject {
     [[nodiscard]] int n_casts() const noexcept { return n_casts_; }
 
   private:
-    // Planes that act together, with how much each pushes. One more than can be active.
-    struct Planes {
-        static constexpr std::size_t kMost = 4;
-        std::array<ObstaclePlane, kMost> plane;
-        std::array<double, kMost> push_m{};
-        std::size_t count = 0;
-    };
+    using Planes = HeldPlanes<ObstaclePlane>;
     struct Blocker {
         std::int32_t solid = kNoBody;
         CastHit hit;
@@ -63,7 +58,6 @@ class VirtualProxy final : public SurfaceObject {
 
     // Motion of the solids (virtual_proxy_solids.cpp).
     void follow_touched() noexcept;
-    [[nodiscard]] bool place_carried(const Vector3& wish_W, Blocker& blocker) noexcept;
     [[nodiscard]] bool place_between(const Vector3& wish_W, const Blocker& first) noexcept;
     [[nodiscard]] Blocker find_blocker(const Vector3& to_W) noexcept;
     void accept(const Vector3& proxy_W) noexcept;
@@ -83,7 +77,6 @@ class VirtualProxy final : public SurfaceObject {
     [[nodiscard]] bool stop_at(const Blocker& blocker, const Vector3& target_W) noexcept;
     void look_again() noexcept;
     void publish(const Vector3& goal_W) noexcept;
-    void renew_touches() noexcept;
 
     std::vector<MovingObstacle> solids_;
     // Solids that the hand's motion can reach in this step: the first n_near_ entries.

@@ -30,7 +30,7 @@ void VirtualProxy::carry(std::span<const Pose> solid_poses_W) noexcept {
     look_again();
     // Nothing pushes yet: that is known when the goal is.
     planes_.push_m.fill(0.0);
-    renew_touches();
+    planes_.tell_touches(proxy_W_, contact_);
     for (std::size_t i = 0; i < contact_.active().size(); ++i) {
         contact_.touches[i].anchor_W = anchors_W[i];
     }
@@ -44,34 +44,17 @@ void VirtualProxy::follow_touched() noexcept {
             ? proxy_W_
             : solids_[static_cast<std::size_t>(contact_.solid)].carried_proxy_W();
     Blocker blocker;
-    if (!place_carried(wish_W, blocker) && !place_between(wish_W, blocker)) {
+    // The wish, then standing still, then going with each solid that is in the way.
+    const std::optional<Vector3> carried_W = find_carried_place(
+        solids_, wish_W, proxy_W_, [this](const Vector3& to_W) { return find_blocker(to_W); },
+        blocker);
+    if (carried_W) {
+        accept(*carried_W);
+    } else if (!place_between(wish_W, blocker)) {
         ++n_squeezed_;
         accept(wish_W);
         leave_surfaces();
     }
-}
-
-// Tries the wish, then standing still, then going with each solid that is in the way.
-bool VirtualProxy::place_carried(const Vector3& wish_W, Blocker& blocker) noexcept {
-    blocker = find_blocker(wish_W);
-    Blocker next = blocker;
-    Vector3 candidate_W = wish_W;
-    if (next.solid != kNoBody && wish_W != proxy_W_) {
-        candidate_W = proxy_W_;
-        next = find_blocker(candidate_W);
-    }
-    unsigned tried = 0;
-    while (next.solid != kNoBody) {
-        const unsigned bit = 1U << static_cast<unsigned>(next.solid);
-        if ((tried & bit) != 0) {
-            return false;
-        }
-        tried |= bit;
-        candidate_W = solids_[static_cast<std::size_t>(next.solid)].carried_proxy_W();
-        next = find_blocker(candidate_W);
-    }
-    accept(candidate_W);
-    return true;
 }
 
 // Out of the way of all: the place nearest to the wish in front of every plane met so far, until nothing is met.
@@ -91,7 +74,7 @@ bool VirtualProxy::place_between(const Vector3& wish_W, const Blocker& first) no
         add(solids_[static_cast<std::size_t>(planes_.plane[i].solid)].find_plane(
             planes_.plane[i].feature));
     }
-    for (int push = 0; push < kMaxPushes && planes.count < Planes::kMost; ++push) {
+    for (int push = 0; push < kMaxPushes && planes.count < kMaxPlanes; ++push) {
         add(solids_[static_cast<std::size_t>(blocker.solid)].find_plane(blocker.hit.feature));
         candidate_W = wish_W + constrain(Vector3::Zero(), planes);
         blocker = find_blocker(candidate_W);
@@ -125,7 +108,7 @@ void VirtualProxy::leave_surfaces() noexcept {
     Planes planes;
     for (int look = 0; look < kMaxSeparations; ++look) {
         const std::size_t before = planes.count;
-        for (std::size_t i = 0; i < solids_.size() && planes.count < Planes::kMost; ++i) {
+        for (std::size_t i = 0; i < solids_.size() && planes.count < kMaxPlanes; ++i) {
             const std::int32_t feature = solids_[i].find_deepest();
             if (feature >= 0) {
                 planes.plane[planes.count++] = solids_[i].find_plane(feature);
