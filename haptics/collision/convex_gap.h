@@ -10,6 +10,7 @@
 // three-dimensional space, IEEE J. Robotics and Automation 4(2); the end by bounds as in G. van den Bergen 1999.
 #pragma once
 
+#include "haptics/math/length.h"
 #include "haptics/math/spatial.h"
 
 #include <cstddef>
@@ -69,7 +70,7 @@ ConvexGap find_convex_gap(const Vector3& start, FindSupport&& find_support) noex
     constexpr double kMeet = 1.0e-14;    // of the difference's size: no distance
     Simplex simplex;
     Vector3 v = start;
-    ConvexGap best{.normal = start.stableNormalized(), .gap_m = 0.0};
+    ConvexGap best{.normal = compute_direction(start), .gap_m = 0.0};
     double size_m = 0.0;
     for (int i = 0; i < kMostSteps; ++i) {
         const double length_m = v.norm();

@@ -1,6 +1,7 @@
 #include "haptics/coupling/tool_coupling.h"
 
 #include "haptics/coupling/virtual_coupling.h"
+#include "haptics/math/length.h"
 
 #include <cmath>
 
@@ -36,7 +37,7 @@ struct Pull {
 };
 
 Pull compute_pull(const CouplingSettings& curve, double clamp, const Vector3& stretch) noexcept {
-    const double length = stretch.stableNorm();
+    const double length = compute_length(stretch);
     if (!(length > 0.0)) {
         const CurvePoint at = compute_curve(curve, clamp, 0.0);
         return {Vector3::Zero(), at.slope * Matrix3::Identity()};
@@ -54,7 +55,7 @@ Vector3 compute_turn(const MovingFrame& handle, const MovingFrame& grip) noexcep
 
 Vector3 compute_plain_pull(const CouplingSettings& curve, double clamp,
                            const Vector3& stretch) noexcept {
-    const double length = stretch.stableNorm();
+    const double length = compute_length(stretch);
     return length > 0.0 ? Vector3(stretch * (compute_curve(curve, clamp, length).height / length))
                         : Vector3(Vector3::Zero());
 }

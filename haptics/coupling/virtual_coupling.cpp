@@ -1,5 +1,7 @@
 #include "haptics/coupling/virtual_coupling.h"
 
+#include "haptics/math/length.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -116,7 +118,7 @@ double compute_spring_energy_J(const CouplingSettings& settings, double stretch_
 Vector3 compute_coupling_spring(const CouplingSettings& settings, const Vector3& proxy_W,
                                 const Vector3& hand_W) noexcept {
     const Vector3 stretch_W = proxy_W - hand_W;
-    const double stretch_m = stretch_W.stableNorm();
+    const double stretch_m = compute_length(stretch_W);
     if (!(stretch_m > 0.0)) {
         return Vector3::Zero();
     }

@@ -1,5 +1,6 @@
 #include "haptics/geometry/convex_hull.h"
 
+#include "haptics/math/length.h"
 #include "haptics/math/orientation.h"
 
 #include <algorithm>
@@ -82,10 +83,10 @@ class HullBuilder {
     bool find_first(std::array<Corner, 4>& first) const {
         first[0] = 0;
         first[1] = find_largest([&](const Vector3& p) { return (p - at(first[0])).squaredNorm(); });
-        const Vector3 along = (at(first[1]) - at(first[0])).stableNormalized();
+        const Vector3 along = compute_direction(Vector3(at(first[1]) - at(first[0])));
         first[2] = find_largest(
             [&](const Vector3& p) { return along.cross(p - at(first[0])).squaredNorm(); });
-        const Vector3 normal = along.cross(at(first[2]) - at(first[0])).stableNormalized();
+        const Vector3 normal = compute_direction(Vector3(along.cross(at(first[2]) - at(first[0]))));
         first[3] =
             find_largest([&](const Vector3& p) { return std::abs(normal.dot(p - at(first[0]))); });
         int side = orientation(at(first[0]), at(first[1]), at(first[2]), at(first[3]));

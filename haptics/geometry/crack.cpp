@@ -2,6 +2,7 @@
 
 #include "haptics/geometry/mesh_edges.h"
 #include "haptics/geometry/near_points.h"
+#include "haptics/math/length.h"
 
 #include <algorithm>
 #include <numeric>
@@ -68,11 +69,11 @@ class CrackCloser {
                 const std::int32_t third = *std::find_if(t.begin(), t.end(), [&](std::int32_t v) {
                     return v != edge.low && v != edge.high;
                 });
-                const Vector3 along = (at(edge.high) - at(edge.low)).stableNormalized();
+                const Vector3 along = compute_direction(Vector3(at(edge.high) - at(edge.low)));
                 const Vector3 in = at(third) - at(edge.low);
                 open_.push_back({{edge.low, edge.high},
                                  edge.triangle,
-                                 (in - in.dot(along) * along).stableNormalized()});
+                                 compute_direction(Vector3(in - in.dot(along) * along))});
             }
         });
     }
@@ -184,7 +185,7 @@ class CrackCloser {
             }
             // Zero for one that would have no area left.
             const auto normal = [&](const TriangleCorners& c) {
-                return (at(c[1]) - at(c[0])).cross(at(c[2]) - at(c[0])).stableNormalized();
+                return compute_direction(Vector3((at(c[1]) - at(c[0])).cross(at(c[2]) - at(c[0]))));
             };
             return normal(t).dot(normal(moved)) > kLeastTurn;
         });

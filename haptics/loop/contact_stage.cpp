@@ -2,6 +2,7 @@
 #include "haptics/loop/contact_stage.h"
 
 #include "haptics/coupling/virtual_coupling.h"
+#include "haptics/math/length.h"
 
 #include <algorithm>
 
@@ -26,7 +27,7 @@ void ContactStage::take_touches(const ProxyContact& contact, double stretch_m) n
 ContactForce ContactStage::step(const ProxyContact& contact, const Vector3& hand_W,
                                 const Vector3& relative_velocity_W,
                                 std::span<const Pose> solid_poses_W) noexcept {
-    const double stretch_m = (contact.position_W - hand_W).stableNorm();
+    const double stretch_m = compute_length(Vector3(contact.position_W - hand_W));
     take_touches(contact, stretch_m);
     double pushes_m = 0.0;
     for (const TouchForce& touch : touches()) {
@@ -44,14 +45,14 @@ ContactForce ContactStage::step(const ProxyContact& contact, const Vector3& hand
         damper.damping_Ns_per_m += share * coupling.damping_Ns_per_m;
     }
     felt.spring.normal = contact.normal_W;
-    const double force_N = felt.spring.force.stableNorm();
+    const double force_N = compute_length(felt.spring.force);
     for (std::size_t i = 0; i < n_touches_; ++i) {
         touches_[i].stiffness_N_per_m = stretch_m > 0.0 ? force_N / stretch_m : 0.0;
     }
     if (!shading_.empty()) {
         const Vector3 turned_W = shade(contact, solid_poses_W);
         if (turned_W.squaredNorm() > 0.0) {
-            felt.spring.force = force_N * turned_W.stableNormalized();
+            felt.spring.force = force_N * compute_direction(turned_W);
             felt.spring.normal = touches_[0].normal_W;
         }
     }

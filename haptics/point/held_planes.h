@@ -4,6 +4,7 @@
 // Thread: haptic loop. Cost: that of plane_constraints.h; no allocation.
 #pragma once
 
+#include "haptics/math/length.h"
 #include "haptics/point/plane_constraints.h"
 #include "haptics/point/proxy.h"
 
@@ -99,8 +100,7 @@ ProxyContact HeldPlanes<Plane>::make_contact(const Vector3& proxy_W,
     const auto strongest = std::ranges::max_element(contact.active(), {}, &SolidTouch::push_m);
     contact.solid = strongest->solid;
     const Vector3 push = proxy_W - goal_W;
-    contact.normal_W =
-        push.squaredNorm() > 0.0 ? Vector3(push.stableNormalized()) : strongest->normal_W;
+    contact.normal_W = push.squaredNorm() > 0.0 ? compute_direction(push) : strongest->normal_W;
     return contact;
 }
 

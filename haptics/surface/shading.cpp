@@ -1,6 +1,8 @@
 // The step path of shading.h.
 #include "haptics/surface/shading.h"
 
+#include "haptics/math/length.h"
+
 #include <algorithm>
 
 namespace fulcrum {
@@ -26,9 +28,9 @@ Vector3 ShadedNormals::normal_B(std::int32_t triangle, const Vector3& point_B,
         sum += std::max(area, 0.0) * corner_normal_B(triangle, i);
     }
     const double sign = side_B.dot(doubled) < 0.0 ? -1.0 : 1.0;
-    const Vector3 smooth = sum.stableNormalized();
+    const Vector3 smooth = compute_direction(sum);
     return smooth.squaredNorm() > 0.5 ? Vector3(sign * smooth)
-                                      : Vector3(sign * doubled.stableNormalized());
+                                      : Vector3(sign * compute_direction(doubled));
 }
 
 }  // namespace fulcrum

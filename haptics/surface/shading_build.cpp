@@ -1,4 +1,5 @@
 // The load path of shading.h.
+#include "haptics/math/length.h"
 #include "haptics/surface/shading.h"
 
 #include <algorithm>
@@ -104,7 +105,7 @@ ShadedNormals::ShadedNormals(std::shared_ptr<const CollisionMesh> mesh, double c
     std::vector<Vector3> faces_B(n);
     for (std::size_t t = 0; t < n; ++t) {
         const auto p = places_of(*mesh_, static_cast<std::int32_t>(t));
-        faces_B[t] = (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
+        faces_B[t] = compute_direction(Vector3((p[1] - p[0]).cross(p[2] - p[0])));
     }
     Groups groups(3 * n);
     // A bend that is the crease angle itself, but for rounding, is still smooth.

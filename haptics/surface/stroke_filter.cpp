@@ -58,7 +58,7 @@ const Table kTable;
 std::span<const double> stroke_weights(int per_round) noexcept {
     const int m = std::clamp(per_round, 1, kMostPerRound);
     return {kTable.weights[static_cast<std::size_t>(m - 1)].data(),
-            2 * kStrokeReach * static_cast<std::size_t>(m) + 1};
+            std::size_t{2} * kStrokeReach * static_cast<std::size_t>(m) + 1};
 }
 
 int choose_samples_per_round(double waves) noexcept {

@@ -52,7 +52,7 @@ spoilt() {
 }
 
 good_tree
-for check in include_direction vendor_headers unfinished file_length sources_have_tests project_files; do
+for check in include_direction vendor_headers unfinished same_bits file_length sources_have_tests project_files; do
     passes "$check"
 done
 
@@ -75,6 +75,7 @@ spoilt vendor_headers '<lua.hpp> belongs' runtime/scene/bad.h '#include <lua.hpp
 spoilt vendor_headers '<Eigen/Core> belongs' dialogue/english/bad.h '#include <Eigen/Core>'
 spoilt vendor_headers '<nlohmann/json.hpp> belongs' haptics/loop/bad.h '#include <nlohmann/json.hpp>'
 spoilt vendor_headers 'from no library that the house knows' haptics/loop/bad.h '#include <boost/any.hpp>'
+spoilt same_bits 'use compute_length' haptics/loop/bad.cpp 'const double n = (a - b).stableNorm();'
 spoilt unfinished 'later' runtime/app/bad.h '// TO''DO: later'
 spoilt unfinished 'bad.lua' scenarios/bad.lua '-- not yet imple''mented'
 spoilt file_length 'long.cpp: 401 lines' haptics/math/long.cpp "$(printf 'x\\n%.0s' {1..400})"

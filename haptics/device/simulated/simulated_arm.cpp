@@ -1,5 +1,7 @@
 #include "haptics/device/simulated/simulated_arm.h"
 
+#include "haptics/math/length.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +36,7 @@ bool SimulatedArm::read(double now_s, DeviceReading& reading) noexcept {
 bool SimulatedArm::write(double now_s, const Wrench& wrench_D) noexcept {
     const bool usable = is_finite(wrench_D);
     Vector3 force_D = usable ? wrench_D.force : Vector3::Zero();
-    if (const double length_N = force_D.stableNorm(); length_N > settings_.max_force_N) {
+    if (const double length_N = compute_length(force_D); length_N > settings_.max_force_N) {
         force_D *= settings_.max_force_N / length_N;
     }
     const double written_s = std::isfinite(now_s) ? std::max(now_s, now_s_) : now_s_;

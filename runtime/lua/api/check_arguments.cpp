@@ -164,8 +164,12 @@ void check_field_names(lua_State* lua, int index, const std::string& called,
             problem += " has no field \"";
             problem += name;
             problem += '"';
-            raise_in_lesson(lua,
-                            problem + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+            if (!near.empty()) {
+                problem += "; did you mean \"";
+                problem += near;
+                problem += "\"?";
+            }
+            raise_in_lesson(lua, problem);
         }
     }
 }

@@ -1,5 +1,7 @@
 #include "runtime/render/scene/arrow.h"
 
+#include "haptics/math/length.h"
+
 #include <algorithm>
 
 namespace fulcrum::runtime {
@@ -15,7 +17,7 @@ std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera) {
     if (!force.visible || !force.at_W.allFinite() || !force.force_W.allFinite()) {
         return std::nullopt;
     }
-    const double newtons = force.force_W.stableNorm();
+    const double newtons = compute_length(force.force_W);
     if (!(newtons >= kLeastForce_N)) {
         return std::nullopt;
     }
@@ -23,7 +25,7 @@ std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera) {
     const double head_m = kHeadLength * distance_m;
     const double length_m =
         std::clamp(kLengthPerNewton * newtons, 1.25 * kHeadLength, kLongestArrow) * distance_m;
-    const Vector3 way = force.force_W.stableNormalized();
+    const Vector3 way = compute_direction(force.force_W);
     const Quaternion turn(Eigen::Quaterniond::FromTwoVectors(Vector3::UnitY(), way));
 
     Arrow arrow;

@@ -1,5 +1,6 @@
 #include "runtime/scene/gltf/node_walk.h"
 
+#include "haptics/math/length.h"
 #include "runtime/scene/gltf/limits.h"
 
 #include <tiny_gltf.h>
@@ -25,7 +26,7 @@ constexpr double kMinQuaternionLength = 1e-3;
 constexpr double kMaxQuaternionLength = 1e3;
 
 bool is_rotation(const std::vector<double>& q) {
-    const double length = q.size() == 4 ? Eigen::Vector4d(q.data()).stableNorm() : 1.0;
+    const double length = q.size() == 4 ? compute_length(Eigen::Vector4d(q.data())) : 1.0;
     return length > kMinQuaternionLength && length < kMaxQuaternionLength;
 }
 

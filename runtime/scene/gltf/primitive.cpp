@@ -1,5 +1,6 @@
 #include "runtime/scene/gltf/primitive.h"
 
+#include "haptics/math/length.h"
 #include "runtime/scene/gltf/accessor_view.h"
 
 #include <tiny_gltf.h>
@@ -195,11 +196,11 @@ class PrimitiveReader {
             if (!n_N.allFinite()) {
                 return refuse("has a normal that is not finite");
             }
-            const Vector3d n_M = to_M * n_N.stableNormalized();
-            if (n_N.norm() < kMinNormalLength || !(n_M.stableNorm() > 0.0)) {
+            const Vector3d n_M = to_M * compute_direction(n_N);
+            if (n_N.norm() < kMinNormalLength || !(compute_length(n_M) > 0.0)) {
                 return make_flat();
             }
-            append(made_.normals, n_M.stableNormalized());
+            append(made_.normals, compute_direction(n_M));
         }
         return {};
     }
@@ -219,7 +220,7 @@ class PrimitiveReader {
             const Vector3d across = (corner(made_, t[1]) - a).cross(corner(made_, t[2]) - a);
             // A triangle without area has no direction; any unit vector keeps the promise.
             const Vector3d n =
-                across.stableNorm() > 0.0 ? Vector3d(across.stableNormalized()) : Vector3d::UnitY();
+                compute_length(across) > 0.0 ? compute_direction(across) : Vector3d::UnitY();
             for (int k = 0; k < 3; ++k) {
                 flat.indices.push_back(static_cast<std::uint32_t>(flat.positions.size() / 3));
                 append(flat.positions, corner(made_, t[k]));
