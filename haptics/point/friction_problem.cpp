@@ -30,21 +30,22 @@ void solve_plane(const Vector3& free, FrictionPlane& plane) noexcept {
     }
 }
 
-// How far `place` has slipped over the plane.
-Vector3 find_slip(const Vector3& place, const FrictionPlane& plane) noexcept {
-    const Vector3 away = place - plane.anchor;
+// How far the point, `place` from the hand, has slipped over the plane.
+Vector3 find_slip(const Vector3& hand, const Vector3& place, const FrictionPlane& plane) noexcept {
+    const Vector3 away = place - (plane.anchor - hand);
     return away - plane.normal.dot(away) * plane.normal;
 }
 
-// Where the point lies under the drags as they are; sets the pushes.
+// Where the point lies from the hand under the drags as they are; sets the pushes. Seen from the hand, for far from the origin
+// rounding of the world's coordinates is more than a light touch.
 Vector3 solve_pushes(const Vector3& hand, std::span<FrictionPlane> planes,
                      double slack_m) noexcept {
-    Vector3 wish = hand;
+    Vector3 wish = Vector3::Zero();
     std::array<PlaneConstraint, kMaxPlanes> constraints;
     const std::size_t n = std::min(planes.size(), kMaxPlanes);
     for (std::size_t i = 0; i < n; ++i) {
         wish += planes[i].drag;
-        constraints[i] = {planes[i].normal, planes[i].normal.dot(planes[i].point)};
+        constraints[i] = {planes[i].normal, planes[i].normal.dot(planes[i].point - hand)};
         planes[i].push_m = 0.0;
     }
     const ConstrainedPoint found =
@@ -74,7 +75,7 @@ double solve_friction(const Vector3& hand, std::span<FrictionPlane> planes,
     if (planes.size() == 1) {
         FrictionPlane& plane = planes.front();
         plane.push_m = std::max(plane.normal.dot(plane.point - hand), 0.0);
-        solve_plane(find_slip(hand, plane), plane);
+        solve_plane(find_slip(hand, Vector3::Zero(), plane), plane);
         return 0.0;
     }
     const double settled_m = kSettled * reach_m;
@@ -85,7 +86,7 @@ double solve_friction(const Vector3& hand, std::span<FrictionPlane> planes,
         for (FrictionPlane& plane : planes) {
             const Vector3 before = plane.drag;
             const double push_m = plane.push_m;
-            solve_plane(find_slip(place, plane) - before, plane);
+            solve_plane(find_slip(hand, place, plane) - before, plane);
             place = solve_pushes(hand, planes, settled_m);
             change_m =
                 std::max({change_m, (plane.drag - before).norm(), std::abs(plane.push_m - push_m)});

@@ -8,6 +8,11 @@ target_compile_definitions(fulcrum_bench_harness PRIVATE
   FULCRUM_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
   FULCRUM_COMPILER="${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}, ${CMAKE_BUILD_TYPE}")
 fulcrum_tests(unit_bench tests/unit/bench LABEL unit DEPENDS fulcrum_bench_harness)
+# The reader of people's own meshes is tested with the harness.
+if(TARGET fulcrum::scene)
+  target_sources(test_unit_bench PRIVATE ${CMAKE_CURRENT_LIST_DIR}/curves/mesh_file.cpp)
+  target_link_libraries(test_unit_bench PRIVATE fulcrum::scene)
+endif()
 
 include(${CMAKE_CURRENT_LIST_DIR}/peers/peers.cmake)
 

@@ -8,6 +8,7 @@
 #include "haptics/dynamics/world_loop.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/loop/haptic_loop.h"
+#include "tests/realtime/allocation_trap.h"
 
 #include <catch2/catch.hpp>
 
@@ -28,6 +29,19 @@ void note() noexcept {
 }
 
 }  // namespace
+
+namespace fulcrum {
+
+void arm_allocation_trap() noexcept {
+    n_trapped = 0;
+    armed = true;
+}
+std::uint64_t disarm_allocation_trap() noexcept {
+    armed = false;
+    return n_trapped;
+}
+
+}  // namespace fulcrum
 
 // The sanitizers bring allocators of their own, which must not be replaced; there the trap stays open and says so.
 #ifndef FULCRUM_SANITIZED
@@ -62,16 +76,6 @@ using namespace fulcrum;
 
 constexpr double kDt_s = 0.001;
 constexpr int kSteps = 10'000;
-
-// Counts what is allocated or freed while `steps` runs.
-template <class Steps>
-std::uint64_t count_allocations(Steps steps) {
-    n_trapped = 0;
-    armed = true;
-    steps();
-    armed = false;
-    return n_trapped;
-}
 
 // A plan with every stage there is.
 HapticPlan make_full_plan() {

@@ -132,6 +132,9 @@ const HardCase kThinner{{"a plate of 0.1 mm at 5 m/s", "the hand shoots through 
 const HardCase kFlying{{"a plate of 1 mm flies through a still hand",
                         "at 5 m/s from any side, turned in any way", kMeasured, "m",
                         [] { return fly_through(1.0e-3, kFastest_m_per_s, 0.0, 1); }}};
+const HardCase kFlyingThin{{"a plate of 0.1 mm flies through a still hand",
+                            "at 5 m/s from any side, turned in any way", kMeasured, "m",
+                            [] { return fly_through(1.0e-4, kFastest_m_per_s, 0.0, 1); }}};
 const HardCase kFlyingSlowly{{"a plate of 0.1 mm drifts through a still hand",
                               "at 0.5 m/s from any side, turned in any way", kMeasured, "m",
                               [] { return fly_through(1.0e-4, 0.5, 0.0, 1); }}};
@@ -141,6 +144,9 @@ const HardCase kFlyingInLeaps{{"a plate of 1 mm at 5 m/s in leaps of 50 mm",
 const HardCase kTumbling{{"a plate of 1 mm tumbles through a still hand",
                           "at 5 m/s, eight turns a second about any axis", kMeasured, "m",
                           [] { return fly_through(1.0e-3, kFastest_m_per_s, 50.0, 1); }}};
+const HardCase kTumblingThin{{"a plate of 0.1 mm tumbles through a still hand",
+                              "at 5 m/s, eight turns a second about any axis", kMeasured, "m",
+                              [] { return fly_through(1.0e-4, kFastest_m_per_s, 50.0, 1); }}};
 const HardCase kTurning{{"a body turns over a still hand",
                          "a block of 0.2 m, eight turns a second about any axis", kMeasured, "m",
                          [] { return fly_through(0.2, 0.0, 50.0, 1); }}};

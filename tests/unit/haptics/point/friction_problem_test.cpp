@@ -161,6 +161,35 @@ TEST_CASE("friction problem: whatever two or three planes hold, each law holds f
     CHECK(n_sliding > 1000);
 }
 
+TEST_CASE("friction problem: in a groove a light touch is held alike wherever the groove lies") {
+    const auto touch = [](const Vector3& bottom, double depth_m, double slope) {
+        std::array planes{FrictionPlane{.normal = {std::sin(slope), std::cos(slope), 0.0}},
+                          FrictionPlane{.normal = {-std::sin(slope), std::cos(slope), 0.0}}};
+        for (FrictionPlane& plane : planes) {
+            plane.point = plane.anchor = bottom;
+            plane.law = {0.5, 0.3, 0.0};
+        }
+        solve_friction(bottom + depth_m * Vector3(0.1, -1.0, 0.3), planes, 16);
+        return planes;
+    };
+    for (const double slope : {0.2, 0.5, 0.9, 1.3}) {
+        const auto here = touch(Vector3::Zero(), 1.0, slope);
+        REQUIRE(here[0].push_m + here[1].push_m > 0.5);
+        for (const double far_m : {0.3, 1.0, 10.0}) {
+            for (const double depth_m : {1.0e-2, 1.0e-3, 1.0e-4, 1.0e-5, 1.0e-6}) {
+                const auto there = touch(far_m * Vector3(0.7, -0.31, 0.43), depth_m, slope);
+                INFO("slope " << slope << ", " << depth_m << " m deep, " << far_m << " m away");
+                // Of the depth: what rounding leaves of the place, times what friction makes of it.
+                const double rounding = 1.0e-13 * far_m / depth_m;
+                for (std::size_t i = 0; i < 2; ++i) {
+                    CHECK(std::abs(there[i].push_m / depth_m - here[i].push_m) <= rounding);
+                    CHECK((there[i].drag / depth_m - here[i].drag).norm() <= rounding);
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("friction problem: a law is taken over the coupling's stiffness and the loop's period") {
     const FrictionLaw law = make_friction_law({0.6, 0.4, 2.0}, 500.0, 0.001);
     CHECK(law.static_coefficient == 0.6);
