@@ -34,9 +34,13 @@
 
 namespace fulcrum {
 
+inline constexpr double kFastestRinging = 0.4;  ///< of the loop's rate: 2.5 rounds a wave
+
 /// Refuses a plan with anything out of its range: rate, workspace, safety, estimator, weight,
 /// fields, solids.
 [[nodiscard]] Expected<void> validate(const HapticPlan& plan);
+/// Part of it: refuses a tap that rings faster than kFastestRinging of the loop's rate.
+[[nodiscard]] Expected<void> validate_ringing(const TransientSettings& tap, double rate_hz);
 /// The same, and refuses a device whose steps are too coarse at the plan's scale.
 [[nodiscard]] Expected<void> validate(const HapticPlan& plan, const DeviceTraits& traits);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -13,7 +14,6 @@ namespace fulcrum {
 namespace {
 
 constexpr double kFineResolution_m = 1.0e-5;  // of a device that names none
-constexpr double kFastestRinging = 0.4;       // of the loop's rate: 2.5 rounds a wave
 
 VelocitySettings choose_velocity_settings(const HapticPlan& plan, const DeviceTraits& traits) {
     VelocitySettings settings;
@@ -69,22 +69,38 @@ void add_surface_stages(const SurfaceEffects* effects, const Add& add) {
     }
 }
 
-// What rings must be slow enough for the loop to tell.
+// Solids of one mesh share it.
+std::size_t count_shape_bytes(const std::vector<SolidPlan>& solids) {
+    std::size_t bytes = 0;
+    std::set<const CollisionMesh*> counted;
+    for (const SolidPlan& solid : solids) {
+        const MeshShape* mesh = find_mesh(solid.shape);
+        if (mesh == nullptr || counted.insert(mesh->get()).second) {
+            bytes += memory_bytes(solid.shape);
+        }
+    }
+    return bytes;
+}
+
 Expected<void> check_ringing(const HapticPlan& plan) {
     Expected<void> good;
     for (const SolidPlan& solid : plan.solids) {
-        if (good && solid.surface.transient.any()) {
-            const Range ranges[] = {{"frequency in hertz", solid.surface.transient.frequency_Hz,
-                                     0.0, kFastestRinging * plan.rate_hz}};
-            good = check_ranges(
-                "at a loop of " + std::to_string(std::lround(plan.rate_hz)) + " Hz the tap's",
-                ranges);
-        }
+        good = good ? validate_ringing(solid.surface.transient, plan.rate_hz) : good;
     }
     return good;
 }
 
 }  // namespace
+
+Expected<void> validate_ringing(const TransientSettings& tap, double rate_hz) {
+    if (!tap.any()) {
+        return {};
+    }
+    const Range ranges[] = {
+        {"frequency in hertz", tap.frequency_Hz, 0.0, kFastestRinging * rate_hz}};
+    return check_ranges("at a loop of " + std::to_string(std::lround(rate_hz)) + " Hz the tap's",
+                        ranges);
+}
 
 Expected<void> validate(const HapticPlan& plan) {
     const Range ranges[] = {
@@ -188,11 +204,7 @@ std::vector<StageInfo> HapticLoop::stages() const {
     add(HapticStage::read, sizeof(reading_));
     add(HapticStage::estimate, sizeof(velocity_) + sizeof(angular_velocity_));
     if (touch_) {
-        std::size_t bytes = sizeof(TouchStage);
-        for (const SolidPlan& solid : plan_.solids) {
-            bytes += memory_bytes(solid.shape);
-        }
-        add(HapticStage::proxy, bytes);
+        add(HapticStage::proxy, sizeof(TouchStage) + count_shape_bytes(plan_.solids));
         add(HapticStage::coupling, touch_->coupling.memory_bytes());
         add_surface_stages(touch_->effects.get(), add);
     }

@@ -46,7 +46,7 @@ class TextureStage {
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
   private:
-    std::vector<std::unique_ptr<const Texture>> textures_;  // one a solid, empty where it has none
+    std::vector<std::shared_ptr<const Texture>> textures_;  // one a solid, empty where it has none
     std::vector<double> heights_m_;
     EnergyLoan loan_{};
 };

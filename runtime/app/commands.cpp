@@ -17,6 +17,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 
 namespace fulcrum::runtime {
@@ -76,9 +77,6 @@ int count_unmet(const LessonTestDescription& test, const SessionResult& result) 
 // A surface with holes can be touched, so that is no mistake, but it may not feel as it looks.
 void say_of_mesh(const Places& places, const std::filesystem::path& folder,
                  const BodyDescription& body) {
-    if (!body.solid) {
-        return;
-    }
     const auto mesh = load_solid_mesh(places, folder, body);
     if (!mesh) {
         return;  // the plan was compiled from the same file a moment ago
@@ -158,8 +156,11 @@ int list_command(const Installation& installation) {
 int check_command(const Installation& installation, const Options& options) {
     return with_run(installation, options, quiet_request(options),
                     [&](LessonRun& run, const auto& folder) {
+                        std::set<std::string> told;  // bodies of one model are alike
                         for (const BodyDescription& body : run.description().bodies) {
-                            say_of_mesh(installation.places, folder, body);
+                            if (body.solid && told.insert(body.model).second) {
+                                say_of_mesh(installation.places, folder, body);
+                            }
                         }
                         std::printf("%s: no mistakes found.\n", run.description().id.c_str());
                         return 0;

@@ -5,13 +5,15 @@
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/scene/gltf/collision_from_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
-#include "runtime/scene/picture/grey_picture.h"
+#include "runtime/scene/picture/felt_pictures.h"
 #include "runtime/scene/shape_models.h"
 
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
+#include <utility>
 
 namespace fulcrum::runtime {
 namespace fs = std::filesystem;
@@ -101,32 +103,32 @@ Expected<TriangleMesh> load_solid_mesh(const Places& places, const fs::path& les
     return collision_from_model(*model, file.string());
 }
 
+// A model looks the same whatever the body's radius; a ball or a box is as large as its radius says.
 SolidLoader make_solid_loader(const Places& places, const fs::path& lesson_folder) {
-    return [places, lesson_folder](
-               const BodyDescription& body) -> Expected<std::shared_ptr<const CollisionMesh>> {
-        const auto mesh = load_solid_mesh(places, lesson_folder, body);
-        if (!mesh) {
-            return tl::unexpected(mesh.error());
+    using Key = std::pair<std::string, double>;
+    const auto made = std::make_shared<std::map<Key, std::shared_ptr<const CollisionMesh>>>();
+    return [places, lesson_folder,
+            made](const BodyDescription& body) -> Expected<std::shared_ptr<const CollisionMesh>> {
+        const Key key{body.model, is_shape_model(body.model) ? body.radius_m : 0.0};
+        if (const auto known = made->find(key); known != made->end()) {
+            return known->second;
         }
-        return CollisionMesh::create(*mesh);
+        return load_solid_mesh(places, lesson_folder, body)
+            .and_then([](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); })
+            .map([&](const std::shared_ptr<const CollisionMesh>& mesh) {
+                return made->emplace(key, mesh).first->second;
+            });
     };
 }
 
-PictureLoader make_picture_loader(const fs::path& lesson_folder) {
-    return [lesson_folder](
-               const MaterialDescription& material) -> Expected<std::shared_ptr<const HeightMap>> {
-        auto picture = load_grey_picture(lesson_folder / material.image);
-        if (!picture) {
-            const Error& error = picture.error();
+PictureLoader make_picture_loader(const fs::path& lesson_folder, double scale) {
+    const auto pictures = std::make_shared<FeltPictures>(lesson_folder, scale);
+    return [pictures](const MaterialDescription& material, double width_m) {
+        return pictures->load(material.image, width_m).map_error([&](const Error& error) {
             const std::string file = error.where.empty() ? "" : error.where + ": ";
-            return fail(file + error.message, "lesson.lua:" + std::to_string(material.line),
-                        error.what_to_do);
-        }
-        auto map = std::make_shared<HeightMap>();
-        map->n_u = static_cast<std::int32_t>(picture->width);
-        map->n_v = static_cast<std::int32_t>(picture->height);
-        map->heights = std::move(picture->values);
-        return map;
+            return Error{file + error.message, "lesson.lua:" + std::to_string(material.line),
+                         error.what_to_do};
+        });
     };
 }
 

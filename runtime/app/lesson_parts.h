@@ -28,12 +28,13 @@ namespace fulcrum::runtime {
                                                      const std::filesystem::path& lesson_folder,
                                                      const BodyDescription& body);
 
-/// The same, made ready to be touched.
+/// The same, made ready to be touched; bodies of one model share it.
 [[nodiscard]] SolidLoader make_solid_loader(const Places& places,
                                             const std::filesystem::path& lesson_folder);
 
-/// Reads the pictures of materials, which lie beside the lesson.
-[[nodiscard]] PictureLoader make_picture_loader(const std::filesystem::path& lesson_folder);
+/// Reads the pictures of materials, which lie beside the lesson; `scale` is that of its hand.
+[[nodiscard]] PictureLoader make_picture_loader(const std::filesystem::path& lesson_folder,
+                                                double scale);
 
 /// Changes when the lesson's files change: FNV-1a, 64 bits (Fowler, Noll, Vo), over their bytes, as hexadecimal digits.
 [[nodiscard]] std::string version_of(const std::vector<std::filesystem::path>& files);

@@ -41,9 +41,9 @@ Expected<void> LessonRun::load(const Places& places, const RunRequest& request) 
     }
     PlanOptions options = request.plan;
     options.device_force_limit_N = HandDevice::force_limit_N(request.hand);
-    auto plan =
-        compile_plan(process_->description(), options, make_solid_loader(places, request.folder),
-                     make_picture_loader(request.folder));
+    const LessonDescription& lesson = process_->description();
+    auto plan = compile_plan(lesson, options, make_solid_loader(places, request.folder),
+                             make_picture_loader(request.folder, lesson.hand.scale));
     if (!plan) {
         return tl::unexpected(plan.error());
     }

@@ -8,6 +8,7 @@
 #include "haptics/dynamics/world_plan.h"
 #include "haptics/loop/haptic_plan.h"
 #include "runtime/scene/description.h"
+#include "runtime/scene/picture/felt_pictures.h"
 
 #include <cstddef>
 #include <functional>
@@ -77,9 +78,9 @@ struct Plan {
 using SolidLoader =
     std::function<Expected<std::shared_ptr<const CollisionMesh>>(const BodyDescription&)>;
 
-/// Gives the heights of a material's picture; called for materials with a picture that a solid body has.
+/// Gives the relief of a material's picture, `width_m` wide on the surface; called for materials with a picture.
 using PictureLoader =
-    std::function<Expected<std::shared_ptr<const HeightMap>>(const MaterialDescription&)>;
+    std::function<Expected<FeltPicture>(const MaterialDescription&, double width_m)>;
 
 /// Compiles `lesson` for this machine. Refuses with one sentence a scene that cannot be rendered
 /// safely or truthfully: two bodies of one name, felt weights whose order contradicts the true one,

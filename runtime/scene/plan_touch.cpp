@@ -1,8 +1,12 @@
 #include "runtime/scene/plan_touch.h"
 
+#include "haptics/coupling/virtual_coupling.h"
+#include "haptics/loop/haptic_loop.h"
 #include "haptics/point/make_proxy.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 #include <string>
 
 namespace fulcrum::runtime {
@@ -23,6 +27,26 @@ ProxySettings proxy_settings(const HandDescription& hand, const std::vector<Soli
     return proxy;
 }
 
+/// What is right as a material may still be too much for this hand's scale and rate.
+Expected<void> check_in_hand(const SolidPlan& solid, const MaterialDescription& material,
+                             const HandDescription& hand) {
+    const std::string& name = material.felt.name;
+    if (auto good = validate(*solid.coupling); !good) {
+        std::ostringstream scale;
+        scale << hand.scale;
+        return fail(name + " cannot be felt by a hand at scale " + scale.str() + ": " +
+                        good.error().message,
+                    at_line(hand.line), "give world:hand a scale nearer to 1");
+    }
+    const TransientSettings& tap = solid.surface.transient;
+    if (auto good = validate_ringing(tap, hand.rate_hz); !good) {
+        const long rate_hz = std::lround(std::ceil(tap.frequency_Hz / kFastestRinging));
+        return fail(name + ": " + good.error().message, at_line(material.line),
+                    "let it ring lower, or give world:hand a rate of " + std::to_string(rate_hz));
+    }
+    return {};
+}
+
 }  // namespace
 
 Expected<std::vector<Material>> make_materials(const LessonDescription& lesson,
@@ -32,12 +56,12 @@ Expected<std::vector<Material>> make_materials(const LessonDescription& lesson,
         Material material = described.felt;
         if (auto* image = std::get_if<ImageTexture>(&material.texture.source);
             image != nullptr && !described.image.empty()) {
-            auto map = load_picture(described);
-            if (!map) {
-                return tl::unexpected(map.error());
+            auto picture = load_picture(described, image->tile_u_m);
+            if (!picture) {
+                return tl::unexpected(picture.error());
             }
-            image->map = std::move(*map);
-            image->tile_v_m = image->tile_u_m * image->map->n_v / image->map->n_u;
+            image->map = std::move(picture->heights);
+            image->tile_v_m = image->tile_u_m * picture->height_per_width;
         }
         if (auto good = validate(material); !good) {
             return fail(good.error().message, at_line(described.line), good.error().what_to_do);
@@ -67,6 +91,10 @@ Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& lo
             put_material(materials[static_cast<std::size_t>(body.material)], solid);
             scale_coupling(*solid.coupling, lesson.hand.scale);
             solid.surface.audible = audible;
+            const auto& material = lesson.materials[static_cast<std::size_t>(body.material)];
+            if (auto good = check_in_hand(solid, material, lesson.hand); !good) {
+                return good;
+            }
         }
         plan.solids.push_back(std::move(solid));
     }

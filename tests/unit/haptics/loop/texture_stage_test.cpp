@@ -114,3 +114,40 @@ TEST_CASE(
     const auto [carved, carved_lent] = stroke_to_and_fro(TextureLaw::height_offset, 0.002, 0.002);
     CHECK(std::abs(carved - carved_lent) < 1.0e-12);
 }
+
+TEST_CASE("texture stage: solids of one relief share it, and only they") {
+    HapticPlan plan;
+    plan.solids.resize(3);
+    TextureSettings& first = plan.solids[0].surface.texture;
+    first.source = NoiseTexture{0.001, 0.004, 1};
+    const auto bytes = [&plan](const TextureSettings& second) {
+        plan.solids[2].surface.texture = second;
+        return TextureStage(plan).memory_bytes();
+    };
+    CHECK(bytes(first) == bytes({}));
+    const auto has_its_own = [&](auto change) {
+        TextureSettings other = first;
+        change(other);
+        return bytes(other) > bytes({});
+    };
+    CHECK(has_its_own([](TextureSettings& t) { t.height_m *= 2.0; }));
+    CHECK(has_its_own([](TextureSettings& t) { t.gain = 0.5; }));
+    CHECK(has_its_own([](TextureSettings& t) { t.law = TextureLaw::lateral; }));
+    CHECK(has_its_own([](TextureSettings& t) { t.source = NoiseTexture{0.001, 0.004, 2}; }));
+    CHECK(has_its_own([](TextureSettings& t) { t.source = NoiseTexture{0.001, 0.005, 1}; }));
+    CHECK(has_its_own([](TextureSettings& t) { t.source = NoiseTexture{0.002, 0.004, 1}; }));
+    CHECK(has_its_own([](TextureSettings& t) { t.source = SineTexture{}; }));
+
+    first.source = SineTexture{0.002, 0.0};
+    CHECK(bytes(first) == bytes({}));
+    CHECK(has_its_own([](TextureSettings& t) { t.source = SineTexture{0.002, 1.0}; }));
+    CHECK(has_its_own([](TextureSettings& t) { t.source = SineTexture{0.003, 0.0}; }));
+
+    const auto map = std::make_shared<const HeightMap>(HeightMap{2, 1, {0.0F, 1.0F}});
+    first.source = ImageTexture{map, 0.04, 0.02};
+    CHECK(bytes(first) == bytes({}));
+    CHECK(has_its_own([&](TextureSettings& t) { t.source = ImageTexture{map, 0.04, 0.03}; }));
+    CHECK(has_its_own([&](TextureSettings& t) { t.source = ImageTexture{map, 0.03, 0.02}; }));
+    const auto copy = std::make_shared<const HeightMap>(*map);
+    CHECK(has_its_own([&](TextureSettings& t) { t.source = ImageTexture{copy, 0.04, 0.02}; }));
+}

@@ -309,12 +309,13 @@ TEST_CASE("plan: a material's picture is read once, and its heights keep the pic
     other.name = "other";
     lesson.bodies.push_back(other);
     int n_read = 0;
-    const auto read =
-        [&n_read](
-            const MaterialDescription& material) -> Expected<std::shared_ptr<const HeightMap>> {
+    // Made smaller: its own numbers only come near to the file's shape.
+    const auto read = [&n_read](const MaterialDescription& material,
+                                double width_m) -> Expected<FeltPicture> {
         CHECK(material.image == "felt.png");
+        CHECK(width_m == 0.04);
         ++n_read;
-        return std::make_shared<HeightMap>(HeightMap{2, 1, {0.0F, 1.0F}});
+        return FeltPicture{std::make_shared<HeightMap>(HeightMap{2, 1, {0.0F, 1.0F}}), 0.75};
     };
     const auto plan = plan_of(lesson, read);
     REQUIRE(plan);
@@ -326,9 +327,9 @@ TEST_CASE("plan: a material's picture is read once, and its heights keep the pic
         const auto& image = std::get<ImageTexture>(solid.surface.texture.source);
         CHECK(image.map->heights.size() == 2);
         CHECK(image.tile_u_m == 0.04);
-        CHECK(image.tile_v_m == 0.02);
+        CHECK(image.tile_v_m == 0.03);
     }
-    const auto refused = plan_of(lesson, [](const MaterialDescription&) {
+    const auto refused = plan_of(lesson, [](const MaterialDescription&, double) {
         return fail("the picture is damaged", "lesson.lua:5", "save it again");
     });
     REQUIRE_FALSE(refused);
@@ -342,4 +343,32 @@ TEST_CASE("plan: a material out of its range is refused with its line") {
     REQUIRE_FALSE(plan);
     CHECK(plan.error().where == "lesson.lua:5");
     CHECK(plan.error().message.find("felt") == 0);
+}
+
+TEST_CASE(
+    "plan: a material that is too much for the hand's scale or rate is told by its name and line") {
+    Material rock;
+    rock.coupling.damping_Ns_per_m = 20.0;
+    LessonDescription lesson = ball_of(rock);
+    lesson.hand.line = 3;
+    lesson.hand.scale = 0.01;
+    const auto fine = plan_of(lesson);
+    REQUIRE_FALSE(fine);
+    CHECK(fine.error().where == "lesson.lua:3");
+    CHECK(fine.error().message.find("felt cannot be felt by a hand at scale 0.01: ") == 0);
+    CHECK(fine.error().what_to_do == "give world:hand a scale nearer to 1");
+    lesson.hand.scale = 0.05;
+    CHECK(plan_of(lesson));
+
+    lesson.hand.scale = 1.0;
+    lesson.materials[0].felt.transient.kind = TransientKind::decaying_sinusoid;
+    lesson.materials[0].felt.transient.frequency_Hz = 500.0;
+    const auto slow = plan_of(lesson);
+    REQUIRE_FALSE(slow);
+    CHECK(slow.error().where == "lesson.lua:5");
+    CHECK(slow.error().message.find("felt: at a loop of 1000 Hz the tap's frequency") == 0);
+    // What it says to do is enough.
+    CHECK(slow.error().what_to_do == "let it ring lower, or give world:hand a rate of 1250");
+    lesson.hand.rate_hz = 1250.0;
+    CHECK(plan_of(lesson));
 }
