@@ -1,5 +1,6 @@
 // Any bytes as what a lesson's process sends. What is taken must be within all limits, and pass again when it is sent on.
 #include "runtime/lua/wire/wire.h"
+#include "tests/support/wire_messages.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -10,19 +11,6 @@ namespace {
 using namespace fulcrum::runtime;
 
 constexpr std::size_t kHead = 5;
-
-LessonDescription small_scene() {
-    LessonDescription description;
-    description.id = "fuzz";
-    description.bodies.resize(2);
-    description.bodies[0].name = "a";
-    description.bodies[1].name = "b";
-    description.forces.resize(1);
-    description.forces[0].name = "f";
-    description.questions.resize(1);
-    description.questions[0].id = "q";
-    return description;
-}
 
 template <class Message, class Decode>
 void must_pass_again(const Message& message, Decode decode) {
@@ -39,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) {
         return 0;
     }
-    static const LessonDescription kScene = small_scene();
+    static const LessonDescription kScene = fulcrum::test::full_description();
     const std::span<const std::uint8_t> body(data + 1, size - 1);
     const auto take_reply = [](std::span<const std::uint8_t> bytes) {
         return decode_reply(bytes, kScene);

@@ -1,13 +1,26 @@
 #include "runtime/lua/wire/wire.h"
 
+#include "tests/support/wire_messages.h"
+
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <random>
 
 namespace fulcrum::runtime {
 namespace {
+
+using test::full_description;
+using test::full_error;
+using test::full_frame;
+using test::full_load;
+using test::full_module_answer;
+using test::full_reply;
 
 constexpr std::size_t kHead = 5;  // length and kind
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -21,95 +34,6 @@ Bytes bytes_of(const Message& message) {
 
 std::span<const std::uint8_t> body_of(const Bytes& bytes) {
     return std::span(bytes).subspan(kHead);
-}
-
-LessonDescription full_description() {
-    LessonDescription d;
-    d.id = "gravity";
-    d.title = "Which fruit is the heaviest? \xE2\x98\x85";
-    d.level = "A1";
-    d.minutes = 15;
-    d.gravity_W = Vector3(0, -1.62, 0);
-    d.ground_height_m = 0.25;
-    MaterialDescription felt;
-    felt.felt.name = "felt";
-    felt.felt.coupling.stiffness_N_per_m = 300.0;
-    felt.felt.friction = {0.6, 0.5, 2.0};
-    felt.felt.texture = {ImageTexture{nullptr, 0.02, 0.03}, TextureLaw::lateral, 4e-4, 2.0};
-    felt.felt.transient.kind = TransientKind::decaying_sinusoid;
-    felt.look = "wood";
-    felt.image = "Felt.JPG";
-    felt.line = 11;
-    MaterialDescription gravel;
-    gravel.felt.name = "gravel";
-    gravel.felt.texture.source = NoiseTexture{0.001, 0.004, 7};
-    d.materials = {felt, gravel};
-    d.bodies = {
-        {"apple", "apple", "apple", 0.04, 0.204, 3, 0.01, true, true, true, Vector3(0, 1, 0), 12},
-        {"egg", "egg", "egg", 0.03, 0.06, 1, 0, false, true, false, Vector3(1, 2, 3), 13}};
-    d.forces = {{"s", {FieldKind::spring, Vector3(0, 0.3, 0), 100, 1, 0, 0.1}, 14},
-                {"m", {FieldKind::magnet, Vector3(1, 0, 0), 0, 0, 4, 0.2}, 15}};
-    d.bucket = {true, "bucket", 0.2, 0.3, 3, 16};
-    d.camera = {Vector3(0, 0.5, 1.5), Vector3(0, 0.3, 0), 50};
-    d.hand = {Vector3(0, 0.4, 0), 2.0, 2000.0, true, 17, ProxyKind::virtual_proxy,
-              SphereShape{0.01},  20};
-    d.bodies[1].material = 1;
-    d.questions = {{"heaviest",
-                    "Which?",
-                    {"the {thing}", "{thing}"},
-                    {{"thing", {"apple", "egg"}}},
-                    "Lift it.",
-                    18}};
-    d.tests = {{"sweep.lua", {"an apple"}, {{"score", "7"}}, 19}};
-    return d;
-}
-
-LessonReply full_reply() {
-    LessonReply r;
-    WorldCommand drop{WorldCommand::Kind::drop, 1, Vector3(0, 1, 0), Vector3(0, -1, 0)};
-    WorldCommand release;
-    release.kind = WorldCommand::Kind::release;
-    LinearisedWrench force;
-    force.stamp_s = 1.5;
-    force.force_W = Vector3(1, -2, 3);
-    force.stiffness_N_per_m(0, 1) = -200;
-    force.damping_Ns_per_m(2, 0) = 5;
-    force.torque_W = Vector3(0.5, -0.25, 9.0);
-    force.torque_stiffness_Nm_per_m(1, 2) = -450;
-    r.commands = {MoveCommand{drop},
-                  MoveCommand{release},
-                  FieldChangeCommand{1, {false, Vector3(1, 2, 3), 0.5}},
-                  LessonForceCommand{force},
-                  CaptionCommand{"Catch!"},
-                  AskCommand{"heaviest"},
-                  VerdictCommand{"heaviest", true},
-                  ScoreCommand{-7},
-                  LevelCommand{2, "Two"},
-                  SoundCommand{"pop"},
-                  FinishCommand{3},
-                  PrintCommand{"hi\tthere"},
-                  CoverCommand{1, true}};
-    r.has_hand_target = true;
-    r.hand_target_W.position = Vector3(0.1, 0.2, 0.3);
-    r.hand_buttons = 5;
-    return r;
-}
-
-LessonFrame full_frame() {
-    LessonFrame f;
-    f.time_s = 2.5;
-    f.dt_s = 1.0 / 60.0;
-    f.tool_pose_W.position = Vector3(1, 2, 3);
-    f.tool_twist_W.linear = Vector3(4, 5, 6);
-    f.applied_force_W = Vector3(0, -2, 0);
-    f.bodies = {{Pose{}, Vector3(0, -3, 0), BodyWhere::falling},
-                {Pose{}, Vector3::Zero(), BodyWhere::held}};
-    f.events = {
-        BodyEvent{BodyEvent::Kind::landed, 1, 3.5}, KeyEvent{"space"},
-        JudgeEvent{"heaviest", {{"thing", "egg"}}},
-        AnsweredEvent{"heaviest", "an egg", {{"thing", "egg"}}, true, false, true, false, 3},
-        ReadyEvent{{6.0, 3.0}, 0.5, {{0.75, 0.5, 0.25}}}};
-    return f;
 }
 
 TEST_CASE("wire: a description, a reply and a frame come back as they were") {
@@ -141,20 +65,47 @@ TEST_CASE("wire: a description, a reply and a frame come back as they were") {
 }
 
 TEST_CASE("wire: the small messages come back as they were") {
-    const LoadMessage load{
-        {"lesson.lua", std::string("a\0b", 3)}, {"h.lua", "x"}, 7, 1U << 20U, 5, 6};
-    const Bytes bytes = bytes_of(load);
+    const Bytes bytes = bytes_of(full_load());
     const auto l = decode_load(body_of(bytes));
     REQUIRE(l);
     CHECK(bytes_of(*l) == bytes);
     CHECK(l->lesson.text.size() == 3);
     CHECK(decode_module_request(body_of(bytes_of(ModuleRequest{"story"})))->name == "story");
-    const auto answer = decode_module_answer(
-        body_of(bytes_of(ModuleAnswer{true, {"lib/story.lua", "return 1"}, "no"})));
+    const auto answer = decode_module_answer(body_of(bytes_of(full_module_answer())));
     CHECK(answer->source.text == "return 1");
     CHECK(decode_print(body_of(bytes_of(PrintCommand{"p"})))->text == "p");
-    const auto error = decode_error(body_of(bytes_of(ScriptError{"wrong", "lesson.lua", 12})));
+    const auto error = decode_error(body_of(bytes_of(full_error())));
     CHECK(to_sentence(to_error(*error)) == "lesson.lua:12: wrong.");
+}
+
+/// What the fuzzer begins with: the kind of a message and its body, without the length.
+std::vector<std::pair<std::string, Bytes>> seeds() {
+    std::vector<std::pair<std::string, Bytes>> all = {
+        {"description", bytes_of(full_description())},
+        {"reply", bytes_of(full_reply())},
+        {"frame", bytes_of(full_frame())},
+        {"load", bytes_of(full_load())},
+        {"module_answer", bytes_of(full_module_answer())},
+        {"error", bytes_of(full_error())}};
+    for (auto& [name, bytes] : all) {
+        bytes.erase(bytes.begin(), bytes.begin() + sizeof(std::uint32_t));
+    }
+    return all;
+}
+
+// With FULCRUM_WRITE_SEEDS set they are written anew first, for a new layout.
+TEST_CASE("wire: the fuzzer begins with messages of today's layout") {
+    for (const auto& [name, bytes] : seeds()) {
+        const std::string path = FULCRUM_SOURCE_DIR "/tests/fuzz/corpus/wire/" + name;
+        if (std::getenv("FULCRUM_WRITE_SEEDS") != nullptr) {
+            std::ofstream file(path, std::ios::binary);
+            std::ranges::copy(bytes, std::ostreambuf_iterator<char>(file));
+        }
+        std::ifstream file(path, std::ios::binary);
+        const Bytes kept{std::istreambuf_iterator<char>(file), {}};
+        INFO(name << " is of another layout; run this test once with FULCRUM_WRITE_SEEDS=1");
+        CHECK(kept == bytes);
+    }
 }
 
 TEST_CASE("wire: a message cut off anywhere, or longer than it says, is an error") {

@@ -1,0 +1,112 @@
+// Messages with something in every field, for tests of the wire and as what its fuzzer begins with.
+#pragma once
+
+#include "runtime/lua/wire/wire.h"
+
+namespace fulcrum::test {
+
+using namespace runtime;
+
+inline LessonDescription full_description() {
+    LessonDescription d;
+    d.id = "gravity";
+    d.title = "Which fruit is the heaviest? \xE2\x98\x85";
+    d.level = "A1";
+    d.minutes = 15;
+    d.gravity_W = Vector3(0, -1.62, 0);
+    d.ground_height_m = 0.25;
+    MaterialDescription felt;
+    felt.felt.name = "felt";
+    felt.felt.coupling.stiffness_N_per_m = 300.0;
+    felt.felt.friction = {0.6, 0.5, 2.0};
+    felt.felt.texture = {ImageTexture{nullptr, 0.02, 0.03}, TextureLaw::lateral, 4e-4, 2.0};
+    felt.felt.transient.kind = TransientKind::decaying_sinusoid;
+    felt.look = "wood";
+    felt.image = "Felt.JPG";
+    felt.line = 11;
+    MaterialDescription gravel;
+    gravel.felt.name = "gravel";
+    gravel.felt.texture.source = NoiseTexture{0.001, 0.004, 7};
+    d.materials = {felt, gravel};
+    d.bodies = {
+        {"apple", "apple", "apple", 0.04, 0.204, 3, 0.01, true, true, true, Vector3(0, 1, 0), 12},
+        {"egg", "egg", "egg", 0.03, 0.06, 1, 0, false, true, false, Vector3(1, 2, 3), 13}};
+    d.forces = {{"s", {FieldKind::spring, Vector3(0, 0.3, 0), 100, 1, 0, 0.1}, 14},
+                {"m", {FieldKind::magnet, Vector3(1, 0, 0), 0, 0, 4, 0.2}, 15}};
+    d.bucket = {true, "bucket", 0.2, 0.3, 3, 16};
+    d.camera = {Vector3(0, 0.5, 1.5), Vector3(0, 0.3, 0), 50};
+    d.hand = {Vector3(0, 0.4, 0), 2.0, 2000.0, true, 17, ProxyKind::virtual_proxy,
+              SphereShape{0.01},  20};
+    d.bodies[1].material = 1;
+    d.questions = {{"heaviest",
+                    "Which?",
+                    {"the {thing}", "{thing}"},
+                    {{"thing", {"apple", "egg"}}},
+                    "Lift it.",
+                    18}};
+    d.tests = {{"sweep.lua", {"an apple"}, {{"score", "7"}}, 19}};
+    return d;
+}
+
+/// To `full_description`.
+inline LessonReply full_reply() {
+    LessonReply r;
+    WorldCommand drop{WorldCommand::Kind::drop, 1, Vector3(0, 1, 0), Vector3(0, -1, 0)};
+    WorldCommand release;
+    release.kind = WorldCommand::Kind::release;
+    LinearisedWrench force;
+    force.stamp_s = 1.5;
+    force.force_W = Vector3(1, -2, 3);
+    force.stiffness_N_per_m(0, 1) = -200;
+    force.damping_Ns_per_m(2, 0) = 5;
+    force.torque_W = Vector3(0.5, -0.25, 9.0);
+    force.torque_stiffness_Nm_per_m(1, 2) = -450;
+    r.commands = {MoveCommand{drop},
+                  MoveCommand{release},
+                  FieldChangeCommand{1, {false, Vector3(1, 2, 3), 0.5}},
+                  LessonForceCommand{force},
+                  CaptionCommand{"Catch!"},
+                  AskCommand{"heaviest"},
+                  VerdictCommand{"heaviest", true},
+                  ScoreCommand{-7},
+                  LevelCommand{2, "Two"},
+                  SoundCommand{"pop"},
+                  FinishCommand{3},
+                  PrintCommand{"hi\tthere"},
+                  CoverCommand{1, true}};
+    r.has_hand_target = true;
+    r.hand_target_W.position = Vector3(0.1, 0.2, 0.3);
+    r.hand_buttons = 5;
+    return r;
+}
+
+inline LessonFrame full_frame() {
+    LessonFrame f;
+    f.time_s = 2.5;
+    f.dt_s = 1.0 / 60.0;
+    f.tool_pose_W.position = Vector3(1, 2, 3);
+    f.tool_twist_W.linear = Vector3(4, 5, 6);
+    f.applied_force_W = Vector3(0, -2, 0);
+    f.bodies = {{Pose{}, Vector3(0, -3, 0), BodyWhere::falling},
+                {Pose{}, Vector3::Zero(), BodyWhere::held}};
+    f.events = {
+        BodyEvent{BodyEvent::Kind::landed, 1, 3.5}, KeyEvent{"space"},
+        JudgeEvent{"heaviest", {{"thing", "egg"}}},
+        AnsweredEvent{"heaviest", "an egg", {{"thing", "egg"}}, true, false, true, false, 3},
+        ReadyEvent{{6.0, 3.0}, 0.5, {{0.75, 0.5, 0.25}}}};
+    return f;
+}
+
+inline LoadMessage full_load() {
+    return {{"lesson.lua", std::string("a\0b", 3)}, {"h.lua", "x"}, 7, 1U << 20U, 5, 6};
+}
+
+inline ModuleAnswer full_module_answer() {
+    return {true, {"lib/story.lua", "return 1"}, "no"};
+}
+
+inline ScriptError full_error() {
+    return {"wrong", "lesson.lua", 12};
+}
+
+}  // namespace fulcrum::test
