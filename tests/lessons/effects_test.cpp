@@ -3,9 +3,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <fstream>
-#include <sstream>
-
 using namespace fulcrum;
 using namespace fulcrum::test;
 
@@ -74,10 +71,7 @@ TEST_CASE(
 }
 
 TEST_CASE("lessons: the one that README shows runs as it stands there") {
-    std::ifstream file(std::string(FULCRUM_TEST_LESSONS) + "/../../README.md");
-    std::ostringstream text;
-    text << file.rdbuf();
-    const std::string readme = text.str();
+    const std::string readme = bytes_of(FULCRUM_TEST_LESSONS "/../../README.md");
     const std::size_t begin = readme.find("```lua\n");
     REQUIRE(begin != std::string::npos);
     const std::size_t end = readme.find("```", begin + 7);

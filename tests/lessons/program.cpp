@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <sys/wait.h>
 
 namespace fulcrum::test {
@@ -45,6 +46,13 @@ std::string Sandbox::write(const std::string& name, const std::string& text) con
     return path(name);
 }
 
+std::string bytes_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    INFO(path);
+    REQUIRE(file);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
 Record read_run(const std::string& path) {
     auto record = load_record(path);
     INFO((record ? std::string("read") : to_sentence(record.error())));
@@ -58,6 +66,14 @@ double time_of(const Record& record, RecordEventKind kind, int body, double from
             return event.kind == kind && event.body == body && event.time_s >= from_s;
         });
     return found == record.events.end() ? -1.0 : found->time_s;
+}
+
+double largest_force_N(const Record& record) {
+    double largest_N = 0.0;
+    for (const RecordSample& sample : record.samples) {
+        largest_N = std::max(largest_N, sample.applied_W.force.norm());
+    }
+    return largest_N;
 }
 
 const RecordSample& sample_at(const Record& record, double time_s) {

@@ -35,12 +35,18 @@ class Sandbox {
     std::filesystem::path folder_;
 };
 
+/// All bytes of a file; fails the test when there is none.
+[[nodiscard]] std::string bytes_of(const std::string& path);
+
 /// The record that a run wrote; fails the test when it cannot be read.
 [[nodiscard]] Record read_run(const std::string& path);
 
 /// The first event of a kind about a body after `from_s`; its time, or -1.
 [[nodiscard]] double time_of(const Record& record, RecordEventKind kind, int body,
                              double from_s = 0.0);
+
+/// The largest force that the device was given, newtons.
+[[nodiscard]] double largest_force_N(const Record& record);
 
 /// The sample nearest after `time_s`.
 [[nodiscard]] const RecordSample& sample_at(const Record& record, double time_s);

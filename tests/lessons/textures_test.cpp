@@ -4,10 +4,6 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 
 using namespace fulcrum;
 using namespace fulcrum::test;
@@ -18,11 +14,6 @@ namespace {
 enum Body : int { board, metal, wood, rock, spaceship, table, statue };
 
 constexpr const char* kRun = "run textures --headless --record r.rec";
-
-std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// How often a body was touched, and how far it was stroked while it was: metres, pressed with at least 0.3 N.
 struct Felt {
@@ -46,27 +37,6 @@ Felt felt_between(const Record& record, double from_s, double to_s) {
 
 }  // namespace
 
-TEST_CASE("textures: its own test passes") {
-    const Sandbox sandbox;
-    const ProgramRun run = sandbox.run("test textures");
-    INFO(run.output);
-    CHECK(run.exit_code == 0);
-}
-
-TEST_CASE("textures: the same input twice gives the same bytes, and nothing passes the limit") {
-    const Sandbox sandbox;
-    REQUIRE(sandbox.run("run textures --headless --record a.rec").exit_code == 0);
-    REQUIRE(sandbox.run("run textures --headless --record b.rec").exit_code == 0);
-    const std::string bytes = bytes_of(sandbox.path("a.rec"));
-    CHECK(bytes.size() > 100'000);
-    const bool same = bytes == bytes_of(sandbox.path("b.rec"));  // not megabytes on the screen
-    CHECK(same);
-    const Record record = read_run(sandbox.path("a.rec"));
-    for (const RecordSample& sample : record.samples) {
-        REQUIRE(sample.applied_W.force.norm() <= 5.0 + 1e-9);
-    }
-}
-
 TEST_CASE("textures: the hand really taps, presses and strokes each block and each thing") {
     const Sandbox sandbox;
     REQUIRE(sandbox.run(kRun).exit_code == 0);
@@ -77,11 +47,7 @@ TEST_CASE("textures: the hand really taps, presses and strokes each block and ea
         REQUIRE(touched_s > 0.0);
         CHECK(felt_between(record, touched_s, touched_s + 2.5).stroked_m > 0.03);
     }
-    double hardest_N = 0.0;
-    for (const RecordSample& sample : record.samples) {
-        hardest_N = std::max(hardest_N, sample.applied_W.force.norm());
-    }
-    CHECK(hardest_N > 1.0);
+    CHECK(largest_force_N(record) > 1.0);
 }
 
 TEST_CASE(
@@ -133,8 +99,7 @@ TEST_CASE(
     "textures: the truth of adjectives is the physics: a block of sponge is soft, whatever it is "
     "called") {
     const Sandbox sandbox;
-    std::ifstream file(FULCRUM_SCENARIOS "/textures/lesson.lua");
-    std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::string text = bytes_of(FULCRUM_SCENARIOS "/textures/lesson.lua");
     // The first block is made of something else, under the old name.
     const std::string was = "  for i, name in ipairs(names) do\n    blocks[name] = world:body {\n";
     const std::size_t at = text.find(was);
@@ -146,8 +111,7 @@ TEST_CASE(
         "  local sponge = world:material { name = \"sponge\", stiffness = 100, friction = 1.2, "
         "texture = { bumps = 0.004, height = 0.0005 } }\n");
     sandbox.write("soft/lesson.lua", text);
-    std::ifstream hand(FULCRUM_SCENARIOS "/textures/stroker.lua");
-    sandbox.write("soft/stroker.lua", {std::istreambuf_iterator<char>(hand), {}});
+    sandbox.write("soft/stroker.lua", bytes_of(FULCRUM_SCENARIOS "/textures/stroker.lua"));
     sandbox.write("say.txt", "metal is hard\nmetal is soft and sticky\n");
     const ProgramRun run = sandbox.run(
         "run soft --headless --hand soft/stroker.lua --say say.txt --seconds 30 --learner Mina");
@@ -168,8 +132,7 @@ TEST_CASE("textures: explain names what is felt and heard, and mute leaves no so
 
 TEST_CASE("materials: a picture that is none, or is not there, is one sentence with its line") {
     const Sandbox sandbox;
-    std::ifstream file(FULCRUM_TEST_LESSONS "/felt/lesson.lua");
-    sandbox.write("felt/lesson.lua", {std::istreambuf_iterator<char>(file), {}});
+    sandbox.write("felt/lesson.lua", bytes_of(FULCRUM_TEST_LESSONS "/felt/lesson.lua"));
     const ProgramRun missing = sandbox.run("check felt");
     CHECK(missing.exit_code == 1);
     CHECK(missing.output.find("lesson.lua:5: the file felt.png cannot be read") !=

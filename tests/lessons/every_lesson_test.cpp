@@ -1,0 +1,54 @@
+// What holds for every lesson that comes with the program.
+#include "tests/lessons/program.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kLimit_N = 5.0;  // of a site that says nothing else
+constexpr double kRounding_N = 1e-9;
+
+std::vector<std::string> lessons() {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(FULCRUM_SCENARIOS)) {
+        if (fs::exists(entry.path() / "lesson.lua")) {
+            names.push_back(entry.path().filename().string());
+        }
+    }
+    std::ranges::sort(names);
+    REQUIRE(names.size() >= 2);
+    return names;
+}
+
+}  // namespace
+
+TEST_CASE("every lesson: its own test passes") {
+    for (const std::string& lesson : lessons()) {
+        const Sandbox sandbox;
+        const ProgramRun run = sandbox.run("test " + lesson);
+        INFO(lesson << ": " << run.output);
+        CHECK(run.exit_code == 0);
+    }
+}
+
+TEST_CASE("every lesson: the same input twice gives the same bytes, and nothing passes the limit") {
+    for (const std::string& lesson : lessons()) {
+        CAPTURE(lesson);
+        const Sandbox sandbox;
+        REQUIRE(sandbox.run("run " + lesson + " --headless --record a.rec").exit_code == 0);
+        REQUIRE(sandbox.run("run " + lesson + " --headless --record b.rec").exit_code == 0);
+        const std::string bytes = bytes_of(sandbox.path("a.rec"));
+        CHECK(bytes.size() > 100'000);
+        CHECK(bytes == bytes_of(sandbox.path("b.rec")));
+        const Record record = read_run(sandbox.path("a.rec"));
+        CHECK(record.samples.size() > 10'000);
+        CHECK(largest_force_N(record) <= kLimit_N + kRounding_N);
+        CHECK(largest_force_N(record) > 0.5);
+    }
+}
