@@ -134,3 +134,38 @@ TEST_CASE("explain --json: one object, with the figures when it was played") {
     CHECK(run.output.find("\"stage\": \"forces: lesson\"") != std::string::npos);
     CHECK(run.output.find("\"calls\": 1000") != std::string::npos);
 }
+
+namespace {
+
+/// What explain says that a stage of a lesson of these bodies takes, bytes.
+long memory_of(const Sandbox& sandbox, const std::string& stage, const std::string& bodies) {
+    sandbox.write("solids/lesson.lua",
+                  "local L = lesson { id = \"solids\", title = \"T\", level = \"A1\" }\n"
+                  "local function ball(world, name, radius)\n"
+                  "  world:body { name = name, model = \"sphere\", radius = radius, solid = true,\n"
+                  "               material = \"sandpaper\", at = { 0, 0.2, 0 } }\n"
+                  "end\n"
+                  "function L:start(world)\n" +
+                      bodies + "\nend\nreturn L\n");
+    const ProgramRun run = sandbox.run("explain solids --json");
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    const std::size_t at = run.output.find("\"stage\": \"" + stage + '"');
+    REQUIRE(at != std::string::npos);
+    const std::string field = "\"memory_bytes\": ";
+    return std::stol(run.output.substr(run.output.find(field, at) + field.size()));
+}
+
+}  // namespace
+
+TEST_CASE("solids: bodies of one model share its mesh, and those of one material its relief") {
+    const Sandbox sandbox;
+    const char* one = "ball(world, \"a\", 0.05)";
+    const char* same = "ball(world, \"a\", 0.05) ball(world, \"b\", 0.05) ball(world, \"c\", 0.05)";
+    const char* other = "ball(world, \"a\", 0.05) ball(world, \"b\", 0.04)";
+    const long mesh = memory_of(sandbox, "proxy", one);
+    CHECK(memory_of(sandbox, "proxy", same) == mesh);
+    CHECK(2 * memory_of(sandbox, "proxy", other) > 3 * mesh);
+    const auto relief = static_cast<double>(memory_of(sandbox, "forces: texture", one));
+    CHECK(static_cast<double>(memory_of(sandbox, "forces: texture", same)) < 1.2 * relief);
+}

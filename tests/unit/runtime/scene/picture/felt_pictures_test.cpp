@@ -104,7 +104,8 @@ TEST_CASE("felt picture: all of a lesson together have an end") {
     const FeltPicture whole = load(pictures, "large.png", 1.0);
     CHECK(static_cast<std::size_t>(whole.heights->n_u) == kMaxFeltSide_px);
     (void)load(pictures, "large.png", 1.0);  // the same again costs nothing
-    (void)load(pictures, "large.png", (kMaxFeltSide_px - 1) * kFinestPixel_m);
+    const FeltPicture second = load(pictures, "large.png", (kMaxFeltSide_px - 1) * kFinestPixel_m);
+    CHECK(static_cast<std::size_t>(second.heights->n_u) == kMaxFeltSide_px - 1);
     const auto third = pictures.load("large.png", (kMaxFeltSide_px - 2) * kFinestPixel_m);
     REQUIRE_FALSE(third);
     CHECK(third.error().where == "large.png");
