@@ -24,23 +24,6 @@ constexpr double kHelp_s = 8.0;        // how long a new play says how to move
 // A frame waits so long for Lua before it draws without it.
 constexpr double kAnswerPatience_s = 0.004;
 
-fs::file_time_type newest_of(const std::vector<fs::path>& files) {
-    fs::file_time_type newest = fs::file_time_type::min();  // not {}: that lies in the year 2174
-    for (const fs::path& file : files) {
-        std::error_code error;
-        const auto written = fs::last_write_time(file, error);
-        newest = error ? newest : std::max(newest, written);
-    }
-    return newest;
-}
-
-// What may have to be mended when a lesson could not even be loaded.
-std::vector<fs::path> lua_files_in(const fs::path& folder) {
-    std::vector<fs::path> files = entries_of(folder);
-    std::erase_if(files, [](const fs::path& file) { return file.extension() != ".lua"; });
-    return files;
-}
-
 }  // namespace
 
 LessonScreen::LessonScreen(const Places& places, Desktop& desktop, ProgressStore& store,
@@ -63,21 +46,20 @@ void LessonScreen::begin() {
     error_.clear();
     typing_.clear();
     input_ = {};
-    files_ = lua_files_in(request_.folder);
+    files_.watch_folder(request_.folder);
     RunRequest request = request_;
     if (++plays_ > 1 && !request.record_file.empty()) {
         request.record_file += "." + std::to_string(plays_);  // an earlier play's record is kept
     }
     auto run = LessonRun::create(places_, request, store_, catalogue_);
     if (!run) {
-        newest_ = newest_of(files_);
         fail_with(run.error());
         return;
     }
     run_ = std::move(*run);
     print_lines(run_->process().prints_while_loading());
-    files_ = run_->process().files_read();
-    newest_ = newest_of(files_);
+    files_.watch_only(files_of_lesson(places_, request_.folder, run_->description(),
+                                      run_->process().files_read()));
     for (const std::string& notice :
          desktop_.picture->load_models(run_->description(), request_.folder)) {
         std::fprintf(stderr, "%s\n", notice.c_str());
@@ -284,7 +266,7 @@ void LessonScreen::watch_files() {
         return;
     }
     next_watch_s_ = now_s + kWatchPeriod_s;
-    if (newest_of(files_) > newest_) {
+    if (files_.changed()) {
         begin();
     }
 }

@@ -10,9 +10,9 @@
 #include "runtime/app/live_loops.h"
 #include "runtime/app/options.h"
 #include "runtime/app/typing.h"
+#include "runtime/app/watched_files.h"
 #include "runtime/progress/store.h"
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,8 +66,7 @@ class LessonScreen {
     std::optional<double> first_epoch_s_;  // of the first play
     double next_frame_s_ = 0.0;
     std::string error_;  // the sentence of the failure, empty while all is well
-    std::vector<std::filesystem::path> files_;
-    std::filesystem::file_time_type newest_ = std::filesystem::file_time_type::min();
+    WatchedFiles files_;
     double next_watch_s_ = 0.0;
 
     TypedLine typing_;
