@@ -47,6 +47,8 @@ struct AnsweredEvent {
     bool form_right = false;  ///< no error of form was found
     bool over = true;         ///< the question is done: right, or left after many tries
     std::int32_t attempt = 1;
+    bool turned_round =
+        false;  ///< thing and material changed places: "Metal is made of a spaceship."
 };
 
 /// What can be said of a material, each from 0 to 1; from 0.5 on it is hard, rough, slippery (haptics/surface/material.h).

@@ -10,6 +10,7 @@
 ---@field understood boolean false: no template fitted
 ---@field right boolean the meaning is right, by the question's own `right`
 ---@field form_right boolean no error of form was found
+---@field turned_round boolean thing and material changed places, "Metal is made of a spaceship.": nothing to feel again, only to say
 ---@field over boolean the question is done: right, or left after many tries
 ---@field attempt integer 1 for the first try
 ---@field bodies table<string, Body> the body that a slot speaks of, by its noun; nil when no body or several have it
@@ -236,7 +237,7 @@ function Hand:force(compute) end
 ---@field like? string a material that it begins as, see Materials; what is not said here is that one's
 ---@field stiffness? number of its spring; a cushion is about 100, and an arm holds some 500 to 1000; in newtons per metre, 10 to 5000
 ---@field damping? number how much it swallows; in newton seconds per metre, 0 to 50
----@field friction? number what holds a resting hand, in parts of how hard it presses; ice 0.05, wood 0.4, rubber 1; 0 to 5
+---@field friction? number what holds a resting hand, in parts of how hard it presses; metal 0.15, wood 0.54, rubber 1; 0 to 5
 ---@field sliding_friction? number the same while it slides; 0.8 of friction by default; 0 to 5
 ---@field texture? MaterialTexture its relief
 ---@field tap? MaterialTap how it rings when it is tapped

@@ -92,7 +92,7 @@ inline LessonFrame full_frame() {
     f.events = {
         BodyEvent{BodyEvent::Kind::landed, 1, 3.5}, KeyEvent{"space"},
         JudgeEvent{"heaviest", {{"thing", "egg"}}},
-        AnsweredEvent{"heaviest", "an egg", {{"thing", "egg"}}, true, false, true, false, 3},
+        AnsweredEvent{"heaviest", "an egg", {{"thing", "egg"}}, true, false, true, false, 3, true},
         ReadyEvent{{6.0, 3.0}, 0.5, {{0.75, 0.5, 0.25}}}};
     return f;
 }

@@ -17,6 +17,10 @@ constexpr std::array kAnswerFields = {
     FieldText{"understood", "boolean", "false: no template fitted"},
     FieldText{"right", "boolean", "the meaning is right, by the question's own `right`"},
     FieldText{"form_right", "boolean", "no error of form was found"},
+    FieldText{
+        "turned_round", "boolean",
+        "thing and material changed places, \"Metal is made of a spaceship.\": nothing to feel "
+        "again, only to say"},
     FieldText{"over", "boolean", "the question is done: right, or left after many tries"},
     FieldText{"attempt", "integer", "1 for the first try"},
     FieldText{"bodies", "table<string, Body>",

@@ -54,7 +54,8 @@ void take_texture(lua_State* lua, const Arguments& given, MaterialDescription& m
         if (!is_picture_name(material.image)) {
             raise_in_lesson(lua,
                             "material.texture.image is the name of a .png, .jpg or .jpeg file "
-                            "beside the lesson; got \"" +
+                            "beside the lesson, in letters a to z, digits, blanks, \"-\" and "
+                            "\"_\"; got \"" +
                                 clean_text(material.image, kMaxNameBytes) + '"');
         }
         texture.source = ImageTexture{nullptr, given["size"].number, given["size"].number};
@@ -250,8 +251,8 @@ void add_material_api(ApiTable& table) {
            "of its spring; a cushion is about 100, and an arm holds some 500 to 1000"},
           {"damping", number, "newton seconds per metre", 0, 50, "nil", "how much it swallows"},
           {"friction", number, "", 0, 5, "nil",
-           "what holds a resting hand, in parts of how hard it presses; ice 0.05, wood 0.4, rubber "
-           "1"},
+           "what holds a resting hand, in parts of how hard it presses; metal 0.15, wood 0.54, "
+           "rubber 1"},
           {"sliding_friction", number, "", 0, 5, "nil",
            "the same while it slides; 0.8 of friction by default"},
           {"texture", record, "", 0, 0, "nil", "its relief", "", kTexture, std::size(kTexture)},

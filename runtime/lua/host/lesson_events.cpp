@@ -51,6 +51,7 @@ void push_answer(lua_State* lua, const LessonContext& context, const AnsweredEve
     set_flag(lua, "right", answer.right);
     set_flag(lua, "form_right", answer.form_right);
     set_flag(lua, "over", answer.over);
+    set_flag(lua, "turned_round", answer.turned_round);
     lua_pushinteger(lua, answer.attempt);
     lua_setfield(lua, -2, "attempt");
 }

@@ -180,6 +180,7 @@ void event(Archive& a, Event& e) {
         a.flag("form right", e.form_right);
         a.flag("over", e.over);
         a.integer("the attempt", e.attempt, 0, 1'000'000);
+        a.flag("turned round", e.turned_round);
     } else {
         static_assert(std::is_same_v<Kind, ReadyEvent>);
         a.list("felt weights", e.felt_weight_N, static_cast<std::size_t>(kMaxBodies),

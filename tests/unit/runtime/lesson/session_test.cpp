@@ -64,6 +64,23 @@ TEST_CASE("session: a wrong form is recast, never blocked, and each error is kep
     CHECK(has_form);
 }
 
+TEST_CASE("session: the lesson is told that thing and material changed places") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].answers = {"[the|a|an] {thing} <made_of:{material}>"};
+    lesson.questions[0].lists = {{"material", {"wood", "metal"}}};
+    const bool turned = GENERATE(true, false);
+    CAPTURE(turned);
+    Play play(lesson);
+    play.frame();
+    play.reply({AskCommand{"heaviest"}});
+    play.hear(turned ? "wood is made of an egg" : "an egg is made of wood");
+    play.reply({VerdictCommand{"heaviest", false}});
+    const auto* answered = find<AnsweredEvent>(play.frame());
+    REQUIRE(answered != nullptr);
+    CHECK(answered->understood);
+    CHECK(answered->turned_round == turned);
+}
+
 TEST_CASE(
     "session: after a wrong meaning the question waits until the lesson asks it again, and counts "
     "on") {

@@ -91,10 +91,11 @@ TEST_CASE("materials: what is wrong is told with its line and what was meant") {
     CHECK(material("texture = { grooves = 0.01, law = 'latteral' }") ==
           "lesson.lua:2: material.texture.law is \"perturbed_normal\", \"lateral\" or "
           "\"height_offset\"; got the text \"latteral\"; did you mean \"lateral\"?");
-    for (const std::string image : {"../felt.png", "felt.gif", "/etc/felt.png", ".png"}) {
+    for (const std::string image :
+         {"../felt.png", "felt.gif", "/etc/felt.png", ".png", "felt(1).png"}) {
         CHECK(material("texture = { image = '" + image + "' }") ==
               "lesson.lua:2: material.texture.image is the name of a .png, .jpg or .jpeg file "
-              "beside the lesson; got \"" +
+              "beside the lesson, in letters a to z, digits, blanks, \"-\" and \"_\"; got \"" +
                   image + "\".");
     }
     CHECK(

@@ -33,15 +33,15 @@ TEST_CASE("events: each has its name and what belongs to it, and nothing else") 
             {BodyEvent{BodyEvent::Kind::caught, 0, 1.5}, BodyEvent{BodyEvent::Kind::landed, 0, 2.5},
              BodyEvent{BodyEvent::Kind::touched, 0, 0.0},
              BodyEvent{BodyEvent::Kind::released, 0, 0.0}, KeyEvent{"left"},
-             AnsweredEvent{"q", "an egg", {{"thing", "egg"}}, true, false, true, false, 3}})) ==
-        "");
+             AnsweredEvent{
+                 "q", "an egg", {{"thing", "egg"}}, true, false, true, false, 3, true}})) == "");
     CHECK(lesson.prints ==
           "body=egg name=caught speed=1.5;body=egg name=landed speed=2.5;body=egg name=touched "
           "speed=0.0;"
           "body=egg name=released speed=0.0;key=left name=key;"
           "attempt=3 bodies=table form_right=true name=answered over=false question=q right=false "
           "said=an egg "
-          "thing=egg understood=true;");
+          "thing=egg turned_round=true understood=true;");
 }
 
 TEST_CASE("events: a slot can't hide what the program says of an answer") {
