@@ -38,6 +38,7 @@ local made = {}        -- thing's name -> body
 local touched          -- the body under the hand
 local felt = {}        -- body -> metres that the hand has stroked over it
 local guide            -- the pull that leads the hand back
+local star             -- hangs over what is to be felt: a mouse cannot be led
 local score = 0
 
 function L:start(world)
@@ -58,6 +59,7 @@ function L:start(world)
     }
     made[thing.name]:hide()
   end
+  star = world:body { name = "star", model = "star", radius = 0.03 }
   guide = world:spring { name = "guide", at = { 0, 0.5, 0 }, stiffness = 40, damping = 4 }
   guide:off()
   story(L, function() play(world) end)
@@ -78,9 +80,10 @@ function L:update(world)
   last = here
 end
 
--- Waits until the hand has stroked so much of it.
+-- Waits until the hand has stroked so much of it; the star shows which one that is.
 local enough = 0.06
 local function feel(body)
+  star:place { at = { body.x, body.y + 0.13, body.z - 0.05 } }
   felt[body] = 0
   wait_until(function() return felt[body] >= enough end)
 end
@@ -100,7 +103,8 @@ end
 
 -- Leads the hand over a body and lets go of it there.
 local function lead(world, body)
-  world:caption "Come with me."
+  world:caption "Come with me to the star."
+  star:place { at = { body.x, body.y + 0.13, body.z - 0.05 } }
   local over = { body.x, body.y + 0.12, body.z }
   guide:move { at = over }
   guide:on()
@@ -132,7 +136,7 @@ local hidden   -- the block that is asked for
 L:question "under" {
   prompt = "What is under this cloth?",
   again = "Let's feel it again.",
-  answers = { "<it> is {material}", "{material} [is under (the|this) cloth]" },
+  answers = { "<it> is {material}", "{material} [is under (the|this) cloth]", "<it> <made_of:{material}>" },
   lists = { material = names },
   right = function(a) return a.material == hidden.material.name end,
 }
@@ -159,9 +163,11 @@ local function ask(world, question, body, hint)
     if answer.understood and not answer.right and not answer.over then
       points = math.max(points - 1, 1)
       wait(2)
-      lead(world, body)
-      world:caption(answer.attempt >= 2 and hint or "Feel it again.")
-      feel(body)
+      if not answer.turned_round then   -- "Metal is made of a spaceship": nothing to feel again, only to say
+        lead(world, body)
+        world:caption("Feel it again." .. (answer.attempt >= 2 and " " .. hint or ""))
+        feel(body)
+      end
     end
   until answer.over
   if answer.right then
@@ -169,6 +175,7 @@ local function ask(world, question, body, hint)
     world:score(score)
   end
   wait(2.5)
+  star:hide()
   world:caption ""
 end
 
@@ -202,7 +209,7 @@ local function under_a_cloth(world)
   for turn, name in ipairs { "rock", "metal" } do
     hidden = blocks[name]
     lead(world, hidden)
-    world:caption(turn == 1 and "Don't look! Feel what is under the cloth." or "And this one?")
+    world:caption(turn == 1 and "Feel what is under this cloth." or "And under this cloth? Feel it.")
     feel(hidden)
     ask(world, "under", hidden, "Is it rough or smooth?")
     hands_off(world)

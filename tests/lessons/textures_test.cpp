@@ -119,6 +119,53 @@ TEST_CASE(
     CHECK(run.output.find("score 2,") != std::string::npos);  // right at the second try
 }
 
+TEST_CASE(
+    "textures: words that changed places are only said again, a wrong material is felt again") {
+    const Sandbox sandbox;
+    sandbox.write("say.txt",
+                  "metal is hard\nwood is hard\nrock is hard\nit is rock\nit is made of metal\n"
+                  "metal is made of a spaceship\n"
+                  "the spaceship is made of wood\n"
+                  "the spaceship is made of metal\n"
+                  "the table is made of wood\nthe statue is made of rock\n");
+    const ProgramRun run = sandbox.run("run textures --headless --say say.txt --record r.rec");
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    std::vector<double> answers_s;
+    for (const RecordEvent& event : read_run(sandbox.path("r.rec")).events) {
+        if (event.kind == RecordEventKind::answered) {
+            answers_s.push_back(event.time_s);
+        }
+    }
+    REQUIRE(answers_s.size() == 10);
+    constexpr double kPointedAndLed_s = 3.5;  // "Not yet." 2 s, the way to the thing 1.5 s
+    CHECK(answers_s[6] - answers_s[5] < kPointedAndLed_s);
+    CHECK(answers_s[7] - answers_s[6] > kPointedAndLed_s);
+}
+
+TEST_CASE("textures: a star hangs over what is to be felt, for a mouse cannot be led there") {
+    const Sandbox sandbox;
+    const std::string lesson = FULCRUM_SCENARIOS "/textures/lesson.lua";
+    std::ifstream file(lesson);
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    // Prints what the star hangs over whenever a question is asked.
+    const std::string was = "    answer = story.ask(world, question)\n";
+    REQUIRE(text.find(was) != std::string::npos);
+    text.insert(text.find(was),
+                "    print(question, body.name, star.where, star.x == body.x, star.y > body.y)\n");
+    sandbox.write("star/lesson.lua", text);
+    std::ifstream hand(FULCRUM_SCENARIOS "/textures/stroker.lua");
+    sandbox.write("star/stroker.lua", {std::istreambuf_iterator<char>(hand), {}});
+    const ProgramRun run = sandbox.run("run star --headless");
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    for (const std::string asked :
+         {"like_metal\tmetal", "like_rock\trock", "under\trock", "under\tmetal",
+          "made_spaceship\tspaceship", "made_statue\tstatue"}) {
+        CHECK_THAT(run.output, Catch::Contains(asked + "\tplaced\ttrue\ttrue"));
+    }
+}
+
 TEST_CASE("textures: explain names what is felt and heard, and mute leaves no sound in the plan") {
     const Sandbox sandbox;
     const ProgramRun run = sandbox.run("explain textures");
