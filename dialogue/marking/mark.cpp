@@ -147,9 +147,10 @@ int Mark::other_errors() const {
 }
 
 const FormError* Mark::main_error() const {
-    // An adjective's own form before its article.
+    // An adjective's own form before its article, and "hardly" before "smoth".
     const auto rank = [](const FormError& error) {
-        return importance(error) * 2 + (error.role == Role::determiner ? 1 : 0);
+        return importance(error) * 4 + (error.role == Role::determiner ? 2 : 0) +
+               (error.code == ErrorCode::spelling ? 1 : 0);
     };
     const auto found =
         std::min_element(form_errors.begin(), form_errors.end(),

@@ -287,6 +287,21 @@ TEST_CASE("mark: materials are compared by any word of a list") {
     CHECK(mark_answer(most_of_feel(), "rock is the roughest").slot("feel") == "rough");
 }
 
+TEST_CASE(
+    "mark: of two adjectives the one whose form is wrong is spoken of before a misspelt one") {
+    const Question question = compiled({"feel",
+                                        "What is metal like?",
+                                        {"{material} is <adjective:{feel}> and "
+                                         "<adjective:{feel:also}>"},
+                                        textures()});
+    CHECK(mark_answer(question, "metal is smoth and hardly").emphasised ==
+          "Metal is smooth and *hard*.");
+    CHECK(mark_answer(question, "metal is hardly and smoth").emphasised ==
+          "Metal is *hard* and smooth.");
+    CHECK(mark_answer(question, "metal is smoth and hard").emphasised ==
+          "Metal is *smooth* and hard.");
+}
+
 TEST_CASE("mark: thing and material that change places are understood, and said to be so") {
     const Question question = made_of_what();
     for (const char* said : {"Metal is made of spaceship", "metal is made of a spaceship",
