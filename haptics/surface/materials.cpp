@@ -5,6 +5,8 @@
 //             rubber, wood and aluminium, and the ratio of their amplitudes. The device's own scale of force is chosen: 10 N for each
 //             m/s on metal, so that a tap of 0.2 m/s rings with 2 N, two thirds of what a desktop arm gives.
 //   Marks     Marks' Standard Handbook for Mechanical Engineers, table of coefficients of static and sliding friction
+//   Byerlee   J. Byerlee 1978, Friction of rocks, Pure and Applied Geophysics 116: a shear stress of 0.85 times the normal one, up
+//             to 200 MPa
 //   FEPA      FEPA standard 43-1 for coated abrasives: mean grain of P40 0.425 mm
 //   stiffness is chosen everywhere: real walls are a thousand times as stiff as any arm can show. What counts is the order, rubber
 //   < paper < wood < rock, glass, metal, and that all lie inside the Z-width of a desktop arm at 1 kHz (`fulcrum bench z-width`);
@@ -53,7 +55,8 @@ Material make_metal() {
     return {
         .name = "metal",
         .coupling = stiff(1000.0),
-        // Hard steel on hard steel with a film of castor oil (Marks): metal that hands have touched is never clean.
+        // Chosen: metal that hands have touched is never clean, and tables have 0.15 to 0.20 at rest for iron with grease on it;
+        // sliding about half of that, so that it is the most slippery of all.
         .friction = {0.15, 0.081, 0.0},
         .transient = ringing(10.0, 100.0, 90.0)};  // Okamura, aluminium
 }
@@ -62,7 +65,7 @@ Material make_rock() {
     return {
         .name = "rock",
         .coupling = stiff(1000.0),
-        // J. Byerlee 1978, Friction of rocks, Pure and Applied Geophysics 116: 0.85 at low stress, 0.6 at high.
+        // At rest Byerlee; sliding is chosen, 0.7 of it.
         .friction = {0.85, 0.6, 0.0},
         // Chosen: broken stone has bumps of every size; these are the ones that a stylus can follow.
         .texture = relief(NoiseTexture{0.0015, 0.012, 7}, TextureLaw::perturbed_normal, 1.0e-3),
@@ -73,7 +76,7 @@ Material make_rock() {
 Material make_rubber() {
     return {.name = "rubber",
             .coupling = stiff(300.0),
-            // Chosen within what handbooks give for rubber on dry, hard ground, 0.6 to 1.0.
+            // Chosen: it holds a hand about as well as it is pressed.
             .friction = {1.0, 0.8, 0.0},
             // Chosen: the fine pattern of a mat.
             .texture = relief(SineTexture{0.002, 0.7}, TextureLaw::lateral, 3.0e-5),
@@ -84,22 +87,21 @@ Material make_glass() {
     return {
         .name = "glass",
         .coupling = stiff(1000.0),
-        // Chosen: clean glass holds as dry metal does (0.4 and more, Marks), glass with the film of a hand far less.
+        // Chosen: little more than metal. Clean glass holds far better, glass with the film of a hand does not.
         .friction = {0.2, 0.12, 0.0},
         // Chosen above metal: a pane is light and stiff.
         .transient = ringing(9.0, 140.0, 70.0)};
 }
 
 Material make_paper() {
-    return {
-        .name = "paper",
-        .coupling = stiff(600.0),
-        // Chosen: what TAPPI's T 549 commonly measures of office paper, 0.4 to 0.6 and 0.3 to 0.5, with a hard tip.
-        .friction = {0.4, 0.3, 0.0},
-        // Chosen: fibres flock at a millimetre or less.
-        .texture = relief(NoiseTexture{0.0006, 0.0015, 3}, TextureLaw::lateral, 3.0e-5),
-        // Chosen: a sheet on a table deadens the tap.
-        .transient = ringing(3.0, 25.0, 150.0)};
+    return {.name = "paper",
+            .coupling = stiff(600.0),
+            // Chosen: between metal and wood.
+            .friction = {0.4, 0.3, 0.0},
+            // Chosen: fibres flock at a millimetre or less.
+            .texture = relief(NoiseTexture{0.0006, 0.0015, 3}, TextureLaw::lateral, 3.0e-5),
+            // Chosen: a sheet on a table deadens the tap.
+            .transient = ringing(3.0, 25.0, 150.0)};
 }
 
 Material make_sandpaper() {
