@@ -1,5 +1,6 @@
 #include "runtime/scene/explain.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -28,6 +29,27 @@ std::string row(const std::string& loop, const std::string& stage, const std::st
     return text.data();
 }
 
+/// The answer key of a lesson on how things feel: a teacher sees what a material of their own will be called.
+std::string materials_table(const LessonDescription& lesson, const Plan& plan) {
+    std::string text;
+    const std::size_t n = std::min(lesson.materials.size(), plan.material_facts.size());
+    for (std::size_t i = 0; i < n; ++i) {
+        const MaterialDescription& material = lesson.materials[i];
+        const MaterialFacts& facts = plan.material_facts[i];
+        const auto word = [](double grade, const char* high, const char* low) {
+            return grade >= kGradeMiddle ? high : low;
+        };
+        std::array<char, 256> line{};
+        std::snprintf(
+            line.data(), line.size(), "%-16.48s %.2f %-6s %.2f %-8s %.2f %-10s %s\n",
+            material.felt.name.c_str(), facts.hardness, word(facts.hardness, "hard", "soft"),
+            facts.roughness, word(facts.roughness, "rough", "smooth"), facts.slipperiness,
+            word(facts.slipperiness, "slippery", "sticky"), line_text(material.line).c_str());
+        text += line.data();
+    }
+    return text.empty() ? text : "\nwhat a hand finds out\n" + text;
+}
+
 }  // namespace
 
 std::string bytes_text(std::size_t bytes) {
@@ -51,7 +73,7 @@ std::string explain(const LessonDescription& lesson, const Plan& plan) {
                     stage.because);
     }
     text += "\nWhat is not in this list is not built.\n";
-    return text;
+    return text + materials_table(lesson, plan);
 }
 
 }  // namespace fulcrum::runtime

@@ -57,6 +57,19 @@ void add_costs(nlohmann::ordered_json& stages, const Analysis& analysis) {
     }
 }
 
+nlohmann::ordered_json json_of_materials(const LessonDescription& lesson, const Plan& plan) {
+    nlohmann::ordered_json materials = nlohmann::ordered_json::array();
+    const std::size_t n = std::min(lesson.materials.size(), plan.material_facts.size());
+    for (std::size_t i = 0; i < n; ++i) {
+        const MaterialFacts& facts = plan.material_facts[i];
+        materials.push_back({{"name", lesson.materials[i].felt.name},
+                             {"hardness", facts.hardness},
+                             {"roughness", facts.roughness},
+                             {"slipperiness", facts.slipperiness}});
+    }
+    return materials;
+}
+
 }  // namespace
 
 std::string explain_costs(const Plan& plan, const Analysis& analysis) {
@@ -98,6 +111,7 @@ std::string explain_json(const LessonDescription& lesson, const Plan& plan,
         add_costs(stages, *analysis);
     }
     whole["stages"] = std::move(stages);
+    whole["materials"] = json_of_materials(lesson, plan);
     // A title may hold what is no UTF-8: it is replaced, never thrown at.
     return whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

@@ -67,6 +67,21 @@ TEST_CASE("explain json: the plan alone, and with figures where a stage was time
     CHECK_FALSE(timed["stages"][2].contains("calls"));
 }
 
+TEST_CASE("explain json: what a hand finds out about each material") {
+    LessonDescription lesson = make_lesson();
+    Plan plan = make_plan();
+    lesson.materials.resize(1);
+    lesson.materials[0].felt.name = "felt";
+    plan.material_facts.resize(1);
+    plan.material_facts[0].hardness = 0.25;
+    plan.material_facts[0].roughness = 0.5;
+    plan.material_facts[0].slipperiness = 0.75;
+    const auto whole = nlohmann::json::parse(explain_json(lesson, plan, nullptr));
+    const nlohmann::json felt = {
+        {"name", "felt"}, {"hardness", 0.25}, {"roughness", 0.5}, {"slipperiness", 0.75}};
+    CHECK(whole["materials"] == nlohmann::json::array({felt}));
+}
+
 TEST_CASE("explain json: a title in no known encoding does not end the program") {
     LessonDescription lesson = make_lesson();
     lesson.title = "caf\xe9";

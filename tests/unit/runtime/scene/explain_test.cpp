@@ -20,6 +20,28 @@ TEST_CASE("explain: every stage stands on a line of its own with rate, memory, a
     CHECK(text.find("2.5 MB  every lesson") != std::string::npos);
 }
 
+TEST_CASE("explain: each material is called what a hand finds it to be, the middle included") {
+    LessonDescription lesson;
+    Plan plan;
+    CHECK(explain(lesson, plan).find("finds out") == std::string::npos);
+    lesson.materials.resize(2);
+    lesson.materials[0].felt.name = "felt";
+    lesson.materials[0].line = 5;
+    lesson.materials[1].felt.name = "ice";
+    plan.material_facts.resize(2);
+    plan.material_facts[0].hardness = 0.5;
+    plan.material_facts[0].roughness = 0.49;
+    plan.material_facts[0].slipperiness = 0.1;
+    plan.material_facts[1].hardness = 0.2;
+    plan.material_facts[1].roughness = 0.5;
+    plan.material_facts[1].slipperiness = 0.5;
+    const std::string text = explain(lesson, plan);
+    CHECK(text.find("felt             0.50 hard   0.49 smooth   0.10 sticky     lesson.lua:5\n") !=
+          std::string::npos);
+    CHECK(text.find("ice              0.20 soft   0.50 rough    0.50 slippery") !=
+          std::string::npos);
+}
+
 TEST_CASE("explain: bytes are given in the unit that people read") {
     CHECK(bytes_text(0) == "0 B");
     CHECK(bytes_text(999) == "999 B");
