@@ -145,17 +145,14 @@ TEST_CASE(
 
 TEST_CASE("textures: a star hangs over what is to be felt, for a mouse cannot be led there") {
     const Sandbox sandbox;
-    const std::string lesson = FULCRUM_SCENARIOS "/textures/lesson.lua";
-    std::ifstream file(lesson);
-    std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::string text = bytes_of(FULCRUM_SCENARIOS "/textures/lesson.lua");
     // Prints what the star hangs over whenever a question is asked.
     const std::string was = "    answer = story.ask(world, question)\n";
     REQUIRE(text.find(was) != std::string::npos);
     text.insert(text.find(was),
                 "    print(question, body.name, star.where, star.x == body.x, star.y > body.y)\n");
     sandbox.write("star/lesson.lua", text);
-    std::ifstream hand(FULCRUM_SCENARIOS "/textures/stroker.lua");
-    sandbox.write("star/stroker.lua", {std::istreambuf_iterator<char>(hand), {}});
+    sandbox.write("star/stroker.lua", bytes_of(FULCRUM_SCENARIOS "/textures/stroker.lua"));
     const ProgramRun run = sandbox.run("run star --headless");
     INFO(run.output);
     REQUIRE(run.exit_code == 0);
