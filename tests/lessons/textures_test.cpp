@@ -189,3 +189,17 @@ TEST_CASE("materials: a picture that is none, or is not there, is one sentence w
     CHECK(std::count(broken.output.begin(), broken.output.end(), '\n') == 1);
     CHECK(sandbox.run("check " FULCRUM_TEST_LESSONS "/felt").exit_code == 0);
 }
+
+TEST_CASE("materials: a lesson's process may choose a law, a proxy and a cursor") {
+    const Sandbox sandbox;
+    sandbox.write(
+        "chosen/lesson.lua",
+        "local L = lesson { id = \"chosen\", title = \"T\", level = \"A1\" }\n"
+        "function L:start(world)\n"
+        "  world:hand { proxy = \"friction_cone\", cursor = \"ball\" }\n"
+        "  world:material { name = \"m\", texture = { grooves = 0.001, law = \"lateral\" } }\n"
+        "end\nreturn L\n");
+    const ProgramRun run = sandbox.run("check chosen");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+}

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdio>
-#include <iterator>
-#include <sstream>
+#include <string_view>
 
 namespace fulcrum::runtime {
 namespace {
@@ -136,8 +135,17 @@ std::string range_text(const Parameter& parameter) {
 }
 
 std::vector<std::string> choices_of(const Parameter& parameter) {
-    std::istringstream names(parameter.choices);
-    return {std::istream_iterator<std::string>(names), {}};
+    // No stream: a sanitizer that looks at one opens a pipe, for which a lesson's process is ended.
+    std::vector<std::string> names;
+    std::string_view left = parameter.choices;
+    while (!left.empty()) {
+        const std::size_t end = std::min(left.find(' '), left.size());
+        if (end > 0) {
+            names.emplace_back(left.substr(0, end));
+        }
+        left.remove_prefix(std::min(end + 1, left.size()));
+    }
+    return names;
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates,

@@ -16,6 +16,17 @@ TEST_CASE("bindings: the nearest word is found, and nothing when none is near") 
     CHECK(nearest_word(std::string(100000, 'x'), words).empty());
 }
 
+TEST_CASE("bindings: choices stand between spaces") {
+    using Names = std::vector<std::string>;
+    const auto choices = [](const char* text) {
+        return choices_of({"law", ParameterType::choice, "", 0, 0, "nil", "", text});
+    };
+    CHECK(choices("point ball box") == Names{"point", "ball", "box"});
+    CHECK(choices("one") == Names{"one"});
+    CHECK(choices("  a  b ") == Names{"a", "b"});
+    CHECK(choices("").empty());
+}
+
 TEST_CASE("bindings: ranges as people say them") {
     CHECK(range_text({"mass", ParameterType::number, "kilograms", 0, 10000}) ==
           "in kilograms, 0 to 10000");
