@@ -39,7 +39,8 @@ struct SurfaceVector {
 struct TextureOffset {
     double normal_m = 0.0;  ///< along N; never below -depth
     SurfaceVector along{};  ///< along the surface
-    double height_m = 0.0;  ///< the relief that is felt, 0 to height_m but for the filter's ripple
+    /// The relief that is felt: 0 to height_m, but for a hundredth of it and the filter's ripple.
+    double height_m = 0.0;
 };
 
 /// The law itself at one sample of the relief. `depth_m` 0 or more.

@@ -8,8 +8,18 @@
 namespace fulcrum {
 namespace {
 
+// Beside a sharp edge a spline swings beyond its samples, by a quarter of the step and more. Then all heights are drawn together,
+// so that the relief is from 0 to height_m high as its settings say.
 TextureMap make_map(const Relief& relief, double height_m) {
-    return {relief.map, relief.tile_u_m, relief.tile_v_m, height_m};
+    constexpr double kRounding = 1.0e-6;  // of floats: no swing
+    TextureMap map(relief.map, relief.tile_u_m, relief.tile_v_m, height_m);
+    const TextureMap::Extremes seen = map.find_extremes();
+    const double low_m = std::min(seen.low_m, 0.0);
+    const double span_m = std::max(seen.high_m, height_m) - low_m;
+    if (span_m > height_m * (1.0 + kRounding)) {
+        map.rescale(height_m / span_m, -low_m * height_m / span_m);
+    }
+    return map;
 }
 
 }  // namespace

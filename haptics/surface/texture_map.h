@@ -30,6 +30,16 @@ class TextureMap {
     /// Takes a map and sizes that `validate` accepted; a height of 1 becomes `height_m`.
     TextureMap(const HeightMap& map, double tile_u_m, double tile_v_m, double height_m);
 
+    /// The lowest and the highest of the finest level, at its samples and half-way between them. The spline's own are hardly
+    /// beyond: by a hundredth of a step of the samples.
+    struct Extremes {
+        double low_m;
+        double high_m;
+    };
+    [[nodiscard]] Extremes find_extremes() const;
+    /// Makes every height h of all levels factor h + offset_m.
+    void rescale(double factor, double offset_m);
+
     /// `level` below n_levels(). A place that is not finite has height and slopes 0.
     [[nodiscard]] HeightSample sample(std::size_t level, double u_m, double v_m) const noexcept;
 

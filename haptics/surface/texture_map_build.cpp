@@ -2,7 +2,9 @@
 #include "haptics/surface/texture_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace fulcrum {
@@ -141,6 +143,51 @@ TextureMap::Level TextureMap::make_level(std::vector<double> heights_m, std::int
     level.n_v = n_v;
     level.c.assign(c.at.begin(), c.at.end());
     return level;
+}
+
+// Row by row: the coefficients' rows joined at a sample or half-way to the next, then the same along the row.
+TextureMap::Extremes TextureMap::find_extremes() const {
+    const Level& grid = levels_.front();
+    const auto n_u = static_cast<std::size_t>(grid.n_u);
+    const auto n_v = static_cast<std::size_t>(grid.n_v);
+    constexpr std::array<std::array<float, 4>, 2> kWeights{
+        {{1.0F / 6.0F, 4.0F / 6.0F, 1.0F / 6.0F, 0.0F},
+         {1.0F / 48.0F, 23.0F / 48.0F, 23.0F / 48.0F, 1.0F / 48.0F}}};
+    Extremes found{std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity()};
+    std::vector<float> row(n_u + 3);  // with those beyond both ends
+    for (std::size_t j = 0; j < 2 * n_v; ++j) {
+        const auto& across = kWeights[j % 2];
+        std::ranges::fill(row, 0.0F);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const float* c = grid.c.data() + (j / 2 + n_v + k - 1) % n_v * n_u;
+            for (std::size_t i = 0; i < n_u; ++i) {
+                row[i + 1] += across[k] * c[i];
+            }
+        }
+        row[0] = row[n_u];
+        row[n_u + 1] = row[1];
+        row[n_u + 2] = row[n_u > 1 ? 2 : 1];
+        for (const auto& along : kWeights) {
+            for (std::size_t i = 0; i < n_u; ++i) {
+                const auto here_m =
+                    static_cast<double>(along[0] * row[i] + along[1] * row[i + 1] +
+                                        along[2] * row[i + 2] + along[3] * row[i + 3]);
+                found.low_m = std::min(found.low_m, here_m);
+                found.high_m = std::max(found.high_m, here_m);
+            }
+        }
+    }
+    return found;
+}
+
+// The splines' weights sum to 1 everywhere: what is done to all coefficients is done to all heights.
+void TextureMap::rescale(double factor, double offset_m) {
+    for (Level& level : levels_) {
+        for (float& c : level.c) {
+            c = static_cast<float>(factor * static_cast<double>(c) + offset_m);
+        }
+    }
 }
 
 std::size_t TextureMap::memory_bytes() const noexcept {

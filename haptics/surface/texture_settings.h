@@ -57,8 +57,10 @@ enum class TextureLaw : std::uint8_t {
 struct TextureSettings {
     TextureSource source{};
     TextureLaw law = TextureLaw::perturbed_normal;
-    double height_m = 1.0e-4;  ///< from the deepest valley to the highest peak, 1e-7 to 0.01
-    double gain = 1.0;         ///< K of each law, 0 to 100
+    /// From the deepest valley to the highest peak, 1e-7 to 0.01. Sharp edges of an image are rounded off by a curve that swings
+    /// beyond them; that counts.
+    double height_m = 1.0e-4;
+    double gain = 1.0;  ///< K of each law, 0 to 100
 
     [[nodiscard]] bool any() const noexcept {
         return !std::holds_alternative<std::monostate>(source) && gain > 0.0;

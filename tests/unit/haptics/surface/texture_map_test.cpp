@@ -123,6 +123,41 @@ TEST_CASE("texture map: levels halve down to one sample, whatever the sides") {
     CHECK(map.memory_bytes() >= sizeof(float) * (39 + 14 + 4 + 2 + 1));
 }
 
+TEST_CASE(
+    "texture map: its extremes are those at the samples and half-way between, whatever the sides") {
+    for (const auto& [n_u, n_v] : {std::pair(1, 1), {2, 1}, {1, 3}, {5, 2}, {3, 7}, {16, 9}}) {
+        HeightMap random{.n_u = n_u, .n_v = n_v, .heights = {}};
+        for (int i = 0; i < n_u * n_v; ++i) {
+            random.heights.push_back(static_cast<float>((i * 7919 + 13) % 101) / 100.0F);
+        }
+        TextureMap map(random, 0.03, 0.02, 1.0e-3);
+        const auto check = [&map](double factor, double offset_m, const TextureMap& before) {
+            double low_m = 1.0;
+            double high_m = -1.0;
+            for (int j = 0; j < 2 * map.n_v(0); ++j) {
+                for (int i = 0; i < 2 * map.n_u(0); ++i) {
+                    const double u_m = 0.03 * 0.5 * i / map.n_u(0);
+                    const double v_m = 0.02 * 0.5 * j / map.n_v(0);
+                    const double here_m = map.sample(0, u_m, v_m).height_m;
+                    REQUIRE(std::abs(here_m - (factor * before.sample(0, u_m, v_m).height_m +
+                                               offset_m)) <= 1.0e-9);
+                    low_m = std::min(low_m, here_m);
+                    high_m = std::max(high_m, here_m);
+                }
+            }
+            CHECK(std::abs(map.find_extremes().low_m - low_m) <= 1.0e-9);
+            CHECK(std::abs(map.find_extremes().high_m - high_m) <= 1.0e-9);
+        };
+        const TextureMap before = map;
+        check(1.0, 0.0, before);
+        map.rescale(0.7, 2.0e-4);
+        check(0.7, 2.0e-4, before);
+        const std::size_t last = map.n_levels() - 1;
+        CHECK(std::abs(map.sample(last, 0.0, 0.0).height_m -
+                       (0.7 * before.sample(last, 0.0, 0.0).height_m + 2.0e-4)) <= 1.0e-9);
+    }
+}
+
 TEST_CASE("texture map: places that are nowhere are flat") {
     const TextureMap map(make_random(8, 8, 1), 0.1, 0.1, 1.0);
     for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
