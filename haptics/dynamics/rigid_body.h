@@ -8,6 +8,8 @@
 #include "haptics/handover/messages.h"
 #include "haptics/math/spatial.h"
 
+#include <cstdint>
+
 namespace fulcrum {
 
 inline constexpr double kAirDensity_kg_per_m3 = 1.204;  ///< dry air at 20 degrees C and 1013 hPa
@@ -22,6 +24,7 @@ struct RigidBody {
     // Flight.
     BodyWhere where = BodyWhere::hidden;
     Pose pose_W{};
+    std::uint32_t n_placements = 0;  ///< how often it was put elsewhere at once
     Vector3 velocity_W{Vector3::Zero()};
     Vector3 spin_W{Vector3::Zero()};  ///< radians per second
     bool moving = false;              ///< falls, bounces or glides

@@ -70,10 +70,12 @@ void World::apply(const WorldCommand& command) noexcept {
             if (body.where == BodyWhere::held) {
                 body.where = BodyWhere::hidden;
                 body.moving = false;
+                ++body.n_placements;
             }
         }
     } else {
         RigidBody& body = bodies_[static_cast<std::size_t>(command.body)];
+        ++body.n_placements;
         if (command.kind != WorldCommand::Kind::hold) {
             free_body(body, command);
         } else if (body.where != BodyWhere::held && is_full()) {
@@ -232,6 +234,7 @@ WorldFrame World::make_frame(double stamp_s,
         if (body >= 0 && static_cast<std::size_t>(body) < bodies_.size()) {
             const RigidBody& solid = bodies_[static_cast<std::size_t>(body)];
             frame.solid_poses_W[i] = solid.pose_W;
+            frame.solid_placements[i] = solid.n_placements;
             if (solid.where == BodyWhere::hidden) {
                 frame.solid_poses_W[i].position = kOutOfReach_W;
             }

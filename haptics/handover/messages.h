@@ -54,6 +54,8 @@ struct WorldFrame {
     Vector3 carried_force_W{
         Vector3::Zero()};  ///< felt weight of what lies in the tool; the loop ramps towards it
     std::array<Pose, kMaxSolids> solid_poses_W{};
+    /// How often each solid was put elsewhere at once, instead of moving there.
+    std::array<std::uint32_t, kMaxSolids> solid_placements{};
 };
 
 /// How far the last gate lets forces through.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace fulcrum {
 namespace {
@@ -180,15 +181,21 @@ void HapticLoop::move_proxy() noexcept {
     touch_->contact = {};
     touch_->poses_W = {};
     const std::size_t n_solids = touch_->initial_poses_W.size();
+    const bool is_told = plan_.expects_world && heard_world_;
     const std::span<const Pose> poses_W =
-        plan_.expects_world && heard_world_
-            ? std::span<const Pose>(channels_.world.value().solid_poses_W.data(), n_solids)
-            : std::span<const Pose>(touch_->initial_poses_W);
+        is_told ? std::span<const Pose>(channels_.world.value().solid_poses_W.data(), n_solids)
+                : std::span<const Pose>(touch_->initial_poses_W);
     if (!std::ranges::all_of(poses_W, [](const Pose& pose) { return is_finite(pose); })) {
         state_.faults |= Fault::command_invalid;
         return;
     }
     touch_->poses_W = poses_W;
+    for (std::size_t i = 0; is_told && i < n_solids; ++i) {
+        const std::uint32_t n_placements = channels_.world.value().solid_placements[i];
+        if (n_placements != std::exchange(touch_->placements[i], n_placements)) {
+            touch_->proxy->put_solid(i, poses_W[i]);
+        }
+    }
     touch_->contact = touch_->proxy->step(state_.tool_pose_W.position, poses_W);
     state_.proxy_position_W = touch_->contact.position_W;
     touch_->proxy_velocity.step(state_.proxy_position_W, reading_.stamp_s);

@@ -81,7 +81,8 @@ class HapticLoop final : public PeriodicTask {
         ContactStage coupling;
         VelocityEstimator proxy_velocity;  // like the hand's, so that both lag alike
         std::vector<Pose> initial_poses_W;
-        std::vector<std::int32_t> bodies;  // index of the scene of each solid
+        std::vector<std::int32_t> bodies;       // index of the scene of each solid
+        std::vector<std::uint32_t> placements;  // of each solid, as last heard
         ProxyContact contact{};
         std::span<const Pose> poses_W{};  // of the solids in this round
         std::unique_ptr<SurfaceEffects> effects{};

@@ -13,7 +13,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kFineResolution_m = 1.0e-5;  // of a device that names none
+constexpr double kFineResolution_m = 1.0e-5;              // of a device that names none
+constexpr std::uint32_t kNeverHeard = ~std::uint32_t{0};  // of where a solid was put
 
 VelocitySettings choose_velocity_settings(const HapticPlan& plan, const DeviceTraits& traits) {
     VelocitySettings settings;
@@ -169,6 +170,7 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
                        VelocityEstimator(choose_velocity_settings(plan, device.traits())),
                        {},
                        {},
+                       std::vector<std::uint32_t>(plan.solids.size(), kNeverHeard),
                        {},
                        {},
                        make_surface_effects(plan, device.traits(), channels.touches)});

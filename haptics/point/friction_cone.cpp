@@ -19,6 +19,14 @@ void FrictionCone::reset(const Vector3& hand_W) noexcept {
     contact_ = surface_object_->contact();
 }
 
+void FrictionCone::put_solid(std::size_t solid, const Pose& pose_W) noexcept {
+    surface_object_->put_solid(solid, pose_W);
+    contact_ = surface_object_->contact();
+    if (solid < stuck_.size()) {
+        stuck_[solid] = 1;
+    }
+}
+
 const ProxyContact& FrictionCone::step(const Vector3& hand_W,
                                        std::span<const Pose> solid_poses_W) noexcept {
     surface_object_->carry(solid_poses_W);

@@ -28,6 +28,7 @@ class FrictionCone final : public Proxy {
                  int max_rounds);
 
     void reset(const Vector3& hand_W) noexcept override;
+    void put_solid(std::size_t solid, const Pose& pose_W) noexcept override;
     const ProxyContact& step(const Vector3& hand_W,
                              std::span<const Pose> solid_poses_W) noexcept override;
 

@@ -1,5 +1,7 @@
 #include "haptics/point/god_object.h"
 
+#include "haptics/point/let_through.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -35,8 +37,22 @@ void GodObject::reset(const Vector3& hand_W) noexcept {
     n_known_ = 0;
     goal_W_ = hand_W;
     accept(hand_W);
+    for (MovingSolid& solid : solids_) {
+        start_in(solid, hand_W, hand_W);
+    }
     leave_surface();
     publish(proxy_W_);
+}
+
+void GodObject::put_solid(std::size_t solid, const Pose& pose_W) noexcept {
+    if (solid >= solids_.size()) {
+        return;
+    }
+    planes_.drop(static_cast<std::int32_t>(solid));
+    solids_[solid].take_pose(pose_W);
+    solids_[solid].put_proxy(proxy_W_);
+    start_in(solids_[solid], proxy_W_, goal_W_);
+    publish(goal_W_);
 }
 
 const ProxyContact& GodObject::follow(const Vector3& goal_W) noexcept {
@@ -56,7 +72,7 @@ void GodObject::find_near_solids(const Vector3& goal_W) noexcept {
     const double radius_m = (proxy_W_ - goal_W).norm();
     n_near_ = 0;
     for (std::size_t i = 0; i < solids_.size(); ++i) {
-        if (solids_[i].is_near(goal_W, radius_m)) {
+        if (!solids_[i].lets_through() && solids_[i].is_near(goal_W, radius_m)) {
             near_[n_near_++] = static_cast<std::int32_t>(i);
         }
     }

@@ -10,8 +10,8 @@
 //    some of them: an edge that falls away must not hold it, nor convex neighbours pin it on their ridge.
 //  - A solid that moves carries the proxy that touches it, and takes along one that it meets; between two solids
 //    that close on it the proxy is pushed out sideways. If there is no way out it lets one solid pass and counts that.
-// Both faces of a triangle are solid. A proxy that starts inside a body is held inside. A pose that jumps is a motion too:
-// call `reset` to forgive it. All lengths are relative to the solid's size.
+// Both faces of a triangle are solid. A proxy that starts inside a body is held inside, unless that lets out (let_through.h). A pose
+// that jumps is a motion too: `put_solid` and `reset` forgive it. All lengths are relative to the solid's size.
 //
 // Thread: haptic loop. Cost: bounded sweeps a step, each O(log n) at worst; no allocation, noexcept.
 // Source: C. B. Zilles, J. K. Salisbury 1995, A constraint-based god-object method for haptic display, IROS.
@@ -38,6 +38,7 @@ class GodObject final : public SurfaceObject {
                        SegmentStructureKind structure = SegmentStructureKind::bounding_tree);
 
     void reset(const Vector3& hand_W) noexcept override;
+    void put_solid(std::size_t solid, const Pose& pose_W) noexcept override;
     void carry(std::span<const Pose> solid_poses_W) noexcept override;
     /// A goal that is not finite leaves all as it was.
     const ProxyContact& follow(const Vector3& goal_W) noexcept override;

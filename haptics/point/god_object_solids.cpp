@@ -1,5 +1,6 @@
 // How the proxy keeps its side of solids that move.
 #include "haptics/point/god_object.h"
+#include "haptics/point/let_through.h"
 
 #include <algorithm>
 
@@ -14,6 +15,7 @@ constexpr int kMaxPushes = 8;  // planes met on the way out from between solids
 void GodObject::carry(std::span<const Pose> solid_poses_W) noexcept {
     n_known_ = 0;
     n_sweeps_ = 0;
+    leave_solids(std::span(solids_), proxy_W_, goal_W_);
     bool any_moved = false;
     for (std::size_t i = 0; i < std::min(solids_.size(), solid_poses_W.size()); ++i) {
         any_moved = solids_[i].take_pose(solid_poses_W[i]) || any_moved;
@@ -56,6 +58,7 @@ void GodObject::follow_touched() noexcept {
     } else if (!place_between(wish_W, blocker)) {
         ++n_squeezed_;
         accept(wish_W);
+        give_way(std::span(solids_), wish_W, planes_);
     }
 }
 
@@ -78,7 +81,7 @@ bool GodObject::place_between(const Vector3& wish_W, const Blocker& first) noexc
 
 GodObject::Blocker GodObject::find_blocker(const Vector3& to_W) const noexcept {
     for (std::size_t i = 0; i < solids_.size(); ++i) {
-        const SegmentHit hit = solids_[i].sweep(to_W);
+        const SegmentHit hit = solids_[i].lets_through() ? SegmentHit{} : solids_[i].sweep(to_W);
         if (hit.found()) {
             return {static_cast<std::int32_t>(i), hit};
         }
@@ -97,7 +100,8 @@ void GodObject::accept(const Vector3& proxy_W) noexcept {
 void GodObject::leave_surface() noexcept {
     const auto find_touching = [this]() noexcept -> Blocker {
         for (std::size_t i = 0; i < solids_.size(); ++i) {
-            const SegmentHit hit = solids_[i].find_touching();
+            const SegmentHit hit =
+                solids_[i].lets_through() ? SegmentHit{} : solids_[i].find_touching();
             if (hit.found()) {
                 return {static_cast<std::int32_t>(i), hit};
             }

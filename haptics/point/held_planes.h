@@ -32,6 +32,17 @@ struct HeldPlanes {
     template <class Height>
     [[nodiscard]] Vector3 constrain(const Vector3& wish, double slack, Height&& height_m) noexcept;
 
+    /// Forgets the planes of one solid.
+    void drop(std::int32_t solid) noexcept {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (plane[i].solid != solid) {
+                plane[kept] = plane[i];
+                push_m[kept++] = push_m[i];
+            }
+        }
+        count = kept;
+    }
     /// Says in the contact what holds the proxy.
     void tell_touches(const Vector3& proxy_W, ProxyContact& contact) const noexcept;
     /// The whole contact of a proxy that followed the goal.

@@ -90,8 +90,10 @@ std::vector<MovingObstacle> make_obstacles(const CursorShape& cursor,
     std::vector<MovingObstacle> obstacles;
     obstacles.reserve(solids.size());
     for (const SolidPlan& solid : solids) {
+        const auto* mesh = find_mesh(solid.shape);
         obstacles.emplace_back(make_obstacle(cursor, solid.shape),
-                               static_cast<std::int32_t>(obstacles.size()), solid.initial_pose_W);
+                               static_cast<std::int32_t>(obstacles.size()), solid.initial_pose_W,
+                               solid.lets_out, mesh != nullptr ? *mesh : nullptr);
     }
     return obstacles;
 }

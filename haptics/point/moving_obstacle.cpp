@@ -16,8 +16,9 @@ constexpr double kMet = 0.5;
 }  // namespace
 
 MovingObstacle::MovingObstacle(std::unique_ptr<Obstacle> obstacle, std::int32_t index,
-                               const Pose& pose_W)
-    : obstacle_(std::move(obstacle)), index_(index) {
+                               const Pose& pose_W, bool lets_out,
+                               std::shared_ptr<const CollisionMesh> stuff)
+    : obstacle_(std::move(obstacle)), index_(index), lets_out_(lets_out), stuff_(std::move(stuff)) {
     take_pose(pose_W);
     obstacle_->turn(turn_WB());
 }
@@ -69,6 +70,12 @@ ObstaclePlane MovingObstacle::find_plane(std::int32_t feature) const noexcept {
 Vector3 MovingObstacle::move_off(std::int32_t feature, const Vector3& p_W) const noexcept {
     const Gap gap = obstacle_->find_gap(feature, to_body(p_W));
     return p_W + (clearance_m() - gap.gap_m) * (turn_WB() * gap.normal_B);
+}
+
+bool MovingObstacle::holds(const Vector3& p_W) const noexcept {
+    const Vector3 p_B = to_body(p_W);
+    return lets_out_ && is_near(p_W, 0.0) &&
+           (obstacle_->find_nearest(p_B, 0.0) >= 0 || (stuff_ && is_in_stuff(*stuff_, p_B)));
 }
 
 bool MovingObstacle::is_near(const Vector3& centre_W, double radius_m) const noexcept {

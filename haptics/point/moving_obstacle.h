@@ -3,6 +3,7 @@
 // Thread: haptic loop. Cost: that of the obstacle; no allocation.
 #pragma once
 
+#include "haptics/collision/enclosure.h"
 #include "haptics/collision/obstacle.h"
 #include "haptics/math/spatial.h"
 #include "haptics/point/proxy_frame.h"
@@ -27,7 +28,9 @@ struct ObstaclePlane {
 
 class MovingObstacle : public ProxyFrame {
   public:
-    MovingObstacle(std::unique_ptr<Obstacle> obstacle, std::int32_t index, const Pose& pose_W);
+    /// `lets_out`: as in SolidPlan; `stuff`: the mesh that the obstacle is made of, if it is one.
+    MovingObstacle(std::unique_ptr<Obstacle> obstacle, std::int32_t index, const Pose& pose_W,
+                   bool lets_out = false, std::shared_ptr<const CollisionMesh> stuff = nullptr);
 
     /// As ProxyFrame::take_pose, and tells the obstacle how it is turned.
     bool take_pose(const Pose& pose_W) noexcept;
@@ -48,6 +51,8 @@ class MovingObstacle : public ProxyFrame {
     [[nodiscard]] std::int32_t find_deepest() const noexcept {
         return obstacle_->find_nearest(proxy_B(), 0.5 * clearance_m());
     }
+    /// Does a proxy at the place lie in the solid, or overlap it?
+    [[nodiscard]] bool holds(const Vector3& p_W) const noexcept;
     /// Can a proxy within `radius_m` of `centre_W` reach the solid?
     [[nodiscard]] bool is_near(const Vector3& centre_W, double radius_m) const noexcept;
     /// The gap at which the proxy is held here.
@@ -58,6 +63,8 @@ class MovingObstacle : public ProxyFrame {
 
     std::unique_ptr<Obstacle> obstacle_;
     std::int32_t index_;
+    bool lets_out_;
+    std::shared_ptr<const CollisionMesh> stuff_;
 };
 
 }  // namespace fulcrum

@@ -19,7 +19,7 @@ constexpr double kReach = 2.0;
 }  // namespace
 
 MovingSolid::MovingSolid(const SolidPlan& plan, std::int32_t index, SegmentStructureKind structure)
-    : mesh_(*find_mesh(plan.shape)), index_(index) {
+    : mesh_(*find_mesh(plan.shape)), index_(index), lets_out_(plan.lets_out) {
     if (structure != SegmentStructureKind::bounding_tree) {
         structure_ = make_segment_structure(structure, mesh_).value();
     }

@@ -3,6 +3,7 @@
 // Thread: haptic loop. Cost: a sweep is some tens of nanoseconds near the last one, O(log n) elsewhere; no allocation.
 #pragma once
 
+#include "haptics/collision/enclosure.h"
 #include "haptics/collision/segment_query.h"
 #include "haptics/collision/segment_structure.h"
 #include "haptics/math/spatial.h"
@@ -50,6 +51,10 @@ class MovingSolid : public ProxyFrame {
     [[nodiscard]] TouchedPlane find_plane(std::int32_t triangle, int side) const noexcept;
     /// Does the proxy stand over the triangle, or does its foot lie beside it?
     [[nodiscard]] bool is_over(std::int32_t triangle) const noexcept;
+    /// Does the place lie in the solid, so that a proxy there must be let out?
+    [[nodiscard]] bool holds(const Vector3& p_W) const noexcept {
+        return lets_out_ && is_in_stuff(*mesh_, to_body(p_W));
+    }
     /// Can a point within `radius_m` of `centre_W` reach the solid?
     [[nodiscard]] bool is_near(const Vector3& centre_W, double radius_m) const noexcept;
 
@@ -62,6 +67,7 @@ class MovingSolid : public ProxyFrame {
     std::shared_ptr<const CollisionMesh> mesh_;
     std::unique_ptr<SegmentStructure> structure_;  // none: the mesh's own tree, and what is nearby
     std::int32_t index_;
+    bool lets_out_;
     NearbyTriangles nearby_;
     std::uint64_t n_searches_ = 0;
 };

@@ -51,6 +51,9 @@ class Proxy {
 
     /// Puts the proxy on the hand, as at the start of a run; no solid is touched.
     virtual void reset(const Vector3& hand_W) noexcept = 0;
+    /// Puts a solid elsewhere at once, instead of moving it there: it pushes nobody on the way, and where it comes to lie on the hand
+    /// it lets the hand through until that has left it. An index beyond the plan's solids is ignored.
+    virtual void put_solid(std::size_t solid, const Pose& pose_W) noexcept = 0;
     /// Moves the proxy towards the hand as far as the solids allow. `solid_poses_W` has one pose a solid of the plan.
     virtual const ProxyContact& step(const Vector3& hand_W,
                                      std::span<const Pose> solid_poses_W) noexcept = 0;

@@ -22,6 +22,9 @@ struct SolidPlan {
     std::optional<CouplingSettings> coupling{};  ///< of its own, instead of the plan's
     FrictionSettings friction{};                 ///< felt by proxies of the kind friction_cone
     SurfacePlan surface{};                       ///< texture, transient, shading, sound
+    /// A hand that begins in it, or on which it is put, is let out instead of being held inside, or pushed out. Scenes ask for it;
+    /// rooms do not.
+    bool lets_out = false;
 };
 
 /// Makes the body of a material: its coupling, friction, texture and transient become the material's. Shading and sound

@@ -37,6 +37,7 @@ class VirtualProxy final : public SurfaceObject {
     explicit VirtualProxy(std::vector<MovingObstacle> solids);
 
     void reset(const Vector3& hand_W) noexcept override;
+    void put_solid(std::size_t solid, const Pose& pose_W) noexcept override;
     void carry(std::span<const Pose> solid_poses_W) noexcept override;
     /// A goal that is not finite leaves all as it was.
     const ProxyContact& follow(const Vector3& goal_W) noexcept override;

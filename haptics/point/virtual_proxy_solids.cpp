@@ -1,4 +1,5 @@
 // How the proxy keeps out of solids that move.
+#include "haptics/point/let_through.h"
 #include "haptics/point/virtual_proxy.h"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ constexpr int kMaxSeparations = 32;  // looks for features that a ball starts in
 
 void VirtualProxy::carry(std::span<const Pose> solid_poses_W) noexcept {
     n_casts_ = 0;
+    leave_solids(std::span(solids_), proxy_W_, goal_W_);
     bool any_moved = false;
     for (std::size_t i = 0; i < std::min(solids_.size(), solid_poses_W.size()); ++i) {
         any_moved = solids_[i].take_pose(solid_poses_W[i]) || any_moved;
@@ -54,6 +56,7 @@ void VirtualProxy::follow_touched() noexcept {
         ++n_squeezed_;
         accept(wish_W);
         leave_surfaces();
+        give_way(std::span(solids_), proxy_W_, planes_);
     }
 }
 
@@ -88,7 +91,8 @@ bool VirtualProxy::place_between(const Vector3& wish_W, const Blocker& first) no
 
 VirtualProxy::Blocker VirtualProxy::find_blocker(const Vector3& to_W) noexcept {
     for (std::size_t i = 0; i < solids_.size(); ++i) {
-        const CastHit hit = solids_[i].cast(to_W, reach_m_, {});
+        const CastHit hit =
+            solids_[i].lets_through() ? CastHit{} : solids_[i].cast(to_W, reach_m_, {});
         if (hit.found()) {
             return {static_cast<std::int32_t>(i), hit};
         }
@@ -109,7 +113,7 @@ void VirtualProxy::leave_surfaces() noexcept {
     for (int look = 0; look < kMaxSeparations; ++look) {
         const std::size_t before = planes.count;
         for (std::size_t i = 0; i < solids_.size() && planes.count < kMaxPlanes; ++i) {
-            const std::int32_t feature = solids_[i].find_deepest();
+            const std::int32_t feature = solids_[i].lets_through() ? -1 : solids_[i].find_deepest();
             if (feature >= 0) {
                 planes.plane[planes.count++] = solids_[i].find_plane(feature);
             }

@@ -15,6 +15,7 @@ class OneConstraintProxy final : public Proxy {
     explicit OneConstraintProxy(std::shared_ptr<const CollisionMesh> mesh)
         : mesh_(std::move(mesh)) {}
     void reset(const Vector3& hand_W) noexcept override;
+    void put_solid(std::size_t /*solid*/, const Pose& /*pose_W*/) noexcept override {}
     const ProxyContact& step(const Vector3& hand_W,
                              std::span<const Pose> solid_poses_W) noexcept override;
 

@@ -166,6 +166,32 @@ TEST_CASE("world: hold, release, hide, place and drop again") {
     CHECK(world.ignored_commands() == 0);
 }
 
+TEST_CASE("world: a frame tells which solids were put elsewhere, and not which moved there") {
+    World world(make_world_plan());
+    const std::array<std::int32_t, 2> solids{0, 2};
+    const auto count = [&](std::size_t solid) {
+        return world.make_frame(0.0, solids).solid_placements[solid];
+    };
+    CHECK(count(0) == 0);
+    world.apply(make_command(Kind::place, 0, Vector3(1.0, 2.0, 3.0)));
+    CHECK(count(0) == 1);
+    CHECK(count(1) == 0);
+    world.apply(make_command(Kind::place, 0, Vector3(1.0, 2.0, 3.0)));
+    world.apply(make_command(Kind::hide, 0));
+    CHECK(count(0) == 3);
+    world.apply(make_command(Kind::drop, 2, Vector3(1.0, 2.0, 3.0)));
+    CHECK(count(1) == 1);
+    for (int k = 0; k < 100; ++k) {
+        world.step(kDt_s, tool_at(Vector3(0.0, 0.4, 0.0)));
+    }
+    CHECK(count(1) == 1);  // it falls
+    world.apply(make_command(Kind::hold, 2));
+    CHECK(count(1) == 2);
+    world.apply(make_command(Kind::release, kNoBody));
+    CHECK(count(1) == 3);
+    CHECK(count(0) == 3);
+}
+
 TEST_CASE("world: bad commands and steps are ignored, the commands counted") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     World world(make_world_plan());

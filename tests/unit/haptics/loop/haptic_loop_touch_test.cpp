@@ -1,5 +1,8 @@
 // What touches: the proxy's side of the haptic loop.
 #include "haptics/device/simulated/simulated_hand.h"
+#include "haptics/geometry/shape.h"
+#include "haptics/point/make_proxy.h"
+#include "tests/support/touchable.h"
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -19,6 +22,7 @@ class FloorProxy final : public Proxy {
         contact_ = {};
         contact_.position_W = hand_W;
     }
+    void put_solid(std::size_t /*solid*/, const Pose& /*pose_W*/) noexcept override {}
     const ProxyContact& step(const Vector3& hand_W,
                              std::span<const Pose> poses_W) noexcept override {
         const double height_m = poses_W[0].position.y();
@@ -86,6 +90,34 @@ TEST_CASE(
     bench.run(1);
     CHECK(saw(bench, Fault::command_invalid));
     CHECK(is_finite(bench.device.written_D));
+}
+
+TEST_CASE(
+    "haptic loop: a solid that is put on the hand gives no force, one that moves there does") {
+    HapticPlan plan;
+    plan.expects_world = true;
+    plan.solids.push_back({0, touchable(make_box(Vector3(0.1, 0.1, 0.1))), {}});
+    plan.solids[0].initial_pose_W.position.y() = 1.0;
+    plan.solids[0].lets_out = true;
+    Bench bench(plan, make_proxy(plan.proxy, plan.solids, {plan.coupling, 0.001}));
+    bench.device.pose_D.position.setZero();
+    bench.world.solid_poses_W[0].position.y() = 1.0;
+    bench.run(3000);
+    bench.world.solid_poses_W[0].position.y() = 0.01;
+    ++bench.world.solid_placements[0];
+    bench.run(20);
+    CHECK(bench.loop.state().touched_body == kNoBody);
+    CHECK(bench.loop.state().commanded_W.force.norm() == 0.0);
+    // Put away and moved there instead.
+    bench.world.solid_poses_W[0].position.y() = 0.2;
+    ++bench.world.solid_placements[0];
+    bench.run(20);
+    for (int i = 0; i < 160; ++i) {
+        bench.world.solid_poses_W[0].position.y() -= 0.001;
+        bench.run(1);
+    }
+    CHECK(bench.loop.state().touched_body == 0);
+    CHECK(bench.loop.state().commanded_W.force.y() < -1.0);
 }
 
 TEST_CASE("haptic loop: a hand that jumps while it touches feels the spring alone at first") {
