@@ -31,8 +31,8 @@ bool is_same(const NoiseTexture& a, const NoiseTexture& b) {
 bool is_same(const TextureSettings& a, const TextureSettings& b) {
     const auto& [source_a, law_a, height_a, gain_a] = a;
     const auto& [source_b, law_b, height_b, gain_b] = b;
-    const auto same_source = [&](const auto& one) {
-        const auto* other = std::get_if<std::remove_cvref_t<decltype(one)>>(&source_b);
+    const auto same_source = [&other_source = source_b](const auto& one) {
+        const auto* other = std::get_if<std::remove_cvref_t<decltype(one)>>(&other_source);
         return other != nullptr && is_same(one, *other);
     };
     return law_a == law_b && height_a == height_b && gain_a == gain_b &&
