@@ -8,7 +8,6 @@ namespace fulcrum {
 namespace {
 
 using Mesh = std::shared_ptr<const CollisionMesh>;
-using Made = std::unique_ptr<SegmentStructure>;
 
 class TreeStructure final : public SegmentStructure {
   public:
@@ -73,10 +72,13 @@ Expected<std::unique_ptr<SegmentStructure>> make_segment_structure(
         return fail("there is no mesh to find segments on", {}, "give one");
     }
     switch (kind) {
-        case SegmentStructureKind::h_collide:
-            return HCollide::create(std::move(mesh), settings).map([](auto grid) -> Made {
-                return std::make_unique<GridStructure>(std::move(grid));
-            });
+        case SegmentStructureKind::h_collide: {
+            auto grid = HCollide::create(std::move(mesh), settings);
+            if (!grid) {
+                return tl::unexpected(std::move(grid.error()));
+            }
+            return std::make_unique<GridStructure>(*std::move(grid));
+        }
         case SegmentStructureKind::brute_force:
             return std::make_unique<BruteForce>(std::move(mesh));
         case SegmentStructureKind::bounding_tree:
