@@ -43,8 +43,13 @@ if(NOT FULCRUM_PORTABLE)
   endif()
 endif()
 if(FULCRUM_SANITIZE)
-  target_compile_options(fulcrum_options INTERFACE -fsanitize=${FULCRUM_SANITIZE} -fno-omit-frame-pointer
-                                                   -fno-sanitize-recover=all)
+  # The tests' own sources go without UBSan, which costs a third of their compile time: what they test has it.
+  define_property(TARGET PROPERTY FULCRUM_IS_TEST INHERITED BRIEF_DOCS "a source of tests" FULL_DOCS "a source of tests")
+  string(REPLACE ",undefined" "" sanitize_tests "${FULCRUM_SANITIZE}")
+  string(REPLACE "," "$<COMMA>" sanitize_all "${FULCRUM_SANITIZE}")
+  target_compile_options(fulcrum_options INTERFACE
+    -fsanitize=$<IF:$<BOOL:$<TARGET_PROPERTY:FULCRUM_IS_TEST>>,${sanitize_tests},${sanitize_all}>
+    -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(fulcrum_options INTERFACE -fsanitize=${FULCRUM_SANITIZE})
   target_compile_definitions(fulcrum_options INTERFACE FULCRUM_SANITIZED=1)
 endif()

@@ -241,7 +241,9 @@ Report run_snags(Run& run) {
         sheet.rows.push_back(
             measure("bumpy ball", *make_bumpy_sphere(1.0, frequency, 0.03, 20.0), run));
     }
-    sheet.rows.push_back(measure("ring", *make_torus(1.0, 0.4, 354, 141), run));
+    for (const int n_ring : run.pick<std::vector<int>>({36, 354, 1120}, {354})) {
+        sheet.rows.push_back(measure("ring", *make_torus(1.0, 0.4, n_ring, n_ring * 2 / 5), run));
+    }
     return {sheet};
 }
 

@@ -9,6 +9,7 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/point/god_object.h"
 #include "haptics/point/make_proxy.h"
+#include "haptics/surface/shading.h"
 #include "tests/stability/cases/stability_case.h"
 #include "tests/support/nearest_point.h"
 #include "tests/support/touchable.h"
@@ -166,6 +167,52 @@ Finding find_turn(const Body& body) {
     return {worst_deg, 1.0, note};
 }
 
+// The true ball's normal over a place: of |p| = bumpy_radius(p / |p|).
+Vector3 bumpy_normal(const Vector3& p) {
+    const Vector3 u = p.normalized();
+    const Vector3 slope =
+        kHeight * kBumps / 3.0 * (kBumps * u).unaryExpr([](double x) { return std::cos(x); });
+    return (u - (slope - u.dot(slope) * u) / p.norm()).normalized();
+}
+
+// By how much the shaded force turns in a tick more than the true ball's normal does under the proxy: at 4 radii a second the bumps
+// alone turn that by more than a degree.
+Finding find_shaded_turn(const Body& body) {
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    const ShadedNormals shaded(body.mesh, 60.0);
+    double worst_deg = 0.0;
+    double true_deg = 0.0;
+    for (const double side : {1.0, -1.0}) {
+        GodObject proxy(only_solid(body.mesh));
+        Wanderer wanderer(9);
+        proxy.reset(body.press(wanderer.next(), -0.1 * side));
+        Vector3 before = Vector3::Zero();
+        Vector3 true_before = Vector3::Zero();
+        for (int i = 0; i < kSteps / 4; ++i) {
+            const ProxyContact contact = proxy.step(body.press(wanderer.next(), kDepth * side), {});
+            Vector3 force = Vector3::Zero();
+            for (const SolidTouch& touch : contact.active()) {
+                force += touch.push_m *
+                         shaded.normal_B(touch.feature, contact.position_W, touch.normal_W);
+            }
+            const Vector3 normal = bumpy_normal(contact.position_W);
+            if (i > 0) {
+                const double turned = std::atan2(before.cross(force).norm(), before.dot(force));
+                const double own =
+                    std::atan2(true_before.cross(normal).norm(), true_before.dot(normal));
+                worst_deg = worse(worst_deg, kDegrees * (turned - own));
+                true_deg = std::max(true_deg, kDegrees * own);
+            }
+            before = force;
+            true_before = normal;
+        }
+    }
+    char note[96];
+    std::snprintf(note, sizeof note, "%d triangles; the true ball's normal turned by up to %.2f",
+                  body.mesh->n_triangles(), true_deg);
+    return {worst_deg, 1.0, note};
+}
+
 constexpr FrictionSettings kRough{.static_coefficient = 0.5, .dynamic_coefficient = 0.4};
 constexpr const char* kSnags =
     "steps further than three depths from the hand, or free where they should not";
@@ -199,6 +246,11 @@ const HardCase kTurn{{"pressed: turns of the force on a ball of 100 k", kSlide,
 const HardCase kTurnRing{{"pressed: turns of the force on a ring of 100 k", kSlide,
                           "turn in a tick beyond that of the facets around", "degrees",
                           [] { return find_turn(make_ring(354)); }}};
+
+const HardCase kShaded100k{
+    {"pressed: how a shaded ball of 100 k turns", kSlide,
+     "most that the shaded force turned in a tick more than the true surface", "degrees",
+     [] { return find_shaded_turn(make_ball(71)); }}};
 
 }  // namespace
 }  // namespace fulcrum::stability
