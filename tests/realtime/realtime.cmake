@@ -18,7 +18,7 @@ set(load_path
 # Behind "=": functions that only load and stand in a file with others.
 set(load_functions
     "virtual_coupling.cpp.o=validate" "god_object.cpp.o=GodObject::~?GodObject|validate"
-    "moving_solid.cpp.o=MovingSolid::MovingSolid|bad_expected_access|expected_storage_base|Error::Error" "segment_structure.cpp.o=make_segment_structure|Structure::~|BruteForce::~"
+    "moving_solid.cpp.o=MovingSolid::MovingSolid|bad_expected_access|expected_storage_base|Error::Error" "segment_structure.cpp.o=make_segment_structure|expected_storage_base|Structure::~|BruteForce::~"
     "h_collide.cpp.o=HCollide::(list_entries|plant|create|~?HCollide)|validate" "hash_grid.cpp.o=HashGrid::(reserve|HashGrid)" "obb_tree.cpp.o=ObbForest::(add|shrink)" "height_field.cpp.o=make_height_field"
     "convex_cursor.cpp.o=MakeCore|make_convex_(cursor|solid)|Obstacle::~" "distance_obstacle.cpp.o=DistanceObstacle::~"
     "mesh_obstacle.cpp.o=MeshObstacle::~?MeshObstacle"
