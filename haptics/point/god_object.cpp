@@ -45,14 +45,11 @@ void GodObject::reset(const Vector3& hand_W) noexcept {
 }
 
 void GodObject::put_solid(std::size_t solid, const Pose& pose_W) noexcept {
-    if (solid >= solids_.size()) {
-        return;
+    if (solid < solids_.size()) {
+        put_at_once(solids_[solid], pose_W, proxy_W_, goal_W_, static_cast<std::int32_t>(solid),
+                    planes_);
+        publish(goal_W_);
     }
-    planes_.drop(static_cast<std::int32_t>(solid));
-    solids_[solid].take_pose(pose_W);
-    solids_[solid].put_proxy(proxy_W_);
-    start_in(solids_[solid], proxy_W_, goal_W_);
-    publish(goal_W_);
 }
 
 const ProxyContact& GodObject::follow(const Vector3& goal_W) noexcept {

@@ -45,6 +45,9 @@ struct HeldPlanes {
     }
     /// Says in the contact what holds the proxy.
     void tell_touches(const Vector3& proxy_W, ProxyContact& contact) const noexcept;
+    /// The same before the goal is known, so that nothing pushes yet; `anchors_W` are the touches' own.
+    void tell_carried(const Vector3& proxy_W, const std::array<Vector3, kMaxTouches>& anchors_W,
+                      ProxyContact& contact) noexcept;
     /// The whole contact of a proxy that followed the goal.
     [[nodiscard]] ProxyContact make_contact(const Vector3& proxy_W,
                                             const Vector3& goal_W) const noexcept;
@@ -100,6 +103,18 @@ void HeldPlanes<Plane>::tell_touches(const Vector3& proxy_W, ProxyContact& conta
 }
 
 template <class Plane>
+void HeldPlanes<Plane>::tell_carried(const Vector3& proxy_W,
+                                     const std::array<Vector3, kMaxTouches>& anchors_W,
+                                     ProxyContact& contact) noexcept {
+    push_m.fill(0.0);
+    tell_touches(proxy_W, contact);
+    for (std::size_t i = 0; i < contact.active().size(); ++i) {
+        contact.touches[i].anchor_W = anchors_W[i];
+    }
+    contact.position_W = proxy_W;
+}
+
+template <class Plane>
 ProxyContact HeldPlanes<Plane>::make_contact(const Vector3& proxy_W,
                                              const Vector3& goal_W) const noexcept {
     ProxyContact contact{
@@ -113,6 +128,14 @@ ProxyContact HeldPlanes<Plane>::make_contact(const Vector3& proxy_W,
     const Vector3 push = proxy_W - goal_W;
     contact.normal_W = push.squaredNorm() > 0.0 ? compute_direction(push) : strongest->normal_W;
     return contact;
+}
+
+/// Where the touched solid takes the proxy along to; where it stands when none is touched.
+template <class Solids>
+[[nodiscard]] Vector3 find_carried_wish(const Solids& solids, std::int32_t touched,
+                                        const Vector3& proxy_W) noexcept {
+    return touched == kNoBody ? proxy_W
+                              : solids[static_cast<std::size_t>(touched)].carried_proxy_W();
 }
 
 /// Where the proxy can be after the solids moved: at the wish, where it stands, or carried by a solid that is in the way there;

@@ -17,6 +17,16 @@ void start_in(Solid& solid, const Vector3& proxy_W, const Vector3& hand_W) noexc
     solid.let_through(solid.holds(proxy_W) || solid.holds(hand_W));
 }
 
+/// Puts a solid elsewhere at once (Proxy::put_solid): its planes are forgotten, and it lets through what it comes to hold.
+template <class Solid, class Planes>
+void put_at_once(Solid& solid, const Pose& pose_W, const Vector3& proxy_W, const Vector3& hand_W,
+                 std::int32_t index, Planes& planes) noexcept {
+    planes.drop(index);
+    solid.take_pose(pose_W);
+    solid.put_proxy(proxy_W);
+    start_in(solid, proxy_W, hand_W);
+}
+
 /// A proxy that found no room comes to lie at `proxy_W`: solids that hold it there let it through from now on, and their planes go.
 template <class Solid, class Planes>
 void give_way(std::span<Solid> solids, const Vector3& proxy_W, Planes& planes) noexcept {

@@ -30,21 +30,12 @@ void VirtualProxy::carry(std::span<const Pose> solid_poses_W) noexcept {
         follow_touched();
     }
     look_again();
-    // Nothing pushes yet: that is known when the goal is.
-    planes_.push_m.fill(0.0);
-    planes_.tell_touches(proxy_W_, contact_);
-    for (std::size_t i = 0; i < contact_.active().size(); ++i) {
-        contact_.touches[i].anchor_W = anchors_W[i];
-    }
-    contact_.position_W = proxy_W_;
+    planes_.tell_carried(proxy_W_, anchors_W, contact_);
 }
 
 // With the touched solid, or where it was; else wherever there is room.
 void VirtualProxy::follow_touched() noexcept {
-    const Vector3 wish_W =
-        contact_.solid == kNoBody
-            ? proxy_W_
-            : solids_[static_cast<std::size_t>(contact_.solid)].carried_proxy_W();
+    const Vector3 wish_W = find_carried_wish(solids_, contact_.solid, proxy_W_);
     Blocker blocker;
     // The wish, then standing still, then going with each solid that is in the way.
     const std::optional<Vector3> carried_W = find_carried_place(
