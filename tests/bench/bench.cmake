@@ -24,5 +24,5 @@ file(GLOB curve_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/curves/*.cpp
 add_executable(fulcrum_bench ${CMAKE_CURRENT_LIST_DIR}/harness/main.cpp ${curve_sources} ${peer_sources})
 target_link_libraries(fulcrum_bench PRIVATE fulcrum_bench_harness fulcrum_stability_cases fulcrum::scene fulcrum::lua fulcrum::dialogue fulcrum::progress ${peer_libraries})
 target_precompile_headers(fulcrum_bench REUSE_FROM fulcrum_pch)
-target_compile_definitions(fulcrum_bench PRIVATE FULCRUM_MISSING_PEERS="${missing_peers}")
+target_compile_definitions(fulcrum_bench PRIVATE FULCRUM_MISSING_PEERS="${missing_peers}" FULCRUM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 set_target_properties(fulcrum_bench PROPERTIES OUTPUT_NAME fulcrum-bench RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
