@@ -1,0 +1,150 @@
+#include "haptics/voxel/voxelise.h"
+
+#include "haptics/base/range.h"
+#include "haptics/voxel/rasterise.h"
+
+#include <array>
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+constexpr int kMostCells = 512;  // along an axis: what a tree of three levels holds
+
+// Until it is reached from outside, what is not surface counts as interior.
+VoxelGrid make_grid(const TriangleMesh& mesh, double voxel_m, const VoxelFrame::Cell& n_cells,
+                    int margin) {
+    VoxelGrid grid;
+    grid.frame.voxel_m = voxel_m;
+    grid.frame.n_cells = n_cells;
+    // What the mesh does not fill is shared between both sides.
+    const Vector3 inner =
+        voxel_m * (Vector3(n_cells[0], n_cells[1], n_cells[2]).array() - 2.0 * margin).matrix();
+    const Vector3 middle = 0.5 * (mesh.lower_B() + mesh.upper_B());
+    grid.frame.lower_O = middle - 0.5 * inner - Vector3::Constant(voxel_m * margin);
+    const auto [nx, ny, nz] = n_cells;
+    grid.cells.assign(
+        static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz),
+        VoxelClass::interior);
+    return grid;
+}
+
+void mark_surface(const TriangleMesh& mesh, VoxelGrid& grid) {
+    const std::vector<Vector3>& corners = mesh.vertices_B();
+    for (const auto& [a, b, c] : mesh.triangles()) {
+        const TrianglePoints triangle{corners[static_cast<std::size_t>(a)],
+                                      corners[static_cast<std::size_t>(b)],
+                                      corners[static_cast<std::size_t>(c)]};
+        rasterise(grid.frame, triangle, [&grid](const VoxelFrame::Cell& cell) {
+            grid.cells[grid.index_of(cell)] = VoxelClass::surface;
+        });
+    }
+}
+
+// Free space spreads from a corner; the margin joins all outermost voxels.
+void flood_free(VoxelGrid& grid) {
+    std::vector<VoxelFrame::Cell> front{{0, 0, 0}};
+    grid.cells[0] = VoxelClass::free;
+    while (!front.empty()) {
+        const VoxelFrame::Cell cell = front.back();
+        front.pop_back();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (const std::int32_t step : {-1, 1}) {
+                VoxelFrame::Cell next = cell;
+                next[axis] += step;
+                if (grid.find_class(next) == VoxelClass::interior) {
+                    grid.cells[grid.index_of(next)] = VoxelClass::free;
+                    front.push_back(next);
+                }
+            }
+        }
+    }
+}
+
+// Free voxels with a neighbour in `front` become `kind`; returns them.
+std::vector<VoxelFrame::Cell> grow(VoxelGrid& grid, const std::vector<VoxelFrame::Cell>& front,
+                                   VoxelClass kind) {
+    std::vector<VoxelFrame::Cell> next;
+    for (const VoxelFrame::Cell& cell : front) {
+        const CellRange around{{cell[0] - 1, cell[1] - 1, cell[2] - 1},
+                               {cell[0] + 1, cell[1] + 1, cell[2] + 1}};
+        for_each_cell(around, [&](const VoxelFrame::Cell& neighbour) {
+            if (!grid.frame.contains(neighbour)) {
+                return;
+            }
+            VoxelClass& here = grid.cells[grid.index_of(neighbour)];
+            if (here == VoxelClass::free) {
+                here = kind;
+                next.push_back(neighbour);
+            }
+        });
+    }
+    return next;
+}
+
+std::vector<VoxelFrame::Cell> collect_surface(const VoxelGrid& grid) {
+    std::vector<VoxelFrame::Cell> found;
+    const auto [nx, ny, nz] = grid.frame.n_cells;
+    for_each_cell({{0, 0, 0}, {nx - 1, ny - 1, nz - 1}}, [&](const VoxelFrame::Cell& cell) {
+        if (grid.cells[grid.index_of(cell)] == VoxelClass::surface) {
+            found.push_back(cell);
+        }
+    });
+    return found;
+}
+
+void add_layers(const VoxeliseSettings& settings, VoxelGrid& grid) {
+    std::vector<VoxelFrame::Cell> front = collect_surface(grid);
+    for (int k = 0; k < settings.offset_layers; ++k) {
+        const std::vector<VoxelFrame::Cell> next = grow(grid, front, VoxelClass::surface);
+        for (const VoxelFrame::Cell& cell : front) {
+            grid.cells[grid.index_of(cell)] = VoxelClass::interior;
+        }
+        front = next;
+    }
+    for (int k = 0; k < settings.proximity_layers; ++k) {
+        front = grow(grid, front, VoxelClass::proximity);
+    }
+}
+
+}  // namespace
+
+double compute_voxel_m(const TriangleMesh& mesh, int n_cells) noexcept {
+    return (mesh.upper_B() - mesh.lower_B()).maxCoeff() / (n_cells - 0.5);
+}
+
+Expected<void> validate(const VoxeliseSettings& settings) {
+    const std::array<Range, 3> ranges{
+        {{"voxel_m", settings.voxel_m, 1.0e-9, 1.0e3},
+         {"offset_layers", static_cast<double>(settings.offset_layers), 0.0, 8.0},
+         {"proximity_layers", static_cast<double>(settings.proximity_layers), 0.0, 8.0}}};
+    return check_ranges("the voxels'", ranges);
+}
+
+Expected<VoxelGrid> voxelise(const TriangleMesh& mesh, const VoxeliseSettings& settings) {
+    if (const auto checked = validate(settings); !checked) {
+        return tl::unexpected(checked.error());
+    }
+    // One free voxel remains outside the last layer.
+    const int margin = settings.offset_layers + settings.proximity_layers + 1;
+    VoxelFrame::Cell n_cells{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<Eigen::Index>(axis);
+        // A side that is whole voxels long, to rounding, gets one more, so that it ends inside and not on a face.
+        const double side = (mesh.upper_B()[i] - mesh.lower_B()[i]) / settings.voxel_m;
+        const double needed = std::floor(side + 1.0e-6) + 1.0 + 2.0 * margin;
+        if (!(needed <= kMostCells)) {
+            return fail("a voxel of " + std::to_string(settings.voxel_m) +
+                            " m needs more than 512 voxels along a side of the mesh",
+                        {}, "make the voxels larger or the mesh smaller");
+        }
+        n_cells[axis] = static_cast<std::int32_t>(needed);
+    }
+    VoxelGrid grid = make_grid(mesh, settings.voxel_m, n_cells, margin);
+    mark_surface(mesh, grid);
+    flood_free(grid);
+    add_layers(settings, grid);
+    return grid;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,208 @@
+#include "haptics/voxel/voxelise.h"
+
+#include "haptics/geometry/shape.h"
+#include "haptics/voxel/rasterise.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace fulcrum;
+
+namespace {
+
+VoxelGrid make_grid(const TriangleMesh& mesh, const VoxeliseSettings& settings) {
+    auto grid = voxelise(mesh, settings);
+    REQUIRE(grid);
+    return *grid;
+}
+
+std::size_t count(const VoxelGrid& grid, VoxelClass kind) {
+    return static_cast<std::size_t>(std::count(grid.cells.begin(), grid.cells.end(), kind));
+}
+
+CellRange all_of(const VoxelGrid& grid) {
+    const auto [nx, ny, nz] = grid.frame.n_cells;
+    return {{0, 0, 0}, {nx - 1, ny - 1, nz - 1}};
+}
+
+// The mesh without the triangles whose middle the predicate takes away.
+template <class Taken>
+TriangleMesh without(const TriangleMesh& mesh, Taken taken) {
+    std::vector<TriangleCorners> kept;
+    for (const TriangleCorners& t : mesh.triangles()) {
+        Vector3 middle = Vector3::Zero();
+        for (const std::int32_t corner : t) {
+            middle += mesh.vertices_B()[static_cast<std::size_t>(corner)] / 3.0;
+        }
+        if (!taken(middle)) {
+            kept.push_back(t);
+        }
+    }
+    return TriangleMesh::build(mesh.vertices_B(), kept,
+                               {.weld_relative = 0.0, .crack_relative = 0.0})
+        .value();
+}
+
+}  // namespace
+
+TEST_CASE("voxelise: a ball's voxels are surface, interior and free where its distance says so") {
+    const double radius_m = 0.05;
+    const auto mesh = make_sphere(radius_m, 24).value();
+    const VoxelGrid grid = make_grid(mesh, {.voxel_m = 0.004, .proximity_layers = 0});
+    // Flat triangles of this sphere lie at most this much inside it.
+    const double sagitta_m = 1.0e-4;
+    const double half_diagonal_m = 0.5 * std::sqrt(3.0) * grid.frame.voxel_m;
+    for_each_cell(all_of(grid), [&](const VoxelFrame::Cell& cell) {
+        const double distance_m = grid.frame.centre_of(cell).norm() - radius_m;
+        const VoxelClass kind = grid.find_class(cell);
+        if (distance_m > half_diagonal_m) {
+            REQUIRE(kind == VoxelClass::free);
+        } else if (distance_m < -half_diagonal_m - sagitta_m) {
+            REQUIRE(kind == VoxelClass::interior);
+        } else if (std::abs(distance_m) < 0.5 * grid.frame.voxel_m - sagitta_m) {
+            // The surface passes nearer than the voxel's inscribed ball.
+            REQUIRE(kind == VoxelClass::surface);
+        }
+    });
+    const double cell_m3 = std::pow(grid.frame.voxel_m, 3);
+    const double volume_m3 = 4.0 / 3.0 * 3.14159265 * std::pow(radius_m, 3);
+    const auto inside = static_cast<double>(count(grid, VoxelClass::interior));
+    const auto surface = static_cast<double>(count(grid, VoxelClass::surface));
+    CHECK(inside * cell_m3 < volume_m3);
+    CHECK((inside + surface) * cell_m3 > volume_m3);
+    CHECK((inside + 0.5 * surface) * cell_m3 == Approx(volume_m3).epsilon(0.03));
+}
+
+TEST_CASE("voxelise: a box is counted voxel by voxel") {
+    // 10 x 6 x 4 voxels and a half: 11 x 7 x 5 touched, all but a shell of one voxel inside.
+    const auto mesh = make_box({10.5, 6.5, 4.5}).value();
+    const VoxelGrid grid = make_grid(mesh, {.voxel_m = 1.0, .proximity_layers = 1});
+    CHECK(count(grid, VoxelClass::interior) == 9 * 5 * 3);
+    CHECK(count(grid, VoxelClass::surface) == 11 * 7 * 5 - 9 * 5 * 3);
+    CHECK(count(grid, VoxelClass::proximity) == 13 * 9 * 7 - 11 * 7 * 5);
+    CHECK(grid.frame.n_cells == VoxelFrame::Cell{15, 11, 9});
+}
+
+TEST_CASE("voxelise: a layer pushed outwards leaves what it held to the inside") {
+    const auto mesh = make_box({10.5, 6.5, 4.5}).value();
+    const VoxelGrid grid =
+        make_grid(mesh, {.voxel_m = 1.0, .offset_layers = 2, .proximity_layers = 3});
+    CHECK(count(grid, VoxelClass::interior) == 13 * 9 * 7);
+    CHECK(count(grid, VoxelClass::surface) == 15 * 11 * 9 - 13 * 9 * 7);
+    CHECK(count(grid, VoxelClass::proximity) == 21 * 17 * 15 - 15 * 11 * 9);
+}
+
+TEST_CASE(
+    "voxelise: the outermost voxels are free, whatever the layers and however the sides end") {
+    for (const double side : {4.0, 4.0 - 1.0e-12, 4.0 + 1.0e-12, 4.3}) {
+        for (const int layers : {0, 1, 3}) {
+            const VoxelGrid grid =
+                make_grid(make_box(Vector3::Constant(side)).value(),
+                          {.voxel_m = 1.0, .offset_layers = layers, .proximity_layers = layers});
+            const auto [nx, ny, nz] = grid.frame.n_cells;
+            for_each_cell(all_of(grid), [&, nx = nx, ny = ny, nz = nz](const VoxelFrame::Cell& c) {
+                if (c[0] == 0 || c[1] == 0 || c[2] == 0 || c[0] == nx - 1 || c[1] == ny - 1 ||
+                    c[2] == nz - 1) {
+                    REQUIRE(grid.find_class(c) == VoxelClass::free);
+                }
+            });
+        }
+    }
+}
+
+TEST_CASE(
+    "voxelise: cracks narrower than a voxel do not leak, and a mesh turned inside out is the "
+    "same") {
+    const auto mesh = make_sphere(0.05, 16).value();
+    const VoxeliseSettings settings{.voxel_m = 0.004};
+    const VoxelGrid whole = make_grid(mesh, settings);
+    CHECK(make_grid(make_inverted(mesh).value(), settings).cells == whole.cells);
+    // Each triangle drawn in by half a percent towards its middle: open along every edge.
+    std::vector<Vector3> corners;
+    std::vector<TriangleCorners> triangles;
+    for (const TriangleCorners& t : mesh.triangles()) {
+        Vector3 middle = Vector3::Zero();
+        for (const std::int32_t corner : t) {
+            middle += mesh.vertices_B()[static_cast<std::size_t>(corner)] / 3.0;
+        }
+        const auto first = static_cast<std::int32_t>(corners.size());
+        for (const std::int32_t corner : t) {
+            corners.emplace_back(
+                middle + 0.995 * (mesh.vertices_B()[static_cast<std::size_t>(corner)] - middle));
+        }
+        triangles.push_back({first, first + 1, first + 2});
+    }
+    const auto cracked =
+        TriangleMesh::build(corners, triangles, {.weld_relative = 0.0, .crack_relative = 0.0})
+            .value();
+    // Leaked, it would have none; a little smaller it has a little less.
+    CHECK(static_cast<double>(count(make_grid(cracked, settings), VoxelClass::interior)) ==
+          Approx(static_cast<double>(count(whole, VoxelClass::interior))).epsilon(0.02));
+}
+
+TEST_CASE("voxelise: a bowl has an inside that is free, and no voxel but its wall pushes") {
+    const auto bowl = without(make_sphere(0.05, 16).value(),
+                              [](const Vector3& middle) { return middle.y() > 0.0; });
+    const VoxelGrid grid = make_grid(bowl, {.voxel_m = 0.004, .proximity_layers = 0});
+    CHECK(grid.find_class(grid.frame.find_cell({0.0, -0.02, 0.0})) == VoxelClass::free);
+    CHECK(grid.find_class(grid.frame.find_cell({0.0, -0.05, 0.0})) == VoxelClass::surface);
+    CHECK(count(grid, VoxelClass::interior) < count(grid, VoxelClass::surface) / 20);
+}
+
+TEST_CASE("voxelise: a hollow that nothing reaches is inside") {
+    // A ball in a ball: the shell between them and the hollow are both beyond the surface.
+    const auto outer = make_sphere(0.05, 12).value();
+    const auto inner = make_inverted(make_sphere(0.025, 12).value()).value();
+    std::vector<Vector3> corners = outer.vertices_B();
+    std::vector<TriangleCorners> triangles = outer.triangles();
+    const auto n = static_cast<std::int32_t>(corners.size());
+    corners.insert(corners.end(), inner.vertices_B().begin(), inner.vertices_B().end());
+    for (const auto& [a, b, c] : inner.triangles()) {
+        triangles.push_back({a + n, b + n, c + n});
+    }
+    const VoxelGrid grid =
+        make_grid(TriangleMesh::build(corners, triangles).value(), {.voxel_m = 0.004});
+    CHECK(grid.find_class(grid.frame.find_cell(Vector3::Zero())) == VoxelClass::interior);
+    CHECK(grid.find_class(grid.frame.find_cell({0.0, 0.0375, 0.0})) == VoxelClass::interior);
+}
+
+TEST_CASE("voxelise: the longest side fills as many voxels as asked for") {
+    for (const int n : {1, 7, 80}) {
+        const auto mesh = make_box({0.3, 0.1, 0.2}).value();
+        const VoxelGrid grid =
+            make_grid(mesh, {.voxel_m = compute_voxel_m(mesh, n), .proximity_layers = 0});
+        CHECK(grid.frame.n_cells[0] == n + 2);
+    }
+}
+
+TEST_CASE("voxelise: bad settings and meshes too large for the voxels are refused") {
+    const auto mesh = make_box({0.3, 0.1, 0.2}).value();
+    CHECK_FALSE(voxelise(mesh, {.voxel_m = 0.0}));
+    CHECK_FALSE(voxelise(mesh, {.voxel_m = std::nan("")}));
+    CHECK_FALSE(voxelise(mesh, {.voxel_m = 0.01, .offset_layers = -1}));
+    CHECK_FALSE(voxelise(mesh, {.voxel_m = 0.01, .proximity_layers = 9}));
+    CHECK_FALSE(voxelise(mesh, {.voxel_m = 0.0005}));
+    CHECK(voxelise(mesh, {.voxel_m = 0.0006}));
+}
+
+TEST_CASE("rasterise: each voxel once, and blocks change nothing") {
+    VoxelFrame frame;
+    frame.lower_O = {-1.3, -2.1, 0.2};
+    frame.voxel_m = 0.1;
+    frame.n_cells = {40, 37, 29};
+    const TrianglePoints triangle{Vector3(-1.0, -2.0, 0.3), Vector3(2.5, 1.2, 1.1),
+                                  Vector3(0.1, 1.4, 2.9)};
+    std::vector<VoxelFrame::Cell> found;
+    rasterise(frame, triangle, [&found](const VoxelFrame::Cell& cell) { found.push_back(cell); });
+    std::vector<VoxelFrame::Cell> expected;
+    for_each_cell({{0, 0, 0}, {39, 36, 28}}, [&](const VoxelFrame::Cell& cell) {
+        if (overlaps_box(triangle, frame.centre_of(cell), Vector3::Constant(0.05))) {
+            expected.push_back(cell);
+        }
+    });
+    std::sort(found.begin(), found.end());
+    std::sort(expected.begin(), expected.end());
+    CHECK(found.size() > 500);
+    CHECK(found == expected);
+}
