@@ -15,6 +15,7 @@ set(load_path
     friction.cpp.o texture_settings.cpp.o transient_settings.cpp.o surface_plan.cpp.o material.cpp.o materials.cpp.o relief.cpp.o
     texture_map_build.cpp.o texture_build.cpp.o shading_build.cpp.o contact_stage_build.cpp.o texture_stage_build.cpp.o
     transient_stage_build.cpp.o surface_effects_build.cpp.o
+    distance_band.cpp.o brick_sides.cpp.o distance_field_build.cpp.o distance_field_settings.cpp.o
     realtime_thread.cpp.o) # the thread itself waits between the steps
 # Behind "=": functions that only load and stand in a file with others.
 set(load_functions
@@ -26,6 +27,7 @@ set(load_functions
     "friction_cone.cpp.o=FrictionCone::~?FrictionCone"
     "virtual_proxy.cpp.o=VirtualProxy::~?VirtualProxy"
     "touch_motion.cpp.o=TouchMotion::TouchMotion" "touch_teller.cpp.o=TouchTeller::TouchTeller"
+    "triangle_clusters.cpp.o=TriangleClusters::TriangleClusters|build_(leaves|parents)" "distance_field.cpp.o=memory_bytes"
     "bounding_tree.cpp.o=BoundingTree::BoundingTree|build_nodes|find_centres|put_in_order|memory_bytes")
 function(add_symbol_check name finds)
   add_test(NAME "realtime: ${name}"

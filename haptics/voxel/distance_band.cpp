@@ -1,0 +1,130 @@
+#include "haptics/voxel/distance_band.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace fulcrum {
+
+namespace {
+
+using Floats = float __attribute__((vector_size(32)));  // eight at once
+
+constexpr float kFarAway = 1.0e6F;  // voxels: beyond any triangle of a block
+// Height over longest edge: below, a triangle is its longest edge to within a millionth of it.
+constexpr double kSliver = 1.0e-6;
+
+BandTriangle::Line make_line(const Vector3& slope, const Vector3& through) noexcept {
+    return {{static_cast<float>(slope.x()), static_cast<float>(slope.y()),
+             static_cast<float>(slope.z())},
+            static_cast<float>(-slope.dot(through))};
+}
+
+// At x = 0, 1, ... 7 of the row.
+Floats evaluate(const BandTriangle::Line& line, const Floats& x, float y, float z) noexcept {
+    return line.slope[0] * x + (line.slope[1] * y + line.slope[2] * z + line.offset);
+}
+
+Floats larger(const Floats& a, const Floats& b) noexcept {
+    return a > b ? a : b;
+}
+Floats smaller(const Floats& a, const Floats& b) noexcept {
+    return a < b ? a : b;
+}
+
+Floats compute_squares(const BandTriangle& t, const Floats& x, float y, float z) noexcept {
+    const Floats zero{};
+    Floats outermost = zero - kFarAway;
+    Floats nearest_edge = zero + kFarAway * kFarAway;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Floats beyond = evaluate(t.beyond[i], x, y, z);
+        const Floats along = evaluate(t.along[i], x, y, z);
+        const Floats past = larger(larger(-along, along - t.length[i]), zero);
+        outermost = larger(outermost, beyond + t.not_a_face);
+        nearest_edge = smaller(nearest_edge, beyond * beyond + past * past);
+    }
+    const Floats height = evaluate(t.height, x, y, z);
+    return height * height + (outermost <= zero ? zero : nearest_edge);
+}
+
+void lower_row(const BandTriangle& t, const Floats& x, float y, float z, float* row) noexcept {
+    Floats squares;
+    std::memcpy(&squares, row, sizeof squares);
+    squares = smaller(squares, compute_squares(t, x, y, z));
+    std::memcpy(row, &squares, sizeof squares);
+}
+
+// Corners low to high along one axis that may lie within `reach` of `middle`.
+struct Span {
+    int low;
+    int high;
+};
+Span find_span(float middle, float reach) noexcept {
+    constexpr auto kLast = static_cast<float>(kBrickSide - 1);
+    return {static_cast<int>(std::ceil(std::clamp(middle - reach, 0.0F, kLast + 1.0F))),
+            static_cast<int>(std::floor(std::clamp(middle + reach, -1.0F, kLast)))};
+}
+
+}  // namespace
+
+BandTriangle prepare_for_band(const TriangleAt& triangle) noexcept {
+    const std::array<Vector3, 3> corners{triangle.a, triangle.b, triangle.c};
+    std::array<Vector3, 3> edges;
+    std::size_t longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        edges[i] = corners[(i + 1) % 3] - corners[i];
+        longest = edges[i].squaredNorm() > edges[longest].squaredNorm() ? i : longest;
+    }
+    Vector3 normal = edges[0].cross(edges[1]);
+    const bool is_sliver = normal.norm() <= kSliver * edges[longest].squaredNorm();
+    normal = is_sliver ? edges[longest].unitOrthogonal() : normal.normalized();
+
+    BandTriangle t;
+    t.height = make_line(normal, corners[longest]);
+    t.not_a_face = is_sliver ? 2.0F * kFarAway : 0.0F;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (is_sliver && i != longest) {
+            t.beyond[i].offset = kFarAway;
+            continue;
+        }
+        const Vector3 along = edges[i].normalized();
+        t.along[i] = make_line(along, corners[i]);
+        t.beyond[i] = make_line(along.cross(normal), corners[i]);
+        t.length[i] = static_cast<float>(edges[i].norm());
+    }
+    const Vector3 middle = 0.5 * (corners[longest] + corners[(longest + 1) % 3]);
+    t.middle = {static_cast<float>(middle.x()), static_cast<float>(middle.y()),
+                static_cast<float>(middle.z())};
+    // Round the longest edge's middle: a little too large for obtuse triangles.
+    constexpr float kAboveRounding = 1.0001F;
+    t.radius =
+        kAboveRounding * static_cast<float>(std::max(0.5 * edges[longest].norm(),
+                                                     (corners[(longest + 2) % 3] - middle).norm()));
+    return t;
+}
+
+void lower_squares(const BandTriangle& triangle, float band, BrickDistances& squares) noexcept {
+    const Floats from_0{0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F};
+    const Floats from_1 = from_0 + 1.0F;
+    const float reach = triangle.radius + band;
+    const Span zs = find_span(triangle.middle[2], reach);
+    for (int z = zs.low; z <= zs.high; ++z) {
+        const float dz = static_cast<float>(z) - triangle.middle[2];
+        const float in_layer = std::sqrt(std::max(reach * reach - dz * dz, 0.0F));
+        const Span ys = find_span(triangle.middle[1], in_layer);
+        for (int y = ys.low; y <= ys.high; ++y) {
+            const float dy = static_cast<float>(y) - triangle.middle[1];
+            const float in_row = std::sqrt(std::max(in_layer * in_layer - dy * dy, 0.0F));
+            const Span xs = find_span(triangle.middle[0], in_row);
+            float* const row = &squares[brick_corner_at(0, y, z)];
+            if (xs.low <= std::min(xs.high, 0)) {
+                lower_row(triangle, from_0, static_cast<float>(y), static_cast<float>(z), row);
+            }
+            if (xs.low <= xs.high && (xs.low > 0 || xs.high == kBrickCells)) {
+                lower_row(triangle, from_1, static_cast<float>(y), static_cast<float>(z), row + 1);
+            }
+        }
+    }
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,349 @@
+// The load-path half of distance_field.h.
+#include "haptics/voxel/brick_sides.h"
+#include "haptics/voxel/distance_field.h"
+#include "haptics/voxel/winding_number.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <span>
+
+namespace fulcrum {
+
+namespace {
+
+using Cell = VoxelFrame::Cell;
+
+constexpr double kHalfDiagonal = 0.5 * std::numbers::sqrt3 * kBrickCells;  // of a brick, voxels
+
+// The brick that a share of a row-major list stands for.
+Cell to_brick(std::size_t index, const std::array<std::int32_t, 3>& n) {
+    const auto i = static_cast<std::int32_t>(index);
+    return {i % n[0], i / n[0] % n[1], i / n[0] / n[1]};
+}
+
+Vector3 to_vector(const Cell& cell) {
+    return Eigen::Vector3i(cell[0], cell[1], cell[2]).cast<double>();
+}
+
+// Which triangles may be within the band of which brick.
+struct BrickTriangles {
+    std::vector<std::int32_t> bricks;     // those that have any, ascending
+    std::vector<std::size_t> first;       // of each, and the end
+    std::vector<std::int32_t> triangles;  // ascending for each brick
+};
+
+// Largest |F| difference over a cell's four edges along each axis bounds the slope's components.
+double find_steepest(const std::array<std::int16_t, 736>& values) {
+    double steepest = 0.0;
+    constexpr std::array<int, 3> kStride{1, kBrickSide, kBrickSide * kBrickSide};
+    for (int cell = 0; cell < kBrickCells * kBrickCells * kBrickCells; ++cell) {
+        const int corner = cell % 8 + kBrickSide * (cell / 8 % 8) + kStride[2] * (cell / 64);
+        double square = 0.0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int one = kStride[(axis + 1) % 3];
+            const int other = kStride[(axis + 2) % 3];
+            int most = 0;
+            for (const int at : {corner, corner + one, corner + other, corner + one + other}) {
+                const int next = at + kStride[axis];
+                const int step =
+                    values[static_cast<std::size_t>(next)] - values[static_cast<std::size_t>(at)];
+                most = std::max(most, std::abs(step));
+            }
+            square += static_cast<double>(most) * most;
+        }
+        steepest = std::max(steepest, square);
+    }
+    return std::sqrt(steepest);
+}
+
+}  // namespace
+
+// Holds what the steps of a build share.
+class DistanceFieldBuilder {
+  public:
+    DistanceFieldBuilder(const TriangleMesh& mesh, const VoxelFrame& frame,
+                         const DistanceFieldSettings& settings, const LoadProgress& progress)
+        : mesh_(mesh),
+          settings_(settings),
+          progress_(progress),
+          clusters_(mesh),
+          sides_(mesh, clusters_, frame.voxel_m) {
+        field_.frame_ = frame;
+        field_.band_m_ = settings.band_voxels * frame.voxel_m;
+        field_.counts_.n_open_edges = static_cast<std::int64_t>(sides_.n_open_edges());
+        field_.ball_centre_O_ = 0.5 * (mesh.lower_B() + mesh.upper_B());
+        for (const Vector3& vertex : mesh.vertices_B()) {
+            field_.ball_radius_m_ =
+                std::max(field_.ball_radius_m_, (vertex - field_.ball_centre_O_).norm());
+        }
+        n_ = field_.n_bricks();
+    }
+
+    DistanceField build() {
+        list_triangles();
+        tell(kShareListed);
+        fill_near_bricks();
+        keep_near_bricks();
+        tell(kShareFilled);
+        fill_table();
+        tell(1.0);
+        return std::move(field_);
+    }
+
+  private:
+    // The share of the whole that each step takes, about.
+    static constexpr double kShareListed = 0.1;
+    static constexpr double kShareFilled = 0.7;
+
+    void tell(double share) const {
+        if (progress_) {
+            progress_(share);
+        }
+    }
+    [[nodiscard]] std::size_t n_all() const {
+        return static_cast<std::size_t>(n_[0]) * static_cast<std::size_t>(n_[1]) *
+               static_cast<std::size_t>(n_[2]);
+    }
+    [[nodiscard]] std::size_t index_of(const Cell& brick) const noexcept {
+        const std::int32_t at = brick[0] + n_[0] * (brick[1] + n_[1] * brick[2]);
+        return static_cast<std::size_t>(at);
+    }
+    // In voxels of the block.
+    [[nodiscard]] static Vector3 centre_of(const Cell& brick) noexcept {
+        return kBrickCells * (to_vector(brick).array() + 0.5);
+    }
+    [[nodiscard]] Vector3 to_object(const Vector3& lattice) const noexcept {
+        return field_.frame_.lower_O + field_.frame_.voxel_m * lattice;
+    }
+    [[nodiscard]] LoadProgress part_of_progress(double from, double to) const {
+        if (!progress_) {
+            return {};
+        }
+        return [this, from, to](double share) { progress_(from + share * (to - from)); };
+    }
+    // In voxels of the block.
+    [[nodiscard]] TriangleAt lattice_triangle(std::size_t index) const {
+        const TriangleCorners& corners = mesh_.triangles()[index];
+        const auto at = [&](std::size_t i) {
+            return field_.frame_.to_lattice(
+                mesh_.vertices_B()[static_cast<std::size_t>(corners[i])]);
+        };
+        return {at(0), at(1), at(2)};
+    }
+
+    template <class Visit>
+    void for_each_brick_near(const TriangleAt& t, Visit&& visit) const;
+    void list_triangles();
+    void fill_near_bricks();
+    bool fill_brick(std::size_t listed, DistanceField::Brick& brick) const noexcept;
+    void keep_near_bricks();
+    void fill_table();
+    // A lower bound, voxels, of a place in voxels.
+    [[nodiscard]] double find_distance(const Vector3& lattice) const noexcept;
+    void fill_entry(const Cell& brick, double voxels, bool inside) noexcept;
+    void fill_entry_alone(const Cell& brick) noexcept;
+    void fill_entries(const Cell& first) noexcept;
+
+    const TriangleMesh& mesh_;
+    const DistanceFieldSettings& settings_;
+    const LoadProgress& progress_;
+    TriangleClusters clusters_;
+    BrickSides sides_;
+    DistanceField field_;
+    std::array<std::int32_t, 3> n_{};
+    BrickTriangles near_;
+    std::vector<char> is_kept_;
+};
+
+template <class Visit>
+void DistanceFieldBuilder::for_each_brick_near(const TriangleAt& t, Visit&& visit) const {
+    const double band = settings_.band_voxels;
+    const Vector3 lower = t.a.cwiseMin(t.b).cwiseMin(t.c).array() - band;
+    const Vector3 upper = t.a.cwiseMax(t.b).cwiseMax(t.c).array() + band;
+    Cell first{};
+    Cell last{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        first[i] =
+            std::clamp(static_cast<int>(std::ceil(lower[axis] / kBrickCells)) - 1, 0, n_[i] - 1);
+        last[i] = std::clamp(static_cast<int>(upper[axis] / kBrickCells), 0, n_[i] - 1);
+    }
+    const double reach = band + kHalfDiagonal;
+    for (std::int32_t z = first[2]; z <= last[2]; ++z) {
+        for (std::int32_t y = first[1]; y <= last[1]; ++y) {
+            for (std::int32_t x = first[0]; x <= last[0]; ++x) {
+                if (compute_square_distance(centre_of({x, y, z}), t) <= reach * reach) {
+                    visit(static_cast<std::int32_t>(index_of({x, y, z})));
+                }
+            }
+        }
+    }
+}
+
+void DistanceFieldBuilder::list_triangles() {
+    struct Pair {
+        std::int32_t brick;
+        std::int32_t triangle;
+    };
+    std::vector<Pair> pairs;
+    std::vector<std::size_t> count(n_all() + 1, 0);
+    for (std::size_t i = 0; i < mesh_.triangles().size(); ++i) {
+        for_each_brick_near(lattice_triangle(i), [&](std::int32_t brick) {
+            pairs.push_back({brick, static_cast<std::int32_t>(i)});
+            ++count[static_cast<std::size_t>(brick) + 1];
+        });
+    }
+    for (std::size_t i = 0; i < n_all(); ++i) {
+        if (count[i + 1] > 0) {
+            near_.bricks.push_back(static_cast<std::int32_t>(i));
+            near_.first.push_back(count[i]);
+        }
+        count[i + 1] += count[i];
+    }
+    near_.first.push_back(pairs.size());
+    near_.triangles.resize(pairs.size());
+    for (const Pair& pair : pairs) {
+        near_.triangles[count[static_cast<std::size_t>(pair.brick)]++] = pair.triangle;
+    }
+}
+
+bool DistanceFieldBuilder::fill_brick(std::size_t listed,
+                                      DistanceField::Brick& brick) const noexcept {
+    const Vector3 corner =
+        kBrickCells * to_vector(to_brick(static_cast<std::size_t>(near_.bricks[listed]), n_));
+    const auto band = static_cast<float>(settings_.band_voxels);
+    BrickDistances distances;
+    distances.fill(band * band);
+    for (std::size_t i = near_.first[listed]; i < near_.first[listed + 1]; ++i) {
+        const TriangleAt t = lattice_triangle(static_cast<std::size_t>(near_.triangles[i]));
+        lower_squares(prepare_for_band({t.a - corner, t.b - corner, t.c - corner}), band,
+                      distances);
+    }
+    if (std::all_of(distances.begin(), distances.end(),
+                    [&](float square) { return square >= band * band; })) {
+        return false;
+    }
+    for (float& distance : distances) {
+        distance = std::sqrt(distance);
+    }
+    sides_.put_signs(to_object(corner), distances);
+    for (std::size_t i = 0; i < kBrickCorners; ++i) {
+        brick.values[i] = static_cast<std::int16_t>(
+            std::lround(static_cast<float>(DistanceField::kLargestValue) * (distances[i] / band)));
+    }
+    return true;
+}
+
+void DistanceFieldBuilder::fill_near_bricks() {
+    constexpr std::size_t kConstant = 2;  // the bricks of +b and -b
+    field_.bricks_.resize(near_.bricks.size() + kConstant);
+    field_.bricks_[DistanceField::kFree].values.fill(DistanceField::kLargestValue);
+    field_.bricks_[DistanceField::kInside].values.fill(-DistanceField::kLargestValue);
+    is_kept_.assign(near_.bricks.size(), 0);
+    std::vector<float> steepest(near_.bricks.size(), 0.0F);
+    parallel_for(
+        near_.bricks.size(), static_cast<std::size_t>(settings_.n_threads),
+        [&](std::size_t i) noexcept {
+            DistanceField::Brick& brick = field_.bricks_[i + kConstant];
+            is_kept_[i] = fill_brick(i, brick) ? 1 : 0;
+            steepest[i] = is_kept_[i] != 0 ? static_cast<float>(find_steepest(brick.values)) : 0.0F;
+        },
+        part_of_progress(kShareListed, kShareFilled));
+    const double most = *std::max_element(steepest.begin(), steepest.end());
+    constexpr double kAboveRounding = 1.0 + 1.0e-6;
+    field_.slope_bound_ =
+        std::max(1.0, kAboveRounding * most * field_.step_m() / field_.frame_.voxel_m);
+}
+
+void DistanceFieldBuilder::keep_near_bricks() {
+    field_.table_.assign(n_all() + 1, {});
+    std::size_t n_kept = 2;
+    for (std::size_t i = 0; i < near_.bricks.size(); ++i) {
+        if (is_kept_[i] != 0) {
+            field_.bricks_[n_kept] = field_.bricks_[i + 2];
+            field_.table_[static_cast<std::size_t>(near_.bricks[i])].brick =
+                static_cast<std::int32_t>(n_kept++);
+        }
+    }
+    field_.bricks_.resize(n_kept);
+    field_.bricks_.shrink_to_fit();
+    field_.counts_.n_bricks = static_cast<std::int64_t>(n_kept - 2);
+}
+
+double DistanceFieldBuilder::find_distance(const Vector3& lattice) const noexcept {
+    constexpr double kSlack = 0.03;  // share: far away it costs much and helps little to know more
+    constexpr double kBelowRounding = 1.0 - 1.0e-6;
+    constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
+    return kBelowRounding / field_.frame_.voxel_m *
+           clusters_.find_distance(to_object(lattice), kAnyDistance, kSlack);
+}
+
+void DistanceFieldBuilder::fill_entry(const Cell& brick, double voxels, bool inside) noexcept {
+    DistanceField::Entry& entry = field_.table_[index_of(brick)];
+    if (entry.brick == DistanceField::kFree && inside) {
+        entry.brick = DistanceField::kInside;
+    }
+    entry.centre_voxels = static_cast<float>(inside ? -voxels : voxels);
+}
+
+void DistanceFieldBuilder::fill_entry_alone(const Cell& brick) noexcept {
+    const DistanceField::Entry& entry = field_.table_[index_of(brick)];
+    const Vector3 centre = centre_of(brick);
+    const auto& corners = field_.bricks_[static_cast<std::size_t>(entry.brick)].values;
+    constexpr int kMiddle = kBrickCells / 2;
+    const bool inside = entry.brick != DistanceField::kFree
+                            ? corners[brick_corner_at(kMiddle, kMiddle, kMiddle)] < 0
+                            : is_wound_round(clusters_, to_object(centre));
+    fill_entry(brick, find_distance(centre), inside);
+}
+
+// Two by two by two bricks. Far from the surface of a closed mesh one distance and one side are enough for all.
+void DistanceFieldBuilder::fill_entries(const Cell& first) noexcept {
+    const Cell end{std::min(first[0] + 2, n_[0]), std::min(first[1] + 2, n_[1]),
+                   std::min(first[2] + 2, n_[2])};
+    constexpr double kFar = 60.0;  // voxels; the bricks' centres are a tenth of it away
+    const Vector3 middle = kBrickCells * (to_vector(first).array() + 1.0);
+    const double voxels = field_.counts_.n_open_edges == 0 ? find_distance(middle) : 0.0;
+    const bool are_alike = voxels >= kFar;
+    const bool inside = are_alike && is_wound_round(clusters_, to_object(middle));
+    for (std::int32_t z = first[2]; z < end[2]; ++z) {
+        for (std::int32_t y = first[1]; y < end[1]; ++y) {
+            for (std::int32_t x = first[0]; x < end[0]; ++x) {
+                const Cell brick{x, y, z};
+                if (are_alike) {
+                    fill_entry(brick, voxels - (centre_of(brick) - middle).norm(), inside);
+                } else {
+                    fill_entry_alone(brick);
+                }
+            }
+        }
+    }
+}
+
+void DistanceFieldBuilder::fill_table() {
+    const std::array<std::int32_t, 3> n_pairs{(n_[0] + 1) / 2, (n_[1] + 1) / 2, (n_[2] + 1) / 2};
+    parallel_for(
+        static_cast<std::size_t>(n_pairs[0]) * static_cast<std::size_t>(n_pairs[1]) *
+            static_cast<std::size_t>(n_pairs[2]),
+        static_cast<std::size_t>(settings_.n_threads),
+        [&](std::size_t i) noexcept {
+            const Cell pair = to_brick(i, n_pairs);
+            fill_entries({2 * pair[0], 2 * pair[1], 2 * pair[2]});
+        },
+        part_of_progress(kShareFilled, 1.0));
+}
+
+Expected<DistanceField> DistanceField::build(const TriangleMesh& mesh, const VoxelFrame& frame,
+                                             const DistanceFieldSettings& settings,
+                                             const LoadProgress& progress) {
+    if (auto valid = validate(settings); !valid) {
+        return tl::unexpected(valid.error());
+    }
+    if (auto fits = validate(frame, mesh, settings.band_voxels); !fits) {
+        return tl::unexpected(fits.error());
+    }
+    return DistanceFieldBuilder(mesh, frame, settings, progress).build();
+}
+
+}  // namespace fulcrum

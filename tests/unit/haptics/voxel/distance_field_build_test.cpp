@@ -1,0 +1,77 @@
+#include "haptics/geometry/shape.h"
+#include "haptics/voxel/distance_field.h"
+#include "tests/support/hard_meshes.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum;
+
+namespace {
+
+DistanceField build(const TriangleMesh& mesh, int n_along,
+                    const DistanceFieldSettings& settings = {}) {
+    return DistanceField::build(mesh, DistanceField::make_frame(mesh, n_along).value(), settings)
+        .value();
+}
+
+bool is_same(const DistanceField& a, const DistanceField& b) {
+    const auto same_entry = [](const DistanceField::Entry& x, const DistanceField::Entry& y) {
+        return x.brick == y.brick && x.centre_voxels == y.centre_voxels;
+    };
+    const auto same_brick = [](const DistanceField::Brick& x, const DistanceField::Brick& y) {
+        return x.values == y.values;
+    };
+    return std::equal(a.table().begin(), a.table().end(), b.table().begin(), b.table().end(),
+                      same_entry) &&
+           std::equal(a.bricks().begin(), a.bricks().end(), b.bricks().begin(), b.bricks().end(),
+                      same_brick);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "distance field build: the same bits on one thread and on several, and progress is told") {
+    const TriangleMesh mesh = *make_bumpy_sphere(1.0, 30, 0.05, 12.0);
+    const VoxelFrame frame = DistanceField::make_frame(mesh, 256).value();
+    double told = 0.0;
+    const DistanceField one =
+        DistanceField::build(mesh, frame, {.n_threads = 1}, [&](double share) {
+            CHECK(share >= told);
+            told = share;
+        }).value();
+    CHECK(told == 1.0);
+    CHECK(is_same(one, DistanceField::build(mesh, frame, {.n_threads = 3}).value()));
+}
+
+TEST_CASE("distance field build: memory is that of the surface, not of the block") {
+    const DistanceField field = build(*make_sphere(1.0, 20), 128);
+    CHECK(field.counts().n_open_edges == 0);
+    CHECK(field.counts().n_bricks < 16 * 16 * 16 / 2);
+    CHECK(field.memory_bytes() < 2UL * 3 * 128 * 128 * 128 / 5);
+    CHECK(field.bricks().size() == static_cast<std::size_t>(field.counts().n_bricks) + 2);
+}
+
+TEST_CASE("distance field build: doubled, loose and turned triangles have a ball's inside") {
+    const TriangleMesh ball = *make_sphere(1.0, 16);
+    const DistanceField field = build(make_messy(ball, 0.0).value(), 64);
+    CHECK(field.counts().n_open_edges > 0);
+    Random random(8);
+    for (int i = 0; i < 2000; ++i) {
+        const double r = 1.0 + 0.3 * random.uniform();
+        const double value = field.sample(r * random.direction()).value_m;
+        if (std::abs(r - 1.0) > 0.02) {
+            CHECK((value < 0.0) == (r < 1.0));
+        }
+    }
+}
+
+TEST_CASE("distance field build: a thin wall has an inside of its own") {
+    const double thickness_m = 0.02;
+    const TriangleMesh wall = *make_box({1.0, thickness_m, 1.0});
+    const DistanceField field = build(wall, 128);
+    CHECK(field.frame().voxel_m > 0.4 * thickness_m);
+    CHECK(field.sample({0.1, 0.0, 0.2}).value_m < 0.0);
+    CHECK(field.sample({0.1, 0.011, 0.2}).value_m > 0.0);
+    CHECK(field.sample({0.1, -0.011, 0.2}).value_m > 0.0);
+}

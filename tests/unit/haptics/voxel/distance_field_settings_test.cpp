@@ -1,0 +1,49 @@
+#include "haptics/geometry/shape.h"
+#include "haptics/voxel/distance_field.h"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+using namespace fulcrum;
+
+TEST_CASE("distance field settings: the frame holds the mesh with its band, for all shapes") {
+    for (const Vector3& edges : {Vector3(1.0, 1.0, 1.0), Vector3(3.0, 0.1, 0.7)}) {
+        const TriangleMesh box = *make_box(edges);
+        const VoxelFrame frame = DistanceField::make_frame(box, 80).value();
+        CHECK(*std::max_element(frame.n_cells.begin(), frame.n_cells.end()) == 80);
+        for (const std::int32_t n : frame.n_cells) {
+            CHECK(n % 8 == 0);
+        }
+        CHECK(DistanceField::build(box, frame).has_value());
+    }
+}
+
+TEST_CASE("distance field settings: what cannot be built is refused with a reason") {
+    const TriangleMesh ball = *make_sphere(1.0, 4);
+    const VoxelFrame good = DistanceField::make_frame(ball, 64).value();
+    CHECK_FALSE(DistanceField::make_frame(ball, 60));
+    CHECK_FALSE(DistanceField::make_frame(ball, 8));
+    CHECK_FALSE(DistanceField::make_frame(ball, 4096));
+    CHECK_FALSE(DistanceField::make_frame(ball, 16, 8.0));
+
+    VoxelFrame odd = good;
+    odd.n_cells[1] = 63;
+    CHECK_FALSE(DistanceField::build(ball, odd));
+    VoxelFrame flat = good;
+    flat.voxel_m = 0.0;
+    CHECK_FALSE(DistanceField::build(ball, flat));
+    VoxelFrame aside = good;
+    aside.lower_O.x() += 4.0 * good.voxel_m;
+    const auto refused = DistanceField::build(ball, aside);
+    REQUIRE_FALSE(refused);
+    CHECK(to_sentence(refused.error()).find("from the mesh; take a larger block") !=
+          std::string::npos);
+
+    CHECK_FALSE(validate(DistanceFieldSettings{.band_voxels = 1.0}));
+    CHECK_FALSE(
+        validate(DistanceFieldSettings{.band_voxels = std::numeric_limits<double>::quiet_NaN()}));
+    CHECK_FALSE(validate(DistanceFieldSettings{.n_threads = 0}));
+    CHECK_FALSE(DistanceField::build(ball, good, {.n_threads = 0}));
+    CHECK(validate(DistanceFieldSettings{}));
+}
