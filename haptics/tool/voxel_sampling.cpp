@@ -1,0 +1,210 @@
+#include "haptics/tool/voxel_sampling.h"
+
+#include "haptics/math/rotation.h"
+
+#include <cmath>
+
+namespace fulcrum {
+namespace voxel_lanes::details {
+
+// F = (n.u/|u|) u for b = 1, and its moment. With w = u/|u|:
+//   dF = (w n^T (I - w w^T) + (n.w) I) du + u (n x w).dtheta        the second because n turns with the tool
+void add_brake_slopes(const Motion& motion, const Eight& eight, Sums& sums) noexcept {
+    const auto to_vector = [](const std::array<float, 3>& a) { return Vector3(a[0], a[1], a[2]); };
+    const Vector3 velocity = to_vector(motion.velocity_T);
+    const Vector3 spin = to_vector(motion.spin_T);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const Vector3 p(eight.p[0][lane], eight.p[1][lane], eight.p[2][lane]);
+        const Vector3 n(eight.n[0][lane], eight.n[1][lane], eight.n[2][lane]);
+        const Vector3 u = velocity + spin.cross(p);
+        const double towards = n.dot(u);
+        if (eight.kind[lane] != 3 || !(towards < 0.0)) {
+            continue;
+        }
+        const double speed = u.norm();
+        const Vector3 w = u / speed;
+        PointForce force;
+        force.force = towards / speed * u;
+        force.by_velocity = w * (n - n.dot(w) * w).transpose() + n.dot(w) * Matrix3::Identity();
+        Wrench of_no_interest;
+        add_point_force(p, spin, force, of_no_interest, sums.brake_by);
+        const Vector3 by_turn = n.cross(w);
+        sums.brake_by.pose.topRightCorner<3, 3>() += u * by_turn.transpose();
+        sums.brake_by.pose.bottomRightCorner<3, 3>() += p.cross(u) * by_turn.transpose();
+    }
+}
+
+}  // namespace voxel_lanes::details
+
+namespace {
+
+using voxel_lanes::Sums;
+
+std::array<float, 3> to_floats(const Vector3& v) noexcept {
+    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+// Force and moment in T and voxels, each times `force` and `force` times a voxel.
+Wrench to_wrench(const std::array<double, 6>& sums, double force, double voxel_m,
+                 const Matrix3& R_WT) noexcept {
+    return {force * (R_WT * Vector3(sums[0], sums[1], sums[2])),
+            force * voxel_m * (R_WT * Vector3(sums[3], sums[4], sums[5]))};
+}
+
+// Rows of force and torque, columns of metres and radians, from voxels and T.
+Matrix6 to_slopes(const Matrix6& sums, double force, double voxel_m, const Matrix3& R_WT) noexcept {
+    Matrix6 slopes;
+    const auto turned = [&](const Matrix3& m) { return Matrix3(R_WT * m * R_WT.transpose()); };
+    slopes.topLeftCorner<3, 3>() = force / voxel_m * turned(sums.topLeftCorner<3, 3>());
+    slopes.topRightCorner<3, 3>() = force * turned(sums.topRightCorner<3, 3>());
+    slopes.bottomLeftCorner<3, 3>() = force * turned(sums.bottomLeftCorner<3, 3>());
+    slopes.bottomRightCorner<3, 3>() = force * voxel_m * turned(sums.bottomRightCorner<3, 3>());
+    return slopes;
+}
+
+// How much of the springs' sum is given, and how that changes with the fullness m.
+struct Share {
+    double share = 1.0;
+    double by_fullness = 0.0;
+};
+
+Share compute_share(const VoxelSamplingSettings& settings, const Sums& sums) noexcept {
+    const double full = settings.full_contacts;
+    switch (settings.averaging) {
+        case ContactAveraging::none:
+            break;
+        case ContactAveraging::beyond: {
+            const auto n = static_cast<double>(sums.n_surface);
+            return {n > full ? full / n : 1.0, 0.0};
+        }
+        case ContactAveraging::smooth: {
+            const double ratio = sums.fullness / full;
+            const double cube = ratio * ratio * ratio;
+            const double root = std::sqrt(std::sqrt(1.0 + cube * ratio));
+            const double share = 1.0 / root;
+            return {share, -cube / full * share / (1.0 + cube * ratio)};
+        }
+    }
+    return {};
+}
+
+double compute_braking_Ns_per_m(const VoxelSamplingSettings& settings, const Sums& sums) noexcept {
+    if (settings.braking == PreContactBraking::viscous) {
+        return settings.braking_Ns_per_m;
+    }
+    return sums.brake_share > 0.0 ? settings.mass_kg / (2.0 * settings.cycle_s * sums.brake_share)
+                                  : 0.0;
+}
+
+// Everything but d turns with the tool: F and torque themselves.
+void add_turned(const Wrench& wrench, Matrix6& pose) noexcept {
+    pose.topRightCorner<3, 3>() -= compute_skew(wrench.force);
+    pose.bottomRightCorner<3, 3>() -= compute_skew(wrench.torque);
+}
+
+}  // namespace
+
+voxel_lanes::Motion VoxelSampling::compute_motion(const RigidState& state,
+                                                  const MovingFrame& object) const noexcept {
+    voxel_lanes::Motion motion;
+    const Pose X_OT = object.pose_W.inverse() * state.pose_W;
+    const Matrix3 R = X_OT.orientation.toRotationMatrix();
+    for (std::size_t row = 0; row < 3; ++row) {
+        const auto i = static_cast<Eigen::Index>(row);
+        motion.turn[row] = to_floats(R.row(i).transpose());
+        motion.last[row] = static_cast<float>(frame_.n_cells[row]) - 0.5F;
+    }
+    motion.shift = to_floats(frame_.to_lattice(X_OT.position));
+    // The tool's motion as the object sees it, at the tool's centre of mass, along the tool's axes.
+    const Vector3 arm_W = state.pose_W.position - object.pose_W.position;
+    const Vector3 object_W = object.velocity_W.linear + object.velocity_W.angular.cross(arm_W);
+    const Quaternion to_T = state.pose_W.orientation.conjugate();
+    motion.velocity_T =
+        to_floats(to_T * Vector3(state.velocity_W.linear - object_W) / frame_.voxel_m);
+    motion.spin_T = to_floats(to_T * Vector3(state.velocity_W.angular - object.velocity_W.angular));
+    // No voxel is deeper than half its diagonal.
+    motion.least_depth = settings_.plane == TangentPlane::one_side ? 0.0F : -1.0F;
+    motion.brakes = settings_.braking != PreContactBraking::off;
+    return motion;
+}
+
+template <bool kLinear>
+VoxelContact VoxelSampling::sample_all(const RigidState& state, const MovingFrame& object,
+                                       WrenchJacobian* jacobian) const noexcept {
+    const voxel_lanes::Motion motion = compute_motion(state, object);
+    Sums sums;
+    if (grid_ != nullptr) {
+        voxel_lanes::sample<kLinear>(shell_, voxel_lanes::GridMap(*grid_), motion, sums);
+    } else {
+        voxel_lanes::sample<kLinear>(shell_, voxel_lanes::TreeMap(*map_), motion, sums);
+    }
+    // Springs, averaged.
+    const double s = frame_.voxel_m;
+    const Matrix3 R_WT = state.pose_W.orientation.toRotationMatrix();
+    const Share share = compute_share(settings_, sums);
+    const double spring_N = settings_.stiffness_N_per_m * s;
+    const Wrench springs = to_wrench(sums.push, share.share * spring_N, s, R_WT);
+    // Brakes.
+    const double brake_N = compute_braking_Ns_per_m(settings_, sums) * s;
+    const Wrench brakes = to_wrench(sums.brake, brake_N, s, R_WT);
+    if constexpr (kLinear) {
+        Matrix6 pushed = share.share * sums.push_by_pose;
+        pushed += share.by_fullness * Eigen::Map<const Vector6>(sums.push.data()) *
+                  sums.fullness_by_pose.transpose();
+        jacobian->pose += to_slopes(pushed, spring_N, s, R_WT);
+        add_turned(springs, jacobian->pose);
+        jacobian->pose += to_slopes(sums.brake_by.pose, brake_N, s, R_WT);
+        jacobian->velocity += to_slopes(sums.brake_by.velocity, brake_N, s, R_WT);
+    }
+    return {{springs.force + brakes.force, springs.torque + brakes.torque},
+            sums.n_surface,
+            sums.n_interior,
+            sums.n_proximity};
+}
+
+VoxelContact VoxelSampling::sample(const RigidState& state,
+                                   const MovingFrame& object) const noexcept {
+    return sample_all<false>(state, object, nullptr);
+}
+
+VoxelContact VoxelSampling::sample_linearised(const RigidState& state, const MovingFrame& object,
+                                              WrenchJacobian& jacobian) const noexcept {
+    return sample_all<true>(state, object, &jacobian);
+}
+
+void VoxelSamplingLoad::set_object(const MovingFrame& object, double time_s) noexcept {
+    object_ = object;
+    object_time_s_ = time_s;
+}
+
+MovingFrame VoxelSamplingLoad::compute_object(double time_s) const noexcept {
+    const double later_s = time_s - object_time_s_;
+    MovingFrame moved = object_;
+    moved.pose_W.position += later_s * object_.velocity_W.linear;
+    moved.pose_W.orientation =
+        compute_exp(later_s * object_.velocity_W.angular) * object_.pose_W.orientation;
+    return moved;
+}
+
+VoxelContact VoxelSamplingLoad::compute_contact(const RigidState& state,
+                                                double time_s) const noexcept {
+    return sampling_->sample(state, compute_object(time_s));
+}
+
+void VoxelSamplingLoad::add_wrench(const RigidState& state, double time_s,
+                                   Wrench& wrench) const noexcept {
+    const VoxelContact contact = compute_contact(state, time_s);
+    wrench.force += contact.wrench_W.force;
+    wrench.torque += contact.wrench_W.torque;
+}
+
+void VoxelSamplingLoad::add_linearised_wrench(const RigidState& state, double time_s,
+                                              Wrench& wrench,
+                                              WrenchJacobian& jacobian) const noexcept {
+    const VoxelContact contact =
+        sampling_->sample_linearised(state, compute_object(time_s), jacobian);
+    wrench.force += contact.wrench_W.force;
+    wrench.torque += contact.wrench_W.torque;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,122 @@
+// The derivatives that voxel sampling gives to implicit integrators.
+#include "tests/unit/haptics/tool/voxel_fixture.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+// Points on the bottom of a small tool; each lies well within its voxel, pushing or braking.
+Pointshell make_feet() {
+    Pointshell shell;
+    shell.add({-0.010, -0.0060, -0.010}, Vector3(0.2, 1.0, 0.1).normalized());
+    shell.add({0.010, -0.0065, -0.010}, Vector3(-0.3, 1.0, 0.2).normalized());
+    shell.add({0.010, -0.0055, 0.010}, Vector3(0.1, 1.0, -0.4).normalized());
+    shell.add({-0.020, 0.0060, 0.020}, Vector3(0.1, 1.0, 0.3).normalized());
+    shell.add({0.020, 0.0050, 0.010}, Vector3(0.0, 1.0, -0.3).normalized());
+    return shell;
+}
+
+RigidState make_state() {
+    RigidState state;
+    state.pose_W = {{0.0045, -0.0015, 0.0055}, compute_exp({0.01, -0.02, 0.015})};
+    state.velocity_W = {{0.05, -0.2, 0.03}, {0.4, -0.3, 0.2}};
+    return state;
+}
+
+RigidState change(const RigidState& state, int column, double by) {
+    RigidState changed = state;
+    Vector6 d = Vector6::Zero();
+    d[column % 6] = by;
+    if (column < 6) {
+        changed.pose_W.position += d.head<3>();
+        changed.pose_W.orientation = compute_exp(d.tail<3>()) * state.pose_W.orientation;
+    } else {
+        changed.velocity_W.linear += d.head<3>();
+        changed.velocity_W.angular += d.tail<3>();
+    }
+    return changed;
+}
+
+// The largest difference from central differences, over the largest entry of its 6 x 6.
+double compare(const VoxelSamplingLoad& load) {
+    const RigidState state = make_state();
+    Wrench wrench;
+    WrenchJacobian jacobian;
+    load.add_linearised_wrench(state, 0.0, wrench, jacobian);
+    double worst = 0.0;
+    for (int column = 0; column < 12; ++column) {
+        // Steps far above single precision and far below a voxel.
+        const double step = column < 3 ? 5.0e-5 : column < 6 ? 5.0e-3 : column < 9 ? 5.0e-3 : 0.1;
+        const VoxelContact more = load.compute_contact(change(state, column, step), 0.0);
+        const VoxelContact less = load.compute_contact(change(state, column, -step), 0.0);
+        REQUIRE(more.n_surface == 3);
+        REQUIRE(less.n_surface == 3);
+        REQUIRE(more.n_proximity == 2);
+        const Matrix6& matrix = column < 6 ? jacobian.pose : jacobian.velocity;
+        const auto check_rows = [&](int first, const Vector3& up, const Vector3& down) {
+            const Vector3 difference = (up - down) / (2.0 * step);
+            const auto block = matrix.block<3, 3>(first, column % 6 < 3 ? 0 : 3);
+            const double size = std::max(block.cwiseAbs().maxCoeff(), 1.0e-12);
+            worst = std::max(
+                worst,
+                (difference - matrix.block<3, 1>(first, column % 6)).cwiseAbs().maxCoeff() / size);
+        };
+        check_rows(0, more.wrench_W.force, less.wrench_W.force);
+        check_rows(3, more.wrench_W.torque, less.wrench_W.torque);
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "voxel sampling: derivatives are those of finite differences, springs, averages and brakes") {
+    for (const ContactAveraging averaging :
+         {ContactAveraging::none, ContactAveraging::beyond, ContactAveraging::smooth}) {
+        VoxelSamplingSettings settings = plain();
+        settings.averaging = averaging;
+        settings.full_contacts = 2.0;
+        settings.plane = TangentPlane::both_sides;
+        settings.braking = PreContactBraking::viscous;
+        settings.braking_Ns_per_m = 0.4;
+        const VoxelSampling sampling = make_sampling(make_feet(), settings);
+        // Laws of the second order in the turn: differences are off by some 1e-3 of the largest.
+        CHECK(compare(VoxelSamplingLoad(sampling)) < 3.0e-3);
+    }
+}
+
+TEST_CASE("voxel sampling: with derivatives the wrench is the same") {
+    VoxelSamplingSettings settings = plain();
+    settings.braking = PreContactBraking::one_cycle;
+    const VoxelSampling sampling = make_sampling(make_feet(), settings);
+    WrenchJacobian jacobian;
+    const VoxelContact with = sampling.sample_linearised(make_state(), {}, jacobian);
+    const VoxelContact without = sampling.sample(make_state(), {});
+    CHECK(with.wrench_W.force == without.wrench_W.force);
+    CHECK(with.wrench_W.torque == without.wrench_W.torque);
+    CHECK(with.n_proximity == 2);
+}
+
+TEST_CASE("voxel sampling: a load adds to what there is, and its object moves on along its twist") {
+    const VoxelSampling sampling = make_sampling(make_feet(), plain());
+    VoxelSamplingLoad load(sampling);
+    MovingFrame rising;
+    rising.velocity_W = {{0.0, 0.5, 0.0}, Vector3::Zero()};
+    load.set_object(rising, 1.0);
+    RigidState state = make_state();
+    Wrench wrench{{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
+    load.add_wrench(state, 1.0, wrench);
+    const VoxelContact now = load.compute_contact(state, 1.0);
+    CHECK((wrench.force - Vector3(1.0, 2.0, 3.0) - now.wrench_W.force).norm() < 1.0e-12);
+    CHECK((wrench.torque - Vector3(4.0, 5.0, 6.0) - now.wrench_W.torque).norm() < 1.0e-12);
+    // A step later it is 0.5 mm higher: the same as a tool that much lower.
+    const VoxelContact later = load.compute_contact(state, 1.001);
+    state.pose_W.position.y() -= 0.0005;
+    const VoxelContact lower = load.compute_contact(state, 1.0);
+    CHECK((later.wrench_W.force - lower.wrench_W.force).norm() <
+          1.0e-4 * lower.wrench_W.force.norm());
+    CHECK(later.wrench_W.force.y() > now.wrench_W.force.y());
+}

@@ -1,0 +1,177 @@
+#include "haptics/tool/voxel_tool.h"
+
+#include "haptics/geometry/shape.h"
+#include "tests/unit/haptics/tool/voxel_fixture.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+constexpr double kDt_s = 0.001;
+
+VoxelToolSettings make_settings(ToolMass mass = ToolMass::massive) {
+    VoxelToolSettings settings;
+    settings.coupling.shift.stiffness_N_per_m = 400.0;
+    settings.mass = mass;
+    settings.inertia = make_box_inertia(0.05, {0.04, 0.02, 0.04});
+    return settings;
+}
+
+// A block of 4 x 2 x 4 cm on the floor of the fixture.
+VoxelTool make_tool(const VoxelToolSettings& settings) {
+    VoxelSamplingSettings voxels;
+    voxels.stiffness_N_per_m = 500.0;
+    const Pointshell shell =
+        make_surface_pointshell(make_box({0.04, 0.02, 0.04}).value(), 800).value();
+    return VoxelTool::build({make_floor(), nullptr, shell, voxels}, settings).value();
+}
+
+MovingFrame handle_at(const Vector3& position) {
+    return {Pose::at(position), {}};
+}
+
+// Presses the block down from 2 cm over the floor to `y` in a tenth of a second, and waits.
+VoxelToolResult press(VoxelTool& tool, double y, int n_steps = 600) {
+    tool.place(Pose::at({0.0, 0.03, 0.0}));
+    VoxelToolResult result;
+    for (int i = 1; i <= n_steps; ++i) {
+        const double share = std::min(1.0, i / 100.0);
+        result = tool.step(handle_at({0.0, 0.03 + share * (y - 0.03), 0.0}), {}, i * kDt_s, kDt_s);
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "voxel tool: pressed on the floor it stays out, and the hand feels what the floor pushes") {
+    for (const ToolMass mass : {ToolMass::massive, ToolMass::massless}) {
+        VoxelTool tool = make_tool(make_settings(mass));
+        const VoxelToolResult result = press(tool, -0.01);
+        CHECK(result.contact.n_surface > 100);
+        CHECK(result.contact.n_interior == 0);
+        CHECK(tool.state().velocity_W.linear.norm() < 1.0e-3);
+        // The handle is 1.4 cm too low, the spring is clamped at half a voxel: 400 N/m at 5 mm. Points of the block's
+        // sides are in the layer too and push it sideways, until the coupling holds against them.
+        CHECK(result.felt_W.force.norm() == Approx(2.0).epsilon(1.0e-3));
+        CHECK(result.felt_W.force.y() > 1.8);
+        CHECK((result.felt_W.force - result.contact.wrench_W.force).norm() < 0.01);
+        CHECK(tool.state().pose_W.position.y() > 0.0);
+        CHECK(tool.state().pose_W.position.y() < 0.01);
+    }
+}
+
+TEST_CASE("voxel tool: every integrator carries the tool to the same rest") {
+    for (const Integrator integrator : kIntegrators) {
+        VoxelToolSettings settings = make_settings();
+        settings.integrator.integrator = integrator;
+        settings.inertia.mass_kg = 0.2;
+        settings.inertia.moments_kg_m2 *= 4.0;
+        VoxelTool tool = make_tool(settings);
+        // Short of the clamp, which has no damping of its own in the explicit methods.
+        const VoxelToolResult result = press(tool, 0.003, 1500);
+        CHECK(result.step.moved());
+        CHECK((result.felt_W.force - result.contact.wrench_W.force).norm() < 0.05);
+        CHECK(result.felt_W.force.y() > 0.1);
+    }
+}
+
+TEST_CASE("voxel tool: nothing is felt in free space, unless inertia is asked for") {
+    for (const bool silent : {true, false}) {
+        VoxelToolSettings settings = make_settings();
+        settings.silent_in_free_space = silent;
+        VoxelTool tool = make_tool(settings);
+        tool.place(Pose::at({0.0, 0.05, 0.0}));
+        // Half a metre a second sideways at once.
+        const MovingFrame handle{Pose::at({0.0005, 0.05, 0.0}), {{0.5, 0.0, 0.0}, Vector3::Zero()}};
+        const VoxelToolResult result = tool.step(handle, {}, kDt_s, kDt_s);
+        CHECK((result.felt_W.force.norm() == 0.0) == silent);
+        CHECK(result.contact.deepest() == VoxelClass::free);
+    }
+}
+
+TEST_CASE("voxel tool: a massless tool is at the handle at once where nothing is in the way") {
+    VoxelToolSettings settings = make_settings(ToolMass::massless);
+    settings.silent_in_free_space = false;
+    VoxelTool tool = make_tool(settings);
+    tool.place(Pose::at({0.0, 0.05, 0.0}));
+    const Pose there{{0.002, 0.051, -0.001}, compute_exp({0.02, 0.0, 0.01})};
+    const VoxelToolResult result = tool.step({there, {}}, {}, kDt_s, kDt_s);
+    CHECK((tool.state().pose_W.position - there.position).norm() < 1.0e-6);
+    CHECK(result.felt_W.force.norm() < 1.0e-3);
+    CHECK(result.felt_W.torque.norm() < 1.0e-4);
+}
+
+TEST_CASE("voxel tool: dampers and clamp follow mass and voxel where they are asked to") {
+    const VoxelToolSettings settings = make_settings();
+    const ToolCouplingSettings set = make_tool(settings).coupling();
+    CHECK(set.clamp_m == Approx(0.5 * kVoxel_m));
+    CHECK(set.shift.damping_Ns_per_m == Approx(2.0 * std::sqrt(0.05 * 400.0)));
+    CHECK(set.turn.damping_Nms_per_rad ==
+          Approx(2.0 * std::sqrt(settings.inertia.moments_kg_m2.minCoeff() *
+                                 set.turn.stiffness_Nm_per_rad)));
+    VoxelToolSettings own = settings;
+    own.critically_damped = false;
+    own.clamped_at_half_voxel = false;
+    own.coupling.shift.damping_Ns_per_m = 1.25;
+    CHECK(make_tool(own).coupling().clamp_m == 0.0);
+    CHECK(make_tool(own).coupling().shift.damping_Ns_per_m == 1.25);
+}
+
+TEST_CASE("voxel tool: placed, its grip is where the hand is") {
+    VoxelToolSettings settings = make_settings();
+    settings.grip_T = {0.0, 0.01, 0.02};
+    VoxelTool tool = make_tool(settings);
+    const Pose handle{{0.1, 0.2, 0.3}, compute_exp({0.5, -0.4, 0.2})};
+    tool.place(handle);
+    CHECK((tool.state().pose_W * settings.grip_T - handle.position).norm() < 1.0e-15);
+    CHECK(tool.step({handle, {}}, {}, kDt_s, kDt_s).felt_W.force.norm() == 0.0);
+}
+
+TEST_CASE("voxel tool: a handle that is no number moves nothing and is not felt") {
+    VoxelTool tool = make_tool(make_settings());
+    press(tool, -0.005);
+    const RigidState before = tool.state();
+    MovingFrame handle = handle_at({0.0, std::nan(""), 0.0});
+    const VoxelToolResult result = tool.step(handle, {}, 1.0, kDt_s);
+    CHECK(result.felt_W.force.norm() == 0.0);
+    CHECK(result.step.status == StepStatus::not_finite);
+    CHECK(tool.state().pose_W.position == before.pose_W.position);
+    // And it goes on where it was.
+    CHECK(tool.step(handle_at({0.0, -0.005, 0.0}), {}, 1.001, kDt_s).felt_W.force.y() > 1.0);
+}
+
+TEST_CASE("voxel tool: bad settings are refused") {
+    const Pointshell shell =
+        make_surface_pointshell(make_box({0.04, 0.02, 0.04}).value(), 50).value();
+    const auto builds = [&shell](const VoxelToolSettings& settings) {
+        return VoxelTool::build({make_floor(), nullptr, shell, {}}, settings).has_value();
+    };
+    CHECK(builds(make_settings()));
+    VoxelToolSettings bad = make_settings();
+    bad.static_iterations = 0;
+    CHECK_FALSE(builds(bad));
+    bad = make_settings();
+    bad.grip_T.y() = std::nan("");
+    CHECK_FALSE(builds(bad));
+    bad = make_settings();
+    bad.inertia.mass_kg = -1.0;
+    CHECK_FALSE(builds(bad));
+    bad = make_settings();
+    bad.coupling.shift.stiffness_N_per_m = -1.0;
+    CHECK_FALSE(builds(bad));
+    bad = make_settings();
+    bad.integrator.newton_iterations = 0;
+    CHECK_FALSE(builds(bad));
+    // A spring that saturates cannot be clamped too.
+    bad = make_settings();
+    bad.coupling.shift.linear_range_m = 0.002;
+    bad.coupling.shift.saturation_range_m = 0.006;
+    bad.coupling.shift.saturation_force_N = 2.0;
+    CHECK_FALSE(builds(bad));
+    bad.clamped_at_half_voxel = false;
+    CHECK(builds(bad));
+}
