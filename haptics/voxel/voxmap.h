@@ -40,23 +40,35 @@ class Voxmap {
         if (!frame_.contains(cell)) {
             return VoxelClass::free;
         }
+        const int shift = root_shift();
+        const std::int32_t child =
+            (cell[0] >> shift) | (cell[1] >> shift) << 3 | (cell[2] >> shift) << 6;
+        return find_below(static_cast<std::uint32_t>(child), cell);
+    }
+    /// A child of the root has edges of 2^root_shift voxels.
+    [[nodiscard]] int root_shift() const noexcept { return block_bits_ + 3 * (depth_ - 1); }
+    /// The same for a voxel of the frame in that child of the root, counted x + 8 y + 64 z.
+    [[nodiscard]] VoxelClass find_below(std::uint32_t root_child,
+                                        const VoxelFrame::Cell& cell) const noexcept {
+        std::uint32_t entry = entries_[root_child];
+        if (entry < kKinds) {
+            return static_cast<VoxelClass>(entry);
+        }
         const auto x = static_cast<std::uint32_t>(cell[0]);
         const auto y = static_cast<std::uint32_t>(cell[1]);
         const auto z = static_cast<std::uint32_t>(cell[2]);
-        std::uint32_t first = 0;
-        for (int shift = block_bits_ + 3 * (depth_ - 1); shift >= block_bits_; shift -= 3) {
+        for (int shift = root_shift() - 3; shift >= block_bits_; shift -= 3) {
             const std::uint32_t child =
                 ((x >> shift) & 7U) | ((y >> shift) & 7U) << 3 | ((z >> shift) & 7U) << 6;
-            const std::uint32_t entry = entries_[first + child];
+            entry = entries_[entry - kKinds + child];
             if (entry < kKinds) {
                 return static_cast<VoxelClass>(entry);
             }
-            first = entry - kKinds;
         }
         const std::uint32_t mask = (1U << block_bits_) - 1U;
         const std::uint32_t voxel =
             (((z & mask) << block_bits_ | (y & mask)) << block_bits_) | (x & mask);
-        return static_cast<VoxelClass>(bits_[first + voxel / 4] >> 2 * (voxel % 4) & 3U);
+        return static_cast<VoxelClass>(bits_[entry - kKinds + voxel / 4] >> 2 * (voxel % 4) & 3U);
     }
 
   private:
