@@ -2,6 +2,7 @@
 // reader, named here.
 #pragma once
 
+#include "haptics/handover/axle_messages.h"
 #include "haptics/handover/event_ring.h"
 #include "haptics/handover/latest_value.h"
 #include "haptics/handover/messages.h"
@@ -52,6 +53,8 @@ struct HapticChannels {
     /// Writer: haptic loop, at its own rate while an audible solid is touched; reader: sound. Null when nobody listens; then,
     /// and where no solid of the plan is audible, nothing is told. A full ring drops the newest: that is no fault.
     TouchRing* touches = nullptr;
+    /// Both ways between haptic loop and lesson loop; null where nothing turns.
+    AxleChannels* axles = nullptr;
 
     /// Pressed by anybody: the force fades at once and stays zero until `rearm`. Released by whoever
     /// pressed it.

@@ -189,14 +189,14 @@ void HapticLoop::move_proxy() noexcept {
         state_.faults |= Fault::command_invalid;
         return;
     }
-    touch_->poses_W = poses_W;
+    touch_->poses_W = touch_->axles ? touch_->axles->turn(poses_W, *touch_->proxy) : poses_W;
     for (std::size_t i = 0; is_told && i < n_solids; ++i) {
         const std::uint32_t n_placements = channels_.world.value().solid_placements[i];
         if (n_placements != std::exchange(touch_->placements[i], n_placements)) {
-            touch_->proxy->put_solid(i, poses_W[i]);
+            touch_->proxy->put_solid(i, touch_->poses_W[i]);
         }
     }
-    touch_->contact = touch_->proxy->step(state_.tool_pose_W.position, poses_W);
+    touch_->contact = touch_->proxy->step(state_.tool_pose_W.position, touch_->poses_W);
     state_.proxy_position_W = touch_->contact.position_W;
     touch_->proxy_velocity.step(state_.proxy_position_W, reading_.stamp_s);
     if (touch_->contact.solid >= 0 && static_cast<std::size_t>(touch_->contact.solid) < n_solids) {
@@ -210,6 +210,12 @@ void HapticLoop::compute_forces(const Passed& passed) noexcept {
     if (touch_) {
         add_contact();
         passed(HapticStage::coupling);
+        if (touch_->axles) {
+            // The contact's is the first force of the round, and so far the only one.
+            touch_->axles->push(touch_->contact, demand_.wrench_W.force, demand_.contact.force,
+                                dt_s_);
+            passed(HapticStage::turning);
+        }
         if (touch_->effects) {
             add_surface(passed);
         }

@@ -18,6 +18,7 @@
 #include "haptics/field/linearised_wrench.h"
 #include "haptics/field/weight.h"
 #include "haptics/handover/channels.h"
+#include "haptics/loop/axle_stage.h"
 #include "haptics/loop/contact_stage.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/loop/passivity_stage.h"
@@ -86,6 +87,7 @@ class HapticLoop final : public PeriodicTask {
         ProxyContact contact{};
         std::span<const Pose> poses_W{};  // of the solids in this round
         std::unique_ptr<SurfaceEffects> effects{};
+        std::unique_ptr<AxleStage> axles{};  // null where nothing turns
     };
 
     template <class Passed>

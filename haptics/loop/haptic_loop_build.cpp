@@ -117,6 +117,7 @@ Expected<void> validate(const HapticPlan& plan) {
         validate(plan.passivity),
         validate(plan.proxy, plan.solids),
         check_ringing(plan),
+        validate_axles(plan),
         validate(VelocitySettings{.method = plan.velocity_method,
                                   .cutoff_Hz = plan.velocity_cutoff_hz,
                                   .noise_bound_m = kFineResolution_m}),
@@ -173,7 +174,8 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
                        std::vector<std::uint32_t>(plan.solids.size(), kNeverHeard),
                        {},
                        {},
-                       make_surface_effects(plan, device.traits(), channels.touches)});
+                       make_surface_effects(plan, device.traits(), channels.touches),
+                       make_axle_stage(plan, channels.axles)});
         for (const SolidPlan& solid : plan.solids) {
             touch_->initial_poses_W.push_back(solid.initial_pose_W);
             touch_->bodies.push_back(solid.body);
@@ -208,6 +210,9 @@ std::vector<StageInfo> HapticLoop::stages() const {
     if (touch_) {
         add(HapticStage::proxy, sizeof(TouchStage) + count_shape_bytes(plan_.solids));
         add(HapticStage::coupling, touch_->coupling.memory_bytes());
+        if (touch_->axles) {
+            add(HapticStage::turning, touch_->axles->memory_bytes());
+        }
         add_surface_stages(touch_->effects.get(), add);
     }
     if (weight_) {

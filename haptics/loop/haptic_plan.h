@@ -6,6 +6,7 @@
 #include "haptics/coupling/velocity_estimator.h"
 #include "haptics/field/field_plan.h"
 #include "haptics/handover/messages.h"
+#include "haptics/loop/axle_plan.h"
 #include "haptics/math/spatial.h"
 #include "haptics/point/proxy_plan.h"
 #include "haptics/point/solid_plan.h"
@@ -24,6 +25,7 @@ enum class HapticStage : std::uint8_t {
     estimate,
     proxy,
     coupling,
+    turning,
     texture,
     transient,
     weight,
@@ -47,6 +49,7 @@ inline constexpr std::size_t kHapticStages = static_cast<std::size_t>(HapticStag
                                       "estimate",
                                       "proxy",
                                       "forces: coupling",
+                                      "turning",
                                       "forces: texture",
                                       "forces: transient",
                                       "forces: weight",
@@ -109,6 +112,7 @@ struct HapticPlan {
     bool expects_world = false;     ///< a world loop runs and must stay fresh
     ProxySettings proxy{};          ///< what touches them
     std::vector<SolidPlan> solids;  ///< at most kMaxSolids; empty means no proxy stage
+    std::vector<AxlePlan> axles;    ///< of solids that turn, at most one each
     std::vector<FieldPlan> fields;  ///< at most kMaxFields
 };
 

@@ -1,0 +1,24 @@
+// The load path of axle.h.
+#include "haptics/base/range.h"
+#include "haptics/dynamics/axle.h"
+
+#include <cmath>
+
+namespace fulcrum {
+
+Expected<void> validate(const AxleSettings& settings) {
+    constexpr double kFarthest_m = 100.0;
+    const Range ranges[] = {
+        {"axis' length", settings.axis_W.norm(), 1.0 - 1e-9, 1.0 + 1e-9},
+        {"pivot's distance in metres", settings.pivot_B.norm(), 0.0, kFarthest_m},
+        {"inertia in kilogram square metres", settings.inertia_kg_m2, 1e-4, 1e6},
+        {"friction in newton metres", settings.friction_Nm, 0.0, 1e6},
+        {"lowest angle in radians", settings.lowest_rad, -kAnyAngle_rad, kAnyAngle_rad},
+        {"highest angle in radians", settings.highest_rad, settings.lowest_rad, kAnyAngle_rad},
+        {"load in newtons", settings.load_N, 0.0, 1e6},
+        {"load's distance in metres", settings.load_B.norm(), 0.0, kFarthest_m},
+    };
+    return check_ranges("an axle's", ranges);
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,66 @@
+// Turns the plan's solids about their axles by what the hand presses.
+//
+//   r = contact - pivot,  tau = axis . (r x F),  F = minus the share of the coupling's force that this solid holds
+// The share of a solid is that of its planes: sum(push n + drag) over its touches against the same of all. F is never more
+// than the loop's force limit: what a hand could not feel turns nothing. Of the coupling's damper only the part along the
+// normal turns a body that has no friction: nothing drags along a surface that nothing holds on to. The solid's pose for this round's proxy is that at
+// the end of the last round; so the surface under the proxy moves with the body, and its friction takes it along.
+//
+// Thread: haptic loop. Cost: 60 ns an axle and round, and the copy of the report. No allocation in a step.
+#pragma once
+
+#include "haptics/handover/axle_messages.h"
+#include "haptics/loop/haptic_plan.h"
+#include "haptics/point/proxy.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace fulcrum {
+
+class AxleStage {
+  public:
+    /// Takes a plan that `validate` accepted. `channels` may be null: then nothing is ordered or told.
+    AxleStage(const HapticPlan& plan, AxleChannels* channels);
+
+    /// First in a round: takes the lesson's orders, and gives the poses of all solids with those on axles turned. What an order
+    /// has put elsewhere the proxy is told. Valid until the next call.
+    [[nodiscard]] std::span<const Pose> turn(std::span<const Pose> poses_W, Proxy& proxy) noexcept;
+    /// Then, when the forces are known: the coupling's on the hand, and its spring's part of it. Moves all axles on and tells
+    /// of them.
+    void push(const ProxyContact& contact, const Vector3& force_W, const Vector3& spring_W,
+              double dt_s) noexcept;
+
+    [[nodiscard]] std::size_t memory_bytes() const noexcept;
+
+  private:
+    struct Axle {
+        std::size_t solid = 0;
+        AxleSettings settings{};
+        AxleState state{};
+        std::uint32_t n_angles = 0;
+        std::uint32_t n_spins = 0;
+        Pose rest_W{};  // of the body at angle 0, in this round
+    };
+    bool take_order(const AxleOrder& order, Axle& axle) noexcept;
+
+    AxleChannels* channels_;
+    double most_force_N_;
+    double cursor_m_;  // from the proxy to where it touches
+    std::vector<Axle> axles_;
+    std::array<Pose, kMaxSolids> poses_W_{};
+    AxleFrame frame_{};
+};
+
+/// Refuses axles of solids that there are not, two of one solid, settings out of range, and a body so light that a hand's
+/// coupling would shake it (kLeastRimMass_kg).
+[[nodiscard]] Expected<void> validate_axles(const HapticPlan& plan);
+
+/// Null where nothing turns.
+[[nodiscard]] std::unique_ptr<AxleStage> make_axle_stage(const HapticPlan& plan,
+                                                         AxleChannels* channels);
+
+}  // namespace fulcrum
