@@ -33,4 +33,19 @@ make_bucket();  ///< origin at the rim's centre, opening up; 0.11 m radius insid
 [[nodiscard]] Model make_chair();      ///< 0.17 m tall
 [[nodiscard]] Model make_castle();     ///< 0.16 m wide, two towers
 
+// The Sun and its planets: balls of 1 m radius, north pole up; drawn at a body's radius.
+[[nodiscard]] Model make_sun();
+[[nodiscard]] Model make_mercury();
+[[nodiscard]] Model make_venus();
+[[nodiscard]] Model make_earth();
+[[nodiscard]] Model make_mars();
+[[nodiscard]] Model make_jupiter();
+[[nodiscard]] Model make_saturn();  ///< with its rings, 2.27 m
+[[nodiscard]] Model make_uranus();
+[[nodiscard]] Model make_neptune();
+
+// Of the lesson on levers.
+[[nodiscard]] Model make_lever();  ///< beam of 1.16 m along x, a toy Earth on its left end; middle
+[[nodiscard]] Model make_support();  ///< wedge under it, 0.3 m tall; the middle of its edge
+
 }  // namespace fulcrum::assets

@@ -41,6 +41,8 @@ struct AxleReport {
     Vector3 force_W{Vector3::Zero()};  ///< of the hand on the body
     double torque_Nm = 0.0;            ///< of that force about the axis
     double load_torque_Nm = 0.0;       ///< of the hanging weight
+    double load_N = 0.0;
+    Vector3 load_W{Vector3::Zero()};  ///< where it hangs
 };
 
 /// Haptic loop -> lesson and picture, newest value; in the order of the plan's axles.

@@ -118,7 +118,9 @@ void AxleStage::push(const ProxyContact& contact, const Vector3& force_W, const 
         step_axle(axle.settings, report.torque_Nm, std::min(dt_s, kLongestStep_s), axle.state);
         report.angle_rad = axle.state.angle_rad;
         report.spin_rad_per_s = axle.state.spin_rad_per_s;
+        report.load_N = axle.settings.load_N;
         report.pose_W = compute_turned_pose(axle.settings, axle.state.angle_rad, axle.rest_W);
+        report.load_W = report.pose_W * axle.settings.load_B;
     }
     if (channels_ != nullptr) {
         channels_->frame.publish(frame_);

@@ -86,7 +86,7 @@ Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
 
 Expected<TriangleMesh> load_solid_mesh(const Places& places, const fs::path& lesson_folder,
                                        const BodyDescription& body) {
-    if (body.model == kSphereModel) {
+    if (is_ball_model(body.model)) {
         return make_sphere(body.radius_m, kSphereModelFrequency);
     }
     if (body.model == kBoxModel) {

@@ -74,6 +74,10 @@ Expected<void> LessonRun::build_loops(const RunRequest& request) {
     if (plan_.touch_sound) {
         build_touch_sound();
     }
+    if (!plan_.haptic.axles.empty()) {
+        axles_ = std::make_unique<AxleChannels>();
+        channels_.axles = axles_.get();
+    }
     haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, hand_->device(), channels_);
     if (plan_.world) {
         std::vector<std::int32_t> solid_bodies;
@@ -158,6 +162,10 @@ SessionInput LessonRun::gather(const FrameInput& input) {
             gathered.world_events.push_back(event);
         }
     }
+    if (axles_) {
+        axles_->frame.take();
+        gathered.axles = newest_axles();
+    }
     gathered.keys = input.keys;
     gathered.heard = input.typed;
     const SessionHud& hud = session_->hud();
@@ -174,6 +182,10 @@ SessionInput LessonRun::gather(const FrameInput& input) {
 const WorldSnapshot* LessonRun::newest_world() const {
     const bool is_there = world_channels_ && world_channels_->snapshot.value().n_bodies > 0;
     return is_there ? &world_channels_->snapshot.value() : nullptr;
+}
+
+const AxleFrame* LessonRun::newest_axles() const {
+    return axles_ && axles_->frame.value().n_axles > 0 ? &axles_->frame.value() : nullptr;
 }
 
 Expected<FrameReport> LessonRun::exchange_frame(const FrameInput& input) {
@@ -205,6 +217,9 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
         return tl::unexpected(output.error());
     }
     channels_.command.publish(output->force);
+    if (axles_) {
+        axles_->orders.publish(output->axles);
+    }
     if (auto commanded = command_world(output->world); !commanded) {
         return tl::unexpected(commanded.error());
     }
@@ -273,6 +288,7 @@ View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     scenery.time_s = last_frame_s_;
     scenery.hand = channels_.state_for_lesson.value();
     scenery.world = newest_world();
+    scenery.axles = newest_axles();
     scenery.renders_force = device().traits().renders_force;
     scenery.ghost = !scenery.renders_force;
     scenery.ghost_pose_W = scenery.ghost ? hand_->pointer_W() : scenery.hand.tool_pose_W;

@@ -99,11 +99,13 @@ class LessonRun {
     [[nodiscard]] Expected<FrameReport> conclude(const LessonReply& reply);
     [[nodiscard]] Expected<void> command_world(const std::vector<WorldCommand>& commands);
     [[nodiscard]] const WorldSnapshot* newest_world() const;
+    [[nodiscard]] const AxleFrame* newest_axles() const;
 
     std::unique_ptr<LessonProcess> process_;
     Plan plan_{};
     HapticChannels channels_{};
     std::unique_ptr<WorldChannels> world_channels_;
+    std::unique_ptr<AxleChannels> axles_;  // null when nothing turns
     std::unique_ptr<HandDevice> hand_;
     std::unique_ptr<HapticLoop> haptic_loop_;
     std::unique_ptr<WorldLoop> world_loop_;

@@ -3,6 +3,7 @@
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/progress/store.h"
 
+#include <chrono>
 #include <cstdio>
 #include <string_view>
 #include <system_error>
@@ -62,6 +63,14 @@ Expected<void> choose_answers(const Options& options, bool in_window, RunRequest
     return {};
 }
 
+// Days since noon of 1 January 2000, of Greenwich.
+double today() {
+    constexpr std::chrono::sys_days kFirst{std::chrono::year{2000} / 1 / 1};
+    const std::chrono::duration<double, std::ratio<86400>> since =
+        std::chrono::system_clock::now() - (kFirst + std::chrono::hours(12));
+    return since.count();
+}
+
 }  // namespace
 
 Expected<RunRequest> make_request(const Places& places, const Options& options, bool in_window) {
@@ -76,6 +85,7 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     request.plan.picture = in_window || !options.screenshot.empty();
     request.plan.sound = in_window && !options.mute;
     request.plan.record = !options.record.empty();
+    request.plan.day = in_window ? today() : kTestDay;
     request.record_file = options.record;
     return choose_hand(options, in_window, request)
         .and_then([&] { return choose_answers(options, in_window, request); })

@@ -40,6 +40,37 @@ Expected<void> LessonSession::carry_out(const CoverCommand& command, SessionOutp
     return {};
 }
 
+// The axles are in the order of the bodies that have one.
+Expected<void> LessonSession::carry_out(const TurnCommand& command, SessionOutput&) {
+    if (!is_index(command.body, description_.bodies.size()) ||
+        !description_.bodies[static_cast<std::size_t>(command.body)].hinge) {
+        return undeclared();
+    }
+    const auto body = description_.bodies.begin() + command.body;
+    const auto axle = static_cast<std::size_t>(
+        std::count_if(description_.bodies.begin(), body,
+                      [](const BodyDescription& b) { return b.hinge.has_value(); }));
+    AxleOrder& order = axles_.axles[axle];
+    if (!order.is_set) {
+        order.pivot_B = body->hinge->pivot_B;
+        order.load_N = body->hinge->load_N;
+        order.is_set = true;
+    }
+    if (command.angle_rad) {
+        order.angle_rad = *command.angle_rad;
+        ++order.n_angles;
+    }
+    if (command.spin_rad_per_s) {
+        order.spin_rad_per_s = *command.spin_rad_per_s;
+        ++order.n_spins;
+    }
+    if (command.pivot_W) {
+        order.pivot_B = *command.pivot_W - body->position_W;
+    }
+    order.load_N = command.load_N.value_or(order.load_N);
+    return {};
+}
+
 Expected<void> LessonSession::carry_out(const FieldChangeCommand& command, SessionOutput&) {
     if (!is_index(command.force, description_.forces.size())) {
         return undeclared();

@@ -10,6 +10,7 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr double kShownForce_N = 0.05;     // a smaller force is below what a hand notices: no arrow
+constexpr double kShortArm_m = 0.01;       // a shorter lever arm is told in millimetres
 constexpr double kSquashPerNewton = 0.02;  // flattening of what lies in the bucket, felt by the eye
 constexpr double kStrongestSquash = 0.25;
 constexpr double kArrowBelowBucket = 1.4;  // of its depth
@@ -50,6 +51,15 @@ BodyWhere where_of(const BodyDescription& body, const BodyState* state) {
     return body.visible ? BodyWhere::placed : BodyWhere::hidden;
 }
 
+// Bodies on hinges are turned by the haptic loop; its axles are in the order of the bodies that have one.
+Pose turned_pose(const LessonDescription& lesson, const BodyDescription& body,
+                 const AxleFrame& axles, const Pose& otherwise_W) {
+    const auto axle = std::count_if(lesson.bodies.data(), &body, [](const BodyDescription& other) {
+        return other.hinge.has_value();
+    });
+    return axle < axles.n_axles ? axles.axles[static_cast<std::size_t>(axle)].pose_W : otherwise_W;
+}
+
 ViewBody show_body(const LessonDescription& lesson, const BodyDescription& body,
                    const BodyState* state, const Scenery& scenery) {
     const BodyWhere where = where_of(body, state);
@@ -61,6 +71,9 @@ ViewBody show_body(const LessonDescription& lesson, const BodyDescription& body,
         const double force_N = scenery.hand.applied_W.force.norm();
         shown.scale = shown.scale.cwiseProduct(
             squash(std::min(kSquashPerNewton * force_N, kStrongestSquash)));
+    }
+    if (scenery.axles != nullptr && body.hinge && where == BodyWhere::placed) {
+        shown.pose_W = turned_pose(lesson, body, *scenery.axles, shown.pose_W);
     }
     if (where == BodyWhere::held || where == BodyWhere::placed) {
         shown.label = body.movable ? body.noun : "";
@@ -106,7 +119,54 @@ std::string weight_text(const LessonDescription& lesson, const Plan& plan, const
     return catalogue.say("hud.force", {{"newtons", newtons_text(force_N)}});
 }
 
+// The bar from the axis to where a force acts, at right angles to the axis.
+ViewTorque show_torque(const AxleSettings& hinge, const Vector3& pivot_W, const Vector3& at_W,
+                       const Vector3& force_W, double torque_Nm,
+                       const dialogue::Catalogue& catalogue) {
+    ViewTorque shown;
+    shown.axis_W = pivot_W + hinge.axis_W.dot(at_W - pivot_W) * hinge.axis_W;
+    const double force_N = force_W.norm();
+    const double arm_m = force_N > 0.0 ? std::abs(torque_Nm) / force_N : 0.0;
+    shown.force = {
+        true, at_W, force_W,
+        catalogue.say("hud.torque", {{"newtons", newtons_text(force_N)},
+                                     {"metres", number_text(arm_m, arm_m < kShortArm_m ? 3 : 2)},
+                                     {"torque", number_text(std::abs(torque_Nm), 2)}})};
+    return shown;
+}
+
+// What turns the bodies on hinges: the hand's push, and what hangs on a touched one.
+void add_torques(const LessonDescription& lesson, const Scenery& scenery,
+                 const dialogue::Catalogue& catalogue, View& view) {
+    if (scenery.axles == nullptr) {
+        return;
+    }
+    std::size_t axle = 0;
+    for (const BodyDescription& body : lesson.bodies) {
+        if (!body.hinge || axle >= scenery.axles->axles.size()) {
+            continue;
+        }
+        const AxleReport& report = scenery.axles->axles[axle++];
+        if (!report.touched || report.force_W.norm() <= kShownForce_N) {
+            continue;
+        }
+        view.torques.push_back(show_torque(*body.hinge, report.pivot_W, report.at_W, report.force_W,
+                                           report.torque_Nm, catalogue));
+        if (report.load_N > 0.0) {
+            view.torques.push_back(show_torque(*body.hinge, report.pivot_W, report.load_W,
+                                               Vector3(0.0, -report.load_N, 0.0),
+                                               report.load_torque_Nm, catalogue));
+        }
+    }
+}
+
 }  // namespace
+
+std::string number_text(double value, int decimals) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
 
 std::string newtons_text(double newtons) {
     char text[32];
@@ -138,6 +198,10 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
         view.force = {true, view.tool.pose_W.position - Vector3(0.0, below_m, 0.0), force_W,
                       weight_text(lesson, plan, scenery, catalogue, force_N)};
     }
+
+    // Where a torque is shown its arrow is the hand's push; the push back is the same, the other way round.
+    add_torques(lesson, scenery, catalogue, view);
+    view.force.visible = view.force.visible && view.torques.empty();
 
     view.title = lesson.title;
     view.caption = hud.caption;

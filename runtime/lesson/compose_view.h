@@ -5,6 +5,7 @@
 #pragma once
 
 #include "dialogue/catalogue.h"
+#include "haptics/handover/axle_messages.h"
 #include "haptics/handover/messages.h"
 #include "runtime/lesson/session.h"
 #include "runtime/scene/description.h"
@@ -20,6 +21,7 @@ struct Scenery {
     double time_s = 0.0;
     HapticState hand{};
     const WorldSnapshot* world = nullptr;  ///< null when the plan has none
+    const AxleFrame* axles = nullptr;      ///< null when nothing turns
     bool renders_force = true;  ///< false for a mouse: what can't be felt is shown more strongly
     bool ghost = false;         ///< show where the hand itself is
     Pose ghost_pose_W{};
@@ -30,6 +32,8 @@ struct Scenery {
                                 const SessionHud& hud, const Scenery& scenery,
                                 const dialogue::Catalogue& catalogue);
 
+/// A number with so many decimals.
+[[nodiscard]] std::string number_text(double value, int decimals);
 /// Newtons as a child reads them: one decimal.
 [[nodiscard]] std::string newtons_text(double newtons);
 

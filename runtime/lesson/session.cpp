@@ -4,6 +4,7 @@
 #include "runtime/progress/text_rules.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -25,7 +26,7 @@ LessonSession::LessonSession(LessonDescription description, const Plan& plan,
         force_.fields[i].anchor_W = description_.forces[i].field.anchor_W;
     }
     hud_.covered.resize(description_.bodies.size(), false);
-    ReadyEvent ready{plan.felt_weight_N, plan.felt_scale, {}};
+    ReadyEvent ready{plan.felt_weight_N, plan.felt_scale, {}, plan.day};
     for (const MaterialFacts& facts : plan.material_facts) {
         ready.materials.push_back({facts.hardness, facts.roughness, facts.slipperiness});
     }
@@ -71,6 +72,10 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
         }
     }
 
+    if (input.axles != nullptr) {
+        take_hinges(*input.axles);
+    }
+
     log_.look_for_trouble();
     speech_.step(input.dt_s);
     take(dialogue_.step(time_s_));
@@ -88,6 +93,25 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
     frame_.events = std::move(queued_);
     queued_.clear();
     return frame_;
+}
+
+// The bodies on hinges as the haptic loop has turned them.
+void LessonSession::take_hinges(const AxleFrame& axles) {
+    frame_.hinges.clear();
+    std::size_t axle = 0;
+    for (std::size_t i = 0; i < description_.bodies.size(); ++i) {
+        if (!description_.bodies[i].hinge || axle >= axles.axles.size()) {
+            continue;
+        }
+        const AxleReport& report = axles.axles[axle++];
+        const double force_N = report.force_W.norm();
+        frame_.hinges.push_back({report.angle_rad, report.spin_rad_per_s, report.torque_Nm,
+                                 force_N > 0.0 ? std::abs(report.torque_Nm) / force_N : 0.0,
+                                 report.load_torque_Nm});
+        if (axles.n_axles > 0 && frame_.bodies[i].where == BodyWhere::placed) {
+            frame_.bodies[i].pose_W = report.pose_W;
+        }
+    }
 }
 
 void LessonSession::queue_world_events(const std::vector<WorldEvent>& events) {
@@ -182,6 +206,7 @@ Expected<SessionOutput> LessonSession::finish_frame(const LessonReply& reply) {
     force_.stamp_s = time_s_;
     force_.lesson_alive = true;
     output.force = force_;
+    output.axles = axles_;
     output.sounds = std::move(sounds_);
     sounds_.clear();
     if (reply.has_hand_target) {

@@ -12,6 +12,7 @@
 
 #include "dialogue/catalogue.h"
 #include "haptics/base/error.h"
+#include "haptics/handover/axle_messages.h"
 #include "haptics/handover/messages.h"
 #include "runtime/lesson/question_dialogue.h"
 #include "runtime/lesson/session_log.h"
@@ -34,6 +35,7 @@ struct SessionInput {
     double dt_s = 0.0;
     HapticState hand{};
     const WorldSnapshot* world = nullptr;  ///< null when the plan has no world
+    const AxleFrame* axles = nullptr;      ///< null when nothing turns
     std::vector<WorldEvent> world_events;
     std::vector<std::string> keys;
     std::optional<std::string>
@@ -44,6 +46,7 @@ struct SessionInput {
 struct SessionOutput {
     std::vector<WorldCommand> world;
     ForceCommand force{};
+    AxleOrders axles{};  ///< as the lesson has ordered so far
     std::vector<std::string> sounds;
     bool has_hand_target = false;  ///< the simulated hand's Lua gave one
     Pose hand_target_W{};
@@ -103,6 +106,7 @@ class LessonSession {
     LessonSession(LessonDescription description, const Plan& plan, QuestionDialogue dialogue,
                   SessionLog log);
 
+    void take_hinges(const AxleFrame& axles);
     void queue_world_events(const std::vector<WorldEvent>& events);
     void queue_touch_events(std::int32_t touched_body);
     [[nodiscard]] std::string catch_sound(std::int32_t body) const;
@@ -114,6 +118,7 @@ class LessonSession {
     // One for each command a lesson can send; an error when it names something that isn't there.
     Expected<void> carry_out(const MoveCommand& command, SessionOutput& output);
     Expected<void> carry_out(const CoverCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const TurnCommand& command, SessionOutput& output);
     Expected<void> carry_out(const FieldChangeCommand& command, SessionOutput& output);
     Expected<void> carry_out(const LessonForceCommand& command, SessionOutput& output);
     Expected<void> carry_out(const CaptionCommand& command, SessionOutput& output);
@@ -133,6 +138,7 @@ class LessonSession {
 
     // What the lesson has asked for so far.
     ForceCommand force_{};
+    AxleOrders axles_{};
     SessionHud hud_{};
     SessionResult result_{};
 

@@ -46,6 +46,7 @@ inline constexpr Colour kShadow = from_hex(0xA9B2BE);
 // Signs.
 inline constexpr Colour kStar = from_hex(0xF7C948);
 inline constexpr Colour kForceArrow = kVermillion;
+inline constexpr Colour kLeverArm = kBlue;
 inline constexpr Colour kForceOutline = from_hex(0xFFFFFF);
 inline constexpr Colour kHighlight = kOrange;
 inline constexpr Colour kGhost = kSkyBlue;

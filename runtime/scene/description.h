@@ -2,6 +2,7 @@
 // Every item knows the line of the lesson that asked for it.
 #pragma once
 
+#include "haptics/dynamics/axle.h"
 #include "haptics/handover/messages.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/math/spatial.h"
@@ -47,6 +48,7 @@ struct BodyDescription {
     Vector3 position_W{Vector3::Zero()};
     SourceLine line = 0;
     std::int32_t material = kNoMaterial;  ///< index into LessonDescription::materials
+    std::optional<AxleSettings> hinge{};  ///< a solid body that turns, and does nothing else
 };
 
 struct ForceDescription {

@@ -9,6 +9,7 @@
 #include "haptics/handover/messages.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -64,9 +65,19 @@ struct ReadyEvent {
     std::vector<double> felt_weight_N;  ///< one a body; 0 when it can't be carried
     double felt_scale = 1.0;            ///< factor that fitted all weights under the force limit
     std::vector<MaterialGrades> materials{};  ///< one a material of the description
+    double day = 0.0;                         ///< today: days since noon of 1 January 2000
 };
 
 using LessonEvent = std::variant<BodyEvent, KeyEvent, JudgeEvent, AnsweredEvent, ReadyEvent>;
+
+/// How a body on a hinge stands.
+struct HingeState {
+    double angle_rad = 0.0;
+    double spin_rad_per_s = 0.0;
+    double torque_Nm = 0.0;       ///< of the hand
+    double arm_m = 0.0;           ///< of the hand's force: how far its line passes from the axis
+    double load_torque_Nm = 0.0;  ///< of what hangs on it
+};
 
 /// Everything the lesson needs to know for one frame.
 struct LessonFrame {
@@ -75,7 +86,8 @@ struct LessonFrame {
     Pose tool_pose_W{};
     Twist tool_twist_W{};
     Vector3 applied_force_W{Vector3::Zero()};
-    std::vector<BodyState> bodies;  ///< in the order of the scene
+    std::vector<BodyState> bodies;   ///< in the order of the scene
+    std::vector<HingeState> hinges;  ///< of the bodies that have one, in their order
     std::vector<LessonEvent> events;
 };
 
@@ -89,6 +101,14 @@ struct MoveCommand {
 struct CoverCommand {
     std::int32_t body = kNoBody;
     bool covered = true;
+};
+/// Sets what is given of a body on a hinge.
+struct TurnCommand {
+    std::int32_t body = kNoBody;
+    std::optional<double> angle_rad;
+    std::optional<double> spin_rad_per_s;
+    std::optional<Vector3> pivot_W;
+    std::optional<double> load_N;
 };
 /// Switches or moves a declared force.
 struct FieldChangeCommand {
@@ -132,7 +152,7 @@ struct PrintCommand {
 using LessonCommand =
     std::variant<MoveCommand, FieldChangeCommand, LessonForceCommand, CaptionCommand, AskCommand,
                  VerdictCommand, ScoreCommand, LevelCommand, SoundCommand, FinishCommand,
-                 PrintCommand, CoverCommand>;
+                 PrintCommand, CoverCommand, TurnCommand>;
 
 struct LessonReply {
     std::vector<LessonCommand> commands;

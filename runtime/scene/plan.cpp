@@ -181,6 +181,15 @@ void list_surface_stages(const LessonDescription& lesson, const HapticPlan& hapt
     }
 }
 
+template <class Add>
+void list_axle_stage(const LessonDescription& lesson, const HapticPlan& haptic, const Add& add) {
+    if (!haptic.axles.empty()) {
+        const SolidPlan& solid = haptic.solids[haptic.axles.front().solid];
+        add(HapticStage::turning, "a body turns on a hinge",
+            lesson.bodies[static_cast<std::size_t>(solid.body)].line);
+    }
+}
+
 void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
     const auto add = [&plan](HapticStage stage, std::string because, SourceLine line) {
         plan.stages.push_back(
@@ -195,6 +204,7 @@ void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
             "a body can be touched, by a " + std::string(name_of(plan.haptic.proxy.kind)),
             lesson.hand.proxy ? lesson.hand.line : lesson.bodies[body].line);
         add(HapticStage::coupling, "a body can be touched", lesson.bodies[body].line);
+        list_axle_stage(lesson, plan.haptic, add);
         list_surface_stages(lesson, plan.haptic, add);
     }
     if (plan.haptic.carries_weight) {
@@ -298,6 +308,7 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
     plan.picture = options.picture;
     plan.sound = options.sound;
     plan.record = options.record;
+    plan.day = options.day;
     plan.dialogue = !lesson.questions.empty();
     plan.speech = options.speech;
     plan.recogniser = plan.dialogue && options.speech != SpeechInput::text;

@@ -25,6 +25,9 @@ namespace fulcrum::runtime {
 /// for the arm's own friction, so that a weight is never clipped by the last gate.
 inline constexpr double kWeightShareOfLimit = 0.9;
 
+/// 22 June 2026: today, wherever a run must be the same each time.
+inline constexpr double kTestDay = 9669.0;
+
 /// How a learner's words arrive.
 enum class SpeechInput : std::uint8_t { text };
 
@@ -36,9 +39,10 @@ struct PlanOptions {
     double force_limit_N = 5.0;  ///< of this site, 0.5 to 10
     /// What the device can give; infinite for one that renders no force
     double device_force_limit_N = std::numeric_limits<double>::infinity();
-    bool picture = true;  ///< a window or a screenshot is wanted
-    bool sound = true;    ///< false under --mute and --headless
-    bool record = false;  ///< --record was given
+    bool picture = true;    ///< a window or a screenshot is wanted
+    bool sound = true;      ///< false under --mute and --headless
+    bool record = false;    ///< --record was given
+    double day = kTestDay;  ///< today, as the lesson is told: days since noon of 1 January 2000
     SpeechInput speech = SpeechInput::text;
 };
 
@@ -60,6 +64,7 @@ struct Plan {
     bool sound = false;
     bool touch_sound = false;  ///< strokes and taps are heard: a solid body is audible
     bool record = false;
+    double day = 0.0;                        ///< today: days since noon of 1 January 2000
     bool dialogue = false;                   ///< the lesson asks questions
     SpeechInput speech = SpeechInput::text;  ///< how answers arrive, when there are any
     bool recogniser = false;  ///< a speech recogniser listens; never with SpeechInput::text

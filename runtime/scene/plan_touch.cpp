@@ -1,6 +1,7 @@
 #include "runtime/scene/plan_touch.h"
 
 #include "haptics/coupling/virtual_coupling.h"
+#include "haptics/loop/axle_stage.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/point/make_proxy.h"
 
@@ -45,6 +46,29 @@ Expected<void> check_in_hand(const SolidPlan& solid, const MaterialDescription& 
                     "let it ring lower, or give world:hand a rate of " + std::to_string(rate_hz));
     }
     return {};
+}
+
+/// How far from the axis a hand may press it.
+double compute_reach(const AxleSettings& axle, const CollisionMesh& mesh) {
+    double reach_m = 0.0;
+    for (const Vector3& vertex_B : mesh.vertices_B()) {
+        const Vector3 arm = vertex_B - axle.pivot_B;
+        reach_m = std::max(reach_m, arm.cross(axle.axis_W).norm());
+    }
+    return reach_m;
+}
+
+/// The body of the newest solid turns.
+Expected<void> add_axle(const BodyDescription& body, const CollisionMesh& mesh, HapticPlan& plan) {
+    if (body.movable) {
+        return fail("the " + body.noun + " is on a hinge and movable", at_line(body.line),
+                    "leave out one of them: what turns on a hinge does not fall");
+    }
+    plan.axles.push_back({plan.solids.size() - 1, *body.hinge, compute_reach(*body.hinge, mesh)});
+    return validate_axles(plan).map_error([&](const Error& error) {
+        return Error{"the " + body.noun + ": " + error.message, at_line(body.line),
+                     error.what_to_do};
+    });
 }
 
 }  // namespace
@@ -98,6 +122,11 @@ Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& lo
             }
         }
         plan.solids.push_back(std::move(solid));
+        if (body.hinge) {
+            if (auto good = add_axle(body, **mesh, plan); !good) {
+                return good;
+            }
+        }
     }
     return {};
 }

@@ -1,6 +1,8 @@
 // The models that are shapes: felt by their formula, and drawn from a model of size 1 at the body's radius.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace fulcrum::runtime {
@@ -15,8 +17,16 @@ inline constexpr std::string_view kBoxModel = "box";
 /// A cloth over a body of that radius: what a covered body is drawn as.
 inline constexpr std::string_view kClothModel = "cloth";
 
+/// Balls as well, each with its own looks.
+inline constexpr std::array<std::string_view, 9> kPlanetModels{
+    "sun", "mercury", "venus", "earth", "mars", "jupiter", "saturn", "uranus", "neptune"};
+
+[[nodiscard]] constexpr bool is_ball_model(std::string_view model) noexcept {
+    return model == kSphereModel ||
+           std::find(kPlanetModels.begin(), kPlanetModels.end(), model) != kPlanetModels.end();
+}
 [[nodiscard]] constexpr bool is_shape_model(std::string_view model) noexcept {
-    return model == kSphereModel || model == kBoxModel;
+    return is_ball_model(model) || model == kBoxModel;
 }
 
 }  // namespace fulcrum::runtime

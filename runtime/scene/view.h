@@ -27,6 +27,12 @@ struct ViewForce {
     std::string text;  ///< e.g. "felt 2.8 N · true 2.0 N"
 };
 
+/// A force that turns a body about an axis: the lever arm as a bar from the axis, the force as an arrow at its end.
+struct ViewTorque {
+    Vector3 axis_W{Vector3::Zero()};  ///< the point of the axis from which the arm starts
+    ViewForce force{};                ///< its text is the torque's
+};
+
 /// An entry of the list of lessons.
 struct ViewMenuItem {
     std::string title;
@@ -44,6 +50,7 @@ struct View {
     bool ghost_visible = false;
     Pose ghost_pose_W{};  ///< where the arm really is
     ViewForce force{};
+    std::vector<ViewTorque> torques;  ///< of bodies on hinges, where something presses or hangs
     std::string title;
     std::string caption;  ///< the one instruction
     std::string

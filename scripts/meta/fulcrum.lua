@@ -38,6 +38,7 @@ local Lesson = {}
 ---The scene of a lesson.
 ---@class World
 ---@field time number seconds; since the lesson began
+---@field day number days; today, since noon of 1 January 2000, as planets.day counts; tests and simulated hands have 22 June 2026
 local World = {}
 
 ---The learner's hand: what world:hand { … } gives.
@@ -46,6 +47,12 @@ local Hand = {}
 
 ---A thing in the scene.
 ---@class Body
+---@field angle number degrees; of a body on a hinge: how far it is turned
+---@field spin number degrees per second; of a body on a hinge
+---@field inertia number kilogram square metres; of a body on a hinge
+---@field torque number newton metres; of the hand about a hinge: lever arm × force, counter-clockwise above 0
+---@field arm number metres; how far the hand's force passes from the hinge; 0 when nothing presses
+---@field load_torque number newton metres; of what hangs on a body about its hinge
 ---@field name string
 ---@field noun string the English noun
 ---@field mass number kilograms; the true mass
@@ -141,6 +148,16 @@ function World:ground(height) end
 ---@param options CameraOptions
 function World:camera(options) end
 
+---@class BodyHinge
+---@field axis? Vector|Body|Tool along which it lies; it turns counter-clockwise seen against it; -1 to 1; default {0, 0, 1}
+---@field at? Vector|Body|Tool a place that the axis passes through; where the body is by default; in metres, -10000 to 10000
+---@field inertia number how hard it is to turn, with all that hangs on it; in kilogram square metres, 0.0001 to 1000000
+---@field friction? number the torque that brakes it; in newton metres, 0 to 1000000; default 0
+---@field lowest? number it turns no further; no end by default; in degrees, -1000000 to 1000000
+---@field highest? number it turns no further; no end by default; in degrees, -1000000 to 1000000
+---@field load? number a weight that hangs on it; in newtons, 0 to 1000000; default 0
+---@field load_at? Vector|Body|Tool where it hangs at first; where the body is by default; in metres, -10000 to 10000
+
 ---@class BodyOptions
 ---@field name string unique; how the lesson calls it, never the learner
 ---@field noun? string English noun, as answers give it; the name by default; of at most 64 bytes
@@ -154,6 +171,7 @@ function World:camera(options) end
 ---@field visible? boolean is seen from the start; default false
 ---@field at? Vector|Body|Tool where it is at first; in metres, -10000 to 10000; default {0, 0, 0}
 ---@field drag_area? number drag coefficient × cross-section, for falling in air; in square metres, 0 to 10; default 0
+---@field hinge? BodyHinge an axis that a solid body turns about, pushed by the hand
 
 ---Declares a thing.
 ---@param options BodyOptions
@@ -317,6 +335,16 @@ function Body:cover() end
 
 ---Takes the cloth away.
 function Body:uncover() end
+
+---@class TurnOptions
+---@field angle? number it is there at once; in degrees, -1000000 to 1000000
+---@field spin? number it turns so fast from now on, until something brakes it; in degrees per second, -5000 to 5000
+---@field at? Vector|Body|Tool a place that its axis passes through from now on, for a body where it was declared; in metres, -10000 to 10000
+---@field load? number the weight that hangs on it from now on; in newtons, 0 to 1000000
+
+---Sets how a body on a hinge stands. Angles grow counter-clockwise, seen against its axis.
+---@param options TurnOptions
+function Body:turn(options) end
 
 ---Switches it on, as it is when it is declared.
 function Force:on() end

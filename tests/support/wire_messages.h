@@ -38,6 +38,8 @@ inline LessonDescription full_description() {
     d.hand = {Vector3(0, 0.4, 0), 2.0, 2000.0, true, 17, ProxyKind::virtual_proxy,
               SphereShape{0.01},  20};
     d.bodies[1].material = 1;
+    d.bodies[0].hinge = AxleSettings{
+        Vector3(0, 1, 0), Vector3(0.1, 0.2, 0), 0.5, 0.25, -1.0, 2.0, 3.0, Vector3(-0.4, 0, 0)};
     d.questions = {{"heaviest",
                     "Which?",
                     {"the {thing}", "{thing}"},
@@ -73,7 +75,8 @@ inline LessonReply full_reply() {
                   SoundCommand{"pop"},
                   FinishCommand{3},
                   PrintCommand{"hi\tthere"},
-                  CoverCommand{1, true}};
+                  CoverCommand{1, true},
+                  TurnCommand{0, 0.5, std::nullopt, Vector3(0.1, 0, 0), 4.0}};
     r.has_hand_target = true;
     r.hand_target_W.position = Vector3(0.1, 0.2, 0.3);
     r.hand_buttons = 5;
@@ -89,11 +92,12 @@ inline LessonFrame full_frame() {
     f.applied_force_W = Vector3(0, -2, 0);
     f.bodies = {{Pose{}, Vector3(0, -3, 0), BodyWhere::falling},
                 {Pose{}, Vector3::Zero(), BodyWhere::held}};
+    f.hinges = {{0.5, -2.0, 0.25, 0.125, -0.75}};
     f.events = {
         BodyEvent{BodyEvent::Kind::landed, 1, 3.5}, KeyEvent{"space"},
         JudgeEvent{"heaviest", {{"thing", "egg"}}},
         AnsweredEvent{"heaviest", "an egg", {{"thing", "egg"}}, true, false, true, false, 3, true},
-        ReadyEvent{{6.0, 3.0}, 0.5, {{0.75, 0.5, 0.25}}}};
+        ReadyEvent{{6.0, 3.0}, 0.5, {{0.75, 0.5, 0.25}}, 9669.0}};
     return f;
 }
 

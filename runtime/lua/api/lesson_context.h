@@ -9,6 +9,7 @@
 #include "runtime/scene/lesson_messages.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,6 +40,7 @@ struct LessonContext {
     LessonDescription description{};
     LessonFrame frame{};                ///< the newest; its bodies are as many as the description's
     std::vector<double> felt_weight_N;  ///< empty before ReadyEvent
+    std::optional<double> day;          ///< nothing before ReadyEvent
     std::vector<MaterialGrades> grades;  ///< one a material; empty before ReadyEvent
     LessonReply reply{};                 ///< being filled
     int n_prints = 0;                    ///< in this frame

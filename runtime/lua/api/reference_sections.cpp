@@ -152,7 +152,9 @@ std::string names_sections() {
         "\n## Models\n\n`model` of a body or the bucket is one of " + quoted(kModelNames) +
         ", or a `.glb` or `.gltf` file beside the lesson, without its ending: `model = "
         "\"kettle\"` is kettle.glb. `sphere` is a ball of the body's `radius`, `box` a cube twice "
-        "that wide, both seen and felt so; other models have their own size.\n";
+        "that wide, both seen and felt so, and `sun` and the planets `mercury` to `neptune` are "
+        "balls "
+        "likewise; other models have their own size.\n";
     return out;
 }
 

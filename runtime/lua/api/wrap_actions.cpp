@@ -105,6 +105,15 @@ int get_time(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
     return 1;
 }
 
+int get_day(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    if (!context.day) {
+        raise_in_lesson(
+            lua, "world.day is known once the lesson runs, in L:update and later, not in L:start");
+    }
+    lua_pushnumber(lua, *context.day);
+    return 1;
+}
+
 template <int kAxis>
 int get_tool_position(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
     lua_pushnumber(lua, context.frame.tool_pose_W.position[kAxis]);
@@ -130,6 +139,10 @@ int get_tool_force(lua_State* lua, LessonContext& context, std::int32_t /*index*
 void add_properties(ApiTable& table) {
     table.properties.push_back(
         {"world", "time", "number", "seconds", "since the lesson began", &get_time});
+    table.properties.push_back({"world", "day", "number", "days",
+                                "today, since noon of 1 January 2000, as planets.day counts; tests "
+                                "and simulated hands have 22 June 2026",
+                                &get_day});
     table.properties.push_back(
         {"tool", "x", "number", "metres", "to the right", &get_tool_position<0>});
     table.properties.push_back({"tool", "y", "number", "metres", "up", &get_tool_position<1>});

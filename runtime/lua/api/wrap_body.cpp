@@ -3,10 +3,15 @@
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/needs.h"
 
+#include <numbers>
+#include <string>
+
 namespace fulcrum::runtime {
 namespace {
 
 using Kind = WorldCommand::Kind;
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;  // of a radian
 
 const BodyDescription& description_of(const LessonContext& context, std::int32_t index) {
     return context.description.bodies[static_cast<std::size_t>(index)];
@@ -72,6 +77,107 @@ int cover(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/
 }
 int uncover(lua_State* lua, LessonContext& context, const Arguments& /*arguments*/) {
     return set_covered(lua, context, false);
+}
+
+const AxleSettings& hinge_of(lua_State* lua, const LessonContext& context, std::int32_t index,
+                             const char* asked) {
+    const BodyDescription& body = description_of(context, index);
+    if (!body.hinge) {
+        raise_in_lesson(lua, std::string("only a body on a hinge has ") + asked + "; declare " +
+                                 body.name + " with hinge = { inertia = … }");
+    }
+    return *body.hinge;
+}
+
+/// How its hinge stands now; at rest before the first frame.
+HingeState hinge_state_of(const LessonContext& context, std::int32_t index) {
+    std::size_t before = 0;
+    for (std::int32_t i = 0; i < index; ++i) {
+        before += description_of(context, i).hinge ? 1U : 0U;
+    }
+    return before < context.frame.hinges.size() ? context.frame.hinges[before] : HingeState{};
+}
+
+int turn(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    TurnCommand command;
+    command.body = to_handle(lua, 1)->index;
+    (void)hinge_of(lua, context, command.body, "a turn");
+    if (arguments["angle"].given) {
+        command.angle_rad = arguments["angle"].number / kDegrees;
+    }
+    if (arguments["spin"].given) {
+        command.spin_rad_per_s = arguments["spin"].number / kDegrees;
+    }
+    if (arguments["at"].given) {
+        command.pivot_W = arguments["at"].vector;
+    }
+    if (arguments["load"].given) {
+        command.load_N = arguments["load"].number;
+    }
+    add_command(lua, command);
+    return 0;
+}
+
+int get_angle(lua_State* lua, LessonContext& context, std::int32_t index) {
+    (void)hinge_of(lua, context, index, "an angle");
+    lua_pushnumber(lua, hinge_state_of(context, index).angle_rad * kDegrees);
+    return 1;
+}
+int get_spin(lua_State* lua, LessonContext& context, std::int32_t index) {
+    (void)hinge_of(lua, context, index, "a spin");
+    lua_pushnumber(lua, hinge_state_of(context, index).spin_rad_per_s * kDegrees);
+    return 1;
+}
+int get_torque(lua_State* lua, LessonContext& context, std::int32_t index) {
+    (void)hinge_of(lua, context, index, "a torque");
+    lua_pushnumber(lua, hinge_state_of(context, index).torque_Nm);
+    return 1;
+}
+int get_load_torque(lua_State* lua, LessonContext& context, std::int32_t index) {
+    (void)hinge_of(lua, context, index, "a load");
+    lua_pushnumber(lua, hinge_state_of(context, index).load_torque_Nm);
+    return 1;
+}
+int get_arm(lua_State* lua, LessonContext& context, std::int32_t index) {
+    (void)hinge_of(lua, context, index, "a lever arm");
+    lua_pushnumber(lua, hinge_state_of(context, index).arm_m);
+    return 1;
+}
+int get_inertia(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, hinge_of(lua, context, index, "an inertia").inertia_kg_m2);
+    return 1;
+}
+
+void add_hinge_rows(ApiTable& table) {
+    using enum ParameterType;
+    table.functions.push_back(
+        {"body",
+         "turn",
+         CallShape::record,
+         CallTime::acting,
+         {{"angle", number, "degrees", -1e6, 1e6, "nil", "it is there at once"},
+          {"spin", number, "degrees per second", -5000, 5000, "nil",
+           "it turns so fast from now on, until something brakes it"},
+          {"at", vector, "metres", -10000, 10000, "nil",
+           "a place that its axis passes through from now on, for a body where it was declared"},
+          {"load", number, "newtons", 0, 1e6, "nil", "the weight that hangs on it from now on"}},
+         "",
+         "Sets how a body on a hinge stands. Angles grow counter-clockwise, seen against its axis.",
+         &turn});
+    table.properties.push_back({"body", "angle", "number", "degrees",
+                                "of a body on a hinge: how far it is turned", &get_angle});
+    table.properties.push_back(
+        {"body", "spin", "number", "degrees per second", "of a body on a hinge", &get_spin});
+    table.properties.push_back({"body", "inertia", "number", "kilogram square metres",
+                                "of a body on a hinge", &get_inertia});
+    table.properties.push_back(
+        {"body", "torque", "number", "newton metres",
+         "of the hand about a hinge: lever arm × force, counter-clockwise above 0", &get_torque});
+    table.properties.push_back(
+        {"body", "arm", "number", "metres",
+         "how far the hand's force passes from the hinge; 0 when nothing presses", &get_arm});
+    table.properties.push_back({"body", "load_torque", "number", "newton metres",
+                                "of what hangs on a body about its hinge", &get_load_torque});
 }
 
 int push_text(lua_State* lua, const std::string& text) {
@@ -192,6 +298,7 @@ void add_body_api(ApiTable& table) {
                                "Takes the cloth away.",
                                &uncover});
 
+    add_hinge_rows(table);
     table.properties.push_back({"body", "name", "string", "", "", &get_name});
     table.properties.push_back({"body", "noun", "string", "", "the English noun", &get_noun});
     table.properties.push_back({"body", "mass", "number", "kilograms", "the true mass", &get_mass});

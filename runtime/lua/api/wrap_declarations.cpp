@@ -4,6 +4,8 @@
 #include "runtime/lua/api/materials.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numbers>
 
 namespace fulcrum::runtime {
 namespace {
@@ -26,6 +28,63 @@ int set_camera(lua_State* /*lua*/, LessonContext& context, const Arguments& argu
     return 0;
 }
 
+constexpr double kDegree_rad = std::numbers::pi / 180.0;
+
+// What a body turns about.
+constexpr Parameter kHinge[] = {
+    {"axis", ParameterType::vector, "", -1, 1, "{0, 0, 1}",
+     "along which it lies; it turns counter-clockwise seen against it"},
+    {"at", ParameterType::vector, "metres", -10000, 10000, "nil",
+     "a place that the axis passes through; where the body is by default"},
+    {"inertia", ParameterType::number, "kilogram square metres", 0.0001, 1e6, kRequired,
+     "how hard it is to turn, with all that hangs on it"},
+    {"friction", ParameterType::number, "newton metres", 0, 1e6, "0", "the torque that brakes it"},
+    {"lowest", ParameterType::number, "degrees", -1e6, 1e6, "nil",
+     "it turns no further; no end by default"},
+    {"highest", ParameterType::number, "degrees", -1e6, 1e6, "nil",
+     "it turns no further; no end by default"},
+    {"load", ParameterType::number, "newtons", 0, 1e6, "0", "a weight that hangs on it"},
+    {"load_at", ParameterType::vector, "metres", -10000, 10000, "nil",
+     "where it hangs at first; where the body is by default"}};
+
+AxleSettings take_hinge(lua_State* lua, const Arguments& arguments, const BodyDescription& body) {
+    AxleSettings hinge;
+    hinge.axis_W = arguments["axis"].vector;
+    const double length = hinge.axis_W.norm();
+    if (!body.solid) {
+        raise_in_lesson(lua, body.name + " has a hinge but can't be touched; add solid = true");
+    }
+    if (body.movable) {
+        raise_in_lesson(lua, body.name + " has a hinge and is movable; leave out one of them");
+    }
+    if (length < 0.01) {
+        raise_in_lesson(lua,
+                        "the axis of " + body.name + " has no direction; {0, 1, 0} stands upright");
+    }
+    hinge.axis_W /= length;
+    if (arguments["at"].given) {
+        hinge.pivot_B = arguments["at"].vector - body.position_W;
+    }
+    hinge.inertia_kg_m2 = arguments["inertia"].number;
+    hinge.friction_Nm = arguments["friction"].number;
+    if (arguments["lowest"].given) {
+        hinge.lowest_rad = arguments["lowest"].number * kDegree_rad;
+    }
+    if (arguments["highest"].given) {
+        hinge.highest_rad = arguments["highest"].number * kDegree_rad;
+    }
+    if (hinge.lowest_rad > hinge.highest_rad || hinge.lowest_rad > 0.0 || hinge.highest_rad < 0.0) {
+        raise_in_lesson(lua,
+                        "the hinge of " + body.name +
+                            " begins at 0 degrees; lowest is at most 0, and highest at least 0");
+    }
+    hinge.load_N = arguments["load"].number;
+    if (arguments["load_at"].given) {
+        hinge.load_B = arguments["load_at"].vector - body.position_W;
+    }
+    return hinge;
+}
+
 int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     std::vector<BodyDescription>& bodies = context.description.bodies;
     BodyDescription body;
@@ -41,6 +100,9 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
     body.visible = arguments["visible"].flag;
     body.position_W = arguments["at"].vector;
     body.line = place_in_lesson(lua).line;
+    if (arguments["hinge"].given) {
+        body.hinge = take_hinge(lua, arguments.record("hinge"), body);
+    }
     if (arguments["material"].given && !body.solid) {
         raise_in_lesson(lua, body.name + " has a material but can't be touched; add solid = true");
     }
@@ -180,7 +242,10 @@ void add_scene_rows(ApiTable& table) {
           {"visible", flag, "", 0, 0, "false", "is seen from the start"},
           {"at", vector, "metres", -10000, 10000, "{0, 0, 0}", "where it is at first"},
           {"drag_area", number, "square metres", 0, 10, "0",
-           "drag coefficient × cross-section, for falling in air"}},
+           "drag coefficient × cross-section, for falling in air"},
+          {"hinge", record, "", 0, 0, "nil",
+           "an axis that a solid body turns about, pushed by the hand", "", kHinge,
+           std::size(kHinge)}},
          "Body",
          "Declares a thing.",
          &add_body});

@@ -254,6 +254,7 @@ void LessonHost::deliver(lua_State* lua, const LessonEvent& event) {
     if (const auto* ready = std::get_if<ReadyEvent>(&event)) {
         lesson_.felt_weight_N = ready->felt_weight_N;
         lesson_.felt_weight_N.resize(description().bodies.size(), 0.0);
+        lesson_.day = ready->day;
         lesson_.grades = ready->materials;
         lesson_.grades.resize(description().materials.size());
         return;

@@ -28,6 +28,7 @@ void body(Archive& a, Body& b) {
     vector(a, "a body's position", b.position_W, kMaxCoordinate_m);
     a.integer("a line", b.line, 0, kMaxLine);
     a.integer("a body's material", b.material, kNoMaterial, kMaxMaterials - 1);
+    optional(a, "a hinge", b.hinge, [](auto& each, auto& h) { hinge(each, h); });
 }
 
 template <class Archive, class Force>
@@ -153,6 +154,9 @@ void description(Archive& a, Description& d) {
     if (n_solids > kMaxSolids) {
         return "has too many solid bodies";
     }
+    if (std::ranges::any_of(d.bodies, [](const auto& b) { return b.hinge && !b.solid; })) {
+        return "has a hinge on a body that is not solid";
+    }
     return d.id.empty() ? "has no id" : nullptr;
 }
 
@@ -191,6 +195,7 @@ void event(Archive& a, Event& e) {
             each.number("roughness", grades.roughness, 0.0, 1.0);
             each.number("slipperiness", grades.slipperiness, 0.0, 1.0);
         });
+        a.number("today", e.day, -1e6, 1e6);
     }
 }
 
@@ -207,6 +212,13 @@ void frame(Archive& a, Frame& f) {
         pose(each, "a body", b.pose_W, kAny);
         vector(each, "a body's velocity", b.velocity_W, kAny);
         each.choice("where a body is", b.where, BodyWhere::landed);
+    });
+    a.list("hinges", f.hinges, static_cast<std::size_t>(kMaxSolids), [](auto& each, auto& h) {
+        each.number("an angle", h.angle_rad, -kAny, kAny);
+        each.number("a spin", h.spin_rad_per_s, -kAny, kAny);
+        each.number("a torque", h.torque_Nm, -kAny, kAny);
+        each.number("a lever arm", h.arm_m, 0.0, kAny);
+        each.number("a load's torque", h.load_torque_Nm, -kAny, kAny);
     });
     a.list("events", f.events, kMaxEvents, [](auto& each, auto& e) {
         each.one_of("an event", e,
@@ -243,6 +255,26 @@ void move_command(Archive& a, Move& m, const ReplyBounds& bounds) {
     a.integer("a moved body", m.body, about_all ? kNoBody : 0, bounds.n_bodies - 1);
     vector(a, "a position", m.position_W, kMaxCoordinate_m);
     vector(a, "a velocity", m.velocity_W, kMaxSpeed_m_per_s);
+}
+
+template <class Archive, class Turn>
+void turn_command(Archive& a, Turn& t, const ReplyBounds& bounds) {
+    a.integer("a turned body", t.body, 0, bounds.n_bodies - 1);
+    optional(a, "an angle", t.angle_rad,
+             [](auto& each, auto& v) { each.number("an angle", v, -1e6, 1e6); });
+    optional(a, "a spin", t.spin_rad_per_s,
+             [](auto& each, auto& v) { each.number("a spin", v, -100.0, 100.0); });
+    optional(a, "a pivot", t.pivot_W,
+             [](auto& each, auto& v) { vector(each, "a pivot", v, kMaxCoordinate_m); });
+    optional(a, "a load", t.load_N,
+             [](auto& each, auto& v) { each.number("a load", v, 0.0, 1e6); });
+    if constexpr (Archive::kReads) {
+        const auto body = static_cast<std::size_t>(t.body);
+        const auto& bodies = bounds.description->bodies;
+        if (body < bodies.size() && !bodies[body].hinge) {
+            a.refuse("a turned body", "has no hinge");
+        }
+    }
 }
 
 template <class Archive, class Force>
@@ -292,6 +324,8 @@ void command(Archive& a, Command& c, const ReplyBounds& bounds) {
     } else if constexpr (std::is_same_v<Kind, CoverCommand>) {
         a.integer("a covered body", c.body, 0, bounds.n_bodies - 1);
         a.flag("covered", c.covered);
+    } else if constexpr (std::is_same_v<Kind, TurnCommand>) {
+        turn_command(a, c, bounds);
     } else {
         static_assert(std::is_same_v<Kind, FinishCommand>);
         a.integer("stars", c.stars, 0, 3);

@@ -64,6 +64,32 @@ void material(Archive& a, Described& m) {
     a.integer("a line", m.line, 0, kMaxLine);
 }
 
+/// Whether something is there, and then what it is; `each` writes or reads a value of its type.
+template <class Archive, class Optional, class Each>
+void optional(Archive& a, const char* what, Optional& value, const Each& each) {
+    bool given = value.has_value();
+    a.flag(what, given);
+    auto plain = value.value_or(typename std::remove_cvref_t<Optional>::value_type{});
+    if (given) {
+        each(a, plain);
+    }
+    if constexpr (Archive::kReads) {
+        value = given ? std::optional(plain) : std::nullopt;
+    }
+}
+
+template <class Archive, class Hinge>
+void hinge(Archive& a, Hinge& h) {
+    vector(a, "a hinge's axis", h.axis_W, 1.0);
+    vector(a, "a hinge's place", h.pivot_B, 100.0);
+    a.number("a hinge's inertia", h.inertia_kg_m2, 1e-4, 1e6);
+    a.number("a hinge's friction", h.friction_Nm, 0.0, 1e6);
+    a.number("a hinge's lowest angle", h.lowest_rad, -kAnyAngle_rad, kAnyAngle_rad);
+    a.number("a hinge's highest angle", h.highest_rad, -kAnyAngle_rad, kAnyAngle_rad);
+    a.number("a hinge's load", h.load_N, 0.0, 1e6);
+    vector(a, "where a load hangs", h.load_B, 100.0);
+}
+
 template <class Archive, class Shape>
 void cursor(Archive& a, Shape& shape) {
     using Kind = std::remove_cvref_t<Shape>;

@@ -9,6 +9,7 @@ namespace fulcrum::runtime {
 namespace {
 // As parts of the camera's distance.
 constexpr double kShaftRadius = 0.0095;
+constexpr double kArmRadius = 0.006;
 constexpr double kHeadRadius = 0.023;
 constexpr double kHeadLength = 0.040;
 }  // namespace
@@ -43,6 +44,21 @@ std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera) {
     arrow.tip_W = force.at_W + length_m * way;
     arrow.radius_m = kHeadRadius * distance_m;
     return arrow;
+}
+
+std::optional<Placement> arm_for(const ViewTorque& torque, const Camera& camera) {
+    const Vector3 way = torque.force.at_W - torque.axis_W;
+    if (!way.allFinite()) {
+        return std::nullopt;
+    }
+    const double length_m = compute_length(way);
+    const double radius_m = kArmRadius * camera.distance_m();
+    if (!(length_m > radius_m)) {
+        return std::nullopt;
+    }
+    const Quaternion turn(
+        Eigen::Quaterniond::FromTwoVectors(Vector3::UnitY(), compute_direction(way)));
+    return place({torque.axis_W, turn}, {radius_m, length_m, radius_m});
 }
 
 }  // namespace fulcrum::runtime

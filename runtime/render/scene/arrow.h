@@ -33,4 +33,8 @@ struct Arrow {
 /// The arrow of a force. Nothing when it is not visible, too small, or not finite.
 [[nodiscard]] std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera);
 
+/// The lever arm of a torque: a bar from the axis to where the force acts, for make_arrow_shaft. Nothing when it has no length
+/// or is not finite.
+[[nodiscard]] std::optional<Placement> arm_for(const ViewTorque& torque, const Camera& camera);
+
 }  // namespace fulcrum::runtime

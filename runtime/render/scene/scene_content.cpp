@@ -83,10 +83,11 @@ void add_label(SceneContent& content, const Camera& camera, const ViewBody& body
     }
 }
 
-void add_force_label(SceneContent& content, const Camera& camera, const ViewForce& force) {
-    const auto middle = camera.project(0.5 * (content.arrow->tail_W + content.arrow->tip_W));
-    const auto tail = camera.project(content.arrow->tail_W);
-    const auto tip = camera.project(content.arrow->tip_W);
+void add_force_label(SceneContent& content, const Camera& camera, const ViewForce& force,
+                     const Arrow& arrow) {
+    const auto middle = camera.project(0.5 * (arrow.tail_W + arrow.tip_W));
+    const auto tail = camera.project(arrow.tail_W);
+    const auto tip = camera.project(arrow.tip_W);
     if (force.text.empty() || !middle || !tail || !tip) {
         return;
     }
@@ -95,8 +96,7 @@ void add_force_label(SceneContent& content, const Camera& camera, const ViewForc
     label.text = force.text;
     label.middle_px = {static_cast<float>(middle->position_px.x()),
                        static_cast<float>(middle->position_px.y())};
-    label.radius_px =
-        static_cast<float>(1.3 * content.arrow->radius_m * camera.px_per_m(middle->depth_m));
+    label.radius_px = static_cast<float>(1.3 * arrow.radius_m * camera.px_per_m(middle->depth_m));
     // An arrow along the line of sight has no direction in the picture.
     const Eigen::Vector2d way = tip->position_px - tail->position_px;
     if (way.norm() > 1.0) {
@@ -107,6 +107,19 @@ void add_force_label(SceneContent& content, const Camera& camera, const ViewForc
             label.radius_px, static_cast<float>(0.5 * std::abs(way.x())) + 0.5F * label.radius_px);
     }
     content.labels.push_back(std::move(label));
+}
+
+// The arrow of the force, and the bar from the axis to it.
+void add_torque(SceneContent& content, const Camera& camera, const ViewTorque& torque) {
+    const auto arrow = arrow_for(torque.force, camera);
+    if (!arrow || content.torque_arrows.size() >= kMostTorques) {
+        return;
+    }
+    content.torque_arrows.push_back(*arrow);
+    add_force_label(content, camera, torque.force, *arrow);
+    if (const auto arm = arm_for(torque, camera)) {
+        content.arms.push_back(*arm);
+    }
 }
 
 }  // namespace
@@ -146,7 +159,10 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
     }
     content.arrow = arrow_for(view.force, camera);
     if (content.arrow) {
-        add_force_label(content, camera, view.force);
+        add_force_label(content, camera, view.force, *content.arrow);
+    }
+    for (const ViewTorque& torque : view.torques) {
+        add_torque(content, camera, torque);
     }
     return content;
 }

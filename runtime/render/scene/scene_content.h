@@ -37,12 +37,17 @@ struct SceneContent {
     std::optional<SceneItem> ghost;
     float ghost_strength = 1.0F;  ///< 0 where tool and ghost are the same, 1 where they are apart
     std::optional<Arrow> arrow;
+    std::vector<Arrow> torque_arrows;
+    std::vector<Placement> arms;  ///< lever arms, to be drawn with make_arrow_shaft
     std::vector<FloorMark> marks;
     std::vector<SceneLabel> labels;
 };
 
 /// Finds a model by name; never fails, a plain ball stands for what is missing.
 using FindMesh = std::function<const gl::Mesh&(const std::string&)>;
+
+/// More torques than this are left out.
+inline constexpr std::size_t kMostTorques = 8;
 
 /// More bodies than this are left out.
 inline constexpr std::size_t kMostBodies = 10'000;

@@ -65,7 +65,8 @@ Expected<ScenePainter> ScenePainter::create(int shadow_map_size) {
     auto ball = gl::upload(make_ball(kBallRadius_m, kBallColour));
     auto shaft = gl::upload(make_arrow_shaft(linear_of(theme::kForceArrow)));
     auto head = gl::upload(make_arrow_head(linear_of(theme::kForceArrow)));
-    for (auto* mesh : {&ball, &shaft, &head}) {
+    auto arm = gl::upload(make_arrow_shaft(linear_of(theme::kLeverArm)));
+    for (auto* mesh : {&ball, &shaft, &head, &arm}) {
         if (!*mesh) {
             return tl::make_unexpected(mesh->error());
         }
@@ -80,6 +81,7 @@ Expected<ScenePainter> ScenePainter::create(int shadow_map_size) {
     painter.ball_ = std::move(*ball);
     painter.arrow_shaft_ = std::move(*shaft);
     painter.arrow_head_ = std::move(*head);
+    painter.arm_ = std::move(*arm);
     return painter;
 }
 
@@ -142,6 +144,10 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
         objects_.draw_ghost(*content.ghost->mesh, content.ghost->placement, content.ghost->level,
                             with_alpha(theme::kGhost, kGhostAlpha * content.ghost_strength));
     }
+    draw_arms(content.arms, scale);
+    for (const Arrow& arrow : content.torque_arrows) {
+        draw_arrow(arrow, camera, scale);
+    }
     if (content.arrow) {
         draw_arrow(*content.arrow, camera, scale);
     }
@@ -161,6 +167,20 @@ void ScenePainter::draw_highlights(const SceneContent& content, float scale) con
                                   kHighlight_px * scale, kHighlightMark);
         }
     }
+}
+
+// Lever arms lie over all else, as the arrows at their ends do.
+void ScenePainter::draw_arms(const std::vector<Placement>& arms, float scale) const {
+    if (arms.empty()) {
+        return;
+    }
+    glDisable(GL_DEPTH_TEST);
+    for (const Placement& arm : arms) {
+        objects_.draw_far(arm_, arm, 0, 0.0);
+        objects_.draw_stencil(arm_, arm, 0, kArrowMark);
+        objects_.draw_outline(arm_, arm, 0, theme::kForceOutline, kArrowRim_px * scale, kArrowMark);
+    }
+    glEnable(GL_DEPTH_TEST);
 }
 
 void ScenePainter::draw_arrow(const Arrow& arrow, const Camera& camera, float scale) const {

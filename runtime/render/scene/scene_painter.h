@@ -44,6 +44,7 @@ class ScenePainter {
     [[nodiscard]] const gl::Mesh& find(const std::string& model) const;
     void draw_shadows(const SceneContent& content, const Light& light) const;
     void draw_highlights(const SceneContent& content, float scale) const;
+    void draw_arms(const std::vector<Placement>& arms, float scale) const;
     void draw_arrow(const Arrow& arrow, const Camera& camera, float scale) const;
 
     ShadowPass shadows_;
@@ -53,6 +54,7 @@ class ScenePainter {
     gl::Mesh ball_;
     gl::Mesh arrow_shaft_;
     gl::Mesh arrow_head_;
+    gl::Mesh arm_;
 };
 
 }  // namespace fulcrum::runtime

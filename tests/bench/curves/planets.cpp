@@ -109,9 +109,12 @@ Errors compute_errors(const std::vector<KnownPlace>& known, const std::string& p
             places.push_back(place.place_au);
         }
     }
-    const Lesson lesson("local planets = require 'planets'\nfor _, day in ipairs {" + days +
-                        "} do\n  print(string.format('%.12f %.12f %.12f', planets.place('" +
-                        planet + "', day, '" + method + "')))\nend");
+    // Ten places a line: a script's lines are counted.
+    const Lesson lesson("local planets = require 'planets'\nlocal days, line = {" + days +
+                        "}, ''\nfor i, day in ipairs(days) do\n  line = line .. "
+                        "string.format('%.9f %.9f %.9f ', planets.place('" +
+                        planet + "', day, '" + method +
+                        "'))\n  if i % 10 == 0 or i == #days then print(line) line = '' end\nend");
     std::istringstream found(lesson.prints());
     Errors errors;
     for (const Vector3& place : places) {

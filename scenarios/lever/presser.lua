@@ -1,0 +1,25 @@
+-- A simulated hand that presses the lever under the star, until the star is gone.
+local motion = require "motion"
+
+local rest = { 0.1, 0.55, 0 }
+
+return motion.play(function(world)
+  local star = world:find "star"
+  motion.start_at(rest)
+  motion.wait(1)
+  while true do
+    motion.wait_until(function() return star.where == "placed" end)
+    local x = star.x
+    motion.move_to({ x, 0.42, 0 }, 0.6)
+    -- Down, deeper and deeper, as somebody who presses harder.
+    local y = 0.36
+    while star.where == "placed" and y > 0.2 do
+      motion.move_to({ x, y, 0 }, 0.05)
+      y = y - 0.004
+    end
+    motion.wait_until(function() return star.where ~= "placed" end, 4)
+    motion.wait(0.5)
+    motion.move_to({ x, 0.5, 0 }, 0.5)
+    motion.move_to(rest, 0.5)
+  end
+end)

@@ -1,0 +1,64 @@
+// The lesson on the lever, played to its end by its own simulated hand.
+#include "tests/lessons/program.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+// Scene indices, in the order of lesson.lua.
+enum Body : int { support, lever };
+
+}  // namespace
+
+TEST_CASE("lever: each level is pressed and lifted, and what the hand feels stays in bounds") {
+    const Sandbox sandbox;
+    REQUIRE(sandbox.run("run lever --headless --record r.rec").exit_code == 0);
+    const Record record = read_run(sandbox.path("r.rec"));
+    const auto touches = std::ranges::count_if(record.events, [](const RecordEvent& event) {
+        return event.kind == RecordEventKind::touched && event.body == lever;
+    });
+    CHECK(touches >= 5);
+    // Near the support and against 20 newtons it presses as strongly as it may; 1000 newtons are lifted by one.
+    CHECK(largest_force_N(record) > 4.5);
+    double last_touch_s = 0.0;
+    for (const RecordEvent& event : record.events) {
+        last_touch_s = event.kind == RecordEventKind::touched ? event.time_s : last_touch_s;
+    }
+    double late_N = 0.0;
+    for (const RecordSample& sample : record.samples) {
+        if (sample.time_s > last_touch_s) {
+            late_N = std::max(late_N, sample.applied_W.force.norm());
+        }
+    }
+    CHECK(late_N > 0.9);
+    CHECK(late_N < 3.5);
+}
+
+TEST_CASE("lever: a wrong answer presses again with a hint, and costs a star") {
+    const Sandbox sandbox;
+    sandbox.write("say.txt",
+                  "near the support\n"
+                  "it is easier far from the support\n"
+                  "to my hand\n"
+                  "to the Earth\n"
+                  "a thousand newtons\n"
+                  "one newton\n");
+    const ProgramRun run = sandbox.run("run lever --headless --say say.txt");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(run.output.find("score 9, 2 of 3 stars") != std::string::npos);
+}
+
+TEST_CASE("lever: the plan turns a body on a hinge; gravity and textures have no such stage") {
+    const Sandbox sandbox;
+    CHECK(sandbox.run("explain lever").output.find("a body turns on a hinge") != std::string::npos);
+    for (const char* lesson : {"gravity", "textures"}) {
+        CHECK(sandbox.run(std::string("explain ") + lesson).output.find("hinge") ==
+              std::string::npos);
+    }
+}
