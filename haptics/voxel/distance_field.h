@@ -98,6 +98,9 @@ class DistanceField {
     [[nodiscard]] double slope_bound() const noexcept { return slope_bound_; }
     /// How far F is from d within the band at most.
     [[nodiscard]] double error_bound_m() const noexcept;
+    /// A ball that holds the mesh.
+    [[nodiscard]] const Vector3& ball_centre_O() const noexcept { return ball_centre_O_; }
+    [[nodiscard]] double ball_radius_m() const noexcept { return ball_radius_m_; }
     [[nodiscard]] const DistanceFieldCounts& counts() const noexcept { return counts_; }
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
@@ -130,7 +133,6 @@ class DistanceField {
     double band_m_ = 0.0;
     double slope_bound_ = 1.0;
     DistanceFieldCounts counts_;
-    // A ball that holds the mesh.
     Vector3 ball_centre_O_{Vector3::Zero()};
     double ball_radius_m_ = 0.0;
     std::vector<Entry> table_;
