@@ -14,6 +14,7 @@
 
 namespace fulcrum {
 
+// NOLINTBEGIN(cppcoreguidelines-pro-type-member-init): vectors are written before they are read
 namespace {
 
 using ball_kernels::Floats;
@@ -128,5 +129,7 @@ void find_slacks(const SlackBounds& bounds, const FieldPlace& place, const Eight
     const Floats free = told.value > zero ? reach : zero;
     ball_kernels::store(free - radius * bounds.voxels_per_metre - kMargin, slacks.data());
 }
+
+// NOLINTEND(cppcoreguidelines-pro-type-member-init)
 
 }  // namespace fulcrum
