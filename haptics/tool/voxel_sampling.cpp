@@ -2,6 +2,7 @@
 
 #include "haptics/math/rotation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fulcrum {
@@ -88,12 +89,25 @@ Share compute_share(const VoxelSamplingSettings& settings, const Sums& sums) noe
     return {};
 }
 
-double compute_braking_Ns_per_m(const VoxelSamplingSettings& settings, const Sums& sums) noexcept {
-    if (settings.braking == PreContactBraking::viscous) {
-        return settings.braking_Ns_per_m;
+// b of the header: as set or for one cycle, and bounded by what the tool's motion holds.
+double compute_braking_Ns_per_m(const VoxelSamplingSettings& settings,
+                                const voxel_lanes::Motion& motion, const Sums& sums,
+                                double voxel_m) noexcept {
+    const auto to_vector = [](const std::array<float, 3>& a) { return Vector3(a[0], a[1], a[2]); };
+    const Vector3 force = voxel_m * Vector3(sums.brake[0], sums.brake[1], sums.brake[2]);
+    const Vector3 torque = voxel_m * voxel_m * Vector3(sums.brake[3], sums.brake[4], sums.brake[5]);
+    const double power =
+        -voxel_m * force.dot(to_vector(motion.velocity_T)) - torque.dot(to_vector(motion.spin_T));
+    if (!(power > 0.0)) {
+        return 0.0;
     }
-    return sums.brake_share > 0.0 ? settings.mass_kg / (2.0 * settings.cycle_s * sums.brake_share)
-                                  : 0.0;
+    const double yielding = force.squaredNorm() / settings.inertia.mass_kg +
+                            torque.cwiseAbs2().cwiseQuotient(settings.inertia.moments_kg_m2).sum();
+    const double wanted =
+        settings.braking == PreContactBraking::viscous
+            ? settings.braking_Ns_per_m
+            : settings.inertia.mass_kg / (2.0 * settings.cycle_s * sums.brake_share);
+    return std::min(wanted, power / (settings.cycle_s * yielding));
 }
 
 // Everything but d turns with the tool: F and torque themselves.
@@ -145,7 +159,7 @@ VoxelContact VoxelSampling::sample_all(const RigidState& state, const MovingFram
     const double spring_N = settings_.stiffness_N_per_m * s;
     const Wrench springs = to_wrench(sums.push, share.share * spring_N, s, R_WT);
     // Brakes.
-    const double brake_N = compute_braking_Ns_per_m(settings_, sums) * s;
+    const double brake_N = compute_braking_Ns_per_m(settings_, motion, sums, s) * s;
     const Wrench brakes = to_wrench(sums.brake, brake_N, s, R_WT);
     if constexpr (kLinear) {
         Matrix6 pushed = share.share * sums.push_by_pose;

@@ -9,6 +9,9 @@
 //   smooth   sum (1 + (m/N)^4)^(-1/4),  m = sum of min(2 |d|/s, 1): a point comes in without weight, so nothing jumps there
 // Brakes:  viscous   b as set           one_cycle   b = M / (2 dt sum(-n.u/|u|)): for a shift u common to all points, the
 //   force's power over one step dt takes the kinetic energy M u^2/2 along it, whatever the number of points
+// Neither takes more than there is: with f the brakes' wrench for b = 1, V the tool's motion against the object and W its
+// inertia,  b <= -f.V / (dt f.W^-1 f),  at which one step leaves the least motion along W^-1 f. More would throw the tool back,
+// harder at each step: a point far from the centre of mass is that much easier to turn.
 // In free space, with no point in surface or proximity, the wrench is exactly zero.
 //
 // The force is continuous within a voxel and jumps by up to k s where a point crosses into the next. Between jumps the
@@ -18,7 +21,7 @@
 // (`fulcrum bench voxel-sampling`); no allocation. Places are single precision: voxel_lanes.h says how exact.
 // Source: W. McNeely, K. Puterbaugh, J. Troy 1999, Six degree-of-freedom haptic rendering using voxel sampling, sections 3
 // (tangent plane), 5.2 (averaging from N = 10), 5.3 (brakes, both forms); N = 70 as in the thesis of systems.md. The smooth
-// average is ours.
+// average and the brakes' bound are ours.
 #pragma once
 
 #include "haptics/base/error.h"
@@ -45,8 +48,8 @@ struct VoxelSamplingSettings {
     double full_contacts = 10.0;  ///< N, 1 to 1e6
     PreContactBraking braking = PreContactBraking::one_cycle;
     double braking_Ns_per_m = 1.0;  ///< b of `viscous`, a point; 0 to 1e4
-    double mass_kg = 0.01;          ///< M of `one_cycle`, 1e-6 to 1e6
-    double cycle_s = 0.001;         ///< dt of `one_cycle`, 1e-6 to 1
+    Inertia inertia{};              ///< of the tool, for the brakes
+    double cycle_s = 0.001;         ///< dt of the brakes, 1e-6 to 1
 };
 
 /// Refuses settings outside their ranges, NaN included.

@@ -1,4 +1,5 @@
 #include "haptics/base/range.h"
+#include "haptics/dynamics/integrator.h"
 #include "haptics/tool/voxel_sampling.h"
 
 #include <algorithm>
@@ -79,11 +80,13 @@ struct AnyMap {
 }  // namespace
 
 Expected<void> validate(const VoxelSamplingSettings& settings) {
-    const std::array<Range, 5> ranges{
+    if (const auto checked = validate(settings.inertia); !checked) {
+        return checked;
+    }
+    const std::array<Range, 4> ranges{
         {{"stiffness_N_per_m", settings.stiffness_N_per_m, 0.0, 1.0e6},
          {"full_contacts", settings.full_contacts, 1.0, 1.0e6},
          {"braking_Ns_per_m", settings.braking_Ns_per_m, 0.0, 1.0e4},
-         {"mass_kg", settings.mass_kg, 1.0e-6, 1.0e6},
          {"cycle_s", settings.cycle_s, 1.0e-6, 1.0}}};
     return check_ranges("the voxel sampling's", ranges);
 }

@@ -32,7 +32,7 @@ struct VoxelToolSettings {
     bool silent_in_free_space = true;
     ToolMass mass = ToolMass::massive;
     IntegratorSettings integrator{.newton_iterations = 4};
-    Inertia inertia{};  ///< of the massive tool; its mass is the brakes' too
+    Inertia inertia{};  ///< of the massive tool; the brakes' too
     Vector3 grip_T{
         Vector3::Zero()};       ///< where the coupling holds it, metres from the centre of mass
     int static_iterations = 4;  ///< of the massless tool, a step; 1 to 100

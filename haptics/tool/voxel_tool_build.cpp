@@ -41,7 +41,7 @@ Expected<VoxelTool> VoxelTool::build(VoxelSamplingPlan sampling,
     if (const auto checked = validate(settings); !checked) {
         return tl::unexpected(checked.error());
     }
-    sampling.settings.mass_kg = settings.inertia.mass_kg;
+    sampling.settings.inertia = settings.inertia;
     auto built = VoxelSampling::build(std::move(sampling));
     if (!built) {
         return tl::unexpected(built.error());

@@ -176,7 +176,7 @@ TEST_CASE(
     "points") {
     VoxelSamplingSettings settings = plain();
     settings.braking = PreContactBraking::one_cycle;
-    settings.mass_kg = 0.02;
+    settings.inertia.mass_kg = 0.02;
     settings.cycle_s = 0.0005;
     for (const int n : {1, 7, 500}) {
         RigidState state = at({0.005, 0.005, 0.005});
@@ -186,10 +186,44 @@ TEST_CASE(
                 .sample(state, kStill);
         const double taken_J =
             -contact.wrench_W.force.dot(state.velocity_W.linear) * settings.cycle_s;
-        CHECK(
-            taken_J ==
-            Approx(0.5 * settings.mass_kg * state.velocity_W.linear.squaredNorm()).epsilon(kExact));
+        CHECK(taken_J ==
+              Approx(0.5 * settings.inertia.mass_kg * state.velocity_W.linear.squaredNorm())
+                  .epsilon(kExact));
         CHECK(contact.n_proximity == n);
+    }
+}
+
+TEST_CASE(
+    "voxel sampling: no brake throws the tool back, far from the middle or with many points") {
+    for (const PreContactBraking braking :
+         {PreContactBraking::viscous, PreContactBraking::one_cycle}) {
+        VoxelSamplingSettings settings = plain();
+        settings.braking = braking;
+        settings.braking_Ns_per_m = 1.0e4;
+        for (const double arm_m : {0.0, 0.01, 0.06}) {
+            const Vector3 place(arm_m, 0.0, 0.0);
+            RigidState state = at(Vector3(0.005, 0.005, 0.005) - place);
+            state.velocity_W = {{0.1, -0.4, 0.05}, {0.0, 1.0, -2.0}};
+            const Wrench brake = make_sampling(one_point(place, Vector3::UnitY(), 40), settings)
+                                     .sample(state, kStill)
+                                     .wrench_W;
+            // One explicit step: less energy, and none where all of it was along the brake.
+            RigidState next = state;
+            const Inertia& inertia = settings.inertia;
+            next.velocity_W.linear += settings.cycle_s / inertia.mass_kg * brake.force;
+            next.velocity_W.angular +=
+                settings.cycle_s * brake.torque.cwiseQuotient(inertia.moments_kg_m2);
+            CHECK(brake.force.norm() > 0.1);
+            CHECK(compute_kinetic_energy_J(inertia, next) <
+                  compute_kinetic_energy_J(inertia, state));
+            if (braking == PreContactBraking::viscous) {
+                const double left = next.velocity_W.linear.dot(brake.force) +
+                                    next.velocity_W.angular.dot(brake.torque);
+                const double before = state.velocity_W.linear.dot(brake.force) +
+                                      state.velocity_W.angular.dot(brake.torque);
+                CHECK(std::abs(left) < 1.0e-4 * std::abs(before));
+            }
+        }
     }
 }
 
@@ -277,7 +311,7 @@ TEST_CASE("voxel sampling: what cannot be sampled is refused") {
              [](VoxelSamplingSettings& s) { s.stiffness_N_per_m = -1.0; },
              [](VoxelSamplingSettings& s) { s.full_contacts = 0.5; },
              [](VoxelSamplingSettings& s) { s.braking_Ns_per_m = std::nan(""); },
-             [](VoxelSamplingSettings& s) { s.mass_kg = 0.0; },
+             [](VoxelSamplingSettings& s) { s.inertia.mass_kg = 0.0; },
              [](VoxelSamplingSettings& s) { s.cycle_s = 0.0; }}) {
         VoxelSamplingSettings settings = plain();
         change(settings);
