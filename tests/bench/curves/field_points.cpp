@@ -1,0 +1,94 @@
+// Points against a distance field, all of them: value and slope of each, by the kernels for one processor and another, and in
+// double precision one after the other.
+#include "tests/bench/curves/field_points.h"
+
+#include "haptics/voxel/distance_field_batch.h"
+#include "tests/bench/harness/measure.h"
+#include "tests/bench/harness/registry.h"
+
+namespace fulcrum::bench {
+namespace {
+
+CostPoint measure_kernels(const FieldKernels& kernels, const FieldPointsTask& task,
+                          const DistanceField& field, const Timing& timing) {
+    const std::size_t n = task.shell.size();
+    const ShellPoints points{task.shell.x_m.data(), task.shell.y_m.data(), task.shell.z_m.data(),
+                             task.shell.nx.data(),  task.shell.ny.data(),  task.shell.nz.data()};
+    std::array<std::vector<float>, 4> out;
+    for (auto& values : out) {
+        values.resize(n);
+    }
+    std::vector<std::int32_t> hits(n + 1);
+    const std::array<float*, 3> slopes{out[1].data(), out[2].data(), out[3].data()};
+    const Cost cost = measure_cost(
+        [&] {
+            kernels.sample(FieldView(field), FieldPlace(field, task.X_OT), points, n, out[0].data(),
+                           slopes.data());
+            keep(collect_hits(out[0], hits));
+        },
+        timing, field.memory_bytes());
+    std::vector<double> values_m;
+    for (const float value : out[0]) {
+        values_m.push_back(field.step_m() * static_cast<double>(value));
+    }
+    return {std::string(kernels.name),
+            static_cast<double>(n),
+            find_rms_voxels(task, values_m),
+            cost,
+            {}};
+}
+
+CostPoint measure_one_by_one(const FieldPointsTask& task, const DistanceField& field,
+                             const Timing& timing) {
+    std::vector<double> values_m(task.shell.size());
+    const Cost cost = measure_cost(
+        [&] {
+            for (std::size_t i = 0; i < values_m.size(); ++i) {
+                const DistanceSample sample = field.sample(task.X_OT * task.shell.position_T(i));
+                values_m[i] = sample.value_m;
+                keep(sample.slope);
+            }
+        },
+        timing, field.memory_bytes());
+    return {"one by one, double",
+            static_cast<double>(values_m.size()),
+            find_rms_voxels(task, values_m),
+            cost,
+            {}};
+}
+
+Report run_field_points(Run& run) {
+    CostCurve curve;
+    curve.name = "field-points";
+    curve.title = "Value and slope at a tool's points";
+    curve.work =
+        "All points of a ball lie within a voxel of the same ball in 80 voxels along each side: "
+        "trilinear value and slope of each, and the list of those inside.";
+    curve.reference = "analytic: the distance to a sphere";
+    curve.advice = "Nothing is to be chosen: the best kernel of the processor is taken.";
+    curve.knob = {"points", "", true};
+    curve.error = {"error of the value, root mean square", "voxels", true};
+    curve.default_series = std::string(best_field_kernels().name);
+    curve.default_knob = kFieldPoints.back();
+    const Timing timing{.samples = run.pick(1500, 200), .batch = 1, .warm_up = 50};
+    for (const int n : kFieldPoints) {
+        const FieldPointsTask task = make_field_points_task(n);
+        const DistanceField field = DistanceField::build(task.mesh, task.frame).value();
+        for (const FieldKernels* const kernels : all_field_kernels()) {
+            if (kernels != nullptr) {
+                curve.points.push_back(measure_kernels(*kernels, task, field, timing));
+            }
+        }
+        curve.points.push_back(measure_one_by_one(task, field, timing));
+        run.progress(static_cast<double>(curve.points.size()) / 12.0,
+                     std::to_string(n) + " points");
+    }
+    return {curve};
+}
+
+const Registration kFieldPointsBench{
+    {"field-points", "a tool's points against a distance field, value and slope of all",
+     run_field_points}};
+
+}  // namespace
+}  // namespace fulcrum::bench

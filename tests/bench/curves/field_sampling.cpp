@@ -1,0 +1,274 @@
+// A tool of a million points against a distance field of 512 voxels a side: what a step costs by the tree, with memory of what is
+// free, and by brute force, for contacts here and there, jumps, and a tool that fills a socket; what a budget of time costs in force.
+#include "haptics/tool/field_sampling.h"
+
+#include "haptics/geometry/shape.h"
+#include "tests/bench/harness/csv.h"
+#include "tests/bench/harness/measure.h"
+#include "tests/bench/harness/registry.h"
+#include "tests/support/wander.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fulcrum::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::array<double, 4> kSpeeds{0.05, 0.5, 1.0, 4.0};  // radii a second
+constexpr double kTick_s = 1.0e-3;
+
+struct Scene {
+    FieldSampler::Field field;
+    FieldSampler::Shell shell;
+    double build_s = 0.0;
+};
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+Scene make_scene(const TriangleMesh& object, const TriangleMesh& tool, int n_along, int n_points) {
+    Scene scene;
+    const auto begin = Clock::now();
+    scene.field = std::make_shared<const DistanceField>(
+        DistanceField::build(object, DistanceField::make_frame(object, n_along).value()).value());
+    scene.shell = std::make_shared<const ShellTree>(
+        ShellTree::build(make_surface_pointshell(tool, n_points).value()).value());
+    scene.build_s = seconds_since(begin);
+    return scene;
+}
+
+// A ball with a hollow of radius 1 in it.
+TriangleMesh make_socket(int frequency) {
+    const TriangleMesh outside = *make_sphere(1.15, frequency);
+    const TriangleMesh inside = *make_bumpy_sphere(1.0, frequency, 0.02, 15.0);
+    std::vector<Vector3> vertices = outside.vertices_B();
+    std::vector<TriangleCorners> triangles = outside.triangles();
+    const auto first = static_cast<std::int32_t>(vertices.size());
+    vertices.insert(vertices.end(), inside.vertices_B().begin(), inside.vertices_B().end());
+    for (const TriangleCorners& t : inside.triangles()) {
+        triangles.push_back({first + t[0], first + t[2], first + t[1]});
+    }
+    return TriangleMesh::build(std::move(vertices), std::move(triangles)).value();
+}
+
+// Poses at 1 kHz; the depth is so steered that about `n_wanted` points touch.
+std::vector<Pose> make_local_way(const Scene& scene, double speed, int n, double n_wanted) {
+    FieldSampler sampler =
+        FieldSampler::build(scene.field, scene.shell, {.mode = SamplingMode::tree}).value();
+    // The ways of centres are two radii from the middle.
+    Wanderer wanderer(3, 0.5 * speed * kTick_s);
+    Random random(4);
+    const double step_m = 0.02 * scene.field->frame().voxel_m;
+    double height_m = 2.0;
+    std::vector<Pose> way;
+    Quaternion turn = Quaternion::Identity();
+    for (int i = -300; i < n; ++i) {
+        turn = (random.turn(0.2 * speed * kTick_s) * turn).normalized();
+        const Pose X_OT{height_m * wanderer.next(), turn};
+        const auto n_touching = static_cast<double>(sampler.step({}, X_OT).n_touching);
+        height_m += n_touching > n_wanted ? step_m : -step_m;
+        if (i >= 0) {
+            way.push_back(X_OT);
+        } else if (n_touching == 0.0) {
+            height_m -= 20.0 * step_m;
+        }
+    }
+    return way;
+}
+
+std::vector<Pose> make_jumps(const std::vector<Pose>& way) {
+    // Every other pose from the far side.
+    std::vector<Pose> jumps;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        jumps.push_back(way[(i * 7919) % way.size()]);
+    }
+    return jumps;
+}
+
+// Within the socket, round a place where all is a quarter of a voxel from touching.
+std::vector<Pose> make_socket_way(const Scene& scene, double speed, int n) {
+    Wanderer wanderer(5, 0.03);
+    const double voxel_m = scene.field->frame().voxel_m;
+    std::vector<Pose> way;
+    Vector3 at = Vector3::Zero();
+    for (int i = 0; i < n; ++i) {
+        at += 0.7 * speed * kTick_s * wanderer.next();
+        at *= std::min(1.0, 0.5 * voxel_m / std::max(at.norm(), 1.0e-12));
+        const double angle = 0.5 * voxel_m * std::sin(speed * kTick_s * i / voxel_m);
+        way.push_back({at, Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitY()))});
+    }
+    return way;
+}
+
+struct Measured {
+    Cost cost;
+    double most_us = 0.0;
+    double n_touching = 0.0;
+    std::vector<FieldTouch> touches;
+};
+
+Measured measure(const Scene& scene, const FieldSamplingSettings& settings,
+                 const std::vector<Pose>& way) {
+    FieldSampler sampler = FieldSampler::build(scene.field, scene.shell, settings).value();
+    Measured measured;
+    std::vector<double> us;
+    constexpr std::size_t kWarmUp = 50;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        const auto begin = Clock::now();
+        const FieldTouch touch = sampler.step({}, way[i]);
+        if (i >= kWarmUp) {
+            us.push_back(1.0e6 * seconds_since(begin));
+            measured.touches.push_back(touch);
+            measured.n_touching += static_cast<double>(touch.n_touching);
+        }
+    }
+    measured.n_touching /= static_cast<double>(us.size());
+    measured.most_us = *std::max_element(us.begin(), us.end());
+    measured.cost = summarise(std::move(us));
+    return measured;
+}
+
+// Steps whose contacts or forces are not brute force's; each fortieth pose is compared.
+int count_other(const Scene& scene, SamplingMode mode, const std::vector<Pose>& way) {
+    FieldSampler brute =
+        FieldSampler::build(scene.field, scene.shell, {.mode = SamplingMode::brute_force}).value();
+    FieldSampler sampler = FieldSampler::build(scene.field, scene.shell, {.mode = mode}).value();
+    int n_other = 0;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        const FieldTouch touch = sampler.step({}, way[i]);
+        if (i % 40 == 0) {
+            const FieldTouch exact = brute.step({}, way[i]);
+            n_other +=
+                touch.n_touching != exact.n_touching || touch.wrench_W.force != exact.wrench_W.force
+                    ? 1
+                    : 0;
+        }
+    }
+    return n_other;
+}
+
+class Rows {
+  public:
+    explicit Rows(Sheet& sheet) : sheet_(sheet) {}
+
+    void add(const std::string& what, double speed, const Scene& scene,
+             const std::vector<Pose>& way) {
+        const std::vector<Pose> few(way.begin(), way.begin() + 60);
+        const Measured brute = measure(scene, {.mode = SamplingMode::brute_force}, few);
+        for (const SamplingMode mode : {SamplingMode::tree, SamplingMode::coherent}) {
+            const Measured m = measure(scene, {.mode = mode}, way);
+            sheet_.rows.push_back({what, mode == SamplingMode::tree ? "tree" : "coherent",
+                                   to_text(speed), to_text(std::round(m.n_touching)),
+                                   to_text(m.cost.median_us), to_text(m.cost.p99_us),
+                                   to_text(m.most_us), to_text(brute.cost.median_us),
+                                   to_text(brute.cost.median_us / m.cost.median_us),
+                                   to_text(count_other(scene, mode, way))});
+        }
+    }
+
+  private:
+    Sheet& sheet_;
+};
+
+constexpr const char* kWork =
+    "A bumpy ball of points on a bumpy ball of 100 820 triangles, 512 voxels along its diameter, "
+    "so "
+    "steered that some 1000 points touch, and one in a socket that it fills; 1 kHz. Contacts and "
+    "forces are compared with brute force in every fortieth step.";
+
+// Force of a budget against that of all points.
+Sheet measure_budgets(Run& run, const Scene& socket) {
+    Sheet sheet{"field-sampling-budget",
+                "A budget of time in a socket: error of the net force",
+                kWork,
+                "Give what the tick can spare; the estimate is on the safe side.",
+                {},
+                {}};
+    sheet.columns = {"budget us",
+                     "median us",
+                     "99 % us",
+                     "points for one",
+                     "force error, median %",
+                     "force error, 99 %, %",
+                     "its own estimate, median %"};
+    const auto way = make_socket_way(socket, 0.5, run.pick(1500, 300));
+    const Measured exact = measure(socket, {.mode = SamplingMode::tree}, way);
+    for (const double budget_us : {30.0, 60.0, 100.0, 200.0}) {
+        const Measured m = measure(socket, {.budget_us = budget_us}, way);
+        std::vector<double> errors;
+        std::vector<double> estimates;
+        double weight = 0.0;
+        for (std::size_t i = 0; i < m.touches.size(); ++i) {
+            const FieldTouch& touch = m.touches[i];
+            const double force_N = exact.touches[i].wrench_W.force.norm();
+            if (touch.n_touching < 150 * touch.weight || force_N == 0.0) {
+                continue;
+            }
+            errors.push_back((touch.wrench_W.force - exact.touches[i].wrench_W.force).norm() /
+                             force_N);
+            estimates.push_back(touch.error_N / force_N);
+            weight = std::max(weight, static_cast<double>(touch.weight));
+        }
+        if (errors.empty()) {
+            continue;
+        }
+        const Cost error = summarise(errors);
+        sheet.rows.push_back({to_text(budget_us), to_text(m.cost.median_us), to_text(m.cost.p99_us),
+                              to_text(weight), to_text(100.0 * error.median_us),
+                              to_text(100.0 * error.p99_us),
+                              to_text(100.0 * summarise(estimates).median_us)});
+    }
+    return sheet;
+}
+
+Report run_field_sampling(Run& run) {
+    const int n_points = run.pick(1'000'000, 100'000);
+    const int n_along = run.pick(512, 256);
+    const int n = run.pick(1200, 400);
+    const TriangleMesh object = *make_bumpy_sphere(1.0, 71, 0.03, 20.0);
+    const TriangleMesh tool = *make_bumpy_sphere(1.0, 71, 0.02, 15.0);
+    const Scene scene = make_scene(object, tool, n_along, n_points);
+    run.progress(0.2, "the field is built");
+
+    Sheet sheet{
+        "field-sampling",
+        "A million points against a distance field",
+        kWork,
+        "Keep the coherent mode: it is the tree where everything moves far, and a part of it "
+        "where little does.",
+        {},
+        {}};
+    sheet.columns = {
+        "contact", "mode",    "radii a second", "points touching", "median us",
+        "99 % us", "most us", "brute force us", "times faster",    "steps that differ"};
+    Rows rows(sheet);
+    for (const double speed : kSpeeds) {
+        rows.add("local", speed, scene, make_local_way(scene, speed, n, 1000.0));
+    }
+    rows.add("jumps", 0.0, scene, make_jumps(make_local_way(scene, 4.0, n, 1000.0)));
+    run.progress(0.6, "local contacts are measured");
+    const Scene socket =
+        make_scene(make_socket(71), *make_bumpy_sphere(0.9975, 71, 0.02, 15.0), n_along, n_points);
+    for (const double speed : {0.05, 0.2, 1.0}) {
+        rows.add("socket", speed, socket, make_socket_way(socket, speed, n / 4));
+    }
+    Sheet build{"field-sampling-build", "What is built and kept", kWork, "", {}, {}};
+    build.columns = {"build s", "field MB", "shell MB", "bricks", "slope bound", "kernel"};
+    build.rows.push_back(
+        {to_text(scene.build_s), to_text(static_cast<double>(scene.field->memory_bytes()) / 1.0e6),
+         to_text(static_cast<double>(scene.shell->memory_bytes()) / 1.0e6),
+         to_text(static_cast<double>(scene.field->counts().n_bricks)),
+         to_text(scene.field->slope_bound()), std::string(best_field_kernels().name)});
+    return {sheet, measure_budgets(run, socket), build};
+}
+
+const Registration kFieldSampling{{"field-sampling",
+                                   "a million points against a distance field, and budgets of time",
+                                   run_field_sampling}};
+
+}  // namespace
+}  // namespace fulcrum::bench
