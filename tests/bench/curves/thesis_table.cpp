@@ -22,7 +22,7 @@ namespace {
 constexpr double kDt_s = 0.001;
 constexpr double kStiffness_N_per_m = 500.0;
 constexpr double kFull = 70.0;      // contacts, as the thesis raised it
-constexpr double kApart_m = 0.093;  // of the gears' axes: teeth 5 mm deep in gaps of 10 mm
+constexpr double kApart_m = 0.093;  // of the gears' axes: teeth 7 mm deep in the gaps between teeth
 
 struct Row {
     int n_points;
@@ -46,11 +46,11 @@ Pointshell make_shell(const TriangleMesh& gear, std::size_t n_points) {
     return shell;
 }
 
-// The handle turns to and fro and presses the teeth together.
+// The handle turns to and fro and presses the flanks of the teeth together.
 MovingFrame make_handle(int step) {
     const double phase = 0.02 * step;
     return {Pose{{kApart_m + 0.001 * std::sin(phase), 0.0, 0.0},
-                 compute_exp({0.0, 0.0, 0.26 + 0.02 * std::sin(1.3 * phase)})},
+                 compute_exp({0.0, 0.0, -0.026 + 0.1 * std::sin(1.3 * phase)})},
             {}};
 }
 
