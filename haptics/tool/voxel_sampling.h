@@ -18,7 +18,7 @@
 // derivatives are exact but for one_cycle's b and the averaging beyond N, which are held.
 //
 // Thread: asked from the step, after which `set_object` may move the object. Cost: 0.6 ns a point, more where it touches
-// (`fulcrum bench voxel-sampling`); no allocation. Places are single precision: voxel_lanes.h says how exact.
+// (`fulcrum bench voxel-speed`); no allocation. Places are single precision: voxel_lanes.h says how exact.
 // Source: W. McNeely, K. Puterbaugh, J. Troy 1999, Six degree-of-freedom haptic rendering using voxel sampling, sections 3
 // (tangent plane), 5.2 (averaging from N = 10), 5.3 (brakes, both forms); N = 70 as in the thesis of systems.md. The smooth
 // average and the brakes' bound are ours.
