@@ -37,7 +37,11 @@ FieldSampler::Shell ball() {
 FieldSampler make(SamplingMode mode, ForceAlong along = ForceAlong::normals,
                   double budget_us = 0.0) {
     return FieldSampler::build(bumpy(), ball(),
-                               {.along = along, .mode = mode, .budget_us = budget_us})
+                               {.along = along,
+                                .mode = mode,
+                                .budget_us = budget_us,
+                                .leaf_us = 0.13,
+                                .group_us = 0.04})
         .value();
 }
 
