@@ -29,7 +29,7 @@ SegmentHit find_nearest_hit_brute_force(const CollisionMesh& mesh, const Vector3
     return nearest;
 }
 
-void NearbyTriangles::collect(const CollisionMesh& mesh, const Box& box_B) noexcept {
+bool NearbyTriangles::collect(const CollisionMesh& mesh, const Box& box_B) noexcept {
     const std::optional<std::size_t> n_found = mesh.tree().collect_leaves(box_B, leaves_);
     covers_ = n_found.has_value();
     n_leaves_ = n_found.value_or(0);
@@ -38,6 +38,7 @@ void NearbyTriangles::collect(const CollisionMesh& mesh, const Box& box_B) noexc
     }
     box_B_ = box_B;
     n_asked_ = kMaxAsked + 1;
+    return covers_;
 }
 
 double NearbyTriangles::find_covered_part(const Vector3& from_B,

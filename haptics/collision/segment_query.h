@@ -34,8 +34,9 @@ class NearbyTriangles {
   public:
     static constexpr std::size_t kCapacity = 24;  ///< leaves of up to 8 triangles
 
-    /// Collects the triangles near `box_B`. When there are too many nothing is covered, and the tree answers.
-    void collect(const CollisionMesh& mesh, const Box& box_B) noexcept;
+    /// Collects the triangles near `box_B`. When there are too many it is false: nothing is covered, and the tree answers.
+    bool collect(const CollisionMesh& mesh, const Box& box_B) noexcept;
+    [[nodiscard]] std::size_t n_leaves() const noexcept { return n_leaves_; }
     [[nodiscard]] bool covers(const Vector3& point_B) const noexcept {
         return covers_ && box_B_.contains(point_B);
     }

@@ -13,8 +13,12 @@ constexpr double kClearance = 1.0e-10;
 constexpr double kRoundings = 64.0;
 // Foot and edge nearer than this, of the triangle's height over that edge, count as beside.
 constexpr double kEdgeMargin = 1.0e-13;
-// How far around a sweep triangles are collected, so that the next sweeps find them there; of the reach asked for.
-constexpr double kReach = 2.0;
+// Triangles are collected between one and four reaches around a sweep, so that the next sweeps find them there: further as long
+// as they are few, nearer after they were too many. Leaves on a surface grow with the square.
+constexpr double kLeastMargin = 1.0;
+constexpr double kMostMargin = 4.0;
+constexpr double kMarginStep = 1.25;
+constexpr std::size_t kFewLeaves = NearbyTriangles::kCapacity / 2;
 
 }  // namespace
 
@@ -31,6 +35,18 @@ SegmentHit MovingSolid::sweep(const Vector3& to_W) const noexcept {
     return to_B == proxy_B() ? SegmentHit{} : sweep_B(to_B);
 }
 
+void MovingSolid::collect_nearby(const Vector3& end_B, double reach_m) noexcept {
+    ++n_searches_;
+    const Vector3 margin = Vector3::Constant(margin_ * reach_m);
+    const bool fits = nearby_.collect(
+        *mesh_, {proxy_B().cwiseMin(end_B) - margin, proxy_B().cwiseMax(end_B) + margin});
+    if (!fits) {
+        margin_ = std::max(kLeastMargin, margin_ / (kMarginStep * kMarginStep));
+    } else if (nearby_.n_leaves() <= kFewLeaves) {
+        margin_ = std::min(kMostMargin, margin_ * kMarginStep);
+    }
+}
+
 SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W, double reach_m) noexcept {
     const Vector3 to_B = to_body(to_W);
     if (to_B == proxy_B() || structure_) {
@@ -42,10 +58,7 @@ SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W, double reach_m) noexce
     if (part < 1.0 && part * length_m < reach_m) {
         const double wanted = std::min(1.0, reach_m / length_m);
         const Vector3 end_B = proxy_B() + wanted * (to_B - proxy_B());
-        const Vector3 margin = Vector3::Constant(kReach * reach_m);
-        ++n_searches_;
-        nearby_.collect(*mesh_,
-                        {proxy_B().cwiseMin(end_B) - margin, proxy_B().cwiseMax(end_B) + margin});
+        collect_nearby(end_B, reach_m);
         part = nearby_.covers(proxy_B()) ? nearby_.find_covered_part(proxy_B(), to_B) : 0.0;
     }
     if (part > 0.0) {

@@ -64,11 +64,15 @@ class MovingSolid : public ProxyFrame {
                           : find_nearest_hit(*mesh_, proxy_B(), to_B);
     }
 
+    // Remembers the triangles around the proxy and its way to `end_B`, as far around as they fit.
+    void collect_nearby(const Vector3& end_B, double reach_m) noexcept;
+
     std::shared_ptr<const CollisionMesh> mesh_;
     std::unique_ptr<SegmentStructure> structure_;  // none: the mesh's own tree, and what is nearby
     std::int32_t index_;
     bool lets_out_;
     NearbyTriangles nearby_;
+    double margin_ = 2.0;  // how far around they are collected, of the reach asked for
     std::uint64_t n_searches_ = 0;
 };
 
