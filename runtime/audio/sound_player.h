@@ -37,7 +37,8 @@ class SoundStream {
     SoundStream& operator=(const SoundStream&) = delete;
     virtual ~SoundStream() = default;
 
-    /// The next samples, all of them: mono, kSampleRate_Hz, -1 to 1. The player calls it on its own thread.
+    /// The next samples, all of them: mono, kSampleRate_Hz, -1 to 1. Called on the player's thread, or on one
+    /// that lives no longer than the stream is set.
     virtual void render(std::span<float> samples) noexcept = 0;
 };
 

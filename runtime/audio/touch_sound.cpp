@@ -1,7 +1,5 @@
 #include "runtime/audio/touch_sound.h"
 
-#include "runtime/audio/waveform.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,8 +16,10 @@ constexpr double kSilentTap = 1e-4;
 constexpr double kLoudestTap = 0.9;
 /// Rounds further apart than so many periods are not joined by a curve.
 constexpr double kGap = 2.5;
-/// Sound that has drifted so far from touch begins anew.
-constexpr double kMostDrift_s = 3.0 * kTouchDelay_s;
+/// Sound that lags further behind touch begins anew.
+constexpr double kMostLag_s = 0.04;
+/// So many rounds have to be there beyond what is heard.
+constexpr double kLeastLead = 2.0;
 
 double soft_limit(double x) noexcept {
     return x / std::sqrt(1.0 + x * x);
@@ -55,14 +55,18 @@ const TouchSound::Moment& TouchSound::moment(std::size_t i) const noexcept {
     return moments_[(first_ + i) % moments_.size()];
 }
 
-void TouchSound::take_in() noexcept {
+void TouchSound::take_in(std::size_t n_samples) noexcept {
+    const double before_s = newest_s_;
     for (TouchSample sample; touches_.pop(sample);) {
         keep(sample);
     }
-    const bool drifted = std::abs(newest_s_ - kTouchDelay_s - now_s_) > kMostDrift_s;
-    const bool is_quiet = newest_s_ < now_s_;  // nothing is felt: time may run on
-    if (n_moments_ > 0 && (!runs_ || (drifted && !is_quiet))) {
-        now_s_ = newest_s_ - kTouchDelay_s;
+    // While nothing is felt time runs on; what is felt must neither lag nor be overtaken.
+    const double lag_s = newest_s_ - now_s_;
+    const bool in_step =
+        lag_s >= static_cast<double>(n_samples) * kSample_s + kLeastLead * round_s_ &&
+        lag_s <= kMostLag_s;
+    if (n_moments_ > 0 && (!runs_ || (newest_s_ > before_s && !in_step))) {
+        now_s_ = newest_s_ - touch_delay_s(n_samples);
         runs_ = true;
     }
 }
@@ -141,7 +145,7 @@ double TouchSound::taps_at(double time_s) noexcept {
 }
 
 void TouchSound::render(std::span<float> samples) noexcept {
-    take_in();
+    take_in(samples.size());
     for (float& sample : samples) {
         sample = static_cast<float>(soft_limit(stroke_at(now_s_) + taps_at(now_s_)));
         now_s_ += kSample_s;

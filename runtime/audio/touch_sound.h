@@ -6,10 +6,10 @@
 //   tap      s(t) = sum A_i exp(-B_i t) sin(2 pi f_i t)      A = v / v_full, at most 1; f, B: the material's, from its force
 //   n(F) = F / (F + F_half);   what is heard is limited to 1 softly, x / sqrt(1 + x^2)
 //
-// Rounds come through a ring, stamped on the run's clock; sound runs kDelay_s behind them, so that the height after the
+// Rounds come through a ring, stamped on the run's clock; sound runs touch_delay_s behind them, so that the height after the
 // next is there before it is heard. When nothing comes for longer, the surface is as if left.
 //
-// Thread: the player's. Cost: some 20 ns a sample, and as much for each tap that still rings. No allocation in `render`.
+// Thread: whichever fills the player's queue; one at a time. Cost: some 20 ns a sample, and as much for each tap that still rings. No allocation in `render`.
 // Source: K. van den Doel, P. G. Kry, D. K. Pai 2001, FoleyAutomatic: physically-based sound effects for interactive
 // simulation and animation, SIGGRAPH 2001 (a contact's force drives the sound; a tap scales with the impact).
 #pragma once
@@ -17,6 +17,7 @@
 #include "haptics/handover/touch_sample.h"
 #include "haptics/surface/transient_settings.h"
 #include "runtime/audio/sound_player.h"
+#include "runtime/audio/waveform.h"
 
 #include <array>
 #include <cstddef>
@@ -25,8 +26,12 @@
 
 namespace fulcrum::runtime {
 
-/// How far sound runs behind touch.
-inline constexpr double kTouchDelay_s = 0.03;
+/// How far sound runs behind touch when it is made in pieces of so many samples: a piece is made at once, and beyond its end
+/// there have to be two rounds and what threads are late.
+inline constexpr double kTouchMargin_s = 0.005;
+[[nodiscard]] constexpr double touch_delay_s(std::size_t n_samples) noexcept {
+    return static_cast<double>(n_samples) / kSampleRate_Hz + kTouchMargin_s;
+}
 /// Taps that ring at once; the quietest gives way.
 inline constexpr std::size_t kRingingTaps = 8;
 
@@ -59,7 +64,7 @@ class TouchSound final : public SoundStream {
         double decay_per_s = 0.0;
     };
 
-    void take_in() noexcept;
+    void take_in(std::size_t n_samples) noexcept;
     void keep(const TouchSample& sample) noexcept;
     void begin_tap(const TouchSample& sample) noexcept;
     [[nodiscard]] const Moment& moment(std::size_t i) const noexcept;

@@ -52,8 +52,8 @@ struct Voice {
 /// Everything but the way of opening: voices, buffers, the force sound.
 class OpenalVoices {
   public:
-    OpenalVoices(Device device, Context context)
-        : device_(std::move(device)), context_(std::move(context)) {}
+    OpenalVoices(Device device, Context context, const StreamQueue& queue)
+        : device_(std::move(device)), context_(std::move(context)), queue_(queue) {}
     OpenalVoices(const OpenalVoices&) = delete;
     OpenalVoices& operator=(const OpenalVoices&) = delete;
 
@@ -122,7 +122,7 @@ class OpenalVoices {
         use();
         stream_.reset();
         if (stream != nullptr) {
-            stream_.emplace(*stream);
+            stream_.emplace(*stream, queue_);
         }
     }
 
@@ -218,6 +218,7 @@ class OpenalVoices {
     std::map<std::string, ALuint, std::less<>> buffers_;  ///< "" is the force sound
     std::array<Voice, kVoices> voices_{};
     std::uint64_t plays_ = 0;
+    StreamQueue queue_;
     std::optional<OpenalStream> stream_;
     ALuint force_source_ = 0;
     bool force_playing_ = false;
@@ -229,7 +230,8 @@ class OpenalVoices {
 template <class Base>
 class OpenalPlayer : public Base {
   public:
-    OpenalPlayer(Device device, Context context) : voices(std::move(device), std::move(context)) {}
+    OpenalPlayer(Device device, Context context, const StreamQueue& queue)
+        : voices(std::move(device), std::move(context), queue) {}
     Expected<void> play(std::string_view name, double gain, double pitch) override {
         return voices.play(name, gain, pitch);
     }
@@ -258,6 +260,7 @@ Error no_sound(const char* why) {
 
 template <class Player>
 Expected<std::unique_ptr<Player>> finish_opening(Device device, const ALCint* attributes,
+                                                 const StreamQueue& queue,
                                                  const SoundSettings& settings) {
     const auto bank = make_bank(settings);
     if (!bank) {
@@ -267,7 +270,7 @@ Expected<std::unique_ptr<Player>> finish_opening(Device device, const ALCint* at
     if (!context || alcMakeContextCurrent(context.get()) == ALC_FALSE) {
         return tl::unexpected(no_sound("the sound card could not be used"));
     }
-    auto player = std::make_unique<Player>(std::move(device), std::move(context));
+    auto player = std::make_unique<Player>(std::move(device), std::move(context), queue);
     if (!player->voices.prepare(*bank, settings)) {
         return tl::unexpected(no_sound("the sound card took no sounds"));
     }
@@ -278,11 +281,13 @@ Expected<std::unique_ptr<Player>> finish_opening(Device device, const ALCint* at
 
 Expected<std::unique_ptr<SoundPlayer>> open_openal_device(const SoundSettings& settings) {
     quieten_backends();
+    ask_for_short_periods();
     Device device(alcOpenDevice(nullptr));
     if (!device) {
         return tl::unexpected(no_sound("no sound card was found"));
     }
-    auto player = finish_opening<OpenalPlayer<SoundPlayer>>(std::move(device), nullptr, settings);
+    auto player = finish_opening<OpenalPlayer<SoundPlayer>>(std::move(device), nullptr,
+                                                            kThreadedQueue, settings);
     if (!player) {
         return tl::unexpected(player.error());
     }
@@ -310,7 +315,8 @@ Expected<std::unique_ptr<LoopbackPlayer>> open_openal_loopback(const SoundSettin
                                                  ALC_OUTPUT_LIMITER_SOFT,
                                                  ALC_FALSE,
                                                  0};
-    auto player = finish_opening<Loopback>(std::move(device), kAttributes.data(), settings);
+    auto player =
+        finish_opening<Loopback>(std::move(device), kAttributes.data(), kUpdatedQueue, settings);
     if (!player) {
         return tl::unexpected(player.error());
     }

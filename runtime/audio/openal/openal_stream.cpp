@@ -3,12 +3,19 @@
 #include "runtime/audio/waveform.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace fulcrum::runtime {
+namespace {
 
-OpenalStream::OpenalStream(SoundStream& stream)
-    : stream_(stream), samples_(kStreamBuffer), pcm_(kStreamBuffer) {
+// Below the length of a buffer, so that none waits for more than one look.
+constexpr std::chrono::milliseconds kLook{2};
+
+}  // namespace
+
+OpenalStream::OpenalStream(SoundStream& stream, const StreamQueue& queue)
+    : stream_(stream), buffers_(queue.n_buffers), samples_(queue.n_samples), pcm_(queue.n_samples) {
     alGenSources(1, &source_);
     alSourcei(source_, AL_SOURCE_RELATIVE, AL_TRUE);
     alGenBuffers(static_cast<ALsizei>(buffers_.size()), buffers_.data());
@@ -16,9 +23,21 @@ OpenalStream::OpenalStream(SoundStream& stream)
         fill(buffer);
     }
     alSourcePlay(source_);
+    if (queue.own_thread) {
+        thread_ = std::thread([this] {
+            while (!ends_.load(std::memory_order_acquire)) {
+                refill();
+                std::this_thread::sleep_for(kLook);
+            }
+        });
+    }
 }
 
 OpenalStream::~OpenalStream() {
+    ends_.store(true, std::memory_order_release);
+    if (thread_.joinable()) {
+        thread_.join();
+    }
     alSourceStop(source_);
     alSourcei(source_, AL_BUFFER, 0);
     alDeleteSources(1, &source_);
@@ -36,6 +55,12 @@ void OpenalStream::fill(ALuint buffer) {
 }
 
 void OpenalStream::update() {
+    if (!thread_.joinable()) {
+        refill();
+    }
+}
+
+void OpenalStream::refill() {
     ALint heard = 0;
     alGetSourcei(source_, AL_BUFFERS_PROCESSED, &heard);
     for (; heard > 0; --heard) {

@@ -1,11 +1,16 @@
+#include "runtime/audio/openal/openal_stream.h"
+
 #include "runtime/audio/null/null_player.h"
 #include "runtime/audio/openal/openal_player.h"
 #include "runtime/audio/waveform.h"
 
 #include <catch2/catch.hpp>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <numbers>
+#include <thread>
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
@@ -27,6 +32,19 @@ class Tone final : public SoundStream {
                                static_cast<float>(kSampleRate_Hz));
     }
     std::size_t made = 0;
+};
+
+/// The same, counted for another thread to see.
+class CountedTone final : public SoundStream {
+  public:
+    void render(std::span<float> samples) noexcept override {
+        std::size_t n = made.load();
+        for (float& sample : samples) {
+            sample = Tone::at(n++);
+        }
+        made.store(n);
+    }
+    std::atomic<std::size_t> made{0};
 };
 
 std::unique_ptr<LoopbackPlayer> open_loopback() {
@@ -90,6 +108,35 @@ TEST_CASE(
         REQUIRE(x == 0.0F);
     }
     CHECK(tone.made == 10 * kFrame);
+}
+
+TEST_CASE("stream: with a thread of its own nobody has to update, and its short queue has no gap") {
+    auto player = open_loopback();  // makes a context current
+    std::vector<float> heard;
+    {
+        CountedTone tone;
+        OpenalStream stream(tone, kThreadedQueue);
+        const std::size_t queue = kThreadedQueue.n_buffers * kThreadedQueue.n_samples;
+        const std::size_t piece = kThreadedQueue.n_samples;
+        for (int i = 0; i < 100; ++i) {
+            // As a card would, but only once the queue is full again, however busy the machine is.
+            for (int wait = 0; wait < 10'000 && tone.made.load() < heard.size() + queue; ++wait) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+            REQUIRE(tone.made.load() >= heard.size() + queue);
+            stream.update();  // leaves it to the thread
+            const auto part = left_of(player->render(piece));
+            heard.insert(heard.end(), part.begin(), part.end());
+        }
+        CHECK(tone.made.load() <= heard.size() + queue);
+    }
+    const float gain = heard[4 * kFrame + 27] / Tone::at(4 * kFrame + 27);
+    CHECK(gain > 0.5F);
+    float most = 0.0F;
+    for (std::size_t i = kFrame; i < heard.size(); ++i) {
+        most = std::max(most, std::abs(heard[i] - gain * Tone::at(i)));
+    }
+    CHECK(most < 2e-4F);
 }
 
 TEST_CASE("stream: the null player knows it and asks for nothing") {

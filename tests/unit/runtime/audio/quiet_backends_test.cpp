@@ -6,6 +6,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <set>
+#include <string>
 #include <unistd.h>
 
 using namespace fulcrum::runtime;
@@ -44,4 +47,19 @@ TEST_CASE("quiet backends: a log level that the user has set is kept") {
     quieten_backends();
     CHECK(std::getenv("ALSOFT_LOGLEVEL") == std::string("2"));
     ::setenv("ALSOFT_LOGLEVEL", "0", 1);
+}
+
+TEST_CASE("quiet backends: OpenAL finds short periods in the file that it reads last") {
+    ask_for_short_periods();
+    const char* name = std::getenv("ALSOFT_CONF");
+    REQUIRE(name != nullptr);
+    std::ifstream file(name);
+    std::string line;
+    std::set<std::string> lines;
+    while (std::getline(file, line)) {
+        lines.insert(line);
+    }
+    CHECK(lines == std::set<std::string>{"[general]", "period_size = 256", "periods = 3"});
+    ask_for_short_periods();
+    CHECK(std::getenv("ALSOFT_CONF") == std::string(name));
 }

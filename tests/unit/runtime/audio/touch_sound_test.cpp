@@ -23,6 +23,8 @@ constexpr double kRound_s = 1e-3;
 constexpr double kForce_N = 2.0;
 constexpr double kPressed = kForce_N / (kForce_N + 0.5);  // n(F)
 constexpr double kStrokeGain_s_per_m = 8.0;
+constexpr std::size_t kPiece = 480;
+constexpr std::size_t kShortPiece = 128;  // those of a sound card
 
 /// A hand that strokes a relief of one wavelength, as the haptic loop tells it, and a tap at the beginning of the touch.
 struct Stroke {
@@ -34,16 +36,16 @@ struct Stroke {
     double until_s = 1.6;
 };
 
-/// What is heard of `seconds` of it, rendered in pieces of 10 ms as rounds come in.
+/// What is heard of `seconds` of it, rendered in pieces as rounds come in.
 std::vector<float> hear(const Stroke& stroke, double seconds, TapTone tone = {},
-                        const std::function<void(TouchSample&)>& change = {}) {
+                        const std::function<void(TouchSample&)>& change = {},
+                        std::size_t piece_samples = kPiece) {
     auto ring = std::make_unique<TouchRing>();
     TouchSound sound(*ring, {tone}, kRound_s);
     std::vector<float> heard(static_cast<std::size_t>(seconds * kSampleRate_Hz));
-    constexpr std::size_t kPiece = 480;
     int round = 0;
-    for (std::size_t at = 0; at + kPiece <= heard.size(); at += kPiece) {
-        const double now_s = static_cast<double>(at + kPiece) / kSampleRate_Hz;
+    for (std::size_t at = 0; at + piece_samples <= heard.size(); at += piece_samples) {
+        const double now_s = static_cast<double>(at + piece_samples) / kSampleRate_Hz;
         for (; round * kRound_s < now_s; ++round) {
             const double t = round * kRound_s;
             if (t < stroke.from_s || t > stroke.until_s + 0.5 * kRound_s) {
@@ -63,7 +65,7 @@ std::vector<float> hear(const Stroke& stroke, double seconds, TapTone tone = {},
             }
             (void)ring->push(sample);
         }
-        sound.render(std::span(heard).subspan(at, kPiece));
+        sound.render(std::span(heard).subspan(at, piece_samples));
     }
     return heard;
 }
@@ -174,7 +176,7 @@ TEST_CASE(
     tap.impact_m_per_s = 0.05;
     const TapTone tone{320.0, 40.0};
     const auto heard = hear(tap, 1.0, tone);
-    const double begins_s = 0.1 + kTouchDelay_s;
+    const double begins_s = 0.1 + touch_delay_s(kPiece);
     CHECK(loudest(piece(heard, 0.0, begins_s - 0.011)) == 0.0F);
     CHECK(strongest_Hz(piece(heard, begins_s, begins_s + 0.2), 50.0, 1000.0) ==
           Approx(320.0).margin(1.0));
@@ -192,6 +194,51 @@ TEST_CASE(
     Stroke hammer = tap;
     hammer.impact_m_per_s = 100.0;
     CHECK(loudest(hear(hammer, 1.0, tone)) < 0.9F);
+}
+
+TEST_CASE("touch sound: in a sound card's pieces it runs less than 9 ms behind, the same line") {
+    CHECK(touch_delay_s(kShortPiece) < 0.009);
+    Stroke tap;
+    tap.amplitude_m = 0.0;
+    tap.impact_m_per_s = 0.2;
+    const auto rung = hear(tap, 0.5, {320.0, 40.0}, {}, kShortPiece);
+    CHECK(loudest(piece(rung, 0.0, 0.1)) == 0.0F);
+    CHECK(loudest(piece(rung, 0.1, 0.109)) > 0.3F);
+    const Stroke stroke;
+    const auto steady = hear(stroke, 1.5, {}, {}, kShortPiece);
+    const auto coarse = hear(stroke, 1.5);
+    CHECK(line(piece(steady, 0.4, 1.4), 100.0) ==
+          Approx(line(piece(coarse, 0.4, 1.4), 100.0)).epsilon(1e-3));
+}
+
+TEST_CASE("touch sound: sound that has overtaken touch steps back behind it") {
+    // A queue of 16 ms is filled at once while the surface is already stroked: sound is ahead of what was felt.
+    auto ring = std::make_unique<TouchRing>();
+    TouchSound sound(*ring, {TapTone{}}, kRound_s);
+    std::vector<float> heard(kShortPiece);
+    int round = 0;
+    const auto feel_until = [&](double now_s) {
+        for (; round * kRound_s < now_s; ++round) {
+            TouchSample sample;
+            sample.time_s = round * kRound_s;
+            sample.solid = 0;
+            sample.normal_force_N = static_cast<float>(kForce_N);
+            sample.texture_height_m =
+                static_cast<float>(2e-5 * std::sin(2.0 * kPi * 100.0 * sample.time_s));
+            (void)ring->push(sample);
+        }
+    };
+    feel_until(0.02);
+    for (int i = 0; i < 6; ++i) {
+        sound.render(heard);
+    }
+    float most = 0.0F;
+    for (int i = 1; i <= 20; ++i) {
+        feel_until(0.02 + static_cast<double>(i * kShortPiece) / kSampleRate_Hz);
+        sound.render(heard);
+        most = std::max(most, loudest(heard));
+    }
+    CHECK(most > 0.05F);
 }
 
 TEST_CASE("touch sound: the tone of a tap is its force's") {
