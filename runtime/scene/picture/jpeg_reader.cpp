@@ -110,7 +110,8 @@ Expected<Samples> decode_jpeg(std::span<const std::uint8_t> file) {
         return tl::unexpected(sides.error());
     }
     if (!has_colours(job)) {
-        return fail("the picture is made of inks for a printer (CMYK)", {}, kSaveAgain);
+        return fail("the picture is made of inks for a printer (CMYK)", {},
+                    "save it anew in RGB, the colours of a screen");
     }
     job.samples.channels = job.jpeg.jpeg_color_space == JCS_GRAYSCALE ? 1 : 3;
     job.jpeg.out_color_space = job.samples.channels == 1 ? JCS_GRAYSCALE : JCS_RGB;

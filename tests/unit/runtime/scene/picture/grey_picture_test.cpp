@@ -101,7 +101,9 @@ TEST_CASE("picture: too large, of inks, of another kind, or no file at all is on
         }
     }
     CHECK_THAT(read_grey_picture(huge).error().message, Contains("16 x 4097 pixels"));
-    CHECK_THAT(load_grey_picture(file("inks.jpg")).error().message, Contains("CMYK"));
+    const auto inks = load_grey_picture(file("inks.jpg"));
+    CHECK_THAT(inks.error().message, Contains("CMYK"));
+    CHECK_THAT(inks.error().what_to_do, Contains("RGB"));
     const std::array<std::byte, 4> other{std::byte{'G'}, std::byte{'I'}, std::byte{'F'},
                                          std::byte{'8'}};
     CHECK_THAT(read_grey_picture(other).error().message, Contains("neither PNG nor JPEG"));
