@@ -31,6 +31,9 @@ leaves() { xdotool key Escape && sleep 0.3 && ended; }
 # Leaving a lesson takes a moment, in which a click means nothing: the hand clicks again.
 plays() { "${@:2}" && said "playing $1"; }
 
+# From whatever card is chosen to the second one.
+start_second() { xdotool key Left Left Left sleep 0.5 key Right Return; }
+
 # A place of its own, with four lessons that say who they are.
 mkdir -p "$folder/assets" "$folder/scripts"
 cp "$program" "$folder/fulcrum"
@@ -58,7 +61,7 @@ until_true 20 plays one click_at 186 360 # the first card
 leave_lesson
 sleep 1
 xdotool type Mina # in the list: who is playing
-until_true 20 plays three xdotool key Right Return # the second card
+until_true 20 plays three start_second
 ! said "playing zero" || { echo "another lesson was started"; exit 1; }
 
 leave_lesson
