@@ -77,7 +77,8 @@ Wrench compute_tool_coupling(const ToolCouplingSettings& settings, const MovingF
     const Vector3 spin_slip_W = grip.velocity_W.angular - handle.velocity_W.angular;
     return {compute_plain_pull(settings.shift, settings.clamp_m, stretch_W) -
                 settings.shift.damping_Ns_per_m * slip_W,
-            compute_plain_pull(curve_of(settings.turn), 0.0, compute_turn(handle, grip)) -
+            compute_plain_pull(curve_of(settings.turn), settings.clamp_rad,
+                               compute_turn(handle, grip)) -
                 settings.turn.damping_Nms_per_rad * spin_slip_W};
 }
 
@@ -95,7 +96,7 @@ ToolCouplingWrench compute_linearised_tool_coupling(const ToolCouplingSettings& 
     out.shift.by_velocity = -settings.shift.damping_Ns_per_m * Matrix3::Identity();
     // The turn: phi' = log(exp(phi) exp(-dtheta)) = phi - J_r(phi)^-1 dtheta.
     const Vector3 turn = compute_turn(handle, grip);
-    const Pull pull = compute_pull(curve_of(settings.turn), 0.0, turn);
+    const Pull pull = compute_pull(curve_of(settings.turn), settings.clamp_rad, turn);
     out.torque = pull.pull - settings.turn.damping_Nms_per_rad * spin_slip_W;
     out.torque_by_turn = -pull.by_stretch * compute_right_jacobian_inverse(turn);
     out.torque_by_spin = -settings.turn.damping_Nms_per_rad * Matrix3::Identity();

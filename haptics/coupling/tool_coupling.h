@@ -6,7 +6,7 @@
 // F and tau act on the tool at its grip; the hand feels -F and -tau there. f is the curve of virtual_coupling.h: k s,
 // or linear, a cubic, constant; g is the same curve over radians. With a clamp c > 0 the spring's force stays at
 // f(c) beyond a stretch of c: voxel sampling clamps at half a voxel, so that no stretch pulls the tool through a field
-// of that depth. At |phi| = pi the shorter way round changes sides and tau jumps.
+// of that depth; g is clamped likewise. At |phi| = pi the shorter way round changes sides and tau jumps.
 // Both dampers see relative velocities: a handle that moves evenly in free space feels nothing (a drag of 0 once the
 // tool follows, whatever k and b). What it feels while it speeds up is the tool's mass.
 // Critically damped: b = 2 sqrt(m k), b_r = 2 sqrt(I k_r).
@@ -40,6 +40,7 @@ struct ToolCouplingSettings {
     TurnCouplingSettings turn{};
     double clamp_m =
         0.0;  ///< half a voxel for voxel sampling, 0 for none; 0 to 1, not with saturation
+    double clamp_rad = 0.0;  ///< the same of the turn; 0 to pi
 };
 
 /// Refuses settings outside the ranges named at each field, NaN included, a saturating part that would fall, and a

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace fulcrum {
 namespace {
@@ -46,13 +47,18 @@ Expected<void> validate(const ToolCouplingSettings& settings) {
     if (auto checked = validate_turn(settings.turn); !checked) {
         return checked;
     }
-    const std::array<Range, 1> ranges{{{"clamp_m", settings.clamp_m, 0.0, 1.0}}};
+    const std::array<Range, 2> ranges{{{"clamp_m", settings.clamp_m, 0.0, 1.0},
+                                       {"clamp_rad", settings.clamp_rad, 0.0, std::numbers::pi}}};
     if (auto checked = check_ranges("the coupling's", ranges); !checked) {
         return checked;
     }
     if (settings.clamp_m > 0.0 && settings.shift.saturation_range_m > 0.0) {
         return fail("the coupling has a clamp and a saturating spring", {},
                     "keep one of clamp_m and saturation_range_m");
+    }
+    if (settings.clamp_rad > 0.0 && settings.turn.saturation_range_rad > 0.0) {
+        return fail("the coupling's turn has a clamp and a saturating spring", {},
+                    "keep one of clamp_rad and saturation_range_rad");
     }
     return {};
 }

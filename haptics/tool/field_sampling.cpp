@@ -10,7 +10,9 @@ namespace fulcrum {
 
 namespace {
 
-constexpr float kMargin = 2.0e-3F;        // voxels: single precision places and clock
+constexpr float kMargin = 2.0e-3F;  // voxels: single precision places and clock
+// So far away nothing touches, and the clock of motion would lose count.
+constexpr double kFarthest_voxels = 1.0e6;
 constexpr double kLongestClock = 4096.0;  // voxels; beyond, single precision is too coarse
 
 // How far any point within `reach_m` of the origin goes at most.
@@ -221,6 +223,10 @@ FieldTouch FieldSampler::step(const Pose& X_WO, const Pose& X_WT) noexcept {
         return touch_;
     }
     const Pose X_OT = X_WO.inverse() * X_WT;
+    if (!(X_OT.position.cwiseAbs().maxCoeff() < kFarthest_voxels * field_->frame().voxel_m)) {
+        reset();
+        return touch_;
+    }
     const FieldPlace place(*field_, X_OT);
     sums_ = {};
     half_difference_ = {};

@@ -69,7 +69,7 @@ class FieldSampler {
     [[nodiscard]] static Expected<FieldSampler> build(Field field, Shell shell,
                                                       const FieldSamplingSettings& settings = {});
 
-    /// Object at X_WO, tool at X_WT. A pose that is not finite gives no force, and all is looked at anew afterwards.
+    /// Object at X_WO, tool at X_WT. A pose that is not finite, or a million voxels away, gives no force, and all is looked at anew afterwards.
     [[nodiscard]] FieldTouch step(const Pose& X_WO, const Pose& X_WT) noexcept;
 
     /// The share of the way from one pose of the tool to the other, in the object's frame, that is surely free: straight for the

@@ -179,6 +179,9 @@ inline void add_push(const Motion& motion, const Eight& eight, LaneSums& sums) {
     sums.fullness += twice < 1.0F ? twice : zero + 1.0F;
 }
 
+// Slower than that nothing is braked: squares of single precision vanish. Voxels/s, squared.
+inline constexpr float kLeastSquare = 1.0e-30F;
+
 // One by one: brakes act on few points, and a square root has no operator side by side.
 inline void add_brake(const Motion& motion, const Eight& eight, LaneSums& sums) {
     const auto& [vx, vy, vz] = motion.velocity_T;
@@ -188,7 +191,7 @@ inline void add_brake(const Motion& motion, const Eight& eight, LaneSums& sums) 
                                   vz + (wx * eight.p[1] - wy * eight.p[0])};
     const Floats towards = eight.n[0] * u[0] + eight.n[1] * u[1] + eight.n[2] * u[2];
     const Floats square = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
-    const Ints brakes = (eight.kind == 3) & (towards < 0.0F);
+    const Ints brakes = (eight.kind == 3) & (towards < 0.0F) & (square > kLeastSquare);
     Floats share{};
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
         share[lane] = brakes[lane] != 0 ? -towards[lane] / std::sqrt(square[lane]) : 0.0F;

@@ -19,7 +19,8 @@ void add_brake_slopes(const Motion& motion, const Eight& eight, Sums& sums) noex
         const Vector3 n(eight.n[0][lane], eight.n[1][lane], eight.n[2][lane]);
         const Vector3 u = velocity + spin.cross(p);
         const double towards = n.dot(u);
-        if (eight.kind[lane] != 3 || !(towards < 0.0)) {
+        if (eight.kind[lane] != 3 || !(towards < 0.0) ||
+            !(u.squaredNorm() > static_cast<double>(kLeastSquare))) {
             continue;
         }
         const double speed = u.norm();
@@ -117,6 +118,12 @@ void add_turned(const Wrench& wrench, Matrix6& pose) noexcept {
 }
 
 }  // namespace
+
+void VoxelSampling::set_cycle(double dt_s) noexcept {
+    if (dt_s >= kShortestCycle_s && dt_s <= kLongestCycle_s) {
+        settings_.cycle_s = dt_s;
+    }
+}
 
 voxel_lanes::Motion VoxelSampling::compute_motion(const RigidState& state,
                                                   const MovingFrame& object) const noexcept {

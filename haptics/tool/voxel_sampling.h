@@ -40,6 +40,9 @@ enum class TangentPlane : std::uint8_t { one_side, both_sides };
 enum class ContactAveraging : std::uint8_t { none, beyond, smooth };
 enum class PreContactBraking : std::uint8_t { off, viscous, one_cycle };
 
+inline constexpr double kShortestCycle_s = 1.0e-6;
+inline constexpr double kLongestCycle_s = 1.0;
+
 /// Fixed at load.
 struct VoxelSamplingSettings {
     double stiffness_N_per_m = 500.0;  ///< k, of one point; 0 to 1e6
@@ -49,7 +52,7 @@ struct VoxelSamplingSettings {
     PreContactBraking braking = PreContactBraking::one_cycle;
     double braking_Ns_per_m = 1.0;  ///< b of `viscous`, a point; 0 to 1e4
     Inertia inertia{};              ///< of the tool, for the brakes
-    double cycle_s = 0.001;         ///< dt of the brakes, 1e-6 to 1
+    double cycle_s = 0.001;         ///< dt of the brakes, 1e-6 to 1; a tool's step tells its own
 };
 
 /// Refuses settings outside their ranges, NaN included.
@@ -87,6 +90,8 @@ class VoxelSampling {
 
     [[nodiscard]] const VoxelFrame& frame() const noexcept { return frame_; }
     [[nodiscard]] const VoxelSamplingSettings& settings() const noexcept { return settings_; }
+    /// Length of the cycle that the brakes reckon with; one out of the settings' range changes nothing.
+    void set_cycle(double dt_s) noexcept;
     [[nodiscard]] std::size_t n_points() const noexcept { return shell_.n_points; }
     /// How far the farthest point lies from the tool's centre of mass.
     [[nodiscard]] double reach_m() const noexcept { return reach_m_; }

@@ -87,7 +87,7 @@ Expected<void> validate(const VoxelSamplingSettings& settings) {
         {{"stiffness_N_per_m", settings.stiffness_N_per_m, 0.0, 1.0e6},
          {"full_contacts", settings.full_contacts, 1.0, 1.0e6},
          {"braking_Ns_per_m", settings.braking_Ns_per_m, 0.0, 1.0e4},
-         {"cycle_s", settings.cycle_s, 1.0e-6, 1.0}}};
+         {"cycle_s", settings.cycle_s, kShortestCycle_s, kLongestCycle_s}}};
     return check_ranges("the voxel sampling's", ranges);
 }
 

@@ -4,8 +4,10 @@
 //   massive    M a = coupling + voxel sampling, a rigid body by any integrator (integrator.h)
 //   massless   coupling + voxel sampling = 0, sought anew each step by Newton: (D - J) dx = F, D = 1e-3 of the coupling's
 //              stiffness; no inertia is felt and nothing oscillates, but the force's jumps between voxels pass unsmoothed
-// Both steps see the handle and the object where they are at the step's end. The coupling's spring is clamped at half a voxel:
-// beyond, it would pull the tool through the layer that pushes, which is a voxel thick. In free space, where no point is near a
+// Both steps see the handle and the object where they are at the step's end. The coupling's springs are clamped at half a voxel:
+// beyond, they would pull the tool through the layer that pushes, which is a voxel thick. Near the object the handle's motion is
+// clamped with them, |f(d) d/|d| + b (v_H - v_O)| <= f(s/2), for the damper would pull it through as well; what brakes the tool's own
+// motion is not. The massless tool has no dampers and no brakes: it has no motion of its own. In free space, where no point is near a
 // voxel that pushes or brakes, the hand feels exactly nothing, whatever the coupling's stretch: what a tool's inertia would be
 // felt as there is left out, as McNeely does.
 //
@@ -27,8 +29,9 @@ enum class ToolMass : std::uint8_t { massive, massless };
 /// Fixed at load.
 struct VoxelToolSettings {
     ToolCouplingSettings coupling{};
-    bool critically_damped = true;      ///< sets both dampers by the mass and the least moment
-    bool clamped_at_half_voxel = true;  ///< sets the coupling's clamp by the map
+    bool critically_damped = true;  ///< sets both dampers by the mass and the least moment
+    /// Sets the coupling's clamps by the map: half a voxel, and the turn that moves the farthest point as far.
+    bool clamped_at_half_voxel = true;
     bool silent_in_free_space = true;
     ToolMass mass = ToolMass::massive;
     IntegratorSettings integrator{.newton_iterations = 4};
@@ -63,13 +66,16 @@ class VoxelTool {
 
     /// Puts the tool where the handle holds it, at rest.
     void place(const Pose& handle_W) noexcept;
-    /// One step of `dt_s` that ends at `now_s`, where the handle and the object are as given. A handle that is no number leaves
-    /// the tool as it is, and nothing is felt.
+    /// One step of `dt_s` that ends at `now_s`, where the handle and the object are as given. A handle or an object that is no
+    /// number leaves the tool as it is, and nothing is felt.
     [[nodiscard]] VoxelToolResult step(const MovingFrame& handle, const MovingFrame& object,
                                        double now_s, double dt_s) noexcept;
 
   private:
     VoxelTool(VoxelSampling sampling, const VoxelToolSettings& settings) noexcept;
+    // The handle with no more velocity than spring and damper together may use.
+    [[nodiscard]] MovingFrame limit_lead(const MovingFrame& handle,
+                                         const MovingFrame& object) const noexcept;
     [[nodiscard]] StepResult move(const ToolCouplingLoad& coupling, const VoxelSamplingLoad& voxels,
                                   double now_s, double dt_s) noexcept;
     void settle(const ToolCouplingLoad& coupling, const VoxelSamplingLoad& voxels,
@@ -79,6 +85,7 @@ class VoxelTool {
     VoxelToolSettings settings_;
     ToolCouplingSettings coupling_;
     RigidState state_{};
+    bool is_near_ = false;  // something was, at the end of the last step
 };
 
 }  // namespace fulcrum

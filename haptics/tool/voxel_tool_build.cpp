@@ -1,10 +1,16 @@
 #include "haptics/base/range.h"
 #include "haptics/tool/voxel_tool.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 namespace fulcrum {
+namespace {
+
+constexpr double kWidestClamp_rad = 1.0;  // of a tool smaller than its voxels
+
+}  // namespace
 
 Expected<void> validate(const VoxelToolSettings& settings) {
     if (const auto checked = validate(settings.coupling); !checked) {
@@ -31,8 +37,13 @@ VoxelTool::VoxelTool(VoxelSampling sampling, const VoxelToolSettings& settings) 
         coupling_ = make_critically_damped(coupling_, settings.inertia.mass_kg,
                                            settings.inertia.moments_kg_m2.minCoeff());
     }
+    if (settings.mass == ToolMass::massless) {
+        coupling_.shift.damping_Ns_per_m = 0.0;
+        coupling_.turn.damping_Nms_per_rad = 0.0;
+    }
     if (settings.clamped_at_half_voxel) {
         coupling_.clamp_m = 0.5 * sampling_.frame().voxel_m;
+        coupling_.clamp_rad = std::min(coupling_.clamp_m / sampling_.reach_m(), kWidestClamp_rad);
     }
 }
 
@@ -42,6 +53,9 @@ Expected<VoxelTool> VoxelTool::build(VoxelSamplingPlan sampling,
         return tl::unexpected(checked.error());
     }
     sampling.settings.inertia = settings.inertia;
+    if (settings.mass == ToolMass::massless) {
+        sampling.settings.braking = PreContactBraking::off;
+    }
     auto built = VoxelSampling::build(std::move(sampling));
     if (!built) {
         return tl::unexpected(built.error());

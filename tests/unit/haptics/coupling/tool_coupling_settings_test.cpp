@@ -52,4 +52,11 @@ TEST_CASE("tool coupling settings: a clamp and saturation exclude each other") {
         s.shift.saturation_range_m = 0.016;
         s.shift.saturation_force_N = 5.0;
     }));
+    CHECK(accepts([](auto& s) { s.clamp_rad = 0.05; }));
+    CHECK_FALSE(accepts([](auto& s) { s.clamp_rad = -0.05; }));
+    CHECK_FALSE(accepts([](auto& s) { s.clamp_rad = 4.0; }));
+    CHECK_FALSE(accepts([](auto& s) {
+        s.clamp_rad = 0.05;
+        s.turn = {0.5, 0.0, 0.1, 1.0, 0.3};
+    }));
 }

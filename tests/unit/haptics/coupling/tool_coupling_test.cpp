@@ -100,8 +100,12 @@ TEST_CASE("tool coupling: the clamp of voxel sampling holds the force at half a 
     CHECK(force_at(settings, 0.001) == Approx(0.5).epsilon(kRounding));
     CHECK(force_at(settings, 0.0015) == Approx(0.75).epsilon(kRounding));
     CHECK(force_at(settings, 0.3) == Approx(0.75).epsilon(kRounding));
-    // It holds the shift alone.
+    // It holds the shift alone; the turn has its own.
     CHECK(torque_at(settings, 1.0) == Approx(0.5).epsilon(1e-9));
+    settings.clamp_rad = 0.2;
+    REQUIRE(validate(settings));
+    CHECK(torque_at(settings, 0.1) == Approx(0.05).epsilon(1e-9));
+    CHECK(torque_at(settings, 1.0) == Approx(0.1).epsilon(1e-9));
 }
 
 TEST_CASE("tool coupling: a turn is measured the shorter way, up to half a turn") {
@@ -124,7 +128,10 @@ TEST_CASE("tool coupling: critical damping is 2 sqrt(m k) and 2 sqrt(I k_r)") {
 }
 
 TEST_CASE("tool coupling: the linearised law is the law, also at no stretch") {
-    for (const ToolCouplingSettings& settings : {kPlain, saturating()}) {
+    ToolCouplingSettings clamped = kPlain;
+    clamped.clamp_m = 0.004;
+    clamped.clamp_rad = 0.05;
+    for (const ToolCouplingSettings& settings : {kPlain, saturating(), clamped}) {
         for (const double size : {0.0, 1.0e-9, 0.003, 0.01, 0.1}) {
             MovingFrame handle = at({size, -size, 0.5 * size}, {20.0 * size, 0.0, 10.0 * size});
             const MovingFrame grip = at(Vector3::Zero(), Vector3::Zero());

@@ -167,6 +167,17 @@ TEST_CASE("field sampling: free space gives no force, and at rest almost nothing
     CHECK(touch.n_groups == 0);
 }
 
+TEST_CASE("field sampling: a pose beyond all reach gives no force, and the next is as ever") {
+    FieldSampler coherent = make(SamplingMode::coherent);
+    const Pose touching = Pose::at({1.95, 0.0, 0.0});
+    const FieldTouch before = coherent.step({}, touching);
+    REQUIRE(before.n_touching > 0);
+    for (const double far_m : {1.0e8, 1.0e19, 1.0e300}) {
+        CHECK(coherent.step({}, Pose::at({far_m, 0.0, 0.0})).n_touching == 0);
+        CHECK(is_same(coherent.step({}, touching), before));
+    }
+}
+
 TEST_CASE("field sampling: a pose that is no number gives no force, and the next is as ever") {
     FieldSampler coherent = make(SamplingMode::coherent);
     const Pose touching = Pose::at({1.95, 0.0, 0.0});

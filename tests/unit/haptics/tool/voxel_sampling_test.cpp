@@ -294,6 +294,28 @@ TEST_CASE(
     CHECK(there.n_surface == here.n_surface);
 }
 
+TEST_CASE("voxel sampling: the slowest motion is braked by nothing rather than by no number") {
+    for (const PreContactBraking braking :
+         {PreContactBraking::viscous, PreContactBraking::one_cycle}) {
+        VoxelSamplingSettings settings = plain();
+        settings.braking = braking;
+        const Pointshell shell =
+            make_surface_pointshell(make_box({0.02, 0.02, 0.02}).value(), 100).value();
+        const VoxelSampling sampling = make_sampling(shell, settings);
+        for (const double speed_m_per_s : {1.0e-300, 1.0e-40, 1.0e-26, 1.0e-20, 1.0e-12}) {
+            RigidState state;
+            state.pose_W.position = {0.0, 0.015, 0.0};
+            state.velocity_W.linear = {0.0, -speed_m_per_s, 0.0};
+            WrenchJacobian jacobian;
+            const VoxelContact contact = sampling.sample_linearised(state, {}, jacobian);
+            REQUIRE(contact.n_proximity > 0);
+            CHECK(contact.wrench_W.force.allFinite());
+            CHECK(contact.wrench_W.force.norm() < 1.0e-6);
+            CHECK(jacobian.velocity.allFinite());
+        }
+    }
+}
+
 TEST_CASE("voxel sampling: what cannot be sampled is refused") {
     const Pointshell shell = one_point(Vector3::Zero(), Vector3::UnitY());
     CHECK_FALSE(VoxelSampling::build({nullptr, nullptr, shell, plain()}));

@@ -144,6 +144,118 @@ TEST_CASE("voxel tool: a handle that is no number moves nothing and is not felt"
     CHECK(tool.step(handle_at({0.0, -0.005, 0.0}), {}, 1.001, kDt_s).felt_W.force.y() > 1.0);
 }
 
+TEST_CASE("voxel tool: an object that is no number moves nothing and is not felt") {
+    VoxelTool tool = make_tool(make_settings());
+    press(tool, -0.005);
+    const RigidState before = tool.state();
+    MovingFrame object;
+    object.velocity_W.angular.x() = std::nan("");
+    for (int i = 0; i < 50; ++i) {
+        const VoxelToolResult result =
+            tool.step(handle_at({0.0, -0.005, 0.0}), object, 1.0 + i * kDt_s, kDt_s);
+        CHECK(result.felt_W.force.norm() == 0.0);
+        CHECK(result.step.status == StepStatus::not_finite);
+    }
+    CHECK(tool.state().pose_W.position == before.pose_W.position);
+    CHECK(tool.step(handle_at({0.0, -0.005, 0.0}), {}, 1.1, kDt_s).felt_W.force.y() > 1.0);
+}
+
+TEST_CASE(
+    "voxel tool: a hand that goes on through the floor at an even speed leaves the tool on it") {
+    for (const ToolMass mass : {ToolMass::massive, ToolMass::massless}) {
+        for (const double speed_m_per_s : {0.1, 0.3, 1.0}) {
+            CAPTURE(mass, speed_m_per_s);
+            VoxelTool tool = make_tool(make_settings(mass));
+            tool.place(Pose::at({0.0, 0.04, 0.0}));
+            VoxelToolResult result;
+            for (int i = 1; i <= 600; ++i) {
+                MovingFrame handle = handle_at({0.0, 0.04 - speed_m_per_s * i * kDt_s, 0.0});
+                handle.velocity_W.linear.y() = -speed_m_per_s;
+                result = tool.step(handle, {}, i * kDt_s, kDt_s);
+            }
+            CHECK(tool.state().pose_W.position.y() > 0.0);
+            CHECK(result.contact.n_interior == 0);
+            CHECK(result.felt_W.force.y() > 1.5);
+        }
+    }
+}
+
+TEST_CASE("voxel tool: a hand that turns on far leaves the tool on the floor") {
+    for (const ToolMass mass : {ToolMass::massive, ToolMass::massless}) {
+        VoxelTool tool = make_tool(make_settings(mass));
+        press(tool, 0.0);
+        VoxelToolResult result;
+        for (int i = 1; i <= 800; ++i) {
+            MovingFrame handle = handle_at({0.0, 0.0, 0.0});
+            const double angle = std::min(1.0, i / 400.0);
+            handle.pose_W.orientation = compute_exp({0.0, 0.0, angle});
+            result = tool.step(handle, {}, 1.0 + i * kDt_s, kDt_s);
+        }
+        CHECK(result.contact.n_interior == 0);
+        const ToolCouplingSettings& set = tool.coupling();
+        CHECK(set.clamp_rad == Approx(set.clamp_m / tool.sampling().reach_m()));
+        CHECK(result.felt_W.torque.norm() <= 1.01 * set.turn.stiffness_Nm_per_rad * set.clamp_rad);
+        CHECK(result.felt_W.torque.z() < 0.0);
+    }
+}
+
+TEST_CASE("voxel tool: hand and object that move together feel as at rest") {
+    for (const ToolMass mass : {ToolMass::massive, ToolMass::massless}) {
+        VoxelTool still = make_tool(make_settings(mass));
+        const VoxelToolResult at_rest = press(still, 0.0, 1500);
+        VoxelTool tool = make_tool(make_settings(mass));
+        tool.place(Pose::at({0.0, 0.03, 0.0}));
+        const Vector3 velocity(0.7, 0.4, -0.2);
+        VoxelToolResult result;
+        for (int i = 1; i <= 1500; ++i) {
+            const Vector3 way = i * kDt_s * velocity;
+            const double share = std::min(1.0, i / 100.0);
+            const Twist moves{velocity, Vector3::Zero()};
+            const MovingFrame handle{Pose::at(way + Vector3(0.0, 0.03 * (1.0 - share), 0.0)),
+                                     moves};
+            result = tool.step(handle, {Pose::at(way), moves}, i * kDt_s, kDt_s);
+        }
+        CHECK(result.contact.n_surface > 0);
+        // The block's sides may rest against either side of their voxels.
+        const Vector3 difference = result.felt_W.force.cwiseAbs() - at_rest.felt_W.force.cwiseAbs();
+        CHECK(difference.norm() < 0.02);
+        CHECK(result.contact.n_interior == 0);
+    }
+}
+
+TEST_CASE("voxel tool: a massless tool is at a moving handle where nothing is in the way") {
+    VoxelTool tool = make_tool(make_settings(ToolMass::massless));
+    tool.place(Pose::at({-0.03, 0.06, 0.0}));
+    for (int i = 1; i <= 100; ++i) {
+        const Vector3 there(-0.03 + 0.5 * i * kDt_s, 0.06, 0.0);
+        (void)tool.step({Pose::at(there), {{0.5, 0.0, 0.0}, Vector3::Zero()}}, {}, i * kDt_s,
+                        kDt_s);
+        REQUIRE((tool.state().pose_W.position - there).norm() < 1.0e-5);
+    }
+}
+
+TEST_CASE("voxel tool: brakes reckon with the step that is made, and put no energy in") {
+    for (const double dt_s : {0.0005, 0.001, 0.002}) {
+        VoxelSamplingSettings voxels;
+        voxels.braking = PreContactBraking::viscous;
+        voxels.braking_Ns_per_m = 50.0;
+        VoxelToolSettings settings = make_settings();
+        settings.integrator.integrator = Integrator::semi_implicit_euler;
+        const Pointshell shell =
+            make_surface_pointshell(make_box({0.04, 0.02, 0.04}).value(), 800).value();
+        VoxelTool tool = VoxelTool::build({make_floor(), nullptr, shell, voxels}, settings).value();
+        tool.place(Pose::at({0.0, 0.0155, 0.0}));
+        double fastest_m_per_s = 0.0;
+        for (int i = 1; i <= 500; ++i) {
+            (void)tool.step(handle_at({0.0, 0.0150, 0.0}), {}, i * dt_s, dt_s);
+            fastest_m_per_s = std::max(fastest_m_per_s, tool.state().velocity_W.linear.norm());
+        }
+        CAPTURE(dt_s);
+        CHECK(fastest_m_per_s < 0.05);
+        CHECK(tool.state().velocity_W.linear.norm() < 1.0e-3);
+    }
+}
+
 TEST_CASE("voxel tool: bad settings are refused") {
     const Pointshell shell =
         make_surface_pointshell(make_box({0.04, 0.02, 0.04}).value(), 50).value();
