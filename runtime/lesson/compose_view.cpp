@@ -127,11 +127,14 @@ ViewTorque show_torque(const AxleSettings& hinge, const Vector3& pivot_W, const 
     shown.axis_W = pivot_W + hinge.axis_W.dot(at_W - pivot_W) * hinge.axis_W;
     const double force_N = force_W.norm();
     const double arm_m = force_N > 0.0 ? std::abs(torque_Nm) / force_N : 0.0;
-    shown.force = {
-        true, at_W, force_W,
-        catalogue.say("hud.torque", {{"newtons", newtons_text(force_N)},
-                                     {"metres", number_text(arm_m, arm_m < kShortArm_m ? 3 : 2)},
-                                     {"torque", number_text(std::abs(torque_Nm), 2)}})};
+    // What stands there must come out for who multiplies it: the product is that of the numbers shown.
+    const std::string newtons = newtons_text(force_N);
+    const std::string metres = number_text(arm_m, arm_m < kShortArm_m ? 3 : 2);
+    const double product_Nm = std::stod(newtons) * std::stod(metres);
+    shown.force = {true, at_W, force_W,
+                   catalogue.say("hud.torque", {{"newtons", newtons},
+                                                {"metres", metres},
+                                                {"torque", number_text(product_Nm, 2)}})};
     return shown;
 }
 

@@ -116,7 +116,7 @@ local function turn(place, at, degrees)
   body:turn { spin = 0 }
 end
 
-local function at_the_rim() return { near[1], near[2], near[3] + big_radius(shown) + 0.03 } end
+local function at_the_side() return { near[1], near[2], near[3] + big_radius(shown) + 0.03 } end
 local function near_the_pole()
   local r = big_radius(shown) + 0.03
   return { near[1], near[2] + r * math.cos(0.35), near[3] + r * math.sin(0.35) }
@@ -157,19 +157,19 @@ local asked_about = {}
 for i, name in ipairs(planets.names) do asked_about[i] = name == "Earth" and "Earth|the Earth" or name end
 
 L:question "your_turn" {
-  prompt = "Now you ask me! Ask: How many moons does a planet have?",
-  again = "Ask me about a planet.",
+  prompt = "Now you ask me about a planet! For example: How many moons does Jupiter have?",
+  again = "Ask about another planet.",
   answers = { "how many moons does {planet} {own}", "how many moons has {planet} got" },
   lists = { planet = asked_about, own = { "have" } },   -- after "does" it never agrees: no word of the template
   right = function(a) return planets.facts(a.planet) ~= nil end,
 }
 
-L:question "rim_or_pole" {
-  prompt = "Where does the same push turn it more: at the rim or near the pole?",
+L:question "side_or_pole" {
+  prompt = "Where does the same push turn it more: at the side or near the pole?",
   again = "Let's push again.",
-  answers = { "[it turns more] (at|near) [the] {place}", "[the] {place}" },
-  lists = { place = { "rim", "pole" } },
-  right = function(a) return best_arm[a.place] > best_arm[a.place == "rim" and "pole" or "rim"] end,
+  answers = { "[it turns more] (at|near|on) [the] {place} [it turns more]", "[the] {place}" },
+  lists = { place = { "side|rim|equator", "pole" } },
+  right = function(a) return best_arm[a.place] > best_arm[a.place == "side" and "pole" or "side"] end,
 }
 
 L:question "harder" {
@@ -241,18 +241,19 @@ local function closer(world)
   if asked.planet then
     look_at(asked.planet)
     big[asked.planet]:turn { spin = 25 }
-    world:caption(called(asked.planet) .. " has " .. moons_of(asked.planet) .. ", counted in " .. planets.moons_counted .. ".")
+    local found = planets.facts(asked.planet).moons > 2 and ", found by " .. planets.moons_counted or ""
+    world:caption(called(asked.planet) .. " has " .. moons_of(asked.planet) .. found .. ".")
     wait(4)
   end
 end
 
-local function push_at_rim(world)
+local function push_at_side(world)
   world:caption "Push the side under the star: press, and go left or right."
-  turn("rim", at_the_rim(), 40)
+  turn("side", at_the_side(), 40)
 end
 
 local function push_at_pole(world)
-  world:caption "Now push near the pole, under the star."
+  world:caption "Now push near the pole: under the star, where the axis comes out."
   turn("pole", near_the_pole(), 15)
 end
 
@@ -260,21 +261,21 @@ local function turning(world)
   world:level(3, "Turn a planet")
   look_at "Earth"
   big.Earth:turn { spin = 0 }
-  push_at_rim(world)
+  push_at_side(world)
   world:caption "The blue bar is the arm. Force times arm is the torque: it turns the planet."
   wait(3)
   push_at_pole(world)
   world:caption "Near the pole the arm is short, so the torque is small."
   wait(2.5)
-  ask(world, "rim_or_pole", "Look at the blue bar: where is it longer?", function()
-    push_at_rim(world)
+  ask(world, "side_or_pole", "Look at the blue bar: where is it longer?", function()
+    push_at_side(world)
     push_at_pole(world)
   end)
   look_at "Jupiter"
-  world:caption "This is Jupiter. Its true inertia is far too big: here it is scaled down, like the Earth's."
+  world:caption "This is Jupiter. No hand can turn a true planet: we made the Earth easy to turn, and Jupiter too, but less easy."
   wait(3)
-  push_at_rim(world)
-  ask(world, "harder", "Jupiter has 318 times the mass of the Earth.", function() push_at_rim(world) end)
+  push_at_side(world)
+  ask(world, "harder", "Jupiter has 318 times the mass of the Earth.", function() push_at_side(world) end)
 end
 
 local best = 3 * 6
@@ -296,7 +297,7 @@ end
 
 L:test {
   hand = "turner.lua",
-  say = { "eight planets", "one moon", "it has two moons", "how many moons does Saturn have", "at the rim",
+  say = { "eight planets", "one moon", "it has two moons", "how many moons does Saturn have", "at the side",
           "Jupiter is harder to turn" },
   expect = { finished = true, stars = 3, form_errors = 0 },
 }

@@ -149,7 +149,7 @@ function World:ground(height) end
 function World:camera(options) end
 
 ---@class BodyHinge
----@field axis? Vector|Body|Tool along which it lies; it turns counter-clockwise seen against it; -1 to 1; default {0, 0, 1}
+---@field axis? Vector|Body|Tool along which it lies; when it points at you, angles grow counter-clockwise; -1 to 1; default {0, 0, 1}
 ---@field at? Vector|Body|Tool a place that the axis passes through; where the body is by default; in metres, -10000 to 10000
 ---@field inertia number how hard it is to turn, with all that hangs on it; in kilogram square metres, 0.0001 to 1000000
 ---@field friction? number the torque that brakes it; in newton metres, 0 to 1000000; default 0
@@ -171,7 +171,7 @@ function World:camera(options) end
 ---@field visible? boolean is seen from the start; default false
 ---@field at? Vector|Body|Tool where it is at first; in metres, -10000 to 10000; default {0, 0, 0}
 ---@field drag_area? number drag coefficient × cross-section, for falling in air; in square metres, 0 to 10; default 0
----@field hinge? BodyHinge an axis that a solid body turns about, pushed by the hand
+---@field hinge? BodyHinge an axis that a solid body turns about, pushed by the hand; while it is, arm, force and torque are drawn
 
 ---Declares a thing.
 ---@param options BodyOptions
@@ -342,7 +342,7 @@ function Body:uncover() end
 ---@field at? Vector|Body|Tool a place that its axis passes through from now on, for a body where it was declared; in metres, -10000 to 10000
 ---@field load? number the weight that hangs on it from now on; in newtons, 0 to 1000000
 
----Sets how a body on a hinge stands. Angles grow counter-clockwise, seen against its axis.
+---Sets how a body on a hinge stands. When its axis points at you, angles grow counter-clockwise; they stay between its lowest and highest.
 ---@param options TurnOptions
 function Body:turn(options) end
 

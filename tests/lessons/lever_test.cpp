@@ -54,6 +54,14 @@ TEST_CASE("lever: a wrong answer presses again with a hint, and costs a star") {
     CHECK(run.output.find("score 9, 2 of 3 stars") != std::string::npos);
 }
 
+TEST_CASE("lever: where the arm may give little the Earth gets lighter, and the lesson ends") {
+    const Sandbox sandbox;
+    const ProgramRun run = sandbox.run("run lever --headless --force-limit 0.5");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(run.output.find("3 of 3 stars") != std::string::npos);
+}
+
 TEST_CASE("lever: the plan turns a body on a hinge; gravity and textures have no such stage") {
     const Sandbox sandbox;
     CHECK(sandbox.run("explain lever").output.find("a body turns on a hinge") != std::string::npos);

@@ -15,7 +15,8 @@ enum Body : int { earth = 6, jupiter = 10 };
 
 }  // namespace
 
-TEST_CASE("solar-system: the hand turns the Earth at its rim and near its pole, and then Jupiter") {
+TEST_CASE(
+    "solar-system: the hand turns the Earth at its side and near its pole, and then Jupiter") {
     const Sandbox sandbox;
     REQUIRE(sandbox.run("run solar-system --headless --record r.rec").exit_code == 0);
     const Record record = read_run(sandbox.path("r.rec"));
@@ -43,7 +44,7 @@ TEST_CASE("solar-system: wrong answers are marked by facts, arms and inertia") {
                   "two\n"
                   "how many moons does Jupiter have\n"
                   "near the pole\n"
-                  "at the rim\n"
+                  "at the side\n"
                   "the Earth is harder to turn\n"
                   "Jupiter is harder to turn than the Earth\n");
     const ProgramRun run = sandbox.run("run solar-system --headless --say say.txt");

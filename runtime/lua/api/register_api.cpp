@@ -167,7 +167,7 @@ int refuse_assignment(lua_State* lua) {
     const std::string name =
         lua_type(lua, 2) == LUA_TSTRING ? clean_text(lua_tostring(lua, 2), 40) : "a field";
     raise_in_lesson(lua, owner + '.' + name + " can't be set" +
-                             (owner == "body" ? "; use body:place{…} or body:drop{…}"
+                             (owner == "body" ? "; use body:place{…}, body:drop{…} or body:turn{…}"
                                               : "; it shows how things stand"));
 }
 

@@ -162,7 +162,8 @@ void add_hinge_rows(ApiTable& table) {
            "a place that its axis passes through from now on, for a body where it was declared"},
           {"load", number, "newtons", 0, 1e6, "nil", "the weight that hangs on it from now on"}},
          "",
-         "Sets how a body on a hinge stands. Angles grow counter-clockwise, seen against its axis.",
+         "Sets how a body on a hinge stands. When its axis points at you, angles grow "
+         "counter-clockwise; they stay between its lowest and highest.",
          &turn});
     table.properties.push_back({"body", "angle", "number", "degrees",
                                 "of a body on a hinge: how far it is turned", &get_angle});

@@ -33,7 +33,7 @@ constexpr double kDegree_rad = std::numbers::pi / 180.0;
 // What a body turns about.
 constexpr Parameter kHinge[] = {
     {"axis", ParameterType::vector, "", -1, 1, "{0, 0, 1}",
-     "along which it lies; it turns counter-clockwise seen against it"},
+     "along which it lies; when it points at you, angles grow counter-clockwise"},
     {"at", ParameterType::vector, "metres", -10000, 10000, "nil",
      "a place that the axis passes through; where the body is by default"},
     {"inertia", ParameterType::number, "kilogram square metres", 0.0001, 1e6, kRequired,
@@ -244,8 +244,9 @@ void add_scene_rows(ApiTable& table) {
           {"drag_area", number, "square metres", 0, 10, "0",
            "drag coefficient × cross-section, for falling in air"},
           {"hinge", record, "", 0, 0, "nil",
-           "an axis that a solid body turns about, pushed by the hand", "", kHinge,
-           std::size(kHinge)}},
+           "an axis that a solid body turns about, pushed by the hand; while it is, arm, force and "
+           "torque are drawn",
+           "", kHinge, std::size(kHinge)}},
          "Body",
          "Declares a thing.",
          &add_body});

@@ -183,7 +183,7 @@ TEST_CASE("lesson process: one sentence with file and line for each mistake of a
     CHECK(in_start("local b = world:body { name = 'b', at = {0, 1} }") ==
           "lesson.lua:3: body.at is a place such as {0, 0.5, 0}; its z is nothing.");
     CHECK(in_start("local b = world:body { name = 'b' } b.x = 3") ==
-          "lesson.lua:3: body.x can't be set; use body:place{…} or body:drop{…}.");
+          "lesson.lua:3: body.x can't be set; use body:place{…}, body:drop{…} or body:turn{…}.");
     CHECK(in_start("world:body { name = 'b' } world:body { name = 'b' }") ==
           "lesson.lua:3: there is already a body \"b\".");
     CHECK(in_start("world:ask 'x'") == "lesson.lua:3: there is no question \"x\".");
