@@ -26,10 +26,12 @@ function(fulcrum_library name folder)
   add_library(fulcrum::${name} ALIAS fulcrum_${name})
 endfunction()
 
-# fulcrum_tests(NAME folder LABEL label DEPENDS ...): one test program from every .cpp under folder; each TEST_CASE is a
-# ctest of its own, carrying the label.
+# fulcrum_tests(NAME folder LABEL label DEPENDS ... [BUILT_ANEW]): one test program from every .cpp under folder; each TEST_CASE
+# is a ctest of its own, carrying the label. With FULCRUM_TEST_OBJECTS, another build's folder, the tests' objects are taken
+# from there: what they test is sanitized, they are not. Not those BUILT_ANEW, which are compiled for one build's folder or
+# for sanitizers.
 function(fulcrum_tests name folder)
-  cmake_parse_arguments(arg "" "LABEL;TIMEOUT" "DEPENDS;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(arg "BUILT_ANEW" "LABEL;TIMEOUT" "DEPENDS;ENVIRONMENT" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*_test.cpp)
   if(NOT sources)
     return()
@@ -37,7 +39,13 @@ function(fulcrum_tests name folder)
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
+  if(FULCRUM_TEST_OBJECTS AND NOT arg_BUILT_ANEW)
+    list(TRANSFORM sources REPLACE "^${CMAKE_SOURCE_DIR}/tests/(.*)$"
+                                   "${FULCRUM_TEST_OBJECTS}/tests/CMakeFiles/test_${name}.dir/\\1.o")
+    set_source_files_properties(${sources} PROPERTIES EXTERNAL_OBJECT ON)
+  endif()
   add_executable(test_${name} ${sources})
+  set_target_properties(test_${name} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(test_${name} PRIVATE ${arg_DEPENDS} fulcrum::test_support Catch2::Catch2WithMain)
   target_precompile_headers(test_${name} REUSE_FROM fulcrum_test_pch)
   fulcrum_discover_tests(test_${name} PREFIX "${name}: " LABELS ${arg_LABEL} TIMEOUT ${arg_TIMEOUT}

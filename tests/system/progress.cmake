@@ -1,5 +1,5 @@
 # Progress under kills, power cuts and failing disks. FULCRUM_PROGRESS_TRIALS=n runs n times as many random trials.
-fulcrum_tests(system_progress tests/system/progress LABEL system TIMEOUT 300 DEPENDS fulcrum::progress PkgConfig::sqlite)
+fulcrum_tests(system_progress tests/system/progress BUILT_ANEW LABEL system TIMEOUT 300 DEPENDS fulcrum::progress PkgConfig::sqlite)
 add_executable(progress_writer ${CMAKE_SOURCE_DIR}/tests/system/progress/progress_writer.cpp
                ${CMAKE_SOURCE_DIR}/tests/system/progress/workload.cpp)
 target_link_libraries(progress_writer PRIVATE fulcrum::progress)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/lua/process/lesson_process.h"
+#include "tests/unit/runtime/lua/lesson_helper.h"
 
 #include <filesystem>
 #include <fstream>
@@ -37,7 +38,7 @@ class LessonFolder {
     }
     [[nodiscard]] static LessonProcessOptions options() {
         LessonProcessOptions options;
-        options.executable = FULCRUM_LESSON_HELPER;
+        options.executable = lesson_helper();
         // Machines that run tests are busy: generous clocks of the wall, the processor's own stay.
         options.load_wall_s = 30.0;
         options.answer_wall_s = 30.0;

@@ -5,7 +5,6 @@ if(TARGET fulcrum_lua)
   if(TARGET test_unit_lua)
     add_dependencies(test_unit_lua lesson_process_helper)
     target_link_libraries(test_unit_lua PRIVATE PkgConfig::lua rapidcheck)
-    target_compile_definitions(test_unit_lua PRIVATE FULCRUM_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
-                               FULCRUM_LESSON_HELPER="$<TARGET_FILE:lesson_process_helper>")
+    target_compile_definitions(test_unit_lua PRIVATE FULCRUM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   endif()
 endif()

@@ -1,5 +1,7 @@
 #include "runtime/lua/process/child_process.h"
 
+#include "tests/unit/runtime/lua/lesson_helper.h"
+
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -26,7 +28,7 @@ TEST_CASE(
     "reaped") {
     const int files_before = open_files();
     {
-        auto child = ChildProcess::start(FULCRUM_LESSON_HELPER, kMemory);
+        auto child = ChildProcess::start(test::lesson_helper(), kMemory);
         REQUIRE(child);
         const pid_t pid = (*child)->pid();
         CHECK(pid > 0);
@@ -56,7 +58,7 @@ TEST_CASE("child process: how a process ended by itself is known") {
 }
 
 TEST_CASE("child process: the processor time it used to start is seen") {
-    auto child = ChildProcess::start(FULCRUM_LESSON_HELPER, kMemory);
+    auto child = ChildProcess::start(test::lesson_helper(), kMemory);
     REQUIRE(child);
     double used_s = 0.0;
     for (int i = 0; i < 10'000 && used_s == 0.0; ++i) {

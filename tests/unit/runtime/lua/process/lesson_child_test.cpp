@@ -40,10 +40,10 @@ TEST_CASE("lesson child: only the hidden argument makes a lesson's process") {
 
 /// The exit code of the program started as a lesson's process by hand, with a number but nothing behind it.
 int exit_code_with(const char* number) {
+    const std::string program = test::lesson_helper();
     const pid_t pid = fork();
     if (pid == 0) {
-        execl(FULCRUM_LESSON_HELPER, "helper", "--lesson-process", number,
-              static_cast<char*>(nullptr));
+        execl(program.c_str(), "helper", "--lesson-process", number, static_cast<char*>(nullptr));
         _exit(99);
     }
     int status = 0;
