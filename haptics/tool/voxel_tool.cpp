@@ -61,7 +61,8 @@ VoxelToolResult VoxelTool::step(const MovingFrame& handle, const MovingFrame& ob
     }
     // What acts on the tool.
     ToolCouplingLoad coupling(coupling_, settings_.grip_T);
-    coupling.set_handle(is_near_ ? limit_lead(handle, object) : handle, now_s);
+    coupling.set_handle(is_near_ && settings_.lead_clamped ? limit_lead(handle, object) : handle,
+                        now_s);
     sampling_.set_cycle(dt_s);
     VoxelSamplingLoad voxels(sampling_);
     voxels.set_object(object, now_s);

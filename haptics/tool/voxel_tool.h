@@ -32,6 +32,8 @@ struct VoxelToolSettings {
     bool critically_damped = true;  ///< sets both dampers by the mass and the least moment
     /// Sets the coupling's clamps by the map: half a voxel, and the turn that moves the farthest point as far.
     bool clamped_at_half_voxel = true;
+    /// Near the object the handle's motion is clamped with the springs; false leaves it to the dampers as they are.
+    bool lead_clamped = true;
     bool silent_in_free_space = true;
     ToolMass mass = ToolMass::massive;
     IntegratorSettings integrator{.newton_iterations = 4};

@@ -9,11 +9,11 @@ using namespace fulcrum::test;
 
 namespace {
 
-PenetrationCount run(PreContactBraking braking, double fastest_m_per_s) {
+PenetrationCount run(PreContactBraking braking, double fastest_m_per_s, bool lead_clamped = false) {
     PenetrationCount sum;
     for (const unsigned seed : {1U, 2U}) {
         const PenetrationCount one =
-            run_penetration_trial({braking, 60'000, fastest_m_per_s, seed});
+            run_penetration_trial({braking, lead_clamped, 60'000, fastest_m_per_s, seed});
         sum.n_penetrations += one.n_penetrations;
         sum.n_contacts += one.n_contacts;
         sum.n_passed += one.n_passed;
@@ -47,5 +47,18 @@ TEST_CASE(
         const PenetrationCount with = run(braking, 3.0);
         CHECK(with.n_passed < without.n_passed);
         CHECK(with.ratio() < 0.5 * without.ratio());
+    }
+}
+
+TEST_CASE(
+    "penetration ratio: with the hand's motion clamped too nothing passes, even without brakes") {
+    for (const double fastest_m_per_s : {2.0, 3.0}) {
+        for (const PreContactBraking braking :
+             {PreContactBraking::off, PreContactBraking::one_cycle}) {
+            const PenetrationCount ours = run(braking, fastest_m_per_s, true);
+            CHECK(ours.n_contacts > 10'000);
+            CHECK(ours.n_passed == 0);
+            CHECK(ours.ratio() < 1.0e-4);
+        }
     }
 }

@@ -19,6 +19,7 @@ namespace fulcrum::test {
 
 struct PenetrationTrial {
     PreContactBraking braking = PreContactBraking::one_cycle;
+    bool lead_clamped = false;  ///< ours (voxel_tool.h); the source has only the spring clamped
     int n_frames = 60'000;
     double fastest_m_per_s = 1.0;  ///< the hand's speed on a sweep, from a fifth of this
     unsigned seed = 1;
