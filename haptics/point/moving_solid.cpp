@@ -18,7 +18,7 @@ constexpr double kEdgeMargin = 1.0e-13;
 constexpr double kLeastMargin = 1.0;
 constexpr double kMostMargin = 4.0;
 constexpr double kMarginStep = 1.25;
-constexpr std::size_t kFewLeaves = NearbyTriangles::kCapacity / 2;
+constexpr std::size_t kFewLeaves = NearbyTriangles::kCapacity / 4;
 
 }  // namespace
 
