@@ -2,7 +2,7 @@
 //
 //   r = contact - pivot,  tau = axis . (r x F),  F = minus the share of the coupling's force that this solid holds
 // The share of a solid is that of its planes: sum(push n + drag) over its touches against the same of all. F is never more
-// than the loop's force limit: what a hand could not feel turns nothing. Of the coupling's damper only the part along the
+// than the loop's force limit; two solids that wedge the hand may each take up to what their planes hold. Of the coupling's damper only the part along the
 // normal turns a body that has no friction: nothing drags along a surface that nothing holds on to. The solid's pose for this round's proxy is that at
 // the end of the last round; so the surface under the proxy moves with the body, and its friction takes it along.
 //

@@ -2,7 +2,7 @@
 //
 //   force on the tool   sum over points inside of k d n,  d = max(-F, 0)     (distance_field_batch.h: n the point's own normal,
 //   torque about T      sum of r x k d n                                      or the field's slope)
-// Modes, all with the same contacts and forces:
+// Modes, all with the same contacts and forces where the object's mesh is closed (distance_field.h):
 //   brute_force   every leaf of 32 points, every time
 //   tree          from the top; a ball that has slack (ball_slack.h) is left out with all below it
 //   coherent      the same, and each ball, leaf or group remembers until when it is free: with m(t) the sum of the tool's motions

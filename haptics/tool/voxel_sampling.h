@@ -5,7 +5,7 @@
 //   proximity   F = -b (-n.u/|u|) u  while n.u < 0     u the point's velocity; never while it recedes, so nothing sticks
 //   interior    no force: it has penetrated, and is counted                      free: nothing
 // torque = r x F, r from the tool's centre of mass. The sum of the springs over n surface points is averaged:
-//   none     sum                        beyond   sum min(1, N/n): a jump of less than 1/N where a point comes or goes
+//   none     sum                        beyond   sum min(1, N/n): a jump of less than 1/N of the others' sum where one comes or goes
 //   smooth   sum (1 + (m/N)^4)^(-1/4),  m = sum of min(2 |d|/s, 1): a point comes in without weight, so nothing jumps there
 // Brakes:  viscous   b as set           one_cycle   b = M / (2 dt sum(-n.u/|u|)): for a shift u common to all points, the
 //   force's power over one step dt takes the kinetic energy M u^2/2 along it, whatever the number of points

@@ -14,7 +14,8 @@
 // distance to a ball that holds it.
 //
 // Sides are by winding number (brick_sides.h): meshes with holes, doubled or loose triangles have them too. A hole is closed by
-// the membrane where the winding number is 1/2; F jumps there, as no triangle is near. `counts().n_open_edges` says whether there are holes.
+// the membrane where the winding number is 1/2; F jumps there, as no triangle is near, and what the two bounds call free may
+// lie in it: they and L hold for closed meshes. `counts().n_open_edges` says whether there are holes.
 //
 // Thread: build at load, on a few threads; questions from any thread. Cost: a point 10 ns in the cache; memory 1472 bytes a
 // brick near the surface, 8 a brick of the block: 512^3 round a ball 40 MB. Kernels for many points: distance_field_batch.h.
