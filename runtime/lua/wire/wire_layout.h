@@ -118,40 +118,36 @@ void description(Archive& a, Description& d) {
     a.list("tests", d.tests, kMaxListItems, [](auto& each, auto& t) { test(each, t); });
 }
 
+/// Is a name missing or there twice?
+template <class Things, class NameOf>
+[[nodiscard]] bool has_twin(const Things& things, const NameOf& name_of) {
+    std::set<std::string_view> names;
+    return std::ranges::any_of(things, [&](const auto& thing) {
+        return name_of(thing).empty() || !names.insert(name_of(thing)).second;
+    });
+}
+
 /// What no single field shows: names that are missing or used twice, too many solids. Null when all
 /// is well.
 [[nodiscard]] inline const char* find_contradiction(const LessonDescription& d) {
-    std::set<std::string_view> names;
-    for (const BodyDescription& b : d.bodies) {
-        if (b.name.empty() || !names.insert(b.name).second) {
-            return "has two bodies of one name";
-        }
-    }
     const auto n_materials = static_cast<std::int32_t>(d.materials.size());
+    const auto is_solid = [](const auto& b) { return b.solid; };
+    if (has_twin(d.bodies, [](const auto& b) -> const std::string& { return b.name; })) {
+        return "has two bodies of one name";
+    }
     if (std::ranges::any_of(d.bodies, [&](const auto& b) { return b.material >= n_materials; })) {
         return "has a body of a material that it never made";
     }
-    names.clear();
-    for (const MaterialDescription& m : d.materials) {
-        if (m.felt.name.empty() || !names.insert(m.felt.name).second) {
-            return "has two materials of one name";
-        }
+    if (has_twin(d.materials, [](const auto& m) -> const std::string& { return m.felt.name; })) {
+        return "has two materials of one name";
     }
-    names.clear();
-    for (const ForceDescription& f : d.forces) {
-        if (f.name.empty() || !names.insert(f.name).second) {
-            return "has two forces of one name";
-        }
+    if (has_twin(d.forces, [](const auto& f) -> const std::string& { return f.name; })) {
+        return "has two forces of one name";
     }
-    names.clear();
-    for (const QuestionDescription& q : d.questions) {
-        if (q.id.empty() || !names.insert(q.id).second) {
-            return "has two questions of one name";
-        }
+    if (has_twin(d.questions, [](const auto& q) -> const std::string& { return q.id; })) {
+        return "has two questions of one name";
     }
-    const auto n_solids =
-        std::count_if(d.bodies.begin(), d.bodies.end(), [](const auto& b) { return b.solid; });
-    if (n_solids > kMaxSolids) {
+    if (std::ranges::count_if(d.bodies, is_solid) > kMaxSolids) {
         return "has too many solid bodies";
     }
     if (std::ranges::any_of(d.bodies, [](const auto& b) { return b.hinge && !b.solid; })) {
