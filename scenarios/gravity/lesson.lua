@@ -3,6 +3,7 @@
 -- The answer key is the simulated physics: a body's weight is its mass times gravity. Change a mass below and the right
 -- answers change with it.
 
+local game = require "game"
 local story = require "story"
 local wait, wait_for = story.wait, story.wait_for
 
@@ -31,7 +32,6 @@ local height = 1.05
 
 local bodies = {}    -- name -> body
 local in_play = {}   -- the bodies of this level
-local score = 0
 local next_place = 1
 
 function L:start(world)
@@ -50,7 +50,7 @@ function L:start(world)
       mass = f.mass, exaggeration = f.exaggeration, radius = f.radius, drag_area = f.drag_area,
     }
   end
-  story(L, function() play(world) end)
+  game.play(L, world, function() play(world) end)
 end
 
 -- ---- physics is the answer key ------------------------------------------------------------------------------------
@@ -94,11 +94,6 @@ L:question "lightest" {
 
 -- ---- the game -----------------------------------------------------------------------------------------------------
 
-local function add_score(world, points)
-  score = score + points
-  world:score(score)
-end
-
 -- Lets a body fall until it is caught, then lets its weight be felt.
 local function catch(world, body)
   local a = fruit[body.name].a
@@ -109,7 +104,7 @@ local function catch(world, body)
     local event = wait_for { "caught", "landed", body = body }
     if event.name == "landed" then wait(1) end
   until event.name == "caught"
-  add_score(world, 1)
+  game.point()
   world:caption("This is " .. a .. ". Feel how heavy it is.")
   wait(3)
   world:caption ""
@@ -128,20 +123,14 @@ local function weigh(world, things)
   end
 end
 
--- Asks until the meaning is right; after a wrong answer both things are weighed again.
+-- After a wrong answer both things are weighed again.
 local function ask(world, question, key)
-  local points, answer = 3, nil
-  repeat
-    answer = story.ask(world, question)
-    if answer.understood and not answer.right then
-      points = math.max(points - 1, 1)
-      wait(2)
+  game.ask(question, {
+    again = function(answer)
       local said = bodies[answer.thing]
       weigh(world, said and said ~= key() and { said, key() } or { key() })
-    end
-  until answer.over
-  if answer.right then add_score(world, points) end
-  wait(3)
+    end,
+  })
 end
 
 local function play_level(world, number)
@@ -155,23 +144,10 @@ local function play_level(world, number)
   end
 end
 
--- The most that can be had: a point a catch, three a question.
-local function best_score()
-  local best = 0
-  for _, level in ipairs(levels) do best = best + #level.falls + 3 * #level.asks end
-  return best
-end
-
 function play(world)
-  wait(2.5)
-  while true do
-    score, next_place = 0, 1
-    world:score(0)
-    for number = 1, #levels do play_level(world, number) end
-    world:caption "Press the space bar to play again."
-    world:finish { stars = score >= best_score() and 3 or score >= 0.75 * best_score() and 2 or 1 }
-    wait_for { "key", key = "space" }
-  end
+  wait(1)
+  next_place = 1
+  for number = 1, #levels do play_level(world, number) end
 end
 
 L:test {

@@ -3,6 +3,7 @@
 -- The answer key is the simulated lever: what a force at a place can lift follows from its torque and from that of the toy
 -- Earth on the other end. Change the Earth's weight or the support's place below and the right answers change with it.
 
+local game = require "game"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
 
@@ -24,7 +25,6 @@ local levels = {
 local lever, support, star
 local level                   -- the one that is played
 local support_x = 0
-local score = 0
 
 -- Where the support stands when the hand's arm is so many times longer.
 local function place_of(ratio) return earth_x + (end_x - earth_x) / (1 + ratio) end
@@ -50,7 +50,7 @@ function L:start(world)
               load = levels[1].weight, load_at = { earth_x, height - 0.02, 0 } },
   }
   star = world:body { name = "star", model = "star", radius = 0.03 }
-  story(L, function() play(world) end)
+  game.play(L, world, function() play(world) end)
 end
 
 -- ---- what the hand does -------------------------------------------------------------------------------------------------
@@ -96,8 +96,7 @@ end
 -- The same, for a point.
 local function lift_for_a_point(world, x)
   lift(world, x)
-  score = score + 1
-  world:score(score)
+  game.point()
 end
 
 -- ---- questions ----------------------------------------------------------------------------------------------------------
@@ -141,26 +140,6 @@ L:question "how_strong" {
 
 -- ---- the game -----------------------------------------------------------------------------------------------------------
 
--- Asks until the meaning is right; after a wrong answer there is a hint, and the hand tries again.
-local function ask(world, question, hint, again)
-  local points, answer = 3, nil
-  repeat
-    answer = story.ask(world, question)
-    if answer.understood and not answer.right and not answer.over then
-      points = math.max(points - 1, 1)
-      wait(2)
-      world:caption(hint)
-      again()
-    end
-  until answer.over
-  if answer.right then
-    score = score + points
-    world:score(score)
-  end
-  wait(2.5)
-  world:caption ""
-end
-
 local function begin_level(world, number)
   level = levels[number]
   world:level(number, level.title)
@@ -177,10 +156,13 @@ local function near_or_far(world)
   lift_for_a_point(world, places.far)
   world:caption "You lifted it! Force times arm: that is the torque."
   wait(3)
-  ask(world, "near_far", "Press at both places. Where do you need less force?", function()
-    press(world, places.near, 2.5)
-    lift(world, places.far)
-  end)
+  game.ask("near_far", {
+    hint = "Press at both places. Where do you need less force?",
+    again = function()
+      press(world, places.near, 2.5)
+      lift(world, places.far)
+    end,
+  })
 end
 
 local function move_it(world)
@@ -190,9 +172,10 @@ local function move_it(world)
   world:caption "It is too heavy."
   wait(2)
   repeat
-    ask(world, "which_way", "A long arm for you, a short arm for the Earth.", function()
-      press(world, end_x, 2)
-    end)
+    game.ask("which_way", {
+      hint = "A long arm for you, a short arm for the Earth.",
+      again = function() press(world, end_x, 2) end,
+    })
     move_support(support_x - 0.1)
     if not can_lift(end_x) then
       world:caption "Good. Move it further with the arrow keys, or let it go."
@@ -224,28 +207,20 @@ local function place_to_stand(world)
   begin_level(world, 3)
   world:caption "The Earth's arm is 1 millimetre now. Your arm is 1 metre."
   wait(4)
-  ask(world, "how_strong", "1000 newtons times 1 millimetre is 1 newton metre. So is your force times 1 metre.",
-    function() press(world, end_x, 2) end)
+  game.ask("how_strong", {
+    hint = "1000 newtons times 1 millimetre is 1 newton metre. So is your force times 1 metre.",
+    again = function() press(world, end_x, 2) end,
+  })
   world:caption "Try it. Press under the star."
   lift_for_a_point(world, end_x)
   world:caption "You moved it! You go a long way, and the Earth only a little."
   wait(4)
 end
 
-local best = 3 + 3 * 3   -- a point a lift, three a question
-
 function play(world)
-  wait(1.5)
-  while true do
-    score = 0
-    world:score(0)
-    near_or_far(world)
-    move_it(world)
-    place_to_stand(world)
-    world:caption "Press the space bar to play again."
-    world:finish { stars = score >= best and 3 or score >= 0.75 * best and 2 or 1 }
-    story.wait_for { "key", key = "space" }
-  end
+  near_or_far(world)
+  move_it(world)
+  place_to_stand(world)
 end
 
 L:test {

@@ -7,8 +7,7 @@ return motion.play(function(world)
   local star = world:find "star"
   motion.start_at(rest)
   motion.wait(1)
-  while true do
-    motion.wait_until(function() return star.where == "placed" end)
+  motion.whenever_placed(star, rest, function()
     local x = star.x
     motion.move_to({ x, 0.42, 0 }, 0.6)
     -- Down, deeper and deeper, as somebody who presses harder.
@@ -20,6 +19,5 @@ return motion.play(function(world)
     motion.wait_until(function() return star.where ~= "placed" end, 4)
     motion.wait(0.5)
     motion.move_to({ x, 0.5, 0 }, 0.5)
-    motion.move_to(rest, 0.5)
-  end
+  end)
 end)

@@ -3,6 +3,7 @@
 -- The answer keys are the planets' facts (scripts/lib/planets.lua) and the simulation: which push turns more follows from the
 -- lever arms that the hand had, which planet is harder to turn from the inertia that it felt.
 
+local game = require "game"
 local planets = require "planets"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
@@ -15,7 +16,6 @@ local near = { 0, 0.5, 0.3 }      -- where a planet is looked at and turned
 local sun, star
 local small = {}     -- name -> body: on its way round the Sun
 local big = {}       -- name -> body: seen from near, and turned by the hand
-local score = 0
 
 -- Nothing here has its true size or distance: Neptune would be 4500 times as far from the Sun as the Sun is wide.
 local function way_of(place) return 0.06 + 0.088 * place end
@@ -50,7 +50,7 @@ function L:start(world)
     big[name]:hide()
   end
   star = world:body { name = "star", model = "star", radius = 0.03 }
-  story(L, function() play(world) end)
+  game.play(L, world, function() play(world) end)
 end
 
 -- ---- the sky ------------------------------------------------------------------------------------------------------------
@@ -185,27 +185,6 @@ L:question "harder" {
 
 -- ---- the lesson -----------------------------------------------------------------------------------------------------------
 
--- Asks until the meaning is right; after a wrong answer there is a hint.
-local function ask(world, question, hint, again)
-  local points, answer = 3, nil
-  repeat
-    answer = story.ask(world, question)
-    if answer.understood and not answer.right and not answer.over then
-      points = math.max(points - 1, 1)
-      wait(2)
-      world:caption(hint)
-      if again then again() else wait(3) end
-    end
-  until answer.over
-  if answer.right then
-    score = score + points
-    world:score(score)
-  end
-  wait(2.5)
-  world:caption ""
-  return answer
-end
-
 local function moons_of(name)
   local moons = planets.facts(name).moons
   if moons == 0 then return "no moons" end
@@ -221,7 +200,7 @@ local function sky(world)
   wait(5)
   world:caption "A year goes by: the Earth goes round once. The far planets are slow."
   let_go_by(planets.facts("Earth").year, 8)
-  ask(world, "planets", "Count them: Mercury, Venus, Earth, Mars …")
+  game.ask("planets", { hint = "Count them: Mercury, Venus, Earth, Mars …" })
 end
 
 local function closer(world)
@@ -231,13 +210,13 @@ local function closer(world)
   big.Earth:turn { spin = 25 }
   world:caption("This is the Earth. It turns once a day. It has " .. moons_of "Earth" .. ".")
   wait(4)
-  ask(world, "moons_earth", "You see it at night. There is only one.")
+  game.ask("moons_earth", { hint = "You see it at night. There is only one." })
   look_at "Mars"
   big.Mars:turn { spin = 25 }
   world:caption("This is Mars, the red planet. It has " .. moons_of "Mars" .. ", and both are small.")
   wait(4)
-  ask(world, "moons_mars", "They are called Phobos and Deimos.")
-  local asked = ask(world, "your_turn", "Say: How many moons does Saturn have?")
+  game.ask("moons_mars", { hint = "They are called Phobos and Deimos." })
+  local asked = game.ask("your_turn", { hint = "Say: How many moons does Saturn have?" })
   if asked.planet then
     look_at(asked.planet)
     big[asked.planet]:turn { spin = 25 }
@@ -267,32 +246,28 @@ local function turning(world)
   push_at_pole(world)
   world:caption "Near the pole the arm is short, so the torque is small."
   wait(2.5)
-  ask(world, "side_or_pole", "Look at the blue bar: where is it longer?", function()
-    push_at_side(world)
-    push_at_pole(world)
-  end)
+  game.ask("side_or_pole", {
+    hint = "Look at the blue bar: where is it longer?",
+    again = function()
+      push_at_side(world)
+      push_at_pole(world)
+    end,
+  })
   look_at "Jupiter"
   world:caption "This is Jupiter. No hand can turn a true planet: we made the Earth easy to turn, and Jupiter too, but less easy."
   wait(3)
   push_at_side(world)
-  ask(world, "harder", "Jupiter has 318 times the mass of the Earth.", function() push_at_side(world) end)
+  game.ask("harder", {
+    hint = "Jupiter has 318 times the mass of the Earth.",
+    again = function() push_at_side(world) end,
+  })
 end
 
-local best = 3 * 6
-
 function play(world)
-  wait(1)
-  while true do
-    score = 0
-    world:score(0)
-    sky(world)
-    closer(world)
-    turning(world)
-    look_at(nil)
-    world:caption "Press the space bar to play again."
-    world:finish { stars = score >= best and 3 or score >= 0.75 * best and 2 or 1 }
-    story.wait_for { "key", key = "space" }
-  end
+  sky(world)
+  closer(world)
+  turning(world)
+  look_at(nil)
 end
 
 L:test {

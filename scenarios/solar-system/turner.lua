@@ -8,8 +8,7 @@ return motion.play(function(world)
   local star = world:find "star"
   motion.start_at(rest)
   motion.wait(1)
-  while true do
-    motion.wait_until(function() return star.where == "placed" end)
+  motion.whenever_placed(star, rest, function()
     -- From the star towards the planet's middle: 3 cm to its surface.
     local dy, dz = star.y - near[2], star.z - near[3]
     local far = math.sqrt(dy * dy + dz * dz)
@@ -21,6 +20,5 @@ return motion.play(function(world)
       motion.move_to(at(-0.04 * side, far - 0.042), 0.6)
       motion.move_to(at(-0.04 * side, far + 0.02), 0.2)
     end
-    motion.move_to(rest, 0.6)
-  end
+  end)
 end)

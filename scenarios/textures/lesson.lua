@@ -4,6 +4,7 @@
 -- The answer key is the material's physics: what is hard, rough or slippery is read off the numbers that the hand feels.
 -- Give a block another material below and the right answers change with it.
 
+local game = require "game"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
 
@@ -39,7 +40,6 @@ local touched          -- the body under the hand
 local felt = {}        -- body -> metres that the hand has stroked over it
 local guide            -- the pull that leads the hand back
 local star             -- hangs over what is to be felt: a mouse cannot be led
-local score = 0
 
 function L:start(world)
   world:ground(top - 0.025)
@@ -62,7 +62,7 @@ function L:start(world)
   star = world:body { name = "star", model = "star", radius = 0.03 }
   guide = world:spring { name = "guide", at = { 0, 0.5, 0 }, stiffness = 40, damping = 4 }
   guide:off()
-  story(L, function() play(world) end)
+  game.play(L, world, function(round) play(world, round) end)
 end
 
 -- ---- what the hand feels --------------------------------------------------------------------------------------------
@@ -155,28 +155,16 @@ end
 
 -- ---- the game -------------------------------------------------------------------------------------------------------
 
--- Asks until the meaning is right. After a wrong answer the hand is led back and feels again; after two there is a hint.
+-- After a wrong answer the hand is led back and feels again; after two there is a hint.
 local function ask(world, question, body, hint)
-  local points, answer = 3, nil
-  repeat
-    answer = story.ask(world, question)
-    if answer.understood and not answer.right and not answer.over then
-      points = math.max(points - 1, 1)
-      wait(2)
-      if not answer.turned_round then   -- "Metal is made of a spaceship": nothing to feel again, only to say
-        lead(world, body)
-        world:caption("Feel it again." .. (answer.attempt >= 2 and " " .. hint or ""))
-        feel(body)
-      end
-    end
-  until answer.over
-  if answer.right then
-    score = score + points
-    world:score(score)
-  end
-  wait(2.5)
+  game.ask(question, {
+    again = function(answer)
+      lead(world, body)
+      world:caption("Feel it again." .. (answer.attempt >= 2 and " " .. hint or ""))
+      feel(body)
+    end,
+  })
   star:hide()
-  world:caption ""
 end
 
 local function seen(world)
@@ -243,22 +231,14 @@ local function begin_again()
   end
 end
 
-local best = 3 * (#names + 2 + #things)
-
-function play(world)
-  wait(1.5)
-  while true do
-    score = 0
-    world:score(0)
-    seen(world)
-    under_a_cloth(world)
-    things_made(world)
-    world:caption "Press the space bar to play again."
-    world:finish { stars = score >= best and 3 or score >= 0.75 * best and 2 or 1 }
-    story.wait_for { "key", key = "space" }
+function play(world, round)
+  if round > 1 then
     hands_off(world)
     begin_again()
   end
+  seen(world)
+  under_a_cloth(world)
+  things_made(world)
 end
 
 L:test {

@@ -141,6 +141,21 @@ function motion.follow(body, options)
   end
 end
 
+--- For ever: each time that a body is placed somewhere, such as a star that shows where to press, does something and then
+--- goes to rest.
+---@param body Body
+---@param rest Vector where the hand waits
+---@param act fun() moves the hand, as long as body.where is "placed"
+function motion.whenever_placed(body, rest, act)
+  if type(body) ~= "userdata" then mistake("motion.whenever_placed takes a body; got " .. shown(body)) end
+  check_function("motion.whenever_placed's third value", act)
+  while true do
+    motion.wait_until(function() return body.where == "placed" end)
+    act()
+    motion.move_to(rest, 0.6)
+  end
+end
+
 --- Presses buttons: 1 for the first, 2 for the second, 3 for both; 0 lets go.
 ---@param which integer
 function motion.press(which)

@@ -147,10 +147,10 @@ TEST_CASE("textures: a star hangs over what is to be felt, for a mouse cannot be
     const Sandbox sandbox;
     std::string text = bytes_of(FULCRUM_SCENARIOS "/textures/lesson.lua");
     // Prints what the star hangs over whenever a question is asked.
-    const std::string was = "    answer = story.ask(world, question)\n";
+    const std::string was = "  game.ask(question, {\n";
     REQUIRE(text.find(was) != std::string::npos);
     text.insert(text.find(was),
-                "    print(question, body.name, star.where, star.x == body.x, star.y > body.y)\n");
+                "  print(question, body.name, star.where, star.x == body.x, star.y > body.y)\n");
     sandbox.write("star/lesson.lua", text);
     sandbox.write("star/stroker.lua", bytes_of(FULCRUM_SCENARIOS "/textures/stroker.lua"));
     const ProgramRun run = sandbox.run("run star --headless");

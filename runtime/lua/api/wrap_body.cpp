@@ -118,29 +118,22 @@ int turn(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     return 0;
 }
 
-int get_angle(lua_State* lua, LessonContext& context, std::int32_t index) {
-    (void)hinge_of(lua, context, index, "an angle");
-    lua_pushnumber(lua, hinge_state_of(context, index).angle_rad * kDegrees);
-    return 1;
-}
-int get_spin(lua_State* lua, LessonContext& context, std::int32_t index) {
-    (void)hinge_of(lua, context, index, "a spin");
-    lua_pushnumber(lua, hinge_state_of(context, index).spin_rad_per_s * kDegrees);
-    return 1;
-}
-int get_torque(lua_State* lua, LessonContext& context, std::int32_t index) {
-    (void)hinge_of(lua, context, index, "a torque");
-    lua_pushnumber(lua, hinge_state_of(context, index).torque_Nm);
-    return 1;
-}
-int get_load_torque(lua_State* lua, LessonContext& context, std::int32_t index) {
-    (void)hinge_of(lua, context, index, "a load");
-    lua_pushnumber(lua, hinge_state_of(context, index).load_torque_Nm);
-    return 1;
-}
-int get_arm(lua_State* lua, LessonContext& context, std::int32_t index) {
-    (void)hinge_of(lua, context, index, "a lever arm");
-    lua_pushnumber(lua, hinge_state_of(context, index).arm_m);
+/// A number of how a hinge stands, in the unit that lessons see.
+struct HingeNumber {
+    const char* asked;
+    double HingeState::*value;
+    double unit;
+};
+constexpr HingeNumber kAngle{"an angle", &HingeState::angle_rad, kDegrees};
+constexpr HingeNumber kSpin{"a spin", &HingeState::spin_rad_per_s, kDegrees};
+constexpr HingeNumber kTorque{"a torque", &HingeState::torque_Nm, 1.0};
+constexpr HingeNumber kLoadTorque{"a load", &HingeState::load_torque_Nm, 1.0};
+constexpr HingeNumber kArm{"a lever arm", &HingeState::arm_m, 1.0};
+
+template <const HingeNumber& kNumber>
+int get_of_hinge(lua_State* lua, LessonContext& context, std::int32_t index) {
+    (void)hinge_of(lua, context, index, kNumber.asked);
+    lua_pushnumber(lua, hinge_state_of(context, index).*kNumber.value * kNumber.unit);
     return 1;
 }
 int get_inertia(lua_State* lua, LessonContext& context, std::int32_t index) {
@@ -166,19 +159,23 @@ void add_hinge_rows(ApiTable& table) {
          "counter-clockwise; they stay between its lowest and highest.",
          &turn});
     table.properties.push_back({"body", "angle", "number", "degrees",
-                                "of a body on a hinge: how far it is turned", &get_angle});
-    table.properties.push_back(
-        {"body", "spin", "number", "degrees per second", "of a body on a hinge", &get_spin});
+                                "of a body on a hinge: how far it is turned",
+                                &get_of_hinge<kAngle>});
+    table.properties.push_back({"body", "spin", "number", "degrees per second",
+                                "of a body on a hinge", &get_of_hinge<kSpin>});
     table.properties.push_back({"body", "inertia", "number", "kilogram square metres",
                                 "of a body on a hinge", &get_inertia});
     table.properties.push_back(
         {"body", "torque", "number", "newton metres",
-         "of the hand about a hinge: lever arm × force, counter-clockwise above 0", &get_torque});
+         "of the hand about a hinge: lever arm × force, counter-clockwise above 0",
+         &get_of_hinge<kTorque>});
     table.properties.push_back(
         {"body", "arm", "number", "metres",
-         "how far the hand's force passes from the hinge; 0 when nothing presses", &get_arm});
+         "how far the hand's force passes from the hinge; 0 when nothing presses",
+         &get_of_hinge<kArm>});
     table.properties.push_back({"body", "load_torque", "number", "newton metres",
-                                "of what hangs on a body about its hinge", &get_load_torque});
+                                "of what hangs on a body about its hinge",
+                                &get_of_hinge<kLoadTorque>});
 }
 
 int push_text(lua_State* lua, const std::string& text) {

@@ -1,5 +1,5 @@
 // The modules of scripts/lib, run in a lesson as teachers use them.
-#include "tests/unit/runtime/lua/lesson_folder.h"
+#include "tests/unit/runtime/lua/lesson_player.h"
 
 #include <catch2/catch.hpp>
 
@@ -8,46 +8,9 @@
 namespace fulcrum::runtime {
 namespace {
 
-using test::frame_for;
 using test::lesson_text;
 using test::LessonFolder;
-
-/// A lesson that is fed frames and whose prints are collected.
-struct Player {
-    LessonFolder folder;
-    std::unique_ptr<LessonProcess> process;
-    std::string prints;
-    std::string error;
-    LessonReply last;
-    double time_s = 0.0;
-
-    void start(const std::string& body, const std::string& hand = {}) {
-        auto started = folder.start(lesson_text(body), hand);
-        REQUIRE(started);
-        process = std::move(*started);
-        for (const std::string& line : process->prints_while_loading()) {
-            prints += line + ';';
-        }
-    }
-    void step(std::vector<LessonEvent> events = {}, double dt_s = 0.25) {
-        LessonFrame frame = frame_for(process->description(), time_s);
-        frame.dt_s = dt_s;
-        frame.tool_pose_W.position = Vector3(0, 0.3, 0);
-        frame.events = std::move(events);
-        time_s += dt_s;
-        auto reply = process->exchange(frame);
-        if (!reply) {
-            error = to_sentence(reply.error());
-            return;
-        }
-        last = std::move(*reply);
-        for (const LessonCommand& command : last.commands) {
-            if (const auto* print = std::get_if<PrintCommand>(&command)) {
-                prints += print->text + ';';
-            }
-        }
-    }
-};
+using test::Player;
 
 constexpr const char* kStory = R"(
 local story = require "story"

@@ -1,0 +1,129 @@
+--- A game of questions, points and stars, as most lessons are.
+---
+---   local game = require "game"
+---
+---   function L:start(world)
+---     …
+---     game.play(L, world, function()
+---       world:level(1, "Near or far?")
+---       lift_it()
+---       game.point()
+---       game.ask("near_far", { hint = "Press at both places. Where do you need less force?" })
+---     end)
+---   end
+---
+--- It tells its function as a story (see `story`: `wait` and `wait_for` belong in it too). When that ends there are stars:
+--- three for all points that could be had, two for three quarters of them, else one. `game` itself counts what could be
+--- had. The space bar plays again.
+
+-- What the program gives to the shared library: mistakes are told at the lesson's own line.
+local module_name, program = ...
+local mistake, shown = program.mistake, program.shown
+
+local story = require "story"
+
+local game = {}
+
+local points_a_question = 3   -- one less for each wrong try, one at least
+local two_stars = 0.75        -- of all points
+
+local scene                   -- the world that is played in; nil before game.play
+local score, best = 0, 0
+
+local function check_playing(called)
+  if not scene then mistake(called .. " belongs inside game.play(L, world, function() … end)") end
+end
+
+local function add(points, of)
+  score, best = score + points, best + of
+  scene:score(score)
+end
+
+--- Gives a point, or several: for something caught, lifted, found.
+---@param points integer|nil 1 by default
+function game.point(points)
+  check_playing "game.point"
+  points = points or 1
+  if math.type(points) ~= "integer" or points < 1 then
+    mistake("game.point takes a whole number of points, 1 or more; got " .. shown(points))
+  end
+  add(points, points)
+end
+
+local ask_options = { hint = "string", again = "function" }
+
+local function check_options(options)
+  if type(options) ~= "table" then
+    mistake("game.ask's options are a table, such as { hint = \"Look again.\" }; got " .. shown(options))
+  end
+  for name, value in pairs(options) do
+    if ask_options[name] == nil then program.unknown("game.ask", ask_options, name) end
+    if type(value) ~= ask_options[name] then
+      mistake("game.ask's " .. name .. " is a " .. ask_options[name] .. "; got " .. shown(value))
+    end
+  end
+end
+
+--- Asks a question until its meaning is right or it is left after many tries, and gives the last answer: three points, one
+--- less for each wrong try. After a wrong one `hint` is said, and `again` lets the hand feel it once more.
+---
+---   game.ask "near_far"
+---   game.ask("near_far", {
+---     hint = "Press at both places. Where do you need less force?",
+---     again = function(answer) press_at_both_places() end,
+---   })
+---
+---@param question string
+---@param options table|nil
+---@return Answer answer
+function game.ask(question, options)
+  check_playing "game.ask"
+  options = options or {}
+  check_options(options)
+  local points, answer = points_a_question, nil
+  repeat
+    answer = story.ask(scene, question)
+    if answer.understood and not answer.right and not answer.over then
+      points = math.max(points - 1, 1)
+      story.wait(2)
+      -- "Metal is made of a spaceship": nothing to feel again, only to say.
+      if not answer.turned_round then
+        if options.hint then scene:caption(options.hint) end
+        if options.again then options.again(answer) elseif options.hint then story.wait(3) end
+      end
+    end
+  until answer.over
+  add(answer.right and points or 0, points_a_question)
+  story.wait(2.5)
+  scene:caption ""
+  return answer
+end
+
+--- Tells a game as a story, gives its stars, and plays it again after the space bar; `tell` is given how often it has been
+--- begun, 1 at first.
+---@param lesson Lesson
+---@param world World
+---@param tell fun(round: integer)
+function game.play(lesson, world, tell)
+  if type(lesson) ~= "table" or type(world) ~= "userdata" or type(tell) ~= "function" then
+    mistake "write game.play(L, world, function() … end)"
+  end
+  scene = world
+  story(lesson, function()
+    story.wait(1.5)
+    local round = 0
+    while true do
+      round = round + 1
+      score, best = 0, 0
+      world:score(0)
+      tell(round)
+      world:caption "Press the space bar to play again."
+      world:finish { stars = score >= best and 3 or score >= two_stars * best and 2 or 1 }
+      story.wait_for { "key", key = "space" }
+    end
+  end)
+end
+
+return setmetatable(game, {
+  __index = function(_, field) program.unknown(module_name, game, field) end,
+})
