@@ -1,6 +1,7 @@
 #include "haptics/geometry/mesh_report.h"
 
 #include "haptics/geometry/mesh_edges.h"
+#include "haptics/geometry/solid_moments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,18 +22,6 @@ void count_edges(const TriangleMesh& mesh, MeshReport& report) {
         report.non_manifold_edges += shared.size() > 2 ? 1 : 0;
         report.inconsistent_edges += shared.size() == 2 && n_upwards != 1 ? 1 : 0;
     });
-}
-
-double compute_signed_volume_m3(const TriangleMesh& mesh) {
-    const Vector3 centre = 0.5 * (mesh.lower_B() + mesh.upper_B());
-    double sextuple = 0.0;
-    for (const TriangleCorners& t : mesh.triangles()) {
-        const Vector3 a = mesh.vertices_B()[static_cast<std::size_t>(t[0])] - centre;
-        const Vector3 b = mesh.vertices_B()[static_cast<std::size_t>(t[1])] - centre;
-        const Vector3 c = mesh.vertices_B()[static_cast<std::size_t>(t[2])] - centre;
-        sextuple += a.dot(b.cross(c));
-    }
-    return sextuple / 6.0;
 }
 
 std::string counted(std::int64_t n, const char* one, const char* many) {
@@ -93,7 +82,7 @@ MeshReport compute_mesh_report(const TriangleMesh& mesh) {
     report.size_m = mesh.upper_B() - mesh.lower_B();
     count_edges(mesh, report);
     if (report.is_closed() && report.inconsistent_edges == 0) {
-        const double signed_volume_m3 = compute_signed_volume_m3(mesh);
+        const double signed_volume_m3 = compute_solid_moments(mesh).volume_m3;
         report.inside_out = signed_volume_m3 < 0.0;
         report.volume_m3 = std::abs(signed_volume_m3);
     }

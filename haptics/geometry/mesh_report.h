@@ -2,7 +2,7 @@
 //
 // An edge is open when one triangle has it, non-manifold when three or more have it, and wound
 // inconsistently when two triangles run along it in the same direction. A closed, consistent mesh
-// is inside out when its signed volume V = sum a . (b x c) / 6 is negative.
+// is inside out when its signed volume (solid_moments.h) is negative.
 //
 // Thread: load. Cost: O(n) in triangles.
 #pragma once
