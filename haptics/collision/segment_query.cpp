@@ -1,6 +1,7 @@
 #include "haptics/collision/segment_query.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace fulcrum {
 
@@ -30,15 +31,31 @@ SegmentHit find_nearest_hit_brute_force(const CollisionMesh& mesh, const Vector3
 }
 
 bool NearbyTriangles::collect(const CollisionMesh& mesh, const Box& box_B) noexcept {
-    const std::optional<std::size_t> n_found = mesh.tree().collect_leaves(box_B, leaves_);
-    covers_ = n_found.has_value();
-    n_leaves_ = n_found.value_or(0);
+    begin_ahead(mesh, box_B);
+    covers_ = go_on_ahead(mesh, std::numeric_limits<std::int32_t>::max()) == Collecting::done;
+    return covers_;
+}
+
+void NearbyTriangles::begin_ahead(const CollisionMesh& mesh, const Box& box_B) noexcept {
+    ahead_.search.begin(mesh.tree(), box_B);
+    ahead_.box_B = box_B;
+}
+
+Collecting NearbyTriangles::go_on_ahead(const CollisionMesh& mesh, std::int32_t n_nodes) noexcept {
+    if (mesh.tree().go_on(ahead_.search, n_nodes, ahead_.leaves)) {
+        return Collecting::goes_on;
+    }
+    if (ahead_.search.n_found() > kCapacity) {
+        return Collecting::too_many;
+    }
+    leaves_ = ahead_.leaves;
+    n_leaves_ = ahead_.search.n_found();
+    box_B_ = ahead_.box_B;
+    covers_ = true;
     for (std::size_t i = 0; i < n_leaves_; ++i) {
         mesh.prefetch_leaf(leaves_[i]);
     }
-    box_B_ = box_B;
-    n_asked_ = kMaxAsked + 1;
-    return covers_;
+    return Collecting::done;
 }
 
 double NearbyTriangles::find_covered_part(const Vector3& from_B,

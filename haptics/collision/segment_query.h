@@ -10,6 +10,7 @@
 #include "haptics/collision/segment_triangle.h"
 
 #include <array>
+#include <cstdint>
 
 namespace fulcrum {
 
@@ -29,13 +30,22 @@ namespace fulcrum {
                                                       const Vector3& from_B,
                                                       const Vector3& to_B) noexcept;
 
+enum class Collecting : std::uint8_t { goes_on, done, too_many };
+
 /// The part of a mesh's tree around a box: short segments within the box are answered from it without a descent. One mesh.
+/// The next box can be collected ahead, a few nodes at a time, while the present one still serves.
 class NearbyTriangles {
   public:
     static constexpr std::size_t kCapacity = 24;  ///< leaves of up to 8 triangles
 
     /// Collects the triangles near `box_B`. When there are too many it is false: nothing is covered, and the tree answers.
     bool collect(const CollisionMesh& mesh, const Box& box_B) noexcept;
+    /// Begins to collect `box_B` as the next one.
+    void begin_ahead(const CollisionMesh& mesh, const Box& box_B) noexcept;
+    /// Goes on with it by up to `n_nodes` nodes of the tree; once it is complete, and fits, it takes the present one's place.
+    Collecting go_on_ahead(const CollisionMesh& mesh, std::int32_t n_nodes) noexcept;
+    [[nodiscard]] bool is_collecting_ahead() const noexcept { return !ahead_.search.is_over(); }
+
     [[nodiscard]] std::size_t n_leaves() const noexcept { return n_leaves_; }
     [[nodiscard]] bool covers(const Vector3& point_B) const noexcept {
         return covers_ && box_B_.contains(point_B);
@@ -51,6 +61,12 @@ class NearbyTriangles {
     // The last sweep's triangles: one that goes back on its way needs no others.
     static constexpr std::size_t kMaxAsked = 32;
 
+    struct Ahead {
+        BoundingTree::LeafSearch search;
+        std::array<std::int32_t, kCapacity> leaves{};
+        Box box_B{};
+    };
+
     std::array<PreparedTriangle, kMaxAsked> asked_;
     std::size_t n_asked_ = kMaxAsked + 1;  // more than fit: nothing is remembered
     StepBox asked_box_{};
@@ -58,6 +74,7 @@ class NearbyTriangles {
     std::size_t n_leaves_ = 0;
     Box box_B_;
     bool covers_ = false;
+    Ahead ahead_;
 };
 
 }  // namespace fulcrum

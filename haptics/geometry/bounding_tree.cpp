@@ -103,14 +103,30 @@ std::size_t BoundingTree::memory_bytes() const noexcept {
 
 std::optional<std::size_t> BoundingTree::collect_leaves(
     const Box& box, std::span<std::int32_t> leaves) const noexcept {
-    std::size_t n_found = 0;
-    for_each_leaf(box, [&](std::int32_t leaf, unsigned) noexcept {
-        if (n_found < leaves.size()) {
-            leaves[n_found] = leaf;
+    LeafSearch search;
+    search.begin(*this, box);
+    go_on(search, std::numeric_limits<std::int32_t>::max(), leaves);
+    return search.n_found() <= leaves.size() ? std::optional(search.n_found()) : std::nullopt;
+}
+
+void BoundingTree::LeafSearch::begin(const BoundingTree& tree, const Box& box) noexcept {
+    steps_ = tree.grid_.to_steps(box);
+    n_found_ = 0;
+    stack_.n = 0;
+    if (tree.root_box_.overlaps(box)) {
+        stack_.places[stack_.n++] = {0, 0, 0.0F};
+    }
+}
+
+bool BoundingTree::go_on(LeafSearch& search, std::int32_t n_nodes,
+                         std::span<std::int32_t> leaves) const noexcept {
+    visit_stacked(search.stack_, search.steps_, n_nodes, [&](std::int32_t leaf, unsigned) noexcept {
+        if (search.n_found_ < leaves.size()) {
+            leaves[search.n_found_] = leaf;
         }
-        return ++n_found <= leaves.size();
+        return ++search.n_found_ <= leaves.size();
     });
-    return n_found <= leaves.size() ? std::optional(n_found) : std::nullopt;
+    return !search.is_over();
 }
 
 void BoundingTree::build_nodes(const TriangleMesh& mesh) {

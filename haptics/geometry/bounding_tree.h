@@ -18,6 +18,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -51,6 +52,12 @@ class BoundingTree {
     /// nothing when they are more than fit.
     [[nodiscard]] std::optional<std::size_t> collect_leaves(
         const Box& box, std::span<std::int32_t> leaves) const noexcept;
+
+    /// A `collect_leaves` in pieces, a few nodes at a time.
+    class LeafSearch;
+    /// Goes on with a search by up to `n_nodes` nodes; false when it is over, by then with all leaves or with too many.
+    bool go_on(LeafSearch& search, std::int32_t n_nodes,
+               std::span<std::int32_t> leaves) const noexcept;
 
     /// In the tree's own steps: triangles that `for_each_in_leaves` leaves out overlap no box within.
     [[nodiscard]] StepBox to_steps(const Box& box) const noexcept { return grid_.to_steps(box); }
@@ -87,9 +94,20 @@ class BoundingTree {
     // Deepest stack: all children of one node in each level.
     static constexpr std::size_t kStack = static_cast<std::size_t>(kMaxLevels) * kWidth;
 
+    // Nodes still to be looked into.
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the places are filled as it grows
+    struct Stack {
+        std::array<Place, kStack> places;
+        std::size_t n = 0;
+    };
+
     // Calls visit_leaf(leaf, overlapping children) until it returns false.
     template <class VisitLeaf>
     void for_each_leaf(const Box& box, VisitLeaf&& visit_leaf) const noexcept;
+    // The same from what is stacked, for `n_nodes` at most.
+    template <class VisitLeaf>
+    void visit_stacked(Stack& stack, const StepBox& steps, std::int32_t n_nodes,
+                       VisitLeaf&& visit_leaf) const noexcept;
     template <class Visit>
     static void visit_children(std::int32_t leaf, unsigned overlapping, Visit& visit) noexcept;
     void build_nodes(const TriangleMesh& mesh);
@@ -120,22 +138,43 @@ void BoundingTree::visit_children(std::int32_t leaf, unsigned overlapping, Visit
     }
 }
 
+class BoundingTree::LeafSearch {
+  public:
+    /// Over: nothing to look for.
+    LeafSearch() noexcept = default;
+    /// Anew, for the leaves that may hold a triangle overlapping `box`.
+    void begin(const BoundingTree& tree, const Box& box) noexcept;
+
+    [[nodiscard]] bool is_over() const noexcept { return stack_.n == 0; }
+    /// How many leaves were met so far; more than fit when there are too many.
+    [[nodiscard]] std::size_t n_found() const noexcept { return n_found_; }
+
+  private:
+    friend class BoundingTree;
+    StepBox steps_{};
+    Stack stack_;
+    std::size_t n_found_ = 0;
+};
+
 template <class VisitLeaf>
 void BoundingTree::for_each_leaf(const Box& box, VisitLeaf&& visit_leaf) const noexcept {
     if (!root_box_.overlaps(box)) {
         return;
     }
-    const StepBox steps = grid_.to_steps(box);
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filled as it grows
-    std::array<Place, kStack> stack;
-    std::size_t n_stacked = 0;
-    stack[n_stacked++] = {0, 0, 0.0F};
-    while (n_stacked > 0) {
-        const Place place = stack[--n_stacked];
+    Stack stack;
+    stack.places[stack.n++] = {0, 0, 0.0F};
+    visit_stacked(stack, grid_.to_steps(box), std::numeric_limits<std::int32_t>::max(), visit_leaf);
+}
+
+template <class VisitLeaf>
+void BoundingTree::visit_stacked(Stack& stack, const StepBox& steps, std::int32_t n_nodes,
+                                 VisitLeaf&& visit_leaf) const noexcept {
+    for (; stack.n > 0 && n_nodes > 0; --n_nodes) {
+        const Place place = stack.places[--stack.n];
         unsigned overlapping = find_overlapping(node_at(place), steps);
         if (place.level + 1 == n_levels_) {
             if (overlapping != 0 && !visit_leaf(place.index, overlapping)) {
-                return;
+                stack.n = 0;
             }
             continue;
         }
@@ -143,7 +182,7 @@ void BoundingTree::for_each_leaf(const Box& box, VisitLeaf&& visit_leaf) const n
             const Place child{place.level + 1, place.index * kWidth + std::countr_zero(overlapping),
                               0.0F};
             prefetch(&node_at(child), sizeof(EightBoxes));
-            stack[n_stacked++] = child;
+            stack.places[stack.n++] = child;
             overlapping &= overlapping - 1U;
         }
     }

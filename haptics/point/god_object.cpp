@@ -13,6 +13,8 @@ namespace {
 constexpr double kNoMotion = 0.01;
 // A plane counts as respected up to this part of the clearance.
 constexpr double kSlack = 0.25;
+// A step with no more sweeps than this has time to look ahead for the next ones.
+constexpr int kFewSweeps = 6;
 
 bool is_usable(const Vector3& hand_W) noexcept {
     return hand_W.allFinite() && largest_component(hand_W) <= GodObject::kFarthest_m;
@@ -61,7 +63,17 @@ const ProxyContact& GodObject::follow(const Vector3& goal_W) noexcept {
     find_near_solids(goal_W);
     follow_goal(goal_W);
     publish(goal_W);
+    look_ahead();
     return contact_;
+}
+
+void GodObject::look_ahead() noexcept {
+    if (planes_.count == 0 || n_sweeps_ > kFewSweeps) {
+        return;
+    }
+    for (const std::int32_t index : near_solids()) {
+        solids_[static_cast<std::size_t>(index)].look_ahead(reach_m_);
+    }
 }
 
 void GodObject::find_near_solids(const Vector3& goal_W) noexcept {

@@ -84,6 +84,7 @@ class GodObject final : public SurfaceObject {
         return {near_.data(), n_near_};
     }
     void follow_goal(const Vector3& goal_W) noexcept;
+    void look_ahead() noexcept;
     [[nodiscard]] bool find_way_on(const Vector3& goal_W) noexcept;
     [[nodiscard]] bool try_without(const Vector3& goal_W, unsigned kept) noexcept;
     [[nodiscard]] static Vector3 constrain(const Vector3& wish, const Vector3& from_W,

@@ -79,13 +79,14 @@ Vector3 HeldPlanes<Plane>::constrain(const Vector3& wish, double slack,
         count = std::min<std::size_t>(count, 3);
         return Vector3::Zero();
     }
-    HeldPlanes pushing;
-    pushing.count = static_cast<std::size_t>(found.n_active);
-    for (std::size_t i = 0; i < pushing.count; ++i) {
-        pushing.plane[i] = plane[static_cast<std::size_t>(found.active[i])];
-        pushing.push_m[i] = found.multiplier[i];
+    // The active ones are in order, so none is written over before it has moved up.
+    count = static_cast<std::size_t>(found.n_active);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (const auto from = static_cast<std::size_t>(found.active[i]); from != i) {
+            plane[i] = plane[from];
+        }
+        push_m[i] = found.multiplier[i];
     }
-    *this = pushing;
     return found.position;
 }
 

@@ -19,6 +19,14 @@ constexpr double kLeastMargin = 1.0;
 constexpr double kMostMargin = 4.0;
 constexpr double kMarginStep = 1.25;
 constexpr std::size_t kFewLeaves = NearbyTriangles::kCapacity / 4;
+// The next triangles are collected around where the proxy will be so many steps on, once it is that near to the end of the
+// present ones; in one step by a share of the tree's nodes, so that no step pays for a whole search.
+constexpr double kStepsAhead = 3.0;
+constexpr std::int32_t kNodesAhead = 16;
+// A motion longer than this many reaches leads into the stuff: most likely it is stopped in its first part, over which fewer
+// triangles lie.
+constexpr double kLongMotion = 1.5;
+constexpr double kFirstPart = 0.1;  // reaches
 
 }  // namespace
 
@@ -40,6 +48,30 @@ void MovingSolid::collect_nearby(const Vector3& end_B, double reach_m) noexcept 
     const Vector3 margin = Vector3::Constant(margin_ * reach_m);
     const bool fits = nearby_.collect(
         *mesh_, {proxy_B().cwiseMin(end_B) - margin, proxy_B().cwiseMax(end_B) + margin});
+    adapt_margin(fits);
+}
+
+void MovingSolid::look_ahead(double reach_m) noexcept {
+    const Vector3 ahead_B = kStepsAhead * (proxy_B() - last_proxy_B_);
+    last_proxy_B_ = proxy_B();
+    if (structure_ || !nearby_.covers(proxy_B())) {
+        return;
+    }
+    if (!nearby_.is_collecting_ahead()) {
+        const Vector3 next_B = proxy_B() + ahead_B;
+        if (nearby_.covers(next_B)) {
+            return;
+        }
+        const Vector3 margin = Vector3::Constant(margin_ * reach_m);
+        nearby_.begin_ahead(*mesh_, {next_B - margin, next_B + margin});
+    }
+    const Collecting collected = nearby_.go_on_ahead(*mesh_, kNodesAhead);
+    if (collected != Collecting::goes_on) {
+        adapt_margin(collected == Collecting::done);
+    }
+}
+
+void MovingSolid::adapt_margin(bool fits) noexcept {
     if (!fits) {
         margin_ = std::max(kLeastMargin, margin_ / (kMarginStep * kMarginStep));
     } else if (nearby_.n_leaves() <= kFewLeaves) {
@@ -62,7 +94,14 @@ SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W, double reach_m) noexce
         part = nearby_.covers(proxy_B()) ? nearby_.find_covered_part(proxy_B(), to_B) : 0.0;
     }
     if (part > 0.0) {
-        const SegmentHit hit = nearby_.find_nearest_hit(*mesh_, proxy_B(), to_B, part);
+        SegmentHit hit;
+        if (length_m * part > kLongMotion * reach_m) {
+            hit =
+                nearby_.find_nearest_hit(*mesh_, proxy_B(), to_B, kFirstPart * reach_m / length_m);
+        }
+        if (!hit.found()) {
+            hit = nearby_.find_nearest_hit(*mesh_, proxy_B(), to_B, part);
+        }
         if (part == 1.0 || hit.found()) {
             return hit;
         }

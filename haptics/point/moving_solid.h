@@ -1,6 +1,7 @@
 // One solid as a proxy sees it: a mesh, where it is now, and where in its own frame the proxy was last.
 //
-// Thread: haptic loop. Cost: a sweep is some tens of nanoseconds near the last one, O(log n) elsewhere; no allocation.
+// Thread: haptic loop. Cost: a sweep is some tens of nanoseconds near the last one, O(log n) elsewhere; looking ahead a bounded
+// part of a search a step; no allocation.
 #pragma once
 
 #include "haptics/collision/enclosure.h"
@@ -40,6 +41,9 @@ class MovingSolid : public ProxyFrame {
     /// The same, by the triangles remembered around the proxy; collects them anew, `reach_m` around, when needed.
     [[nodiscard]] SegmentHit sweep_nearby(const Vector3& to_W, double reach_m) noexcept;
 
+    /// At the end of a step in which the proxy came `reach_m`: collects part of the triangles that it will need next.
+    void look_ahead(double reach_m) noexcept;
+
     /// How often triangles had to be searched for from the root in `sweep_nearby`: what it cost.
     [[nodiscard]] std::uint64_t n_searches() const noexcept { return n_searches_; }
 
@@ -66,6 +70,7 @@ class MovingSolid : public ProxyFrame {
 
     // Remembers the triangles around the proxy and its way to `end_B`, as far around as they fit.
     void collect_nearby(const Vector3& end_B, double reach_m) noexcept;
+    void adapt_margin(bool fits) noexcept;
 
     std::shared_ptr<const CollisionMesh> mesh_;
     std::unique_ptr<SegmentStructure> structure_;  // none: the mesh's own tree, and what is nearby
@@ -73,6 +78,7 @@ class MovingSolid : public ProxyFrame {
     bool lets_out_;
     NearbyTriangles nearby_;
     double margin_ = 2.0;  // how far around they are collected, of the reach asked for
+    Vector3 last_proxy_B_{Vector3::Zero()};  // where the last look ahead was from
     std::uint64_t n_searches_ = 0;
 };
 

@@ -13,6 +13,30 @@ constexpr double kMultiplierSlack = 1.0e-12;
 
 using Planes = std::span<const PlaneConstraint>;
 
+bool respects(const Vector3& position, const Planes& planes, double slack_m) noexcept {
+    for (const PlaneConstraint& plane : planes) {
+        if (!(plane.normal.dot(position) >= plane.gap_m - slack_m)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// The foot on one plane that the wish lies behind.
+bool try_plane(const Vector3& wish, const Planes& planes, int index, double slack_m,
+               ConstrainedPoint& found) noexcept {
+    const PlaneConstraint& plane = planes[static_cast<std::size_t>(index)];
+    const double square = plane.normal.squaredNorm();
+    const double push = (plane.gap_m - plane.normal.dot(wish)) / square;
+    const Vector3 foot = wish + push * plane.normal;
+    if (!(square > kParallel * kParallel) || !(push >= 0.0) || !respects(foot, planes, slack_m)) {
+        return false;
+    }
+    found = {
+        .position = foot, .n_active = 1, .active = {index}, .multiplier = {push}, .feasible = true};
+    return true;
+}
+
 // One active plane after another: the direction in which it pushes without disturbing those before it.
 class ActiveSet {
   public:
@@ -59,15 +83,7 @@ class ActiveSet {
         return all_push;
     }
 
-    [[nodiscard]] bool respects(const Planes& planes, double slack_m) const noexcept {
-        for (const PlaneConstraint& plane : planes) {
-            if (!(plane.normal.dot(position_) >= plane.gap_m - slack_m)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
+    [[nodiscard]] const Vector3& position() const noexcept { return position_; }
     [[nodiscard]] ConstrainedPoint result() const noexcept {
         return {position_, static_cast<int>(n_), indices_, multipliers_, true};
     }
@@ -92,16 +108,15 @@ bool try_set(const Vector3& wish, const Planes& planes, unsigned set, double sla
         }
     }
     if (!active.find_multipliers(kMultiplierSlack * wish.norm()) ||
-        !active.respects(planes, slack_m)) {
+        !respects(active.position(), planes, slack_m)) {
         return false;
     }
     found = active.result();
     return true;
 }
 
-// Sets of up to three of four planes, fewest first.
-constexpr std::array<unsigned, 15> kSets{0b0000, 0b0001, 0b0010, 0b0100, 0b1000,
-                                         0b0011, 0b0101, 0b0110, 0b1001, 0b1010,
+// Sets of two and three of four planes, fewest first.
+constexpr std::array<unsigned, 10> kSets{0b0011, 0b0101, 0b0110, 0b1001, 0b1010,
                                          0b1100, 0b0111, 0b1011, 0b1101, 0b1110};
 
 }  // namespace
@@ -110,6 +125,16 @@ ConstrainedPoint compute_constrained_point(const Vector3& wish,
                                            std::span<const PlaneConstraint> planes,
                                            double slack_m) noexcept {
     ConstrainedPoint found;
+    if (respects(wish, planes, slack_m)) {
+        found.position = wish;
+        found.feasible = true;
+        return found;
+    }
+    for (int i = 0; i < static_cast<int>(planes.size()); ++i) {
+        if (try_plane(wish, planes, i, slack_m, found)) {
+            return found;
+        }
+    }
     const unsigned given = (1U << planes.size()) - 1U;
     for (const unsigned set : kSets) {
         if ((set & ~given) == 0 && try_set(wish, planes, set, slack_m, found)) {

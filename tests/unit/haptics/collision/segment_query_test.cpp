@@ -238,6 +238,47 @@ TEST_CASE("segment query: a way back and a way aside after a sweep are answered 
     CHECK(n_hits > 2000);
 }
 
+TEST_CASE("segment query: the next triangles are collected ahead while the present ones serve") {
+    const auto mesh = make_collision_mesh(make_bumpy_sphere(1.0, 30, 0.05, 9.0));
+    const auto box_at = [](const Vector3& centre) {
+        return Box{centre - Vector3::Constant(0.05), centre + Vector3::Constant(0.05)};
+    };
+    std::mt19937_64 random(41);
+    std::normal_distribution<double> normal;
+    const auto vector = [&] { return Vector3(normal(random), normal(random), normal(random)); };
+    NearbyTriangles nearby;
+    int n_hits = 0;
+    for (int round = 0; round < 500; ++round) {
+        const Vector3 here = vector().normalized();
+        const Vector3 next = here + 0.08 * vector().normalized();
+        REQUIRE(nearby.collect(*mesh, box_at(here)));
+        nearby.begin_ahead(*mesh, box_at(next));
+        Collecting collecting = Collecting::goes_on;
+        while (nearby.is_collecting_ahead()) {
+            REQUIRE(collecting == Collecting::goes_on);
+            REQUIRE(nearby.covers(here));
+            const Vector3 from = here + 0.01 * vector().normalized();
+            const Vector3 to = here - 0.02 * vector().normalized();
+            REQUIRE(nearby.find_nearest_hit(*mesh, from, to, 1.0).triangle ==
+                    find_nearest_hit(*mesh, from, to).triangle);
+            collecting = nearby.go_on_ahead(*mesh, 2);
+        }
+        REQUIRE(collecting == Collecting::done);
+        REQUIRE(nearby.covers(next));
+        const Vector3 from = next + 0.04 * vector().normalized();
+        const Vector3 to = next - 0.04 * vector().normalized();
+        const SegmentHit near = nearby.find_nearest_hit(*mesh, from, to, 1.0);
+        REQUIRE(near.triangle == find_nearest_hit(*mesh, from, to).triangle);
+        n_hits += near.found() ? 1 : 0;
+    }
+    CHECK(n_hits > 50);
+    // One that does not fit leaves the present ones in place.
+    REQUIRE(nearby.collect(*mesh, box_at(Vector3::UnitX())));
+    nearby.begin_ahead(*mesh, {Vector3::Constant(-2.0), Vector3::Constant(2.0)});
+    CHECK(nearby.go_on_ahead(*mesh, 1000000) == Collecting::too_many);
+    CHECK(nearby.covers(Vector3::UnitX()));
+}
+
 TEST_CASE("segment query: too many triangles for the near set leave the answer to the tree") {
     const auto mesh = make_collision_mesh(make_sphere(1.0, 8));
     NearbyTriangles nearby;

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
@@ -71,6 +72,47 @@ TEST_CASE("bounding tree: a box query misses no triangle and finds few others, a
               n_expected +
                   n_expected / 100);  // 16-bit steps are a hundredth of a triangle or finer
     }
+}
+
+TEST_CASE("bounding tree: leaves searched for in pieces are those of one search") {
+    const BoundingTree tree(*make_bumpy_sphere(1.0, 40, 0.1, 7.0));
+    const auto as_set = [](std::span<const std::int32_t> leaves) {
+        return std::set<std::int32_t>(leaves.begin(), leaves.end());
+    };
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    BoundingTree::LeafSearch search;
+    CHECK(search.is_over());
+    int n_too_many = 0;
+    int n_in_pieces = 0;
+    for (int round = 0; round < 500; ++round) {
+        const Vector3 centre = 1.1 * Vector3(unit(random), unit(random), unit(random));
+        const Vector3 half = Vector3::Constant(0.25 * std::abs(unit(random)));
+        const Box box{centre - half, centre + half};
+        std::array<std::int32_t, 24> at_once{};
+        std::array<std::int32_t, 24> in_pieces{};
+        const auto n_at_once = tree.collect_leaves(box, at_once);
+        search.begin(tree, box);
+        int n_pieces = 1;
+        for (; tree.go_on(search, 1 + round % 7, in_pieces); ++n_pieces) {
+            REQUIRE_FALSE(search.is_over());
+        }
+        REQUIRE(search.is_over());
+        n_in_pieces += n_pieces > 1 ? 1 : 0;
+        if (!n_at_once) {
+            REQUIRE(search.n_found() > in_pieces.size());
+            ++n_too_many;
+            continue;
+        }
+        REQUIRE(search.n_found() == *n_at_once);
+        REQUIRE(as_set(std::span(in_pieces).first(*n_at_once)) ==
+                as_set(std::span(at_once).first(*n_at_once)));
+    }
+    CHECK(n_too_many > 20);
+    CHECK(n_in_pieces > 200);
+    // Far from all triangles it is over at once.
+    search.begin(tree, {Vector3::Constant(5.0), Vector3::Constant(6.0)});
+    CHECK(search.is_over());
 }
 
 TEST_CASE("bounding tree: points on a box's very edge are found") {

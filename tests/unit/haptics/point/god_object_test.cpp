@@ -272,8 +272,8 @@ TEST_CASE("god object: triangles are at hand from step to step, as often at any 
         }
         CHECK(n_searches[0] == n_searches[1]);
         CHECK(n_searches[2] == n_searches[1]);
-        CHECK(n_searches[1] > 200);
-        CHECK(n_searches[1] < 2000);
+        CHECK(n_searches[1] > 0);
+        CHECK(n_searches[1] < 200);
     }
 }
 

@@ -78,6 +78,29 @@ TEST_CASE("moving solid: what is remembered around the proxy answers as the tree
     CHECK(n_hits > 1000);
 }
 
+TEST_CASE("moving solid: one that looks ahead answers as the tree does and seldom has to search") {
+    const auto slide = [](bool looks_ahead) {
+        MovingSolid ball = make_solid(make_bumpy_sphere(1.0, 70, 0.03, 20.0), kPose);
+        for (int step = 0; step < 2000; ++step) {
+            const double turn = 0.004 * step;
+            const Vector3 at = 1.035 * Vector3(std::cos(turn), std::sin(turn), 0.1).normalized();
+            ball.put_proxy(kPose * at);
+            const Vector3 to = kPose * (0.99 * at);
+            const SegmentHit near = ball.sweep_nearby(to, 0.004);
+            const SegmentHit all = ball.sweep(to);
+            REQUIRE(near.triangle == all.triangle);
+            REQUIRE(near.t == all.t);
+            if (looks_ahead) {
+                ball.look_ahead(0.004);
+            }
+        }
+        return ball.n_searches();
+    };
+    const std::uint64_t n_without = slide(false);
+    CHECK(n_without > 100);
+    CHECK(slide(true) * 5 < n_without);
+}
+
 TEST_CASE("moving solid: over a triangle means that the foot lies within its edges") {
     MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), kPose);
     for (const double height : {-0.3, 1e-9, 2.0}) {
