@@ -162,6 +162,9 @@ float FieldSampler::take_leaf(std::size_t thinning, std::size_t leaf, const Fiel
                            shell_->count_in(thinning, leaf), settings_.along, lanes_);
     deepest_steps_ = std::min(deepest_steps_, least);
     ++touch_.n_leaves;
+    if (slopes_O_ != nullptr && least < 0.0F) {
+        add_slopes(thinning, leaf, place, X_OT);
+    }
     // Only leaves that touch count, so that sums are the same in all modes.
     n_in_lanes_ += least < 0.0F ? 1 : 0;
     if (n_in_lanes_ == kMostInLanes) {

@@ -24,6 +24,7 @@
 // Impulse-based dynamic simulation, PhD thesis, Berkeley, section 2.3.2.
 #pragma once
 
+#include "haptics/math/wrench_jacobian.h"
 #include "haptics/voxel/ball_slack.h"
 
 #include <algorithm>
@@ -77,10 +78,17 @@ class FieldSampler {
     /// before a touch, or short of it after `kMaxAdvances` steps.
     [[nodiscard]] double find_first_touch(const Pose& from_OT, const Pose& to_OT) noexcept;
 
+    /// The same as `step`; adds the wrench's derivatives by the tool's pose, W, rows and columns as in wrench_jacobian.h. Exact
+    /// within a cell of the field, jumps from cell to cell by the surface's bend.
+    [[nodiscard]] FieldTouch step_linearised(const Pose& X_WO, const Pose& X_WT,
+                                             Matrix6& by_pose_W) noexcept;
+
     /// Forgets what was known to be free.
     void reset() noexcept;
 
     [[nodiscard]] const FieldSamplingSettings& settings() const noexcept { return settings_; }
+    [[nodiscard]] const DistanceField& field() const noexcept { return *field_; }
+    [[nodiscard]] const ShellTree& shell() const noexcept { return *shell_; }
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
     static constexpr double kNearTouch_voxels = 0.05;
@@ -136,6 +144,8 @@ class FieldSampler {
     void take_units(const Choice& choice, const FieldPlace& place, const Pose& X_OT) noexcept;
     float take_leaf(std::size_t thinning, std::size_t leaf, const FieldPlace& place,
                     const Pose& X_OT) noexcept;
+    void add_slopes(std::size_t thinning, std::size_t leaf, const FieldPlace& place,
+                    const Pose& X_OT) noexcept;
     void empty_lanes(const Pose& X_OT) noexcept;
     void remember_groups() noexcept;
     [[nodiscard]] double bound_clearance_voxels(const Pose& X_OT) noexcept;
@@ -158,6 +168,7 @@ class FieldSampler {
     ContactSums half_difference_;
     float deepest_steps_ = 0.0F;
     FieldTouch touch_;
+    Matrix6* slopes_O_ = nullptr;  // where derivatives are asked for; over the stiffness
 };
 
 }  // namespace fulcrum

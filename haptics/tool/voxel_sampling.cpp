@@ -1,6 +1,6 @@
 #include "haptics/tool/voxel_sampling.h"
 
-#include "haptics/math/rotation.h"
+#include "haptics/math/turned_slopes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,12 +55,9 @@ Wrench to_wrench(const std::array<double, 6>& sums, double force, double voxel_m
 
 // Rows of force and torque, columns of metres and radians, from voxels and T.
 Matrix6 to_slopes(const Matrix6& sums, double force, double voxel_m, const Matrix3& R_WT) noexcept {
-    Matrix6 slopes;
-    const auto turned = [&](const Matrix3& m) { return Matrix3(R_WT * m * R_WT.transpose()); };
-    slopes.topLeftCorner<3, 3>() = force / voxel_m * turned(sums.topLeftCorner<3, 3>());
-    slopes.topRightCorner<3, 3>() = force * turned(sums.topRightCorner<3, 3>());
-    slopes.bottomLeftCorner<3, 3>() = force * turned(sums.bottomLeftCorner<3, 3>());
-    slopes.bottomRightCorner<3, 3>() = force * voxel_m * turned(sums.bottomRightCorner<3, 3>());
+    Matrix6 slopes = force * compute_turned(sums, R_WT);
+    slopes.leftCols<3>() /= voxel_m;
+    slopes.bottomRows<3>() *= voxel_m;
     return slopes;
 }
 
@@ -109,12 +106,6 @@ double compute_braking_Ns_per_m(const VoxelSamplingSettings& settings,
             ? settings.braking_Ns_per_m
             : settings.inertia.mass_kg / (2.0 * settings.cycle_s * sums.brake_share);
     return std::min(wanted, power / (settings.cycle_s * yielding));
-}
-
-// Everything but d turns with the tool: F and torque themselves.
-void add_turned(const Wrench& wrench, Matrix6& pose) noexcept {
-    pose.topRightCorner<3, 3>() -= compute_skew(wrench.force);
-    pose.bottomRightCorner<3, 3>() -= compute_skew(wrench.torque);
 }
 
 }  // namespace
@@ -173,7 +164,7 @@ VoxelContact VoxelSampling::sample_all(const RigidState& state, const MovingFram
         pushed += share.by_fullness * Eigen::Map<const Vector6>(sums.push.data()) *
                   sums.fullness_by_pose.transpose();
         jacobian->pose += to_slopes(pushed, spring_N, s, R_WT);
-        add_turned(springs, jacobian->pose);
+        add_turning(springs, jacobian->pose);  // everything but d turns with the tool
         jacobian->pose += to_slopes(sums.brake_by.pose, brake_N, s, R_WT);
         jacobian->velocity += to_slopes(sums.brake_by.velocity, brake_N, s, R_WT);
     }
@@ -191,41 +182,6 @@ VoxelContact VoxelSampling::sample(const RigidState& state,
 VoxelContact VoxelSampling::sample_linearised(const RigidState& state, const MovingFrame& object,
                                               WrenchJacobian& jacobian) const noexcept {
     return sample_all<true>(state, object, &jacobian);
-}
-
-void VoxelSamplingLoad::set_object(const MovingFrame& object, double time_s) noexcept {
-    object_ = object;
-    object_time_s_ = time_s;
-}
-
-MovingFrame VoxelSamplingLoad::compute_object(double time_s) const noexcept {
-    const double later_s = time_s - object_time_s_;
-    MovingFrame moved = object_;
-    moved.pose_W.position += later_s * object_.velocity_W.linear;
-    moved.pose_W.orientation =
-        compute_exp(later_s * object_.velocity_W.angular) * object_.pose_W.orientation;
-    return moved;
-}
-
-VoxelContact VoxelSamplingLoad::compute_contact(const RigidState& state,
-                                                double time_s) const noexcept {
-    return sampling_->sample(state, compute_object(time_s));
-}
-
-void VoxelSamplingLoad::add_wrench(const RigidState& state, double time_s,
-                                   Wrench& wrench) const noexcept {
-    const VoxelContact contact = compute_contact(state, time_s);
-    wrench.force += contact.wrench_W.force;
-    wrench.torque += contact.wrench_W.torque;
-}
-
-void VoxelSamplingLoad::add_linearised_wrench(const RigidState& state, double time_s,
-                                              Wrench& wrench,
-                                              WrenchJacobian& jacobian) const noexcept {
-    const VoxelContact contact =
-        sampling_->sample_linearised(state, compute_object(time_s), jacobian);
-    wrench.force += contact.wrench_W.force;
-    wrench.torque += contact.wrench_W.torque;
 }
 
 }  // namespace fulcrum

@@ -25,8 +25,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
-#include "haptics/coupling/tool_coupling.h"
-#include "haptics/dynamics/load.h"
+#include "haptics/tool/sampling_load.h"
 #include "haptics/tool/voxel_lanes.h"
 #include "haptics/voxel/pointshell.h"
 #include "haptics/voxel/voxmap.h"
@@ -121,28 +120,7 @@ class VoxelSampling {
     double reach_m_ = 0.0;
 };
 
-/// The same as a load on the tool, for every integrator. Refers to the sampling, which must live longer.
-// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): never deleted as a Load
-class VoxelSamplingLoad final : public Load {
-  public:
-    explicit VoxelSamplingLoad(const VoxelSampling& sampling) noexcept : sampling_(&sampling) {}
-
-    /// The object as it was at `time_s`; at another time it is that much further along its twist.
-    void set_object(const MovingFrame& object, double time_s) noexcept;
-    /// What the tool would touch in that state.
-    [[nodiscard]] VoxelContact compute_contact(const RigidState& state,
-                                               double time_s) const noexcept;
-
-    void add_wrench(const RigidState& state, double time_s, Wrench& wrench) const noexcept override;
-    void add_linearised_wrench(const RigidState& state, double time_s, Wrench& wrench,
-                               WrenchJacobian& jacobian) const noexcept override;
-
-  private:
-    [[nodiscard]] MovingFrame compute_object(double time_s) const noexcept;
-
-    const VoxelSampling* sampling_;
-    MovingFrame object_{};
-    double object_time_s_ = 0.0;
-};
+/// The same as a load on the tool, for every integrator.
+using VoxelSamplingLoad = SamplingLoad<VoxelSampling>;
 
 }  // namespace fulcrum

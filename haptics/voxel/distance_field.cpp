@@ -46,7 +46,7 @@ DistanceField::Place DistanceField::find_place(const Vector3& lattice) const noe
     return place;
 }
 
-DistanceSample DistanceField::interpolate(const Place& place) const noexcept {
+DistanceCurve DistanceField::interpolate(const Place& place) const noexcept {
     const Vector3& u = place.within;
     const auto value = [&](int x, int y, int z) noexcept {
         return static_cast<double>(place.corner[brick_corner_at(x, y, z)]);
@@ -65,15 +65,20 @@ DistanceSample DistanceField::interpolate(const Place& place) const noexcept {
     const std::array<double, 2> by_x_at_y{by_x[0] + u.y() * (by_x[1] - by_x[0]),
                                           by_x[2] + u.y() * (by_x[3] - by_x[2])};
     const double by_z = along_y[1] - along_y[0];
-    const Vector3 slope(by_x_at_y[0] + u.z() * (by_x_at_y[1] - by_x_at_y[0]),
-                        by_y[0] + u.z() * (by_y[1] - by_y[0]), by_z);
-    return {step_m() * (along_y[0] + u.z() * by_z), step_m() / frame_.voxel_m * slope};
+    const double by_xz = by_x_at_y[1] - by_x_at_y[0];
+    const double by_yz = by_y[1] - by_y[0];
+    const std::array<double, 2> by_xy{by_x[1] - by_x[0], by_x[3] - by_x[2]};
+    const Vector3 slope(by_x_at_y[0] + u.z() * by_xz, by_y[0] + u.z() * by_yz, by_z);
+    const Vector3 bend(by_yz, by_xz, by_xy[0] + u.z() * (by_xy[1] - by_xy[0]));
+    const double per_voxel = step_m() / frame_.voxel_m;
+    return {{step_m() * (along_y[0] + u.z() * by_z), per_voxel * slope},
+            per_voxel / frame_.voxel_m * bend};
 }
 
-DistanceSample DistanceField::sample(const Vector3& p_O) const noexcept {
+DistanceCurve DistanceField::sample_curve(const Vector3& p_O) const noexcept {
     const Vector3 lattice = frame_.to_lattice(p_O);
     if (clamp_to_block(lattice) != lattice) {
-        return {band_m_, Vector3::Zero()};
+        return {{band_m_, Vector3::Zero()}, Vector3::Zero()};
     }
     return interpolate(find_place(lattice));
 }
@@ -83,7 +88,7 @@ double DistanceField::bound_distance_m(const Vector3& p_O) const noexcept {
     const Vector3 nearest = clamp_to_block(lattice);
     const double outside = (lattice - nearest).norm();
     const Place place = find_place(nearest);
-    const double value_m = interpolate(place).value_m;
+    const double value_m = interpolate(place).sample.value_m;
     // From the brick's centre, and from F itself.
     const double from_centre =
         std::abs(static_cast<double>(place.entry->centre_voxels)) - place.from_centre.norm();

@@ -59,6 +59,20 @@ struct DistanceSample {
     Vector3 slope{Vector3::Zero()};  ///< metres a metre, object's frame; zero beyond the band
 };
 
+/// The same and how the gradient changes within the cell: F is linear along each axis there, so only its mixed second derivatives
+/// are not zero.
+struct DistanceCurve {
+    DistanceSample sample{};
+    Vector3 bend{Vector3::Zero()};  ///< by y and z, by x and z, by x and y; 1/m
+
+    /// All second derivatives, 1/m.
+    [[nodiscard]] Matrix3 hessian() const noexcept {
+        Matrix3 all;
+        all << 0.0, bend.z(), bend.y(), bend.z(), 0.0, bend.x(), bend.y(), bend.x(), 0.0;
+        return all;
+    }
+};
+
 class DistanceField {
   public:
     static constexpr std::int32_t kFree = 0;    ///< the brick of +b
@@ -87,7 +101,11 @@ class DistanceField {
                                                        const LoadProgress& progress = {});
 
     /// F at any point, inside the block or not.
-    [[nodiscard]] DistanceSample sample(const Vector3& p_O) const noexcept;
+    [[nodiscard]] DistanceSample sample(const Vector3& p_O) const noexcept {
+        return sample_curve(p_O).sample;
+    }
+    /// The same with its second derivatives.
+    [[nodiscard]] DistanceCurve sample_curve(const Vector3& p_O) const noexcept;
     /// How far from `p_O` F is surely above 0 in all directions; 0 where F is 0 or below.
     [[nodiscard]] double find_free_radius_m(const Vector3& p_O) const noexcept;
     /// A lower bound of the distance to the mesh, with its sign: below 0 inside; 0 where nothing is known.
@@ -126,7 +144,7 @@ class DistanceField {
         Vector3 from_centre{Vector3::Zero()};  // of the brick, voxels
     };
     [[nodiscard]] Place find_place(const Vector3& lattice) const noexcept;
-    [[nodiscard]] DistanceSample interpolate(const Place& place) const noexcept;
+    [[nodiscard]] DistanceCurve interpolate(const Place& place) const noexcept;
     // The block's point nearest to a place, both in voxels.
     [[nodiscard]] Vector3 clamp_to_block(const Vector3& lattice) const noexcept;
 

@@ -1,0 +1,74 @@
+// How the force of field_sampling.h changes with the tool's pose. For a point at r from the tool's origin, g = grad F, H its
+// second derivatives, B = (I; [r]) what a force at the point is as a wrench:
+//   slopes    f = -k F g        dW = -k B (g g^T + F H) B^T dx + (0; [f][r] dtheta)
+//   normals   f = -k F n        dW = -k (n; r x n) (g; r x g)^T dx, and f turns with the tool
+#include "haptics/math/turned_slopes.h"
+#include "haptics/tool/field_sampling.h"
+
+#include <array>
+
+namespace fulcrum {
+namespace {
+
+// A force at the arm as a wrench.
+Vector6 at_arm(const Vector3& arm, const Vector3& force) noexcept {
+    Vector6 wrench;
+    wrench << force, arm.cross(force);
+    return wrench;
+}
+
+// Of one point's force by slopes, over the stiffness.
+void add_point_slopes(const DistanceCurve& curve, const Vector3& arm_O, Matrix6& slopes) noexcept {
+    const DistanceSample& at = curve.sample;
+    PointForce point;
+    point.force = -at.value_m * at.slope;
+    point.by_position = -at.slope * at.slope.transpose() - at.value_m * curve.hessian();
+    const Matrix3 arm = compute_skew(arm_O);
+    const Matrix3 by_turn = -point.by_position * arm;
+    slopes.topLeftCorner<3, 3>() += point.by_position;
+    slopes.topRightCorner<3, 3>() += by_turn;
+    slopes.bottomLeftCorner<3, 3>() += arm * point.by_position;
+    slopes.bottomRightCorner<3, 3>() += arm * by_turn + compute_skew(point.force) * arm;
+}
+
+}  // namespace
+
+void FieldSampler::add_slopes(std::size_t thinning, std::size_t leaf, const FieldPlace& place,
+                              const Pose& X_OT) noexcept {
+    const ShellPoints points = shell_->points(thinning, leaf);
+    std::array<float, kLeafPoints> values{};
+    kernels_->sample(bounds_.view, place, points, kLeafPoints, values.data(), nullptr);
+    const std::size_t n = shell_->count_in(thinning, leaf);
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!(values[i] < 0.0F)) {
+            continue;
+        }
+        const Vector3 arm_O = X_OT.orientation * Vector3(points.x[i], points.y[i], points.z[i]);
+        const DistanceCurve curve = field_->sample_curve(X_OT.position + arm_O);
+        if (settings_.along == ForceAlong::slopes) {
+            add_point_slopes(curve, arm_O, *slopes_O_);
+        } else {
+            const Vector3 n_O =
+                X_OT.orientation * Vector3(points.nx[i], points.ny[i], points.nz[i]);
+            *slopes_O_ -= at_arm(arm_O, n_O) * at_arm(arm_O, curve.sample.slope).transpose();
+        }
+    }
+}
+
+FieldTouch FieldSampler::step_linearised(const Pose& X_WO, const Pose& X_WT,
+                                         Matrix6& by_pose_W) noexcept {
+    Matrix6 slopes_O = Matrix6::Zero();
+    slopes_O_ = &slopes_O;
+    const FieldTouch touch = step(X_WO, X_WT);
+    slopes_O_ = nullptr;
+    if (touch.n_touching > 0) {
+        const double k = settings_.stiffness_N_per_m * static_cast<double>(touch.weight);
+        by_pose_W += k * compute_turned(slopes_O, X_WO.orientation.toRotationMatrix());
+        if (settings_.along == ForceAlong::normals) {
+            add_turning(touch.wrench_W, by_pose_W);
+        }
+    }
+    return touch;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,211 @@
+#include "haptics/tool/field_load.h"
+
+#include "haptics/dynamics/integrator.h"
+#include "haptics/dynamics/loads.h"
+#include "haptics/geometry/shape.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <memory>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kRadius_m = 0.1;
+
+// A ball about ten voxels thick, so that its field bends.
+FieldSampler::Field small_ball() {
+    static const FieldSampler::Field kField = [] {
+        const TriangleMesh mesh = make_sphere(kRadius_m, 12).value();
+        return std::make_shared<const DistanceField>(
+            DistanceField::build(mesh, DistanceField::make_frame(mesh, 32).value()).value());
+    }();
+    return kField;
+}
+
+FieldSampling make_sampling(const Pointshell& shell, ForceAlong along) {
+    auto tree = std::make_shared<const ShellTree>(ShellTree::build(shell).value());
+    return FieldSampling::build({small_ball(), tree, {.stiffness_N_per_m = 200.0, .along = along}})
+        .value();
+}
+
+MovingFrame make_object() {
+    return {{{0.3, -0.2, 0.1}, compute_exp({0.4, 0.9, -0.3})}, {}};
+}
+
+RigidState make_state() {
+    RigidState state;
+    state.pose_W = {{0.28, -0.1, 0.12}, compute_exp({-0.2, 0.5, 1.1})};
+    return state;
+}
+
+// Points up to 1.3 voxels inside the ball, well within their cells, as a tool in that state has them.
+Pointshell make_inner_points(int n) {
+    const VoxelFrame& frame = small_ball()->frame();
+    const Pose X_OT = make_object().pose_W.inverse() * make_state().pose_W;
+    Random random(4);
+    Pointshell shell;
+    while (shell.size() < static_cast<std::size_t>(n)) {
+        const Vector3 u = random.direction();
+        const double depth_m = frame.voxel_m * (0.8 + 0.5 * random.uniform());
+        const Vector3 p_O = (kRadius_m - depth_m) * u;
+        const Vector3 g = frame.to_lattice(p_O);
+        const Vector3 within = g - Vector3(g.array().floor());
+        if (within.minCoeff() > 0.2 && within.maxCoeff() < 0.8) {
+            shell.add(X_OT.inverse() * p_O, (random.direction() + 2.0 * u).normalized());
+        }
+    }
+    return shell;
+}
+
+RigidState change(const RigidState& state, int column, double by) {
+    RigidState changed = state;
+    Vector6 d = Vector6::Zero();
+    d[column] = by;
+    changed.pose_W.position += d.head<3>();
+    changed.pose_W.orientation = compute_exp(d.tail<3>()) * state.pose_W.orientation;
+    return changed;
+}
+
+Vector6 to_vector(const Wrench& wrench) {
+    Vector6 v;
+    v << wrench.force, wrench.torque;
+    return v;
+}
+
+}  // namespace
+
+TEST_CASE("field load: derivatives are those of finite differences, along normals and slopes") {
+    for (const ForceAlong along : {ForceAlong::normals, ForceAlong::slopes}) {
+        const FieldSampling sampling = make_sampling(make_inner_points(60), along);
+        FieldSamplingLoad load(sampling);
+        load.set_object(make_object(), 0.0);
+        Wrench wrench;
+        WrenchJacobian jacobian;
+        load.add_linearised_wrench(make_state(), 0.0, wrench, jacobian);
+        CHECK(jacobian.velocity == Matrix6::Zero());
+        Matrix6 differences;
+        for (int column = 0; column < 6; ++column) {
+            // A tenth of a voxel, for a turn at the farthest point: no point leaves its cell.
+            const double way_m = 0.1 * sampling.frame().voxel_m;
+            const double step = column < 3 ? way_m : way_m / sampling.reach_m();
+            const VoxelContact more = load.compute_contact(change(make_state(), column, step), 0.0);
+            const VoxelContact less =
+                load.compute_contact(change(make_state(), column, -step), 0.0);
+            REQUIRE(more.n_surface == 60);
+            REQUIRE(less.n_surface == 60);
+            differences.col(column) =
+                (to_vector(more.wrench_W) - to_vector(less.wrench_W)) / (2.0 * step);
+        }
+        for (int row = 0; row < 6; row += 3) {
+            for (int column = 0; column < 6; column += 3) {
+                const Matrix3 given = jacobian.pose.block<3, 3>(row, column);
+                const Matrix3 found = differences.block<3, 3>(row, column);
+                // What is of third order in a tenth of a voxel, and single precision.
+                CHECK((given - found).norm() < 3.0e-3 * found.norm());
+            }
+        }
+    }
+}
+
+TEST_CASE("field load: with derivatives the wrench is the same, and both add to what there is") {
+    const FieldSampling sampling = make_sampling(make_inner_points(60), ForceAlong::slopes);
+    FieldSamplingLoad load(sampling);
+    load.set_object(make_object(), 0.0);
+    const VoxelContact contact = load.compute_contact(make_state(), 0.0);
+    CHECK(contact.n_surface == 60);
+    CHECK(contact.n_interior == 0);
+    CHECK(contact.deepest() == VoxelClass::surface);
+    Wrench plain{{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
+    Wrench linearised = plain;
+    WrenchJacobian jacobian;
+    load.add_wrench(make_state(), 0.0, plain);
+    load.add_linearised_wrench(make_state(), 0.0, linearised, jacobian);
+    CHECK(plain.force == linearised.force);
+    CHECK(plain.torque == linearised.torque);
+    CHECK((plain.force - Vector3(1.0, 2.0, 3.0) - contact.wrench_W.force).norm() < 1.0e-12);
+    CHECK((plain.torque - Vector3(4.0, 5.0, 6.0) - contact.wrench_W.torque).norm() < 1.0e-12);
+}
+
+TEST_CASE("field load: along normals the force is continuous from voxel to voxel") {
+    Pointshell shell;
+    shell.add(Vector3::Zero(), -Vector3::UnitX());
+    const FieldSampling sampling = make_sampling(shell, ForceAlong::normals);
+    const double voxel_m = sampling.frame().voxel_m;
+    constexpr int kSteps = 4000;
+    double last_N = 0.0;
+    double largest_N = 0.0;
+    for (int i = 0; i <= kSteps; ++i) {
+        // In on one side and out on the other, past the band where nothing changes any more.
+        const double x = 1.2 * kRadius_m * (1.0 - 2.0 * i / kSteps);
+        RigidState state;
+        state.pose_W.position = {x, 0.013, 0.007};
+        const double felt_N = sampling.sample(state, {}).wrench_W.force.x();
+        const double way_m = 2.4 * kRadius_m / kSteps;
+        REQUIRE(std::abs(felt_N - last_N) <
+                200.0 * (small_ball()->slope_bound() * way_m + 1.0e-4 * voxel_m));
+        largest_N = std::max(largest_N, std::abs(felt_N));
+        last_N = felt_N;
+    }
+    CHECK(largest_N == Approx(200.0 * small_ball()->band_m()).epsilon(1.0e-3));
+}
+
+TEST_CASE("field load: a touch begins at the surface, and a point as deep as the band is through") {
+    Pointshell shell;
+    shell.add(Vector3::Zero(), -Vector3::UnitX());
+    const FieldSampling sampling = make_sampling(shell, ForceAlong::slopes);
+    const auto look = [&](double x) {
+        RigidState state;
+        state.pose_W.position = {x, 0.0, 0.0};
+        return sampling.sample(state, {}).deepest();
+    };
+    const double voxel_m = sampling.frame().voxel_m;
+    CHECK(look(kRadius_m + 0.5 * voxel_m) == VoxelClass::free);
+    CHECK(look(kRadius_m - 0.5 * voxel_m) == VoxelClass::surface);
+    CHECK(look(kRadius_m - 2.0 * voxel_m) == VoxelClass::surface);
+    CHECK(look(kRadius_m - 4.0 * voxel_m) == VoxelClass::interior);
+    CHECK(sampling.n_points() == 1);
+    CHECK(sampling.memory_bytes() > small_ball()->memory_bytes());
+}
+
+TEST_CASE(
+    "field load: every integrator lets a ball fall on a ball and rest on the spring of its "
+    "points") {
+    // Down on the pole, where what pushes is a spring upwards; a turn is held by a spring of its own.
+    const Pointshell shell = make_surface_pointshell(make_sphere(0.02, 6).value(), 400).value();
+    const FieldSampling sampling = make_sampling(shell, ForceAlong::normals);
+    const Inertia inertia = make_ball_inertia(0.1, 0.02);
+    for (const Integrator integrator : kIntegrators) {
+        RigidState state;
+        state.pose_W.position = {0.0, kRadius_m + 0.021, 0.0};
+        ToolCouplingSettings coupling;
+        coupling.shift.stiffness_N_per_m = 100.0;
+        coupling =
+            make_critically_damped(coupling, inertia.mass_kg, inertia.moments_kg_m2.minCoeff());
+        ToolCouplingLoad hold(coupling, Vector3::Zero());
+        hold.set_handle({Pose::at({0.0, kRadius_m + 0.010, 0.0}), {}}, 0.0);
+        FieldSamplingLoad field(sampling);
+        const Loads loads(hold, field);
+        IntegratorSettings settings;
+        settings.integrator = integrator;
+        for (int i = 0; i < 4000; ++i) {
+            REQUIRE(step_rigid_body(settings, inertia, loads, 0.0, 5.0e-4, state).moved());
+        }
+        Wrench left;
+        loads.add_wrench(state, 0.0, left);
+        CHECK(left.force.norm() < 0.02);
+        CHECK(state.velocity_W.linear.norm() < 2.0e-3);
+        CHECK(field.compute_contact(state, 0.0).wrench_W.force.y() > 0.5);
+    }
+}
+
+TEST_CASE("field load: a plan without a field, and settings out of range, are refused") {
+    CHECK_FALSE(FieldSampling::build({}));
+    const auto tree =
+        std::make_shared<const ShellTree>(ShellTree::build(make_inner_points(3)).value());
+    CHECK_FALSE(FieldSampling::build({small_ball(), tree, {.stiffness_N_per_m = -1.0}}));
+    CHECK(FieldSampling::build({small_ball(), tree, {}}));
+}
