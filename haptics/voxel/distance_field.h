@@ -136,6 +136,7 @@ class DistanceField {
 
   private:
     friend class DistanceFieldBuilder;
+    friend class DistanceFieldBytes;
     // The cell of a point of the block, and where in it.
     struct Place {
         const Entry* entry = nullptr;

@@ -1,0 +1,47 @@
+// Distance fields, voxels and pointshells as bytes, so that what took long to make need not be made again; and back, checked.
+//
+//   bytes    mark (8) · version · kind (4 each) · key (32) · length (8) · that many bytes · SHA-256 of all before (32)
+//   key      SHA-256 over version, kind, the mesh's corners and triangles, and all settings as doubles
+// Numbers are little-endian. What is read is believed in nothing: mark, version, kind, key, length and checksum must be right, and
+// then every number within the range that the makers give it, so that no question to what was read can reach beyond it. No more
+// memory is asked for than the bytes fill; for voxels, which are kept as runs of one kind, no more than 512^3.
+//
+// Thread: load. Cost: 5 ns a byte, most of it the checksum.
+#pragma once
+
+#include "haptics/base/sha256.h"
+#include "haptics/voxel/distance_field.h"
+#include "haptics/voxel/pointshell.h"
+#include "haptics/voxel/voxel_grid.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace fulcrum {
+
+using Bytes = std::vector<std::byte>;
+
+/// Goes up with every change of the layout, or of what a maker makes of the same settings.
+inline constexpr std::uint32_t kShapeVersion = 1;
+
+enum class ShapeKind : std::uint32_t { distance_field = 1, voxel_grid = 2, pointshell = 3 };
+
+/// What a shape is made of: the same mesh and settings have the same key.
+[[nodiscard]] Digest compute_shape_key(ShapeKind kind, const TriangleMesh& mesh,
+                                       std::span<const double> settings);
+
+[[nodiscard]] Bytes encode(const DistanceField& field, const Digest& key);
+[[nodiscard]] Bytes encode(const VoxelGrid& grid, const Digest& key);
+[[nodiscard]] Bytes encode(const Pointshell& shell, const Digest& key);
+
+/// Each refuses bytes that are cut off, changed, of another version, kind or key, or that no maker made.
+[[nodiscard]] Expected<DistanceField> decode_distance_field(std::span<const std::byte> bytes,
+                                                            const Digest& key);
+[[nodiscard]] Expected<VoxelGrid> decode_voxel_grid(std::span<const std::byte> bytes,
+                                                    const Digest& key);
+[[nodiscard]] Expected<Pointshell> decode_pointshell(std::span<const std::byte> bytes,
+                                                     const Digest& key);
+
+}  // namespace fulcrum
