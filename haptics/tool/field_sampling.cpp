@@ -1,6 +1,7 @@
 #include "haptics/tool/field_sampling.h"
 
-#include "haptics/base/prefetch.h"
+#include "haptics/base/clock.h"
+#include "haptics/math/length.h"
 
 #include <algorithm>
 #include <bit>
@@ -26,7 +27,9 @@ double bound_motion_m(const Pose& from, const Pose& to, double reach_m) noexcept
 void FieldSampler::reset() noexcept {
     for (Level& level : levels_) {
         std::fill(level.free_until.begin(), level.free_until.end(), kAlways);
+        std::fill(level.hopeless_until.begin(), level.hopeless_until.end(), kAlways);
     }
+    last_touched_.clear();
     clock_voxels_ = 0.0;
     now_ = 0.0F;
     has_last_ = false;
@@ -34,8 +37,10 @@ void FieldSampler::reset() noexcept {
 
 void FieldSampler::rebase_clock() noexcept {
     for (Level& level : levels_) {
-        for (float& until : level.free_until) {
-            until -= now_;
+        for (std::vector<float>* const times : {&level.free_until, &level.hopeless_until}) {
+            for (float& time : *times) {
+                time -= now_;
+            }
         }
     }
     clock_voxels_ = 0.0;
@@ -63,7 +68,8 @@ float FieldSampler::search_level(std::size_t level, const FieldPlace& place, boo
     nodes_.clear();
     float least = HUGE_VALF;
     for (const std::int32_t group : here.groups) {
-        const auto first = ShellTree::kWidth * static_cast<std::size_t>(group);
+        const auto at = static_cast<std::size_t>(group);
+        const std::size_t first = ShellTree::kWidth * at;
         float* const until = here.free_until.data() + first;
         unsigned due = 0;
         for (unsigned i = 0; i < ShellTree::kWidth; ++i) {
@@ -72,32 +78,31 @@ float FieldSampler::search_level(std::size_t level, const FieldPlace& place, boo
         if (due == 0) {
             continue;
         }
+        const bool asks = !remembers || here.hopeless_until[at] <= now_;
         std::array<float, ShellTree::kWidth> slacks{};
-        find_slacks(bounds_, place, balls[static_cast<std::size_t>(group)], slacks);
-        ++touch_.n_groups;
+        if (asks) {
+            find_slacks(bounds_, place, balls[at], slacks);
+            ++touch_.n_groups;
+        }
+        float hopeless = HUGE_VALF;
         for (; due != 0; due &= due - 1U) {
             const auto i = static_cast<std::size_t>(std::countr_zero(due));
-            if (slacks[i] <= within) {
-                nodes_.add(static_cast<std::int32_t>(first + i));
+            if (asks && remembers) {
+                until[i] = std::max(until[i], now_ + slacks[i]);
+            }
+            if (!asks || slacks[i] <= within) {
+                add_node(static_cast<std::int32_t>(first + i),
+                         remembers ? now_ - until[i] : -slacks[i]);
             } else {
                 least = std::min(least, slacks[i]);
             }
-            if (remembers) {
-                until[i] = now_ + std::max(slacks[i], 0.0F);
-            }
+            hopeless = std::min(hopeless, -slacks[i]);
+        }
+        if (asks && remembers) {
+            here.hopeless_until[at] = now_ + std::max(hopeless, 0.0F);
         }
     }
     return least;
-}
-
-std::size_t FieldSampler::count_units(std::size_t merge) const noexcept {
-    std::size_t n = 0;
-    std::int32_t last = -1;
-    for (const std::int32_t node : nodes_) {
-        n += (node >> merge) != last ? 1 : 0;
-        last = node >> merge;
-    }
-    return n;
 }
 
 void FieldSampler::begin_at_top() noexcept {
@@ -105,104 +110,66 @@ void FieldSampler::begin_at_top() noexcept {
     levels_.back().groups.add(0);
 }
 
-FieldSampler::Choice FieldSampler::search(const FieldPlace& place) noexcept {
+void FieldSampler::search(const FieldPlace& place) noexcept {
     const bool remembers = settings_.mode == SamplingMode::coherent;
-    const bool has_budget = settings_.budget_us > 0.0;
-    double left_us = settings_.budget_us;
-    std::size_t level = levels_.size() - 1;
     begin_at_top();
-    for (;; --level) {
-        const auto n_groups = static_cast<double>(levels_[level].groups.size());
+    for (std::size_t level = levels_.size() - 1;; --level) {
         search_level(level, place, remembers, 0.0F);
-        left_us -= n_groups * settings_.group_us;
         if (level == 0) {
-            break;
-        }
-        // Going down must leave the time to take each node as one leaf, should its parts be too many.
-        const auto n = static_cast<double>(nodes_.size());
-        if (has_budget && n * (settings_.group_us + settings_.leaf_us) > left_us) {
-            break;
+            return;
         }
         levels_[level - 1].groups.copy(nodes_);
     }
-    Choice choice{level, 0};
-    while (has_budget && 3 * level + choice.merge + 1 < shell_->n_thinnings() &&
-           static_cast<double>(count_units(choice.merge)) * settings_.leaf_us > left_us) {
-        ++choice.merge;
-    }
-    // The level's nodes are all that there is of their groups: none below was looked at.
-    for (std::size_t below = 0; below < level; ++below) {
-        levels_[below].groups.clear();
-    }
-    return choice;
 }
 
 void FieldSampler::empty_lanes(const Pose& X_OT) noexcept {
-    // The difference of the halves of lanes goes the same way as their sum.
     if (touch_.weight > 1) {
-        ContactLanes halves = lanes_;
-        for (auto* const components : {&halves.force, &halves.torque}) {
-            for (auto& lanes : *components) {
-                for (std::size_t i = 1; i < lanes.size(); i += 2) {
-                    lanes[i] = -lanes[i];
-                }
-            }
-        }
-        add_lanes(*field_, X_OT, settings_.along, halves, half_difference_);
+        const ContactSpread spread = find_spread(*field_, settings_.along, lanes_);
+        spread_.force_square += spread.force_square;
+        spread_.torque_square += spread.torque_square;
     }
     add_lanes(*field_, X_OT, settings_.along, lanes_, sums_);
     n_in_lanes_ = 0;
 }
 
-float FieldSampler::take_leaf(std::size_t thinning, std::size_t leaf, const FieldPlace& place,
-                              const Pose& X_OT) noexcept {
-    constexpr int kMostInLanes = 128;  // leaves whose sums single precision may hold
-    const float least =
-        kernels_->sum_leaf(bounds_.view, place, shell_->points(thinning, leaf),
-                           shell_->count_in(thinning, leaf), settings_.along, lanes_);
-    deepest_steps_ = std::min(deepest_steps_, least);
-    ++touch_.n_leaves;
-    if (slopes_O_ != nullptr && least < 0.0F) {
-        add_slopes(thinning, leaf, place, X_OT);
-    }
-    // Only leaves that touch count, so that sums are the same in all modes.
-    n_in_lanes_ += least < 0.0F ? 1 : 0;
-    if (n_in_lanes_ == kMostInLanes) {
-        empty_lanes(X_OT);
-    }
-    return least;
-}
-
-void FieldSampler::take_all_leaves(const FieldPlace& place, const Pose& X_OT) noexcept {
-    for (std::size_t leaf = 0; leaf < shell_->n_leaves(); ++leaf) {
-        take_leaf(0, leaf, place, X_OT);
-    }
-}
-
-void FieldSampler::take_leaves(const FieldPlace& place, const Pose& X_OT) noexcept {
-    const bool remembers = settings_.mode == SamplingMode::coherent;
+void FieldSampler::take(std::size_t thinning, std::span<const std::int32_t> leaves,
+                        const FieldPlace& place, const Pose& X_OT) noexcept {
+    constexpr std::size_t kMostInLanes = 128;  // leaves whose sums single precision may hold
+    constexpr std::size_t kRun = 64;
+    const bool remembers = settings_.mode == SamplingMode::coherent && thinning == 0;
     const float free_per_step = bounds_.voxels_per_step * bounds_.inverse_slope;
-    std::vector<float>& free_until = levels_.front().free_until;
-    for (const std::int32_t node : nodes_) {
-        const auto leaf = static_cast<std::size_t>(node);
-        const float least = take_leaf(0, leaf, place, X_OT);
-        if (remembers) {
-            free_until[leaf] = now_ + std::max(least * free_per_step - kMargin, 0.0F);
+    std::array<ShellPoints, kRun> points;
+    std::array<float, kRun> least{};
+    while (!leaves.empty()) {
+        const std::size_t n = std::min(kRun, leaves.size());
+        for (std::size_t i = 0; i < n; ++i) {
+            points[i] = shell_->points(thinning, static_cast<std::size_t>(leaves[i]));
         }
-    }
-}
-
-void FieldSampler::take_units(const Choice& choice, const FieldPlace& place,
-                              const Pose& X_OT) noexcept {
-    const std::size_t thinning = 3 * choice.level + choice.merge;
-    touch_.weight = std::int64_t{1} << thinning;
-    std::int32_t last = -1;
-    for (const std::int32_t node : nodes_) {
-        const std::int32_t unit = node >> choice.merge;
-        if (unit != last) {
-            take_leaf(thinning, static_cast<std::size_t>(unit), place, X_OT);
+        const auto last = static_cast<std::size_t>(leaves[n - 1]);
+        const LeafRun run{points.data(), n, shell_->count_in(thinning, last),
+                          kMostInLanes - n_in_lanes_};
+        const std::size_t n_taken =
+            kernels_->sum_leaves(bounds_.view, place, run, settings_.along, lanes_, least.data());
+        for (std::size_t i = 0; i < n_taken; ++i) {
+            deepest_steps_ = std::min(deepest_steps_, least[i]);
+            // Only leaves that touch count, so that sums are the same in all modes.
+            if (least[i] < 0.0F) {
+                ++n_in_lanes_;
+                touched_.add(leaves[i]);
+                if (slopes_O_ != nullptr) {
+                    add_slopes(thinning, static_cast<std::size_t>(leaves[i]), place, X_OT);
+                }
+            }
+            if (remembers) {
+                levels_.front().free_until[static_cast<std::size_t>(leaves[i])] =
+                    now_ + least[i] * free_per_step - kMargin;
+            }
         }
-        last = unit;
+        touch_.n_leaves += static_cast<std::int64_t>(n_taken);
+        if (n_in_lanes_ == kMostInLanes) {
+            empty_lanes(X_OT);
+        }
+        leaves = leaves.subspan(n_taken);
     }
 }
 
@@ -221,6 +188,7 @@ void FieldSampler::remember_groups() noexcept {
 
 FieldTouch FieldSampler::step(const Pose& X_WO, const Pose& X_WT) noexcept {
     touch_ = {};
+    began_s_ = settings_.budget_us > 0.0 ? monotonic_now_s() : 0.0;
     if (!is_finite(X_WO) || !is_finite(X_WT)) {
         reset();
         return touch_;
@@ -232,29 +200,50 @@ FieldTouch FieldSampler::step(const Pose& X_WO, const Pose& X_WT) noexcept {
     }
     const FieldPlace place(*field_, X_OT);
     sums_ = {};
-    half_difference_ = {};
+    spread_ = {};
     deepest_steps_ = 0.0F;
+    left_out_m_ = 0.0;
+    touched_.clear();
     if (settings_.mode == SamplingMode::brute_force) {
-        take_all_leaves(place, X_OT);
+        nodes_.clear();
+        for (std::size_t leaf = 0; leaf < shell_->n_leaves(); ++leaf) {
+            nodes_.add(static_cast<std::int32_t>(leaf));
+        }
+        take(0, {nodes_.begin(), nodes_.size()}, place, X_OT);
     } else {
         advance_clock(X_OT);
-        const Choice choice = search(place);
-        if (choice.level == 0 && choice.merge == 0) {
-            take_leaves(place, X_OT);
+        if (settings_.budget_us > 0.0) {
+            step_within_budget(place, X_OT);
+        } else {
+            search(place);
+            take(0, {nodes_.begin(), nodes_.size()}, place, X_OT);
             if (settings_.mode == SamplingMode::coherent) {
                 remember_groups();
             }
-        } else {
-            take_units(choice, place, X_OT);
         }
     }
     empty_lanes(X_OT);
+    return finish(X_WO);
+}
+
+FieldTouch FieldSampler::finish(const Pose& X_WO) noexcept {
     const double k = settings_.stiffness_N_per_m * static_cast<double>(touch_.weight);
     touch_.wrench_W.force = X_WO.orientation * Vector3(k * sums_.force);
     touch_.wrench_W.torque = X_WO.orientation * Vector3(k * sums_.torque);
     touch_.n_touching = touch_.weight * sums_.n_touching;
     touch_.deepest_m = -field_->step_m() * static_cast<double>(deepest_steps_);
-    touch_.error_N = k * half_difference_.force.norm();
+    const double slope = settings_.along == ForceAlong::slopes ? field_->slope_bound() : 1.0;
+    touch_.bound_N = settings_.stiffness_N_per_m * slope * left_out_m_;
+    touch_.bound_Nm = shell_->reach_m() * touch_.bound_N;
+    touch_.error_N = touch_.bound_N;
+    touch_.error_Nm = touch_.bound_Nm;
+    if (touch_.weight > 1) {
+        touch_.bound_N += compute_length(touch_.wrench_W.force);
+        touch_.bound_Nm += compute_length(touch_.wrench_W.torque);
+        constexpr double kFar = 3.0;  // times the spread
+        touch_.error_N = std::min(touch_.bound_N, kFar * k * std::sqrt(spread_.force_square));
+        touch_.error_Nm = std::min(touch_.bound_Nm, kFar * k * std::sqrt(spread_.torque_square));
+    }
     return touch_;
 }
 
@@ -273,8 +262,11 @@ double FieldSampler::bound_clearance_voxels(const Pose& X_OT) noexcept {
     ContactLanes unused;
     for (const std::int32_t node : nodes_) {
         const auto leaf = static_cast<std::size_t>(node);
-        const float value = kernels_->sum_leaf(bounds_.view, place, shell_->points(0, leaf),
-                                               shell_->count_in(0, leaf), settings_.along, unused);
+        const ShellPoints points = shell_->points(0, leaf);
+        const LeafRun run{&points, 1, shell_->count_in(0, leaf), 1};
+        float value = HUGE_VALF;
+        static_cast<void>(
+            kernels_->sum_leaves(bounds_.view, place, run, settings_.along, unused, &value));
         least = std::min(least, value * bounds_.voxels_per_step * bounds_.inverse_slope - kMargin);
     }
     return static_cast<double>(least);

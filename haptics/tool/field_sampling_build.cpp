@@ -16,9 +16,9 @@ Expected<void> validate(const FieldSamplingSettings& settings) {
     if (auto checked = check_ranges("the field sampling's", ranges); !checked) {
         return checked;
     }
-    if (has_budget && settings.mode == SamplingMode::brute_force) {
-        return fail("a budget of time for sampling by brute force", {},
-                    "take the tree or coherent sampling, or no budget");
+    if (has_budget && settings.mode != SamplingMode::coherent) {
+        return fail("a budget of time for sampling that remembers nothing", {},
+                    "take the coherent mode, or no budget");
     }
     return {};
 }
@@ -39,20 +39,31 @@ FieldSampler::FieldSampler(Field field, Shell shell, const FieldSamplingSettings
       shell_(std::move(shell)),
       settings_(settings),
       bounds_(*field_),
-      kernels_(&best_field_kernels()) {
+      kernels_(&best_field_kernels()),
+      leaf_us_(settings.leaf_us) {
     for (std::size_t l = 0; l < shell_->n_levels(); ++l) {
         Level level;
         level.free_until.assign(ShellTree::kWidth * shell_->level(l).size(), kAlways);
+        level.hopeless_until.assign(shell_->level(l).size(), kAlways);
         level.groups.reserve(shell_->level(l).size());
         levels_.push_back(std::move(level));
     }
-    nodes_.reserve(levels_.front().free_until.size());
+    const std::size_t n_most = levels_.front().free_until.size();
+    nodes_.reserve(n_most);
+    leaves_.reserve(n_most);
+    touched_.reserve(2 * n_most);  // leaves of thinnings first, then the leaves themselves
+    last_touched_.reserve(2 * n_most);
+    depths_.resize(n_most);
+    ranks_.resize(n_most);
 }
 
 std::size_t FieldSampler::memory_bytes() const noexcept {
-    std::size_t bytes = sizeof(*this) + nodes_.memory_bytes();
+    std::size_t bytes = sizeof(*this) + nodes_.memory_bytes() + leaves_.memory_bytes() +
+                        touched_.memory_bytes() + last_touched_.memory_bytes() +
+                        2 * depths_.capacity() * sizeof(float);
     for (const Level& level : levels_) {
-        bytes += level.free_until.capacity() * sizeof(float) + level.groups.memory_bytes();
+        bytes += (level.free_until.capacity() + level.hopeless_until.capacity()) * sizeof(float) +
+                 level.groups.memory_bytes();
     }
     return bytes;
 }

@@ -10,7 +10,7 @@
 #endif
 #define FULCRUM_KERNEL ball_kernels
 #define FULCRUM_KERNEL_LANES 8
-#include "haptics/voxel/distance_field_kernel.h"
+#include "haptics/voxel/distance_field_cells.h"
 
 namespace fulcrum {
 
@@ -126,7 +126,7 @@ void find_slacks(const SlackBounds& bounds, const FieldPlace& place, const Eight
     const Floats reach = larger(told.value * bounds.inverse_slope, distance - bounds.error);
     Floats radius;
     load(balls.radius.data(), radius);
-    const Floats free = told.value > zero ? reach : zero;
+    const Floats free = told.value > zero ? reach : told.value * bounds.inverse_slope;
     ball_kernels::store(free - radius * bounds.voxels_per_metre - kMargin, slacks.data());
 }
 

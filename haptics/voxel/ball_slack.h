@@ -2,7 +2,8 @@
 //
 //   slack = max(F / L, D - e) - r - margin      voxels; F at the ball's centre, L the field's slope bound, D a lower bound of the
 //                                               distance to the mesh (distance_field.h), e the field's error bound
-// At most 0: the ball may touch. A field that is at most 0 at the centre has no slack. The margin covers single precision.
+// At most 0: the ball may touch, no deeper than -L slack; where F is at most 0 at the centre, slack = F / L - r - margin. The
+// margin covers single precision.
 //
 // Thread: any; no state. Cost: 20 to 30 ns for eight in the cache.
 #pragma once

@@ -1,5 +1,6 @@
 #include "haptics/voxel/distance_field_batch.h"
 
+#include "haptics/base/prefetch.h"
 #include "haptics/voxel/distance_field_wide.h"
 
 #include <algorithm>
@@ -19,7 +20,8 @@ namespace fulcrum {
 
 namespace {
 
-constexpr FieldKernels kPlain{"8 lanes", plain_kernels::sample, plain_kernels::sum_leaf};
+constexpr FieldKernels kPlain{"8 lanes", plain_kernels::sample, plain_kernels::sum_leaves,
+                              plain_kernels::collect};
 
 }  // namespace
 
@@ -56,70 +58,105 @@ FieldPlace::FieldPlace(const DistanceField& field, const Pose& X_OT) noexcept : 
     }
 }
 
-void add_lanes(const DistanceField& field, const Pose& X_OT, ForceAlong along, ContactLanes& lanes,
-               ContactSums& sums) noexcept {
-    Vector3 force = Vector3::Zero();
-    Vector3 torque = Vector3::Zero();
+namespace {
+
+using Lanes = std::array<std::array<float, ContactLanes::kLanes>, 3>;
+
+Vector3 sum_of(const Lanes& lanes) noexcept {
+    Vector3 sum = Vector3::Zero();
     for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<std::size_t>(axis);
-        for (std::size_t lane = 0; lane < ContactLanes::kLanes; ++lane) {
-            force[axis] += static_cast<double>(lanes.force[i][lane]);
-            torque[axis] += static_cast<double>(lanes.torque[i][lane]);
+        for (const float lane : lanes[static_cast<std::size_t>(axis)]) {
+            sum[axis] += static_cast<double>(lane);
         }
     }
+    return sum;
+}
+
+double find_variance(const Lanes& lanes) noexcept {
+    constexpr double kLanes = ContactLanes::kLanes;
+    const Vector3 mean = sum_of(lanes) / kLanes;
+    double squares = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const float lane : lanes[static_cast<std::size_t>(axis)]) {
+            const double away = static_cast<double>(lane) - mean[axis];
+            squares += away * away;
+        }
+    }
+    return kLanes / (kLanes - 1.0) * squares;
+}
+
+// From steps to metres. Slopes are steps a voxel, arms with them voxels; a depth times the slope pushes out.
+struct LaneScales {
+    double force, torque;
+};
+LaneScales find_scales(const DistanceField& field, ForceAlong along) noexcept {
+    const double step_m = field.step_m();
+    return along == ForceAlong::normals
+               ? LaneScales{step_m, step_m}
+               : LaneScales{step_m * (step_m / field.frame().voxel_m), step_m * step_m};
+}
+
+}  // namespace
+
+ContactSpread find_spread(const DistanceField& field, ForceAlong along,
+                          const ContactLanes& lanes) noexcept {
+    const LaneScales scales = find_scales(field, along);
+    return {scales.force * scales.force * find_variance(lanes.force),
+            scales.torque * scales.torque * find_variance(lanes.torque)};
+}
+
+void add_lanes(const DistanceField& field, const Pose& X_OT, ForceAlong along, ContactLanes& lanes,
+               ContactSums& sums) noexcept {
+    const LaneScales scales = find_scales(field, along);
+    const Vector3 force = scales.force * sum_of(lanes.force);
+    const Vector3 torque = scales.torque * sum_of(lanes.torque);
     for (const std::int32_t count : lanes.count) {
         sums.n_touching += count;
     }
     lanes = {};
-    const double step_m = field.step_m();
-    const double voxel_m = field.frame().voxel_m;
-    if (along == ForceAlong::normals) {
-        sums.force += X_OT.orientation * Vector3(step_m * force);
-        sums.torque += X_OT.orientation * Vector3(step_m * torque);
-    } else {
-        // Slopes are steps a voxel, arms are voxels; a depth times the slope pushes out.
-        sums.force += step_m * (step_m / voxel_m) * force;
-        sums.torque += step_m * step_m * torque;
-    }
+    const bool in_tool = along == ForceAlong::normals;
+    sums.force += in_tool ? Vector3(X_OT.orientation * force) : force;
+    sums.torque += in_tool ? Vector3(X_OT.orientation * torque) : torque;
 }
 
 ContactSums sum_contacts(const FieldKernels& kernels, const DistanceField& field, const Pose& X_OT,
                          const ShellPoints& points, std::size_t n, ForceAlong along) noexcept {
-    constexpr std::size_t kBetween = 4096;  // points whose sums single precision may hold
+    constexpr std::size_t kBetween = 128;  // leaves whose sums single precision may hold
     const FieldView view(field);
     const FieldPlace place(field, X_OT);
     ContactLanes lanes;
     ContactSums sums;
-    const std::size_t n_whole = n / kLeafPoints * kLeafPoints;
-    for (std::size_t first = 0; first < n_whole; first += kLeafPoints) {
-        kernels.sum_leaf(view, place, points.from(first), kLeafPoints, along, lanes);
-        if (first % kBetween == 0) {
-            add_lanes(field, X_OT, along, lanes, sums);
+    std::array<ShellPoints, kBetween> leaves;
+    std::array<float, kBetween> least{};
+    const auto add = [&](std::size_t n_leaves, std::size_t n_in_last) {
+        const LeafRun run{leaves.data(), n_leaves, n_in_last, kBetween};
+        static_cast<void>(kernels.sum_leaves(view, place, run, along, lanes, least.data()));
+        add_lanes(field, X_OT, along, lanes, sums);
+    };
+    std::size_t n_leaves = 0;
+    std::size_t first = 0;
+    for (; first + kLeafPoints <= n; first += kLeafPoints) {
+        leaves[n_leaves++] = points.from(first);
+        if (n_leaves == kBetween) {
+            add(n_leaves, kLeafPoints);
+            n_leaves = 0;
         }
     }
-    if (n_whole < n) {
-        std::array<std::array<float, kLeafPoints>, 6> leaf{};
+    // The rest is read as a whole leaf, so it gets one of its own.
+    std::array<std::array<float, kLeafPoints>, 6> rest{};
+    if (first < n) {
         const std::array<const float*, 6> from{points.x,  points.y,  points.z,
                                                points.nx, points.ny, points.nz};
-        for (std::size_t i = 0; i < leaf.size(); ++i) {
-            std::copy(from[i] + n_whole, from[i] + n, leaf[i].begin());
+        for (std::size_t i = 0; i < rest.size(); ++i) {
+            std::copy(from[i] + first, from[i] + n, rest[i].begin());
         }
-        kernels.sum_leaf(view, place,
-                         {leaf[0].data(), leaf[1].data(), leaf[2].data(), leaf[3].data(),
-                          leaf[4].data(), leaf[5].data()},
-                         n - n_whole, along, lanes);
+        leaves[n_leaves++] = {rest[0].data(), rest[1].data(), rest[2].data(),
+                              rest[3].data(), rest[4].data(), rest[5].data()};
     }
-    add_lanes(field, X_OT, along, lanes, sums);
+    if (n_leaves > 0) {
+        add(n_leaves, first < n ? n - first : kLeafPoints);
+    }
     return sums;
-}
-
-std::size_t collect_hits(std::span<const float> values, std::span<std::int32_t> hits) noexcept {
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        hits[n] = static_cast<std::int32_t>(i);
-        n += values[i] < 0.0F ? 1 : 0;
-    }
-    return n;
 }
 
 }  // namespace fulcrum

@@ -19,7 +19,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 namespace fulcrum {
@@ -70,15 +69,26 @@ struct ContactLanes {
 
 enum class ForceAlong : std::uint8_t { normals, slopes };
 
+/// Leaves that follow each other; kernels read kLeafPoints of each.
+struct LeafRun {
+    const ShellPoints* leaves = nullptr;
+    std::size_t n = 0;
+    std::size_t n_in_last = kLeafPoints;  ///< points of the last leaf that count
+    std::size_t most_touching = 0;        ///< behind as many that touch the run ends; at least 1
+};
+
 /// One version of the kernels.
 struct FieldKernels {
     std::string_view name;
     /// F of `n` points in steps to `values`; where `slopes` is not null, steps a voxel to slopes[0..2], frame O. Any n.
     void (*sample)(const FieldView&, const FieldPlace&, const ShellPoints&, std::size_t n,
                    float* values, float* const* slopes) noexcept;
-    /// Adds a leaf's contacts to the sums; its least F in steps. Reads kLeafPoints points, of which the first `n` count.
-    float (*sum_leaf)(const FieldView&, const FieldPlace&, const ShellPoints&, std::size_t n,
-                      ForceAlong, ContactLanes&) noexcept;
+    /// Adds the contacts of leaves to the sums, one after the other, and writes each one's least F, in steps, to `least`; how
+    /// many leaves it took: all, or those up to the last that may touch.
+    std::size_t (*sum_leaves)(const FieldView&, const FieldPlace&, const LeafRun&, ForceAlong,
+                              ContactLanes&, float* least) noexcept;
+    /// Writes the numbers of those of `n` values that are below 0; how many. `hits` has room for all and one more.
+    std::size_t (*collect_hits)(const float* values, std::size_t n, std::int32_t* hits) noexcept;
 };
 
 /// The best that this processor has.
@@ -93,6 +103,15 @@ struct ContactSums {
     std::int64_t n_touching = 0;
 };
 
+/// How much the sixteen partial sums differ, of points that follow each other in turn: were they drawn by chance, this would be
+/// the variance of their sum. Square metres, and m^4 of the torque.
+struct ContactSpread {
+    double force_square = 0.0;
+    double torque_square = 0.0;
+};
+[[nodiscard]] ContactSpread find_spread(const DistanceField& field, ForceAlong along,
+                                        const ContactLanes& lanes) noexcept;
+
 /// Adds the lanes, scaled to metres and turned to frame O, to `sums`, and empties them.
 void add_lanes(const DistanceField& field, const Pose& X_OT, ForceAlong along, ContactLanes& lanes,
                ContactSums& sums) noexcept;
@@ -101,9 +120,5 @@ void add_lanes(const DistanceField& field, const Pose& X_OT, ForceAlong along, C
 [[nodiscard]] ContactSums sum_contacts(const FieldKernels& kernels, const DistanceField& field,
                                        const Pose& X_OT, const ShellPoints& points, std::size_t n,
                                        ForceAlong along) noexcept;
-
-/// Writes the numbers of those points whose value is below 0; how many. `hits` has room for all and one more.
-[[nodiscard]] std::size_t collect_hits(std::span<const float> values,
-                                       std::span<std::int32_t> hits) noexcept;
 
 }  // namespace fulcrum

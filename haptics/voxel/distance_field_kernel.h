@@ -2,44 +2,12 @@
 // each source that holds a version of them, once, after all other headers: compiler switches of that version are on here.
 //
 // Thread: any. Cost: see distance_field_batch.h.
+#include "haptics/voxel/distance_field_cells.h"
 
 // NOLINTBEGIN(misc-definitions-in-headers,cppcoreguidelines-pro-type-member-init): each version is a set of functions of its
 // own; vectors are written before they are read, and clearing them costs
 namespace fulcrum::FULCRUM_KERNEL {
 namespace {
-
-constexpr std::size_t kWidth = FULCRUM_KERNEL_LANES;
-using Floats = float __attribute__((vector_size(4 * FULCRUM_KERNEL_LANES)));
-using Ints = std::int32_t __attribute__((vector_size(4 * FULCRUM_KERNEL_LANES)));
-
-constexpr std::int32_t kCellBits = kBrickCells - 1;
-constexpr std::size_t kLayer = 9UL * 9;  // corners of a brick
-constexpr std::size_t kBrickValues = sizeof(DistanceField::Brick) / sizeof(std::int16_t);
-
-inline void load(const float* from, Floats& to) noexcept {
-    __builtin_memcpy(&to, from, sizeof to);
-}
-inline void store(const Floats& from, float* to) noexcept {
-    __builtin_memcpy(to, &from, sizeof from);
-}
-
-// Pairs of neighbours along x at the four edges of a cell, and the weights within it.
-struct Corners {
-    std::array<Floats, 4> low;   // y, z: 00 10 01 11
-    std::array<Floats, 4> high;  // the neighbours
-    std::array<Floats, 3> within;
-};
-
-// Cell along one axis of a place, and whether the place is outside the block.
-inline void find_cell(const Floats& place, float end, Ints& cell, Floats& within,
-                      Ints& outside) noexcept {
-    const Floats zero{};
-    Floats clamped = place > zero ? place : zero;
-    clamped = clamped < end ? clamped : zero + end;
-    outside |= clamped != place;
-    cell = __builtin_convertvector(clamped, Ints);
-    within = clamped - __builtin_convertvector(cell, Floats);
-}
 
 // What a leaf of points needs of the field. Filled for all of them before it is read: a vector that is read soon after its parts
 // were written waits for them.
@@ -47,7 +15,12 @@ struct Gathered {
     alignas(64) std::array<std::int32_t, kLeafPoints> entries;
     alignas(64) std::array<std::int32_t, kLeafPoints> offsets;
     alignas(64) std::array<std::array<float, kLeafPoints>, 3> within;
+#if FULCRUM_KERNEL_LANES == 16
+    // The four pairs of a point side by side; point 4 j + i of a vector in slot 4 i + j.
+    alignas(64) std::array<std::array<std::int32_t, 4>, kLeafPoints> pairs;
+#else
     alignas(64) std::array<std::array<std::int32_t, kLeafPoints>, 4> pairs;
+#endif
 };
 
 inline void find_cells(const FieldView& field, const std::array<Floats, 3>& place,
@@ -68,6 +41,67 @@ inline void find_cells(const FieldView& field, const std::array<Floats, 3>& plac
     __builtin_memcpy(gathered.offsets.data() + first, &at, sizeof at);
 }
 
+inline void split_pairs(const Ints& pairs, std::size_t edge, Corners& corners) noexcept {
+    corners.low[edge] = __builtin_convertvector((pairs << 16) >> 16, Floats);
+    corners.high[edge] = __builtin_convertvector(pairs >> 16, Floats);
+}
+
+#if FULCRUM_KERNEL_LANES == 16
+
+// A row and the next lie within 32 bytes: two loads hold all eight corners. The last cell's reach the brick's last values but two.
+static_assert(637 + kLayer + 16 <= kBrickValues);
+inline void gather(const FieldView& field, Gathered& gathered) noexcept {
+    const __m256i picks = _mm256_setr_epi16(0, 1, 9, 10, 16, 17, 25, 26, 0, 0, 0, 0, 0, 0, 0, 0);
+    const DistanceField::Entry* const table = field.table;
+    const std::int16_t* const values = field.values;
+#pragma GCC unroll 32
+    for (std::size_t i = 0; i < kLeafPoints; ++i) {
+        const std::int16_t* const corner =
+            values + static_cast<std::size_t>(table[gathered.entries[i]].brick) * kBrickValues +
+            gathered.offsets[i];
+        __m256i near;
+        __m256i far;
+        __builtin_memcpy(&near, corner, sizeof near);
+        __builtin_memcpy(&far, corner + kLayer, sizeof far);
+        const __m128i all = _mm256_castsi256_si128(_mm256_permutex2var_epi16(near, picks, far));
+        const std::size_t slot = (i & 16U) + 4 * (i & 3U) + ((i >> 2U) & 3U);
+        __builtin_memcpy(gathered.pairs[slot].data(), &all, sizeof all);
+    }
+}
+
+// Sixteen points' pairs from their slots: a matrix of 4 x 4 turned in each part of a vector.
+inline void load_pairs(const Gathered& gathered, std::size_t first, Corners& corners) noexcept {
+    std::array<Ints, 4> slots;
+    __builtin_memcpy(&slots, gathered.pairs[first].data(), sizeof slots);
+    const auto low = [](const Ints& a, const Ints& b) {
+        return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13,
+                                       29);
+    };
+    const auto high = [](const Ints& a, const Ints& b) {
+        return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15,
+                                       31);
+    };
+    const auto even = [](const Ints& a, const Ints& b) {
+        return __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28,
+                                       29);
+    };
+    const auto odd = [](const Ints& a, const Ints& b) {
+        return __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30,
+                                       31);
+    };
+    const Ints near_01 = low(slots[0], slots[1]);
+    const Ints near_23 = low(slots[2], slots[3]);
+    const Ints far_01 = high(slots[0], slots[1]);
+    const Ints far_23 = high(slots[2], slots[3]);
+    const std::array<Ints, 4> pairs{even(near_01, near_23), odd(near_01, near_23),
+                                    even(far_01, far_23), odd(far_01, far_23)};
+    for (std::size_t edge = 0; edge < 4; ++edge) {
+        split_pairs(pairs[edge], edge, corners);
+    }
+}
+
+#else
+
 inline void gather(const FieldView& field, Gathered& gathered) noexcept {
     for (std::size_t i = 0; i < kLeafPoints; ++i) {
         const std::int32_t brick = field.table[gathered.entries[i]].brick;
@@ -80,55 +114,21 @@ inline void gather(const FieldView& field, Gathered& gathered) noexcept {
     }
 }
 
+inline void load_pairs(const Gathered& gathered, std::size_t first, Corners& corners) noexcept {
+    for (std::size_t edge = 0; edge < 4; ++edge) {
+        Ints pairs;
+        __builtin_memcpy(&pairs, gathered.pairs[edge].data() + first, sizeof pairs);
+        split_pairs(pairs, edge, corners);
+    }
+}
+
+#endif
+
 inline void load_corners(const Gathered& gathered, std::size_t first, Corners& corners) noexcept {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         load(gathered.within[axis].data() + first, corners.within[axis]);
     }
-    for (std::size_t i = 0; i < 4; ++i) {
-        Ints pair;
-        __builtin_memcpy(&pair, gathered.pairs[i].data() + first, sizeof pair);
-        corners.low[i] = __builtin_convertvector((pair << 16) >> 16, Floats);
-        corners.high[i] = __builtin_convertvector(pair >> 16, Floats);
-    }
-}
-
-inline void interpolate(const Corners& c, Floats& value) noexcept {
-    std::array<Floats, 4> along_x;
-    for (std::size_t i = 0; i < 4; ++i) {
-        along_x[i] = c.low[i] + c.within[0] * (c.high[i] - c.low[i]);
-    }
-    const Floats near = along_x[0] + c.within[1] * (along_x[1] - along_x[0]);
-    const Floats far = along_x[2] + c.within[1] * (along_x[3] - along_x[2]);
-    value = near + c.within[2] * (far - near);
-}
-
-// The same value, to the bit, and the slopes from the same eight numbers.
-inline void interpolate(const Corners& c, Floats& value, std::array<Floats, 3>& slope) noexcept {
-    std::array<Floats, 4> by_x;
-    std::array<Floats, 4> along_x;
-    for (std::size_t i = 0; i < 4; ++i) {
-        by_x[i] = c.high[i] - c.low[i];
-        along_x[i] = c.low[i] + c.within[0] * by_x[i];
-    }
-    const Floats near_by_y = along_x[1] - along_x[0];
-    const Floats far_by_y = along_x[3] - along_x[2];
-    const Floats near = along_x[0] + c.within[1] * near_by_y;
-    const Floats far = along_x[2] + c.within[1] * far_by_y;
-    value = near + c.within[2] * (far - near);
-    const Floats near_by_x = by_x[0] + c.within[1] * (by_x[1] - by_x[0]);
-    const Floats far_by_x = by_x[2] + c.within[1] * (by_x[3] - by_x[2]);
-    slope[0] = near_by_x + c.within[2] * (far_by_x - near_by_x);
-    slope[1] = near_by_y + c.within[2] * (far_by_y - near_by_y);
-    slope[2] = far - near;
-}
-
-// A p, voxels along the object's axes.
-inline void turn(const FieldPlace& place, const std::array<Floats, 3>& p,
-                 std::array<Floats, 3>& turned) noexcept {
-    for (std::size_t row = 0; row < 3; ++row) {
-        turned[row] =
-            place.A[3 * row] * p[0] + place.A[3 * row + 1] * p[1] + place.A[3 * row + 2] * p[2];
-    }
+    load_pairs(gathered, first, corners);
 }
 
 inline void load_turned(const FieldPlace& place, const ShellPoints& points, std::size_t first,
@@ -184,8 +184,8 @@ inline float find_least(const Floats& a) noexcept {
 
 constexpr std::size_t kBlocks = kLeafPoints / kWidth;  // vectors in a leaf
 
-inline void gather_leaf(const FieldView& field, const FieldPlace& place, const ShellPoints& points,
-                        Gathered& gathered) noexcept {
+inline void find_leaf(const FieldView& field, const FieldPlace& place, const ShellPoints& points,
+                      Gathered& gathered) noexcept {
     for (std::size_t first = 0; first < kLeafPoints; first += kWidth) {
         std::array<Floats, 3> p;
         std::array<Floats, 3> arm;
@@ -193,13 +193,14 @@ inline void gather_leaf(const FieldView& field, const FieldPlace& place, const S
         load_turned(place, points, first, p, arm, g);
         find_cells(field, g, first, gathered);
     }
-    gather(field, gathered);
 }
 
-void sample_leaf(const FieldView& field, const FieldPlace& place, const ShellPoints& points,
-                 float* values, const std::array<float*, 3>* slopes) noexcept {
+[[gnu::always_inline]] inline void sample_leaf(const FieldView& field, const FieldPlace& place,
+                                               const ShellPoints& points, float* values,
+                                               const std::array<float*, 3>* slopes) noexcept {
     Gathered gathered;
-    gather_leaf(field, place, points, gathered);
+    find_leaf(field, place, points, gathered);
+    gather(field, gathered);
     for (std::size_t first = 0; first < kLeafPoints; first += kWidth) {
         Corners corners;
         load_corners(gathered, first, corners);
@@ -275,11 +276,10 @@ inline void add_block(const FieldPlace& place, const ShellPoints& points, std::s
     }
 }
 
+// The contacts of a leaf whose corners are gathered; its least F.
 template <bool kBySlopes>
-float sum_leaf_along(const FieldView& field, const FieldPlace& place, const ShellPoints& points,
-                     std::size_t n, ContactLanes& lanes) noexcept {
-    Gathered gathered;
-    gather_leaf(field, place, points, gathered);
+float add_leaf(const Gathered& gathered, const FieldPlace& place, const ShellPoints& points,
+               std::size_t n, ContactLanes& lanes) noexcept {
     std::array<Floats, kBlocks> values;
     std::array<std::array<Floats, 3>, kBlocks> slopes;
     for (std::size_t block = 0; block < kBlocks; ++block) {
@@ -308,11 +308,79 @@ float sum_leaf_along(const FieldView& field, const FieldPlace& place, const Shel
     return least;
 }
 
-[[maybe_unused]] float sum_leaf(const FieldView& field, const FieldPlace& place,
-                                const ShellPoints& points, std::size_t n, ForceAlong along,
-                                ContactLanes& lanes) noexcept {
-    return along == ForceAlong::slopes ? sum_leaf_along<true>(field, place, points, n, lanes)
-                                       : sum_leaf_along<false>(field, place, points, n, lanes);
+// Asks for the corners' memory: a row and the next are near each other, the layer above is not.
+inline void prefetch_corners(const FieldView& field, const Gathered& gathered) noexcept {
+    for (std::size_t i = 0; i < kLeafPoints; ++i) {
+        const std::int32_t brick = field.table[gathered.entries[i]].brick;
+        const std::int16_t* const corner =
+            field.values + static_cast<std::size_t>(brick) * kBrickValues + gathered.offsets[i];
+        __builtin_prefetch(corner);
+        __builtin_prefetch(corner + kLayer);
+    }
+}
+
+template <bool kBySlopes>
+std::size_t sum_leaves_along(const FieldView& field, const FieldPlace& place, const LeafRun& run,
+                             ContactLanes& lanes, float* least) noexcept {
+    // Memory far from the processor is waited for while other leaves are summed.
+    constexpr std::size_t kAhead = 2;
+    constexpr std::size_t kPointsAhead = 8;
+    std::array<Gathered, kAhead + 1> gathered;
+    const auto find = [&](std::size_t leaf) {
+        if (leaf < run.n) {
+            Gathered& to = gathered[leaf % gathered.size()];
+            find_leaf(field, place, run.leaves[leaf], to);
+            prefetch_corners(field, to);
+        }
+    };
+    for (std::size_t leaf = 0; leaf < kAhead; ++leaf) {
+        find(leaf);
+    }
+    std::size_t n_touching = 0;
+    for (std::size_t leaf = 0; leaf < run.n; ++leaf) {
+        if (leaf + kPointsAhead < run.n) {
+            prefetch(run.leaves[leaf + kPointsAhead].x, 3 * kLeafPoints * sizeof(float));
+        }
+        find(leaf + kAhead);
+        Gathered& here = gathered[leaf % gathered.size()];
+        gather(field, here);
+        const std::size_t n_points = leaf + 1 == run.n ? run.n_in_last : kLeafPoints;
+        least[leaf] = add_leaf<kBySlopes>(here, place, run.leaves[leaf], n_points, lanes);
+        n_touching += least[leaf] < 0.0F ? 1 : 0;
+        if (n_touching == run.most_touching) {
+            return leaf + 1;
+        }
+    }
+    return run.n;
+}
+
+[[maybe_unused]] std::size_t sum_leaves(const FieldView& field, const FieldPlace& place,
+                                        const LeafRun& run, ForceAlong along, ContactLanes& lanes,
+                                        float* least) noexcept {
+    return along == ForceAlong::slopes ? sum_leaves_along<true>(field, place, run, lanes, least)
+                                       : sum_leaves_along<false>(field, place, run, lanes, least);
+}
+
+[[maybe_unused]] std::size_t collect(const float* values, std::size_t n_values,
+                                     std::int32_t* hits) noexcept {
+    std::size_t n = 0;
+    std::size_t i = 0;
+#if FULCRUM_KERNEL_LANES == 16
+    __m512i numbers = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    for (; i + kWidth <= n_values; i += kWidth) {
+        const __mmask16 below =
+            _mm512_cmp_ps_mask(_mm512_loadu_ps(values + i), _mm512_setzero_ps(), _CMP_LT_OQ);
+        // No more than `i` are written before, so sixteen fit.
+        _mm512_storeu_si512(hits + n, _mm512_maskz_compress_epi32(below, numbers));
+        n += static_cast<std::size_t>(__builtin_popcount(below));
+        numbers = _mm512_add_epi32(numbers, _mm512_set1_epi32(kWidth));
+    }
+#endif
+    for (; i < n_values; ++i) {
+        hits[n] = static_cast<std::int32_t>(i);
+        n += values[i] < 0.0F ? 1 : 0;
+    }
+    return n;
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
 #include "haptics/voxel/distance_field_wide.h"
 
+#include "haptics/base/prefetch.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+
+#include <immintrin.h>
 
 #pragma GCC diagnostic ignored "-Wpsabi"
 #pragma GCC push_options
@@ -18,7 +22,8 @@ namespace fulcrum {
 
 namespace {
 
-constexpr FieldKernels kWide{"16 lanes, AVX-512", wide_kernels::sample, wide_kernels::sum_leaf};
+constexpr FieldKernels kWide{"16 lanes, AVX-512", wide_kernels::sample, wide_kernels::sum_leaves,
+                             wide_kernels::collect};
 
 }  // namespace
 

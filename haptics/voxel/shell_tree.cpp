@@ -111,12 +111,13 @@ ShellTree::Points ShellTree::collect(const Pointshell& shell,
     points.n = slots.size();
     const std::array<const std::vector<float>*, 6> from{&shell.x_m, &shell.y_m, &shell.z_m,
                                                         &shell.nx,  &shell.ny,  &shell.nz};
-    points.values.resize(6 * points.stride());
-    for (std::size_t component = 0; component < 6; ++component) {
-        float* const to = points.values.data() + component * points.stride();
-        for (std::size_t i = 0; i < points.stride(); ++i) {
-            const std::int32_t slot = slots[std::min(i, points.n - 1)];
-            to[i] = (*from[component])[static_cast<std::size_t>(slot)];
+    points.values.reserve(kLeafFloats * points.n_leaves());
+    for (std::size_t leaf = 0; leaf < points.n_leaves(); ++leaf) {
+        for (const std::vector<float>* const component : from) {
+            for (std::size_t i = 0; i < kLeafPoints; ++i) {
+                const std::int32_t slot = slots[std::min(leaf * kLeafPoints + i, points.n - 1)];
+                points.values.push_back((*component)[static_cast<std::size_t>(slot)]);
+            }
         }
     }
     return points;
@@ -147,9 +148,10 @@ void ShellTree::thin_out(const Pointshell& shell) {
 
 void ShellTree::enclose() {
     const Points& all = thinned_.front();
-    const std::size_t stride = all.stride();
     const auto at = [&](std::size_t i) -> Vector3 {
-        return {all.values[i], all.values[stride + i], all.values[2 * stride + i]};
+        const ShellPoints leaf = points(0, i / kLeafPoints);
+        const std::size_t slot = i % kLeafPoints;
+        return {leaf.x[slot], leaf.y[slot], leaf.z[slot]};
     };
     std::size_t n_nodes = n_leaves();
     for (std::size_t span = kLeafPoints;; span *= kWidth) {

@@ -46,12 +46,13 @@ class ShellTree {
     }
     /// Thinnings: number m keeps one point in 2^m; number 0 is the shell itself.
     [[nodiscard]] std::size_t n_thinnings() const noexcept { return thinned_.size(); }
+    [[nodiscard]] std::size_t n_leaves(std::size_t thinning) const noexcept {
+        return thinned_[thinning].n_leaves();
+    }
     [[nodiscard]] ShellPoints points(std::size_t thinning, std::size_t leaf) const noexcept {
-        const Points& all = thinned_[thinning];
-        const float* const x = all.values.data();
-        const std::size_t n = all.stride();
-        return ShellPoints{x, x + n, x + 2 * n, x + 3 * n, x + 4 * n, x + 5 * n}.from(leaf *
-                                                                                      kLeafPoints);
+        const std::size_t n = kLeafPoints;
+        const float* const x = thinned_[thinning].values.data() + kLeafFloats * leaf;
+        return {x, x + n, x + 2 * n, x + 3 * n, x + 4 * n, x + 5 * n};
     }
     /// Points of a leaf that count.
     [[nodiscard]] std::size_t count_in(std::size_t thinning, std::size_t leaf) const noexcept {
@@ -62,15 +63,15 @@ class ShellTree {
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
   private:
-    // x, y, z, nx, ny, nz one behind the other, each padded to whole leaves.
+    // Leaf by leaf x, y, z, nx, ny, nz, so that a leaf is one piece of memory; the last padded.
     struct Points {
         std::size_t n = 0;
         std::vector<float> values;
         [[nodiscard]] std::size_t n_leaves() const noexcept {
             return (n + kLeafPoints - 1) / kLeafPoints;
         }
-        [[nodiscard]] std::size_t stride() const noexcept { return n_leaves() * kLeafPoints; }
     };
+    static constexpr std::size_t kLeafFloats = 6 * kLeafPoints;
     static Points collect(const Pointshell& shell, const std::vector<std::int32_t>& slots);
     void put_in_order(const Pointshell& shell);
     void thin_out(const Pointshell& shell);

@@ -24,7 +24,7 @@ CostPoint measure_kernels(const FieldKernels& kernels, const FieldPointsTask& ta
         [&] {
             kernels.sample(FieldView(field), FieldPlace(field, task.X_OT), points, n, out[0].data(),
                            slopes.data());
-            keep(collect_hits(out[0], hits));
+            keep(kernels.collect_hits(out[0].data(), n, hits.data()));
         },
         timing, field.memory_bytes());
     std::vector<double> values_m;

@@ -1,6 +1,6 @@
 # Peers: other libraries measured beside ours, from the packages that packages-peers.txt names. Each is a file here that
 # includes that library alone; what is not installed is not built, and the page says so.
-option(FULCRUM_PEERS "measure ODE, Bullet, MuJoCo, OpenVDB and FCL beside ours where they are installed" OFF)
+option(FULCRUM_PEERS "measure ODE, Bullet, MuJoCo, OpenVDB, NanoVDB and FCL beside ours where they are installed" OFF)
 set(peer_sources "")
 set(peer_libraries "")
 set(missing_peers "")
@@ -46,12 +46,15 @@ if(FULCRUM_PEERS)
   # MuJoCo's and OpenVDB's own CMake files name folders and modules of packages that they do not ask for.
   fulcrum_peer_library(mujoco mujoco/mujoco.h mujoco)
   fulcrum_peer_library(openvdb openvdb/openvdb.h openvdb tbb Imath)
+  # Headers alone; its fields are made from OpenVDB's.
+  fulcrum_peer_library(nanovdb nanovdb/NanoVDB.h openvdb tbb Imath)
 endif()
 fulcrum_peer(ODE PkgConfig::ode ode_body.cpp)
 fulcrum_peer(Bullet PkgConfig::bullet bullet_body.cpp)
 fulcrum_peer(MuJoCo peer_mujoco mujoco_body.cpp)
 fulcrum_peer(FCL fcl fcl_ball.cpp)
 fulcrum_peer(OpenVDB peer_openvdb openvdb_ball.cpp openvdb_points.cpp)
+fulcrum_peer(NanoVDB peer_nanovdb nanovdb_points.cpp)
 if(peer_sources)
   list(APPEND peer_sources ${CMAKE_CURRENT_LIST_DIR}/rigid_peer.cpp ${CMAKE_CURRENT_LIST_DIR}/felt_ball.cpp)
 endif()

@@ -19,6 +19,7 @@ TEST_CASE("field sampling build: settings out of range and missing parts are ref
     CHECK_FALSE(validate(FieldSamplingSettings{.group_us = 0.0}));
     CHECK_FALSE(
         validate(FieldSamplingSettings{.mode = SamplingMode::brute_force, .budget_us = 100.0}));
+    CHECK_FALSE(validate(FieldSamplingSettings{.mode = SamplingMode::tree, .budget_us = 100.0}));
 
     const TriangleMesh mesh = *make_sphere(1.0, 4);
     const auto field = std::make_shared<const DistanceField>(

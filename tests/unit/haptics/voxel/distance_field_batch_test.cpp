@@ -177,12 +177,34 @@ TEST_CASE("distance field batch: along normals the force is continuous where the
 }
 
 TEST_CASE("distance field batch: hits are the numbers of those below zero") {
-    const std::vector<float> values{1.0F, -1.0F, 0.0F, -0.0F, -2.0F, 3.0F};
-    std::vector<std::int32_t> hits(values.size() + 1, -7);
-    REQUIRE(collect_hits(values, hits) == 2);
-    CHECK(hits[0] == 1);
-    CHECK(hits[1] == 4);
-    CHECK(collect_hits({}, hits) == 0);
+    // More than two vectors of any version, and a rest.
+    Random random(11);
+    std::vector<float> values{1.0F,  -1.0F, 0.0F,
+                              -0.0F, -2.0F, std::numeric_limits<float>::quiet_NaN()};
+    for (int i = 0; i < 61; ++i) {
+        values.push_back(static_cast<float>(random.uniform()));
+    }
+    std::vector<std::int32_t> expected;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i] < 0.0F) {
+            expected.push_back(static_cast<std::int32_t>(i));
+        }
+    }
+    REQUIRE(expected.size() > 10);
+    for (const FieldKernels* kernels : all_field_kernels()) {
+        if (kernels == nullptr) {
+            continue;
+        }
+        std::vector<std::int32_t> hits(values.size() + 1, -7);
+        REQUIRE(kernels->collect_hits(values.data(), values.size(), hits.data()) ==
+                expected.size());
+        CHECK(std::equal(expected.begin(), expected.end(), hits.begin()));
+        CHECK(kernels->collect_hits(values.data(), 0, hits.data()) == 0);
+        // None but the first, which leaves all that is behind it as it was.
+        std::vector<std::int32_t> few(3, -7);
+        CHECK(kernels->collect_hits(values.data() + 1, 1, few.data()) == 1);
+        CHECK(few[2] == -7);
+    }
 }
 
 TEST_CASE("distance field batch: a place that is no number is free") {

@@ -1,0 +1,216 @@
+// Budgets of time, on a counted clock, so that each run is the same.
+#include "haptics/geometry/shape.h"
+#include "haptics/tool/field_sampling.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <vector>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kLeaf_us = 0.13;
+constexpr double kGroup_us = 0.04;
+
+FieldSampler::Field make_field(const TriangleMesh& mesh, int n_along) {
+    return std::make_shared<const DistanceField>(
+        DistanceField::build(mesh, DistanceField::make_frame(mesh, n_along).value()).value());
+}
+
+FieldSampler::Shell make_shell(const Pointshell& points) {
+    return std::make_shared<const ShellTree>(ShellTree::build(points).value());
+}
+
+FieldSampler::Field bumpy() {
+    static const FieldSampler::Field kField =
+        make_field(*make_bumpy_sphere(1.0, 16, 0.05, 12.0), 128);
+    return kField;
+}
+
+FieldSampler::Shell ball() {
+    static const FieldSampler::Shell kShell =
+        make_shell(make_surface_pointshell(*make_bumpy_sphere(1.0, 16, 0.03, 9.0), 20000).value());
+    return kShell;
+}
+
+FieldSampler make(const FieldSampler::Field& field, const FieldSampler::Shell& shell,
+                  double budget_us, ForceAlong along = ForceAlong::normals) {
+    return FieldSampler::build(field, shell,
+                               {.along = along,
+                                .budget_us = budget_us,
+                                .clock = BudgetClock::counted,
+                                .leaf_us = kLeaf_us,
+                                .group_us = kGroup_us})
+        .value();
+}
+
+double cost_us(const FieldTouch& touch) {
+    return static_cast<double>(touch.n_leaves) * kLeaf_us +
+           static_cast<double>(touch.n_groups) * kGroup_us;
+}
+
+struct Off {
+    double force_N, torque_Nm;
+};
+Off compare(const FieldTouch& some, const FieldTouch& all) {
+    return {(some.wrench_W.force - all.wrench_W.force).norm(),
+            (some.wrench_W.torque - all.wrench_W.torque).norm()};
+}
+
+}  // namespace
+
+TEST_CASE("field sampling budget: kept, and exact where it is enough") {
+    for (const ForceAlong along : {ForceAlong::normals, ForceAlong::slopes}) {
+        FieldSampler all = make(bumpy(), ball(), 0.0, along);
+        FieldSampler small = make(bumpy(), ball(), 5.0, along);
+        FieldSampler ample = make(bumpy(), ball(), 1.0e4, along);
+        // The balls lie in each other: everything is near.
+        Random random(8);
+        for (int i = 0; i < 100; ++i) {
+            const Pose X_WT{0.02 * random.in_cube(), random.turn(0.5)};
+            const FieldTouch exact = all.step({}, X_WT);
+            const FieldTouch full = ample.step({}, X_WT);
+            CHECK(full.wrench_W.force == exact.wrench_W.force);
+            CHECK(full.wrench_W.torque == exact.wrench_W.torque);
+            CHECK(full.error_N == 0.0);
+            CHECK(full.error_Nm == 0.0);
+            CHECK(full.n_left == 0);
+            const FieldTouch some = small.step({}, X_WT);
+            CHECK(cost_us(some) <= 5.0);
+            CHECK(some.n_left > 0);
+        }
+    }
+}
+
+TEST_CASE("field sampling budget: where many touch, samples stand for all to 2 %") {
+    FieldSampler all = make(bumpy(), ball(), 0.0);
+    FieldSampler small = make(bumpy(), ball(), 20.0);
+    Random random(8);
+    for (int i = 0; i < 200; ++i) {
+        const Pose X_WT{0.06 * random.direction(), random.turn(0.5)};
+        const FieldTouch exact = all.step({}, X_WT);
+        const FieldTouch some = small.step({}, X_WT);
+        CHECK(cost_us(some) <= 20.0);
+        CHECK(some.weight > 1);
+        REQUIRE(some.n_touching >= 150 * some.weight);
+        const Off off = compare(some, exact);
+        CHECK(off.force_N < 0.02 * exact.wrench_W.force.norm());
+        CHECK(off.force_N <= some.error_N);
+        CHECK(off.torque_Nm <= some.error_Nm);
+        CHECK(some.error_N <= some.bound_N);
+        CHECK(some.error_Nm <= some.bound_Nm);
+        CHECK(static_cast<double>(some.n_touching) ==
+              Approx(static_cast<double>(exact.n_touching)).epsilon(0.1));
+    }
+}
+
+TEST_CASE(
+    "field sampling budget: in local contact the error is never more than said, nor much less") {
+    for (const ForceAlong along : {ForceAlong::normals, ForceAlong::slopes}) {
+        FieldSampler all = make(bumpy(), ball(), 0.0, along);
+        FieldSampler small = make(bumpy(), ball(), 5.0, along);
+        Wanderer wanderer(4);
+        Random random(5);
+        std::vector<double> times_force;
+        std::vector<double> times_torque;
+        for (int i = 0; i < 600; ++i) {
+            const Pose X_WT{1.9 * wanderer.next(), random.turn(0.001)};
+            const FieldTouch exact = all.step({}, X_WT);
+            const FieldTouch some = small.step({}, X_WT);
+            const Off off = compare(some, exact);
+            CHECK(cost_us(some) <= 5.0);
+            // Nothing is off but single precision where nothing was left out.
+            const double rounding_N = 1.0e-6 * exact.wrench_W.force.norm();
+            CHECK(off.force_N <= some.error_N + rounding_N);
+            CHECK(off.torque_Nm <= some.error_Nm + rounding_N);
+            CHECK(off.force_N <= some.bound_N + rounding_N);
+            CHECK(off.torque_Nm <= some.bound_Nm + rounding_N);
+            if (some.weight > 1) {
+                CHECK(some.error_N < 0.5 * exact.wrench_W.force.norm());
+                times_force.push_back(some.error_N / off.force_N);
+                times_torque.push_back(some.error_Nm / off.torque_Nm);
+            }
+        }
+        REQUIRE(times_force.size() > 300);
+        for (std::vector<double>* const times : {&times_force, &times_torque}) {
+            std::sort(times->begin(), times->end());
+            CHECK((*times)[times->size() / 2] < 15.0);
+        }
+    }
+}
+
+TEST_CASE("field sampling budget: a lone tip among points that are near weighs what it weighs") {
+    const FieldSampler::Field box = make_field(*make_box({1.0, 1.0, 1.0}), 64);
+    const double voxel_m = box->frame().voxel_m;
+    constexpr int kSide = 200;
+    for (const int tip : {0, 7777, 20100, kSide * kSide - 1}) {
+        Pointshell points;
+        for (int i = 0; i < kSide * kSide; ++i) {
+            const double up_m = i == tip ? -1.3 * voxel_m : 0.0;
+            points.add({0.8 * (i % kSide) / kSide - 0.4, up_m, 0.8 * (i / kSide) / kSide - 0.4},
+                       Vector3::UnitY());
+        }
+        const FieldSampler::Shell plate = make_shell(points);
+        FieldSampler all = make(box, plate, 0.0);
+        FieldSampler small = make(box, plate, 10.0);
+        FieldTouch some;
+        int n_frames = 0;  // until it is found
+        for (int i = 0; i < 400; ++i) {
+            const Pose X_WT = Pose::at({0.0, 0.5 + 0.3 * voxel_m, 5.0e-6 * i});
+            const FieldTouch exact = all.step({}, X_WT);
+            REQUIRE(exact.n_touching == 1);
+            some = small.step({}, X_WT);
+            CHECK(cost_us(some) <= 10.0);
+            // Nothing, or what it is; once found it is kept.
+            const bool is_found = some.n_touching == 1;
+            n_frames += is_found ? 0 : 1;
+            CHECK(is_found == (i >= n_frames));
+            CHECK(some.wrench_W.force.y() ==
+                  Approx(is_found ? exact.wrench_W.force.y() : 0.0).epsilon(1.0e-5));
+            CHECK(compare(some, exact).force_N <= some.error_N + 1.0e-6);
+        }
+        CHECK(n_frames < 5);
+        // All the others are known to be free by now.
+        CHECK(some.error_N == 0.0);
+    }
+}
+
+TEST_CASE("field sampling budget: nothing touches, but what was not looked at is owned up to") {
+    const FieldSampler::Field box = make_field(*make_box({1.0, 1.0, 1.0}), 64);
+    Pointshell points;
+    constexpr int kSide = 200;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        points.add({0.8 * (i % kSide) / kSide - 0.4, 0.0, 0.8 * (i / kSide) / kSide - 0.4},
+                   Vector3::UnitY());
+    }
+    FieldSampler small = make(box, make_shell(points), 5.0);
+    const Pose X_WT = Pose::at({0.0, 0.5 + 0.3 * box->frame().voxel_m, 0.0});
+    FieldTouch touch = small.step({}, X_WT);
+    CHECK(touch.n_touching == 0);
+    CHECK(touch.wrench_W.force == Vector3::Zero());
+    CHECK(touch.error_N > 0.0);
+    CHECK(touch.error_Nm > 0.0);
+    for (int i = 0; i < 200; ++i) {
+        touch = small.step({}, X_WT);
+    }
+    CHECK(touch.error_N == 0.0);
+}
+
+TEST_CASE(
+    "field sampling budget: the machine's clock is kept too, and what it leaves out is said") {
+    FieldSampler all = make(bumpy(), ball(), 0.0);
+    FieldSampler small = FieldSampler::build(bumpy(), ball(), {.budget_us = 5.0}).value();
+    Random random(8);
+    for (int i = 0; i < 50; ++i) {
+        const Pose X_WT{0.06 * random.direction(), random.turn(0.5)};
+        const FieldTouch exact = all.step({}, X_WT);
+        const FieldTouch some = small.step({}, X_WT);
+        CHECK(some.n_leaves < exact.n_leaves);
+        CHECK(some.n_left > 0);
+        CHECK(compare(some, exact).force_N <= some.bound_N);
+        CHECK(compare(some, exact).torque_Nm <= some.bound_Nm);
+    }
+}
