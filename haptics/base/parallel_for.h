@@ -15,16 +15,21 @@
 
 namespace fulcrum {
 
-/// Told the share done, 0 to 1; may be empty.
-using LoadProgress = std::function<void(double)>;
+/// Told the share done, 0 to 1; false stops the work. May be empty.
+using LoadProgress = std::function<bool(double)>;
 
-/// Calls work(piece) once for each of 0 to n - 1, on `n_threads` threads at most. `work` must not throw.
+/// Calls work(piece) once for each of 0 to n - 1, on `n_threads` threads at most. `work` must not throw. False where it was
+/// stopped: then some pieces are not done.
 template <class Work>
-void parallel_for(std::size_t n, std::size_t n_threads, const Work& work,
+bool parallel_for(std::size_t n, std::size_t n_threads, const Work& work,
                   const LoadProgress& progress = {}) {
     constexpr std::size_t kChunk = 64;
     std::atomic<std::size_t> next{0};
+    std::atomic<bool> is_stopped{false};
     const auto take_chunk = [&]() noexcept {
+        if (is_stopped.load(std::memory_order_relaxed)) {
+            return false;
+        }
         const std::size_t first = next.fetch_add(kChunk, std::memory_order_relaxed);
         for (std::size_t i = first; i < std::min(n, first + kChunk); ++i) {
             work(i);
@@ -41,10 +46,13 @@ void parallel_for(std::size_t n, std::size_t n_threads, const Work& work,
     constexpr std::size_t kChunksBetween = 64;
     for (std::size_t i = 1; take_chunk(); ++i) {
         if (progress && i % kChunksBetween == 0) {
-            progress(static_cast<double>(std::min(n, next.load(std::memory_order_relaxed))) /
-                     static_cast<double>(n));
+            const std::size_t n_begun = std::min(n, next.load(std::memory_order_relaxed));
+            const bool goes_on = progress(static_cast<double>(n_begun) / static_cast<double>(n));
+            is_stopped.store(!goes_on, std::memory_order_relaxed);
         }
     }
+    others.clear();
+    return !is_stopped.load(std::memory_order_relaxed);
 }
 
 }  // namespace fulcrum

@@ -94,7 +94,7 @@ class DistanceField {
     [[nodiscard]] static Expected<VoxelFrame> make_frame(const TriangleMesh& mesh, int n_along,
                                                          double band_voxels = 3.0);
 
-    /// Refuses frames and settings that `validate` refuses.
+    /// Refuses frames and settings that `validate` refuses; an error too where `progress` stops it.
     [[nodiscard]] static Expected<DistanceField> build(const TriangleMesh& mesh,
                                                        const VoxelFrame& frame,
                                                        const DistanceFieldSettings& settings = {},

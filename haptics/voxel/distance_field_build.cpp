@@ -80,27 +80,23 @@ class DistanceFieldBuilder {
         n_ = field_.n_bricks();
     }
 
-    DistanceField build() {
+    // False where it was stopped.
+    [[nodiscard]] bool build() {
         list_triangles();
-        tell(kShareListed);
-        fill_near_bricks();
+        if (!tell(kShareListed) || !fill_near_bricks()) {
+            return false;
+        }
         keep_near_bricks();
-        tell(kShareFilled);
-        fill_table();
-        tell(1.0);
-        return std::move(field_);
+        return tell(kShareFilled) && fill_table() && tell(1.0);
     }
+    [[nodiscard]] DistanceField take() { return std::move(field_); }
 
   private:
     // The share of the whole that each step takes, about.
     static constexpr double kShareListed = 0.1;
     static constexpr double kShareFilled = 0.7;
 
-    void tell(double share) const {
-        if (progress_) {
-            progress_(share);
-        }
-    }
+    [[nodiscard]] bool tell(double share) const { return !progress_ || progress_(share); }
     [[nodiscard]] std::size_t n_all() const {
         return static_cast<std::size_t>(n_[0]) * static_cast<std::size_t>(n_[1]) *
                static_cast<std::size_t>(n_[2]);
@@ -120,7 +116,7 @@ class DistanceFieldBuilder {
         if (!progress_) {
             return {};
         }
-        return [this, from, to](double share) { progress_(from + share * (to - from)); };
+        return [this, from, to](double share) { return progress_(from + share * (to - from)); };
     }
     // In voxels of the block.
     [[nodiscard]] TriangleAt lattice_triangle(std::size_t index) const {
@@ -135,10 +131,10 @@ class DistanceFieldBuilder {
     template <class Visit>
     void for_each_brick_near(const TriangleAt& t, Visit&& visit) const;
     void list_triangles();
-    void fill_near_bricks();
+    [[nodiscard]] bool fill_near_bricks();
     bool fill_brick(std::size_t listed, DistanceField::Brick& brick) const noexcept;
     void keep_near_bricks();
-    void fill_table();
+    [[nodiscard]] bool fill_table();
     // A lower bound, voxels, of a place in voxels.
     [[nodiscard]] double find_distance(const Vector3& lattice) const noexcept;
     void fill_entry(const Cell& brick, double voxels, bool inside) noexcept;
@@ -235,14 +231,14 @@ bool DistanceFieldBuilder::fill_brick(std::size_t listed,
     return true;
 }
 
-void DistanceFieldBuilder::fill_near_bricks() {
+bool DistanceFieldBuilder::fill_near_bricks() {
     constexpr std::size_t kConstant = 2;  // the bricks of +b and -b
     field_.bricks_.resize(near_.bricks.size() + kConstant);
     field_.bricks_[DistanceField::kFree].values.fill(DistanceField::kLargestValue);
     field_.bricks_[DistanceField::kInside].values.fill(-DistanceField::kLargestValue);
     is_kept_.assign(near_.bricks.size(), 0);
     std::vector<float> steepest(near_.bricks.size(), 0.0F);
-    parallel_for(
+    const bool is_done = parallel_for(
         near_.bricks.size(), static_cast<std::size_t>(settings_.n_threads),
         [&](std::size_t i) noexcept {
             DistanceField::Brick& brick = field_.bricks_[i + kConstant];
@@ -254,6 +250,7 @@ void DistanceFieldBuilder::fill_near_bricks() {
     constexpr double kAboveRounding = 1.0 + 1.0e-6;
     field_.slope_bound_ =
         std::max(1.0, kAboveRounding * most * field_.step_m() / field_.frame_.voxel_m);
+    return is_done;
 }
 
 void DistanceFieldBuilder::keep_near_bricks() {
@@ -321,9 +318,9 @@ void DistanceFieldBuilder::fill_entries(const Cell& first) noexcept {
     }
 }
 
-void DistanceFieldBuilder::fill_table() {
+bool DistanceFieldBuilder::fill_table() {
     const std::array<std::int32_t, 3> n_pairs{(n_[0] + 1) / 2, (n_[1] + 1) / 2, (n_[2] + 1) / 2};
-    parallel_for(
+    return parallel_for(
         static_cast<std::size_t>(n_pairs[0]) * static_cast<std::size_t>(n_pairs[1]) *
             static_cast<std::size_t>(n_pairs[2]),
         static_cast<std::size_t>(settings_.n_threads),
@@ -343,7 +340,11 @@ Expected<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Vox
     if (auto fits = validate(frame, mesh, settings.band_voxels); !fits) {
         return tl::unexpected(fits.error());
     }
-    return DistanceFieldBuilder(mesh, frame, settings, progress).build();
+    DistanceFieldBuilder builder(mesh, frame, settings, progress);
+    if (!builder.build()) {
+        return fail("the distance field was stopped before it was made", {}, "make it again");
+    }
+    return builder.take();
 }
 
 }  // namespace fulcrum

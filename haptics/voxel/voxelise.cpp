@@ -121,7 +121,8 @@ Expected<void> validate(const VoxeliseSettings& settings) {
     return check_ranges("the voxels'", ranges);
 }
 
-Expected<VoxelGrid> voxelise(const TriangleMesh& mesh, const VoxeliseSettings& settings) {
+Expected<VoxelGrid> voxelise(const TriangleMesh& mesh, const VoxeliseSettings& settings,
+                             const LoadProgress& progress) {
     if (const auto checked = validate(settings); !checked) {
         return tl::unexpected(checked.error());
     }
@@ -141,9 +142,21 @@ Expected<VoxelGrid> voxelise(const TriangleMesh& mesh, const VoxeliseSettings& s
         n_cells[axis] = static_cast<std::int32_t>(needed);
     }
     VoxelGrid grid = make_grid(mesh, settings.voxel_m, n_cells, margin);
+    // About as much of the time as each step takes.
+    const auto goes_on = [&](double share) { return !progress || progress(share); };
     mark_surface(mesh, grid);
-    flood_free(grid);
-    add_layers(settings, grid);
+    bool is_done = goes_on(0.3);
+    if (is_done) {
+        flood_free(grid);
+        is_done = goes_on(0.8);
+    }
+    if (is_done) {
+        add_layers(settings, grid);
+        is_done = goes_on(1.0);
+    }
+    if (!is_done) {
+        return fail("the voxels were stopped before they were made", {}, "make them again");
+    }
     return grid;
 }
 

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/base/parallel_for.h"
 #include "haptics/geometry/triangle_mesh.h"
 #include "haptics/voxel/voxel_grid.h"
 
@@ -35,8 +36,9 @@ struct VoxeliseSettings {
 [[nodiscard]] Expected<void> validate(const VoxeliseSettings& settings);
 
 /// The mesh as voxels, its frame that of the mesh; the outermost voxels are free. Refuses settings that `validate` refuses
-/// and a mesh that needs more than 512 voxels along an axis.
+/// and a mesh that needs more than 512 voxels along an axis; an error too where `progress`, asked after each step, stops it.
 [[nodiscard]] Expected<VoxelGrid> voxelise(const TriangleMesh& mesh,
-                                           const VoxeliseSettings& settings);
+                                           const VoxeliseSettings& settings,
+                                           const LoadProgress& progress = {});
 
 }  // namespace fulcrum

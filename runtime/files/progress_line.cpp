@@ -18,11 +18,12 @@ ProgressLine::ProgressLine(std::string label, const ProgressLineSettings& settin
       settings_(settings),
       on_terminal_(::isatty(::fileno(settings.stream)) == 1) {}
 
-ProgressLine::~ProgressLine() {
+void ProgressLine::clear() {
     if (is_shown_) {
         std::fputs(kEmptied, settings_.stream);
         std::fflush(settings_.stream);
     }
+    is_shown_ = false;
 }
 
 void ProgressLine::say(double share, std::string_view what) {

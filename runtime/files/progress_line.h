@@ -27,9 +27,10 @@ class ProgressLine {
     explicit ProgressLine(std::string label, const ProgressLineSettings& settings = {});
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
-    /// Takes the line away.
-    ~ProgressLine();
+    ~ProgressLine() { clear(); }
 
+    /// Takes the line away, until something is said again.
+    void clear();
     /// "label  42 % what"; the share from 0 to 1, of `what` what fits.
     void say(double share, std::string_view what = {});
     [[nodiscard]] bool is_on_terminal() const noexcept { return on_terminal_; }

@@ -226,12 +226,12 @@ Expected<DistanceField> recall_distance_field(ShapeCache& cache, const TriangleM
 }
 
 Expected<VoxelGrid> recall_voxels(ShapeCache& cache, const TriangleMesh& mesh,
-                                  const VoxeliseSettings& settings) {
+                                  const VoxeliseSettings& settings, const LoadProgress& progress) {
     const std::array<double, 3> numbers{settings.voxel_m,
                                         static_cast<double>(settings.offset_layers),
                                         static_cast<double>(settings.proximity_layers)};
     return recall(cache, compute_shape_key(ShapeKind::voxel_grid, mesh, numbers), decode_voxel_grid,
-                  [&] { return voxelise(mesh, settings); });
+                  [&] { return voxelise(mesh, settings, progress); });
 }
 
 Expected<Pointshell> recall_surface_pointshell(ShapeCache& cache, const TriangleMesh& mesh,

@@ -86,7 +86,8 @@ template <class Decode, class Build>
                                                             const LoadProgress& progress = {});
 /// voxelise, kept.
 [[nodiscard]] Expected<VoxelGrid> recall_voxels(ShapeCache& cache, const TriangleMesh& mesh,
-                                                const VoxeliseSettings& settings);
+                                                const VoxeliseSettings& settings,
+                                                const LoadProgress& progress = {});
 /// make_surface_pointshell, kept.
 [[nodiscard]] Expected<Pointshell> recall_surface_pointshell(ShapeCache& cache,
                                                              const TriangleMesh& mesh,

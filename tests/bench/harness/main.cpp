@@ -1,4 +1,5 @@
 // fulcrum bench: runs the registered benchmarks and writes what they found as CSV, SVG and one page.
+#include "runtime/files/progress_line.h"
 #include "runtime/lua/process/lesson_process.h"
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/environment.h"
@@ -13,7 +14,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <unistd.h>
 
 namespace fulcrum::bench {
 namespace {
@@ -84,28 +84,23 @@ Expected<void> draw_again(const std::string& name) {
 class Progress {
   public:
     Progress(std::size_t index, std::size_t count, const Bench& bench)
-        : label_("[" + std::to_string(index + 1) + "/" + std::to_string(count) + "] " +
-                 bench.name) {
-        if (!on_terminal_) {
+        : label_("[" + std::to_string(index + 1) + "/" + std::to_string(count) + "] " + bench.name),
+          line_(label_, {.after_s = 0.0}) {
+        if (!line_.is_on_terminal()) {
             std::fprintf(stderr, "%s …\n", label_.c_str());
         }
         say(0.0, bench.what);
     }
-    void say(double share, const std::string& what) const {
-        if (on_terminal_) {
-            std::fprintf(stderr, "\r\033[K%s %3.0f %% %s", label_.c_str(), 100.0 * share,
-                         what.substr(0, 50).c_str());
-        }
-    }
-    void done() const {
+    void say(double share, const std::string& what) { line_.say(share, what); }
+    void done() {
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began_;
-        std::fprintf(stderr, "%s%s: %.1f s\n", on_terminal_ ? "\r\033[K" : "", label_.c_str(),
-                     took.count());
+        line_.clear();
+        std::fprintf(stderr, "%s: %.1f s\n", label_.c_str(), took.count());
     }
 
   private:
     std::string label_;
-    bool on_terminal_ = ::isatty(2) == 1;
+    runtime::ProgressLine line_;
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
@@ -184,7 +179,7 @@ Expected<void> run_all(const BenchOptions& options, const Environment& environme
     const fs::path page = fs::path(options.out) / "index.html";
     Report exhibits;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const Progress progress(i, chosen.size(), *chosen[i]);
+        Progress progress(i, chosen.size(), *chosen[i]);
         Run run(
             options.quick,
             [&](double share, const std::string& what) { progress.say(share, what); },

@@ -39,9 +39,26 @@ TEST_CASE(
         DistanceField::build(mesh, frame, {.n_threads = 1}, [&](double share) {
             CHECK(share >= told);
             told = share;
+            return true;
         }).value();
     CHECK(told == 1.0);
     CHECK(is_same(one, DistanceField::build(mesh, frame, {.n_threads = 3}).value()));
+}
+
+TEST_CASE("distance field build: it stops at whatever share it is told to, and says so") {
+    const TriangleMesh mesh = *make_sphere(1.0, 20);
+    const VoxelFrame frame = DistanceField::make_frame(mesh, 128).value();
+    for (const double most : {0.0, 0.5}) {
+        double told = 0.0;
+        const auto stopped = DistanceField::build(mesh, frame, {}, [&](double share) {
+            told = share;
+            return share < most;
+        });
+        REQUIRE_FALSE(stopped);
+        CHECK(told >= most);
+        CHECK(told < 1.0);
+        CHECK(stopped.error().message.find("stopped") != std::string::npos);
+    }
 }
 
 TEST_CASE("distance field build: memory is that of the surface, not of the block") {

@@ -5,7 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace fulcrum;
 
@@ -205,4 +207,23 @@ TEST_CASE("rasterise: each voxel once, and blocks change nothing") {
     std::sort(expected.begin(), expected.end());
     CHECK(found.size() > 500);
     CHECK(found == expected);
+}
+
+TEST_CASE("voxelise: it tells how far it is, and stops where it is told to") {
+    const TriangleMesh mesh = make_sphere(1.0, 4).value();
+    std::vector<double> told;
+    const auto tell = [&](double most) {
+        told.clear();
+        return voxelise(mesh, {.voxel_m = 0.1}, [&told, most](double share) {
+            told.push_back(share);
+            return share < most;
+        });
+    };
+    CHECK(tell(2.0)->cells == voxelise(mesh, {.voxel_m = 0.1})->cells);
+    CHECK(std::is_sorted(told.begin(), told.end()));
+    CHECK(told.back() == 1.0);
+    for (const double most : {0.1, 0.5, 1.0}) {
+        CHECK_FALSE(tell(most));
+    }
+    CHECK(told.size() == 3);
 }
