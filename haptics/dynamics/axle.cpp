@@ -10,11 +10,6 @@
 namespace fulcrum {
 namespace {
 
-// Where the weight hangs, from the pivot.
-Vector3 compute_load_arm(const AxleSettings& settings, double angle_rad) noexcept {
-    return compute_exp(angle_rad * settings.axis_W) * (settings.load_B - settings.pivot_B);
-}
-
 void move_evenly(double acceleration_rad_per_s2, double time_s, AxleState& state) noexcept {
     state.angle_rad += time_s * (state.spin_rad_per_s + 0.5 * time_s * acceleration_rad_per_s2);
     state.spin_rad_per_s += time_s * acceleration_rad_per_s2;
@@ -38,12 +33,25 @@ double turn_on(const AxleSettings& settings, double torque_Nm, double time_s,
 
 }  // namespace
 
+AxleSettings move_pivot(const AxleSettings& settings, const Vector3& pivot_B) noexcept {
+    AxleSettings moved = settings;
+    moved.pivot_B = pivot_B;
+    const double before_m = compute_axle_distance_m(settings, settings.centre_B);
+    const double after_m = compute_axle_distance_m(moved, settings.centre_B);
+    moved.inertia_kg_m2 += settings.mass_kg * (after_m * after_m - before_m * before_m);
+    return moved;
+}
+
+Vector3 compute_load_arm_W(const AxleSettings& settings, double angle_rad) noexcept {
+    return compute_exp(angle_rad * settings.axis_W) * (settings.load_B - settings.pivot_B);
+}
+
 double compute_load_torque_Nm(const AxleSettings& settings, double angle_rad) noexcept {
     if (settings.load_N == 0.0) {
         return 0.0;
     }
     const Vector3 weight_W(0.0, -settings.load_N, 0.0);
-    return settings.axis_W.dot(compute_load_arm(settings, angle_rad).cross(weight_W));
+    return settings.axis_W.dot(compute_load_arm_W(settings, angle_rad).cross(weight_W));
 }
 
 Pose compute_turned_pose(const AxleSettings& settings, double angle_rad,
@@ -54,7 +62,7 @@ Pose compute_turned_pose(const AxleSettings& settings, double angle_rad,
 }
 
 double compute_axle_energy_J(const AxleSettings& settings, const AxleState& state) noexcept {
-    const double height_m = compute_load_arm(settings, state.angle_rad).y();
+    const double height_m = compute_load_arm_W(settings, state.angle_rad).y();
     return 0.5 * settings.inertia_kg_m2 * state.spin_rad_per_s * state.spin_rad_per_s +
            settings.load_N * height_m;
 }

@@ -7,16 +7,19 @@
 namespace fulcrum {
 
 Expected<void> validate(const AxleSettings& settings) {
-    constexpr double kFarthest_m = 100.0;
     const Range ranges[] = {
         {"axis' length", settings.axis_W.norm(), 1.0 - 1e-9, 1.0 + 1e-9},
-        {"pivot's distance in metres", settings.pivot_B.norm(), 0.0, kFarthest_m},
+        {"pivot's distance in metres", settings.pivot_B.norm(), 0.0, kFarthestOnAxle_m},
         {"inertia in kilogram square metres", settings.inertia_kg_m2, 1e-4, 1e6},
+        {"mass in kilograms", settings.mass_kg, 0.0, 1e4},
+        {"centre's distance in metres", settings.centre_B.norm(), 0.0, kFarthestOnAxle_m},
+        {"inertia about the centre in kilogram square metres",
+         move_pivot(settings, settings.centre_B).inertia_kg_m2, 0.0, 1e6},
         {"friction in newton metres", settings.friction_Nm, 0.0, 1e6},
         {"lowest angle in radians", settings.lowest_rad, -kAnyAngle_rad, kAnyAngle_rad},
         {"highest angle in radians", settings.highest_rad, settings.lowest_rad, kAnyAngle_rad},
         {"load in newtons", settings.load_N, 0.0, 1e6},
-        {"load's distance in metres", settings.load_B.norm(), 0.0, kFarthest_m},
+        {"load's distance in metres", settings.load_B.norm(), 0.0, kFarthestOnAxle_m},
     };
     return check_ranges("an axle's", ranges);
 }

@@ -10,38 +10,57 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kLongestStep_s = 0.01;  // after a pause it goes on instead of leaping
+constexpr double kLongestAxleStep_s = 0.01;  // after a pause it goes on instead of leaping
 constexpr double kFastest_rad_per_s = 1.0e3;
 
-// What of the coupling's stretch is held by one solid.
-Vector3 compute_hold(const ProxyContact& contact, std::int32_t solid) noexcept {
-    Vector3 hold_W = Vector3::Zero();
-    for (const SolidTouch& touch : contact.active()) {
-        if (touch.solid == solid) {
-            hold_W += touch.push_m * touch.normal_W + touch.drag_W;
-        }
-    }
-    return hold_W;
-}
+// What planes hold of the coupling's stretch.
+struct Hold {
+    bool touches = false;
+    Vector3 push_W = Vector3::Zero();  // along the planes' normals
+    Vector3 drag_W = Vector3::Zero();
 
-// The share of the hand's force that one solid takes, all of it where it alone is touched.
-Vector3 compute_share(const ProxyContact& contact, std::int32_t solid,
-                      const Vector3& force_W) noexcept {
+    void add(const SolidTouch& touch) noexcept {
+        touches = true;
+        push_W += touch.push_m * touch.normal_W;
+        drag_W += touch.drag_W;
+    }
+};
+
+// How the hand presses one solid.
+struct Press {
+    bool touches = false;
+    Vector3 normal_W = Vector3::Zero();  // of that solid's planes together, out of it
+    Vector3 force_W = Vector3::Zero();   // on the solid
+};
+
+// The share of the hand's force that one solid takes, all of it where it alone is touched; never more than `most_N`.
+Press compute_press(const ProxyContact& contact, std::int32_t solid, const Vector3& force_W,
+                    double most_N) noexcept {
+    Hold here;
+    Hold all;
     bool alone = contact.solid == solid;
     for (const SolidTouch& touch : contact.active()) {
+        all.add(touch);
+        if (touch.solid == solid) {
+            here.add(touch);
+        }
         alone = alone && touch.solid == solid;
     }
+    Press press;
+    press.touches = here.touches || contact.solid == solid;
+    if (!press.touches) {
+        return press;
+    }
+    press.normal_W = alone ? contact.normal_W : compute_direction(here.push_W);
     if (alone) {
-        return force_W;
+        press.force_W = -force_W;
+    } else if (const double stretch_m = compute_length(Vector3(all.push_W + all.drag_W));
+               stretch_m > 0.0) {
+        press.force_W = -compute_length(force_W) / stretch_m * (here.push_W + here.drag_W);
     }
-    Vector3 all_W = Vector3::Zero();
-    for (const SolidTouch& touch : contact.active()) {
-        all_W += touch.push_m * touch.normal_W + touch.drag_W;
-    }
-    const double stretch_m = compute_length(all_W);
-    return stretch_m > 0.0
-               ? Vector3(compute_length(force_W) / stretch_m * compute_hold(contact, solid))
-               : Vector3(Vector3::Zero());
+    const double force_N = compute_length(press.force_W);
+    press.force_W *= force_N > most_N ? most_N / force_N : 1.0;
+    return press;
 }
 
 // The coupling's force without what its damper drags along a surface without friction.
@@ -55,14 +74,23 @@ Vector3 compute_held_force(const ProxyContact& contact, const Vector3& force_W,
     return spring_W + contact.normal_W.dot(force_W - spring_W) * contact.normal_W;
 }
 
+// The planned axle elsewhere. No place of the body is farther from the new pivot than from the planned one and that from it.
+AxleSettings put_on_pivot(const AxlePlan& plan, const Vector3& pivot_B) noexcept {
+    AxleSettings moved = move_pivot(plan.axle, pivot_B);
+    const double reach_m = plan.reach_m + compute_axle_distance_m(plan.axle, pivot_B);
+    moved.inertia_kg_m2 = std::max(moved.inertia_kg_m2, kLeastRimMass_kg * reach_m * reach_m);
+    return moved;
+}
+
 }  // namespace
 
 // True when the body has been put elsewhere at once: at another angle, or on another pivot.
 bool AxleStage::take_order(const AxleOrder& order, Axle& axle) noexcept {
     bool is_put = false;
-    if (order.is_set && order.pivot_B.allFinite() && std::isfinite(order.load_N)) {
+    if (order.is_set && compute_length(order.pivot_B) <= kFarthestOnAxle_m &&
+        std::isfinite(order.load_N)) {
         is_put = axle.settings.pivot_B != order.pivot_B;
-        axle.settings.pivot_B = order.pivot_B;
+        axle.settings = put_on_pivot(axle.plan, order.pivot_B);
         axle.settings.load_N = std::max(order.load_N, 0.0);
     }
     if (order.n_spins != std::exchange(axle.n_spins, order.n_spins) &&
@@ -94,33 +122,26 @@ std::span<const Pose> AxleStage::turn(std::span<const Pose> poses_W, Proxy& prox
     return {poses_W_.data(), poses_W.size()};
 }
 
-void AxleStage::push(const ProxyContact& contact, const Vector3& force_W, const Vector3& spring_W,
-                     double dt_s) noexcept {
-    const Vector3 held_W = compute_held_force(contact, force_W, spring_W);
-    const double force_N = compute_length(held_W);
-    const double share = force_N > most_force_N_ ? most_force_N_ / force_N : 1.0;
-    const Vector3 at_W = contact.position_W - cursor_m_ * contact.normal_W;
+void AxleStage::push(const ProxyContact& contact, const HandPush& hand, double dt_s) noexcept {
+    const Vector3 held_W = compute_held_force(contact, hand.force_W, hand.spring_W);
     for (std::size_t i = 0; i < axles_.size(); ++i) {
         Axle& axle = axles_[i];
         AxleReport& report = frame_.axles[i];
-        const auto solid = static_cast<std::int32_t>(axle.solid);
+        const Press press =
+            compute_press(contact, static_cast<std::int32_t>(axle.solid), held_W, hand.most_N);
         report.pivot_W = axle.rest_W.position + axle.settings.pivot_B;
-        report.touched = contact.solid == solid;
-        for (const SolidTouch& touch : contact.active()) {
-            report.touched = report.touched || touch.solid == solid;
-        }
-        report.at_W = at_W;
-        report.force_W = report.touched ? Vector3(-share * compute_share(contact, solid, held_W))
-                                        : Vector3(Vector3::Zero());
+        report.touched = press.touches;
+        report.at_W = contact.position_W - cursor_m_ * press.normal_W;
+        report.force_W = press.force_W;
         report.torque_Nm =
-            compute_axle_torque_Nm(axle.settings, report.pivot_W, at_W, report.force_W);
+            compute_axle_torque_Nm(axle.settings, report.pivot_W, report.at_W, report.force_W);
         report.load_torque_Nm = compute_load_torque_Nm(axle.settings, axle.state.angle_rad);
-        step_axle(axle.settings, report.torque_Nm, std::min(dt_s, kLongestStep_s), axle.state);
+        step_axle(axle.settings, report.torque_Nm, std::min(dt_s, kLongestAxleStep_s), axle.state);
         report.angle_rad = axle.state.angle_rad;
         report.spin_rad_per_s = axle.state.spin_rad_per_s;
         report.load_N = axle.settings.load_N;
         report.pose_W = compute_turned_pose(axle.settings, axle.state.angle_rad, axle.rest_W);
-        report.load_W = report.pose_W * axle.settings.load_B;
+        report.load_W = report.pivot_W + compute_load_arm_W(axle.settings, axle.state.angle_rad);
     }
     if (channels_ != nullptr) {
         channels_->frame.publish(frame_);

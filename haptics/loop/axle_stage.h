@@ -1,10 +1,13 @@
 // Turns the plan's solids about their axles by what the hand presses.
 //
 //   r = contact - pivot,  tau = axis . (r x F),  F = minus the share of the coupling's force that this solid holds
-// The share of a solid is that of its planes: sum(push n + drag) over its touches against the same of all. F is never more
-// than the loop's force limit; two solids that wedge the hand may each take up to what their planes hold. Of the coupling's damper only the part along the
-// normal turns a body that has no friction: nothing drags along a surface that nothing holds on to. The solid's pose for this round's proxy is that at
-// the end of the last round; so the surface under the proxy moves with the body, and its friction takes it along.
+// The share of a solid is that of its planes: sum(push n + drag) over its touches against the same of all. No solid is given more than
+// the gate may let through to the hand in this round: what the hand does not feel turns nothing, two solids that wedge it in included.
+// It presses where the cursor touches that solid, along that solid's own planes. Of the coupling's damper only the part along the
+// normal turns a body that has no friction: nothing drags along a surface that nothing holds on to. The solid's pose for this
+// round's proxy is that at the end of the last round; so the surface under the proxy moves with the body, and its friction takes it along.
+//
+// A body that is put on another pivot has its inertia about that (axle.h), and no less than kLeastRimMass_kg asks for.
 //
 // Thread: haptic loop. Cost: 60 ns an axle and round, and the copy of the report. No allocation in a step.
 #pragma once
@@ -21,6 +24,13 @@
 
 namespace fulcrum {
 
+/// What the coupling does in this round.
+struct HandPush {
+    Vector3 force_W{Vector3::Zero()};   ///< on the hand
+    Vector3 spring_W{Vector3::Zero()};  ///< its spring's part of it
+    double most_N = 0.0;                ///< that the hand may feel (SafetyGate::find_most_N)
+};
+
 class AxleStage {
   public:
     /// Takes a plan that `validate` accepted. `channels` may be null: then nothing is ordered or told.
@@ -29,26 +39,24 @@ class AxleStage {
     /// First in a round: takes the lesson's orders, and gives the poses of all solids with those on axles turned. What an order
     /// has put elsewhere the proxy is told. Valid until the next call.
     [[nodiscard]] std::span<const Pose> turn(std::span<const Pose> poses_W, Proxy& proxy) noexcept;
-    /// Then, when the forces are known: the coupling's on the hand, and its spring's part of it. Moves all axles on and tells
-    /// of them.
-    void push(const ProxyContact& contact, const Vector3& force_W, const Vector3& spring_W,
-              double dt_s) noexcept;
+    /// Then, when the forces are known. Moves all axles on and tells of them.
+    void push(const ProxyContact& contact, const HandPush& hand, double dt_s) noexcept;
 
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
   private:
     struct Axle {
         std::size_t solid = 0;
-        AxleSettings settings{};
+        AxlePlan plan{};
+        AxleSettings settings{};  // on the pivot where it is now
         AxleState state{};
         std::uint32_t n_angles = 0;
         std::uint32_t n_spins = 0;
         Pose rest_W{};  // of the body at angle 0, in this round
     };
-    bool take_order(const AxleOrder& order, Axle& axle) noexcept;
+    static bool take_order(const AxleOrder& order, Axle& axle) noexcept;
 
     AxleChannels* channels_;
-    double most_force_N_;
     double cursor_m_;  // from the proxy to where it touches
     std::vector<Axle> axles_;
     std::array<Pose, kMaxSolids> poses_W_{};

@@ -34,7 +34,7 @@ Expected<void> validate_axles(const HapticPlan& plan) {
 }
 
 AxleStage::AxleStage(const HapticPlan& plan, AxleChannels* channels)
-    : channels_(channels), most_force_N_(plan.safety.max_force_N), cursor_m_(0.0) {
+    : channels_(channels), cursor_m_(0.0) {
     if (const auto* ball = std::get_if<SphereShape>(&plan.proxy.cursor)) {
         cursor_m_ = ball->radius_m;
     }
@@ -42,6 +42,7 @@ AxleStage::AxleStage(const HapticPlan& plan, AxleChannels* channels)
     for (const AxlePlan& planned : plan.axles) {
         Axle axle;
         axle.solid = planned.solid;
+        axle.plan = planned;
         axle.settings = planned.axle;
         axle.rest_W = plan.solids[planned.solid].initial_pose_W;
         axles_.push_back(axle);

@@ -212,8 +212,9 @@ void HapticLoop::compute_forces(const Passed& passed) noexcept {
         passed(HapticStage::coupling);
         if (touch_->axles) {
             // The contact's is the first force of the round, and so far the only one.
-            touch_->axles->push(touch_->contact, demand_.wrench_W.force, demand_.contact.force,
-                                dt_s_);
+            touch_->axles->push(
+                touch_->contact,
+                {demand_.wrench_W.force, demand_.contact.force, gate_.find_most_N(dt_s_)}, dt_s_);
             passed(HapticStage::turning);
         }
         if (touch_->effects) {

@@ -58,6 +58,9 @@ class SafetyGate {
     /// Zero at once, with nothing left to fade; a stop stays a stop.
     void silence() noexcept;
 
+    /// The largest force in newtons that the next `pass` may let through, whatever is commanded and without a fault.
+    [[nodiscard]] double find_most_N(double dt_s) const noexcept;
+
     /// True while a fade, of a fault or of a stop, has not come to zero.
     [[nodiscard]] bool is_fading() const noexcept;
 

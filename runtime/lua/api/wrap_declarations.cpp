@@ -37,7 +37,8 @@ constexpr Parameter kHinge[] = {
     {"at", ParameterType::vector, "metres", -10000, 10000, "nil",
      "a place that the axis passes through; where the body is by default"},
     {"inertia", ParameterType::number, "kilogram square metres", 0.0001, 1e6, kRequired,
-     "how hard it is to turn, with all that hangs on it"},
+     "how hard it is to turn, with all that hangs on it; a body with a mass is harder to turn on a "
+     "support farther from its middle"},
     {"friction", ParameterType::number, "newton metres", 0, 1e6, "0", "the torque that brakes it"},
     {"lowest", ParameterType::number, "degrees", -1e6, 1e6, "nil",
      "it turns no further; no end by default"},
@@ -102,6 +103,8 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
     body.line = place_in_lesson(lua).line;
     if (arguments["hinge"].given) {
         body.hinge = take_hinge(lua, arguments.record("hinge"), body);
+        // Only a mass that the lesson gives is known to be that of its inertia.
+        body.hinge->mass_kg = arguments["mass"].given ? body.mass_kg : 0.0;
     }
     if (arguments["material"].given && !body.solid) {
         raise_in_lesson(lua, body.name + " has a material but can't be touched; add solid = true");

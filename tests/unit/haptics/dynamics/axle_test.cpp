@@ -105,9 +105,11 @@ TEST_CASE("axle: a pendulum swings as long as theory says and keeps its energy f
     const double bottom_rad = -std::numbers::pi / 2;
     AxleState state{bottom_rad + 0.01, 0.0};
     const double before_J = compute_axle_energy_J(pendulum, state);
-    // T = 2 pi sqrt(I / (W r)), half a swing later it stands on the other side.
-    const double half_s = std::numbers::pi * std::sqrt(0.05 / (3.0 * 0.4));
-    step_for(pendulum, 0.0, half_s, half_s / 1000.0, state);
+    // T = 2 pi sqrt(I / (W r)). A quarter of a swing later it passes the bottom, where an inertia 0.1 % off would tell: 8e-6 rad.
+    const double quarter_s = 0.5 * std::numbers::pi * std::sqrt(0.05 / (3.0 * 0.4));
+    step_for(pendulum, 0.0, quarter_s, quarter_s / 1000.0, state);
+    CHECK(state.angle_rad == Approx(bottom_rad).margin(5e-7));
+    step_for(pendulum, 0.0, quarter_s, quarter_s / 1000.0, state);
     CHECK(state.angle_rad == Approx(bottom_rad - 0.01).margin(1e-6));
     state = {bottom_rad + 1.5, 0.0};
     const double high_J = compute_axle_energy_J(pendulum, state);
@@ -118,6 +120,25 @@ TEST_CASE("axle: a pendulum swings as long as theory says and keeps its energy f
     }
     CHECK(worst_J < 1e-5);
     CHECK(before_J == Approx(-1.2).epsilon(1e-3));
+}
+
+TEST_CASE("axle: on another pivot the inertia grows by the mass and the distances' squares") {
+    AxleSettings beam = make_wheel(0.5);
+    beam.axis_W = Vector3(0.0, 0.6, 0.8);
+    beam.mass_kg = 3.0;
+    beam.centre_B = {0.2, 0.1, -0.3};
+    beam.pivot_B = {-0.1, 0.4, 0.2};
+    // Along the axis nothing changes; there and back is the same.
+    CHECK(move_pivot(beam, beam.pivot_B + 0.7 * beam.axis_W).inertia_kg_m2 == Approx(0.5));
+    const AxleSettings moved = move_pivot(beam, {1.0, 2.0, 3.0});
+    CHECK(move_pivot(moved, beam.pivot_B).inertia_kg_m2 == Approx(0.5));
+    // From the centre, where it is least, by m d^2.
+    const AxleSettings centred = move_pivot(beam, beam.centre_B);
+    CHECK(centred.inertia_kg_m2 < 0.5);
+    CHECK(move_pivot(centred, beam.centre_B + Vector3(0.4, 0.0, 0.0)).inertia_kg_m2 ==
+          Approx(centred.inertia_kg_m2 + 3.0 * 0.16));
+    beam.mass_kg = 0.0;
+    CHECK(move_pivot(beam, {1.0, 2.0, 3.0}).inertia_kg_m2 == 0.5);
 }
 
 TEST_CASE("axle: balance is where the torques cancel, and from there nothing moves") {
@@ -183,6 +204,15 @@ TEST_CASE("axle: settings out of range are refused with a sentence") {
               a.lowest_rad = 1.0;
               a.highest_rad = 0.5;
           }) != "");
+    CHECK(refusal([](AxleSettings& a) { a.mass_kg = -1.0; }) != "");
+    CHECK(refusal([](AxleSettings& a) { a.centre_B.x() = std::nan(""); }) != "");
+    // 1 kg 1 m from the pivot has 1 kg m^2 about it at least.
+    CHECK(refusal([](AxleSettings& a) {
+              a.mass_kg = 1.0;
+              a.centre_B = a.pivot_B + Vector3(1.0, 0.0, 0.0);
+          }) ==
+          "an axle's inertia about the centre in kilogram square metres is -0.95, outside the "
+          "range 0 to 1e+06; set it within that range.");
     CHECK(refusal([](AxleSettings& a) { a.load_N = std::nan(""); }) != "");
     CHECK(refusal([](AxleSettings& a) { a.load_B.x() = std::nan(""); }) != "");
 }

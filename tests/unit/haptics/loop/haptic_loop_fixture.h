@@ -16,9 +16,14 @@ inline constexpr double kRounding = 1e-9;
 
 // A loop with everything round it; `run` steps it, keeping lesson and world fresh while they are awake.
 struct Bench {
-    explicit Bench(const HapticPlan& plan, std::unique_ptr<Proxy> proxy = nullptr)
-        : loop(plan, device, *channels, std::move(proxy)) {
+    explicit Bench(const HapticPlan& plan, std::unique_ptr<Proxy> proxy = nullptr,
+                   AxleChannels* axles = nullptr)
+        : loop(plan, device, with_axles(*channels, axles), std::move(proxy)) {
         command.lesson_alive = true;
+    }
+    static HapticChannels& with_axles(HapticChannels& channels, AxleChannels* axles) {
+        channels.axles = axles;
+        return channels;
     }
 
     void run(int n) {

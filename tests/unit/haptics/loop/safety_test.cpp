@@ -207,6 +207,27 @@ TEST_CASE("safety: limits scale the vector and keep its direction") {
     CHECK(out.force.norm() == Approx(5.0));
 }
 
+TEST_CASE("safety: what the gate says that it may let through next bounds what it lets through") {
+    SafetyGate gate{SafetySettings{}};
+    CHECK(gate.find_most_N(kDt_s) == 0.0);
+    double tightest = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+        const double dt_s = i % 7 == 0 ? 3.0 * kDt_s : kDt_s;
+        const Fault fault = i == 3500 ? Fault::device_read : Fault::none;
+        const double most_N = gate.find_most_N(dt_s);
+        const double felt_N = gate.pass(along_x(i < 100 ? 0.0 : 50.0), fault, dt_s).force.norm();
+        if (i > 0 && i < 3500) {
+            REQUIRE(felt_N <= most_N);
+            tightest = std::max(tightest, most_N > 0.0 ? felt_N / most_N : 0.0);
+        }
+        if (i > 3500) {
+            REQUIRE(gate.find_most_N(dt_s) == 0.0);
+        }
+    }
+    CHECK(tightest == Approx(1.0));
+    CHECK(gate.find_most_N(std::numeric_limits<double>::quiet_NaN()) == 0.0);
+}
+
 TEST_CASE("safety: any fault fades in a straight line to zero, then engagement is needed again") {
     const Fault each[] = {Fault::device_read,   Fault::device_stale,    Fault::device_invalid,
                           Fault::command_stale, Fault::command_invalid, Fault::lesson_failed,
