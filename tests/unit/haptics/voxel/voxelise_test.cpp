@@ -1,7 +1,10 @@
 #include "haptics/voxel/voxelise.h"
 
 #include "haptics/geometry/shape.h"
+#include "haptics/voxel/pointshell.h"
 #include "haptics/voxel/rasterise.h"
+#include "haptics/voxel/triangle_clusters.h"
+#include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
@@ -167,6 +170,68 @@ TEST_CASE("voxelise: a hollow that nothing reaches is inside") {
         make_grid(TriangleMesh::build(corners, triangles).value(), {.voxel_m = 0.004});
     CHECK(grid.find_class(grid.frame.find_cell(Vector3::Zero())) == VoxelClass::interior);
     CHECK(grid.find_class(grid.frame.find_cell({0.0, 0.0375, 0.0})) == VoxelClass::interior);
+}
+
+TEST_CASE(
+    "voxelise: what is not interior is farther than k - 1 voxels from the mesh, and no more") {
+    const auto mesh = make_bumpy_sphere(0.05, 12, 0.1, 7.0).value();
+    const TriangleClusters clusters(mesh);
+    for (const int k : {1, 2, 3}) {
+        const VoxelGrid grid = make_grid(mesh, {.voxel_m = 0.004, .offset_layers = k});
+        const double s = grid.frame.voxel_m;
+        double nearest_m = 1.0;
+        for_each_cell(all_of(grid), [&](const VoxelFrame::Cell& cell) {
+            if (grid.find_class(cell) != VoxelClass::surface) {
+                return;
+            }
+            // Its corners and the middles of its edges and sides.
+            for_each_cell({{-1, -1, -1}, {1, 1, 1}}, [&](const VoxelFrame::Cell& at) {
+                const Vector3 p =
+                    grid.frame.centre_of(cell) + 0.5 * s * Vector3(at[0], at[1], at[2]);
+                nearest_m = std::min(nearest_m, clusters.find_distance(p));
+            });
+        });
+        INFO(k << ": " << nearest_m / s);
+        CHECK(nearest_m >= (k - 1) * s - 1.0e-9);
+        CHECK(nearest_m < (k - 1 + 0.15) * s);
+    }
+}
+
+TEST_CASE("voxelise: with two layers surfaces cannot meet while no point is interior") {
+    const auto mesh = make_bumpy_sphere(0.05, 12, 0.1, 7.0).value();
+    const auto tool = make_box({0.03, 0.02, 0.04}).value();
+    const TriangleClusters clusters(mesh);
+    const auto places = make_surface_pointshell(tool, 2000).value();
+    Random random(3);
+    // Whether a pose is found where no point is interior and the surfaces are within `near_m` of each other.
+    const auto can_come_near = [&](int k, double shell_voxel_m, double near_m) {
+        const VoxelGrid grid = make_grid(mesh, {.voxel_m = 0.004, .offset_layers = k});
+        const auto shell = make_voxel_pointshell(tool, shell_voxel_m).value();
+        for (int i = 0; i < 3000; ++i) {
+            const Pose X_OT{(0.058 + 0.022 * random.uniform()) * random.direction(),
+                            random.turn(3.0)};
+            const auto is_interior = [&](std::size_t j) {
+                const auto cell = grid.frame.find_cell(X_OT * shell.position_T(j));
+                return grid.frame.contains(cell) && grid.find_class(cell) == VoxelClass::interior;
+            };
+            bool penetrates = false;
+            for (std::size_t j = 0; j < shell.size() && !penetrates; ++j) {
+                penetrates = is_interior(j);
+            }
+            for (std::size_t j = 0; j < places.size() && !penetrates; ++j) {
+                if (clusters.find_distance(X_OT * places.position_T(j)) < near_m) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    };
+    // Within a tenth of a voxel of each other; the bound leaves 1 - sqrt(3)/2 = 0.13 of one.
+    CHECK_FALSE(can_come_near(2, 0.004, 0.0004));
+    CHECK(can_come_near(1, 0.004, 0.0004));
+    CHECK(can_come_near(0, 0.004, 0.0004));
+    // Points too far apart do not see it.
+    CHECK(can_come_near(2, 0.016, 0.0004));
 }
 
 TEST_CASE("voxelise: the longest side fills as many voxels as asked for") {
