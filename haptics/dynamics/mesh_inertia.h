@@ -10,7 +10,7 @@
 //               about 0.3 % for compact bodies, for thin ones by as much as few cubes tell; where there is a hole, by its bulge
 // What overlaps by less than a 24th of the mesh's length may pass as whole: it then counts twice.
 //
-// Thread: load. Cost: some ms and 1 us a triangle; a second by samples.
+// Thread: load. Cost: some ms and 1 us a triangle; by samples half a second.
 // Source: solid_moments.h; sides of broken meshes: A. Jacobson, L. Kavan, O. Sorkine-Hornung 2013, Robust inside-outside
 // segmentation using generalized winding numbers, ACM TOG 32(4).
 #pragma once

@@ -6,7 +6,7 @@
 // then every number within the range that the makers give it, so that no question to what was read can reach beyond it. No more
 // memory is asked for than the bytes fill; for voxels, which are kept as runs of one kind, no more than 512^3.
 //
-// Thread: load. Cost: 5 ns a byte, most of it the checksum.
+// Thread: load. Cost: 4 to 5 ns a byte, most of it the checksum: a field of 512^3, 43 MB, 0.2 s.
 #pragma once
 
 #include "haptics/base/sha256.h"
