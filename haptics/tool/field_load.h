@@ -4,7 +4,7 @@
 //   wrench      as field_sampling.h has it; continuous across voxels along `normals`, conservative along `slopes`
 //   derivative  by the tool's pose, exact within a cell; none by its velocity, for the field neither brakes nor damps
 // What counts as a touch: a point inside the object, F < 0. It lies in the layer that pushes until it is as deep as the band
-// (distance_field.h), from where on the field knows nothing and the point has penetrated. Nothing is felt before F = 0.
+// (distance_field.h), from where on it is pushed out as well, but has penetrated. Nothing is felt before F = 0.
 //
 // Thread: one at a time, also to ask: the sampler remembers what is free, which changes no answer. Cost: that of field sampling; with
 // derivatives 0.1 us more for a point that touches. No allocation.

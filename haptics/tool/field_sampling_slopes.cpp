@@ -1,7 +1,7 @@
-// How the force of field_sampling.h changes with the tool's pose. For a point at r from the tool's origin, g = grad F, H its
-// second derivatives, B = (I; [r]) what a force at the point is as a wrench:
-//   slopes    f = -k F g        dW = -k B (g g^T + F H) B^T dx + (0; [f][r] dtheta)
-//   normals   f = -k F n        dW = -k (n; r x n) (g; r x g)^T dx, and f turns with the tool
+// How the force of field_sampling.h changes with the tool's pose. For a point at r from the tool's origin, g = -grad D the way out,
+// H the second derivatives of D, B = (I; [r]) what a force at the point is as a wrench:
+//   slopes    f = k D g        dW = -k B (g g^T + D H) B^T dx + (0; [f][r] dtheta)
+//   normals   f = k D n        dW = -k (n; r x n) (g; r x g)^T dx, and f turns with the tool
 #include "haptics/math/turned_slopes.h"
 #include "haptics/tool/field_sampling.h"
 
@@ -18,11 +18,10 @@ Vector6 at_arm(const Vector3& arm, const Vector3& force) noexcept {
 }
 
 // Of one point's force by slopes, over the stiffness.
-void add_point_slopes(const DistanceCurve& curve, const Vector3& arm_O, Matrix6& slopes) noexcept {
-    const DistanceSample& at = curve.sample;
+void add_point_slopes(const DepthSample& at, const Vector3& arm_O, Matrix6& slopes) noexcept {
     PointForce point;
-    point.force = -at.value_m * at.slope;
-    point.by_position = -at.slope * at.slope.transpose() - at.value_m * curve.hessian();
+    point.force = at.depth_m * at.way_out;
+    point.by_position = -at.way_out * at.way_out.transpose() - at.depth_m * at.hessian;
     const Matrix3 arm = compute_skew(arm_O);
     const Matrix3 by_turn = -point.by_position * arm;
     slopes.topLeftCorner<3, 3>() += point.by_position;
@@ -44,13 +43,13 @@ void FieldSampler::add_slopes(std::size_t thinning, std::size_t leaf, const Fiel
             continue;
         }
         const Vector3 arm_O = X_OT.orientation * Vector3(points.x[i], points.y[i], points.z[i]);
-        const DistanceCurve curve = field_->sample_curve(X_OT.position + arm_O);
+        const DepthSample depth = field_->sample_depth(X_OT.position + arm_O);
         if (settings_.along == ForceAlong::slopes) {
-            add_point_slopes(curve, arm_O, *slopes_O_);
+            add_point_slopes(depth, arm_O, *slopes_O_);
         } else {
             const Vector3 n_O =
                 X_OT.orientation * Vector3(points.nx[i], points.ny[i], points.nz[i]);
-            *slopes_O_ -= at_arm(arm_O, n_O) * at_arm(arm_O, curve.sample.slope).transpose();
+            *slopes_O_ -= at_arm(arm_O, n_O) * at_arm(arm_O, depth.way_out).transpose();
         }
     }
 }

@@ -18,7 +18,8 @@ double DistanceField::error_bound_m() const noexcept {
 }
 
 std::size_t DistanceField::memory_bytes() const noexcept {
-    return table_.capacity() * sizeof(Entry) + bricks_.capacity() * sizeof(Brick);
+    return table_.capacity() * sizeof(Entry) + bricks_.capacity() * sizeof(Brick) +
+           depths_.capacity() * sizeof(float);
 }
 
 Vector3 DistanceField::clamp_to_block(const Vector3& lattice) const noexcept {
@@ -81,6 +82,68 @@ DistanceCurve DistanceField::sample_curve(const Vector3& p_O) const noexcept {
         return {{band_m_, Vector3::Zero()}, Vector3::Zero()};
     }
     return interpolate(find_place(lattice));
+}
+
+DistanceCurve DistanceField::find_centre_depth(const Vector3& lattice) const noexcept {
+    // From the eight centres round the place; at the block's ends as between its outermost.
+    const Vector3 place = lattice / kBrickCells - Vector3::Constant(0.5);
+    const std::array<std::int32_t, 3> n = n_bricks();
+    std::array<std::int32_t, 3> low{};
+    std::array<Vector3, 2> weight;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        low[i] = std::clamp(static_cast<std::int32_t>(place[axis]), 0, std::max(n[i] - 2, 0));
+        weight[1][axis] = std::clamp(place[axis] - low[i], 0.0, 1.0);
+        weight[0][axis] = 1.0 - weight[1][axis];
+    }
+    DistanceCurve found;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const std::array<unsigned, 3> high{corner & 1U, corner >> 1U & 1U, corner >> 2U};
+        std::array<std::int32_t, 3> at{};
+        Vector3 w;
+        Vector3 by;  // of a weight, a voxel
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto axis = static_cast<int>(i);
+            at[i] = std::min(low[i] + static_cast<std::int32_t>(high[i]), n[i] - 1);
+            w[axis] = weight[high[i]][axis];
+            by[axis] = (high[i] == 1 ? 1.0 : -1.0) / kBrickCells;
+        }
+        const std::int32_t entry = at[0] + n[0] * (at[1] + n[1] * at[2]);
+        const double depth = static_cast<double>(depths_[static_cast<std::size_t>(entry)]);
+        found.sample.value_m += depth * w.prod();
+        found.sample.slope +=
+            depth * Vector3(by.x() * w.y() * w.z(), w.x() * by.y() * w.z(), w.x() * w.y() * by.z());
+        found.bend += depth * Vector3(w.x() * by.y() * by.z(), by.x() * w.y() * by.z(),
+                                      by.x() * by.y() * w.z());
+    }
+    return found;
+}
+
+DepthSample DistanceField::sample_depth(const Vector3& p_O) const noexcept {
+    const DistanceCurve near = sample_curve(p_O);
+    const double depth_m = -near.sample.value_m;
+    if (!(depth_m > 0.0)) {
+        return {};
+    }
+    DepthSample deep{depth_m, near.sample.slope, -near.hessian()};
+    const double t = (depth_m / band_m_ - kDeepFrom) / (1.0 - kDeepFrom);
+    if (!(t > 0.0)) {
+        return deep;
+    }
+    const DistanceCurve centre = find_centre_depth(frame_.to_lattice(p_O));
+    const double more_m = centre.sample.value_m * frame_.voxel_m - band_m_;
+    if (!(more_m > 0.0)) {
+        return deep;
+    }
+    const double share = std::min(t, 1.0);
+    const double by_depth = t < 1.0 ? 1.0 / ((1.0 - kDeepFrom) * band_m_) : 0.0;
+    // With g the gradient of d, c that of K: the cross terms come from t's own change.
+    const Matrix3 cross = -by_depth * near.sample.slope * centre.sample.slope.transpose();
+    deep.depth_m += share * more_m;
+    deep.way_out = (1.0 + by_depth * more_m) * near.sample.slope - share * centre.sample.slope;
+    deep.hessian = (1.0 + by_depth * more_m) * deep.hessian + cross + cross.transpose() +
+                   share / frame_.voxel_m * centre.hessian();
+    return deep;
 }
 
 double DistanceField::bound_distance_m(const Vector3& p_O) const noexcept {

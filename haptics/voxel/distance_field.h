@@ -13,12 +13,20 @@
 // block's point nearest to p, d(p)^2 >= |p - q|^2 + d(q)^2, as the block is convex and holds the mesh, and d(p) is at least the
 // distance to a ball that holds it.
 //
+// Deeper than the band a depth D goes on, so that what lies there is pushed out too; with C between the bricks' centres, trilinear,
+// where the depth is known exactly,
+//   D = d + t K    d = max(-F, 0),  K = max(C - b, 0),  t = 4 d/b - 3 within 0 to 1
+// D is d down to 3/4 of the band, and continuous everywhere: the slope of D^2 / 2 is a force by which no closed way gains energy. Within
+// 8 voxels of the places from which two ways out are equally long, C is flatter than the depth, or level: no push from there.
+//
 // Sides are by winding number (brick_sides.h): meshes with holes, doubled or loose triangles have them too. A hole is closed by
 // the membrane where the winding number is 1/2; F jumps there, as no triangle is near, and what the two bounds call free may
-// lie in it: they and L hold for closed meshes. `counts().n_open_edges` says whether there are holes.
+// lie in it: they and L hold for closed meshes. `tell_holes` has a sentence for who loads one.
+// An open mesh has two outsides. As a sheet it is solid within h of its triangles and nowhere else: d is |distance| - h, holes
+// are holes, and all bounds hold, whatever the mesh.
 //
 // Thread: build at load, on a few threads; questions from any thread. Cost: a point 10 ns in the cache; memory 1472 bytes a
-// brick near the surface, 8 a brick of the block: 512^3 round a ball 40 MB. Kernels for many points: distance_field_batch.h.
+// brick near the surface, 12 a brick of the block: 512^3 round a ball 41 MB. Kernels for many points: distance_field_batch.h.
 // Source: K. Museth 2013, VDB: high-resolution sparse volumes with dynamic topology, ACM TOG 32(3), section 3: here one level
 // of bricks, each with an apron, and a flat table above it.
 #pragma once
@@ -30,20 +38,23 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace fulcrum {
 
 struct DistanceFieldSettings {
     double band_voxels = 3.0;  ///< b / s, 2 to 16
-    int n_threads = 2;         ///< 1 to 64, for building alone
+    double sheet_voxels =
+        0.0;            ///< h / s: 0, a solid; or 1 to the band, a sheet of twice that thickness
+    int n_threads = 2;  ///< 1 to 64, for building alone
 };
 
 /// Checks all fields.
 [[nodiscard]] Expected<void> validate(const DistanceFieldSettings& settings);
 
 /// Refuses a frame whose cells are no multiples of 8 from 8 to 2048, that has no size or place, or that leaves the mesh less room
-/// on any side than the band and a voxel.
+/// on any side than the band, with the sheet, and a voxel.
 [[nodiscard]] Expected<void> validate(const VoxelFrame& frame, const TriangleMesh& mesh,
                                       double band_voxels);
 
@@ -73,6 +84,13 @@ struct DistanceCurve {
     }
 };
 
+/// D, the way out and how that changes.
+struct DepthSample {
+    double depth_m = 0.0;              ///< 0 outside
+    Vector3 way_out{Vector3::Zero()};  ///< minus the gradient of D, metres a metre, object's frame
+    Matrix3 hessian{Matrix3::Zero()};  ///< second derivatives of D within its cells, 1/m
+};
+
 class DistanceField {
   public:
     static constexpr std::int32_t kFree = 0;    ///< the brick of +b
@@ -90,7 +108,7 @@ class DistanceField {
     };
 
     /// A block of cubes round the mesh: `n_along` cells along its longest side, a multiple of 8 from 16 to 2048, with the margin
-    /// that a band of `band_voxels` needs.
+    /// that a band of `band_voxels` needs; for a sheet, the sum of band and sheet.
     [[nodiscard]] static Expected<VoxelFrame> make_frame(const TriangleMesh& mesh, int n_along,
                                                          double band_voxels = 3.0);
 
@@ -106,6 +124,8 @@ class DistanceField {
     }
     /// The same with its second derivatives.
     [[nodiscard]] DistanceCurve sample_curve(const Vector3& p_O) const noexcept;
+    /// D and its derivatives at any point.
+    [[nodiscard]] DepthSample sample_depth(const Vector3& p_O) const noexcept;
     /// How far from `p_O` F is surely above 0 in all directions; 0 where F is 0 or below.
     [[nodiscard]] double find_free_radius_m(const Vector3& p_O) const noexcept;
     /// A lower bound of the distance to the mesh, with its sign: below 0 inside; 0 where nothing is known.
@@ -121,11 +141,20 @@ class DistanceField {
     [[nodiscard]] const Vector3& ball_centre_O() const noexcept { return ball_centre_O_; }
     [[nodiscard]] double ball_radius_m() const noexcept { return ball_radius_m_; }
     [[nodiscard]] const DistanceFieldCounts& counts() const noexcept { return counts_; }
+    /// What a solid's holes lead to and what to do, as one error would say it; nothing where it has none, or is a sheet.
+    [[nodiscard]] std::optional<Error> tell_holes() const;
+    /// h; 0 for a solid.
+    [[nodiscard]] double sheet_m() const noexcept { return sheet_m_; }
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
+
+    /// The share of the band from which on D is more than d.
+    static constexpr double kDeepFrom = 0.75;
 
     /// For kernels: entries x fastest, then y, then z, one of the free outside behind them; bricks.
     [[nodiscard]] const std::vector<Entry>& table() const noexcept { return table_; }
     [[nodiscard]] const std::vector<Brick>& bricks() const noexcept { return bricks_; }
+    /// For kernels: of each brick's centre, voxels, above 0 inside, exact there; as the table.
+    [[nodiscard]] const std::vector<float>& depths() const noexcept { return depths_; }
     /// Bricks along each axis.
     [[nodiscard]] std::array<std::int32_t, 3> n_bricks() const noexcept {
         return {frame_.n_cells[0] / kBrickCells, frame_.n_cells[1] / kBrickCells,
@@ -146,17 +175,21 @@ class DistanceField {
     };
     [[nodiscard]] Place find_place(const Vector3& lattice) const noexcept;
     [[nodiscard]] DistanceCurve interpolate(const Place& place) const noexcept;
+    // C in voxels at a place in voxels.
+    [[nodiscard]] DistanceCurve find_centre_depth(const Vector3& lattice) const noexcept;
     // The block's point nearest to a place, both in voxels.
     [[nodiscard]] Vector3 clamp_to_block(const Vector3& lattice) const noexcept;
 
     VoxelFrame frame_;
     double band_m_ = 0.0;
+    double sheet_m_ = 0.0;
     double slope_bound_ = 1.0;
     DistanceFieldCounts counts_;
     Vector3 ball_centre_O_{Vector3::Zero()};
     double ball_radius_m_ = 0.0;
     std::vector<Entry> table_;
     std::vector<Brick> bricks_;
+    std::vector<float> depths_;
 };
 
 }  // namespace fulcrum

@@ -40,7 +40,10 @@ FieldView::FieldView(const DistanceField& field) noexcept
       row(field.n_bricks()[0]),
       layer(field.n_bricks()[0] * field.n_bricks()[1]),
       outside(static_cast<std::int32_t>(field.table().size()) - 1),
-      end{} {
+      end{},
+      depths(field.depths().data()),
+      n_bricks(field.n_bricks()),
+      band_voxels(static_cast<float>(field.band_m() / field.frame().voxel_m)) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         end[axis] = std::nextafter(static_cast<float>(field.frame().n_cells[axis]), 0.0F);
     }

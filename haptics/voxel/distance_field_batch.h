@@ -2,9 +2,9 @@
 //
 //   g = A p + b          a point's place in voxels of the field, A = R_OT / s, b = (t_OT - lower) / s
 //   index and weights in vectors, four 32-bit loads a point (a pair of neighbours along x each), interpolation in vectors
-//   d = max(-F(p), 0)    depth, in steps of the field's 16 bits
-//   by normals:  sum of d n, sum of p x d n               frame T, n the points' own normals: continuous wherever F is
-//   by slopes:   sum of d grad F, sum of A p x d grad F  frame O: minus the derivative of sum d^2 / 2, so no loop gains energy
+//   D                    the depth of distance_field.h, max(-F, 0) but for what lies deeper than the band; steps of 16 bits
+//   by normals:  sum of D n, sum of p x D n                  frame T, n the points' own normals: continuous wherever F is
+//   by slopes:   sum of -D grad D, sum of -A p x D grad D    frame O: minus the derivative of sum D^2 / 2, so no loop gains energy
 // Points that lie in free bricks or outside the block read the same constant brick, so there is no branch a point.
 //
 // Places are single precision: off by at most 2.4e-7 (|A p| + |b|) voxels, 2.5e-4 in a block of 1024. Every version adds the same
@@ -49,6 +49,9 @@ struct FieldView {
     std::int32_t row, layer;   ///< entries along x, and in x and y
     std::int32_t outside;      ///< the entry behind the last
     std::array<float, 3> end;  ///< cells along each axis, a rounding less
+    const float* depths;       ///< of the bricks' centres, voxels
+    std::array<std::int32_t, 3> n_bricks;
+    float band_voxels;
 };
 
 /// From the tool's frame to voxels of the field.
@@ -83,8 +86,8 @@ struct FieldKernels {
     /// F of `n` points in steps to `values`; where `slopes` is not null, steps a voxel to slopes[0..2], frame O. Any n.
     void (*sample)(const FieldView&, const FieldPlace&, const ShellPoints&, std::size_t n,
                    float* values, float* const* slopes) noexcept;
-    /// Adds the contacts of leaves to the sums, one after the other, and writes each one's least F, in steps, to `least`; how
-    /// many leaves it took: all, or those up to the last that may touch.
+    /// Adds the contacts of leaves to the sums, one after the other, and writes each one's least F, in steps, or minus its
+    /// largest D, to `least`; how many leaves it took: all, or those up to the last that may touch.
     std::size_t (*sum_leaves)(const FieldView&, const FieldPlace&, const LeafRun&, ForceAlong,
                               ContactLanes&, float* least) noexcept;
     /// Writes the numbers of those of `n` values that are below 0; how many. `hits` has room for all and one more.

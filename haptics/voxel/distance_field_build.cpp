@@ -14,6 +14,8 @@ namespace {
 
 using Cell = VoxelFrame::Cell;
 
+// Share of a distance: far away it costs much and helps little to know more.
+constexpr double kSlack = 0.03;
 constexpr double kHalfDiagonal = 0.5 * std::numbers::sqrt3 * kBrickCells;  // of a brick, voxels
 
 // The brick that a share of a row-major list stands for.
@@ -71,11 +73,12 @@ class DistanceFieldBuilder {
           sides_(mesh, clusters_, frame.voxel_m) {
         field_.frame_ = frame;
         field_.band_m_ = settings.band_voxels * frame.voxel_m;
+        field_.sheet_m_ = settings.sheet_voxels * frame.voxel_m;
         field_.counts_.n_open_edges = static_cast<std::int64_t>(sides_.n_open_edges());
         field_.ball_centre_O_ = 0.5 * (mesh.lower_B() + mesh.upper_B());
         for (const Vector3& vertex : mesh.vertices_B()) {
-            field_.ball_radius_m_ =
-                std::max(field_.ball_radius_m_, (vertex - field_.ball_centre_O_).norm());
+            field_.ball_radius_m_ = std::max(
+                field_.ball_radius_m_, (vertex - field_.ball_centre_O_).norm() + field_.sheet_m_);
         }
         n_ = field_.n_bricks();
     }
@@ -87,16 +90,22 @@ class DistanceFieldBuilder {
             return false;
         }
         keep_near_bricks();
-        return tell(kShareFilled) && fill_table() && tell(1.0);
+        return tell(kShareFilled) && fill_table() && fill_depths() && tell(1.0);
     }
     [[nodiscard]] DistanceField take() { return std::move(field_); }
 
   private:
     // The share of the whole that each step takes, about.
     static constexpr double kShareListed = 0.1;
-    static constexpr double kShareFilled = 0.7;
+    static constexpr double kShareFilled = 0.65;
+    static constexpr double kShareTold = 0.9;
 
     [[nodiscard]] bool tell(double share) const { return !progress_ || progress_(share); }
+    [[nodiscard]] bool is_sheet() const noexcept { return settings_.sheet_voxels > 0.0; }
+    // How far from a triangle F may tell of it.
+    [[nodiscard]] double reach_voxels() const noexcept {
+        return settings_.band_voxels + settings_.sheet_voxels;
+    }
     [[nodiscard]] std::size_t n_all() const {
         return static_cast<std::size_t>(n_[0]) * static_cast<std::size_t>(n_[1]) *
                static_cast<std::size_t>(n_[2]);
@@ -135,8 +144,12 @@ class DistanceFieldBuilder {
     bool fill_brick(std::size_t listed, DistanceField::Brick& brick) const noexcept;
     void keep_near_bricks();
     [[nodiscard]] bool fill_table();
-    // A lower bound, voxels, of a place in voxels.
-    [[nodiscard]] double find_distance(const Vector3& lattice) const noexcept;
+    [[nodiscard]] bool fill_depths();
+    // Of a place to the triangles, both in voxels; a lower bound, by the share `slack` at most.
+    [[nodiscard]] double find_distance(const Vector3& lattice, double slack) const noexcept;
+    // |d| of a place on that side; a lower bound likewise, exact without slack.
+    [[nodiscard]] double find_size(const Vector3& lattice, bool inside,
+                                   double slack) const noexcept;
     void fill_entry(const Cell& brick, double voxels, bool inside) noexcept;
     void fill_entry_alone(const Cell& brick) noexcept;
     void fill_entries(const Cell& first) noexcept;
@@ -154,9 +167,9 @@ class DistanceFieldBuilder {
 
 template <class Visit>
 void DistanceFieldBuilder::for_each_brick_near(const TriangleAt& t, Visit&& visit) const {
-    const double band = settings_.band_voxels;
-    const Vector3 lower = t.a.cwiseMin(t.b).cwiseMin(t.c).array() - band;
-    const Vector3 upper = t.a.cwiseMax(t.b).cwiseMax(t.c).array() + band;
+    const double reach = reach_voxels();
+    const Vector3 lower = t.a.cwiseMin(t.b).cwiseMin(t.c).array() - reach;
+    const Vector3 upper = t.a.cwiseMax(t.b).cwiseMax(t.c).array() + reach;
     Cell first{};
     Cell last{};
     for (int axis = 0; axis < 3; ++axis) {
@@ -165,11 +178,11 @@ void DistanceFieldBuilder::for_each_brick_near(const TriangleAt& t, Visit&& visi
             std::clamp(static_cast<int>(std::ceil(lower[axis] / kBrickCells)) - 1, 0, n_[i] - 1);
         last[i] = std::clamp(static_cast<int>(upper[axis] / kBrickCells), 0, n_[i] - 1);
     }
-    const double reach = band + kHalfDiagonal;
+    const double to_centre = reach + kHalfDiagonal;
     for (std::int32_t z = first[2]; z <= last[2]; ++z) {
         for (std::int32_t y = first[1]; y <= last[1]; ++y) {
             for (std::int32_t x = first[0]; x <= last[0]; ++x) {
-                if (compute_square_distance(centre_of({x, y, z}), t) <= reach * reach) {
+                if (compute_square_distance(centre_of({x, y, z}), t) <= to_centre * to_centre) {
                     visit(static_cast<std::int32_t>(index_of({x, y, z})));
                 }
             }
@@ -209,24 +222,32 @@ bool DistanceFieldBuilder::fill_brick(std::size_t listed,
     const Vector3 corner =
         kBrickCells * to_vector(to_brick(static_cast<std::size_t>(near_.bricks[listed]), n_));
     const auto band = static_cast<float>(settings_.band_voxels);
+    const auto reach = static_cast<float>(reach_voxels());
     BrickDistances distances;
-    distances.fill(band * band);
+    distances.fill(reach * reach);
     for (std::size_t i = near_.first[listed]; i < near_.first[listed + 1]; ++i) {
         const TriangleAt t = lattice_triangle(static_cast<std::size_t>(near_.triangles[i]));
-        lower_squares(prepare_for_band({t.a - corner, t.b - corner, t.c - corner}), band,
+        lower_squares(prepare_for_band({t.a - corner, t.b - corner, t.c - corner}), reach,
                       distances);
     }
     if (std::all_of(distances.begin(), distances.end(),
-                    [&](float square) { return square >= band * band; })) {
+                    [&](float square) { return square >= reach * reach; })) {
         return false;
     }
     for (float& distance : distances) {
         distance = std::sqrt(distance);
     }
-    sides_.put_signs(to_object(corner), distances);
+    if (is_sheet()) {
+        for (float& distance : distances) {
+            distance -= static_cast<float>(settings_.sheet_voxels);
+        }
+    } else {
+        sides_.put_signs(to_object(corner), distances);
+    }
     for (std::size_t i = 0; i < kBrickCorners; ++i) {
-        brick.values[i] = static_cast<std::int16_t>(
-            std::lround(static_cast<float>(DistanceField::kLargestValue) * (distances[i] / band)));
+        brick.values[i] =
+            static_cast<std::int16_t>(std::lround(static_cast<float>(DistanceField::kLargestValue) *
+                                                  std::clamp(distances[i] / band, -1.0F, 1.0F)));
     }
     return true;
 }
@@ -268,12 +289,20 @@ void DistanceFieldBuilder::keep_near_bricks() {
     field_.counts_.n_bricks = static_cast<std::int64_t>(n_kept - 2);
 }
 
-double DistanceFieldBuilder::find_distance(const Vector3& lattice) const noexcept {
-    constexpr double kSlack = 0.03;  // share: far away it costs much and helps little to know more
+double DistanceFieldBuilder::find_distance(const Vector3& lattice, double slack) const noexcept {
     constexpr double kBelowRounding = 1.0 - 1.0e-6;
     constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
     return kBelowRounding / field_.frame_.voxel_m *
-           clusters_.find_distance(to_object(lattice), kAnyDistance, kSlack);
+           clusters_.find_distance(to_object(lattice), kAnyDistance, slack);
+}
+
+double DistanceFieldBuilder::find_size(const Vector3& lattice, bool inside,
+                                       double slack) const noexcept {
+    if (!is_sheet()) {
+        return find_distance(lattice, slack);
+    }
+    const double size = find_distance(lattice, inside ? 0.0 : slack) - settings_.sheet_voxels;
+    return std::max(inside ? -size : size, 0.0);
 }
 
 void DistanceFieldBuilder::fill_entry(const Cell& brick, double voxels, bool inside) noexcept {
@@ -291,8 +320,8 @@ void DistanceFieldBuilder::fill_entry_alone(const Cell& brick) noexcept {
     constexpr int kMiddle = kBrickCells / 2;
     const bool inside = entry.brick != DistanceField::kFree
                             ? corners[brick_corner_at(kMiddle, kMiddle, kMiddle)] < 0
-                            : is_wound_round(clusters_, to_object(centre));
-    fill_entry(brick, find_distance(centre), inside);
+                            : !is_sheet() && is_wound_round(clusters_, to_object(centre));
+    fill_entry(brick, find_size(centre, inside, kSlack), inside);
 }
 
 // Two by two by two bricks. Far from the surface of a closed mesh one distance and one side are enough for all.
@@ -301,9 +330,10 @@ void DistanceFieldBuilder::fill_entries(const Cell& first) noexcept {
                    std::min(first[2] + 2, n_[2])};
     constexpr double kFar = 60.0;  // voxels; the bricks' centres are a tenth of it away
     const Vector3 middle = kBrickCells * (to_vector(first).array() + 1.0);
-    const double voxels = field_.counts_.n_open_edges == 0 ? find_distance(middle) : 0.0;
+    const double voxels =
+        is_sheet() || field_.counts_.n_open_edges == 0 ? find_size(middle, false, kSlack) : 0.0;
     const bool are_alike = voxels >= kFar;
-    const bool inside = are_alike && is_wound_round(clusters_, to_object(middle));
+    const bool inside = are_alike && !is_sheet() && is_wound_round(clusters_, to_object(middle));
     for (std::int32_t z = first[2]; z < end[2]; ++z) {
         for (std::int32_t y = first[1]; y < end[1]; ++y) {
             for (std::int32_t x = first[0]; x < end[0]; ++x) {
@@ -328,7 +358,22 @@ bool DistanceFieldBuilder::fill_table() {
             const Cell pair = to_brick(i, n_pairs);
             fill_entries({2 * pair[0], 2 * pair[1], 2 * pair[2]});
         },
-        part_of_progress(kShareFilled, 1.0));
+        part_of_progress(kShareFilled, kShareTold));
+}
+
+// Exact inside, where the depth's slope is a force's direction.
+bool DistanceFieldBuilder::fill_depths() {
+    field_.depths_.resize(n_all());
+    return parallel_for(
+        n_all(), static_cast<std::size_t>(settings_.n_threads),
+        [&](std::size_t i) noexcept {
+            const float centre_voxels = field_.table_[i].centre_voxels;
+            field_.depths_[i] =
+                centre_voxels < 0.0F
+                    ? static_cast<float>(find_size(centre_of(to_brick(i, n_)), true, 0.0))
+                    : -centre_voxels;
+        },
+        part_of_progress(kShareTold, 1.0));
 }
 
 Expected<DistanceField> DistanceField::build(const TriangleMesh& mesh, const VoxelFrame& frame,
@@ -337,7 +382,7 @@ Expected<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Vox
     if (auto valid = validate(settings); !valid) {
         return tl::unexpected(valid.error());
     }
-    if (auto fits = validate(frame, mesh, settings.band_voxels); !fits) {
+    if (auto fits = validate(frame, mesh, settings.band_voxels + settings.sheet_voxels); !fits) {
         return tl::unexpected(fits.error());
     }
     DistanceFieldBuilder builder(mesh, frame, settings, progress);

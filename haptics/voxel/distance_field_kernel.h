@@ -3,6 +3,7 @@
 //
 // Thread: any. Cost: see distance_field_batch.h.
 #include "haptics/voxel/distance_field_cells.h"
+#include "haptics/voxel/distance_field_deep_kernel.h"
 
 // NOLINTBEGIN(misc-definitions-in-headers,cppcoreguidelines-pro-type-member-init): each version is a set of functions of its
 // own; vectors are written before they are read, and clearing them costs
@@ -252,6 +253,14 @@ inline void find_leaf(const FieldView& field, const FieldPlace& place, const She
     }
 }
 
+inline float find_least(const std::array<Floats, kBlocks>& values) noexcept {
+    Floats least_each = values[0];
+    for (std::size_t block = 1; block < kBlocks; ++block) {
+        least_each = values[block] < least_each ? values[block] : least_each;
+    }
+    return find_least(least_each);
+}
+
 // The contacts of one vector of points, at `first` of a leaf.
 inline void add_block(const FieldPlace& place, const ShellPoints& points, std::size_t first,
                       bool by_slopes, const Floats& value, const std::array<Floats, 3>& slope,
@@ -276,10 +285,10 @@ inline void add_block(const FieldPlace& place, const ShellPoints& points, std::s
     }
 }
 
-// The contacts of a leaf whose corners are gathered; its least F.
+// The contacts of a leaf whose corners are gathered; its least F, or minus its largest D.
 template <bool kBySlopes>
-float add_leaf(const Gathered& gathered, const FieldPlace& place, const ShellPoints& points,
-               std::size_t n, ContactLanes& lanes) noexcept {
+float add_leaf(const FieldView& field, const Gathered& gathered, const FieldPlace& place,
+               const ShellPoints& points, std::size_t n, ContactLanes& lanes) noexcept {
     std::array<Floats, kBlocks> values;
     std::array<std::array<Floats, 3>, kBlocks> slopes;
     for (std::size_t block = 0; block < kBlocks; ++block) {
@@ -294,11 +303,11 @@ float add_leaf(const Gathered& gathered, const FieldPlace& place, const ShellPoi
     for (std::size_t i = n; i < kLeafPoints; ++i) {
         values[i / kWidth][i % kWidth] = static_cast<float>(DistanceField::kLargestValue);
     }
-    Floats least_each = values[0];
-    for (std::size_t block = 1; block < kBlocks; ++block) {
-        least_each = values[block] < least_each ? values[block] : least_each;
+    float least = find_least(values);
+    if (least < kDeepSteps) {
+        deepen_leaf<kBySlopes>(field, place, points, values, slopes);
+        least = find_least(values);
     }
-    const float least = find_least(least_each);
     if (least < 0.0F) {
         for (std::size_t block = 0; block < kBlocks; ++block) {
             add_block(place, points, block * kWidth, kBySlopes, values[block], slopes[block],
@@ -345,7 +354,7 @@ std::size_t sum_leaves_along(const FieldView& field, const FieldPlace& place, co
         Gathered& here = gathered[leaf % gathered.size()];
         gather(field, here);
         const std::size_t n_points = leaf + 1 == run.n ? run.n_in_last : kLeafPoints;
-        least[leaf] = add_leaf<kBySlopes>(here, place, run.leaves[leaf], n_points, lanes);
+        least[leaf] = add_leaf<kBySlopes>(field, here, place, run.leaves[leaf], n_points, lanes);
         n_touching += least[leaf] < 0.0F ? 1 : 0;
         if (n_touching == run.most_touching) {
             return leaf + 1;

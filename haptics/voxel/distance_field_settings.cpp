@@ -35,10 +35,23 @@ Expected<void> validate(const VoxelFrame& frame, const TriangleMesh& mesh, doubl
 }
 
 Expected<void> validate(const DistanceFieldSettings& settings) {
-    const std::array<Range, 2> ranges{
+    const bool is_sheet = settings.sheet_voxels != 0.0;
+    const std::array<Range, 3> ranges{
         {{"band_voxels", settings.band_voxels, 2.0, 16.0},
+         {"sheet_voxels", settings.sheet_voxels, is_sheet ? 1.0 : 0.0, settings.band_voxels},
          {"n_threads", static_cast<double>(settings.n_threads), 1.0, 64.0}}};
     return check_ranges("the distance field's", ranges);
+}
+
+std::optional<Error> DistanceField::tell_holes() const {
+    if (counts_.n_open_edges == 0 || sheet_m_ > 0.0) {
+        return {};
+    }
+    return Error{"the mesh has " + std::to_string(counts_.n_open_edges) +
+                     " open edges: its holes are felt as if skins closed them, and a tool that "
+                     "looks only at what is near may pass through these",
+                 {},
+                 "close the holes, or build the field as a sheet (sheet_voxels)"};
 }
 
 Expected<VoxelFrame> DistanceField::make_frame(const TriangleMesh& mesh, int n_along,

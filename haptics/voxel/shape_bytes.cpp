@@ -192,6 +192,7 @@ void DistanceFieldBytes::walk_head(Walker& walker, DistanceField& field) {
     walker.field(field.counts_.n_open_edges);
     walk_vector(walker, field.ball_centre_O_);
     walker.field(field.ball_radius_m_);
+    walker.field(field.sheet_m_);
 }
 
 void DistanceFieldBytes::write(const DistanceField& field, Writer& writer) {
@@ -202,10 +203,12 @@ void DistanceFieldBytes::write(const DistanceField& field, Writer& writer) {
     head.counts_ = field.counts_;
     head.ball_centre_O_ = field.ball_centre_O_;
     head.ball_radius_m_ = field.ball_radius_m_;
+    head.sheet_m_ = field.sheet_m_;
     walk_head(writer, head);
     writer.field(static_cast<std::uint64_t>(field.bricks_.size()));
     writer.array(std::span<const DistanceField::Entry>(field.table_));
     writer.array(std::span<const DistanceField::Brick>(field.bricks_));
+    writer.array(std::span<const float>(field.depths_));
 }
 
 bool DistanceFieldBytes::read(Reader& reader, DistanceField& field) {
@@ -215,7 +218,8 @@ bool DistanceFieldBytes::read(Reader& reader, DistanceField& field) {
     const auto is_multiple = [](std::int32_t n) { return n % kBrickCells == 0; };
     if (!reader.is_whole() || !is_frame(field.frame_, kBrickCells, kMostFieldCells) ||
         !std::all_of(field.frame_.n_cells.begin(), field.frame_.n_cells.end(), is_multiple) ||
-        !is_length(field.band_m_) || !is_place(field.ball_centre_O_) ||
+        !is_length(field.band_m_) || !(field.sheet_m_ >= 0.0) ||
+        !(field.sheet_m_ <= field.band_m_) || !is_place(field.ball_centre_O_) ||
         !is_length(field.ball_radius_m_) || field.counts_.n_bricks < 0 ||
         field.counts_.n_open_edges < 0 || !(field.slope_bound_ > 0.0) ||
         !(field.slope_bound_ <= 1.01 * std::numbers::sqrt3)) {
@@ -227,8 +231,11 @@ bool DistanceFieldBytes::read(Reader& reader, DistanceField& field) {
         1;
     reader.array(field.table_, n_entries);
     reader.array(field.bricks_, n_bricks);
+    reader.array(field.depths_, n_entries - 1);
     if (!reader.is_whole() || reader.n_left() != 0 || n_bricks < 2 ||
         !std::all_of(field.bricks_.begin(), field.bricks_.end(), is_brick) ||
+        !std::all_of(field.depths_.begin(), field.depths_.end(),
+                     [](float depth) { return std::isfinite(depth); }) ||
         !is_filled(field.bricks_[DistanceField::kFree], DistanceField::kLargestValue) ||
         !is_filled(field.bricks_[DistanceField::kInside], -DistanceField::kLargestValue)) {
         return false;

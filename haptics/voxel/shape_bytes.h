@@ -24,7 +24,7 @@ namespace fulcrum {
 using Bytes = std::vector<std::byte>;
 
 /// Goes up with every change of the layout, or of what a maker makes of the same settings.
-inline constexpr std::uint32_t kShapeVersion = 1;
+inline constexpr std::uint32_t kShapeVersion = 2;
 
 enum class ShapeKind : std::uint32_t { distance_field = 1, voxel_grid = 2, pointshell = 3 };
 

@@ -212,14 +212,15 @@ Expected<DistanceField> recall_distance_field(ShapeCache& cache, const TriangleM
                                               const VoxelFrame& frame,
                                               const DistanceFieldSettings& settings,
                                               const LoadProgress& progress) {
-    const std::array<double, 8> numbers{frame.lower_O.x(),
+    const std::array<double, 9> numbers{frame.lower_O.x(),
                                         frame.lower_O.y(),
                                         frame.lower_O.z(),
                                         frame.voxel_m,
                                         static_cast<double>(frame.n_cells[0]),
                                         static_cast<double>(frame.n_cells[1]),
                                         static_cast<double>(frame.n_cells[2]),
-                                        settings.band_voxels};
+                                        settings.band_voxels,
+                                        settings.sheet_voxels};
     return recall(cache, compute_shape_key(ShapeKind::distance_field, mesh, numbers),
                   decode_distance_field,
                   [&] { return DistanceField::build(mesh, frame, settings, progress); });

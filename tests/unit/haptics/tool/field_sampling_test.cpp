@@ -182,43 +182,106 @@ TEST_CASE("field sampling: a pose that is no number gives no force, and the next
     CHECK(is_same(coherent.step({}, touching), before));
 }
 
-TEST_CASE("field sampling: a thin wall stops a tool at 2 m/s, which steps of a millisecond pass") {
-    const double thickness_m = 5.0e-4;
-    const FieldSampler::Field wall = make_field(*make_box({0.1, thickness_m, 0.1}), 512);
-    const FieldSampler::Shell tool = make_shell(*make_sphere(2.0e-4, 6), 500);
-    FieldSampler sampler = FieldSampler::build(wall, tool, {}).value();
-    const double step_m = 2.0e-3;  // 2 m/s at 1 kHz
-    const Pose above = Pose::at({0.01, 0.5 * step_m, 0.01});
-    const Pose below = Pose::at({0.01, -0.5 * step_m, 0.01});
-    CHECK(sampler.step({}, above).n_touching == 0);
-    CHECK(sampler.step({}, below).n_touching == 0);
-    const double share = sampler.find_first_touch(above, below);
-    const double height_m = 0.5 * step_m - share * step_m;
-    const double touch_m = 0.5 * thickness_m + 2.0e-4;
-    CHECK(height_m >= touch_m - 1.0e-6);
-    CHECK(height_m < touch_m + 0.6 * wall->frame().voxel_m);
-    CHECK(sampler.find_first_touch(above, Pose::at({0.02, 0.5 * step_m, 0.03})) == 1.0);
-    CHECK(sampler.find_first_touch(Pose::at({0.01, 0.0, 0.01}), above) == 0.0);
+TEST_CASE("field sampling: by itself it takes the law by which no closed way gains energy") {
+    CHECK(FieldSamplingSettings{}.along == ForceAlong::slopes);
+    // A closed way of a tilted sole over an edge of a box: by normals it gains, by slopes it does not.
+    const FieldSampler::Field box = make_field(*make_box({1.0, 1.0, 1.0}), 64);
+    const FieldSampler::Shell plate = make_shell(*make_inverted(*make_plate(0.3, 0.3, 4)), 3000);
+    const auto gain = [&](ForceAlong along) {
+        FieldSampler sampler = FieldSampler::build(box, plate, {.along = along}).value();
+        const Quaternion tilt(Eigen::AngleAxisd(0.2, Vector3::UnitZ()));
+        constexpr int kSteps = 2000;
+        double gained_J = 0.0;
+        double done_J = 0.0;
+        for (int i = 0; i < kSteps; ++i) {
+            const auto place = [&](double at) {
+                const double angle = 2.0 * 3.14159265358979 * at / kSteps;
+                return Vector3(0.45 + 0.1 * std::cos(angle), 0.5 + 0.03 * std::sin(angle), 0.05);
+            };
+            const FieldTouch touch = sampler.step({}, {place(i + 0.5), tilt});
+            const double work_J = touch.wrench_W.force.dot(place(i + 1.0) - place(i));
+            gained_J += work_J;
+            done_J += std::abs(work_J);
+        }
+        return std::abs(gained_J) / done_J;
+    };
+    CHECK(gain(ForceAlong::slopes) < 1.0e-4);
+    CHECK(gain(ForceAlong::normals) > 1.0e-2);
 }
 
-TEST_CASE("field sampling: no motion passes through what it first touches, turning ones too") {
-    FieldSampler sampler = make(SamplingMode::tree);
-    Random random(9);
-    int n_hits = 0;
-    for (int k = 0; k < 60; ++k) {
-        const Pose from{2.4 * random.direction(), random.turn(3.0)};
-        const Pose to{2.4 * random.direction(), random.turn(3.0)};
-        const double share = sampler.find_first_touch(from, to);
-        for (int i = 0; i <= 40; ++i) {
-            const double t = share * i / 40.0;
-            const Pose at{from.position + t * (to.position - from.position),
-                          from.orientation.slerp(t, to.orientation)};
-            CHECK(sampler.step({}, at).n_touching == 0);
-        }
-        if (share < 1.0) {
-            ++n_hits;
+TEST_CASE("field sampling: a tool deeper than the band is pushed out, harder the deeper it is") {
+    const FieldSampler::Field box = make_field(*make_box({1.0, 1.0, 1.0}), 128);
+    const FieldSampler::Shell ball = make_shell(*make_sphere(0.03, 8), 300);
+    FieldSampler sampler = FieldSampler::build(box, ball, {.stiffness_N_per_m = 10.0}).value();
+    double before_N = 0.0;
+    for (int i = 1; i < 30; ++i) {
+        // From the face to 37 voxels below it; the ball is 7 voxels thick.
+        const double depth_m = 0.01 * i;
+        const FieldTouch touch = sampler.step({}, Pose::at({0.02, 0.53 - depth_m, -0.05}));
+        INFO(depth_m);
+        CHECK(touch.deepest_m == Approx(depth_m).margin(1.0e-3));
+        CHECK(touch.wrench_W.force.y() > before_N);
+        CHECK(touch.wrench_W.force.x() == Approx(0.0).margin(0.02 * touch.wrench_W.force.y()));
+        before_N = touch.wrench_W.force.y();
+        if (depth_m > 0.06) {
+            // All of it is inside: k n times the depth of its middle, which its points have on the mean.
+            const double all_N = 10.0 * 300.0 * (depth_m - 0.03);
+            CHECK(touch.wrench_W.force.y() == Approx(all_N).epsilon(0.02));
         }
     }
-    CHECK(n_hits > 20);
-    CHECK(n_hits < 60);
+}
+
+TEST_CASE(
+    "field sampling: of a box without a lid, as a sheet, all modes feel the walls and no lid") {
+    const TriangleMesh closed = *make_box({1.0, 1.0, 1.0});
+    std::vector<TriangleCorners> triangles;
+    for (const TriangleCorners& t : closed.triangles()) {
+        const auto at = [&](std::size_t i) {
+            return closed.vertices_B()[static_cast<std::size_t>(t[i])].y();
+        };
+        if (at(0) + at(1) + at(2) < 1.4) {
+            triangles.push_back(t);
+        }
+    }
+    REQUIRE(triangles.size() == closed.triangles().size() - 2);
+    const TriangleMesh open = *TriangleMesh::build(closed.vertices_B(), triangles);
+    const auto field = std::make_shared<const DistanceField>(
+        DistanceField::build(open, DistanceField::make_frame(open, 128, 5.0).value(),
+                             {.sheet_voxels = 2.0})
+            .value());
+    const FieldSampler::Shell ball = make_shell(*make_sphere(0.1, 12), 4000);
+    std::vector<FieldSampler> samplers;
+    for (const SamplingMode mode :
+         {SamplingMode::brute_force, SamplingMode::tree, SamplingMode::coherent}) {
+        samplers.push_back(FieldSampler::build(field, ball, {.mode = mode}).value());
+    }
+    // Down through the missing lid, to the floor, to the side wall from within, out again, and to it from without.
+    std::vector<Pose> way;
+    const auto go_to = [&](const Vector3& end) {
+        const Vector3 begin = way.empty() ? Vector3(0.0, 0.8, 0.0) : way.back().position;
+        for (int i = 1; i <= 60; ++i) {
+            way.push_back(Pose::at(begin + i / 60.0 * (end - begin)));
+        }
+    };
+    for (const Vector3& end :
+         {Vector3(0.0, -0.39, 0.0), Vector3(0.39, 0.0, 0.0), Vector3(0.0, 0.8, 0.0),
+          Vector3(0.8, 0.8, 0.0), Vector3(0.61, 0.0, 0.0)}) {
+        go_to(end);
+    }
+    std::vector<FieldTouch> felt;
+    for (const Pose& X_WT : way) {
+        const FieldTouch exact = samplers[0].step({}, X_WT);
+        REQUIRE(is_same(exact, samplers[1].step({}, X_WT)));
+        REQUIRE(is_same(exact, samplers[2].step({}, X_WT)));
+        felt.push_back(exact);
+    }
+    CHECK(felt[25].n_touching == 0);              // where the lid was
+    CHECK(felt[59].wrench_W.force.y() > 0.0);     // the floor, up
+    CHECK(felt[119].wrench_W.force.x() < 0.0);    // the wall from within, back
+    CHECK(felt.back().wrench_W.force.x() > 0.0);  // and from without, out
+    // And a sweep sees the wall from both sides.
+    CHECK(samplers[1].find_first_touch(Pose::at(Vector3::Zero()), Pose::at({0.8, 0.0, 0.0})) < 0.5);
+    CHECK(samplers[1].find_first_touch(Pose::at({0.8, 0.0, 0.0}), Pose::at(Vector3::Zero())) <
+          0.25);
+    CHECK(samplers[1].find_first_touch(way[0], Pose::at(Vector3::Zero())) == 1.0);
 }

@@ -92,3 +92,26 @@ TEST_CASE("distance field build: a thin wall has an inside of its own") {
     CHECK(field.sample({0.1, 0.011, 0.2}).value_m > 0.0);
     CHECK(field.sample({0.1, -0.011, 0.2}).value_m > 0.0);
 }
+
+TEST_CASE("distance field build: a sheet is |distance| less its half thickness, on both sides") {
+    // A hollow ball: as a solid it is full, as a sheet it is a skin.
+    const TriangleMesh ball = *make_sphere(1.0, 60);
+    const VoxelFrame frame = DistanceField::make_frame(ball, 64, 5.0).value();
+    const DistanceField sheet = DistanceField::build(ball, frame, {.sheet_voxels = 2.0}).value();
+    const double s = frame.voxel_m;
+    CHECK(sheet.sheet_m() == Approx(2.0 * s));
+    Random random(21);
+    for (int i = 0; i < 5000; ++i) {
+        const Vector3 p = 1.1 * random.in_cube();
+        const double d = std::abs(p.norm() - 1.0) - 2.0 * s;
+        const double value = sheet.sample(p).value_m;
+        CHECK(std::abs(value - std::min(d, 3.0 * s)) < sheet.error_bound_m() + 2.0e-4);
+        // What is said to be free is free, and bounds are bounds.
+        CHECK((value <= 0.0 ||
+               sheet.sample(p + sheet.find_free_radius_m(p) * random.direction()).value_m > 0.0));
+        const double bound = sheet.bound_distance_m(p);
+        CHECK((bound >= 0.0 ? bound <= std::max(d, 0.0) + 2.0e-4
+                            : bound >= std::min(d, 0.0) - 2.0e-4));
+        CHECK(sheet.sample_depth(p).depth_m == Approx(std::max(-value, 0.0)));
+    }
+}

@@ -44,6 +44,32 @@ TEST_CASE("distance field settings: what cannot be built is refused with a reaso
     CHECK_FALSE(
         validate(DistanceFieldSettings{.band_voxels = std::numeric_limits<double>::quiet_NaN()}));
     CHECK_FALSE(validate(DistanceFieldSettings{.n_threads = 0}));
+    CHECK(validate(DistanceFieldSettings{.sheet_voxels = 3.0}));
+    CHECK_FALSE(validate(DistanceFieldSettings{.sheet_voxels = 0.5}));
+    CHECK_FALSE(validate(DistanceFieldSettings{.sheet_voxels = 3.5}));  // more than the band
+    CHECK_FALSE(
+        validate(DistanceFieldSettings{.sheet_voxels = std::numeric_limits<double>::quiet_NaN()}));
+    // A sheet is that much larger than its mesh.
+    CHECK_FALSE(DistanceField::build(ball, good, {.sheet_voxels = 2.0}));
+    CHECK(DistanceField::build(ball, DistanceField::make_frame(ball, 64, 5.0).value(),
+                               {.sheet_voxels = 2.0}));
     CHECK_FALSE(DistanceField::build(ball, good, {.n_threads = 0}));
     CHECK(validate(DistanceFieldSettings{}));
+}
+
+TEST_CASE("distance field settings: who loads a mesh with holes is told what they lead to") {
+    const TriangleMesh ball = *make_sphere(1.0, 4);
+    CHECK_FALSE(
+        DistanceField::build(ball, DistanceField::make_frame(ball, 32).value())->tell_holes());
+    std::vector<TriangleCorners> triangles = ball.triangles();
+    triangles.pop_back();
+    const TriangleMesh open = *TriangleMesh::build(ball.vertices_B(), triangles);
+    const VoxelFrame frame = DistanceField::make_frame(open, 32, 5.0).value();
+    const auto told = DistanceField::build(open, frame)->tell_holes();
+    REQUIRE(told);
+    CHECK(to_sentence(*told) ==
+          "the mesh has 3 open edges: its holes are felt as if skins closed them, and a tool that "
+          "looks only at what is near may pass through these; close the holes, or build the field "
+          "as a sheet (sheet_voxels).");
+    CHECK_FALSE(DistanceField::build(open, frame, {.sheet_voxels = 2.0})->tell_holes());
 }

@@ -144,3 +144,65 @@ TEST_CASE("distance field: everything within the free radius is free") {
     CHECK(n_free > 10000);
     CHECK(field.find_free_radius_m(Vector3::Zero()) == 0.0);
 }
+
+TEST_CASE("distance field: deeper than the band the depth goes on, and the way out with it") {
+    // 120 voxels along each edge, so that there is much that is deeper than 3.
+    const Fixture box = make(*make_box({1.0, 1.0, 1.0}), 128);
+    const double s = box.field.frame().voxel_m;
+    Random random(12);
+    double deepest_voxels = 0.0;
+    for (int i = 0; i < 3000; ++i) {
+        const Vector3 p = 0.5 * random.in_cube();
+        // Depths by face, largest coordinate first; where two are within 16 voxels the coarse depth is flatter.
+        Vector3 beside = p.cwiseAbs();
+        int axis = 0;
+        beside.maxCoeff(&axis);
+        const double depth_m = 0.5 - beside[axis];
+        beside[axis] = 0.0;
+        const DepthSample sample = box.field.sample_depth(p);
+        CHECK(sample.depth_m <= depth_m + 0.01 * s);
+        if (0.5 - beside.maxCoeff() - depth_m > 16.0 * s && depth_m > 0.01 * s) {
+            const Vector3 out = (p[axis] > 0.0 ? 1.0 : -1.0) * Vector3::Unit(axis);
+            // Centres outside are known to 3 % of some voxels.
+            CHECK(sample.depth_m == Approx(depth_m).margin(0.1 * s));
+            CHECK((sample.way_out - out).norm() < 0.03);
+            deepest_voxels = std::max(deepest_voxels, depth_m / s);
+        }
+    }
+    CHECK(deepest_voxels > 30.0);
+    CHECK(box.field.sample_depth({0.6, 0.0, 0.0}).depth_m == 0.0);
+    CHECK(box.field.sample_depth({0.6, 0.0, 0.0}).way_out == Vector3::Zero());
+}
+
+TEST_CASE("distance field: the way out is the depth's slope, and the depth is continuous") {
+    const Fixture& bumpy = ::bumpy();
+    const double s = bumpy.field.frame().voxel_m;
+    Random random(13);
+    constexpr double kWay_m = 1.0e-6;
+    int n_deep = 0;
+    int n_off = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Vector3 p = 1.05 * random.in_cube();
+        const Vector3 way = kWay_m * random.direction();
+        const DepthSample here = bumpy.field.sample_depth(p);
+        const DepthSample there = bumpy.field.sample_depth(p + way);
+        const double change_m = there.depth_m - here.depth_m;
+        // The band's last quarter is the steepest: 1 + 4 K/b, and K is small there but between close walls.
+        CHECK(std::abs(change_m) < 4.0 * kWay_m);
+        if (here.depth_m > 0.0 && there.depth_m > 0.0) {
+            // Off only where a face between cells lies between both.
+            n_off += std::abs(change_m + here.way_out.dot(way)) > 1.0e-2 * kWay_m ? 1 : 0;
+            n_deep += here.depth_m > 4.0 * s ? 1 : 0;
+        }
+    }
+    CHECK(n_deep > 3000);
+    CHECK(n_off < 20);
+}
+
+TEST_CASE("distance field: what is thinner than a brick, or one brick long, has its depths too") {
+    const Fixture thin = make(*make_box({1.0, 0.02, 0.3}), 64);
+    for (const double y : {0.0, 0.004, 0.009}) {
+        CHECK(thin.field.sample_depth({0.1, y, 0.0}).depth_m ==
+              -thin.field.sample({0.1, y, 0.0}).value_m);
+    }
+}

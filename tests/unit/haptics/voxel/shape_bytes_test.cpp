@@ -59,6 +59,7 @@ TEST_CASE("shape bytes: a distance field comes back the same in every question")
         const Vector3 p = 1.6 * random.in_cube();
         REQUIRE(back->sample(p).value_m == field().sample(p).value_m);
         REQUIRE(back->bound_distance_m(p) == field().bound_distance_m(p));
+        REQUIRE(back->sample_depth(p).depth_m == field().sample_depth(p).depth_m);
         REQUIRE(back->find_free_radius_m(p) == field().find_free_radius_m(p));
     }
 }
@@ -116,25 +117,30 @@ TEST_CASE(
     CHECK(refuses(32, std::int32_t{2147483640}));
     CHECK(refuses(36, std::int32_t{25}));
     CHECK(refuses(36, std::int32_t{32}));
-    // Band, slope, counts, ball, number of bricks.
+    // Band, slope, counts, ball, sheet, number of bricks.
     CHECK(refuses(44, nan));
     CHECK(refuses(52, 2.0));
     CHECK(refuses(52, 0.0));
     CHECK(refuses(60, std::int64_t{-1}));
     CHECK(refuses(76, nan));
     CHECK(refuses(100, -1.0));
-    CHECK(refuses(108, std::uint64_t{1} << 60U));
-    CHECK(refuses(108, std::uint64_t{1}));
+    CHECK(refuses(108, nan));
+    CHECK(refuses(108, 0.4));
+    CHECK(refuses(116, std::uint64_t{1} << 60U));
+    CHECK(refuses(116, std::uint64_t{1}));
     // Entries: a brick that is not there, a distance that is no number; bricks: +b, -b, a value below all.
-    CHECK(refuses(116, std::int32_t{-1}));
-    CHECK(refuses(116, std::int32_t{1000000}));
-    CHECK(refuses(120, std::numeric_limits<float>::infinity()));
+    CHECK(refuses(124, std::int32_t{-1}));
+    CHECK(refuses(124, std::int32_t{1000000}));
+    CHECK(refuses(128, std::numeric_limits<float>::infinity()));
     const auto [nx, ny, nz] = field().n_bricks();
-    const std::size_t bricks_at = 116 + 8 * (static_cast<std::size_t>(nx * ny * nz) + 1);
+    const std::size_t bricks_at = 124 + 8 * (static_cast<std::size_t>(nx * ny * nz) + 1);
     CHECK(refuses(bricks_at - 8, std::int32_t{1}));
     CHECK(refuses(bricks_at, std::int16_t{0}));
     CHECK(refuses(bricks_at + sizeof(DistanceField::Brick), std::int16_t{0}));
     CHECK(refuses(bricks_at + 2 * sizeof(DistanceField::Brick), std::int16_t{-32768}));
+    const std::size_t depths_at =
+        bricks_at + field().bricks().size() * sizeof(DistanceField::Brick);
+    CHECK(refuses(depths_at, std::numeric_limits<float>::quiet_NaN()));
     // And what is within its range is taken.
     CHECK_FALSE(refuses(bricks_at + 2 * sizeof(DistanceField::Brick), std::int16_t{5}));
 }
