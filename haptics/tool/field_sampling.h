@@ -62,7 +62,7 @@ struct FieldSamplingSettings {
     BudgetClock clock = BudgetClock::measured;
     double leaf_us =
         0.3;  ///< what a leaf of points is taken to cost, until it is known; 0.01 to 10
-    double group_us = 0.06;  ///< what a group of balls is taken to cost, 0.01 to 10
+    double group_us = 0.06;  ///< what a group of balls is taken to cost, likewise
 };
 
 /// Checks all fields.
@@ -186,6 +186,8 @@ class FieldSampler {
     // With a budget.
     void step_within_budget(const FieldPlace& place, const Pose& X_OT) noexcept;
     [[nodiscard]] double elapsed_us() const noexcept;
+    // What one of `n` things costs, from what they took.
+    void learn(double& cost_us, double took_us, std::int64_t n) const noexcept;
     // Leaves that fit in a share of the time that is left.
     [[nodiscard]] std::size_t find_room(double share) const noexcept;
     // As far down as there is time; the level of the nodes found.
@@ -223,8 +225,8 @@ class FieldSampler {
     std::vector<float> ranks_;
     Nodes leaves_;  // chosen, with a budget
     Nodes last_touched_;
-    double leaf_us_;  // learned
-    Nodes touched_;   // leaves of a thinning that were taken and touch
+    double leaf_us_, group_us_;  // learned
+    Nodes touched_;              // leaves of a thinning that were taken and touch
     double clock_voxels_ = 0.0;
     float now_ = 0.0F;  // the clock, rounded up
     Pose last_OT_;

@@ -24,6 +24,17 @@ double FieldSampler::elapsed_us() const noexcept {
     return 1.0e6 * (monotonic_now_s() - began_s_);
 }
 
+void FieldSampler::learn(double& cost_us, double took_us, std::int64_t n) const noexcept {
+    if (settings_.clock == BudgetClock::counted || n < static_cast<std::int64_t>(kBlock)) {
+        return;
+    }
+    // Quickly up, slowly down, and a reserve: what is thought too cheap misses deadlines.
+    constexpr double kReserve = 1.25;
+    const double seen_us = kReserve * took_us / static_cast<double>(n);
+    const double share = seen_us > cost_us ? 0.3 : 0.02;
+    cost_us = std::clamp(cost_us + share * (seen_us - cost_us), 0.01, 10.0);
+}
+
 std::size_t FieldSampler::find_room(double share) const noexcept {
     const double left_us = share * (settings_.budget_us - elapsed_us());
     return left_us > 0.0 ? static_cast<std::size_t>(left_us / leaf_us_) : 0;
@@ -32,7 +43,10 @@ std::size_t FieldSampler::find_room(double share) const noexcept {
 std::size_t FieldSampler::search_in_time(const FieldPlace& place) noexcept {
     begin_at_top();
     for (std::size_t level = levels_.size() - 1;; --level) {
+        const double before_us = elapsed_us();
+        const std::int64_t n_before = touch_.n_groups;
         search_level(level, place, true, 0.0F);
+        learn(group_us_, elapsed_us() - before_us, touch_.n_groups - n_before);
         // Going down must leave the time to take each node as one leaf, should its parts be too many.
         const double down_us = static_cast<double>(nodes_.size()) * (settings_.group_us + leaf_us_);
         if (level == 0 || down_us > settings_.budget_us - elapsed_us()) {
@@ -57,13 +71,7 @@ std::size_t FieldSampler::take_in_time(std::size_t thinning, std::span<const std
         take(thinning, leaves.subspan(n, n_next), place, X_OT);
         n += n_next;
     }
-    if (settings_.clock == BudgetClock::measured && n >= kBlock) {
-        // Quickly up, slowly down, and a reserve: a deadline is missed by one that was too cheap.
-        constexpr double kReserve = 1.25;
-        const double seen_us = kReserve * (elapsed_us() - before_us) / static_cast<double>(n);
-        const double share = seen_us > leaf_us_ ? 0.3 : 0.02;
-        leaf_us_ = std::clamp(leaf_us_ + share * (seen_us - leaf_us_), 0.01, 10.0);
-    }
+    learn(leaf_us_, elapsed_us() - before_us, static_cast<std::int64_t>(n));
     return n;
 }
 
@@ -232,7 +240,7 @@ void FieldSampler::take_deepest(std::size_t level, const FieldPlace& place,
     for (; level > 0; --level) {
         // Of what is opened at least a leaf must fit.
         const double left_us = std::max(settings_.budget_us - elapsed_us(), 0.0);
-        choose_deepest(level, static_cast<std::size_t>(left_us / (settings_.group_us + leaf_us_)));
+        choose_deepest(level, static_cast<std::size_t>(left_us / (group_us_ + leaf_us_)));
         levels_[level - 1].groups.copy(leaves_);
         search_level(level - 1, place, true, 0.0F);
     }

@@ -40,7 +40,8 @@ FieldSampler::FieldSampler(Field field, Shell shell, const FieldSamplingSettings
       settings_(settings),
       bounds_(*field_),
       kernels_(&best_field_kernels()),
-      leaf_us_(settings.leaf_us) {
+      leaf_us_(settings.leaf_us),
+      group_us_(settings.group_us) {
     for (std::size_t l = 0; l < shell_->n_levels(); ++l) {
         Level level;
         level.free_until.assign(ShellTree::kWidth * shell_->level(l).size(), kAlways);

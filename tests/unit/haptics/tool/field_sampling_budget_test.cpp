@@ -182,21 +182,35 @@ TEST_CASE("field sampling budget: nothing touches, but what was not looked at is
     const FieldSampler::Field box = make_field(*make_box({1.0, 1.0, 1.0}), 64);
     Pointshell points;
     constexpr int kSide = 200;
+    const double arm_m =
+        2.4;  // of the plate's middle: no point is nearer than 2 m, none farther than 2.9
     for (int i = 0; i < kSide * kSide; ++i) {
-        points.add({0.8 * (i % kSide) / kSide - 0.4, 0.0, 0.8 * (i / kSide) / kSide - 0.4},
+        points.add({arm_m + 0.8 * (i % kSide) / kSide - 0.4, 0.0, 0.8 * (i / kSide) / kSide - 0.4},
                    Vector3::UnitY());
     }
     FieldSampler small = make(box, make_shell(points), 5.0);
-    const Pose X_WT = Pose::at({0.0, 0.5 + 0.3 * box->frame().voxel_m, 0.0});
+    const Pose X_WT = Pose::at({-arm_m, 0.5 + 0.3 * box->frame().voxel_m, 0.0});
     FieldTouch touch = small.step({}, X_WT);
     CHECK(touch.n_touching == 0);
     CHECK(touch.wrench_W.force == Vector3::Zero());
     CHECK(touch.error_N > 0.0);
-    CHECK(touch.error_Nm > 0.0);
-    for (int i = 0; i < 200; ++i) {
+    CHECK(touch.error_Nm > 2.0 * touch.error_N);
+    CHECK(touch.error_Nm < 2.9 * touch.error_N);
+    for (int i = 0; i < 400; ++i) {
         touch = small.step({}, X_WT);
     }
     CHECK(touch.error_N == 0.0);
+}
+
+TEST_CASE("field sampling budget: the clock ends a step that takes leaves to be cheaper than any") {
+    const FieldSampler::Shell shell =
+        make_shell(make_surface_pointshell(*make_bumpy_sphere(1.0, 16, 0.03, 9.0), 200000).value());
+    FieldSampler hasty =
+        FieldSampler::build(bumpy(), shell, {.budget_us = 200.0, .leaf_us = 0.01, .group_us = 0.01})
+            .value();
+    const FieldTouch touch = hasty.step({}, Pose::at({0.02, 0.01, 0.0}));
+    CHECK(touch.n_leaves < static_cast<std::int64_t>(shell->n_leaves()));
+    CHECK(touch.n_left > 0);
 }
 
 TEST_CASE(
