@@ -61,45 +61,51 @@ void FieldSampler::advance_clock(const Pose& X_OT) noexcept {
     has_last_ = true;
 }
 
+float FieldSampler::search_group(std::size_t level, std::size_t group, unsigned due,
+                                 const FieldPlace& place, bool remembers, float within) noexcept {
+    Level& here = levels_[level];
+    const std::size_t first = ShellTree::kWidth * group;
+    float* const until = here.free_until.data() + first;
+    const bool asks = !remembers || here.hopeless_until[group] <= now_;
+    std::array<float, ShellTree::kWidth> slacks{};
+    if (asks) {
+        find_slacks(bounds_, place, shell_->level(level)[group], slacks);
+        ++touch_.n_groups;
+    }
+    float least = HUGE_VALF;
+    float hopeless = HUGE_VALF;
+    for (; due != 0; due &= due - 1U) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(due));
+        if (asks && remembers) {
+            until[i] = std::max(until[i], now_ + slacks[i]);
+        }
+        if (!asks || slacks[i] <= within) {
+            add_node(static_cast<std::int32_t>(first + i),
+                     remembers ? now_ - until[i] : -slacks[i]);
+        } else {
+            least = std::min(least, slacks[i]);
+        }
+        hopeless = std::min(hopeless, -slacks[i]);
+    }
+    if (asks && remembers) {
+        here.hopeless_until[group] = now_ + std::max(hopeless, 0.0F);
+    }
+    return least;
+}
+
 float FieldSampler::search_level(std::size_t level, const FieldPlace& place, bool remembers,
                                  float within) noexcept {
-    const std::vector<EightBalls>& balls = shell_->level(level);
-    Level& here = levels_[level];
     nodes_.clear();
     float least = HUGE_VALF;
-    for (const std::int32_t group : here.groups) {
-        const auto at = static_cast<std::size_t>(group);
-        const std::size_t first = ShellTree::kWidth * at;
-        float* const until = here.free_until.data() + first;
+    for (const std::int32_t node : levels_[level].groups) {
+        const auto group = static_cast<std::size_t>(node);
+        const float* const until = levels_[level].free_until.data() + ShellTree::kWidth * group;
         unsigned due = 0;
         for (unsigned i = 0; i < ShellTree::kWidth; ++i) {
             due |= (!remembers || until[i] <= now_ ? 1U : 0U) << i;
         }
-        if (due == 0) {
-            continue;
-        }
-        const bool asks = !remembers || here.hopeless_until[at] <= now_;
-        std::array<float, ShellTree::kWidth> slacks{};
-        if (asks) {
-            find_slacks(bounds_, place, balls[at], slacks);
-            ++touch_.n_groups;
-        }
-        float hopeless = HUGE_VALF;
-        for (; due != 0; due &= due - 1U) {
-            const auto i = static_cast<std::size_t>(std::countr_zero(due));
-            if (asks && remembers) {
-                until[i] = std::max(until[i], now_ + slacks[i]);
-            }
-            if (!asks || slacks[i] <= within) {
-                add_node(static_cast<std::int32_t>(first + i),
-                         remembers ? now_ - until[i] : -slacks[i]);
-            } else {
-                least = std::min(least, slacks[i]);
-            }
-            hopeless = std::min(hopeless, -slacks[i]);
-        }
-        if (asks && remembers) {
-            here.hopeless_until[at] = now_ + std::max(hopeless, 0.0F);
+        if (due != 0) {
+            least = std::min(least, search_group(level, group, due, place, remembers, within));
         }
     }
     return least;
@@ -203,6 +209,7 @@ FieldTouch FieldSampler::step(const Pose& X_WO, const Pose& X_WT) noexcept {
     spread_ = {};
     deepest_steps_ = 0.0F;
     left_out_m_ = 0.0;
+    was_cut_short_ = false;
     touched_.clear();
     if (settings_.mode == SamplingMode::brute_force) {
         nodes_.clear();
@@ -235,14 +242,20 @@ FieldTouch FieldSampler::finish(const Pose& X_WO) noexcept {
     const double slope = settings_.along == ForceAlong::slopes ? field_->slope_bound() : 1.0;
     touch_.bound_N = settings_.stiffness_N_per_m * slope * left_out_m_;
     touch_.bound_Nm = shell_->reach_m() * touch_.bound_N;
-    touch_.error_N = touch_.bound_N;
-    touch_.error_Nm = touch_.bound_Nm;
     if (touch_.weight > 1) {
         touch_.bound_N += compute_length(touch_.wrench_W.force);
         touch_.bound_Nm += compute_length(touch_.wrench_W.torque);
-        constexpr double kFar = 3.0;  // times the spread
-        touch_.error_N = std::min(touch_.bound_N, kFar * k * std::sqrt(spread_.force_square));
-        touch_.error_Nm = std::min(touch_.bound_Nm, kFar * k * std::sqrt(spread_.torque_square));
+    }
+    touch_.error_N = touch_.bound_N;
+    touch_.error_Nm = touch_.bound_Nm;
+    if (touch_.weight > 1 && !was_cut_short_) {
+        constexpr double kFar = 4.0;  // times the spread
+        const double missed_N = compute_length(touch_.wrench_W.force) * missed_points_ /
+                                static_cast<double>(std::max<std::int64_t>(touch_.n_touching, 1));
+        touch_.error_N =
+            std::min(touch_.bound_N, kFar * k * std::sqrt(spread_.force_square) + missed_N);
+        touch_.error_Nm = std::min(touch_.bound_Nm, kFar * k * std::sqrt(spread_.torque_square) +
+                                                        shell_->reach_m() * missed_N);
     }
     return touch_;
 }

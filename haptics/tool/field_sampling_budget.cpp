@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace fulcrum {
 
@@ -28,16 +29,19 @@ void FieldSampler::learn(double& cost_us, double took_us, std::int64_t n) const 
     if (settings_.clock == BudgetClock::counted || n < static_cast<std::int64_t>(kBlock)) {
         return;
     }
-    // Quickly up, slowly down, and a reserve: what is thought too cheap misses deadlines.
+    // Quickly up, slowly down, and a reserve: what is thought too cheap misses deadlines. One step that was interrupted tells little.
     constexpr double kReserve = 1.25;
-    const double seen_us = kReserve * took_us / static_cast<double>(n);
-    const double share = seen_us > cost_us ? 0.3 : 0.02;
+    constexpr double kMostAtOnce = 2.0;
+    const double seen_us =
+        std::min(kReserve * took_us / static_cast<double>(n), kMostAtOnce * cost_us);
+    const double share = seen_us > cost_us ? 0.2 : 0.1;
     cost_us = std::clamp(cost_us + share * (seen_us - cost_us), 0.01, 10.0);
 }
 
 std::size_t FieldSampler::find_room(double share) const noexcept {
     const double left_us = share * (settings_.budget_us - elapsed_us());
-    return left_us > 0.0 ? static_cast<std::size_t>(left_us / leaf_us_) : 0;
+    constexpr double kRounding = 1.0e-9;  // a leaf that fits exactly does
+    return left_us > 0.0 ? static_cast<std::size_t>(left_us / leaf_us_ + kRounding) : 0;
 }
 
 std::size_t FieldSampler::search_in_time(const FieldPlace& place) noexcept {
@@ -72,6 +76,7 @@ std::size_t FieldSampler::take_in_time(std::size_t thinning, std::span<const std
         n += n_next;
     }
     learn(leaf_us_, elapsed_us() - before_us, static_cast<std::int64_t>(n));
+    was_cut_short_ = was_cut_short_ || n < leaves.size();
     return n;
 }
 
@@ -159,6 +164,8 @@ bool FieldSampler::take_samples(std::size_t level, const FieldPlace& place,
         return false;
     }
     keep_touched(level, merge);
+    const double n_units = static_cast<double>(touched_.size());
+    missed_points_ = static_cast<double>(touch_.weight) * std::sqrt(n_units);
     const std::size_t room = find_room(1.0);
     std::size_t finer = thinning;
     while (finer > 0 && touched_.size() << (thinning - finer + 1) <= room) {

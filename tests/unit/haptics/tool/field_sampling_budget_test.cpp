@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kLeaf_us = 0.13;
 constexpr double kGroup_us = 0.04;
+constexpr double kRounding_us = 1.0e-6;
+constexpr double kTimes = 25.0;  // the error said, at the median, at most: as the header has it
 
 FieldSampler::Field make_field(const TriangleMesh& mesh, int n_along) {
     return std::make_shared<const DistanceField>(
@@ -79,7 +81,7 @@ TEST_CASE("field sampling budget: kept, and exact where it is enough") {
             CHECK(full.error_Nm == 0.0);
             CHECK(full.n_left == 0);
             const FieldTouch some = small.step({}, X_WT);
-            CHECK(cost_us(some) <= 5.0);
+            CHECK(cost_us(some) <= 5.0 + kRounding_us);
             CHECK(some.n_left > 0);
         }
     }
@@ -93,7 +95,7 @@ TEST_CASE("field sampling budget: where many touch, samples stand for all to 2 %
         const Pose X_WT{0.06 * random.direction(), random.turn(0.5)};
         const FieldTouch exact = all.step({}, X_WT);
         const FieldTouch some = small.step({}, X_WT);
-        CHECK(cost_us(some) <= 20.0);
+        CHECK(cost_us(some) <= 20.0 + kRounding_us);
         CHECK(some.weight > 1);
         REQUIRE(some.n_touching >= 150 * some.weight);
         const Off off = compare(some, exact);
@@ -121,7 +123,7 @@ TEST_CASE(
             const FieldTouch exact = all.step({}, X_WT);
             const FieldTouch some = small.step({}, X_WT);
             const Off off = compare(some, exact);
-            CHECK(cost_us(some) <= 5.0);
+            CHECK(cost_us(some) <= 5.0 + kRounding_us);
             // Nothing is off but single precision where nothing was left out.
             const double rounding_N = 1.0e-6 * exact.wrench_W.force.norm();
             CHECK(off.force_N <= some.error_N + rounding_N);
@@ -129,7 +131,7 @@ TEST_CASE(
             CHECK(off.force_N <= some.bound_N + rounding_N);
             CHECK(off.torque_Nm <= some.bound_Nm + rounding_N);
             if (some.weight > 1) {
-                CHECK(some.error_N < 0.5 * exact.wrench_W.force.norm());
+                CHECK(some.error_N < 0.1 * some.bound_N);
                 times_force.push_back(some.error_N / off.force_N);
                 times_torque.push_back(some.error_Nm / off.torque_Nm);
             }
@@ -137,7 +139,7 @@ TEST_CASE(
         REQUIRE(times_force.size() > 300);
         for (std::vector<double>* const times : {&times_force, &times_torque}) {
             std::sort(times->begin(), times->end());
-            CHECK((*times)[times->size() / 2] < 15.0);
+            CHECK((*times)[times->size() / 2] < kTimes);
         }
     }
 }
@@ -163,7 +165,7 @@ TEST_CASE("field sampling budget: a lone tip among points that are near weighs w
             const FieldTouch exact = all.step({}, X_WT);
             REQUIRE(exact.n_touching == 1);
             some = small.step({}, X_WT);
-            CHECK(cost_us(some) <= 10.0);
+            CHECK(cost_us(some) <= 10.0 + kRounding_us);
             // Nothing, or what it is; once found it is kept.
             const bool is_found = some.n_touching == 1;
             n_frames += is_found ? 0 : 1;
