@@ -86,10 +86,13 @@ void fade_out(LessonRun& run, VirtualClock& clock, const std::string& sentence) 
     }
 }
 
-// What a frame gave to show: the lesson's lines, and a picture on the way.
-void show(const HeadlessSettings& settings, const std::vector<std::string>& lines, double now_s) {
+// What a frame gave to show: what was said, the lesson's lines, and a picture on the way.
+void show(const HeadlessSettings& settings, const FrameReport& report, double now_s) {
+    if (settings.shows_talk) {
+        print_lines(report.said);
+    }
     if (settings.shows_prints) {
-        print_lines(lines);
+        print_lines(report.printed);
     }
     if (settings.after_frame) {
         settings.after_frame(now_s);
@@ -133,7 +136,7 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
                 return tl::unexpected(report.error());
             }
             clock.count_frame();
-            show(settings, report->printed, clock.now_s());
+            show(settings, *report, clock.now_s());
 
             const LessonSession& session = run.session();
             if (session.result().finished && !outcome.finished) {

@@ -24,6 +24,7 @@ struct HeadlessSettings {
     /// Times every stage; null for a plain run, which is the same to the byte.
     StageClock* clock = nullptr;
     bool shows_prints = true;  ///< what the lesson prints goes to standard output
+    bool shows_talk = false;   ///< so does what is shown, asked, answered, see transcript.h
 };
 
 struct HeadlessOutcome {

@@ -230,7 +230,8 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
         output->printed.resize(kMostPrints);
         output->printed.emplace_back("(this frame printed more)");
     }
-    return FrameReport{std::move(output->sounds), std::move(output->printed)};
+    return FrameReport{std::move(output->sounds), std::move(output->printed),
+                       std::move(output->said)};
 }
 
 // A command that got lost would leave the lesson waiting for ever for what it asked.

@@ -41,6 +41,7 @@ struct FrameInput {
 struct FrameReport {
     std::vector<std::string> sounds;
     std::vector<std::string> printed;
+    std::vector<std::string> said;
 };
 
 class LessonRun {

@@ -17,7 +17,7 @@ struct CommandWord {
     std::string_view flags;  // the flags it understands, each between spaces
 };
 
-constexpr std::array<CommandWord, 10> kCommands{{
+constexpr std::array<CommandWord, 11> kCommands{{
     {"run", Command::run, true,
      " --headless --seconds --hand --say --learner --db --record --screenshot --screenshot-at "
      "--speech --watch"
@@ -30,6 +30,7 @@ constexpr std::array<CommandWord, 10> kCommands{{
     {"report", Command::report, false, " --learner --lesson --db --format --out "},
     {"help", Command::help, false, " "},
     {"--help", Command::help, false, " "},
+    {"-h", Command::help, false, " "},
     {"--version", Command::version, false, " "},
     {"menu", Command::menu, false, " --learner --db --force-limit --mute --speech --watch "},
 }};
@@ -194,6 +195,10 @@ Expected<Options> parse_options(std::span<const std::string> words) {
 
     for (std::size_t i = only_options ? 0 : 1; i < words.size(); ++i) {
         const std::string& word = words[i];
+        if (word == "--help" || word == "-h") {
+            options.command = Command::help;
+            return options;
+        }
         if (word.rfind("--", 0) != 0) {
             if (!command->takes_lesson || !options.lesson.empty()) {
                 return fail("\"" + word + "\" is one word too many", "", "see fulcrum help");
@@ -221,7 +226,7 @@ std::string usage() {
 
   fulcrum                    the list of lessons, in a window  (--learner NAME --db FILE --force-limit N --mute --watch)
   fulcrum run LESSON         play a lesson
-      --headless             without a window, faster than real time, repeatable to the byte
+      --headless             without a window, faster than real time, repeatable to the byte; tells what is said
       --hand FILE.lua|mouse|replay:FILE
       --say FILE             one answer a line, given to the questions in turn
       --learner NAME         whose progress this is

@@ -75,6 +75,7 @@ int run_without_window(const Installation& installation, const Options& options,
     ScreenshotTaker screenshot(installation, options, **run, request.folder);
     HeadlessSettings settings;
     settings.end_s = options.seconds;
+    settings.shows_talk = true;
     if (!options.screenshot.empty()) {
         settings.after_frame = [&](double now_s) { screenshot.after_frame(now_s); };
     }
@@ -93,11 +94,11 @@ int run_without_window(const Installation& installation, const Options& options,
         std::fprintf(stderr, "%s\n", (*run)->session().store_trouble().c_str());
     }
     const SessionResult& result = (*run)->session().result();
-    std::printf(
-        "%s: %s after %.1f s (%.0f times real time), score %d, %d of 3 stars, %d answers.\n",
-        (*run)->description().id.c_str(), outcome->finished ? "finished" : "ended",
-        outcome->simulated_s, outcome->wall_s > 0.0 ? outcome->simulated_s / outcome->wall_s : 0.0,
-        result.score, result.stars, result.attempts);
+    std::printf("%s: %s after %.1f s (%.0f times real time), score %d, %d of 3 stars, %d %s.\n",
+                (*run)->description().id.c_str(), outcome->finished ? "finished" : "ended",
+                outcome->simulated_s,
+                outcome->wall_s > 0.0 ? outcome->simulated_s / outcome->wall_s : 0.0, result.score,
+                result.stars, result.attempts, result.attempts == 1 ? "answer" : "answers");
     if (const std::string trouble = trouble_of(*outcome); !trouble.empty()) {
         std::fprintf(stderr, "%s\n", trouble.c_str());
         return 1;

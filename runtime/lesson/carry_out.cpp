@@ -90,6 +90,7 @@ Expected<void> LessonSession::carry_out(const LessonForceCommand& command, Sessi
 
 Expected<void> LessonSession::carry_out(const CaptionCommand& command, SessionOutput&) {
     speech_.instruct(command.text);
+    transcript_.show(time_s_, command.text);
     show();
     return {};
 }
@@ -100,6 +101,7 @@ Expected<void> LessonSession::carry_out(const AskCommand& command, SessionOutput
     }
     QuestionTurn turn = dialogue_.ask(command.question, time_s_);
     speech_.instruct(turn.prompt);
+    transcript_.ask(time_s_, turn.prompt);
     take(std::move(turn));
     return {};
 }
@@ -123,6 +125,7 @@ Expected<void> LessonSession::carry_out(const LevelCommand& command, SessionOutp
     if (hud_.level > 0 && command.level > hud_.level) {
         sounds_.push_back("level_up");
     }
+    transcript_.begin_level(time_s_, command.level, command.title);
     hud_.level = result_.level = command.level;
     hud_.level_title = command.title;
     return {};

@@ -157,6 +157,7 @@ void LessonSession::take(QuestionTurn turn) {
     if (turn.answer) {
         const MarkedAnswer& answer = *turn.answer;
         speech_.reply(answer.feedback.text);
+        transcript_.answer(time_s_, answer);
         sounds_.push_back(answer.right ? "right" : "try_again");
         ++result_.attempts;
         result_.form_errors += static_cast<int>(answer.mark.form_errors.size());
@@ -207,6 +208,7 @@ Expected<SessionOutput> LessonSession::finish_frame(const LessonReply& reply) {
     force_.lesson_alive = true;
     output.force = force_;
     output.axles = axles_;
+    output.said = transcript_.take();
     output.sounds = std::move(sounds_);
     sounds_.clear();
     if (reply.has_hand_target) {

@@ -3,9 +3,8 @@
 //
 //   what happened --begin_frame--> LessonFrame --lesson's process--> LessonReply --finish_frame--> what to do
 //
-// The question of now is question_dialogue.h's, who hears and says it speech.h's, what is kept session_log.h's; the
-// commands one by one stand in
-// carry_out.cpp.
+// The question of now is question_dialogue.h's, who hears and says it speech.h's, what is kept session_log.h's, what is
+// told of it transcript.h's; the commands one by one stand in carry_out.cpp.
 //
 // Thread: lesson loop. Cost: microseconds, and what the store takes for an answer.
 #pragma once
@@ -17,6 +16,7 @@
 #include "runtime/lesson/question_dialogue.h"
 #include "runtime/lesson/session_log.h"
 #include "runtime/lesson/speech.h"
+#include "runtime/lesson/transcript.h"
 #include "runtime/progress/store.h"
 #include "runtime/scene/description.h"
 #include "runtime/scene/lesson_messages.h"
@@ -52,6 +52,7 @@ struct SessionOutput {
     Pose hand_target_W{};
     std::uint32_t hand_buttons = 0;
     std::vector<std::string> printed;
+    std::vector<std::string> said;  ///< what was shown, asked and answered, see transcript.h
 };
 
 /// What a learner sees of the lesson, apart from the bodies.
@@ -134,6 +135,7 @@ class LessonSession {
     QuestionDialogue dialogue_;
     SessionLog log_;
     Speech speech_;
+    Transcript transcript_;
     int turn_ = 0;  // of the dialogue's, the one that is listened for
 
     // What the lesson has asked for so far.

@@ -52,6 +52,12 @@ TEST_CASE("lever: a wrong answer presses again with a hint, and costs a star") {
     INFO(run.output);
     CHECK(run.exit_code == 0);
     CHECK(run.output.find("score 9, 2 of 3 stars") != std::string::npos);
+    // Without a window it is told what was asked, said and answered.
+    for (const char* line : {"level    1: Near or far?", "asks     Where is it easier to press",
+                             "learner  near the support (wrong)", "answers  Not yet.",
+                             "learner  one newton (right)"}) {
+        CHECK_THAT(run.output, Catch::Contains(line));
+    }
 }
 
 TEST_CASE("lever: where the arm may give little the Earth gets lighter, and the lesson ends") {

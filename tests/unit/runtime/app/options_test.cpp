@@ -104,3 +104,16 @@ TEST_CASE("options: a guess that would puzzle is not made") {
     CHECK(to_sentence(parse({"run", "gravity", "--sped", "x"}).error()).find("did you mean") ==
           std::string::npos);
 }
+
+TEST_CASE("options: help is given wherever it is asked for") {
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
+                                                  {"-h"},
+                                                  {"run", "--help"},
+                                                  {"run", "gravity", "--help"},
+                                                  {"list", "-h"},
+                                                  {"check", "gravity", "--help"}}) {
+        const auto options = parse(words);
+        REQUIRE(options);
+        CHECK(options->command == Command::help);
+    }
+}
