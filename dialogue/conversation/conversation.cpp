@@ -4,6 +4,15 @@
 
 namespace fulcrum::dialogue {
 
+namespace {
+
+/// A learner who asks is answered like one: nobody felt anything.
+bool asks(std::string_view sentence) {
+    return sentence.ends_with('?');
+}
+
+}  // namespace
+
 Conversation::Conversation(const Catalogue& catalogue, ConversationSettings settings)
     : catalogue_(&catalogue), settings_(settings) {
     settings_.prompt_from = std::max(settings_.prompt_from, 1);
@@ -66,6 +75,9 @@ Feedback Conversation::respond_to_form(const Mark& mark) {
             return say(FeedbackKind::praise, "feedback.praise_short", sentence);
         }
         seen_.clear();  // a whole right sentence: the ladder begins anew
+        if (asks(mark.corrected)) {
+            return say(FeedbackKind::praise, "feedback.praise_question", sentence);
+        }
         const std::vector<std::string> praises = catalogue_->series("feedback.praise");
         const std::string key =
             praises.empty() ? "feedback.praise.1" : praises[praise_++ % praises.size()];
@@ -91,7 +103,8 @@ Feedback Conversation::respond_to_form(const Mark& mark) {
         state_ = State::invited;
         return feedback;
     }
-    return say(FeedbackKind::recast, "feedback.recast", sentence);
+    return say(FeedbackKind::recast,
+               asks(mark.corrected) ? "feedback.recast_question" : "feedback.recast", sentence);
 }
 
 Feedback Conversation::respond_to_repeat(const Mark& mark, bool meaning_right) {
@@ -123,9 +136,13 @@ Feedback Conversation::not_understood(const Mark& mark) {
                        {{"said", mark.opposite_said}, {"asked", "*" + mark.opposite_of + "*"}});
     } else if (unheard_ == 1) {
         feedback = say(FeedbackKind::not_understood, "feedback.not_understood.1");
-    } else if (unheard_ == 2) {
-        feedback = say(FeedbackKind::not_understood, "feedback.not_understood.2",
-                       {{"frame", sentence_frame(*question_)}});
+    } else if (const std::string frame = sentence_frame(*question_);
+               unheard_ == 2 && !frame.empty()) {
+        feedback =
+            say(FeedbackKind::not_understood, "feedback.not_understood.2", {{"frame", frame}});
+    } else if (const std::string example = example_sentence(*question_); asks(example)) {
+        feedback = say(FeedbackKind::not_understood, "feedback.not_understood.example",
+                       {{"sentence", example}});
     } else {
         std::string list;
         const std::vector<std::string> words = choices(*question_);

@@ -58,7 +58,8 @@ bool is_of_material(const FormError& error) {
 }
 
 /// Rules that hold for one code, whatever the word.
-constexpr std::array<std::pair<ErrorCode, std::string_view>, 19> kRules = {{
+constexpr std::array<std::pair<ErrorCode, std::string_view>, 20> kRules = {{
+    {ErrorCode::wording, "rule.wording"},
     {ErrorCode::missing_determiner, "rule.article.missing"},
     {ErrorCode::wrong_determiner, "rule.article.sound"},
     {ErrorCode::extra_determiner, "rule.article.extra"},
@@ -86,9 +87,11 @@ std::vector<CatalogueNeed> make_needs() {
                                      {"list.comma", {}},
                                      {"feedback.praise.1", {"sentence"}},
                                      {"feedback.praise.2", {"sentence"}},
+                                     {"feedback.praise_question", {}},
                                      {"feedback.praise_short", {"sentence"}},
                                      {"feedback.repaired", {"sentence"}},
                                      {"feedback.recast", {"sentence"}},
+                                     {"feedback.recast_question", {"sentence"}},
                                      {"feedback.prompt", {"sentence", "gap"}},
                                      {"feedback.rule", {"sentence", "rule"}},
                                      {"feedback.wrong_meaning", {}},
@@ -98,6 +101,7 @@ std::vector<CatalogueNeed> make_needs() {
                                      {"feedback.not_understood.1", {}},
                                      {"feedback.not_understood.2", {"frame"}},
                                      {"feedback.not_understood.3", {"choices"}},
+                                     {"feedback.not_understood.example", {"sentence"}},
                                      {"feedback.heard_badly", {}},
                                      {"feedback.moved_on", {}}};
     const std::vector<std::string_view> words{"base", "right", "said", "phrase"};

@@ -37,18 +37,20 @@ enum class ErrorCode : std::uint8_t {
     wrong_conjunction,    ///< R:CONJ      "metal is hard or smooth"
     extra_preposition,    ///< U:PREP      "metal feels like hard"
     verb_inflection,      ///< R:VERB:INFL "is maked of"
-    verb_voice,           ///< R:VERB:VOICE "a spaceship makes of metal"
+    wording,     ///< R:OTHER     "how many moons Jupiter has": the whole sentence goes another way
+    verb_voice,  ///< R:VERB:VOICE "a spaceship makes of metal"
 };
 
-inline constexpr int kErrorCodes = 24;
+inline constexpr int kErrorCodes = 25;
 
 /// The code as ERRANT writes it, e.g. "R:ADJ:FORM"; empty for `none`.
 [[nodiscard]] constexpr std::string_view errant_code(ErrorCode code) {
     constexpr std::string_view kNames[kErrorCodes] = {
-        "",        "M:DET",       "R:DET",        "U:DET",   "R:ADJ:FORM",  "R:VERB:SVA",
-        "M:VERB",  "R:VERB:FORM", "R:VERB:TENSE", "U:PRON",  "R:PREP",      "M:PREP",
-        "R:ADV",   "R:NOUN:NUM",  "R:NOUN:INFL",  "R:SPELL", "R:ORTH",      "M:PRON",
-        "R:MORPH", "M:CONJ",      "R:CONJ",       "U:PREP",  "R:VERB:INFL", "R:VERB:VOICE"};
+        "",           "M:DET",  "R:DET",       "U:DET",        "R:ADJ:FORM",
+        "R:VERB:SVA", "M:VERB", "R:VERB:FORM", "R:VERB:TENSE", "U:PRON",
+        "R:PREP",     "M:PREP", "R:ADV",       "R:NOUN:NUM",   "R:NOUN:INFL",
+        "R:SPELL",    "R:ORTH", "M:PRON",      "R:MORPH",      "M:CONJ",
+        "R:CONJ",     "U:PREP", "R:VERB:INFL", "R:OTHER",      "R:VERB:VOICE"};
     return kNames[static_cast<std::size_t>(code)];
 }
 

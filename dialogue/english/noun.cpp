@@ -1,6 +1,7 @@
 #include "dialogue/english/noun.h"
 
 #include "dialogue/english/letters.h"
+#include "dialogue/english/number.h"
 
 #include <algorithm>
 #include <array>
@@ -111,6 +112,47 @@ constexpr std::array<std::string_view, 22> kSingularInS = {
 /// "the" belongs to the name.
 constexpr std::array<std::string_view, 2> kNamedThe = {"moon", "sun"};
 
+template <class Table>
+bool contains(const Table& table, std::string_view word) {
+    return std::find(table.begin(), table.end(), word) != table.end();
+}
+
+/// Places, amounts and answers that are no things.
+constexpr std::array<std::string_view, 27> kNoNouns = {
+    "near", "nearer", "far",   "farther", "further", "close",   "closer", "up",      "down",
+    "here", "there",  "above", "below",   "inside",  "outside", "away",   "forward", "backwards",
+    "yes",  "no",     "more",  "less",    "both",    "neither", "never",  "always",  "none"};
+
+/// With one of these a phrase begins that is no thing: "to the left", "near the support".
+constexpr std::array<std::string_view, 22> kPrepositions = {
+    "to",   "at",      "on",      "in",    "near",    "nearer", "close", "closer",
+    "far",  "further", "farther", "under", "over",    "behind", "from",  "by",
+    "with", "without", "between", "next",  "towards", "into"};
+
+/// "one", "two hundred and five", "a hundred".
+bool is_number(std::string_view phrase) {
+    bool any = phrase.starts_with("a hundred") || phrase.starts_with("a thousand");
+    phrase.remove_prefix(any ? 2 : 0);
+    while (!phrase.empty()) {
+        const std::size_t end = std::min(phrase.find_first_of(" -"), phrase.size());
+        const std::string_view word = phrase.substr(0, end);
+        if (!is_number_word(word) && !(any && word == "and")) {
+            return false;
+        }
+        any = true;
+        phrase.remove_prefix(std::min(end + 1, phrase.size()));
+    }
+    return any;
+}
+
+bool is_no_noun(const std::string& phrase) {
+    const std::size_t space = phrase.find(' ');
+    return space == std::string::npos
+               ? contains(kNoNouns, phrase) || is_number(phrase)
+               : contains(kPrepositions, std::string_view(phrase).substr(0, space)) ||
+                     is_number(phrase);
+}
+
 /// The word that carries the number: pair of scissors -> pair; big apple -> apple.
 std::string_view head_word(std::string_view phrase) {
     const std::size_t of = phrase.find(" of ");
@@ -121,11 +163,6 @@ std::string_view head_word(std::string_view phrase) {
 
 bool ends_with(std::string_view word, std::string_view end) {
     return word.size() >= end.size() && word.substr(word.size() - end.size()) == end;
-}
-
-template <class Table>
-bool contains(const Table& table, std::string_view word) {
-    return std::find(table.begin(), table.end(), word) != table.end();
 }
 
 /// The singular of a regular plural: citi(es) -> city, box(es) -> box, window(s) -> window.
@@ -224,6 +261,9 @@ bool has_kinds(std::string_view noun) {
 
 Noun understand_noun(std::string_view entry) {
     Noun noun;
+    if (is_no_noun(lower_case(entry))) {
+        return {std::string(entry), NounClass::no_noun};
+    }
     bool with_the = false;
     bool with_indefinite = false;
     for (const std::string_view article : {"the ", "a ", "an "}) {

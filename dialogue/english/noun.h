@@ -2,6 +2,7 @@
 //
 //   plural      -s; -es after s x z ch sh; consonant + y -> -ies; f(e) -> -ves and -o -> -oes by table; irregular by table
 //   article     by sound, not by letter: a uniform, an hour, an egg, an X-ray, an 8
+//   no noun     a number, a place (far) and what begins with a preposition (to the left) take no article at all
 //   class       count nouns need a determiner in the singular (a watermelon), mass nouns (water), plurals (apples) and
 //               names (Jupiter) don't; some names carry "the" (the Moon)
 //
@@ -22,12 +23,13 @@ enum class Number : std::uint8_t { singular, plural };
 
 /// What kind of noun phrase a noun makes.
 enum class NounClass : std::uint8_t {
-    count,       ///< a watermelon
-    mass,        ///< water; the verb is singular
-    plural,      ///< scissors, apples; the verb is plural
-    name,        ///< Jupiter
-    named_the,   ///< the Moon
-    name_or_the  ///< Earth, the Earth
+    count,        ///< a watermelon
+    mass,         ///< water; the verb is singular
+    plural,       ///< scissors, apples; the verb is plural
+    name,         ///< Jupiter
+    named_the,    ///< the Moon
+    name_or_the,  ///< Earth, the Earth
+    no_noun       ///< far, to the left, two: never with an article
 };
 
 /// A noun of a list, understood.

@@ -1,7 +1,7 @@
 #include "dialogue/english/number.h"
 
+#include <algorithm>
 #include <array>
-#include <string_view>
 
 namespace fulcrum::dialogue {
 namespace {
@@ -32,6 +32,13 @@ void append_below_thousand(long number, std::vector<std::string>& words) {
     words.emplace_back(kSmall[static_cast<std::size_t>(number)]);
 }
 }  // namespace
+
+bool is_number_word(std::string_view word) {
+    const auto in = [&](const auto& words) {
+        return !word.empty() && std::find(words.begin(), words.end(), word) != words.end();
+    };
+    return in(kSmall) || in(kTens) || word == "hundred" || word == "thousand";
+}
 
 std::vector<std::string> number_words(long number) {
     std::vector<std::string> words;

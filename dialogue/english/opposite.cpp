@@ -6,8 +6,8 @@
 namespace fulcrum::dialogue {
 namespace {
 
-/// Each pair holds both ways, and a word stands in one pair only.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 31> kOpposites = {{
+/// Each pair holds both ways.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 32> kOpposites = {{
     {"heavy", "light"},    {"big", "small"},  {"large", "little"},    {"long", "short"},
     {"high", "low"},       {"hot", "cold"},   {"warm", "cool"},       {"fast", "slow"},
     {"hard", "soft"},      {"thick", "thin"}, {"wide", "narrow"},     {"deep", "shallow"},
@@ -15,21 +15,19 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 31> kOpposit
     {"old", "young"},      {"good", "bad"},   {"near", "far"},        {"expensive", "cheap"},
     {"bright", "dark"},    {"full", "empty"}, {"easy", "difficult"},  {"early", "late"},
     {"clean", "dirty"},    {"happy", "sad"},  {"rich", "poor"},       {"sharp", "blunt"},
-    {"stiff", "flexible"}, {"bumpy", "flat"}, {"sticky", "slippery"},
+    {"stiff", "flexible"}, {"bumpy", "flat"}, {"sticky", "slippery"}, {"easy", "hard"},
 }};
 
 }  // namespace
 
-std::string_view opposite_of(std::string_view adjective) {
+std::vector<std::string_view> opposites_of(std::string_view adjective) {
+    std::vector<std::string_view> found;
     for (const auto& [one, other] : kOpposites) {
-        if (adjective == one) {
-            return other;
-        }
-        if (adjective == other) {
-            return one;
+        if (adjective == one || adjective == other) {
+            found.push_back(adjective == one ? other : one);
         }
     }
-    return {};
+    return found;
 }
 
 }  // namespace fulcrum::dialogue

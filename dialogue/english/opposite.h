@@ -5,10 +5,11 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 namespace fulcrum::dialogue {
 
-/// The opposite of `adjective` (lower case); empty when it has none here.
-[[nodiscard]] std::string_view opposite_of(std::string_view adjective);
+/// The opposites of `adjective` (lower case): soft and easy of hard; empty when it has none here.
+[[nodiscard]] std::vector<std::string_view> opposites_of(std::string_view adjective);
 
 }  // namespace fulcrum::dialogue

@@ -59,6 +59,8 @@ GrammarPoint grammar_point(const FormError& error) {
         case ErrorCode::missing_conjunction:
         case ErrorCode::wrong_conjunction:
             return GrammarPoint::joining;
+        case ErrorCode::wording:
+            return GrammarPoint::wording;
         case ErrorCode::none:
         case ErrorCode::spelling:
         case ErrorCode::orthography:

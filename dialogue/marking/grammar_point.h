@@ -25,12 +25,13 @@ enum class GrammarPoint : std::uint8_t {
     noun_number,    ///< one, many, and what can't be counted
     preposition,
     pronoun,
+    wording,  ///< the whole sentence: the order of its words
     spelling
 };
 
-inline constexpr std::array<std::string_view, 11> kGrammarPointIds = {
+inline constexpr std::array<std::string_view, 12> kGrammarPointIds = {
     "article", "adjective",   "comparison",  "joining", "agreement", "passive_voice",
-    "verb",    "noun_number", "preposition", "pronoun", "spelling"};
+    "verb",    "noun_number", "preposition", "pronoun", "wording",   "spelling"};
 
 /// The point that `error` belongs to; its code isn't `none`.
 [[nodiscard]] GrammarPoint grammar_point(const FormError& error);

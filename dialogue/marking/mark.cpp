@@ -97,18 +97,32 @@ void write_sentences(const TemplateSet& set, const Parse& parse, int main_piece,
     mark.emphasis = render_phrase(pieces, range);
 }
 
+/// An answer of other words than English has for it: the whole sentence is put right.
+void mark_wording(const TemplateSet& set, const Parse& parse, std::string_view text, Mark& mark) {
+    const Graph& graph = set.graphs[static_cast<std::size_t>(parse.graph)];
+    const std::vector<Piece> pieces = canonical_pieces(set, graph.answer, parse.slots);
+    mark.corrected = mark.gapped = render(pieces);
+    mark.emphasis = render_phrase(pieces, {0, static_cast<int>(pieces.size())});
+    mark.emphasised = render(pieces, {0, static_cast<int>(pieces.size())});
+    FormError error;
+    error.code = ErrorCode::wording;
+    error.said = std::string(text);
+    error.end = text.size();
+    error.right = error.phrase = mark.emphasis;
+    error.target = true;
+    mark.form_errors.push_back(std::move(error));
+}
+
 /// The form of this adjective's opposite in `said` with which the answer would fit if it were turned round; or empty.
 std::string opposite_in(const TemplateSet& set, const std::string& said, const Element& adjective,
                         const std::string& asked) {
-    const std::string_view opposite = opposite_of(adjective.base);
-    if (opposite.empty()) {
-        return {};
-    }
-    for (const std::string& form : degree_forms(opposite, adjective.degree)) {
-        const std::size_t at = said.find(form);
-        if (at != std::string::npos &&
-            match(set, std::string(said).replace(at, form.size(), asked))) {
-            return form;
+    for (const std::string_view opposite : opposites_of(adjective.base)) {
+        for (const std::string& form : degree_forms(opposite, adjective.degree)) {
+            const std::size_t at = said.find(form);
+            if (at != std::string::npos &&
+                match(set, std::string(said).replace(at, form.size(), asked))) {
+                return form;
+            }
         }
     }
     return {};
@@ -180,6 +194,10 @@ Mark mark_answer(const Question& question, std::string_view text, double confide
     mark.turned_round = graph.turned_round;
     mark.answer = graph.answer;
     mark.slots = parse->slots;
+    if (graph.nearly) {
+        mark_wording(set, *parse, text, mark);
+        return mark;
+    }
     std::vector<int> places;
     for (int i = 0; i < static_cast<int>(parse->pieces.size()); ++i) {
         if (parse->pieces[static_cast<std::size_t>(i)].code != ErrorCode::none) {
@@ -194,8 +212,18 @@ Mark mark_answer(const Question& question, std::string_view text, double confide
     return mark;
 }
 
+std::string example_sentence(const Question& question) {
+    return render(canonical_pieces(*question.templates, 0, {}));
+}
+
 std::string sentence_frame(const Question& question) {
     std::vector<Piece> pieces = canonical_pieces(*question.templates, 0, {});
+    const bool says_words = std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
+        return piece.element.slot == kNone && piece.element.role != Role::determiner;
+    });
+    if (!says_words) {
+        return {};
+    }
     for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
         if (pieces[static_cast<std::size_t>(i)].element.slot != kNone) {
             const PieceRange phrase = phrase_around(pieces, i);
@@ -212,6 +240,9 @@ std::vector<std::string> choices(const Question& question) {
     std::vector<std::string> result;
     for (std::size_t slot = 0; slot < set.slots.size(); ++slot) {
         const auto& items = set.lists[static_cast<std::size_t>(set.slot_lists[slot])].items;
+        if (items.size() < 2) {
+            continue;  // nothing to choose from
+        }
         for (const ListItem& item : items) {
             const std::vector<Piece> pieces =
                 canonical_pieces(set, 0, {{set.slots[slot], item.value}});

@@ -73,8 +73,12 @@ struct Mark {
 [[nodiscard]] Mark mark_answer(const Question& question, std::string_view text,
                                double confidence = 1.0);
 
-/// The whole right sentence of the question's first answer with every slot as "…": "… is the heaviest."
+/// The whole right sentence of the question's first answer with every slot as "…": "… is the heaviest."; empty when it is
+/// nothing but slots.
 [[nodiscard]] std::string sentence_frame(const Question& question);
+
+/// The first answer with the first word of each list: "A watermelon is the heaviest."
+[[nodiscard]] std::string example_sentence(const Question& question);
 
 /// What may be said for the slots, each once, with its article: "a watermelon", "an apple".
 [[nodiscard]] std::vector<std::string> choices(const Question& question);

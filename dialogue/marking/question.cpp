@@ -10,7 +10,7 @@ Expected<Question> compile_question(const QuestionSource& source) {
     if (source.prompt.empty()) {
         return fail(where + " has no prompt; write what is asked");
     }
-    auto set = compile_templates({source.answers, source.lists, source.rules});
+    auto set = compile_templates({source.answers, source.lists, source.rules, source.nearly});
     if (!set) {
         return fail(where + ", " + set.error().message, set.error().column);
     }

@@ -18,12 +18,13 @@ namespace fulcrum::dialogue {
 
 /// What an author writes for one question.
 struct QuestionSource {
-    std::string id;                    ///< unique in its lesson
-    std::string prompt;                ///< what is asked; sentences part the lines
-    std::vector<std::string> answers;  ///< templates
-    NamedLists lists{};                ///< {name} -> its words
-    NamedTexts rules{};                ///< <name> -> a template
-    std::string again{};               ///< said after "Not yet."; empty: the catalogue's own line
+    std::string id;                     ///< unique in its lesson
+    std::string prompt;                 ///< what is asked; sentences part the lines
+    std::vector<std::string> answers;   ///< templates
+    NamedLists lists{};                 ///< {name} -> its words
+    NamedTexts rules{};                 ///< <name> -> a template
+    std::vector<std::string> nearly{};  ///< what learners say for them that is no good English
+    std::string again{};                ///< said after "Not yet."; empty: the catalogue's own line
 };
 
 /// A compiled question.

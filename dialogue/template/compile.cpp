@@ -100,12 +100,50 @@ Expected<ParsedRules> parse_rules(const NamedTexts& rules) {
     return result;
 }
 
+/// The first answer that has a place for all that `graph` means; kNone when none has.
+int said_rightly(const TemplateSet& set, const Graph& graph) {
+    for (int i = 0; i < set.answers; ++i) {
+        const Graph& answer = set.graphs[static_cast<std::size_t>(i)];
+        const bool fits =
+            (graph.slots & ~answer.slots) == 0 && (answer.required & ~graph.required) == 0;
+        if (fits) {
+            return i;
+        }
+    }
+    return kNone;
+}
+
+Expected<bool> add_nearly(TemplateSet& set, const ParsedRules& rules,
+                          const std::vector<std::string>& sentences) {
+    for (std::size_t i = 0; i < sentences.size(); ++i) {
+        const std::string where = "nearly " + std::to_string(i + 1);
+        auto sentence = build_sentence(set, rules, sentences[i]);
+        if (!sentence) {
+            return within(where, sentence.error());
+        }
+        Graph& graph = sentence->graph;
+        graph.answer = said_rightly(set, graph);
+        if (graph.answer == kNone) {
+            return fail(where +
+                        ": no answer says the same rightly; give one with the same {slots}");
+        }
+        graph.nearly = true;
+        graph.whole_sentence = false;
+        set.graphs.push_back(std::move(graph));
+    }
+    return true;
+}
+
 }  // namespace
 
 Expected<TemplateSet> compile_templates(const TemplateSource& source) {
     if (source.sentences.empty() || source.sentences.size() > kMostSentences) {
         return fail(concat(
             {"a question needs between 1 and ", std::to_string(kMostSentences), " answers"}));
+    }
+    if (source.nearly.size() > kMostSentences) {
+        return fail(concat({"a question has at most ", std::to_string(kMostSentences),
+                            " sentences under nearly"}));
     }
     auto lists = parse_lists(source.lists);
     if (!lists) {
@@ -129,6 +167,9 @@ Expected<TemplateSet> compile_templates(const TemplateSource& source) {
     }
     set.answers = static_cast<int>(set.graphs.size());
 
+    if (const auto added = add_nearly(set, *rules, source.nearly); !added) {
+        return tl::unexpected(added.error());
+    }
     if (const auto added = add_short_answers(set, *rules, forms); !added) {
         return within("short answers", added.error());
     }

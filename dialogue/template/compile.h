@@ -3,6 +3,7 @@
 //   sentences  "[a|an|the] {thing} is the <superlative:heavy> [one|object]"
 //   lists      thing = watermelon, apple, an hour, the Moon, Jupiter, "bike|bicycle" (the first is what a recast says)
 //   rules      name = a template used as <name>
+//   nearly     "how many moons {planet} has": what learners say for it that is no good English
 //
 // Grammar-aware: an article or a bracket of articles before a {list} asks for the article that the noun needs, and the first
 // of a bracket is the one that is said back: "[a|an|the] {thing}" any such thing ("An apple is …", as <article> does),
@@ -35,6 +36,8 @@ struct TemplateSource {
     std::vector<std::string> sentences;
     NamedLists lists;
     NamedTexts rules;
+    std::vector<std::string>
+        nearly{};  ///< understood, and said back as the first sentence that fits
 };
 
 /// Compiles; an error names the sentence or rule, and its column.

@@ -98,6 +98,7 @@ struct Graph {
     std::uint32_t definite = 0;  ///< bit i: slot i stands behind "the": one thing that is there
     bool short_answer = false;   ///< "The watermelon."
     bool whole_sentence = true;  ///< false for a noun alone: a recast completes it
+    bool nearly = false;         ///< understood, but no good English: `answer` says it rightly
     bool turned_round =
         false;           ///< "Metal is made of a spaceship.": thing and material change places
     int answer = kNone;  ///< the answer that this is, or is short for
@@ -140,8 +141,9 @@ struct TemplateSet {
     std::vector<std::string>
         slots;  ///< names; a name may come again for what is turned round, from another list
     std::vector<int> slot_lists;  ///< by slot: the list that fills it
-    std::vector<Graph> graphs;    ///< the answers in order, then the short answers
-    int answers = 0;              ///< how many of `graphs` are whole answers
+    std::vector<Graph>
+        graphs;       ///< the answers in order, then what is nearly one, then short answers
+    int answers = 0;  ///< how many of `graphs` are whole answers
 };
 
 }  // namespace fulcrum::dialogue

@@ -10,10 +10,10 @@ namespace fulcrum::dialogue {
 namespace {
 
 /// Words that carry no meaning here.
-constexpr std::array<std::string_view, 24> kFillers = {
-    "um",    "uh",   "er",         "erm",    "hm",      "hmm",  "mm",     "well",
-    "ok",    "okay", "oh",         "ah",     "yes",     "yeah", "please", "so",
-    "maybe", "like", "definitely", "really", "teacher", "miss", "sir",    "actually"};
+constexpr std::array<std::string_view, 26> kFillers = {
+    "um",         "uh",     "er",      "erm",  "hm",   "hmm",      "mm",   "well",  "ok",
+    "okay",       "oh",     "ah",      "yes",  "yeah", "please",   "so",   "maybe", "like",
+    "definitely", "really", "teacher", "miss", "sir",  "actually", "only", "just"};
 
 /// Openings and endings of the same kind.
 constexpr std::array<std::string_view, 22> kPhrases = {

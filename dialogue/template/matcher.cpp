@@ -14,6 +14,7 @@ constexpr int kUnreached = std::numeric_limits<int>::max();
 constexpr int kSkipped = -2;  ///< came here over a filler
 constexpr int kSkipCost = 1;  ///< so that a filler is rather said than skipped
 constexpr int kSpellingCost = 10;
+constexpr int kNearlyCost = 25;  // a slip or a wrong word in a right sentence is likelier
 
 /// The least cost of each (node, number of words heard), and how it was reached.
 class Lattice {
@@ -145,7 +146,7 @@ Parse parse_of(const TemplateSet& set, int number, const Lattice& lattice,
         }
     }
     resolve(parse.pieces);
-    parse.cost = total_cost(parse.pieces);
+    parse.cost = total_cost(parse.pieces) + (graph.nearly ? kNearlyCost : 0);
     for (const Piece& piece : parse.pieces) {
         if (piece.element.slot != kNone) {
             const auto slot = static_cast<std::size_t>(piece.element.slot);

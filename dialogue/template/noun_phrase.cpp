@@ -21,7 +21,7 @@ enum class Branch : std::uint8_t {
     bare_plural,      // scissors
     made_plural,      // watermelons in general, where the list has watermelon
     plural_of_one,    // "the watermelons", where there is one
-    name,             // Jupiter
+    name,             // Jupiter, far
     the_name,         // the Moon
     name_or_the,      // Earth, the Earth
     plural_after_a,   // "a watermelons"
@@ -168,6 +168,7 @@ Branch branch_of(const Noun& noun) {
         case NounClass::plural:
             return Branch::bare_plural;
         case NounClass::name:
+        case NounClass::no_noun:
             return Branch::name;
         case NounClass::named_the:
             return Branch::the_name;

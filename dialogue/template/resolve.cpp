@@ -5,8 +5,10 @@
 #include "dialogue/template/phrases.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
+#include <string_view>
 
 namespace fulcrum::dialogue {
 namespace {
@@ -31,6 +33,14 @@ int after(const std::vector<Piece>& pieces, int at) {
     return kNone;
 }
 
+/// "How many moons does Saturn have": behind "does" no verb agrees.
+bool is_auxiliary(const std::string& word) {
+    constexpr std::array<std::string_view, 11> kAuxiliaries = {
+        "do", "does", "did", "can", "could", "will", "would", "must", "may", "might", "should"};
+    return std::find(kAuxiliaries.begin(), kAuxiliaries.end(), lower_case(word)) !=
+           kAuxiliaries.end();
+}
+
 /// The number of the subject that ends just before `verb`; none when the template's own verb is to be trusted.
 std::optional<Number> subject_number(const std::vector<Piece>& pieces, int verb) {
     const int noun = before(pieces, verb);
@@ -47,10 +57,32 @@ std::optional<Number> subject_number(const std::vector<Piece>& pieces, int verb)
     }
     // "The weight of {thing} is", "{thing} and {thing:other} are": the noun alone doesn't tell.
     const Piece& head = pieces[static_cast<std::size_t>(start)];
-    const bool inside = head.element.role == Role::preposition || head.right == "and" ||
-                        head.right == "or" || head.right == "for" || head.right == "like";
+    const bool inside = is_auxiliary(head.right) || head.element.role == Role::preposition ||
+                        head.right == "and" || head.right == "or" || head.right == "for" ||
+                        head.right == "like";
     return inside ? std::nullopt
                   : std::optional<Number>(pieces[static_cast<std::size_t>(noun)].number);
+}
+
+/// "How many moons does Saturn have": in a question the verb goes with the noun right behind it; none when that is no noun.
+std::optional<Number> asked_number(const std::vector<Piece>& pieces, int verb) {
+    constexpr std::array<std::string_view, 6> kAsking = {"how",   "what", "which",
+                                                         "where", "who",  "why"};
+    const int first = after(pieces, kNone);
+    if (first == kNone || first == verb ||
+        std::find(kAsking.begin(), kAsking.end(),
+                  lower_case(pieces[static_cast<std::size_t>(first)].right)) == kAsking.end()) {
+        return std::nullopt;
+    }
+    int noun = after(pieces, verb);
+    while (noun != kNone &&
+           pieces[static_cast<std::size_t>(noun)].element.role == Role::determiner) {
+        noun = after(pieces, noun);
+    }
+    const bool is_noun =
+        noun != kNone && pieces[static_cast<std::size_t>(noun)].element.role == Role::noun;
+    return is_noun ? std::optional<Number>(pieces[static_cast<std::size_t>(noun)].number)
+                   : std::nullopt;
 }
 
 /// The verb goes with `number`; `excused` when its noun was said in another number, which is one error and not two.
@@ -67,6 +99,41 @@ void agree(Piece& verb, Number number, bool excused) {
     const bool same = excused || verb.said.empty() || says_singular == (number == Number::singular);
     verb.code = same ? ErrorCode::none : ErrorCode::agreement;
     verb.cost = same ? 0 : kSlipCost;
+}
+
+/// "There is one moon", "there are two moons": the verb goes with the number behind it.
+void agree_there(std::vector<Piece>& pieces, int number, Number counted) {
+    const int verb = before(pieces, number);
+    const int there = verb == kNone ? kNone : before(pieces, verb);
+    if (there != kNone && lower_case(pieces[static_cast<std::size_t>(there)].right) == "there" &&
+        pieces[static_cast<std::size_t>(verb)].element.role == Role::verb) {
+        agree(pieces[static_cast<std::size_t>(verb)], counted, false);
+    }
+}
+
+/// "one moon", "two moons": the counted noun goes with the number before it.
+void count(std::vector<Piece>& pieces, int at) {
+    Piece& noun = pieces[static_cast<std::size_t>(at)];
+    const int number = before(pieces, at);
+    const std::string counted =
+        number == kNone ? "" : lower_case(pieces[static_cast<std::size_t>(number)].right);
+    const bool is_one = counted == "one" || counted == "1" || counted == "a" || counted == "an";
+    if (number != kNone) {
+        agree_there(pieces, number, is_one ? Number::singular : Number::plural);
+    }
+    if (!is_one) {
+        return;
+    }
+    const bool is_plural = noun.code == ErrorCode::none;
+    noun.right = noun.element.base;
+    noun.number = Number::singular;
+    if (noun.said.empty() || noun.code == ErrorCode::noun_number) {
+        noun.code = ErrorCode::none;
+        noun.cost = 0;
+    } else if (is_plural) {
+        noun.code = ErrorCode::noun_number;
+        noun.cost = kSlipCost;
+    }
 }
 
 /// "the heavier than": without "than" it is right.
@@ -126,13 +193,17 @@ void resolve(std::vector<Piece>& pieces) {
     for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
         Piece& piece = pieces[static_cast<std::size_t>(i)];
         if (piece.element.role == Role::verb) {
-            if (const auto number = subject_number(pieces, i)) {
+            if (const auto asked = asked_number(pieces, i)) {
+                agree(piece, *asked, false);
+            } else if (const auto number = subject_number(pieces, i)) {
                 const Piece& noun = pieces[static_cast<std::size_t>(before(pieces, i))];
                 agree(piece, *number, noun.code == ErrorCode::noun_number);
             }
         } else if (piece.element.role == Role::adjective &&
                    piece.element.degree == Degree::comparative) {
             drop_the_before_than(pieces, i);
+        } else if (piece.element.role == Role::noun && !piece.element.base.empty()) {
+            count(pieces, i);
         } else if (piece.element.role == Role::determiner) {
             sound(pieces, i);
         } else if (piece.element.role == Role::preposition && piece.element.passive) {

@@ -1,5 +1,5 @@
 // Settles what depends on more than one place of a sentence, once its path is known: the verb agrees with the noun before
-// it, "the" doesn't go before "heavier than", a or an goes by the sound of the next word.
+// it, a counted noun with its number, "the" doesn't go before "heavier than", a or an goes by the sound of the next word.
 //
 // Thread: pure.  Cost: linear in the pieces.
 #pragma once

@@ -4,12 +4,22 @@
 #include "dialogue/template/resolve.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace fulcrum::dialogue {
 namespace {
 
 constexpr std::string_view kGap = "…";
+
+/// A sentence that asks ends with a question mark.
+bool asks(const std::string& sentence) {
+    constexpr std::array<std::string_view, 7> kAsking = {"how", "what",  "which", "where",
+                                                         "who", "whose", "why"};
+    std::string first = lower_case(sentence.substr(0, sentence.find(' ')));
+    std::erase(first, '*');
+    return std::find(kAsking.begin(), kAsking.end(), first) != kAsking.end();
+}
 
 const WordList& list_of(const TemplateSet& set, int slot) {
     return set.lists[static_cast<std::size_t>(set.slot_lists[static_cast<std::size_t>(slot)])];
@@ -196,7 +206,7 @@ std::string render(const std::vector<Piece>& pieces, PieceRange mark, bool blank
         }
     }
     const bool open = text.size() >= kGap.size() && text.substr(text.size() - kGap.size()) == kGap;
-    return sentence_case(text) + (open ? "" : ".");
+    return sentence_case(text) + (asks(text) ? "?" : open ? "" : ".");
 }
 
 Sample walk(const TemplateSet& set, int number, bool errors,

@@ -105,6 +105,16 @@ void push_word(std::vector<Token>& tokens, const Token& raw, std::size_t apostro
     }
 }
 
+/// "It's got" is "it has got", not "it is got".
+void mend_got(std::vector<Token>& tokens) {
+    const std::size_t n = tokens.size();
+    const bool got = n > 2 && tokens[n - 1].text == "got" && tokens[n - 2].text == "is";
+    // Both parts of a contraction meet within the word, without a space between them.
+    if (got && tokens[n - 3].end == tokens[n - 2].begin) {
+        tokens[n - 2].text = "has";
+    }
+}
+
 /// Adds a run of digits as words; long ones stay digits.
 void push_number(std::vector<Token>& tokens, const Token& raw) {
     if (raw.text.size() <= 6) {
@@ -157,6 +167,7 @@ std::vector<Token> tokenise(std::string_view text) {
         at = run.raw.end;
         if (!run.number) {
             push_word(tokens, run.raw, run.apostrophe);
+            mend_got(tokens);
             continue;
         }
         push_number(tokens, run.raw);

@@ -45,6 +45,7 @@ Expected<std::map<std::string, dialogue::Question>> compile_questions(
         source.id = question.id;
         source.prompt = question.prompt;
         source.answers = question.answers;
+        source.nearly = question.nearly;
         source.again = question.again;
         source.lists = lists_of(question, nouns);
         for (const auto& [name, words] : source.lists) {

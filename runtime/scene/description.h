@@ -90,7 +90,8 @@ struct HandDescription {
 struct QuestionDescription {
     std::string id;
     std::string prompt;
-    std::vector<std::string> answers;  ///< hassil templates with grammar slots
+    std::vector<std::string> answers;   ///< hassil templates with grammar slots
+    std::vector<std::string> nearly{};  ///< the same of what is understood and no good English
     std::vector<std::pair<std::string, std::vector<std::string>>>
         lists;          ///< {name} -> words; {thing}, {other}: bodies' nouns by default
     std::string again;  ///< said after a wrong meaning, behind "Not yet."; empty: "Try again."
@@ -124,6 +125,7 @@ struct LessonDescription {
     std::vector<BodyDescription> bodies;
     std::vector<ForceDescription> forces;
     BucketDescription bucket{};
+    bool in_space = false;  ///< a dark sky with stars instead of a meadow
     CameraDescription camera{};
     HandDescription hand{};
     std::vector<QuestionDescription> questions;

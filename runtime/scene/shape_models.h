@@ -14,6 +14,9 @@ inline constexpr int kSphereModelFrequency = 24;
 /// A cube twice that wide.
 inline constexpr std::string_view kBoxModel = "box";
 
+/// A thin line in a circle of the body's radius, across its own y axis: the way of a planet. It cannot be touched.
+inline constexpr std::string_view kOrbitModel = "orbit";
+
 /// A cloth over a body of that radius: what a covered body is drawn as.
 inline constexpr std::string_view kClothModel = "cloth";
 
@@ -26,7 +29,7 @@ inline constexpr std::array<std::string_view, 9> kPlanetModels{
            std::find(kPlanetModels.begin(), kPlanetModels.end(), model) != kPlanetModels.end();
 }
 [[nodiscard]] constexpr bool is_shape_model(std::string_view model) noexcept {
-    return is_ball_model(model) || model == kBoxModel;
+    return is_ball_model(model) || model == kBoxModel || model == kOrbitModel;
 }
 
 }  // namespace fulcrum::runtime

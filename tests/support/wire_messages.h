@@ -34,6 +34,7 @@ inline LessonDescription full_description() {
     d.forces = {{"s", {FieldKind::spring, Vector3(0, 0.3, 0), 100, 1, 0, 0.1}, 14},
                 {"m", {FieldKind::magnet, Vector3(1, 0, 0), 0, 0, 4, 0.2}, 15}};
     d.bucket = {true, "bucket", 0.2, 0.3, 3, 16};
+    d.in_space = true;
     d.camera = {Vector3(0, 0.5, 1.5), Vector3(0, 0.3, 0), 50};
     d.hand = {Vector3(0, 0.4, 0), 2.0, 2000.0, true, 17, ProxyKind::virtual_proxy,
               SphereShape{0.01},  20};
@@ -43,6 +44,7 @@ inline LessonDescription full_description() {
     d.questions = {{"heaviest",
                     "Which?",
                     {"the {thing}", "{thing}"},
+                    {"is {thing}"},
                     {{"thing", {"apple", "egg"}}},
                     "Lift it.",
                     18}};

@@ -64,11 +64,15 @@ degrees, plurals, agreement) are understood and corrected.
 | `<made_of:{material}>` | "is made of metal", "are made of metal"; the material, a word of `lists.material`, becomes `answer.material`. "made by", "is make of", "makes of", "made of a metal" and a missing "is" are errors of form |
 | `<made_of:metal>` | the same of one material |
 | `<it>` | it, this, that, they, these, those; a verb after it agrees |
-| `<plural:moon>` | "moons" |
+| `<plural:moon>` | "moons"; after a {number} that is "one", "a" or "an": "moon". "there are {number} <plural:moon>" gives "There is one moon." |
 | `\[` | the character itself |
 
 A list's word may be said in several ways, `"bike|bicycle"`; the answer has the first. British and American spelling of a
-word ("tyre", "tire") need not be listed.
+word ("tyre", "tire") need not be listed. A number ("two"), a place ("far") and what begins with a preposition ("to the left")
+never take an article.
+
+What learners say that is no good English at all stands in `nearly`: `nearly = { "how many moons {planet} has" }` is
+understood, is an error of form, and is said back as the first answer that has the same {slots}.
 
 Short answers come by themselves: "The egg." where only `{thing}` is needed; "Metal." and "It is made of metal." where
 `<made_of:{material}>` is; "Hard and smooth." and "It feels hard." where `<adjective:{feel}>` is. What a short answer
@@ -154,7 +158,9 @@ std::string names_sections() {
         "\"kettle\"` is kettle.glb. `sphere` is a ball of the body's `radius`, `box` a cube twice "
         "that wide, both seen and felt so, and `sun` and the planets `mercury` to `neptune` are "
         "balls "
-        "likewise; other models have their own size.\n";
+        "likewise; `orbit` is a thin line in a circle of that radius, seen and not felt. Other "
+        "models "
+        "have their own size.\n";
     return out;
 }
 

@@ -20,6 +20,11 @@ int set_ground(lua_State* /*lua*/, LessonContext& context, const Arguments& argu
     return 0;
 }
 
+int set_space(lua_State* /*lua*/, LessonContext& context, const Arguments& /*arguments*/) {
+    context.description.in_space = true;
+    return 0;
+}
+
 int set_camera(lua_State* /*lua*/, LessonContext& context, const Arguments& arguments) {
     CameraDescription& camera = context.description.camera;
     camera.eye_W = arguments["eye"].vector;
@@ -32,8 +37,10 @@ constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
 // What a body turns about.
 constexpr Parameter kHinge[] = {
-    {"axis", ParameterType::vector, "", -1, 1, "{0, 0, 1}",
-     "along which it lies; when it points at you, angles grow counter-clockwise"},
+    {"axis", ParameterType::vector, "", -1, 1, kRequired,
+     "along which it lies: {0, 0, 1} points at you, as of a lever, {0, 1, 0} stands upright, as of "
+     "a "
+     "door; when it points at you, angles grow counter-clockwise"},
     {"at", ParameterType::vector, "metres", -10000, 10000, "nil",
      "a place that the axis passes through; where the body is by default"},
     {"inertia", ParameterType::number, "kilogram square metres", 0.0001, 1e6, kRequired,
@@ -215,6 +222,14 @@ void add_scene_rows(ApiTable& table) {
          "",
          "Sets the height of the ground.",
          &set_ground});
+    table.functions.push_back({"world",
+                               "space",
+                               CallShape::positional,
+                               CallTime::declaring,
+                               {},
+                               "",
+                               "Shows a dark sky with stars instead of a meadow.",
+                               &set_space});
     table.functions.push_back(
         {"world",
          "camera",

@@ -67,6 +67,7 @@ int add_question(lua_State* lua, LessonContext& context, const Arguments& argume
     question.id = arguments["id"].text;
     question.prompt = arguments["prompt"].text;
     question.answers = arguments["answers"].texts;
+    question.nearly = arguments["nearly"].texts;
     question.lists = arguments["lists"].lists;
     question.again = arguments["again"].text;
     question.line = place_in_lesson(lua).line;
@@ -148,6 +149,9 @@ void add_lesson_api(ApiTable& table) {
            "back: \"[a|an|the] {thing}\" gives \"An apple is …\", \"[the|a|an] {thing}\" gives "
            "\"The "
            "apple is …\""},
+          {"nearly", texts, "", 0, 0, "nil",
+           "templates of what learners say for them that is no good English: understood, and said "
+           "back as the first answer with the same {slots}"},
           {"lists", lists, "", 0, 0, "nil",
            "words that {name} in a template may stand for; {thing} and {other} are the bodies' "
            "nouns "

@@ -62,6 +62,7 @@ void question(Archive& a, Question& q) {
     a.name("a question's name", q.id);
     a.text("a prompt", q.prompt, kMaxTextBytes);
     texts(a, "answers", q.answers);
+    texts(a, "what is nearly an answer", q.nearly);
     a.list("lists", q.lists, kMaxListItems, [](auto& each, auto& value) {
         each.name("a list's name", value.first);
         texts(each, "a list", value.second);
@@ -105,6 +106,7 @@ void description(Archive& a, Description& d) {
     a.number("the bucket's depth", d.bucket.depth_m, 0.001, 10.0);
     a.integer("what the bucket holds", d.bucket.holds, 1, 8);
     a.integer("a line", d.bucket.line, 0, kMaxLine);
+    a.flag("space", d.in_space);
     vector(a, "the camera's eye", d.camera.eye_W, kMaxCoordinate_m);
     vector(a, "the camera's target", d.camera.target_W, kMaxCoordinate_m);
     a.number("the camera's angle", d.camera.vertical_angle_deg, 5.0, 120.0);

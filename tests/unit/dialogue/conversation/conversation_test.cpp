@@ -268,3 +268,40 @@ TEST_CASE("conversation: any answers in any order keep it going and deterministi
         }
     }));
 }
+
+TEST_CASE("conversation: a learner who asks is answered like one who asks") {
+    const Catalogue words = english_words();
+    const Question ask = compiled({"ask",
+                                   "Ask me!",
+                                   {"how many moons does {planet} have"},
+                                   {{"planet", {"Saturn", "Mars"}}},
+                                   {},
+                                   {"how many moons {planet} has"}});
+    Conversation conversation(words);
+    const auto reply = [&](const char* said) {
+        (void)conversation.ask(ask);
+        return conversation.respond(conversation.hear(said), true).text;
+    };
+    CHECK(reply("how many moons does Saturn have") == "Good question!");
+    CHECK(reply("how many moons Saturn has") ==
+          "Good question! We say: *How many moons does Saturn have*?");
+    // The hints of who is not understood are sentences, too.
+    (void)conversation.ask(ask);
+    std::vector<std::string> hints;
+    for (int i = 0; i < 3; ++i) {
+        hints.push_back(conversation.respond(conversation.hear("bla"), false).text);
+    }
+    CHECK(hints[1] == "Please say it like this: How many moons does … have?");
+    CHECK(hints[2] == "For example: How many moons does Saturn have?");
+}
+
+TEST_CASE("conversation: who is not understood never gets a hint of nothing but dots") {
+    const Catalogue words = english_words();
+    const Question place = compiled(
+        {"place", "Where?", {"[it is] {place}"}, {{"place", {"near", "far"}}, {"own", {"have"}}}});
+    Conversation conversation(words);
+    (void)conversation.ask(place);
+    (void)conversation.respond(conversation.hear("bla"), false);
+    CHECK(conversation.respond(conversation.hear("bla"), false).text ==
+          "You can say: near or far.");
+}

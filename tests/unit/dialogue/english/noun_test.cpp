@@ -118,3 +118,15 @@ TEST_CASE("noun: materials are mass nouns; some have kinds") {
     CHECK_FALSE(has_kinds("glass"));
     CHECK_FALSE(has_kinds("rock"));
 }
+
+TEST_CASE("noun: numbers, places and what begins with a preposition are no nouns") {
+    for (const char* entry : {"far", "near", "two", "twenty-one", "one hundred and five",
+                              "a hundred", "to the left", "near the support", "Far away", "no"}) {
+        INFO(entry);
+        CHECK(understand_noun(entry).noun_class == NounClass::no_noun);
+        CHECK(understand_noun(entry).text == entry);
+    }
+    CHECK(understand_noun("onion").noun_class == NounClass::count);
+    CHECK(understand_noun("tooth").noun_class == NounClass::count);
+    CHECK(understand_noun("the far side").noun_class == NounClass::named_the);
+}

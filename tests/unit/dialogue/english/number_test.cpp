@@ -47,3 +47,12 @@ TEST_CASE("number: all numbers below a thousand differ in words") {
         last = words;
     }
 }
+
+TEST_CASE("number: its words are known, others are not") {
+    for (const char* word : {"zero", "one", "nineteen", "ninety", "hundred", "thousand"}) {
+        CHECK(is_number_word(word));
+    }
+    for (const char* word : {"", "and", "onion", "a"}) {
+        CHECK_FALSE(is_number_word(word));
+    }
+}

@@ -330,3 +330,70 @@ TEST_CASE("mark: the frame and the choices help without telling") {
     CHECK(choices(biggest()) ==
           std::vector<std::string>{"Jupiter", "Mars", "the Moon", "the Earth"});
 }
+
+TEST_CASE("mark: a counted noun goes with the number before it") {
+    check_rows(compiled({"moons",
+                         "How many moons?",
+                         {"it has {number} <plural:moon>", "there are {number} <plural:moon>"},
+                         {{"number", {"no", "one|1", "two", "8"}}}}),
+               {
+                   {"it has one moon", "", "It has one moon."},
+                   {"it has 1 moon", "", "It has one moon."},
+                   {"it has one moons", "R:NOUN:NUM", "It has one *moon*."},
+                   {"it has one moones", "R:NOUN:INFL", "It has one *moon*."},
+                   {"it has two moons", "", "It has two moons."},
+                   {"it has two moon", "R:NOUN:NUM", "It has two *moons*."},
+                   {"it has no moons", "", "It has no moons."},
+                   {"there is one moon", "", "There is one moon."},
+                   {"there are one moon", "R:VERB:SVA", "There *is* one moon."},
+                   {"there is two moons", "R:VERB:SVA", "There *are* two moons."},
+                   {"it has a two moons", "U:DET", "It has *two* moons."},
+               });
+}
+
+TEST_CASE("mark: a number, a place and a direction are no nouns, so they take no article") {
+    const Question where = compiled({"where",
+                                     "Where is it easier?",
+                                     {"it is easier {where}"},
+                                     {{"where", {"far|far away", "near", "to the left"}}}});
+    check_rows(where, {
+                          {"far", "", "It is easier far."},
+                          {"it is far", "", "It is far."},
+                          {"it is a far", "U:DET", "It is *far*."},
+                          {"to the left", "", "It is easier to the left."},
+                      });
+    CHECK(choices(where) == std::vector<std::string>{"far", "near", "to the left"});
+}
+
+TEST_CASE("mark: what is nearly English is understood, and the whole sentence is put right") {
+    const Question ask = compiled({"ask",
+                                   "Ask me!",
+                                   {"how many moons does {planet} have", "what about {planet}"},
+                                   {{"planet", {"Saturn", "the Earth"}}},
+                                   {},
+                                   {"how many moons {planet} (has|have)"}});
+    check_rows(
+        ask,
+        {
+            {"How many moons does Saturn have?", "", "How many moons does Saturn have?"},
+            {"how many moons does Saturn has", "R:VERB:SVA", "How many moons does Saturn *have*?"},
+            {"how many moons Saturn has?", "R:OTHER", "*How many moons does Saturn have*?"},
+            {"what about the Earth", "", "What about the Earth?"},
+        });
+    const Mark mark = mark_answer(ask, "How many moons Saturn have");
+    CHECK(mark.slot("planet") == "Saturn");
+    CHECK(mark.gapped ==
+          "How many moons does Saturn have?");  // nothing but a gap would help nobody
+    CHECK(mark.main_error()->end == mark.said.size());
+    CHECK_FALSE(mark.target_right());
+    CHECK(example_sentence(ask) == "How many moons does Saturn have?");
+}
+
+TEST_CASE("mark: a frame of nothing but a gap, and a choice of one word, are no help") {
+    const Question place = compiled({"place",
+                                     "Where?",
+                                     {"[it turns more at] {place} {own}"},
+                                     {{"place", {"home", "school"}}, {"own", {"now"}}}});
+    CHECK(sentence_frame(place).empty());
+    CHECK(choices(place) == std::vector<std::string>{"home", "school"});
+}

@@ -87,3 +87,9 @@ TEST_CASE("tokens: any bytes give words inside the text, in order") {
         }
     }));
 }
+
+TEST_CASE("tokens: it's got is it has got, and it's hot is it is hot") {
+    CHECK(words_of("It's got two") == std::vector<std::string>{"it", "has", "got", "two"});
+    CHECK(words_of("it is got") == std::vector<std::string>{"it", "is", "got"});
+    CHECK(words_of("it's hot") == std::vector<std::string>{"it", "is", "hot"});
+}
