@@ -159,6 +159,7 @@ void add_torques(const LessonDescription& lesson, const Scenery& scenery,
             view.torques.push_back(show_torque(*body.hinge, report.pivot_W, report.load_W,
                                                Vector3(0.0, -report.load_N, 0.0),
                                                report.load_torque_Nm, catalogue));
+            view.torques.back().force.is_load = true;
         }
     }
 }
@@ -183,6 +184,7 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
     view.time_s = scenery.time_s;
     view.camera = lesson.camera;
     view.ground_height_m = lesson.ground_height_m;
+    view.in_space = lesson.in_space;
     add_bodies(lesson, hud, scenery, view);
 
     // The tool is drawn where it may be; a ghost shows where the hand is.

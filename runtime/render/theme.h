@@ -40,12 +40,16 @@ inline constexpr Colour kWallBottom = from_hex(0xF3F6E4);
 inline constexpr Colour kFloor = from_hex(0xA8CF86);
 inline constexpr Colour kRug = from_hex(0xF8EBD2);
 inline constexpr Colour kRugRing = from_hex(0x8CC7BE);
+// In space.
+inline constexpr Colour kSpace = from_hex(0x0B1026);
+inline constexpr Colour kOrbit = from_hex(0x5B6C94);
 /// What a full shadow leaves of the floor's stored colour.
 inline constexpr Colour kShadow = from_hex(0xA9B2BE);
 
 // Signs.
 inline constexpr Colour kStar = from_hex(0xF7C948);
 inline constexpr Colour kForceArrow = kVermillion;
+inline constexpr Colour kLoadArrow = kGreen;  ///< of what hangs on a lever, beside the hand's own
 inline constexpr Colour kLeverArm = kBlue;
 inline constexpr Colour kForceOutline = from_hex(0xFFFFFF);
 inline constexpr Colour kHighlight = kOrange;

@@ -24,7 +24,8 @@ struct ViewForce {
     bool visible = false;
     Vector3 at_W{Vector3::Zero()};
     Vector3 force_W{Vector3::Zero()};
-    std::string text;  ///< e.g. "felt 2.8 N · true 2.0 N"
+    std::string text;      ///< e.g. "felt 2.8 N · true 2.0 N"
+    bool is_load = false;  ///< of what hangs there, not of the hand: has a colour of its own
 };
 
 /// A force that turns a body about an axis: the lever arm as a bar from the axis, the force as an arrow at its end.
@@ -44,6 +45,7 @@ struct View {
     double time_s = 0.0;
     CameraDescription camera{};
     double ground_height_m = 0.0;  ///< height of the floor, where things land and cast their shadow
+    bool in_space = false;         ///< stars instead of floor and sky
     std::vector<ViewBody> bodies;
     bool tool_visible = true;
     ViewBody tool{};  ///< where the tool is (the proxy)

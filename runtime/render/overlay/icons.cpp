@@ -91,16 +91,15 @@ void draw_more_icon(DrawList& list, const Point2& middle, float radius_px, bool 
               theme::kInk);
 }
 
-void draw_arrow_icon(DrawList& list, const Point2& middle, float radius_px,
-                     const Point2& direction) {
+void draw_arrow_icon(DrawList& list, const Point2& middle, float radius_px, const Point2& direction,
+                     const Colour& colour) {
     const float r = radius_px;
     const auto at = [&](float along, float across) -> Point2 {
         return {middle[0] + r * (along * direction[0] - across * direction[1]),
                 middle[1] + r * (along * direction[1] + across * direction[0])};
     };
-    list.line(at(-0.85F, 0.0F), at(0.2F, 0.0F), 0.34F * r, theme::kForceArrow);
-    list.fill(at(0.35F, 0.0F), {at(1.0F, 0.0F), at(0.0F, 0.62F), at(0.0F, -0.62F)},
-              theme::kForceArrow);
+    list.line(at(-0.85F, 0.0F), at(0.2F, 0.0F), 0.34F * r, colour);
+    list.fill(at(0.35F, 0.0F), {at(1.0F, 0.0F), at(0.0F, 0.62F), at(0.0F, -0.62F)}, colour);
 }
 
 }  // namespace fulcrum::runtime

@@ -20,7 +20,7 @@ void draw_tick_icon(DrawList& list, const Point2& middle, float radius_px);
 /// A triangle that points up or down: there is more.
 void draw_more_icon(DrawList& list, const Point2& middle, float radius_px, bool up);
 /// An arrow along a direction in the picture, of unit length.
-void draw_arrow_icon(DrawList& list, const Point2& middle, float radius_px,
-                     const Point2& direction);
+void draw_arrow_icon(DrawList& list, const Point2& middle, float radius_px, const Point2& direction,
+                     const Colour& colour);
 
 }  // namespace fulcrum::runtime

@@ -49,6 +49,11 @@ std::array<Box, 6> candidates(const SceneLabel& label, float width, float height
 std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, std::vector<Box> taken,
                                       Font& font, const Measure& measure) {
     std::vector<PlacedLabel> placed;
+    for (const SceneLabel& label : labels) {
+        if (label.covers.width > 0.0F) {
+            taken.push_back(label.covers);
+        }
+    }
     const auto try_to_place = [&](const SceneLabel& label) {
         ParagraphSettings settings;
         settings.size_px = measure.text_px(kSmallText);
@@ -91,7 +96,8 @@ void draw_labels(const std::vector<PlacedLabel>& labels, const Measure& measure,
         float x = box.x + measure.px(kPadX);
         if (placed.label.is_force) {
             draw_arrow_icon(list, {x + measure.px(kIcon - 4.0F), box.middle_y()}, measure.px(kIcon),
-                            placed.label.direction);
+                            placed.label.direction,
+                            placed.label.is_load ? theme::kLoadArrow : theme::kForceArrow);
             x += measure.px(kIconRoom);
         }
         list.text(placed.words, x, box.middle_y() - 0.5F * placed.words.height_px, 0.0F, 0.0F,

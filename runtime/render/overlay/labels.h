@@ -17,6 +17,8 @@ struct SceneLabel {
     float radius_px = 0.0F;
     std::string text;
     bool is_force = false;   ///< gets the sign of an arrow
+    bool is_load = false;    ///< in the colour of a load
+    Box covers{};            ///< the arrow itself: no label may hide it; empty for things
     Point2 direction{0, 1};  ///< of that arrow in the picture, unit length
 };
 

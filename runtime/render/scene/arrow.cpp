@@ -14,7 +14,17 @@ constexpr double kHeadRadius = 0.023;
 constexpr double kHeadLength = 0.040;
 }  // namespace
 
-std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera) {
+double common_scale(const std::vector<ViewTorque>& torques) {
+    double largest_N = kLongestForce_N;
+    for (const ViewTorque& torque : torques) {
+        if (torque.force.force_W.allFinite()) {
+            largest_N = std::max(largest_N, compute_length(torque.force.force_W));
+        }
+    }
+    return kLongestForce_N / largest_N;
+}
+
+std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera, double scale) {
     if (!force.visible || !force.at_W.allFinite() || !force.force_W.allFinite()) {
         return std::nullopt;
     }
@@ -25,7 +35,8 @@ std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera) {
     const double distance_m = camera.distance_m();
     const double head_m = kHeadLength * distance_m;
     const double length_m =
-        std::clamp(kLengthPerNewton * newtons, 1.25 * kHeadLength, kLongestArrow) * distance_m;
+        std::clamp(kLengthPerNewton * scale * newtons, 1.25 * kHeadLength, kLongestArrow) *
+        distance_m;
     const Vector3 way = compute_direction(force.force_W);
     const Quaternion turn(Eigen::Quaterniond::FromTwoVectors(Vector3::UnitY(), way));
 
@@ -43,6 +54,7 @@ std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera) {
     arrow.tail_W = force.at_W;
     arrow.tip_W = force.at_W + length_m * way;
     arrow.radius_m = kHeadRadius * distance_m;
+    arrow.is_load = force.is_load;
     return arrow;
 }
 

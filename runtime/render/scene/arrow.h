@@ -1,7 +1,8 @@
 // A force as an arrow: its tail where the force acts, its length in step with its newtons.
 //
 //   length = kLengthPerNewton F D, D the camera's distance to its target, so that an arrow looks
-//   alike in a lesson about fruit and in one about planets; never shorter than its head.
+//   alike in a lesson about fruit and in one about planets; never shorter than its head. Forces that are compared
+//   are drawn to one scale: where the largest would be too long, all are shortened by the same factor.
 //
 // Thread: any; values. Cost: a few dozen multiplications.
 #pragma once
@@ -18,6 +19,8 @@ namespace fulcrum::runtime {
 inline constexpr double kLengthPerNewton = 0.037;
 /// The longest arrow, as a part of the camera's distance: about 6 N.
 inline constexpr double kLongestArrow = 0.222;
+/// The force whose arrow is as long as that.
+inline constexpr double kLongestForce_N = kLongestArrow / kLengthPerNewton;
 /// Below this no arrow is drawn: the hand does not feel it.
 inline constexpr double kLeastForce_N = 0.05;
 
@@ -28,10 +31,16 @@ struct Arrow {
     Vector3 tail_W{Vector3::Zero()};
     Vector3 tip_W{Vector3::Zero()};
     double radius_m = 0.0;  ///< of the head
+    bool is_load = false;
 };
 
-/// The arrow of a force. Nothing when it is not visible, too small, or not finite.
-[[nodiscard]] std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera);
+/// The arrow of a force, its length `scale` times as long as it would be alone. Nothing when it is not visible, too small, or
+/// not finite.
+[[nodiscard]] std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera,
+                                             double scale = 1.0);
+
+/// The scale to which forces are drawn that are compared: 1, or less when the largest would be too long.
+[[nodiscard]] double common_scale(const std::vector<ViewTorque>& torques);
 
 /// The lever arm of a torque: a bar from the axis to where the force acts, for make_arrow_shaft. Nothing when it has no length
 /// or is not finite.

@@ -1,6 +1,7 @@
 #include "runtime/render/scene/room.h"
 
 #include "runtime/render/scene/scene_shaders.h"
+#include "runtime/render/scene/space.h"
 #include "runtime/render/theme.h"
 
 #include <algorithm>
@@ -243,6 +244,17 @@ void Room::draw_wall(const Camera& camera) const {
     glDepthFunc(GL_LEQUAL);
     wall_.use();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kWallStrips + 1));
+    glDepthFunc(GL_LESS);
+}
+
+void Room::draw_space(const Camera& camera, const std::vector<Orbit>& orbits,
+                      const PictureSize& size) const {
+    const std::vector<float> corners = space_corners(camera, orbits, size);
+    fill(wall_array_, wall_corners_, corners, GL_DYNAMIC_DRAW);
+    glDepthFunc(GL_LEQUAL);
+    wall_.use();
+    // All lies at one depth, the furthest: the later is seen, and things stand before it.
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size() / kFloatsPerWallCorner));
     glDepthFunc(GL_LESS);
 }
 

@@ -21,6 +21,20 @@ struct FloorMark {
     bool dashed = false;                ///< the hand's mark: a dashed ring
 };
 
+/// A circle that something goes along, seen as a thin line: centre + cos u * x + sin u * z.
+struct Orbit {
+    Vector3 centre_W{Vector3::Zero()};
+    Vector3 x_W{Vector3::UnitX()};
+    Vector3 z_W{Vector3::UnitZ()};
+};
+
+/// How large the picture is.
+struct PictureSize {
+    int width_px = 1;
+    int height_px = 1;
+    float scale = 1.0F;  ///< 1 in a picture of 720 lines
+};
+
 /// Wall, floor and marks.
 class Room {
   public:
@@ -34,6 +48,9 @@ class Room {
                       const std::vector<Bounds>& casters, int mark) const;
     /// Only the wall, over the whole picture.
     void draw_wall(const Camera& camera) const;
+    /// Stars and orbits on a dark sky, wherever nothing was drawn.
+    void draw_space(const Camera& camera, const std::vector<Orbit>& orbits,
+                    const PictureSize& size) const;
     /// Marks, over the floor and under things that stand before it.
     void draw_marks(const SceneFrame& frame, const std::vector<FloorMark>& marks) const;
 

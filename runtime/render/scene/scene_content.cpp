@@ -2,6 +2,7 @@
 
 #include "runtime/render/scene/light.h"
 #include "runtime/render/scene/looks.h"
+#include "runtime/scene/shape_models.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,6 +84,14 @@ void add_label(SceneContent& content, const Camera& camera, const ViewBody& body
     }
 }
 
+void add_orbit(SceneContent& content, const ViewBody& body) {
+    if (is_finite(body.pose_W) && std::isfinite(body.scale.x()) && body.scale.x() > 0.0) {
+        content.orbits.push_back({body.pose_W.position,
+                                  body.scale.x() * (body.pose_W.orientation * Vector3::UnitX()),
+                                  body.scale.x() * (body.pose_W.orientation * Vector3::UnitZ())});
+    }
+}
+
 void add_force_label(SceneContent& content, const Camera& camera, const ViewForce& force,
                      const Arrow& arrow) {
     const auto middle = camera.project(0.5 * (arrow.tail_W + arrow.tip_W));
@@ -94,6 +103,7 @@ void add_force_label(SceneContent& content, const Camera& camera, const ViewForc
     SceneLabel label;
     label.is_force = true;
     label.text = force.text;
+    label.is_load = force.is_load;
     label.middle_px = {static_cast<float>(middle->position_px.x()),
                        static_cast<float>(middle->position_px.y())};
     label.radius_px = static_cast<float>(1.3 * arrow.radius_m * camera.px_per_m(middle->depth_m));
@@ -106,12 +116,19 @@ void add_force_label(SceneContent& content, const Camera& camera, const ViewForc
         label.radius_px = std::max(
             label.radius_px, static_cast<float>(0.5 * std::abs(way.x())) + 0.5F * label.radius_px);
     }
+    const auto head_px = static_cast<float>(arrow.radius_m * camera.px_per_m(middle->depth_m));
+    const Eigen::Vector2f low =
+        tail->position_px.cwiseMin(tip->position_px).cast<float>().array() - head_px;
+    const Eigen::Vector2f high =
+        tail->position_px.cwiseMax(tip->position_px).cast<float>().array() + head_px;
+    label.covers = {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
     content.labels.push_back(std::move(label));
 }
 
 // The arrow of the force, and the bar from the axis to it.
-void add_torque(SceneContent& content, const Camera& camera, const ViewTorque& torque) {
-    const auto arrow = arrow_for(torque.force, camera);
+void add_torque(SceneContent& content, const Camera& camera, const ViewTorque& torque,
+                double scale) {
+    const auto arrow = arrow_for(torque.force, camera, scale);
     if (!arrow || content.torque_arrows.size() >= kMostTorques) {
         return;
     }
@@ -129,7 +146,9 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
     const double floor_m = std::isfinite(view.ground_height_m) ? view.ground_height_m : 0.0;
     const auto hand = view.tool_visible ? item_of(view.tool, camera, find_mesh) : std::nullopt;
     for (std::size_t i = 0; i < std::min(view.bodies.size(), kMostBodies); ++i) {
-        if (auto item = item_of(view.bodies[i], camera, find_mesh)) {
+        if (view.bodies[i].model == kOrbitModel) {
+            add_orbit(content, view.bodies[i]);
+        } else if (auto item = item_of(view.bodies[i], camera, find_mesh)) {
             item->sunk_m = std::max(floor_m - item->bounds.lowest_m, 0.0);
             content.items.push_back(*item);
             if (!hand || !lies_in(*item, *hand)) {
@@ -157,12 +176,16 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
                 std::clamp(apart_m / (kGhostApart * camera.distance_m()), 0.0, 1.0));
         }
     }
+    if (view.in_space) {
+        content.marks.clear();  // nothing lands there
+    }
     content.arrow = arrow_for(view.force, camera);
     if (content.arrow) {
         add_force_label(content, camera, view.force, *content.arrow);
     }
+    const double scale = common_scale(view.torques);
     for (const ViewTorque& torque : view.torques) {
-        add_torque(content, camera, torque);
+        add_torque(content, camera, torque, scale);
     }
     return content;
 }

@@ -40,6 +40,7 @@ struct SceneContent {
     std::vector<Arrow> torque_arrows;
     std::vector<Placement> arms;  ///< lever arms, to be drawn with make_arrow_shaft
     std::vector<FloorMark> marks;
+    std::vector<Orbit> orbits;
     std::vector<SceneLabel> labels;
 };
 

@@ -65,8 +65,10 @@ Expected<ScenePainter> ScenePainter::create(int shadow_map_size) {
     auto ball = gl::upload(make_ball(kBallRadius_m, kBallColour));
     auto shaft = gl::upload(make_arrow_shaft(linear_of(theme::kForceArrow)));
     auto head = gl::upload(make_arrow_head(linear_of(theme::kForceArrow)));
+    auto load_shaft = gl::upload(make_arrow_shaft(linear_of(theme::kLoadArrow)));
+    auto load_head = gl::upload(make_arrow_head(linear_of(theme::kLoadArrow)));
     auto arm = gl::upload(make_arrow_shaft(linear_of(theme::kLeverArm)));
-    for (auto* mesh : {&ball, &shaft, &head, &arm}) {
+    for (auto* mesh : {&ball, &shaft, &head, &load_shaft, &load_head, &arm}) {
         if (!*mesh) {
             return tl::make_unexpected(mesh->error());
         }
@@ -81,6 +83,8 @@ Expected<ScenePainter> ScenePainter::create(int shadow_map_size) {
     painter.ball_ = std::move(*ball);
     painter.arrow_shaft_ = std::move(*shaft);
     painter.arrow_head_ = std::move(*head);
+    painter.load_shaft_ = std::move(*load_shaft);
+    painter.load_head_ = std::move(*load_head);
     painter.arm_ = std::move(*arm);
     return painter;
 }
@@ -135,10 +139,14 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
             objects_.draw_far(*item.mesh, item.placement, item.level, item.sunk_m);
         }
     }
-    room_.draw(frame, camera);
-    room_.draw_shadows(frame, shadows_, casters, kShadowMark);
-    room_.draw_marks(frame, content.marks);
     const float scale = Measure(width_px, height_px).scale;
+    if (view.in_space) {
+        room_.draw_space(camera, content.orbits, {width_px, height_px, scale});
+    } else {
+        room_.draw(frame, camera);
+        room_.draw_shadows(frame, shadows_, casters, kShadowMark);
+        room_.draw_marks(frame, content.marks);
+    }
     draw_highlights(content, scale);
     if (content.ghost) {
         objects_.draw_ghost(*content.ghost->mesh, content.ghost->placement, content.ghost->level,
@@ -187,7 +195,8 @@ void ScenePainter::draw_arrow(const Arrow& arrow, const Camera& camera, float sc
     // The force is never hidden: it is drawn over all else, with a light rim around. Both parts are
     // convex, so that the further one first and no back sides make depths needless.
     std::array<std::pair<const gl::Mesh*, const Placement*>, 2> parts{
-        {{&arrow_shaft_, &arrow.shaft}, {&arrow_head_, &arrow.head}}};
+        {{arrow.is_load ? &load_shaft_ : &arrow_shaft_, &arrow.shaft},
+         {arrow.is_load ? &load_head_ : &arrow_head_, &arrow.head}}};
     if ((arrow.tip_W - arrow.tail_W).dot(arrow.tip_W - camera.eye_W()) > 0.0) {
         std::swap(parts[0], parts[1]);
     }

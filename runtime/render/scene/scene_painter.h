@@ -54,6 +54,8 @@ class ScenePainter {
     gl::Mesh ball_;
     gl::Mesh arrow_shaft_;
     gl::Mesh arrow_head_;
+    gl::Mesh load_shaft_;
+    gl::Mesh load_head_;
     gl::Mesh arm_;
 };
 

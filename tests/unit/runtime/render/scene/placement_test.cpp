@@ -130,3 +130,29 @@ TEST_CASE("light: what stands on the floor before the camera is inside its map")
     CHECK(depth(0.5F) < depth(0.0F));
     CHECK(light_for(camera, kNan, 1024).clip_from_world.allFinite());
 }
+
+TEST_CASE("arrow: forces that are compared are drawn to one scale") {
+    const Camera camera({}, 1280, 720);
+    std::vector<ViewTorque> torques(2);
+    for (ViewTorque& torque : torques) {
+        torque.force.visible = true;
+    }
+    torques[0].force.force_W = Vector3(0, -2, 0);
+    torques[1].force.force_W = Vector3(0, -4, 0);
+    CHECK(common_scale(torques) == 1.0);
+    torques[0].force.force_W = Vector3(0, -10, 0);
+    torques[1].force.force_W = Vector3(0, -20, 0);
+    const double scale = common_scale(torques);
+    const auto length_m = [&](const ViewTorque& torque) {
+        const auto arrow = arrow_for(torque.force, camera, scale);
+        REQUIRE(arrow);
+        return (arrow->tip_W - arrow->tail_W).norm();
+    };
+    CHECK(length_m(torques[1]) == Approx(kLongestArrow * camera.distance_m()));
+    CHECK(length_m(torques[1]) == Approx(2.0 * length_m(torques[0])));
+    torques[1].force.force_W.x() = std::numeric_limits<double>::quiet_NaN();
+    CHECK(common_scale(torques) == Approx(kLongestForce_N / 10.0));
+    torques[1].force.is_load = true;
+    torques[1].force.force_W = Vector3(0, -1, 0);
+    CHECK(arrow_for(torques[1].force, camera)->is_load);
+}

@@ -162,3 +162,44 @@ TEST_CASE("content: a crowd is cut off at the limit") {
     view.bodies.assign(kMostBodies + 10, body_at(0.0, 0.4, 0.0));
     CHECK(read(view).items.size() == kMostBodies);
 }
+
+TEST_CASE("content: in space nothing has a mark, and an orbit is a circle instead of a model") {
+    View view = without_tool();
+    view.bodies = {body_at(0, 0.5, 0), body_at(0.1, 0.4, 0)};
+    view.bodies[1].model = "orbit";
+    view.bodies[1].scale.setConstant(0.7);
+    const SceneContent on_earth = read(view);
+    CHECK(on_earth.items.size() == 1);
+    CHECK(on_earth.marks.size() == 1);
+    REQUIRE(on_earth.orbits.size() == 1);
+    CHECK(on_earth.orbits[0].centre_W == Vector3(0.1, 0.4, 0));
+    CHECK(on_earth.orbits[0].x_W.norm() == Approx(0.7));
+    CHECK(on_earth.orbits[0].x_W.dot(on_earth.orbits[0].z_W) == Approx(0.0).margin(1e-12));
+    view.in_space = true;
+    view.bodies[1].pose_W.position.x() = kNan;
+    const SceneContent in_space = read(view);
+    CHECK(in_space.marks.empty());
+    CHECK(in_space.orbits.empty());
+}
+
+TEST_CASE(
+    "content: a label's arrow covers what it hides, and a load's label has the load's colour") {
+    View view = without_tool();
+    ViewTorque torque;
+    torque.axis_W = Vector3(-0.2, 0.4, 0);
+    torque.force = {true, Vector3(0.2, 0.5, 0), Vector3(0, -4, 0), "4 N", true};
+    view.torques = {torque};
+    const SceneContent content = read(view);
+    REQUIRE(content.labels.size() == 1);
+    const SceneLabel& label = content.labels[0];
+    CHECK(label.is_load);
+    const Camera camera(view.camera, 1280, 720);
+    for (const Vector3& point_W :
+         {content.torque_arrows[0].tail_W, content.torque_arrows[0].tip_W}) {
+        const auto seen = camera.project(point_W)->position_px.cast<float>().eval();
+        CHECK(seen.x() > label.covers.x);
+        CHECK(seen.x() < label.covers.right());
+        CHECK(seen.y() > label.covers.y);
+        CHECK(seen.y() < label.covers.bottom());
+    }
+}

@@ -282,3 +282,23 @@ TEST_CASE("picture: the ghost is seen through") {
           std::abs(static_cast<int>(255.0F * theme::kGhost.r) - behind[0]));
     CHECK(pixel_at(with, view, {-0.3, 0.4, 0.1}) == pixel_at(without, view, {-0.3, 0.4, 0.1}));
 }
+
+TEST_CASE("picture: in space it is dark all around, with neither floor nor shadow") {
+    const auto studio = open_studio();
+    if (!studio) {
+        return;
+    }
+    View view = nothing();
+    view.in_space = true;
+    const Image image = studio->draw(view);
+    int dark = 0;
+    for (int y = 0; y < kHeight; y += 4) {
+        dark += brightness(pixel(image, 100, y)) < 150 ? 1 : 0;
+    }
+    CHECK(dark > kHeight / 4 - 12);  // some are stars
+    // An orbit is a line, and a body before it hides it.
+    view.bodies = {body("orbit", {0.0, 0.4, 0.0})};
+    view.bodies[0].scale.setConstant(0.3);
+    CHECK(studio->draw(view).rgba != image.rgba);
+    CHECK(glGetError() == GL_NO_ERROR);
+}
