@@ -20,7 +20,7 @@ constexpr double kFadeMargin_s = 0.02;   // beyond the gate's own fade
 constexpr double kStorePatience_s = 15.0;
 constexpr double kWheelStep_m = 0.02;  // depth of one notch
 constexpr double kWheelReach_m = 0.3;  // either way
-constexpr double kHelp_s = 8.0;        // how long a new play says how to move
+constexpr double kHelp_s = 15.0;       // how long a level says how to move
 // A frame waits so long for Lua before it draws without it.
 constexpr double kAnswerPatience_s = 0.004;
 
@@ -71,7 +71,8 @@ void LessonScreen::begin() {
     if (stopped_) {
         run_->channels().emergency_stop.press();
     }
-    epoch_s_ = monotonic_now_s();
+    epoch_s_ = level_began_s_ = monotonic_now_s();
+    level_ = 0;
     first_epoch_s_ = first_epoch_s_.value_or(epoch_s_);
     next_frame_s_ = 0.0;
     if (auto started = loops_.start(*run_, epoch_s_); !started) {
@@ -256,6 +257,10 @@ void LessonScreen::exchange() {
     }
     desktop_.play((*report)->sounds);
     print_lines((*report)->printed);
+    if (const int level = run_->session().hud().level; level != level_) {
+        level_ = level;
+        level_began_s_ = monotonic_now_s();
+    }
 }
 
 // A lesson that failed runs again as soon as one of its files is saved; with --watch a running one does too.
@@ -291,19 +296,21 @@ View LessonScreen::compose() const {
     } else if (run_ && !run_->session().store_trouble().empty()) {
         view.banner = catalogue_.say("banner.not_saved");
     }
-    if (view.caption.empty() && run_ && error_.empty()) {
-        view.caption = help();
+    if (run_ && error_.empty()) {
+        if (view.caption.empty() && run_->session().result().finished) {
+            view.caption = catalogue_.say("hud.leave", {{"key", "Escape"}});
+        }
+        if (view.banner.empty() && says_how_to_move()) {
+            view.banner = catalogue_.say("hud.mouse_help");
+        }
     }
     return view;
 }
 
-// What somebody who sees this for the first time must know, while the lesson says nothing itself.
-std::string LessonScreen::help() const {
-    if (run_->session().result().finished) {
-        return catalogue_.say("hud.leave", {{"key", "Escape"}});
-    }
-    const bool begins = monotonic_now_s() - epoch_s_ < kHelp_s;
-    return begins && request_.hand == HandKind::mouse ? catalogue_.say("hud.mouse_help") : "";
+// What somebody with a mouse must know who sees this for the first time, or the first thing to do of a level.
+bool LessonScreen::says_how_to_move() const {
+    return request_.hand == HandKind::mouse && !run_->session().result().finished &&
+           monotonic_now_s() - level_began_s_ < kHelp_s;
 }
 
 void LessonScreen::save_wanted_screenshot(bool last_frame) {

@@ -50,7 +50,7 @@ class LessonScreen {
     void exchange();
     void watch_files();
     [[nodiscard]] View compose() const;
-    [[nodiscard]] std::string help() const;
+    [[nodiscard]] bool says_how_to_move() const;
     void save_wanted_screenshot(bool last_frame);
 
     const Places& places_;
@@ -63,6 +63,8 @@ class LessonScreen {
     std::unique_ptr<LessonRun> run_;
     LiveLoops loops_;
     double epoch_s_ = 0.0;
+    int level_ = 0;
+    double level_began_s_ = 0.0;
     std::optional<double> first_epoch_s_;  // of the first play
     double next_frame_s_ = 0.0;
     std::string error_;  // the sentence of the failure, empty while all is well
