@@ -12,6 +12,7 @@
 #include "runtime/progress/report.h"
 #include "runtime/progress/sqlite/sqlite_store.h"
 #include "runtime/scene/explain.h"
+#include "runtime/scene/picture/grey_picture.h"
 
 #include <cstdio>
 #include <fstream>
@@ -92,6 +93,22 @@ void say_of_mesh(const Places& places, const std::filesystem::path& folder,
     }
 }
 
+// A picture of one grey has no relief, so that is no mistake, but hardly what was meant.
+void say_of_pictures(const LessonDescription& lesson, const std::filesystem::path& folder) {
+    for (const MaterialDescription& material : lesson.materials) {
+        if (material.image.empty()) {
+            continue;
+        }
+        const auto picture = load_grey_picture(folder / material.image);
+        if (picture && is_flat(*picture)) {
+            std::printf(
+                "lesson.lua:%d: %s is one grey all over, so nothing of it is felt; take a "
+                "picture with dark and light places.\n",
+                material.line, material.image.c_str());
+        }
+    }
+}
+
 // Plays the lesson under the virtual clock, each stage timed. The lesson's prints would be in the way of the figures.
 Expected<Analysis> measure_stages(LessonRun& run, const std::optional<double>& end_s) {
     StageClock clock(run.plan());
@@ -166,6 +183,7 @@ int check_command(const Installation& installation, const Options& options) {
                                 say_of_mesh(installation.places, folder, body);
                             }
                         }
+                        say_of_pictures(run.description(), folder);
                         std::printf("%s: no mistakes found.\n", run.description().id.c_str());
                         return 0;
                     });

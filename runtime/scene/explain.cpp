@@ -47,7 +47,13 @@ std::string materials_table(const LessonDescription& lesson, const Plan& plan) {
             word(facts.slipperiness, "slippery", "sticky"), line_text(material.line).c_str());
         text += line.data();
     }
-    return text.empty() ? text : "\nwhat a hand finds out\n" + text;
+    if (text.empty()) {
+        return text;
+    }
+    std::array<char, 128> head{};
+    std::snprintf(head.data(), head.size(), "%-16s %-11s %-13s %-15s %s\n", "material", "hardness",
+                  "roughness", "slipperiness", "asked by");
+    return "\nWhat a hand finds out, from 0 to 1, and what it is called:\n" + (head.data() + text);
 }
 
 }  // namespace

@@ -148,6 +148,24 @@ std::vector<std::string> choices_of(const Parameter& parameter) {
     return names;
 }
 
+namespace {
+
+/// As it is heard: "torque" and "tork" are the same.
+std::string heard(std::string_view word) {
+    constexpr std::pair<std::string_view, std::string_view> kSounds[] = {
+        {"que", "k"}, {"qu", "kw"}, {"ck", "k"}, {"c", "k"}, {"ph", "f"}, {"gh", "g"}, {"z", "s"}};
+    std::string sound(word);
+    for (const auto& [written, said] : kSounds) {
+        for (std::size_t at = 0; (at = sound.find(written, at)) != std::string::npos;) {
+            sound.replace(at, written.size(), said);
+            at += said.size();
+        }
+    }
+    return sound;
+}
+
+}  // namespace
+
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates,
                          std::size_t most_steps) {
     std::string best;
@@ -156,7 +174,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
         return best;
     }
     for (const std::string& candidate : candidates) {
-        const std::size_t distance = edit_distance(word, candidate);
+        const std::size_t distance = std::min(edit_distance(word, candidate),
+                                              1 + edit_distance(heard(word), heard(candidate)));
         if (distance < least) {
             least = distance;
             best = candidate;

@@ -41,10 +41,13 @@ void move_body(lua_State* lua, LessonContext& context, Kind kind, const Argument
     if (!body.movable && (kind == Kind::drop || kind == Kind::hold)) {
         raise_in_lesson(lua, body.name + " can't fall or be held; declare it with movable = true");
     }
-    require_need(lua, context, Need::movable,
-                 body.name +
-                     " stays as it is, for no body of this lesson is movable; declare it with "
-                     "movable = true");
+    const std::string why = " stays as it is, for no body of this lesson is movable; ";
+    require_need(
+        lua, context, Need::movable,
+        body.name + why +
+            (body.hinge ? "declare any other body with movable = true, or move its hinge, " +
+                              body.name + ":turn { at = … }"
+                        : "declare it with movable = true"));
     add_command(lua, MoveCommand{move});
 }
 
@@ -84,7 +87,7 @@ const AxleSettings& hinge_of(lua_State* lua, const LessonContext& context, std::
     const BodyDescription& body = description_of(context, index);
     if (!body.hinge) {
         raise_in_lesson(lua, std::string("only a body on a hinge has ") + asked + "; declare " +
-                                 body.name + " with hinge = { inertia = … }");
+                                 body.name + " with hinge = { axis = …, inertia = … }");
     }
     return *body.hinge;
 }

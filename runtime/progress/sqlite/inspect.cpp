@@ -52,6 +52,33 @@ void check_owner_and_version(Database& database) {
     }
 }
 
+/// What a version says is there must be there: a write that finds it missing would come too late.
+void check_columns(Database& database) {
+    struct Column {
+        const char* table;
+        const char* name;
+        std::int64_t since;  // the version
+    };
+    constexpr Column kColumns[] = {{"learner", "nickname", 1},   {"session", "lesson_version", 1},
+                                   {"session_end", "stars", 1},  {"attempt", "said", 1},
+                                   {"attempt_error", "code", 1}, {"opening", "opened_utc_ms", 1},
+                                   {"attempt", "understood", 2}, {"session_setting", "value", 2},
+                                   {"attempt_error", "point", 3}};
+    const std::int64_t version = database.number("PRAGMA user_version");
+    for (const Column& column : kColumns) {
+        const std::string table = column.table;
+        const std::string name = column.name;
+        const bool there = database.number(("SELECT count(*) FROM pragma_table_info('" + table +
+                                            "') WHERE name = '" + name + "'")
+                                               .c_str()) > 0;
+        if (column.since <= version && !there) {
+            throw Refused({"this database says that it is of version " + std::to_string(version) +
+                               ", but has no " + table + "." + name,
+                           database.path(), kElsewhere});
+        }
+    }
+}
+
 void check_pages(Database& database) {
     Statement check(database, "PRAGMA quick_check(1)");
     const std::string verdict = check.step() ? check.text() : "no answer";
@@ -73,6 +100,7 @@ void look(const std::string& path, const std::string& vfs, const char* parameter
     Transaction snapshot(database, Transaction::Kind::read);
     check_owner_and_version(database);
     check_pages(database);
+    check_columns(database);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace fulcrum::runtime::sqlite {
 
-/// Refuses, in one sentence, a file that is damaged, newer than `kSchemaVersion`, or another
-/// program's. Accepts an empty one. The file and its log stay as they are, byte for byte; without a
+/// Refuses, in one sentence, a file that is damaged, newer than `kSchemaVersion`, without a column that its version has, or
+/// another program's. Accepts an empty one. The file and its log stay as they are, byte for byte; without a
 /// log beside it, nothing new appears either.
 void inspect(const std::string& path, const std::string& vfs, int busy_timeout_ms);
 

@@ -91,4 +91,10 @@ Expected<GreyPicture> load_grey_picture(const std::filesystem::path& path) {
     });
 }
 
+bool is_flat(const GreyPicture& picture) {
+    constexpr float kHalfStep = 0.5F / 255.0F;
+    const auto [low, high] = std::minmax_element(picture.values.begin(), picture.values.end());
+    return picture.values.empty() || *high - *low < kHalfStep;
+}
+
 }  // namespace fulcrum::runtime

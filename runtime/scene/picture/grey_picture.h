@@ -29,6 +29,9 @@ struct GreyPicture {
     std::vector<float> values;  ///< 0 to 1, rows from the top (height x width)
 };
 
+/// True for one grey all over, to half a step of 8 bits: nothing of it can be felt.
+[[nodiscard]] bool is_flat(const GreyPicture& picture);
+
 /// Decodes the bytes of a PNG or JPEG; an error's message begins with "the picture".
 [[nodiscard]] Expected<GreyPicture> read_grey_picture(std::span<const std::byte> file);
 

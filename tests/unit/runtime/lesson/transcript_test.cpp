@@ -49,8 +49,6 @@ TEST_CASE("transcript: a play tells its captions, questions, answers and levels 
     CHECK_THAT(asked->said[2], Catch::EndsWith("asks     Which one is the heaviest?"));
 
     (void)play.hear("apple is the heaviest");
-    (void)play.session->finish_frame({});
-    (void)play.frame();
     reply.commands = {VerdictCommand{"heaviest", true}};
     const auto answered = play.session->finish_frame(reply);
     REQUIRE(answered);

@@ -12,6 +12,8 @@ TEST_CASE("bindings: the nearest word is found, and nothing when none is near") 
     CHECK(nearest_word("grond", words) == "ground");
     CHECK(nearest_word("bdoy", words) == "body");
     CHECK(nearest_word("elephant", words).empty());
+    CHECK(nearest_word("tork", {"turn", "tool", "torque"}) == "torque");
+    CHECK(nearest_word("fizics", {"physics", "music"}) == "physics");
     CHECK(nearest_word("", words).empty());
     CHECK(nearest_word(std::string(100000, 'x'), words).empty());
 }

@@ -21,7 +21,8 @@ TEST_CASE("hinges: a declared hinge is in the description, in radians and the bo
     REQUIRE(lesson.start("world:body { name = 'lever', solid = true, at = { 1, 2, 0 }, hinge = { "
                          "axis = { 0, 0, 0.5 }, at = { 1.5, 2, 0 }, inertia = 0.5, friction = 0.1, "
                          "lowest = -90, highest = 180, load = 3, load_at = { 0, 2, 0 } } }\n"
-                         "world:body { name = 'globe', solid = true, hinge = { inertia = 2 } }\n"
+                         "world:body { name = 'globe', solid = true, hinge = { axis = { 0, 0, 1 }, "
+                         "inertia = 2 } }\n"
                          "world:body { name = 'rock' }") == "");
     const auto& bodies = lesson.host->description().bodies;
     REQUIRE(bodies[0].hinge);
@@ -44,7 +45,7 @@ TEST_CASE("hinges: a turn orders what it is given and nothing else") {
     HostedLesson lesson;
     REQUIRE(
         lesson.load("local b function L:start(world) world:body { name = 'a' } b = world:body { "
-                    "name = 'b', solid = true, hinge = { inertia = 1 } } end\n"
+                    "name = 'b', solid = true, hinge = { axis = { 0, 0, 1 }, inertia = 1 } } end\n"
                     "function L:update() b:turn { angle = 90, spin = -180 } b:turn { at = { 1, "
                     "0, 0 }, load = 4 } end") == "");
     REQUIRE(lesson.play() == "");
@@ -65,8 +66,9 @@ TEST_CASE("hinges: fields tell how each one stands, in degrees") {
     REQUIRE(
         lesson.load(
             "local a, b function L:start(world) a = world:body { name = 'a', solid = true, hinge "
-            "= { inertia = 0.25 } } world:body { name = 'c' } b = world:body { name = 'b', solid "
-            "= true, hinge = { inertia = 1 } } print(a.angle, a.arm) end\n"
+            "= { axis = { 0, 1, 0 }, inertia = 0.25 } } world:body { name = 'c' } b = world:body { "
+            "name = 'b', solid "
+            "= true, hinge = { axis = { 0, 0, 1 }, inertia = 1 } } print(a.angle, a.arm) end\n"
             "function L:update() print(a.angle, a.spin, a.inertia) print(b.torque, b.arm, "
             "b.load_torque) end") == "");
     CHECK(lesson.prints == "0.0\t0.0;");
@@ -78,24 +80,44 @@ TEST_CASE("hinges: fields tell how each one stands, in degrees") {
 }
 
 TEST_CASE("hinges: what makes no sense is told at its line") {
-    CHECK(refusal("hinge = { inertia = 1 }") ==
+    CHECK(refusal("hinge = { axis = { 0, 0, 1 }, inertia = 1 }") ==
           "lesson.lua:2: lever has a hinge but can't be touched; add solid = true.");
-    CHECK(refusal("solid = true, movable = true, hinge = { inertia = 1 }") ==
+    CHECK(refusal("solid = true, movable = true, hinge = { axis = { 0, 0, 1 }, inertia = 1 }") ==
           "lesson.lua:2: lever has a hinge and is movable; leave out one of them.");
-    CHECK(refusal("solid = true, hinge = { inertia = 1, axis = { 0, 0, 0 } }") ==
+    CHECK(refusal("solid = true, hinge = { axis = { 0, 0, 0 }, inertia = 1 }") ==
           "lesson.lua:2: the axis of lever has no direction; {0, 1, 0} stands upright.");
     CHECK(
-        refusal("solid = true, hinge = { inertia = 1, lowest = 10 }") ==
+        refusal("solid = true, hinge = { axis = { 0, 0, 1 }, inertia = 1, lowest = 10 }") ==
         "lesson.lua:2: the hinge of lever begins at 0 degrees; lowest is at most 0, and highest at "
         "least 0.");
-    CHECK(refusal("solid = true, hinge = { inertia = 0 }").find("inertia") != std::string::npos);
-    CHECK(refusal("solid = true, hinge = {}").find("inertia") != std::string::npos);
-    CHECK(
-        HostedLesson().start("world:body { name = 'a' }:turn { spin = 1 }") ==
-        "lesson.lua:2: only a body on a hinge has a turn; declare a with hinge = { inertia = … }.");
+    CHECK(refusal("solid = true, hinge = { axis = { 0, 0, 1 }, inertia = 0 }").find("inertia") !=
+          std::string::npos);
+    CHECK(refusal("solid = true, hinge = { axis = { 0, 0, 1 } }").find("inertia") !=
+          std::string::npos);
+    // An axis that nobody gave would be a door that turns like a wheel.
+    CHECK(refusal("solid = true, hinge = { inertia = 1 }").find("axis") != std::string::npos);
+    CHECK(HostedLesson().start("world:body { name = 'a' }:turn { spin = 1 }") ==
+          "lesson.lua:2: only a body on a hinge has a turn; declare a with hinge = { axis = …, "
+          "inertia = … }.");
     CHECK(HostedLesson().start("print(world:body { name = 'a' }.torque)") ==
-          "lesson.lua:2: only a body on a hinge has a torque; declare a with hinge = { inertia = … "
+          "lesson.lua:2: only a body on a hinge has a torque; declare a with hinge = { axis = …, "
+          "inertia = … "
           "}.");
+}
+
+TEST_CASE("hinges: who cannot be placed is told what can be done") {
+    const auto sentence = [](const std::string& more) {
+        return HostedLesson().start(
+            "local door = world:body { name = 'door', solid = true, hinge = { axis = { 0, 1, 0 }, "
+            "inertia = 1 } }\n" +
+            more + "\ndoor:place { at = { 0, 1, 0 } }");
+    };
+    CHECK(sentence("") ==
+          "lesson.lua:4: door stays as it is, for no body of this lesson is movable; declare any "
+          "other body with movable = true, or move its hinge, door:turn { at = … }.");
+    CHECK(sentence("world:body { name = 'egg', movable = true }").empty());
+    CHECK(HostedLesson().start("local a = world:body { name = 'a' } print(a.tork)") ==
+          "lesson.lua:2: body has no \"tork\"; did you mean \"torque\"?");
 }
 
 TEST_CASE("world: the day is known once the lesson runs") {

@@ -35,6 +35,21 @@ TEST_CASE("opening: a newer database is refused and untouched") {
     CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("opening: a database without a column of its version is refused, not found out later") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("progress.db");
+    { const Classroom room(path); }
+    REQUIRE(run_sql(path, "ALTER TABLE attempt_error DROP COLUMN point").empty());
+    const std::string before = bytes_of(path);
+    const std::string sentence = refusal(path);
+    CHECK(is_sentence_about(sentence, path));
+    CHECK(sentence.find("of version 3, but has no attempt_error.point") != std::string::npos);
+    CHECK(bytes_of(path) == before);
+    // Of an older version that column is not asked for.
+    REQUIRE(run_sql(path, "PRAGMA user_version = 2").empty());
+    CHECK(refusal(path).empty());
+}
+
 TEST_CASE("opening: a newer version that stands only in the log is seen, and the log untouched") {
     const TemporaryFolder folder;
     const std::string path = folder.file("progress.db");

@@ -111,3 +111,13 @@ TEST_CASE("picture: too large, of inks, of another kind, or no file at all is on
     CHECK_THAT(to_sentence(none.error()), Contains("none.png cannot be read"));
     CHECK_THAT(to_sentence(load_grey_picture(file(".")).error()), Contains("not a file"));
 }
+
+TEST_CASE("picture: one grey all over is flat, a step of 8 bits is not") {
+    GreyPicture picture{2, 2, {0.5F, 0.5F, 0.5F, 0.5F}};
+    CHECK(is_flat(picture));
+    picture.values[3] += 0.001F;
+    CHECK(is_flat(picture));
+    picture.values[3] = 0.5F + 1.0F / 255.0F;
+    CHECK_FALSE(is_flat(picture));
+    CHECK(is_flat({}));
+}
