@@ -130,6 +130,9 @@ local function ask(world, question, key)
       local said = bodies[answer.thing]
       weigh(world, said and said ~= key() and { said, key() } or { key() })
     end,
+    solution = function()
+      return "The " .. key().noun .. " is " .. (question == "heavier" and question or "the " .. question) .. "."
+    end,
   })
 end
 

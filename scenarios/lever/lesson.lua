@@ -4,6 +4,7 @@
 -- Earth on the other end. Change the Earth's weight or the support's place below and the right answers change with it.
 
 local game = require "game"
+local numbers = require "numbers"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
 
@@ -46,7 +47,7 @@ function L:start(world)
     at = { 0, height - 0.02, 0 } }
   lever = world:body {
     name = "lever", model = "lever", visible = true, solid = true, at = { 0, height, 0 },
-    hinge = { at = { 0, height - 0.02, 0 }, inertia = 0.4, friction = 0.01, lowest = -7, highest = 7,
+    hinge = { axis = { 0, 0, 1 }, at = { 0, height - 0.02, 0 }, inertia = 0.4, friction = 0.01, lowest = -7, highest = 7,
               load = levels[1].weight, load_at = { earth_x, height - 0.02, 0 } },
   }
   star = world:body { name = "star", model = "star", radius = 0.03 }
@@ -55,34 +56,49 @@ end
 
 -- ---- what the hand does -------------------------------------------------------------------------------------------------
 
-local function move_support(x)
+local function stand_support_at(x)
   support_x = x
   support:place { at = { x, height - 0.02, 0 } }
   lever:turn { at = { x, height - 0.02, 0 } }
 end
 
--- Waits until the hand presses near the star, and gives whether the Earth left the ground.
-local function press(world, x, seconds)
+-- The lever never jumps under a hand.
+local function move_support(world, x)
+  if lever.arm > 0 then
+    world:caption "Lift your hand."
+    wait_until(function() return lever.arm == 0 end)
+    world:caption ""
+  end
+  stand_support_at(x)
+end
+
+local function presses_at(world, x)
+  return lever.arm > 0 and math.abs(world:tool().x - x) < 0.12 and math.abs(lever.torque) > 0.01
+end
+
+-- Waits until the hand presses near the star, and gives whether the Earth left the ground. What there is to explain is told
+-- while the hand still presses, for only then both arms and forces are drawn.
+local function press(world, x, seconds, explain)
   star:place { at = { x, height + 0.22, 0 } }
-  wait_until(function()
-    return lever.arm > 0 and math.abs(world:tool().x - x) < 0.12 and math.abs(lever.torque) > 0.01
-  end)
-  local left = seconds
-  wait_until(function()
-    left = left - 1 / 60
-    return lever.angle < 0 or left <= 0
-  end)
-  local lifted = lever.angle < 0
+  local function is_pressed() return presses_at(world, x) end
+  wait_until(is_pressed)
+  local lifted = wait_until(function() return lever.angle < 0 end, seconds)
+  if lifted and explain then
+    world:sound "pop"
+    world:caption(explain)
+    story.wait_while(is_pressed, 4)
+  end
   star:hide()
   return lifted
 end
 
--- Until it is lifted. Some arms may give too little for it: then the Earth gets lighter.
-local function lift(world, x)
-  local load, tries = level.weight, 0
-  while not press(world, x, 6) do
-    tries = tries + 1
-    if tries < 3 then
+-- Until it is lifted; gives whether it was. Some arms may give too little for it: then the Earth gets lighter.
+local function lift(world, x, explain)
+  local load = level.weight
+  for try = 1, 12 do
+    if press(world, x, 6, explain) then return true end
+    wait(0.5)
+    if try < 3 then
       world:caption "Press harder, under the star."
     else
       load = load / 2
@@ -90,51 +106,102 @@ local function lift(world, x)
       world:caption(("I make the Earth lighter: %.4g newtons. Press again, under the star."):format(load))
     end
   end
-  world:sound "pop"
+  world:caption "Let's go on."
+  wait(2)
+  return false
 end
 
 -- The same, for a point.
-local function lift_for_a_point(world, x)
-  lift(world, x)
-  game.point()
+local function lift_for_a_point(world, x, explain)
+  if lift(world, x, explain) then game.point() else game.miss() end
 end
 
 -- ---- questions ----------------------------------------------------------------------------------------------------------
 
 local places = { near = 0.12, far = end_x }
 
+-- "It is easier far from the support." The two words go with other prepositions, so each has sentences of its own.
+local function easier(place, preposition)
+  local where = ("{%s} %s (the support|it)"):format(place, preposition)
+  return {
+    ("it is <comparative:easy> [to press] {%s} %s the support"):format(place, preposition),
+    "it is <comparative:easy> [to press] " .. where,
+    "it is <comparative:easy> [to press] {" .. place .. "}",
+    "(it is <comparative:easy>|I need less force) (when|if) (I|you|we) press " .. where,
+    "(it is <comparative:easy>|I need less force) (when|if) (I|you|we) press {" .. place .. "}",
+    "[(I|you|we)] [(must|should|can)] press " .. where,
+    "[(I|you|we)] [(must|should|can)] press {" .. place .. "}",
+    "I need less force " .. where,
+    where .. " [it is <comparative:easy> [to press]]",
+    "{" .. place .. "} [it is <comparative:easy> [to press]]",
+  }
+end
+
+local function nearly_easier(place)
+  return {
+    "[the] {" .. place .. "} is <comparative:easy> [to press]",
+    "it is <comparative:easy> [to press] in the {" .. place .. "}",
+    "(when|if) (I|you|we) press {" .. place .. "} [from (the support|it)] [it] [is] <comparative:easy>",
+  }
+end
+
+local function joined(one, other)
+  for _, each in ipairs(other) do one[#one + 1] = each end
+  return one
+end
+
 L:question "near_far" {
   prompt = "Where is it easier to press: near the support or far from it?",
   again = "Let's press again.",
-  answers = { "[it is easier [to press]] {where} [(from|to)] [(the support|it)]", "[press] {where} [(from|to)] [(the support|it)]" },
-  lists = { where = { "near", "far" } },
+  answers = joined(easier("far", "from"), easier("near", "")),
+  nearly = joined(nearly_easier "far", nearly_easier "near"),
+  lists = {
+    near = { "near|nearer|close to|closer to|next to|near to|close|closer" },
+    far = { "far|far away|further|further away|farther|farther away|a long way" },
+  },
   right = function(a)
-    local other = a.where == "near" and "far" or "near"
-    return needed(places[a.where], support_x) < needed(places[other], support_x)
+    local here, there = places.near, places.far
+    if a.far then here, there = there, here end
+    return needed(here, support_x) < needed(there, support_x)
   end,
 }
 
-local ways = { left = -0.1, right = 0.1 }
+local ways = { Earth = -0.1, hand = 0.1 }   -- where the two are from the support
 
 L:question "which_way" {
   prompt = "Where must the support go: to the Earth or to your hand?",
   again = "Look at the two arms.",
-  answers = { "[(the support|it) (must go|must move|goes|moves)] {way}", "[move (it|the support)] {way}" },
-  lists = { way = { "left|to the left|to the Earth|near the Earth|nearer to the Earth",
-                    "right|to the right|to the hand|to my hand|to your hand|near my hand" } },
-  right = function(a) return needed(end_x, support_x + ways[a.way]) < needed(end_x, support_x) end,
+  answers = {
+    "the support must go [(nearer|closer)] to the {goal}",
+    "(the support|it) (must|should|has to|needs to|can) (go|move|come|be) ([(nearer|closer)] to|near|towards) the {goal}",
+    "(the support|it) (goes|moves|comes) ([(nearer|closer)] to|near|towards) the {goal}",
+    "[(I|you|we)] [(must|should|can|have to)] (move|push|put|bring) (it|the support) ([(nearer|closer)] to|near|towards) the {goal}",
+    "([(nearer|closer)] to|near|towards) the {goal}",
+  },
+  nearly = {
+    "(the support|it) (must to go|must goes|must going|go|going|is go|need go|have to go) ([(nearer|closer)] to|near|towards) the {goal}",
+    "[must] go ([(nearer|closer)] to|near|towards) the {goal}",
+  },
+  lists = { goal = { "Earth|left|left side", "hand|right|right side" } },
+  right = function(a) return needed(end_x, support_x + ways[a.goal]) < needed(end_x, support_x) end,
 }
-
-local numbers = { one = 1, ten = 10, hundred = 100, thousand = 1000 }
 
 L:question "how_strong" {
   prompt = "The toy Earth weighs 1000 newtons. Your arm is 1000 times longer. How many newtons do you need?",
   again = "Multiply: force times arm is the same on both sides.",
-  answers = { "[I (need|must press)] {number} [(newton|newtons)]", "[it is] {number} [(newton|newtons)]" },
-  lists = { number = { "one|1", "ten|10", "hundred|a hundred|100|one hundred", "thousand|a thousand|1000|one thousand" } },
+  answers = {
+    "I need {number} <plural:newton>",
+    "(I|you|we) [(must|have to|can)] (need|press with|push with|use|lift it with) {number} (<plural:newton>|N)",
+    "it is {number} (<plural:newton>|N)",
+    "{number} (<plural:newton>|N) [(is|are) enough]",
+  },
+  nearly = { "(I|you|we) (must|am|is) need {number} [(newton|newtons|N)]", "need {number} [(newton|newtons|N)]",
+             "(it|force|the force) [is] (need|needs) {number} [(newton|newtons|N)]",
+             "with {number} [(newton|newtons|N)]" },
+  lists = { number = numbers.words { 0, 1, 2, 3, 4, 5, 6, 8, 10, 20, 50, 100, 200, 500, 1000, 2000, 10000, 100000 } },
   right = function(a)
     local need = math.abs(lever.load_torque) / (end_x - support_x)
-    return math.abs(numbers[a.number] - need) < 0.1 * need
+    return math.abs(numbers.value(a.number) - need) < 0.1 * need
   end,
 }
 
@@ -143,7 +210,7 @@ L:question "how_strong" {
 local function begin_level(world, number)
   level = levels[number]
   world:level(number, level.title)
-  move_support(place_of(level.ratio))
+  move_support(world, place_of(level.ratio))
   lever:turn { load = level.weight }
   wait(1.5)
 end
@@ -153,15 +220,14 @@ local function near_or_far(world)
   world:caption "This is a toy Earth. It weighs 2 newtons. Press the lever near the support."
   press(world, places.near, 2.5)
   world:caption "That is hard. Now press far from the support."
-  lift_for_a_point(world, places.far)
-  world:caption "You lifted it! Force times arm: that is the torque."
-  wait(3)
+  lift_for_a_point(world, places.far, "You lifted it! Keep pressing. Blue is the arm. Force times arm: that is the torque.")
   game.ask("near_far", {
     hint = "Press at both places. Where do you need less force?",
     again = function()
       press(world, places.near, 2.5)
       lift(world, places.far)
     end,
+    solution = "It is easier far from the support: the arm is longer.",
   })
 end
 
@@ -175,31 +241,26 @@ local function move_it(world)
     game.ask("which_way", {
       hint = "A long arm for you, a short arm for the Earth.",
       again = function() press(world, end_x, 2) end,
+      solution = "It must go to the Earth: then your arm is longer.",
     })
-    move_support(support_x - 0.1)
+    move_support(world, support_x - 0.1)
     if not can_lift(end_x) then
       world:caption "Good. Move it further with the arrow keys, or let it go."
-      local left = 2.5
-      wait_until(function()
-        left = left - 1 / 60
-        return left <= 0 or can_lift(end_x)
-      end)
+      wait_until(function() return can_lift(end_x) end, 2.5)
     end
     while not can_lift(end_x) do
-      move_support(support_x - 0.05)
+      move_support(world, support_x - 0.05)
       wait(0.4)
     end
   until can_lift(end_x)
   world:caption "Press again, under the star."
-  lift_for_a_point(world, end_x)
-  world:caption "The two torques balance. A small force on a long arm moves a heavy thing."
-  wait(3)
+  lift_for_a_point(world, end_x, "Keep pressing. The two torques balance: a small force on a long arm moves a heavy thing.")
 end
 
 function L:key(name)
   local step = name == "left" and -0.05 or name == "right" and 0.05
-  if step and level == levels[2] and lever.angle > 0 then
-    move_support(math.max(place_of(20), math.min(support_x + step, 0.2)))
+  if step and level == levels[2] and lever.angle > 0 and lever.arm == 0 then
+    stand_support_at(math.max(place_of(20), math.min(support_x + step, 0.2)))
   end
 end
 
@@ -210,11 +271,10 @@ local function place_to_stand(world)
   game.ask("how_strong", {
     hint = "1000 newtons times 1 millimetre is 1 newton metre. So is your force times 1 metre.",
     again = function() press(world, end_x, 2) end,
+    solution = "You need 1 newton: 1000 times less, with an arm that is 1000 times longer.",
   })
   world:caption "Try it. Press under the star."
-  lift_for_a_point(world, end_x)
-  world:caption "You moved it! You go a long way, and the Earth only a little."
-  wait(4)
+  lift_for_a_point(world, end_x, "You moved it! You go a long way, and the Earth only a little.")
 end
 
 function play(world)

@@ -4,6 +4,7 @@
 -- lever arms that the hand had, which planet is harder to turn from the inertia that it felt.
 
 local game = require "game"
+local numbers = require "numbers"
 local planets = require "planets"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
@@ -15,6 +16,7 @@ local near = { 0, 0.5, 0.3 }      -- where a planet is looked at and turned
 
 local sun, star
 local small = {}     -- name -> body: on its way round the Sun
+local ways = {}      -- name -> body: the line along which it goes
 local big = {}       -- name -> body: seen from near, and turned by the hand
 
 -- Nothing here has its true size or distance: Neptune would be 4500 times as far from the Sun as the Sun is wide.
@@ -31,7 +33,7 @@ local function felt_inertia(name)
 end
 
 function L:start(world)
-  world:ground(0)
+  world:space()
   world:camera { eye = { 0, 1.15, 1.5 }, target = { 0, 0.42, 0 }, angle = 38 }
   world:hand { centre = { 0, 0.5, 0.5 }, scale = 3 }
   -- Rough enough to take a planet along, and felt as it passes.
@@ -40,8 +42,9 @@ function L:start(world)
     texture = { bumps = 0.006, height = 0.0002 },
   }
   sun = world:body { name = "sun", noun = "Sun", model = "sun", radius = 0.05, movable = true, visible = true, at = middle }
-  for _, name in ipairs(planets.names) do
+  for i, name in ipairs(planets.names) do
     local model = name:lower()
+    ways[name] = world:body { name = model .. "-way", model = "orbit", radius = way_of(i), visible = true, at = middle }
     small[name] = world:body { name = model .. "-far", noun = name, model = model, radius = small_radius(name), movable = true }
     big[name] = world:body {
       name = model, noun = name, model = model, radius = big_radius(name), solid = true, material = ground, at = near,
@@ -67,6 +70,7 @@ end
 local function show_sky(day)
   shown_day = day
   sun:place { at = middle }
+  for _, way in pairs(ways) do way:place { at = middle } end
   place_planets(day)
 end
 
@@ -74,6 +78,7 @@ local function hide_sky()
   shown_day = nil
   sun:hide()
   for _, body in pairs(small) do body:hide() end
+  for _, way in pairs(ways) do way:hide() end
 end
 
 -- Lets so many days go by in so many seconds.
@@ -98,21 +103,34 @@ end
 
 local best_arm = {}   -- place -> the longest lever arm with which it was pushed
 
--- Waits until the planet has been turned by so many degrees by pushes at a place; the star shows where.
-local function turn(place, at, degrees)
+-- Does the hand push a planet near that place?
+local function is_pushed(world, body, at)
+  local tool = world:tool()
+  local away = math.sqrt((tool.x - at[1]) ^ 2 + (tool.y - at[2]) ^ 2 + (tool.z - at[3]) ^ 2)
+  return away < 0.13 and body.arm > 0 and math.abs(body.torque) > 0.002
+end
+
+-- Waits until the planet has been turned by so many degrees by pushes at a place; the star shows where. What there is to
+-- explain is told while the hand still pushes, for only then its arm and force are drawn.
+local function turn(world, place, at, degrees, explain)
   local body = big[shown]
   star:place { at = at }
   best_arm[place] = 0
   local turned, last = 0, body.angle
   wait_until(function()
-    if body.arm > 0 and math.abs(body.torque) > 0.002 then
+    if is_pushed(world, body, at) then
       best_arm[place] = math.max(best_arm[place], body.arm)
       turned = turned + math.abs(body.angle - last)
     end
     last = body.angle
     return turned >= degrees
   end)
+  if explain then
+    world:caption(explain)
+    story.wait_while(function() return is_pushed(world, body, at) end, 4)
+  end
   star:hide()
+  wait(0.5)
   body:turn { spin = 0 }
 end
 
@@ -124,32 +142,45 @@ end
 
 -- ---- questions ------------------------------------------------------------------------------------------------------------
 
-local count = { "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten" }
-local numbers = {}
-for i, word in ipairs(count) do numbers[i] = word .. "|" .. i end
-local function number_of(word)
-  for i, known in ipairs(count) do
-    if known == word then return i end
-  end
-  return word == "no" and 0 or tonumber(word)
-end
+local how_many = numbers.words(0, 20)
 
 L:question "planets" {
   prompt = "How many planets go round the Sun?",
   again = "Let's count them.",
-  answers = { "[there are] {number} [<plural:planet>] [go round the Sun]" },
-  lists = { number = numbers },
-  right = function(a) return number_of(a.number) == #planets.names end,
+  answers = {
+    "there are {number} <plural:planet>",
+    "(there are|I see|I can see|I count|I counted|we have|[the] Sun has|it has) {number} [<plural:planet>] [in the solar system]",
+    "{number} [<plural:planet>] [(go|move|turn|are) (round|around) (it|the Sun)]",
+  },
+  nearly = {
+    "(it|they|here|there|in solar system) (is|are|has|have) {number} [(planet|planets)]",
+    "(is|are|have) {number} [(planet|planets)]",
+    "{number} (planet|planets) (goes|going|is going|are go) [(round|around)] [(it|the Sun|Sun)]",
+  },
+  lists = { number = how_many },
+  right = function(a) return numbers.value(a.number) == #planets.names end,
 }
 
 for _, name in ipairs { "Earth", "Mars" } do
   local called = name == "Earth" and "the Earth" or name
+  local named = name == "Earth" and "[the] Earth" or name
   L:question("moons_" .. name:lower()) {
     prompt = "How many moons does " .. called .. " have?",
     again = "Let's look again.",
-    answers = { "[(it|the Earth|Mars) has] {number} [(moon|moons)]" },
-    lists = { number = numbers },
-    right = function(a) return number_of(a.number) == planets.facts(name).moons end,
+    answers = {
+      called .. " has {number} <plural:moon>",
+      "(it|" .. named .. ") has [got] {number} [<plural:moon>]",
+      "there are {number} <plural:moon>",
+      "(I see|I can see) {number} <plural:moon>",
+      "{number} <plural:moon>",
+    },
+    nearly = {
+      "(it|there|[the] " .. name .. ") [(is|are|has|have)] {number} [(moon|moons)]",
+      "[it] (have|is|are) {number} [(moon|moons)]",
+      "{number} (moon|moons) (has|have|is|are) [(it|[the] " .. name .. ")]",
+    },
+    lists = { number = how_many },
+    right = function(a) return numbers.value(a.number) == planets.facts(name).moons end,
   }
 end
 
@@ -157,25 +188,72 @@ local asked_about = {}
 for i, name in ipairs(planets.names) do asked_about[i] = name == "Earth" and "Earth|the Earth" or name end
 
 L:question "your_turn" {
-  prompt = "Now you ask me about a planet! For example: How many moons does Jupiter have?",
+  prompt = "Now you ask me about a planet! For example: How many moons does Jupiter have? Or: How big is Mars?",
   again = "Ask about another planet.",
-  answers = { "how many moons does {planet} {own}", "how many moons has {planet} got" },
-  lists = { planet = asked_about, own = { "have" } },   -- after "does" it never agrees: no word of the template
+  answers = {
+    "how many moons does {planet} have",
+    "how many <plural:moon> (does {planet} have|has {planet} got)",
+    "how many moons are there around {planet}",
+    "(tell me|I want to know) how many <plural:moon> {planet} has",
+    "how {quality} is {planet}",
+    "how {quality} is {planet} [away] from the Sun",
+    "how long is [(a|the|one)] {time} on {planet}",
+    "(tell me|I want to know) how {quality} {planet} is",
+  },
+  nearly = {
+    "how (many|much) (moon|moons) {planet} [(has|have|got|has got|have got|does have|is have)]",
+    "how (many|much) (moon|moons) (has|have|is have|is has|do) {planet} [(has|have)]",
+    "how (many|much) (moon|moons) [there] (is|are) [(there|in|on|of)] {planet}",
+    "how much (moon|moons) does {planet} (has|have)",
+    "{planet} (has|have) how many (moon|moons)",
+    "(what is|tell me) [the] number of moons of {planet}",
+    "how {quality} {planet} [is] [from the Sun]",
+    "how long {time} on {planet} [is]",
+  },
+  lists = { planet = asked_about, quality = { "big|large", "far|far away", "heavy" },
+            time = { "day|a day|the day|one day", "year|a year|the year|one year" } },
   right = function(a) return planets.facts(a.planet) ~= nil end,
 }
 
 L:question "side_or_pole" {
   prompt = "Where does the same push turn it more: at the side or near the pole?",
   again = "Let's push again.",
-  answers = { "[it turns more] (at|near|on) [the] {place} [it turns more]", "[the] {place}" },
-  lists = { place = { "side|rim|equator", "pole" } },
+  answers = {
+    "it turns more (at|near|on) the {place}",
+    "it is (at|near|on) the {place}",
+    "(it|the Earth|the planet) (turns|goes|moves) (more|faster|better) [(when|if) (I|you|we) push [it]] (at|near|on) the {place}",
+    "(when|if) (I|you|we) push [it] (at|near|on) the {place}",
+    "(when|if) (I|you|we) push [it] (at|near|on) the {place} it turns (more|faster|better)",
+    "[more] (at|near|on) the {place} [it turns (more|faster|better)]",
+    "the {place} [is (better|easier)]",
+    "(I|you|we) [(must|should|can)] push [it] (at|near|on) the {place}",
+  },
+  nearly = {
+    "(it|Earth|planet) (turn|turning|is turning|is turn|turns) [(more|faster|better)] (at|near|on|in) [the] {place}",
+    "[the] {place} (turn|turns|turning|is turn|is turning) [it] [(more|faster|better)]",
+    "[the] {place} [is] (more|most|more fast|more good|faster)",
+    "push (at|near|on|in) [the] {place}",
+  },
+  lists = { place = { "side|rim|equator|edge", "pole|north pole|top" } },
   right = function(a) return best_arm[a.place] > best_arm[a.place == "side" and "pole" or "side"] end,
 }
 
 L:question "harder" {
   prompt = "Which one is harder to turn: the Earth or Jupiter?",
   again = "Let's feel it again.",
-  answers = { "[the] {planet} is <comparative:hard> [to turn] [than [the] {other}]", "[the] {planet} [is]" },
+  answers = {
+    "[the] {planet} is <comparative:hard> [to turn] [than [the] {other}]",
+    "[the] {planet} is <comparative:difficult> [to turn] [than [the] {other}]",
+    "it is (<comparative:hard>|<comparative:difficult>) to turn [the] {planet} [than [the] {other}]",
+    "[the] {planet} turns more slowly [than [the] {other}]",
+    "[it is] [the] {planet}",
+  },
+  nearly = {
+    "[the] {planet} is (hard|difficult) [to turn] [than [the] {other}]",
+    "[the] {planet} (more|is more|is most|is the most|is the) (hard|difficult|hardest|harder) [to turn] [than [the] {other}]",
+    "[the] {planet} is (harder|hard|more difficult|more hard) (for turn|for turning|turn|turning|to turning) [than [the] {other}]",
+    "[the] {planet} (turn|turns|turning) (more slow|slower|slow|harder|more hard|hard) [than [the] {other}]",
+  },
   lists = { planet = { "Earth", "Jupiter" }, other = { "Earth", "Jupiter" } },
   right = function(a)
     local other = a.planet == "Earth" and "Jupiter" or "Earth"
@@ -187,10 +265,41 @@ L:question "harder" {
 
 local function moons_of(name)
   local moons = planets.facts(name).moons
-  if moons == 0 then return "no moons" end
-  return (count[moons] or tostring(moons)) .. (moons == 1 and " moon" or " moons")
+  local found = moons > 20 and ", found by " .. planets.moons_counted or ""
+  return (moons > 20 and moons or numbers.word(moons)) .. (moons == 1 and " moon" or " moons") .. found
 end
-local function called(name) return name == "Earth" and "The Earth" or name end
+local function called(name) return name == "Earth" and "the Earth" or name end
+local function sentence(text) return text:sub(1, 1):upper() .. text:sub(2) .. "." end
+
+local function rounded(value) return (value < 100 and "%.3g" or "%.0f"):format(value) end
+
+-- What a pupil may ask besides its moons.
+local replies = {
+  big = function(name)
+    return called(name) .. " is " .. math.floor(planets.facts(name).radius / 500 + 0.5) .. " kilometres wide"
+  end,
+  far = function(name)
+    return called(name) .. " is " .. math.floor(planets.facts(name).distance / 1e9 + 0.5)
+      .. " million kilometres from the Sun"
+  end,
+  heavy = function(name)
+    if name == "Earth" then return "the Earth has a mass of six million million million million kilograms" end
+    local times = planets.facts(name).mass / planets.facts("Earth").mass
+    return name .. " is " .. rounded(times) .. " times as heavy as the Earth"
+  end,
+  ["day"] = function(name)
+    return "a day on " .. called(name) .. " is " .. rounded(planets.facts(name).day / 3600) .. " hours long"
+  end,
+  ["year"] = function(name)
+    return "a year on " .. called(name) .. " is " .. rounded(planets.facts(name).year) .. " days long"
+  end,
+}
+
+local function reply_to(asked)
+  local tell = replies[asked.quality or asked.time]
+  if tell then return sentence(tell(asked.planet)) end
+  return sentence(called(asked.planet) .. " has " .. moons_of(asked.planet))
+end
 
 local function sky(world)
   world:level(1, "Today's sky")
@@ -200,7 +309,10 @@ local function sky(world)
   wait(5)
   world:caption "A year goes by: the Earth goes round once. The far planets are slow."
   let_go_by(planets.facts("Earth").year, 8)
-  game.ask("planets", { hint = "Count them: Mercury, Venus, Earth, Mars …" })
+  game.ask("planets", {
+    hint = "Count them: Mercury, Venus, Earth, Mars …",
+    solution = function() return "There are " .. numbers.word(#planets.names) .. " planets." end,
+  })
 end
 
 local function closer(world)
@@ -210,48 +322,50 @@ local function closer(world)
   big.Earth:turn { spin = 25 }
   world:caption("This is the Earth. It turns once a day. It has " .. moons_of "Earth" .. ".")
   wait(4)
-  game.ask("moons_earth", { hint = "You see it at night. There is only one." })
+  game.ask("moons_earth", {
+    hint = "You see it at night.",
+    solution = function() return sentence("the Earth has " .. moons_of "Earth") end,
+  })
   look_at "Mars"
   big.Mars:turn { spin = 25 }
   world:caption("This is Mars, the red planet. It has " .. moons_of "Mars" .. ", and both are small.")
   wait(4)
-  game.ask("moons_mars", { hint = "They are called Phobos and Deimos." })
+  game.ask("moons_mars", {
+    hint = "They are called Phobos and Deimos.",
+    solution = function() return sentence("Mars has " .. moons_of "Mars") end,
+  })
   local asked = game.ask("your_turn", { hint = "Say: How many moons does Saturn have?" })
   if asked.planet then
     look_at(asked.planet)
     big[asked.planet]:turn { spin = 25 }
-    local found = planets.facts(asked.planet).moons > 2 and ", found by " .. planets.moons_counted or ""
-    world:caption(called(asked.planet) .. " has " .. moons_of(asked.planet) .. found .. ".")
-    wait(4)
+    world:caption(reply_to(asked))
+    wait(5)
   end
 end
 
-local function push_at_side(world)
+local function push_at_side(world, explain)
   world:caption "Push the side under the star: press, and go left or right."
-  turn("side", at_the_side(), 40)
+  turn(world, "side", at_the_side(), 40, explain)
 end
 
-local function push_at_pole(world)
+local function push_at_pole(world, explain)
   world:caption "Now push near the pole: under the star, where the axis comes out."
-  turn("pole", near_the_pole(), 15)
+  turn(world, "pole", near_the_pole(), 15, explain)
 end
 
 local function turning(world)
   world:level(3, "Turn a planet")
   look_at "Earth"
   big.Earth:turn { spin = 0 }
-  push_at_side(world)
-  world:caption "The blue bar is the arm. Force times arm is the torque: it turns the planet."
-  wait(3)
-  push_at_pole(world)
-  world:caption "Near the pole the arm is short, so the torque is small."
-  wait(2.5)
+  push_at_side(world, "Push on! The blue bar is the arm. Force times arm is the torque: it turns the planet.")
+  push_at_pole(world, "Push on! Near the pole the arm is short, so the torque is small.")
   game.ask("side_or_pole", {
     hint = "Look at the blue bar: where is it longer?",
     again = function()
       push_at_side(world)
       push_at_pole(world)
     end,
+    solution = "It turns more at the side: the arm is longer there.",
   })
   look_at "Jupiter"
   world:caption "This is Jupiter. No hand can turn a true planet: we made the Earth easy to turn, and Jupiter too, but less easy."
@@ -260,6 +374,7 @@ local function turning(world)
   game.ask("harder", {
     hint = "Jupiter has 318 times the mass of the Earth.",
     again = function() push_at_side(world) end,
+    solution = "Jupiter is harder to turn: it has more inertia.",
   })
 end
 

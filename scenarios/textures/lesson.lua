@@ -155,14 +155,22 @@ end
 
 -- ---- the game -------------------------------------------------------------------------------------------------------
 
+-- "Metal is hard and smooth."
+local function description_of(name)
+  local m = blocks[name].material
+  return name:sub(1, 1):upper() .. name:sub(2) .. " is " .. (is.hard(m) and "hard" or "soft") .. " and "
+    .. (is.rough(m) and "rough" or "smooth") .. "."
+end
+
 -- After a wrong answer the hand is led back and feels again; after two there is a hint.
-local function ask(world, question, body, hint)
+local function ask(world, question, body, hint, solution)
   game.ask(question, {
     again = function(answer)
       lead(world, body)
       world:caption("Feel it again." .. (answer.attempt >= 2 and " " .. hint or ""))
       feel(body)
     end,
+    solution = solution,
   })
   star:hide()
 end
@@ -172,7 +180,7 @@ local function seen(world)
   for _, name in ipairs(names) do
     world:caption("This is " .. name .. ". Tap it and stroke it.")
     feel(blocks[name])
-    ask(world, "like_" .. name, blocks[name], "Is it hard? Is it rough?")
+    ask(world, "like_" .. name, blocks[name], "Is it hard? Is it rough?", description_of(name))
   end
 end
 
@@ -199,7 +207,7 @@ local function under_a_cloth(world)
     lead(world, hidden)
     world:caption(turn == 1 and "Feel what is under this cloth." or "And under this cloth? Feel it.")
     feel(hidden)
-    ask(world, "under", hidden, "Is it rough or smooth?")
+    ask(world, "under", hidden, "Is it rough or smooth?", "It is " .. hidden.material.name .. ".")
     hands_off(world)
     hidden:uncover()
     world:sound "pop"
@@ -219,7 +227,8 @@ local function things_made(world)
     local body = made[thing.name]
     world:caption("This is a " .. thing.name .. ". Feel it.")
     feel(body)
-    ask(world, "made_" .. thing.name, body, "Is it metal, wood or rock?")
+    ask(world, "made_" .. thing.name, body, "Is it metal, wood or rock?",
+      "The " .. thing.name .. " is made of " .. body.material.name .. ".")
   end
 end
 

@@ -39,18 +39,29 @@ local function add(points, of)
   scene:score(score)
 end
 
+local function check_points(called, points)
+  if points ~= nil and (math.type(points) ~= "integer" or points < 1) then
+    mistake(called .. " takes a whole number of points, 1 or more; got " .. shown(points))
+  end
+end
+
 --- Gives a point, or several: for something caught, lifted, found.
 ---@param points integer|nil 1 by default
 function game.point(points)
   check_playing "game.point"
-  points = points or 1
-  if math.type(points) ~= "integer" or points < 1 then
-    mistake("game.point takes a whole number of points, 1 or more; got " .. shown(points))
-  end
-  add(points, points)
+  check_points("game.point", points)
+  add(points or 1, points or 1)
 end
 
-local ask_options = { hint = "string", again = "function" }
+--- Says that a point could have been had and was not: for something that fell, that was not lifted.
+---@param points integer|nil 1 by default
+function game.miss(points)
+  check_playing "game.miss"
+  check_points("game.miss", points)
+  add(0, points or 1)
+end
+
+local ask_options = { hint = "string", again = "function", solution = "string" }
 
 local function check_options(options)
   if type(options) ~= "table" then
@@ -58,7 +69,7 @@ local function check_options(options)
   end
   for name, value in pairs(options) do
     if ask_options[name] == nil then program.unknown("game.ask", ask_options, name) end
-    if type(value) ~= ask_options[name] then
+    if type(value) ~= ask_options[name] and not (name == "solution" and type(value) == "function") then
       mistake("game.ask's " .. name .. " is a " .. ask_options[name] .. "; got " .. shown(value))
     end
   end
@@ -71,8 +82,10 @@ end
 ---   game.ask("near_far", {
 ---     hint = "Press at both places. Where do you need less force?",
 ---     again = function(answer) press_at_both_places() end,
+---     solution = "It is easier far from the support.",
 ---   })
 ---
+--- `solution`, a text or a function that gives one, is said when the last try was wrong too, so that nobody is left without it.
 ---@param question string
 ---@param options table|nil
 ---@return Answer answer
@@ -88,13 +101,21 @@ function game.ask(question, options)
       story.wait(2)
       -- "Metal is made of a spaceship": nothing to feel again, only to say.
       if not answer.turned_round then
-        if options.hint then scene:caption(options.hint) end
-        if options.again then options.again(answer) elseif options.hint then story.wait(3) end
+        if options.hint then
+          scene:caption(options.hint)
+          story.wait(3)
+        end
+        if options.again then options.again(answer) end
       end
     end
   until answer.over
   add(answer.right and points or 0, points_a_question)
   story.wait(2.5)
+  local solution = not answer.right and options.solution
+  if solution then
+    scene:caption(type(solution) == "function" and solution() or solution)
+    story.wait(5)
+  end
   scene:caption ""
   return answer
 end

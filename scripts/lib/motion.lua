@@ -145,13 +145,14 @@ end
 --- goes to rest.
 ---@param body Body
 ---@param rest Vector where the hand waits
----@param act fun() moves the hand, as long as body.where is "placed"
+---@param act fun(is_there: fun(): boolean) moves the hand, as long as is_there(): the body has not gone elsewhere
 function motion.whenever_placed(body, rest, act)
   if type(body) ~= "userdata" then mistake("motion.whenever_placed takes a body; got " .. shown(body)) end
   check_function("motion.whenever_placed's third value", act)
   while true do
     motion.wait_until(function() return body.where == "placed" end)
-    act()
+    local bx, by, bz = body.x, body.y, body.z
+    act(function() return body.where == "placed" and body.x == bx and body.y == by and body.z == bz end)
     motion.move_to(rest, 0.6)
   end
 end

@@ -29,10 +29,14 @@ local function next_event(called)
   return coroutine.yield()
 end
 
+local function check_seconds(called, seconds)
+  if type(seconds) ~= "number" then mistake(called .. " takes seconds; got " .. shown(seconds)) end
+end
+
 --- Waits so many seconds.
 ---@param seconds number
 function story.wait(seconds)
-  if type(seconds) ~= "number" then mistake("story.wait takes seconds; got " .. shown(seconds)) end
+  check_seconds("story.wait", seconds)
   local left = seconds
   while left > 0 do
     local event = next_event "story.wait"
@@ -40,12 +44,47 @@ function story.wait(seconds)
   end
 end
 
---- Waits until `test()` gives true; it is tried once a frame.
+local function check_test(called, test)
+  if type(test) ~= "function" then mistake(called .. " takes a function; got " .. shown(test)) end
+end
+
+-- Lets a frame go by, and gives how long it was.
+local function next_frame(called)
+  while true do
+    local event = next_event(called)
+    if event.name == "update" then return event.dt end
+  end
+end
+
+--- Waits until `test()` gives true, tried once a frame, or so many seconds have gone by (nil: for ever). Gives whether it
+--- became true.
 ---@param test fun(): any
-function story.wait_until(test)
-  if type(test) ~= "function" then mistake("story.wait_until takes a function; got " .. shown(test)) end
+---@param seconds number|nil
+---@return boolean
+function story.wait_until(test, seconds)
+  check_test("story.wait_until", test)
+  if seconds ~= nil then check_seconds("story.wait_until's second value", seconds) end
+  local left = seconds
   while not test() do
-    repeat local event = next_event "story.wait_until" until event.name == "update"
+    if left and left <= 0 then return false end
+    local dt = next_frame "story.wait_until"
+    left = left and left - dt
+  end
+  return true
+end
+
+--- Waits until `test()` has been true for so many seconds in all, or twice as many have gone by: long enough to show something
+--- that is only seen while the hand presses, and no longer when it lets go.
+---@param test fun(): any
+---@param seconds number
+function story.wait_while(test, seconds)
+  check_test("story.wait_while", test)
+  check_seconds("story.wait_while's second value", seconds)
+  local held, passed = 0, 0
+  while held < seconds and passed < 2 * seconds do
+    local dt = next_frame "story.wait_while"
+    passed = passed + dt
+    if test() then held = held + dt end
   end
 end
 

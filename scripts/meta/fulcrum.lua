@@ -109,6 +109,7 @@ function lesson(options) end
 ---@class QuestionOptions
 ---@field prompt string what the learner is asked; of at most 1000 bytes
 ---@field answers string[] templates of the sentences that answer it; the first of several articles is the one that is said back: "[a|an|the] {thing}" gives "An apple is …", "[the|a|an] {thing}" gives "The apple is …"
+---@field nearly? string[] templates of what learners say for them that is no good English: understood, and said back as the first answer with the same {slots}
 ---@field lists? table<string, string[]> words that {name} in a template may stand for; {thing} and {other} are the bodies' nouns by default
 ---@field again? string what is said after "Not yet." when the meaning is wrong, such as "Let's weigh both again."; "Try again." by default; of at most 200 bytes
 ---@field right function function(answer): is the meaning right? see answer
@@ -139,6 +140,9 @@ function World:gravity(acceleration) end
 ---@param height number where bodies land; in metres, -100 to 100
 function World:ground(height) end
 
+---Shows a dark sky with stars instead of a meadow.
+function World:space() end
+
 ---@class CameraOptions
 ---@field eye? Vector|Body|Tool where the camera is; in metres, -10000 to 10000; default {0, 0.55, 1.5}
 ---@field target? Vector|Body|Tool what it looks at; in metres, -10000 to 10000; default {0, 0.35, 0}
@@ -149,7 +153,7 @@ function World:ground(height) end
 function World:camera(options) end
 
 ---@class BodyHinge
----@field axis? Vector|Body|Tool along which it lies; when it points at you, angles grow counter-clockwise; -1 to 1; default {0, 0, 1}
+---@field axis Vector|Body|Tool along which it lies: {0, 0, 1} points at you, as of a lever, {0, 1, 0} stands upright, as of a door; when it points at you, angles grow counter-clockwise; -1 to 1
 ---@field at? Vector|Body|Tool a place that the axis passes through; where the body is by default; in metres, -10000 to 10000
 ---@field inertia number how hard it is to turn, with all that hangs on it; in kilogram square metres, 0.0001 to 1000000
 ---@field friction? number the torque that brakes it; in newton metres, 0 to 1000000; default 0

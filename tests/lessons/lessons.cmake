@@ -1,5 +1,5 @@
 # Every lesson played to its end by the simulated hand and pupil, through the program itself.
-fulcrum_tests(lessons tests/lessons BUILT_ANEW LABEL lessons TIMEOUT 300 DEPENDS fulcrum::haptics)
+fulcrum_tests(lessons tests/lessons BUILT_ANEW LABEL lessons TIMEOUT 300 DEPENDS fulcrum::haptics fulcrum::lua fulcrum::lesson)
 target_compile_definitions(test_lessons PRIVATE FULCRUM_PROGRAM="$<TARGET_FILE:fulcrum>"
                                                 FULCRUM_TEST_LESSONS="${CMAKE_SOURCE_DIR}/tests/lessons"
                                                 FULCRUM_SCENARIOS="${CMAKE_SOURCE_DIR}/scenarios")

@@ -10,8 +10,8 @@ using namespace fulcrum::test;
 
 namespace {
 
-// Scene indices, in the order of lesson.lua: the Sun, then of each planet the far one and the near one.
-enum Body : int { earth = 6, jupiter = 10 };
+// Scene indices, in the order of lesson.lua: the Sun, then of each planet its way, the far one and the near one.
+enum Body : int { earth = 9, jupiter = 15 };
 
 }  // namespace
 

@@ -71,6 +71,15 @@ TEST_CASE("game: stars follow from the points that could be had, one less for ea
     CHECK(stars_after(3, true) == 1);  // left: none
 }
 
+TEST_CASE("game: a point that was missed counts among those that could be had") {
+    Player player;
+    player.start(game_text("game.point() game.miss()"));
+    CHECK(wait_for<FinishCommand>(player).stars == 1);
+    Player better;
+    better.start(game_text("game.point(3) game.miss()"));
+    CHECK(wait_for<FinishCommand>(better).stars == 2);
+}
+
 TEST_CASE("game: after a wrong answer comes the hint, then the hand feels again, then it asks") {
     Player player;
     player.start(game_text(R"(
@@ -78,11 +87,28 @@ TEST_CASE("game: after a wrong answer comes the hint, then the hand feels again,
     print("left", last.right))"));
     answer(player, false, 1, false);
     CHECK(wait_for<CaptionCommand>(player).text == "Look!");
+    CHECK(player.prints.empty());  // the hint is read first
+    (void)wait_for<AskCommand>(player);
     CHECK(player.prints == "again\t1;");
     answer(player, false, 2, false, true);  // turned round: only to be said
     answer(player, true, 3, true);
     CHECK(wait_for<CaptionCommand>(player).text == "");
     CHECK(player.prints == "again\t1;left\ttrue;");
+}
+
+TEST_CASE("game: when the last try was wrong too, the right answer is told") {
+    Player player;
+    player.start(game_text(R"(
+    game.ask("q", { solution = "It is an apple." })
+    game.ask("q", { solution = function() return "It is " .. 1 + 1 .. "." end }))"));
+    answer(player, false, 4, true);
+    CHECK(wait_for<CaptionCommand>(player).text == "It is an apple.");
+    answer(player, false, 4, true);
+    CHECK(wait_for<CaptionCommand>(player).text == "It is 2.");
+    Player right;
+    right.start(game_text("game.ask('q', { solution = 'It is an apple.' })"));
+    answer(right, true, 1, true);
+    CHECK(wait_for<CaptionCommand>(right).text == "");
 }
 
 TEST_CASE("game: the space bar plays again, with no points") {

@@ -80,6 +80,35 @@ function L:key(name) self.go = true print("own", name) end)");
     CHECK(player.prints == "an egg\ttrue\tegg;own\tx;other;went;");
 }
 
+TEST_CASE("story: waits for a condition no longer than it is told, and while one holds") {
+    Player player;
+    player.start(std::string(kStory) + R"(
+    print(story.wait_until(function() return false end, 0.5))
+    print(story.wait_until(function() return true end, 0.5))
+    story.wait_while(function() return self.holds end, 0.5)
+    print "held"
+    story.wait_while(function() return false end, 0.5)
+    print "let go"
+  end)
+end
+function L:key(name) self.holds = name == "down" end)");
+    player.step();
+    CHECK(player.prints.empty());
+    player.step();
+    CHECK(player.prints == "false;true;");
+    player.step({KeyEvent{"down"}});
+    player.step({KeyEvent{"up"}});
+    CHECK(player.prints == "false;true;");
+    player.step({KeyEvent{"down"}});
+    CHECK(player.prints == "false;true;held;");
+    for (int i = 0; i < 3; ++i) {
+        player.step();
+    }
+    CHECK(player.prints == "false;true;held;");
+    player.step();
+    CHECK(player.prints == "false;true;held;let go;");
+}
+
 TEST_CASE("story: a mistake in the story has file and line") {
     const LessonFolder folder;
     const auto sentence = [&](const std::string& line) {
