@@ -133,7 +133,7 @@ local function easier(place, preposition)
     "[(I|you|we)] [(must|should|can)] press {" .. place .. "}",
     "I need less force " .. where,
     where .. " [it is <comparative:easy> [to press]]",
-    "{" .. place .. "} [it is <comparative:easy> [to press]]",
+    "{" .. place .. "} it is <comparative:easy> [to press]",
   }
 end
 

@@ -150,7 +150,7 @@ L:question "planets" {
   answers = {
     "there are {number} <plural:planet>",
     "(there are|I see|I can see|I count|I counted|we have|[the] Sun has|it has) {number} [<plural:planet>] [in the solar system]",
-    "{number} [<plural:planet>] [(go|move|turn|are) (round|around) (it|the Sun)]",
+    "{number} <plural:planet> [(go|move|turn|are) (round|around) (it|the Sun)]",
   },
   nearly = {
     "(it|they|here|there|in solar system) (is|are|has|have) {number} [(planet|planets)]",

@@ -190,6 +190,23 @@ TEST_CASE("materials: a picture that is none, or is not there, is one sentence w
     CHECK(sandbox.run("check " FULCRUM_TEST_LESSONS "/felt").exit_code == 0);
 }
 
+TEST_CASE(
+    "materials: a picture of one grey is no mistake, but check says that nothing of it is felt") {
+    constexpr char kGrey[] =  // 2 x 2 pixels of 128
+        "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000"
+        "\000\000\002\000\000\000\002\010\000\000\000\000\127\335\122\370\000"
+        "\000\000\016\111\104\101\124\170\234\143\150\150\140\150\150\000\000"
+        "\006\006\002\001\054\301\120\327\000\000\000\000\111\105\116\104\256"
+        "\102\140\202";
+    const Sandbox sandbox;
+    sandbox.write("felt/lesson.lua", bytes_of(FULCRUM_TEST_LESSONS "/felt/lesson.lua"));
+    sandbox.write("felt/felt.png", std::string(kGrey, sizeof kGrey - 1));
+    const ProgramRun run = sandbox.run("check felt");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK_THAT(run.output, Catch::Contains("lesson.lua:5: felt.png is one grey all over"));
+}
+
 TEST_CASE("materials: a lesson's process may choose a law, a proxy and a cursor") {
     const Sandbox sandbox;
     sandbox.write(

@@ -154,8 +154,8 @@ TEST_CASE("labels: none hides another, a panel, or leaves the picture") {
 
 TEST_CASE("labels: a force's words come first and stand left of its arrow") {
     Font font = andika();
-    SceneLabel apple{{640, 360}, 30, "apple", false, {0, 1}};
-    SceneLabel force{{640, 360}, 20, "3 N", true, {0, 1}};
+    SceneLabel apple{{640, 360}, 30, "apple"};
+    SceneLabel force{{640, 360}, 20, "3 N", true};
     const auto placed = place_labels({apple, force}, {}, font, Measure(1280, 720));
     REQUIRE(placed.size() == 2);
     CHECK(placed[0].label.is_force);
