@@ -155,7 +155,7 @@ function World:camera(options) end
 ---@class BodyHinge
 ---@field axis Vector|Body|Tool along which it lies: {0, 0, 1} points at you, as of a lever, {0, 1, 0} stands upright, as of a door; when it points at you, angles grow counter-clockwise; -1 to 1
 ---@field at? Vector|Body|Tool a place that the axis passes through; where the body is by default; in metres, -10000 to 10000
----@field inertia number how hard it is to turn, with all that hangs on it; in kilogram square metres, 0.0001 to 1000000
+---@field inertia number how hard it is to turn, with all that hangs on it; a body with a mass is harder to turn on a support farther from its middle; in kilogram square metres, 0.0001 to 1000000
 ---@field friction? number the torque that brakes it; in newton metres, 0 to 1000000; default 0
 ---@field lowest? number it turns no further; no end by default; in degrees, -1000000 to 1000000
 ---@field highest? number it turns no further; no end by default; in degrees, -1000000 to 1000000
