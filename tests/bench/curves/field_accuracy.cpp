@@ -63,6 +63,7 @@ CostPoint judge_field(const std::string& series, double knob, const AccuracyScen
                       const FieldSampler::Field& field, const FieldSampler::Shell& shell,
                       FieldSamplingSettings settings) {
     settings.stiffness_N_per_m = scene.area_m2 / static_cast<double>(shell->n_points());
+    settings.along = ForceAlong::normals;
     FieldSampler sampler = FieldSampler::build(field, shell, settings).value();
     return judge(series, knob, scene, shell->reach_m(),
                  field->memory_bytes() + shell->memory_bytes() + sampler.memory_bytes(),
@@ -206,6 +207,7 @@ void converge(const Run& run, AccuracyScene& scene) {
         FieldSampler::build(
             field, shell,
             {.stiffness_N_per_m = scene.area_m2 / static_cast<double>(shell->n_points()),
+             .along = ForceAlong::normals,
              .mode = SamplingMode::tree})
             .value();
     for (const Pose& X_OT : scene.X_OT) {
