@@ -3,6 +3,7 @@
 #include "haptics/coupling/virtual_coupling.h"
 #include "haptics/math/length.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fulcrum {
@@ -68,6 +69,13 @@ ToolCouplingSettings make_critically_damped(ToolCouplingSettings settings, doubl
     settings.turn.damping_Nms_per_rad =
         2.0 * std::sqrt(moment_kg_m2 * settings.turn.stiffness_Nm_per_rad);
     return settings;
+}
+
+double compute_shift_energy_J(const ToolCouplingSettings& settings, double stretch_m) noexcept {
+    const double bent_m =
+        settings.clamp_m > 0.0 ? std::min(stretch_m, settings.clamp_m) : stretch_m;
+    return compute_spring_energy_J(settings.shift, bent_m) +
+           (stretch_m - bent_m) * compute_spring_force_N(settings.shift, bent_m);
 }
 
 Wrench compute_tool_coupling(const ToolCouplingSettings& settings, const MovingFrame& handle,

@@ -53,6 +53,10 @@ struct ToolCouplingSettings {
                                                           double mass_kg,
                                                           double moment_kg_m2) noexcept;
 
+/// What the shift's spring holds at that stretch, J; beyond a clamp the force stays and the energy goes on.
+[[nodiscard]] double compute_shift_energy_J(const ToolCouplingSettings& settings,
+                                            double stretch_m) noexcept;
+
 /// A frame that moves: the handle, or the tool's grip. World frame.
 struct MovingFrame {
     Pose pose_W{};

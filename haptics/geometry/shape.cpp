@@ -37,6 +37,30 @@ void add_quad(std::vector<TriangleCorners>& triangles, std::int32_t a, std::int3
     triangles.push_back({a, c, d});
 }
 
+void add_ring(std::vector<Vector3>& vertices, double radius_m, double y_m, int n_round) {
+    for (int column = 0; column < n_round; ++column) {
+        const double turn = 2.0 * std::numbers::pi * column / n_round;
+        vertices.emplace_back(radius_m * std::sin(turn), y_m, radius_m * std::cos(turn));
+    }
+}
+
+// Between an upper and a lower pole, the first and the last vertex, rings of n_round each from above.
+Expected<TriangleMesh> build_rings(std::vector<Vector3> vertices, int n_round) {
+    std::vector<TriangleCorners> triangles;
+    const auto south = static_cast<std::int32_t>(vertices.size()) - 1;
+    const std::int32_t last = south - n_round;
+    for (int column = 0; column < n_round; ++column) {
+        const int next = (column + 1) % n_round;
+        triangles.push_back({0, 1 + column, 1 + next});
+        for (std::int32_t upper = 1; upper < last; upper += n_round) {
+            const std::int32_t lower = upper + n_round;
+            add_quad(triangles, upper + column, lower + column, lower + next, upper + next);
+        }
+        triangles.push_back({last + next, last + column, south});
+    }
+    return TriangleMesh::build(std::move(vertices), std::move(triangles), kNoWeld);
+}
+
 struct Icosahedron {
     std::array<Vector3, 12> corners;
     std::array<TriangleCorners, 20> faces{};
@@ -149,7 +173,6 @@ Expected<TriangleMesh> make_globe(double radius_m, int n_round, int n_across) {
         return refuse("globe");
     }
     std::vector<Vector3> vertices{Vector3(0.0, radius_m, 0.0)};
-    std::vector<TriangleCorners> triangles;
     for (int row = 1; row < n_across; ++row) {
         const double polar = std::numbers::pi * row / n_across;
         for (int column = 0; column < n_round; ++column) {
@@ -160,19 +183,37 @@ Expected<TriangleMesh> make_globe(double radius_m, int n_round, int n_across) {
         }
     }
     vertices.emplace_back(0.0, -radius_m, 0.0);
-    const auto south = static_cast<std::int32_t>(vertices.size()) - 1;
-    for (int column = 0; column < n_round; ++column) {
-        const int next = (column + 1) % n_round;
-        triangles.push_back({0, 1 + column, 1 + next});
-        for (int row = 0; row + 2 < n_across; ++row) {
-            const std::int32_t upper = 1 + row * n_round;
-            const std::int32_t lower = upper + n_round;
-            add_quad(triangles, upper + column, lower + column, lower + next, upper + next);
-        }
-        const std::int32_t last = 1 + (n_across - 2) * n_round;
-        triangles.push_back({last + next, last + column, south});
+    return build_rings(std::move(vertices), n_round);
+}
+
+Expected<TriangleMesh> make_cylinder(double radius_m, double height_m, int n_round) {
+    if (!is_size(radius_m) || !is_size(height_m) || !is_count(n_round, 3, kMaxRows)) {
+        return refuse("cylinder");
     }
-    return TriangleMesh::build(std::move(vertices), std::move(triangles), kNoWeld);
+    std::vector<Vector3> vertices{Vector3(0.0, 0.5 * height_m, 0.0)};
+    add_ring(vertices, radius_m, 0.5 * height_m, n_round);
+    add_ring(vertices, radius_m, -0.5 * height_m, n_round);
+    vertices.emplace_back(0.0, -0.5 * height_m, 0.0);
+    return build_rings(std::move(vertices), n_round);
+}
+
+Expected<TriangleMesh> make_capsule(double radius_m, double straight_m, int n_round, int n_across) {
+    if (!is_size(radius_m) || !is_size(straight_m) || !is_count(n_round, 3, kMaxRows) ||
+        !is_count(n_across, 1, kMaxRows / 2)) {
+        return refuse("capsule");
+    }
+    std::vector<Vector3> vertices{Vector3(0.0, 0.5 * straight_m + radius_m, 0.0)};
+    for (const double side : {1.0, -1.0}) {
+        for (int i = 1; i <= n_across; ++i) {
+            // From the pole to the equator above, and back below.
+            const int row = side > 0.0 ? i : n_across + 1 - i;
+            const double polar = 0.5 * std::numbers::pi * row / n_across;
+            add_ring(vertices, radius_m * std::sin(polar),
+                     side * (0.5 * straight_m + radius_m * std::cos(polar)), n_round);
+        }
+    }
+    vertices.emplace_back(0.0, -0.5 * straight_m - radius_m, 0.0);
+    return build_rings(std::move(vertices), n_round);
 }
 
 Expected<TriangleMesh> make_bumpy_sphere(double radius_m, int frequency, double height,

@@ -28,6 +28,14 @@ namespace fulcrum {
 [[nodiscard]] Expected<TriangleMesh> make_bumpy_sphere(double radius_m, int frequency,
                                                        double height, double bumps);
 
+/// A cylinder along y with flat ends. 3 to 4096 sides.
+[[nodiscard]] Expected<TriangleMesh> make_cylinder(double radius_m, double height_m, int n_round);
+
+/// All points within `radius_m` of a segment along y of `straight_m`; its ends are halves of a globe of n_round sides with
+/// `n_across` rows each. 3 to 4096 sides, 1 to 2048 rows.
+[[nodiscard]] Expected<TriangleMesh> make_capsule(double radius_m, double straight_m, int n_round,
+                                                  int n_across);
+
 /// A ring round the y axis: a tube of `tube_radius_m` whose middle runs at `ring_radius_m`, above
 /// tube_radius_m.
 [[nodiscard]] Expected<TriangleMesh> make_torus(double ring_radius_m, double tube_radius_m,

@@ -77,6 +77,8 @@ struct HapticState {
     Twist tool_twist_W{};  ///< estimated
     Vector3 proxy_position_W{
         Vector3::Zero()};  ///< where the tool may be; equals the tool's position in free space
+    Quaternion proxy_orientation_W{
+        Quaternion::Identity()};  ///< as the tool is held, but for one that things turn
     Wrench
         commanded_W{};  ///< what the scene asks for, braked where it is not passive, before the limits
     Wrench applied_W{};                   ///< what was sent to the device

@@ -26,16 +26,17 @@ struct Hold {
     }
 };
 
-// How the hand presses one solid.
-struct Press {
-    bool touches = false;
-    Vector3 normal_W = Vector3::Zero();  // of that solid's planes together, out of it
-    Vector3 force_W = Vector3::Zero();   // on the solid
-};
+// No more than the hand may feel.
+void limit_push(double most_N, SolidPush& push) noexcept {
+    const double force_N = compute_length(push.force_W);
+    const double share = force_N > most_N ? most_N / force_N : 1.0;
+    push.force_W *= share;
+    push.couple_W *= share;
+}
 
-// The share of the hand's force that one solid takes, all of it where it alone is touched; never more than `most_N`.
-Press compute_press(const ProxyContact& contact, std::int32_t solid, const Vector3& force_W,
-                    double most_N) noexcept {
+// The share of the hand's force that one solid takes, all of it where it alone is touched.
+SolidPush compute_push(const ProxyContact& contact, std::int32_t solid, const Vector3& force_W,
+                       double cursor_m) noexcept {
     Hold here;
     Hold all;
     bool alone = contact.solid == solid;
@@ -46,21 +47,21 @@ Press compute_press(const ProxyContact& contact, std::int32_t solid, const Vecto
         }
         alone = alone && touch.solid == solid;
     }
-    Press press;
-    press.touches = here.touches || contact.solid == solid;
-    if (!press.touches) {
-        return press;
+    SolidPush push;
+    push.touches = here.touches || contact.solid == solid;
+    push.at_W = contact.position_W;
+    if (!push.touches) {
+        return push;
     }
-    press.normal_W = alone ? contact.normal_W : compute_direction(here.push_W);
+    // Along that solid's planes together.
+    push.at_W -= cursor_m * (alone ? contact.normal_W : compute_direction(here.push_W));
     if (alone) {
-        press.force_W = -force_W;
+        push.force_W = -force_W;
     } else if (const double stretch_m = compute_length(Vector3(all.push_W + all.drag_W));
                stretch_m > 0.0) {
-        press.force_W = -compute_length(force_W) / stretch_m * (here.push_W + here.drag_W);
+        push.force_W = -compute_length(force_W) / stretch_m * (here.push_W + here.drag_W);
     }
-    const double force_N = compute_length(press.force_W);
-    press.force_W *= force_N > most_N ? most_N / force_N : 1.0;
-    return press;
+    return push;
 }
 
 // The coupling's force without what its damper drags along a surface without friction.
@@ -106,43 +107,70 @@ bool AxleStage::take_order(const AxleOrder& order, Axle& axle) noexcept {
     return is_put;
 }
 
-std::span<const Pose> AxleStage::turn(std::span<const Pose> poses_W, Proxy& proxy) noexcept {
+std::span<const Pose> AxleStage::turn(std::span<const Pose> poses_W) noexcept {
     const bool is_told = channels_ != nullptr && channels_->orders.take();
+    put_ = 0;
     std::copy(poses_W.begin(), poses_W.end(), poses_W_.begin());
     for (std::size_t i = 0; i < axles_.size(); ++i) {
         Axle& axle = axles_[i];
-        const bool is_put = is_told && take_order(channels_->orders.value().axles[i], axle);
-        axle.rest_W = poses_W[axle.solid];
-        Pose& turned_W = poses_W_[axle.solid];
-        turned_W = compute_turned_pose(axle.settings, axle.state.angle_rad, axle.rest_W);
-        if (is_put) {
-            proxy.put_solid(axle.solid, turned_W);
+        if (is_told && take_order(channels_->orders.value().axles[i], axle)) {
+            put_ |= 1U << axle.solid;
         }
+        axle.rest_W = poses_W[axle.solid];
+        poses_W_[axle.solid] =
+            compute_turned_pose(axle.settings, axle.state.angle_rad, axle.rest_W);
     }
     return {poses_W_.data(), poses_W.size()};
+}
+
+std::span<const Pose> AxleStage::turn(std::span<const Pose> poses_W, Proxy& proxy) noexcept {
+    const std::span<const Pose> turned_W = turn(poses_W);
+    for (const Axle& axle : axles_) {
+        if ((put_ >> axle.solid & 1U) != 0) {
+            proxy.put_solid(axle.solid, turned_W[axle.solid]);
+        }
+    }
+    return turned_W;
 }
 
 void AxleStage::push(const ProxyContact& contact, const HandPush& hand, double dt_s) noexcept {
     const Vector3 held_W = compute_held_force(contact, hand.force_W, hand.spring_W);
     for (std::size_t i = 0; i < axles_.size(); ++i) {
-        Axle& axle = axles_[i];
-        AxleReport& report = frame_.axles[i];
-        const Press press =
-            compute_press(contact, static_cast<std::int32_t>(axle.solid), held_W, hand.most_N);
-        report.pivot_W = axle.rest_W.position + axle.settings.pivot_B;
-        report.touched = press.touches;
-        report.at_W = contact.position_W - cursor_m_ * press.normal_W;
-        report.force_W = press.force_W;
-        report.torque_Nm =
-            compute_axle_torque_Nm(axle.settings, report.pivot_W, report.at_W, report.force_W);
-        report.load_torque_Nm = compute_load_torque_Nm(axle.settings, axle.state.angle_rad);
-        step_axle(axle.settings, report.torque_Nm, std::min(dt_s, kLongestAxleStep_s), axle.state);
-        report.angle_rad = axle.state.angle_rad;
-        report.spin_rad_per_s = axle.state.spin_rad_per_s;
-        report.load_N = axle.settings.load_N;
-        report.pose_W = compute_turned_pose(axle.settings, axle.state.angle_rad, axle.rest_W);
-        report.load_W = report.pivot_W + compute_load_arm_W(axle.settings, axle.state.angle_rad);
+        const auto solid = static_cast<std::int32_t>(axles_[i].solid);
+        move_on(i, compute_push(contact, solid, held_W, cursor_m_), hand.most_N, dt_s);
     }
+    tell();
+}
+
+void AxleStage::push_by_tool(std::span<const SolidPush> pushes, double most_N,
+                             double dt_s) noexcept {
+    for (std::size_t i = 0; i < axles_.size(); ++i) {
+        move_on(i, pushes[axles_[i].solid], most_N, dt_s);
+    }
+    tell();
+}
+
+void AxleStage::move_on(std::size_t i, SolidPush push, double most_N, double dt_s) noexcept {
+    Axle& axle = axles_[i];
+    AxleReport& report = frame_.axles[i];
+    limit_push(most_N, push);
+    report.pivot_W = axle.rest_W.position + axle.settings.pivot_B;
+    report.touched = push.touches;
+    report.at_W = push.at_W;
+    report.force_W = push.force_W;
+    report.torque_Nm =
+        compute_axle_torque_Nm(axle.settings, report.pivot_W, push.at_W, push.force_W) +
+        axle.settings.axis_W.dot(push.couple_W);
+    report.load_torque_Nm = compute_load_torque_Nm(axle.settings, axle.state.angle_rad);
+    step_axle(axle.settings, report.torque_Nm, std::min(dt_s, kLongestAxleStep_s), axle.state);
+    report.angle_rad = axle.state.angle_rad;
+    report.spin_rad_per_s = axle.state.spin_rad_per_s;
+    report.load_N = axle.settings.load_N;
+    report.pose_W = compute_turned_pose(axle.settings, axle.state.angle_rad, axle.rest_W);
+    report.load_W = report.pivot_W + compute_load_arm_W(axle.settings, axle.state.angle_rad);
+}
+
+void AxleStage::tell() noexcept {
     if (channels_ != nullptr) {
         channels_->frame.publish(frame_);
     }

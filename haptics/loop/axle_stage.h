@@ -7,6 +7,8 @@
 // normal turns a body that has no friction: nothing drags along a surface that nothing holds on to. The solid's pose for this
 // round's proxy is that at the end of the last round; so the surface under the proxy moves with the body, and its friction takes it along.
 //
+// A tool in six degrees of freedom presses with a force at a place and a couple (tool_stage.h): tau = axis . (r x F + M), limited alike.
+//
 // A body that is put on another pivot has its inertia about that (axle.h), and no less than kLeastRimMass_kg asks for.
 //
 // Thread: haptic loop. Cost: 60 ns an axle and round, and the copy of the report. No allocation in a step.
@@ -14,6 +16,7 @@
 
 #include "haptics/handover/axle_messages.h"
 #include "haptics/loop/haptic_plan.h"
+#include "haptics/loop/solid_push.h"
 #include "haptics/point/proxy.h"
 
 #include <array>
@@ -36,11 +39,17 @@ class AxleStage {
     /// Takes a plan that `validate` accepted. `channels` may be null: then nothing is ordered or told.
     AxleStage(const HapticPlan& plan, AxleChannels* channels);
 
-    /// First in a round: takes the lesson's orders, and gives the poses of all solids with those on axles turned. What an order
-    /// has put elsewhere the proxy is told. Valid until the next call.
+    /// First in a round: takes the lesson's orders, and gives the poses of all solids with those on axles turned. Valid until
+    /// the next call.
+    [[nodiscard]] std::span<const Pose> turn(std::span<const Pose> poses_W) noexcept;
+    /// The same, and tells the proxy what an order has put elsewhere.
     [[nodiscard]] std::span<const Pose> turn(std::span<const Pose> poses_W, Proxy& proxy) noexcept;
+    /// Bit i: an order has put solid i elsewhere at once, in the last `turn`.
+    [[nodiscard]] std::uint32_t put() const noexcept { return put_; }
     /// Then, when the forces are known. Moves all axles on and tells of them.
     void push(const ProxyContact& contact, const HandPush& hand, double dt_s) noexcept;
+    /// The same of a tool: one push a solid of the plan; none is given more than `most_N`.
+    void push_by_tool(std::span<const SolidPush> pushes, double most_N, double dt_s) noexcept;
 
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
@@ -54,12 +63,15 @@ class AxleStage {
         std::uint32_t n_spins = 0;
         Pose rest_W{};  // of the body at angle 0, in this round
     };
+    void move_on(std::size_t i, SolidPush push, double most_N, double dt_s) noexcept;
+    void tell() noexcept;
     static bool take_order(const AxleOrder& order, Axle& axle) noexcept;
 
     AxleChannels* channels_;
     double cursor_m_;  // from the proxy to where it touches
     std::vector<Axle> axles_;
     std::array<Pose, kMaxSolids> poses_W_{};
+    std::uint32_t put_ = 0;
     AxleFrame frame_{};
 };
 

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <utility>
 
 namespace fulcrum {
 namespace {
@@ -44,6 +43,10 @@ void HapticLoop::run_round(double now_s, const Passed& passed) noexcept {
     move_proxy();
     if (touch_) {
         passed(HapticStage::proxy);
+    }
+    if (tool_) {
+        move_tool();
+        passed(HapticStage::tool);
     }
     compute_forces(passed);
     if (passivity_) {
@@ -172,54 +175,67 @@ void HapticLoop::estimate_motion() noexcept {
         angular_velocity_.step(state_.tool_pose_W.orientation, reading_.stamp_s);
 }
 
+// Where everything is that can be touched; false where that is not known in this round.
+bool HapticLoop::find_solids() noexcept {
+    solid_poses_W_ = {};
+    if (!solids_ || !has_pose_) {
+        return false;
+    }
+    const bool is_told = plan_.expects_world && heard_world_;
+    if (!solids_->step(is_told ? &channels_.world.value() : nullptr)) {
+        state_.faults |= Fault::command_invalid;
+        return false;
+    }
+    // With those on axles turned; what has been put elsewhere at once, proxy and tool are told.
+    const std::span<const Pose> poses_W = solids_->poses_W();
+    solid_poses_W_ = !axles_  ? poses_W
+                     : touch_ ? axles_->turn(poses_W, *touch_->proxy)
+                              : axles_->turn(poses_W);
+    for (std::size_t i = 0; touch_ && i < poses_W.size(); ++i) {
+        if ((solids_->put() >> i & 1U) != 0) {
+            touch_->proxy->put_solid(i, solid_poses_W_[i]);
+        }
+    }
+    if (tool_ && (solids_->put() != 0 || (axles_ && axles_->put() != 0))) {
+        tool_->let_go();
+    }
+    return true;
+}
+
 void HapticLoop::move_proxy() noexcept {
     state_.proxy_position_W = state_.tool_pose_W.position;
+    state_.proxy_orientation_W = state_.tool_pose_W.orientation;
     state_.touched_body = kNoBody;
-    if (!touch_ || !has_pose_) {
+    const bool is_known = find_solids();
+    if (!touch_) {
         return;
     }
     touch_->contact = {};
-    touch_->poses_W = {};
-    const std::size_t n_solids = touch_->initial_poses_W.size();
-    const bool is_told = plan_.expects_world && heard_world_;
-    const std::span<const Pose> poses_W =
-        is_told ? std::span<const Pose>(channels_.world.value().solid_poses_W.data(), n_solids)
-                : std::span<const Pose>(touch_->initial_poses_W);
-    if (!std::ranges::all_of(poses_W, [](const Pose& pose) { return is_finite(pose); })) {
-        state_.faults |= Fault::command_invalid;
+    if (!is_known) {
         return;
     }
-    touch_->poses_W = touch_->axles ? touch_->axles->turn(poses_W, *touch_->proxy) : poses_W;
-    for (std::size_t i = 0; is_told && i < n_solids; ++i) {
-        const std::uint32_t n_placements = channels_.world.value().solid_placements[i];
-        if (n_placements != std::exchange(touch_->placements[i], n_placements)) {
-            touch_->proxy->put_solid(i, touch_->poses_W[i]);
-        }
-    }
-    touch_->contact = touch_->proxy->step(state_.tool_pose_W.position, touch_->poses_W);
+    touch_->contact = touch_->proxy->step(state_.tool_pose_W.position, solid_poses_W_);
     state_.proxy_position_W = touch_->contact.position_W;
     touch_->proxy_velocity.step(state_.proxy_position_W, reading_.stamp_s);
-    if (touch_->contact.solid >= 0 && static_cast<std::size_t>(touch_->contact.solid) < n_solids) {
-        state_.touched_body = touch_->bodies[static_cast<std::size_t>(touch_->contact.solid)];
-    }
+    state_.touched_body = solids_->body_of(touch_->contact.solid);
 }
 
 template <class Passed>
 void HapticLoop::compute_forces(const Passed& passed) noexcept {
     demand_ = SceneDemand{};
+    if (tool_) {
+        add_tool();
+    }
     if (touch_) {
         add_contact();
         passed(HapticStage::coupling);
-        if (touch_->axles) {
-            // The contact's is the first force of the round, and so far the only one.
-            touch_->axles->push(
-                touch_->contact,
-                {demand_.wrench_W.force, demand_.contact.force, gate_.find_most_N(dt_s_)}, dt_s_);
-            passed(HapticStage::turning);
-        }
-        if (touch_->effects) {
-            add_surface(passed);
-        }
+    }
+    if (axles_) {
+        turn_axles();
+        passed(HapticStage::turning);
+    }
+    if (touch_ && touch_->effects) {
+        add_surface(passed);
     }
     if (weight_) {
         add_weight();
@@ -240,7 +256,7 @@ template <class Passed>
 void HapticLoop::add_surface(const Passed& passed) noexcept {
     SurfaceEffects& effects = *touch_->effects;
     effects.begin_round(
-        touch_->coupling.touches(), touch_->poses_W,
+        touch_->coupling.touches(), solid_poses_W_,
         {state_.tool_pose_W.position, state_.proxy_position_W, state_.tool_twist_W.linear, dt_s_});
     if (effects.texture) {
         add_surface_force(effects.add_texture());
@@ -313,6 +329,9 @@ void HapticLoop::forget_motion() noexcept {
         if (touch_->effects) {
             touch_->effects->forget();
         }
+    }
+    if (tool_) {
+        tool_->let_go();
     }
     if (passivity_) {
         passivity_->forget();

@@ -1,6 +1,6 @@
 // The haptic loop: reads the hand, computes the scene's forces, writes what the last gate lets through.
 //
-//   take inputs -> read -> estimate -> proxy -> forces -> passivity -> limits -> write -> publish
+//   take inputs -> read -> estimate -> proxy or tool -> forces -> passivity -> limits -> write -> publish
 // Only the stages of the plan are built; a stage that is not in it takes no memory and no time.
 // Everything that is stale, missing or not a number becomes a Fault bit, and any fault fades the force
 // (safety.h).
@@ -23,8 +23,10 @@
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/loop/passivity_stage.h"
 #include "haptics/loop/safety.h"
+#include "haptics/loop/solid_places.h"
 #include "haptics/loop/stage_listener.h"
 #include "haptics/loop/surface_effects.h"
+#include "haptics/loop/tool_stage.h"
 #include "haptics/point/proxy.h"
 
 #include <cstddef>
@@ -55,7 +57,7 @@ struct StageInfo {
 class HapticLoop final : public PeriodicTask {
   public:
     /// Builds the stages of a plan that `validate` accepted; the proxy is a god-object when the
-    /// plan has solids. Device and channels must outlive the loop.
+    /// plan has solids, or its tool. Device and channels must outlive the loop.
     HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels);
     /// The same with a proxy of the caller's choice, or none.
     HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels,
@@ -81,13 +83,8 @@ class HapticLoop final : public PeriodicTask {
         std::unique_ptr<Proxy> proxy;
         ContactStage coupling;
         VelocityEstimator proxy_velocity;  // like the hand's, so that both lag alike
-        std::vector<Pose> initial_poses_W;
-        std::vector<std::int32_t> bodies;       // index of the scene of each solid
-        std::vector<std::uint32_t> placements;  // of each solid, as last heard
         ProxyContact contact{};
-        std::span<const Pose> poses_W{};  // of the solids in this round
         std::unique_ptr<SurfaceEffects> effects{};
-        std::unique_ptr<AxleStage> axles{};  // null where nothing turns
     };
 
     template <class Passed>
@@ -96,10 +93,14 @@ class HapticLoop final : public PeriodicTask {
     void take_inputs() noexcept;
     void read_device() noexcept;
     void estimate_motion() noexcept;
+    [[nodiscard]] bool find_solids() noexcept;
     void move_proxy() noexcept;
+    void move_tool() noexcept;
     template <class Passed>
     void compute_forces(const Passed& passed) noexcept;
     void add_contact() noexcept;
+    void add_tool() noexcept;
+    void turn_axles() noexcept;
     template <class Passed>
     void add_surface(const Passed& passed) noexcept;
     void add_surface_force(const SurfaceForce& felt) noexcept;
@@ -123,7 +124,10 @@ class HapticLoop final : public PeriodicTask {
     // Stages; those not in the plan are empty.
     VelocityEstimator velocity_;
     AngularVelocityEstimator angular_velocity_;
+    std::unique_ptr<SolidPlaces> solids_;  // where something touches them
+    std::unique_ptr<AxleStage> axles_;     // where some turn
     std::unique_ptr<TouchStage> touch_;
+    std::unique_ptr<ToolStage> tool_;
     std::unique_ptr<WeightRamp> weight_;
     std::vector<FieldStage> fields_;
     std::unique_ptr<LinearisedWrenchStage> lesson_force_;
@@ -143,6 +147,9 @@ class HapticLoop final : public PeriodicTask {
     DeviceReading reading_{};
     DeviceReading told_{};
     bool has_pose_ = false;
+    // Proxy, tool.
+    std::span<const Pose> solid_poses_W_{};  // in this round
+    ToolForce tool_force_{};
     // Forces, limits.
     SceneDemand demand_{};
     Wrench applied_D_{};

@@ -13,8 +13,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kFineResolution_m = 1.0e-5;              // of a device that names none
-constexpr std::uint32_t kNeverHeard = ~std::uint32_t{0};  // of where a solid was put
+constexpr double kFineResolution_m = 1.0e-5;  // of a device that names none
 
 VelocitySettings choose_velocity_settings(const HapticPlan& plan, const DeviceTraits& traits) {
     VelocitySettings settings;
@@ -118,6 +117,7 @@ Expected<void> validate(const HapticPlan& plan) {
         validate(plan.proxy, plan.solids),
         check_ringing(plan),
         validate_axles(plan),
+        validate_tool(plan),
         validate(VelocitySettings{.method = plan.velocity_method,
                                   .cutoff_Hz = plan.velocity_cutoff_hz,
                                   .noise_bound_m = kFineResolution_m}),
@@ -154,7 +154,9 @@ Expected<void> validate(const HapticPlan& plan, const DeviceTraits& traits) {
 
 HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels)
     : HapticLoop(plan, device, channels,
-                 make_proxy(plan.proxy, plan.solids, {plan.coupling, 1.0 / plan.rate_hz})) {}
+                 plan.tool
+                     ? nullptr
+                     : make_proxy(plan.proxy, plan.solids, {plan.coupling, 1.0 / plan.rate_hz})) {}
 
 HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& channels,
                        std::unique_ptr<Proxy> proxy)
@@ -170,16 +172,12 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
                        ContactStage(plan),
                        VelocityEstimator(choose_velocity_settings(plan, device.traits())),
                        {},
-                       {},
-                       std::vector<std::uint32_t>(plan.solids.size(), kNeverHeard),
-                       {},
-                       {},
-                       make_surface_effects(plan, device.traits(), channels.touches),
-                       make_axle_stage(plan, channels.axles)});
-        for (const SolidPlan& solid : plan.solids) {
-            touch_->initial_poses_W.push_back(solid.initial_pose_W);
-            touch_->bodies.push_back(solid.body);
-        }
+                       make_surface_effects(plan, device.traits(), channels.touches)});
+    }
+    tool_ = make_tool_stage(plan);
+    if (touch_ || tool_) {
+        solids_ = std::make_unique<SolidPlaces>(plan);
+        axles_ = make_axle_stage(plan, channels.axles);
     }
     if (plan.carries_weight) {
         weight_ = std::make_unique<WeightRamp>(plan.weight_onset_s);
@@ -210,9 +208,14 @@ std::vector<StageInfo> HapticLoop::stages() const {
     if (touch_) {
         add(HapticStage::proxy, sizeof(TouchStage) + count_shape_bytes(plan_.solids));
         add(HapticStage::coupling, touch_->coupling.memory_bytes());
-        if (touch_->axles) {
-            add(HapticStage::turning, touch_->axles->memory_bytes());
-        }
+    }
+    if (tool_) {
+        add(HapticStage::tool, tool_->memory_bytes());
+    }
+    if (axles_) {
+        add(HapticStage::turning, axles_->memory_bytes());
+    }
+    if (touch_) {
         add_surface_stages(touch_->effects.get(), add);
     }
     if (weight_) {

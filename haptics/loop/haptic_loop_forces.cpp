@@ -10,10 +10,49 @@ void HapticLoop::add_contact() noexcept {
     }
     const ContactForce felt = touch_->coupling.step(
         touch_->contact, state_.tool_pose_W.position,
-        state_.tool_twist_W.linear - touch_->proxy_velocity.velocity(), touch_->poses_W);
+        state_.tool_twist_W.linear - touch_->proxy_velocity.velocity(), solid_poses_W_);
     demand_.contact = felt.spring;
     demand_.force += {felt.spring.force, felt.spring.force};
     demand_.wrench_W.force += felt.force_W;
+}
+
+// The tool among the solids; without a force while anything is wrong.
+void HapticLoop::move_tool() noexcept {
+    tool_force_ = {};
+    if (!has_pose_) {
+        return;
+    }
+    const GatePhase phase = gate_.phase();
+    const bool is_open = phase != GatePhase::fading && phase != GatePhase::stopped;
+    tool_force_ = tool_->step({.hand = {state_.tool_pose_W, state_.tool_twist_W},
+                               .solid_poses_W = solid_poses_W_,
+                               .is_fit = is_open && !any(state_.faults),
+                               .now_s = now_s_,
+                               .dt_s = dt_s_});
+    if (tool_force_.failed) {
+        state_.faults |= Fault::command_invalid;
+    }
+    state_.proxy_position_W = tool_->pose_W().position;
+    state_.proxy_orientation_W = tool_->pose_W().orientation;
+    state_.touched_body = solids_->body_of(tool_->solid());
+}
+
+void HapticLoop::add_tool() noexcept {
+    demand_.contact = tool_force_.contact;
+    demand_.wrench_W.force += tool_force_.wrench_W.force;
+    demand_.wrench_W.torque += tool_force_.wrench_W.torque;
+    demand_.force += {tool_force_.spring_W.force, tool_force_.spring_W.force};
+    demand_.torque += {tool_force_.spring_W.torque, tool_force_.spring_W.torque};
+}
+
+// What the hand presses turns; the contact's is the first force of the round, and so far the only one.
+void HapticLoop::turn_axles() noexcept {
+    if (tool_) {
+        axles_->push_by_tool(tool_->pushes(), gate_.find_most_N(dt_s_), dt_s_);
+        return;
+    }
+    axles_->push(touch_->contact,
+                 {demand_.wrench_W.force, demand_.contact.force, gate_.find_most_N(dt_s_)}, dt_s_);
 }
 
 void HapticLoop::add_weight() noexcept {

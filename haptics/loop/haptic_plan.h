@@ -14,9 +14,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <memory>
 #include <vector>
 
 namespace fulcrum {
+
+struct ToolPlan;  // haptics/tool/tool_plan.h
 
 /// The stages of a haptic loop, in the order of its step.
 enum class HapticStage : std::uint8_t {
@@ -24,6 +27,7 @@ enum class HapticStage : std::uint8_t {
     read,
     estimate,
     proxy,
+    tool,
     coupling,
     turning,
     texture,
@@ -48,6 +52,7 @@ inline constexpr std::size_t kHapticStages = static_cast<std::size_t>(HapticStag
                                       "read",
                                       "estimate",
                                       "proxy",
+                                      "tool",
                                       "forces: coupling",
                                       "turning",
                                       "forces: texture",
@@ -112,13 +117,15 @@ struct HapticPlan {
     bool expects_world = false;     ///< a world loop runs and must stay fresh
     ProxySettings proxy{};          ///< what touches them
     std::vector<SolidPlan> solids;  ///< at most kMaxSolids; empty means no proxy stage
+    /// Touches them instead of a proxy, where it is there; it feels their shape alone.
+    std::shared_ptr<const ToolPlan> tool;
     std::vector<AxlePlan> axles;    ///< of solids that turn, at most one each
     std::vector<FieldPlan> fields;  ///< at most kMaxFields
 };
 
 /// Whether anything in the plan gives a torque. A stage that does has its place here, or nobody watches its energy.
 [[nodiscard]] inline bool has_torques(const HapticPlan& plan) noexcept {
-    return plan.lesson_force;
+    return plan.lesson_force || plan.tool != nullptr;
 }
 
 /// Whether anything in the plan gives a force; where nothing does there is no energy to watch.

@@ -140,9 +140,20 @@ voxel_lanes::Motion VoxelSampling::compute_motion(const RigidState& state,
     return motion;
 }
 
+bool VoxelSampling::is_far(const RigidState& state, const MovingFrame& object) const noexcept {
+    const Vector3 middle =
+        frame_.to_lattice(object.pose_W.inverse() * Vector3(state.pose_W.position));
+    const double reach = reach_m_ / frame_.voxel_m + 1.0;
+    const Vector3 n(frame_.n_cells[0], frame_.n_cells[1], frame_.n_cells[2]);
+    return (middle.array() < -reach).any() || (middle.array() > n.array() + reach).any();
+}
+
 template <bool kLinear>
 VoxelContact VoxelSampling::sample_all(const RigidState& state, const MovingFrame& object,
                                        WrenchJacobian* jacobian) const noexcept {
+    if (is_far(state, object)) {
+        return {};
+    }
     const voxel_lanes::Motion motion = compute_motion(state, object);
     Sums sums;
     if (grid_ != nullptr) {

@@ -106,6 +106,8 @@ class VoxelSampling {
 
   private:
     VoxelSampling() = default;
+    // Not even a ball around the tool reaches the voxels.
+    [[nodiscard]] bool is_far(const RigidState& state, const MovingFrame& object) const noexcept;
     template <bool kLinear>
     [[nodiscard]] VoxelContact sample_all(const RigidState& state, const MovingFrame& object,
                                           WrenchJacobian* jacobian) const noexcept;

@@ -1,6 +1,7 @@
 #include "haptics/tool/voxel_tool.h"
 
 #include "haptics/math/length.h"
+#include "haptics/math/rotation.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -23,68 +24,185 @@ Vector3 limit_velocity(const Vector3& velocity, const Vector3& pull, double damp
                : velocity;
 }
 
+// All objects as one load; refers to theirs.
+template <class Part>
+// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): never deleted as a Load
+class AllOf final : public Load {
+  public:
+    explicit AllOf(std::span<const Part> parts) noexcept : parts_(parts) {}
+    void add_wrench(const RigidState& state, double time_s,
+                    Wrench& wrench) const noexcept override {
+        for (const Part& part : parts_) {
+            part.add_wrench(state, time_s, wrench);
+        }
+    }
+    void add_linearised_wrench(const RigidState& state, double time_s, Wrench& wrench,
+                               WrenchJacobian& jacobian) const noexcept override {
+        for (const Part& part : parts_) {
+            part.add_linearised_wrench(state, time_s, wrench, jacobian);
+        }
+    }
+
+  private:
+    std::span<const Part> parts_;
+};
+
+// Brakes reckon with the step's length; a field has none.
+void tell_cycle(VoxelSampling& sampling, double dt_s) noexcept {
+    sampling.set_cycle(dt_s);
+}
+void tell_cycle(FieldSampling& /*sampling*/, double /*dt_s*/) noexcept {}
+
 }  // namespace
 
-MovingFrame VoxelTool::limit_lead(const MovingFrame& handle,
-                                  const MovingFrame& object) const noexcept {
-    const Pose grip_W{state_.pose_W * settings_.grip_T, state_.pose_W.orientation};
-    const Wrench pull = compute_tool_coupling(coupling_, {handle.pose_W, {}}, {grip_W, {}});
-    // As the object sees it, so that it may move with the hand.
-    const Vector3 arm_W = grip_W.position - object.pose_W.position;
+template <class Sampling, class Plan>
+Pose SampledTool<Sampling, Plan>::held_W() const noexcept {
+    return {state_.pose_W * settings_.grip_T, state_.pose_W.orientation};
+}
+
+template <class Sampling, class Plan>
+Pose SampledTool<Sampling, Plan>::grip_W() const noexcept {
+    Pose grip = held_W();
+    grip.orientation = grip.orientation * settings_.handle_turn.conjugate();
+    return grip;
+}
+
+// As the object sees it, so that it may move with the hand.
+template <class Sampling, class Plan>
+void SampledTool<Sampling, Plan>::limit_lead_to(const MovingFrame& object, const Wrench& pull,
+                                                MovingFrame& handle) const noexcept {
+    const Vector3 arm_W = held_W().position - object.pose_W.position;
     const Vector3 object_W = object.velocity_W.linear + object.velocity_W.angular.cross(arm_W);
     const Vector3& spin_W = object.velocity_W.angular;
-    MovingFrame limited = handle;
-    limited.velocity_W.linear =
+    handle.velocity_W.linear =
         object_W + limit_velocity(handle.velocity_W.linear - object_W, pull.force,
                                   coupling_.shift.damping_Ns_per_m,
                                   coupling_.shift.stiffness_N_per_m * coupling_.clamp_m);
-    limited.velocity_W.angular =
+    handle.velocity_W.angular =
         spin_W + limit_velocity(handle.velocity_W.angular - spin_W, pull.torque,
                                 coupling_.turn.damping_Nms_per_rad,
                                 coupling_.turn.stiffness_Nm_per_rad * coupling_.clamp_rad);
+}
+
+template <class Sampling, class Plan>
+MovingFrame SampledTool<Sampling, Plan>::limit_lead(
+    const MovingFrame& handle, std::span<const MovingFrame> objects) const noexcept {
+    const Wrench pull = compute_tool_coupling(coupling_, {handle.pose_W, {}}, {held_W(), {}});
+    MovingFrame limited = handle;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (near_[i] != 0) {
+            limit_lead_to(objects[i], pull, limited);
+        }
+    }
     return limited;
 }
 
-void VoxelTool::place(const Pose& handle_W) noexcept {
+template <class Sampling, class Plan>
+void SampledTool<Sampling, Plan>::place(const Pose& handle_W) noexcept {
     state_ = {};
-    state_.pose_W.orientation = handle_W.orientation;
-    state_.pose_W.position = handle_W.position - handle_W.orientation * settings_.grip_T;
-    is_near_ = false;
+    state_.pose_W.orientation = handle_W.orientation * settings_.handle_turn;
+    state_.pose_W.position = handle_W.position - state_.pose_W.orientation * settings_.grip_T;
+    std::ranges::fill(near_, std::uint8_t{0});
+    std::ranges::fill(touches_, ToolTouch{});
 }
 
-VoxelToolResult VoxelTool::step(const MovingFrame& handle, const MovingFrame& object, double now_s,
-                                double dt_s) noexcept {
+template <class Sampling, class Plan>
+void SampledTool<Sampling, Plan>::set_objects(std::span<const MovingFrame> objects, double now_s,
+                                              double dt_s) noexcept {
+    const auto n_near = std::ranges::count(near_, std::uint8_t{1});
+    const double sharing = static_cast<double>(std::max<std::ptrdiff_t>(n_near, 1));
+    for (std::size_t i = 0; i < samplings_.size(); ++i) {
+        tell_cycle(samplings_[i], sharing * dt_s);
+        loads_[i].set_object(objects[i], now_s);
+    }
+}
+
+// What is touched where the tool is now.
+template <class Sampling, class Plan>
+VoxelContact SampledTool<Sampling, Plan>::look(double now_s) noexcept {
+    VoxelContact all;
+    for (std::size_t i = 0; i < loads_.size(); ++i) {
+        const VoxelContact one = loads_[i].compute_contact(state_, now_s);
+        near_[i] = one.deepest() != VoxelClass::free ? 1 : 0;
+        touches_[i] = {one.wrench_W, one.n_surface + one.n_interior > 0};
+        all.wrench_W.force += one.wrench_W.force;
+        all.wrench_W.torque += one.wrench_W.torque;
+        all.n_surface += one.n_surface;
+        all.n_interior += one.n_interior;
+        all.n_proximity += one.n_proximity;
+    }
+    return all;
+}
+
+template <class Sampling, class Plan>
+bool SampledTool<Sampling, Plan>::is_free(std::span<const MovingFrame> objects) const noexcept {
+    if (objects.size() != samplings_.size() || !std::ranges::all_of(objects, is_number)) {
+        return false;
+    }
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const VoxelContact contact = samplings_[i].sample(state_, objects[i]);
+        if (contact.n_surface + contact.n_interior > 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+template <class Sampling, class Plan>
+ToolFelt SampledTool<Sampling, Plan>::move(const MovingFrame& handle,
+                                           std::span<const MovingFrame> objects, double now_s,
+                                           double dt_s) noexcept {
+    return run(handle, objects, now_s, dt_s);
+}
+
+template <class Sampling, class Plan>
+VoxelToolResult SampledTool<Sampling, Plan>::step(const MovingFrame& handle,
+                                                  const MovingFrame& object, double now_s,
+                                                  double dt_s) noexcept {
+    return run(handle, {&object, 1}, now_s, dt_s);
+}
+
+template <class Sampling, class Plan>
+VoxelToolResult SampledTool<Sampling, Plan>::run(MovingFrame handle,
+                                                 std::span<const MovingFrame> objects, double now_s,
+                                                 double dt_s) noexcept {
     VoxelToolResult result;
-    if (!is_number(handle) || !is_number(object)) {
+    if (objects.size() != samplings_.size() || !is_number(handle) ||
+        !std::ranges::all_of(objects, is_number)) {
+        result.moved = false;
         result.step.status = StepStatus::not_finite;
         return result;
     }
+    handle.pose_W.orientation = handle.pose_W.orientation * settings_.handle_turn;
     // What acts on the tool.
     ToolCouplingLoad coupling(coupling_, settings_.grip_T);
-    coupling.set_handle(is_near_ && settings_.lead_clamped ? limit_lead(handle, object) : handle,
-                        now_s);
-    sampling_.set_cycle(dt_s);
-    VoxelSamplingLoad voxels(sampling_);
-    voxels.set_object(object, now_s);
+    coupling.set_handle(settings_.lead_clamped ? limit_lead(handle, objects) : handle, now_s);
+    set_objects(objects, now_s, dt_s);
+    const AllOf<SamplingLoad<Sampling>> points(loads_);
     // Where that moves it.
     if (settings_.mass == ToolMass::massive) {
-        result.step = move(coupling, voxels, now_s, dt_s);
+        result.step = advance(coupling, points, now_s, dt_s);
     } else {
-        settle(coupling, voxels, now_s);
+        settle(coupling, points, now_s);
     }
+    result.moved = result.step.moved();
     // What the hand feels of it.
-    result.contact = voxels.compute_contact(state_, now_s);
-    const bool is_free = result.contact.deepest() == VoxelClass::free;
-    is_near_ = !is_free;
-    if (!(is_free && settings_.silent_in_free_space)) {
+    result.contact = look(now_s);
+    if (result.contact.deepest() != VoxelClass::free || !settings_.silent_in_free_space) {
+        const Pose grip = held_W();
+        const Wrench pull = compute_tool_coupling(coupling_, {handle.pose_W, {}}, {grip, {}});
         result.felt_W = coupling.compute_felt_wrench(state_, now_s);
+        result.spring_W = {-pull.force, -pull.torque};
+        result.spring_energy_J = compute_shift_energy_J(
+            coupling_, compute_length(Vector3(handle.pose_W.position - grip.position)));
     }
     return result;
 }
 
-StepResult VoxelTool::move(const ToolCouplingLoad& coupling, const VoxelSamplingLoad& voxels,
-                           double now_s, double dt_s) noexcept {
-    const Loads loads(coupling, voxels);
+template <class Sampling, class Plan>
+StepResult SampledTool<Sampling, Plan>::advance(const Load& coupling, const Load& points,
+                                                double now_s, double dt_s) noexcept {
+    const Loads loads(coupling, points);
     const StepResult result =
         step_rigid_body(settings_.integrator, settings_.inertia, loads, now_s - dt_s, dt_s, state_);
     if (!result.moved()) {
@@ -94,10 +212,11 @@ StepResult VoxelTool::move(const ToolCouplingLoad& coupling, const VoxelSampling
 }
 
 // Each step of Newton is cut to half a voxel at the grip's arm, for beyond it the voxels are others.
-void VoxelTool::settle(const ToolCouplingLoad& coupling, const VoxelSamplingLoad& voxels,
-                       double now_s) noexcept {
+template <class Sampling, class Plan>
+void SampledTool<Sampling, Plan>::settle(const Load& coupling, const Load& points,
+                                         double now_s) noexcept {
     constexpr double kSlack = 1.0e-3;  // of the coupling's stiffness: keeps the matrix regular
-    const double most_m = 0.5 * sampling_.frame().voxel_m;
+    const double most_m = 0.5 * least_voxel_m_;
     Vector6 slack;
     slack << Vector3::Constant(kSlack * coupling_.shift.stiffness_N_per_m),
         Vector3::Constant(kSlack * coupling_.turn.stiffness_Nm_per_rad);
@@ -106,7 +225,7 @@ void VoxelTool::settle(const ToolCouplingLoad& coupling, const VoxelSamplingLoad
         Wrench wrench;
         WrenchJacobian jacobian;
         coupling.add_linearised_wrench(state_, now_s, wrench, jacobian);
-        voxels.add_linearised_wrench(state_, now_s, wrench, jacobian);
+        points.add_linearised_wrench(state_, now_s, wrench, jacobian);
         Vector6 force;
         force << wrench.force, wrench.torque;
         Matrix6 matrix = -jacobian.pose;
@@ -116,12 +235,15 @@ void VoxelTool::settle(const ToolCouplingLoad& coupling, const VoxelSamplingLoad
             return;
         }
         const double way_m =
-            change.head<3>().norm() + sampling_.reach_m() * change.tail<3>().norm();
+            change.head<3>().norm() + samplings_.front().reach_m() * change.tail<3>().norm();
         const Vector6 cut = std::min(1.0, most_m / std::max(way_m, 1.0e-300)) * change;
         state_.pose_W.position += cut.head<3>();
         state_.pose_W.orientation = compute_exp(cut.tail<3>()) * state_.pose_W.orientation;
         state_.pose_W.orientation.normalize();
     }
 }
+
+template class SampledTool<VoxelSampling, VoxelSamplingPlan>;
+template class SampledTool<FieldSampling, FieldSamplingPlan>;
 
 }  // namespace fulcrum

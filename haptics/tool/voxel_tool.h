@@ -1,8 +1,8 @@
-// A tool of points on a virtual coupling: the hand holds the handle, the tool stays outside the voxels, and the hand feels the
-// coupling between both.
+// A tool of points on a virtual coupling: the hand holds the handle, the tool stays outside the objects, and the hand feels the
+// coupling between both. Its points are sampled in voxels (voxel_sampling.h) or in distance fields (field_load.h).
 //
-//   massive    M a = coupling + voxel sampling, a rigid body by any integrator (integrator.h)
-//   massless   coupling + voxel sampling = 0, sought anew each step by Newton: (D - J) dx = F, D = 1e-3 of the coupling's
+//   massive    M a = coupling + sampling, a rigid body by any integrator (integrator.h)
+//   massless   coupling + sampling = 0, sought anew each step by Newton: (D - J) dx = F, D = 1e-3 of the coupling's
 //              stiffness; no inertia is felt and nothing oscillates, but the force's jumps between voxels pass unsmoothed
 // Both steps see the handle and the object where they are at the step's end. The coupling's springs are clamped at half a voxel:
 // beyond, they would pull the tool through the layer that pushes, which is a voxel thick. Near the object the handle's motion is
@@ -11,7 +11,10 @@
 // voxel that pushes or brakes, the hand feels exactly nothing, whatever the coupling's stretch: what a tool's inertia would be
 // felt as there is left out, as McNeely does.
 //
-// Thread: the haptic loop. Cost: that of voxel sampling, once an explicit step and once an iteration of the implicit ones, and
+// Several objects, each with its map and its own motion, add up. Each of n that are near brakes by an n-th of what it would alone,
+// for together they must not take more motion than there is.
+//
+// Thread: the haptic loop. Cost: that of the sampling, once an explicit step and once an iteration of the implicit ones, and
 // about 1 us; no allocation.
 // Source: W. McNeely, K. Puterbaugh, J. Troy 1999, Six degree-of-freedom haptic rendering using voxel sampling, sections 5.1
 // (coupling), 5.2 (clamp, no force in free space). M. Wan, W. McNeely 2003, Quasi-static approximation for 6 degrees-of-freedom
@@ -20,7 +23,11 @@
 
 #include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/loads.h"
+#include "haptics/tool/field_load.h"
+#include "haptics/tool/tool_solver.h"
 #include "haptics/tool/voxel_sampling.h"
+
+#include <vector>
 
 namespace fulcrum {
 
@@ -39,55 +46,87 @@ struct VoxelToolSettings {
     IntegratorSettings integrator{.newton_iterations = 4};
     Inertia inertia{};  ///< of the massive tool; the brakes' too
     Vector3 grip_T{
-        Vector3::Zero()};       ///< where the coupling holds it, metres from the centre of mass
-    int static_iterations = 4;  ///< of the massless tool, a step; 1 to 100
+        Vector3::Zero()};  ///< where the coupling holds it, metres from the centre of mass
+    Quaternion handle_turn{
+        Quaternion::Identity()};  ///< q_HT, unit: how the tool lies in the handle
+    int static_iterations = 4;    ///< of the massless tool, a step; 1 to 100
 };
 
 /// Refuses settings outside their ranges, NaN included.
 [[nodiscard]] Expected<void> validate(const VoxelToolSettings& settings);
 
 /// What one step led to.
-struct VoxelToolResult {
-    Wrench felt_W{};         ///< on the hand, N and Nm about the grip
-    VoxelContact contact{};  ///< at the tool's new pose
+struct VoxelToolResult : ToolFelt {
+    VoxelContact contact{};  ///< at the tool's new pose, of all objects together
     StepResult
         step{};  ///< of the massive tool; where it could not be made the tool stands still where it was
 };
 
-class VoxelTool {
+/// `Sampling` is VoxelSampling or FieldSampling, `Plan` what it is built from.
+template <class Sampling, class Plan>
+class SampledTool final : public ToolSolver {
   public:
-    /// Refuses what `validate` refuses, and what VoxelSampling::build does.
-    [[nodiscard]] static Expected<VoxelTool> build(VoxelSamplingPlan sampling,
-                                                   const VoxelToolSettings& settings);
+    /// Refuses what `validate` refuses, and what the sampling's build does.
+    [[nodiscard]] static Expected<SampledTool> build(Plan sampling,
+                                                     const VoxelToolSettings& settings);
+    /// The same for several objects, at least one: the finest voxels set the clamps.
+    [[nodiscard]] static Expected<SampledTool> build(std::vector<Plan> samplings,
+                                                     const VoxelToolSettings& settings);
+    SampledTool(SampledTool&&) noexcept = default;
+    SampledTool& operator=(SampledTool&&) noexcept = default;
+    ~SampledTool() override;
 
     /// Of the tool's centre of mass, along its principal axes.
     [[nodiscard]] const RigidState& state() const noexcept { return state_; }
-    [[nodiscard]] const VoxelSampling& sampling() const noexcept { return sampling_; }
+    /// Of the first object.
+    [[nodiscard]] const Sampling& sampling() const noexcept { return samplings_.front(); }
     /// As it is after `critically_damped` and `clamped_at_half_voxel`.
     [[nodiscard]] const ToolCouplingSettings& coupling() const noexcept { return coupling_; }
 
-    /// Puts the tool where the handle holds it, at rest.
-    void place(const Pose& handle_W) noexcept;
-    /// One step of `dt_s` that ends at `now_s`, where the handle and the object are as given. A handle or an object that is no
-    /// number leaves the tool as it is, and nothing is felt.
+    void place(const Pose& handle_W) noexcept override;
+    [[nodiscard]] bool is_free(std::span<const MovingFrame> objects) const noexcept override;
+    [[nodiscard]] ToolFelt move(const MovingFrame& handle, std::span<const MovingFrame> objects,
+                                double now_s, double dt_s) noexcept override;
+    /// The same with one object. A handle or an object that is no number leaves the tool as it is, and nothing is felt.
     [[nodiscard]] VoxelToolResult step(const MovingFrame& handle, const MovingFrame& object,
                                        double now_s, double dt_s) noexcept;
 
-  private:
-    VoxelTool(VoxelSampling sampling, const VoxelToolSettings& settings) noexcept;
-    // The handle with no more velocity than spring and damper together may use.
-    [[nodiscard]] MovingFrame limit_lead(const MovingFrame& handle,
-                                         const MovingFrame& object) const noexcept;
-    [[nodiscard]] StepResult move(const ToolCouplingLoad& coupling, const VoxelSamplingLoad& voxels,
-                                  double now_s, double dt_s) noexcept;
-    void settle(const ToolCouplingLoad& coupling, const VoxelSamplingLoad& voxels,
-                double now_s) noexcept;
+    [[nodiscard]] Pose grip_W() const noexcept override;
+    [[nodiscard]] const Vector3& centre_W() const noexcept override {
+        return state_.pose_W.position;
+    }
+    [[nodiscard]] std::span<const ToolTouch> touches() const noexcept override { return touches_; }
+    [[nodiscard]] std::size_t memory_bytes() const noexcept override;
 
-    VoxelSampling sampling_;
+  private:
+    // The grip, along the tool's own axes.
+    [[nodiscard]] Pose held_W() const noexcept;
+    SampledTool(std::vector<Sampling> samplings, const VoxelToolSettings& settings);
+    [[nodiscard]] VoxelToolResult run(MovingFrame handle, std::span<const MovingFrame> objects,
+                                      double now_s, double dt_s) noexcept;
+    // The objects are here now; brakes as for a step of that length.
+    void set_objects(std::span<const MovingFrame> objects, double now_s, double dt_s) noexcept;
+    // The handle with no more velocity than spring and damper together may use, as each near object sees it.
+    [[nodiscard]] MovingFrame limit_lead(const MovingFrame& handle,
+                                         std::span<const MovingFrame> objects) const noexcept;
+    void limit_lead_to(const MovingFrame& object, const Wrench& pull,
+                       MovingFrame& handle) const noexcept;
+    [[nodiscard]] StepResult advance(const Load& coupling, const Load& points, double now_s,
+                                     double dt_s) noexcept;
+    void settle(const Load& coupling, const Load& points, double now_s) noexcept;
+    [[nodiscard]] VoxelContact look(double now_s) noexcept;
+
+    std::vector<Sampling> samplings_;            // one an object
+    std::vector<SamplingLoad<Sampling>> loads_;  // of the samplings, which stay where they are
+    std::vector<ToolTouch> touches_;
+    std::vector<std::uint8_t> near_;  // something of the object was, at the end of the last step
     VoxelToolSettings settings_;
     ToolCouplingSettings coupling_;
+    double least_voxel_m_ = 0.0;
     RigidState state_{};
-    bool is_near_ = false;  // something was, at the end of the last step
 };
+
+using VoxelTool = SampledTool<VoxelSampling, VoxelSamplingPlan>;
+using FieldTool = SampledTool<FieldSampling, FieldSamplingPlan>;
 
 }  // namespace fulcrum

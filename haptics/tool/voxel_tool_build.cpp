@@ -10,6 +10,15 @@ namespace {
 
 constexpr double kWidestClamp_rad = 1.0;  // of a tool smaller than its voxels
 
+// What the sampling must know of the tool's motion.
+void fit_to_tool(const VoxelToolSettings& settings, VoxelSamplingPlan& plan) {
+    plan.settings.inertia = settings.inertia;
+    if (settings.mass == ToolMass::massless) {
+        plan.settings.braking = PreContactBraking::off;
+    }
+}
+void fit_to_tool(const VoxelToolSettings& /*settings*/, FieldSamplingPlan& /*plan*/) {}
+
 }  // namespace
 
 Expected<void> validate(const VoxelToolSettings& settings) {
@@ -22,16 +31,30 @@ Expected<void> validate(const VoxelToolSettings& settings) {
     if (const auto checked = validate(settings.inertia); !checked) {
         return checked;
     }
-    const std::array<Range, 4> ranges{
-        {{"static_iterations", static_cast<double>(settings.static_iterations), 1.0, 100.0},
+    const std::array<Range, 5> ranges{
+        {{"handle's turn: length of its quaternion", settings.handle_turn.coeffs().norm(),
+          1.0 - 1.0e-6, 1.0 + 1.0e-6},
+         {"static_iterations", static_cast<double>(settings.static_iterations), 1.0, 100.0},
          {"grip_T x", settings.grip_T.x(), -10.0, 10.0},
          {"grip_T y", settings.grip_T.y(), -10.0, 10.0},
          {"grip_T z", settings.grip_T.z(), -10.0, 10.0}}};
     return check_ranges("the tool's", ranges);
 }
 
-VoxelTool::VoxelTool(VoxelSampling sampling, const VoxelToolSettings& settings) noexcept
-    : sampling_(std::move(sampling)), settings_(settings), coupling_(settings.coupling) {
+template <class Sampling, class Plan>
+SampledTool<Sampling, Plan>::SampledTool(std::vector<Sampling> samplings,
+                                         const VoxelToolSettings& settings)
+    : samplings_(std::move(samplings)),
+      touches_(samplings_.size()),
+      near_(samplings_.size()),
+      settings_(settings),
+      coupling_(settings.coupling) {
+    loads_.reserve(samplings_.size());
+    least_voxel_m_ = samplings_.front().frame().voxel_m;
+    for (const Sampling& sampling : samplings_) {
+        loads_.emplace_back(sampling);
+        least_voxel_m_ = std::min(least_voxel_m_, sampling.frame().voxel_m);
+    }
     if (settings.critically_damped) {
         // The least moment's: for the others the damper is below critical, so no turn creeps.
         coupling_ = make_critically_damped(coupling_, settings.inertia.mass_kg,
@@ -42,30 +65,62 @@ VoxelTool::VoxelTool(VoxelSampling sampling, const VoxelToolSettings& settings) 
         coupling_.turn.damping_Nms_per_rad = 0.0;
     }
     if (settings.clamped_at_half_voxel) {
-        coupling_.clamp_m = 0.5 * sampling_.frame().voxel_m;
-        coupling_.clamp_rad = std::min(coupling_.clamp_m / sampling_.reach_m(), kWidestClamp_rad);
+        coupling_.clamp_m = 0.5 * least_voxel_m_;
+        coupling_.clamp_rad =
+            std::min(coupling_.clamp_m / samplings_.front().reach_m(), kWidestClamp_rad);
     }
 }
 
-Expected<VoxelTool> VoxelTool::build(VoxelSamplingPlan sampling,
-                                     const VoxelToolSettings& settings) {
+ToolSolver::~ToolSolver() = default;
+template <class Sampling, class Plan>
+SampledTool<Sampling, Plan>::~SampledTool() = default;
+
+template <class Sampling, class Plan>
+Expected<SampledTool<Sampling, Plan>> SampledTool<Sampling, Plan>::build(
+    Plan sampling, const VoxelToolSettings& settings) {
+    std::vector<Plan> one;
+    one.push_back(std::move(sampling));
+    return build(std::move(one), settings);
+}
+
+template <class Sampling, class Plan>
+Expected<SampledTool<Sampling, Plan>> SampledTool<Sampling, Plan>::build(
+    std::vector<Plan> samplings, const VoxelToolSettings& settings) {
     if (const auto checked = validate(settings); !checked) {
         return tl::unexpected(checked.error());
     }
-    sampling.settings.inertia = settings.inertia;
-    if (settings.mass == ToolMass::massless) {
-        sampling.settings.braking = PreContactBraking::off;
+    if (samplings.empty()) {
+        return fail("the tool has no object to touch", {}, "make a body solid");
     }
-    auto built = VoxelSampling::build(std::move(sampling));
-    if (!built) {
-        return tl::unexpected(built.error());
+    std::vector<Sampling> built;
+    built.reserve(samplings.size());
+    for (Plan& plan : samplings) {
+        fit_to_tool(settings, plan);
+        auto one = Sampling::build(std::move(plan));
+        if (!one) {
+            return tl::unexpected(one.error());
+        }
+        built.push_back(std::move(*one));
     }
-    VoxelTool tool(std::move(*built), settings);
+    SampledTool tool(std::move(built), settings);
     // A clamp and a saturating coupling exclude each other.
     if (const auto checked = validate(tool.coupling_); !checked) {
         return tl::unexpected(checked.error());
     }
     return tool;
 }
+
+template <class Sampling, class Plan>
+std::size_t SampledTool<Sampling, Plan>::memory_bytes() const noexcept {
+    std::size_t bytes = sizeof(*this) + loads_.capacity() * sizeof(loads_[0]) +
+                        touches_.capacity() * sizeof(ToolTouch) + near_.capacity();
+    for (const Sampling& sampling : samplings_) {
+        bytes += sampling.memory_bytes();
+    }
+    return bytes;
+}
+
+template class SampledTool<VoxelSampling, VoxelSamplingPlan>;
+template class SampledTool<FieldSampling, FieldSamplingPlan>;
 
 }  // namespace fulcrum

@@ -148,3 +148,19 @@ TEST_CASE("tool coupling: the linearised law is the law, also at no stretch") {
         CHECK((at_rest.torque_by_turn + 0.5 * Matrix3::Identity()).norm() < kRounding);
     }
 }
+
+TEST_CASE("tool coupling: the energy of its shift is the work done on it, beyond the clamp too") {
+    ToolCouplingSettings clamped = kPlain;
+    clamped.clamp_m = 0.005;
+    for (const ToolCouplingSettings& settings : {kPlain, clamped, saturating()}) {
+        double work_J = 0.0;
+        constexpr int kSteps = 2000;
+        constexpr double kStep_m = 0.02 / kSteps;
+        for (int i = 0; i < kSteps; ++i) {
+            work_J += force_at(settings, (i + 0.5) * kStep_m) * kStep_m;
+        }
+        CHECK(compute_shift_energy_J(settings, 0.02) == Approx(work_J).epsilon(1e-5));
+        CHECK(compute_shift_energy_J(settings, 0.0) == 0.0);
+    }
+    CHECK(compute_shift_energy_J(clamped, 0.02) == Approx(250.0 * 2.5e-5 + 0.015 * 2.5));
+}

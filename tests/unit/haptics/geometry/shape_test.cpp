@@ -26,6 +26,9 @@ TEST_CASE("shape: all but the plate are closed, consistent and have the volume t
     check(make_box(Vector3(0.1, 0.2, 0.3)), 0.006, 1e-12);
     check(make_sphere(0.1, 30), 4.0 / 3.0 * pi * 1e-3, 3e-3);
     check(make_globe(0.1, 120, 60), 4.0 / 3.0 * pi * 1e-3, 3e-3);
+    check(make_cylinder(0.1, 0.3, 120), pi * 0.01 * 0.3, 1e-3);
+    check(make_capsule(0.1, 0.3, 120, 30), pi * 0.01 * 0.3 + 4.0 / 3.0 * pi * 1e-3, 3e-3);
+    check(make_capsule(0.1, 0.3, 4, 1), pi * 0.01 * 0.3 + 4.0 / 3.0 * pi * 1e-3, 0.6);
     check(make_torus(0.1, 0.02, 120, 60), 2.0 * pi * pi * 0.1 * 0.02 * 0.02, 4e-3);
     check(make_bumpy_sphere(2.0, 30, 0.0, 0.0), 4.0 / 3.0 * pi * 8.0, 3e-3);
 }
@@ -36,6 +39,8 @@ TEST_CASE("shape: the number of triangles is as documented") {
     CHECK(sphere->triangles().size() == 20 * 49);
     CHECK(sphere->vertices_B().size() == 10 * 49 + 2);  // Euler: V - E + F = 2, 2 E = 3 F
     CHECK(make_globe(1.0, 8, 4)->triangles().size() == 8 * 2 * 3);
+    CHECK(make_cylinder(1.0, 1.0, 8)->triangles().size() == 8 * 4);
+    CHECK(make_capsule(1.0, 1.0, 8, 3)->triangles().size() == 8 * 2 * 6);
     CHECK(make_plate(1.0, 1.0, 5)->triangles().size() == 50);
     for (const Vector3& vertex : sphere->vertices_B()) {
         REQUIRE(vertex.norm() == Approx(1.0).epsilon(1e-14));
@@ -53,6 +58,16 @@ TEST_CASE("shape: sizes and places are as documented") {
     for (const Vector3& vertex : torus->vertices_B()) {
         const double from_ring = std::hypot(std::hypot(vertex.x(), vertex.z()) - 0.3, vertex.y());
         REQUIRE(from_ring == Approx(0.1).epsilon(1e-12));
+    }
+    const auto cylinder = make_cylinder(0.1, 0.4, 8);
+    CHECK((cylinder->upper_B() - Vector3(0.1, 0.2, 0.1)).norm() < 1e-15);
+    const auto capsule = make_capsule(0.1, 0.4, 8, 3);
+    CHECK((capsule->upper_B() - Vector3(0.1, 0.3, 0.1)).norm() < 1e-15);
+    CHECK((capsule->lower_B() + Vector3(0.1, 0.3, 0.1)).norm() < 1e-15);
+    for (const Vector3& vertex : capsule->vertices_B()) {
+        const double along = std::max(std::abs(vertex.y()) - 0.2, 0.0);
+        REQUIRE(std::hypot(std::hypot(vertex.x(), vertex.z()), along) ==
+                Approx(0.1).epsilon(1e-12));
     }
     const auto globe = make_globe(0.7, 9, 5);
     for (const Vector3& vertex : globe->vertices_B()) {

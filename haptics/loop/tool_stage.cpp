@@ -1,0 +1,135 @@
+// The step path of tool_stage.h.
+#include "haptics/loop/tool_stage.h"
+
+#include "haptics/math/length.h"
+#include "haptics/math/rotation.h"
+
+#include <algorithm>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kStandsStill = 1.5;  // of the interval between two places
+
+// What is elsewhere is counted as moving there evenly since it was last told to be elsewhere.
+Twist compute_twist(const Pose& from_W, const Pose& to_W, double dt_s) noexcept {
+    return {(to_W.position - from_W.position) / dt_s,
+            compute_log(to_W.orientation * from_W.orientation.conjugate()) / dt_s};
+}
+
+bool is_same(const Pose& a, const Pose& b) noexcept {
+    return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
+// Against a wrench about a place: its line, nearest to there.
+SolidPush compute_push(const Wrench& against_W, const Vector3& about_W) noexcept {
+    SolidPush push;
+    push.touches = true;
+    push.force_W = -against_W.force;
+    push.at_W = about_W;
+    const Vector3 torque_W = -against_W.torque;
+    const double square = push.force_W.squaredNorm();
+    if (!(square > 0.0)) {
+        push.couple_W = torque_W;
+        return push;
+    }
+    push.at_W += push.force_W.cross(torque_W) / square;
+    push.couple_W = torque_W.dot(push.force_W) / square * push.force_W;
+    return push;
+}
+
+}  // namespace
+
+void ToolStage::follow_solids(const ToolRound& round) noexcept {
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+        Track& track = tracks_[i];
+        const Pose& pose_W = round.solid_poses_W[i];
+        const double since_s = round.now_s - track.told_s;
+        if (!track.is_known || !(since_s > 0.0)) {
+            track = {{pose_W, {}}, round.now_s, 0.0, true};
+        } else if (!is_same(pose_W, track.frame.pose_W)) {
+            track.frame.velocity_W = compute_twist(track.frame.pose_W, pose_W, since_s);
+            track.frame.pose_W = pose_W;
+            track.told_s = round.now_s;
+            track.interval_s = since_s;
+        } else if (since_s > kStandsStill * track.interval_s) {
+            track.frame.velocity_W = {};
+        }
+        frames_[i] = track.frame;
+    }
+}
+
+// Nothing is felt; from the next round on, if nothing is touched there.
+void ToolStage::follow_hand(const ToolRound& round) noexcept {
+    tool_->place(round.hand.pose_W);
+    is_engaged_ = round.is_fit && tool_->is_free(frames_);
+    pose_W_ = round.hand.pose_W;
+    solid_ = kNoBody;
+    std::ranges::fill(pushes_, SolidPush{});
+}
+
+void ToolStage::tell_pushes(const Wrench& felt_W) noexcept {
+    const std::span<const ToolTouch> touches = tool_->touches();
+    Vector3 all_W = Vector3::Zero();
+    for (const ToolTouch& touch : touches) {
+        all_W += touch.wrench_W.force;
+    }
+    const double all_N = compute_length(all_W);
+    const double share = all_N > 0.0 ? compute_length(felt_W.force) / all_N : 0.0;
+    const auto n_touched = std::ranges::count_if(touches, &ToolTouch::touches);
+    // Which is pressed hardest, and each with what?
+    solid_ = kNoBody;
+    double most_N = -1.0;
+    for (std::size_t i = 0; i < pushes_.size(); ++i) {
+        pushes_[i] = {};
+        if (!touches[i].touches) {
+            continue;
+        }
+        const Wrench& own_W = touches[i].wrench_W;
+        pushes_[i] = n_touched == 1 ? compute_push(felt_W, pose_W_.position)
+                                    : compute_push({share * own_W.force, share * own_W.torque},
+                                                   tool_->centre_W());
+        if (const double force_N = compute_length(own_W.force); force_N > most_N) {
+            most_N = force_N;
+            solid_ = static_cast<std::int32_t>(i);
+        }
+    }
+}
+
+ToolForce ToolStage::step(const ToolRound& round) noexcept {
+    ToolForce force;
+    if (round.solid_poses_W.size() != tracks_.size()) {
+        // The poses are no numbers in this round.
+        is_engaged_ = false;
+        pose_W_ = round.hand.pose_W;
+        solid_ = kNoBody;
+        std::ranges::fill(pushes_, SolidPush{});
+        return force;
+    }
+    // Where the solids are and how they move.
+    follow_solids(round);
+    if (!is_engaged_ || !round.is_fit) {
+        follow_hand(round);
+        return force;
+    }
+    // The tool among them.
+    const ToolFelt felt = tool_->move(round.hand, frames_, round.now_s, round.dt_s);
+    if (!felt.moved || !is_finite(felt.felt_W) || !is_finite(felt.spring_W)) {
+        force.failed = true;
+        follow_hand(round);
+        is_engaged_ = false;
+        return force;
+    }
+    pose_W_ = tool_->grip_W();
+    tell_pushes(felt.felt_W);
+    // What the hand feels of it.
+    force.wrench_W = {felt.felt_W.force, felt.felt_W.torque / scale_};
+    force.spring_W = {felt.spring_W.force, felt.spring_W.torque / scale_};
+    force.contact.force = felt.spring_W.force;
+    force.contact.energy_J = felt.spring_energy_J;
+    force.contact.normal = compute_direction(felt.spring_W.force);
+    force.contact.push = felt.felt_W.force.dot(force.contact.normal);
+    return force;
+}
+
+}  // namespace fulcrum

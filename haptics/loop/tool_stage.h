@@ -1,0 +1,96 @@
+// The stage of a tool in six degrees of freedom: it moves the tool (tool_solver.h) towards the hand among the plan's solids, and
+// says what the hand feels and how each solid is pressed.
+//
+//   force on the hand    the coupling's, as the tool gives it
+//   torque on the hand   about the grip, over the workspace's scale: forces are felt unscaled and lengths are not, so that a turn
+//                        of the handle takes from the hand as much as from the tool, in the hand's metres
+//   force on a solid     what the hand presses: minus the force and torque it feels, where one solid is touched; of several each has
+//                        its share, its own wrench on the tool times |felt| / |sum of all|. Given at the place on the line it
+//                        acts along that is nearest to where its torque is about, p = c + F x tau / F^2, and with the couple
+//                        that is left, (tau . F) F / F^2. So what turns a body is the coupling and not the stiff contact
+// A solid's velocity is the way between the last two places it was told to be at over the time between; one that is not told to
+// move for longer than that stands still.
+//
+// The tool follows the hand without a force until nothing is touched where the hand holds it: at the start, after a fault, a stop,
+// a jump of the hand, and when a solid was put elsewhere. So no force begins inside a solid.
+//
+// Thread: haptic loop. Cost: the tool's, and 20 ns a solid. No allocation in `step`.
+// Source: the place of a wrench's line: R. S. Ball 1900, A Treatise on the Theory of Screws, chapter I (Poinsot's central axis).
+#pragma once
+
+#include "haptics/coupling/passivity.h"
+#include "haptics/loop/haptic_plan.h"
+#include "haptics/loop/solid_push.h"
+#include "haptics/tool/tool_solver.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace fulcrum {
+
+/// What the stage is told in one round.
+struct ToolRound {
+    MovingFrame hand{};  ///< where the device is, in the world
+    std::span<const Pose> solid_poses_W{};
+    bool is_fit = true;  ///< no fault, no stop, no fade: forces may be given
+    double now_s = 0.0;
+    double dt_s = 0.0;
+};
+
+/// What it gives.
+struct ToolForce {
+    Wrench wrench_W{};        ///< on the hand: newtons, and newton metres as the hand feels them
+    Wrench spring_W{};        ///< the springs' part of it
+    ContactSpring contact{};  ///< the force's; energy in metres of the world
+    bool failed = false;      ///< something was no number; there is no force
+};
+
+class ToolStage {
+  public:
+    /// Takes a plan with a tool that `validate` accepted.
+    explicit ToolStage(const HapticPlan& plan);
+    ~ToolStage();
+
+    [[nodiscard]] ToolForce step(const ToolRound& round) noexcept;
+    /// The hand has jumped, or a solid was put elsewhere: nothing is felt until the tool is free.
+    void let_go() noexcept { is_engaged_ = false; }
+
+    /// Where the tool's handle is.
+    [[nodiscard]] const Pose& pose_W() const noexcept { return pose_W_; }
+    /// Index in the plan of the solid that is pressed hardest; kNoBody where none is.
+    [[nodiscard]] std::int32_t solid() const noexcept { return solid_; }
+    /// Of the last step, one a solid of the plan.
+    [[nodiscard]] std::span<const SolidPush> pushes() const noexcept { return pushes_; }
+    [[nodiscard]] std::size_t memory_bytes() const noexcept;
+
+  private:
+    struct Track {
+        MovingFrame frame{};
+        double told_s = 0.0;      // when it was last told to be elsewhere
+        double interval_s = 0.0;  // between the last two such times
+        bool is_known = false;
+    };
+    void follow_solids(const ToolRound& round) noexcept;
+    void follow_hand(const ToolRound& round) noexcept;
+    void tell_pushes(const Wrench& felt_W) noexcept;
+
+    std::unique_ptr<ToolSolver> tool_;
+    double scale_;
+    std::vector<Track> tracks_;
+    std::vector<MovingFrame> frames_;  // of the solids, for the tool
+    std::vector<SolidPush> pushes_;
+    bool is_engaged_ = false;
+    Pose pose_W_{};
+    std::int32_t solid_ = kNoBody;
+};
+
+/// Refuses what the tool's method does, and a tool that has not one map a solid.
+[[nodiscard]] Expected<void> validate_tool(const HapticPlan& plan);
+
+/// Null where the plan has no tool.
+[[nodiscard]] std::unique_ptr<ToolStage> make_tool_stage(const HapticPlan& plan);
+
+}  // namespace fulcrum

@@ -1,0 +1,102 @@
+#include "haptics/tool/tool_plan.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kHoldsTimes = 2.0;    // what a single point holds, in parts of the force
+constexpr double kFullContacts = 4.0;  // points in voxels that push with all their stiffness
+constexpr std::size_t kCachedBytes = 2U << 20U;  // a grid up to here is faster than a tree
+constexpr int kTreeDepth = 2;
+
+VoxelToolSettings make_clamped(const ToolOrder& order) {
+    VoxelToolSettings settings = order.settings;
+    settings.clamped_at_half_voxel = false;
+    ToolCouplingSettings& coupling = settings.coupling;
+    coupling.clamp_m = order.most_force_N / coupling.shift.stiffness_N_per_m;
+    coupling.clamp_rad =
+        std::min(std::numbers::pi, order.most_force_N * compute_reach_m(*order.shell) /
+                                       coupling.turn.stiffness_Nm_per_rad);
+    return settings;
+}
+
+// What is large is kept as a tree.
+void put_map(const std::shared_ptr<const VoxelGrid>& grid, VoxelSamplingPlan& object) {
+    object.grid = grid;
+    if (grid == nullptr || grid->memory_bytes() <= kCachedBytes) {
+        return;
+    }
+    if (auto map = Voxmap::build(*grid, kTreeDepth)) {
+        object.map = std::make_shared<const Voxmap>(std::move(*map));
+        object.grid = nullptr;
+    }
+}
+
+}  // namespace
+
+double compute_reach_m(const Pointshell& shell) {
+    double reach_m = 0.0;
+    for (std::size_t i = 0; i < shell.size(); ++i) {
+        reach_m = std::max(reach_m, shell.position_T(i).norm());
+    }
+    return reach_m;
+}
+
+ToolPlan make_voxel_tool_plan(const ToolOrder& order,
+                              const std::vector<std::shared_ptr<const VoxelGrid>>& grids) {
+    std::vector<VoxelSamplingPlan> objects;
+    for (const std::shared_ptr<const VoxelGrid>& grid : grids) {
+        VoxelSamplingPlan object;
+        put_map(grid, object);
+        object.shell = *order.shell;
+        object.settings.averaging = ContactAveraging::smooth;
+        object.settings.full_contacts = kFullContacts;
+        if (grid != nullptr) {
+            object.settings.stiffness_N_per_m =
+                2.0 * kHoldsTimes * order.most_force_N / grid->frame.voxel_m;
+        }
+        objects.push_back(std::move(object));
+    }
+    return {std::move(objects), make_clamped(order)};
+}
+
+Expected<ToolPlan> make_field_tool_plan(const ToolOrder& order,
+                                        const std::vector<FieldSampler::Field>& fields) {
+    auto tree = ShellTree::build(*order.shell);
+    if (!tree) {
+        return tl::unexpected(tree.error());
+    }
+    const auto shell = std::make_shared<const ShellTree>(std::move(*tree));
+    std::vector<FieldSamplingPlan> objects;
+    for (const FieldSampler::Field& field : fields) {
+        FieldSamplingPlan object{field, shell, {}};
+        object.settings.along = ForceAlong::slopes;
+        if (field != nullptr) {
+            object.settings.stiffness_N_per_m = kHoldsTimes * order.most_force_N / field->band_m();
+        }
+        objects.push_back(std::move(object));
+    }
+    return ToolPlan{std::move(objects), make_clamped(order)};
+}
+
+Expected<void> validate(const ToolPlan& plan) {
+    if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
+        return VoxelTool::build(*voxels, plan.settings).map([](const VoxelTool&) {});
+    }
+    return FieldTool::build(std::get<std::vector<FieldSamplingPlan>>(plan.objects), plan.settings)
+        .map([](const FieldTool&) {});
+}
+
+std::unique_ptr<ToolSolver> make_tool(const ToolPlan& plan) {
+    if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
+        return std::make_unique<VoxelTool>(VoxelTool::build(*voxels, plan.settings).value());
+    }
+    return std::make_unique<FieldTool>(
+        FieldTool::build(std::get<std::vector<FieldSamplingPlan>>(plan.objects), plan.settings)
+            .value());
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,58 @@
+// A tool as a plan names it: its method and all that it is made from.
+//
+// So that no hand presses the tool through what it meets, the coupling pulls and turns with at most the force that may be felt,
+//   k c = F,   k_r c_r = F R            c, c_r the clamps, R how far the farthest point lies from the centre of mass
+// and each single point holds twice that as deep as it may be:
+//   k_point s / 2 = 2 F   in voxels of side s, where each pushes within half a voxel
+//   k_point b     = 2 F   in a field whose band is b deep
+// McNeely clamps at c = s / 2, so that with fine voxels a soft coupling could not press.
+//
+// Thread: load path.
+#pragma once
+
+#include "haptics/tool/voxel_tool.h"
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+namespace fulcrum {
+
+/// What the tool's points are sampled in, one a solid of the haptic plan, in its order: voxels or fields.
+using ToolObjects = std::variant<std::vector<VoxelSamplingPlan>, std::vector<FieldSamplingPlan>>;
+
+struct ToolPlan {
+    ToolObjects objects;
+    VoxelToolSettings settings{};
+
+    [[nodiscard]] std::size_t n_objects() const noexcept {
+        return std::visit([](const auto& plans) { return plans.size(); }, objects);
+    }
+};
+
+/// What a tool's plan is made from. All lengths in metres of the world.
+struct ToolOrder {
+    /// Points from the centre of mass along the principal axes.
+    std::shared_ptr<const Pointshell> shell;
+    VoxelToolSettings settings{};  ///< the clamps are set by the laws above
+    double most_force_N = 5.0;     ///< that the hand may feel, above 0
+};
+
+/// How far the farthest point lies from the centre of mass.
+[[nodiscard]] double compute_reach_m(const Pointshell& shell);
+
+/// The tool among voxels: springs averaged smoothly from four points on, a large grid kept as a tree.
+[[nodiscard]] ToolPlan make_voxel_tool_plan(
+    const ToolOrder& order, const std::vector<std::shared_ptr<const VoxelGrid>>& grids);
+
+/// The tool among fields, pushed along their slopes, so that no closed way gains energy. Refuses a shell that has no tree.
+[[nodiscard]] Expected<ToolPlan> make_field_tool_plan(
+    const ToolOrder& order, const std::vector<FieldSampler::Field>& fields);
+
+/// Refuses what the method's build does.
+[[nodiscard]] Expected<void> validate(const ToolPlan& plan);
+
+/// The tool of a plan that `validate` accepted.
+[[nodiscard]] std::unique_ptr<ToolSolver> make_tool(const ToolPlan& plan);
+
+}  // namespace fulcrum

@@ -1,0 +1,67 @@
+// A tool in six degrees of freedom, whatever method keeps it out of things: what the haptic loop asks of one.
+//
+// The hand holds the handle, the tool hangs on it by a coupling and stays outside the objects; the hand feels the coupling.
+//
+// Thread: the haptic loop. Cost: the method's; no allocation after it was built.
+#pragma once
+
+#include "haptics/coupling/tool_coupling.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace fulcrum {
+
+/// How a tool's points are kept out of an object, by the names of the literature.
+enum class ToolMethod : std::uint8_t {
+    field_sampling,  ///< points in a distance field (Barbic and James 2008)
+    voxel_sampling,  ///< points in voxels, tangent planes (McNeely, Puterbaugh and Troy 1999)
+};
+
+/// How one object acts on the tool.
+struct ToolTouch {
+    Wrench wrench_W{};     ///< on the tool, N and Nm about its centre of mass
+    bool touches = false;  ///< the tool reaches what pushes it, or is deeper
+};
+
+/// What one step of a tool gives the hand.
+struct ToolFelt {
+    Wrench felt_W{};  ///< on the hand, N and Nm about the grip
+    Wrench
+        spring_W{};  ///< the part of the coupling's springs: what of it gives back the hand's work
+    double spring_energy_J = 0.0;  ///< of the coupling's shift; 0 where nothing is felt
+    bool moved = true;             ///< false: something was no number, and the tool stands still
+};
+
+class ToolSolver {
+  public:
+    ToolSolver(const ToolSolver&) = delete;
+    ToolSolver& operator=(const ToolSolver&) = delete;
+    virtual ~ToolSolver();
+
+    /// Puts the tool where the handle holds it, at rest.
+    virtual void place(const Pose& handle_W) noexcept = 0;
+    /// Whether it touches nothing there. `objects` has one frame an object, in the plan's order.
+    [[nodiscard]] virtual bool is_free(std::span<const MovingFrame> objects) const noexcept = 0;
+    /// One step of `dt_s` that ends at `now_s`, where the handle and the objects are as given.
+    [[nodiscard]] virtual ToolFelt move(const MovingFrame& handle,
+                                        std::span<const MovingFrame> objects, double now_s,
+                                        double dt_s) noexcept = 0;
+
+    /// Where the handle would be if it held the tool where that is.
+    [[nodiscard]] virtual Pose grip_W() const noexcept = 0;
+    /// Its centre of mass.
+    [[nodiscard]] virtual const Vector3& centre_W() const noexcept = 0;
+    /// Of the last step, one an object.
+    [[nodiscard]] virtual std::span<const ToolTouch> touches() const noexcept = 0;
+    /// With what it holds on the heap.
+    [[nodiscard]] virtual std::size_t memory_bytes() const noexcept = 0;
+
+  protected:
+    ToolSolver() = default;
+    ToolSolver(ToolSolver&&) = default;
+    ToolSolver& operator=(ToolSolver&&) = default;
+};
+
+}  // namespace fulcrum

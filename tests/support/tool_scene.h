@@ -1,0 +1,62 @@
+// A tool of points and what it meets, for tests and hard cases: meshes in, a plan's tool out.
+#pragma once
+
+#include "haptics/geometry/shape.h"
+#include "haptics/tool/tool_plan.h"
+#include "haptics/voxel/voxelise.h"
+
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace fulcrum::test {
+
+struct ToolScene {
+    TriangleMesh tool;
+    Inertia inertia{};
+    ToolMethod method = ToolMethod::voxel_sampling;
+    double voxel_m = 0.004;
+    int n_points = 2000;
+    double most_force_N = 5.0;
+    VoxelToolSettings settings{};
+};
+
+/// A ball of 2 cm and 20 g.
+inline ToolScene make_ball_tool(ToolMethod method = ToolMethod::voxel_sampling) {
+    return {.tool = make_sphere(0.02, 12).value(),
+            .inertia = make_ball_inertia(0.02, 0.02),
+            .method = method};
+}
+
+/// Voxels have one layer outwards, so that the tool stays outside.
+inline std::shared_ptr<const ToolPlan> make_tool_of(ToolScene scene,
+                                                    const std::vector<TriangleMesh>& objects) {
+    scene.settings.inertia = scene.inertia;
+    ToolOrder order;
+    order.shell = std::make_shared<const Pointshell>(
+        make_surface_pointshell(scene.tool, scene.n_points).value());
+    order.settings = scene.settings;
+    order.most_force_N = scene.most_force_N;
+    std::vector<std::shared_ptr<const VoxelGrid>> grids;
+    std::vector<FieldSampler::Field> fields;
+    for (const TriangleMesh& object : objects) {
+        if (scene.method == ToolMethod::field_sampling) {
+            const double length_m = (object.upper_B() - object.lower_B()).maxCoeff();
+            const int n_along =
+                8 * static_cast<int>(std::ceil(length_m / scene.voxel_m / 8.0)) + 16;
+            fields.push_back(std::make_shared<const DistanceField>(
+                DistanceField::build(object, DistanceField::make_frame(object, n_along).value())
+                    .value()));
+            continue;
+        }
+        grids.push_back(std::make_shared<const VoxelGrid>(
+            voxelise(object, {.voxel_m = scene.voxel_m, .offset_layers = 1, .proximity_layers = 2})
+                .value()));
+    }
+    return std::make_shared<const ToolPlan>(scene.method == ToolMethod::field_sampling
+                                                ? make_field_tool_plan(order, fields).value()
+                                                : make_voxel_tool_plan(order, grids));
+}
+
+}  // namespace fulcrum::test

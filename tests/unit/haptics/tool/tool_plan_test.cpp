@@ -1,0 +1,193 @@
+#include "haptics/tool/tool_plan.h"
+
+#include "haptics/math/rotation.h"
+#include "tests/support/tool_scene.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <variant>
+#include <vector>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+constexpr double kDt_s = 0.001;
+
+constexpr ToolMethod kMethods[] = {ToolMethod::field_sampling, ToolMethod::voxel_sampling};
+
+TriangleMesh make_floor_box() {
+    return make_box({0.2, 0.04, 0.2}).value();
+}
+
+const VoxelSamplingPlan& first_voxels(const ToolPlan& plan) {
+    return std::get<std::vector<VoxelSamplingPlan>>(plan.objects).front();
+}
+const FieldSamplingPlan& first_field(const ToolPlan& plan) {
+    return std::get<std::vector<FieldSamplingPlan>>(plan.objects).front();
+}
+
+}  // namespace
+
+TEST_CASE("tool plan: the coupling pulls and turns with at most the force that may be felt") {
+    for (const ToolMethod method : kMethods) {
+        ToolScene scene = make_ball_tool(method);
+        scene.settings.coupling.shift.stiffness_N_per_m = 400.0;
+        scene.settings.coupling.turn.stiffness_Nm_per_rad = 0.5;
+        scene.most_force_N = 4.0;
+        const auto plan = make_tool_of(scene, {make_floor_box()});
+        const ToolCouplingSettings& coupling = plan->settings.coupling;
+        CHECK(plan->n_objects() == 1);
+        CHECK(400.0 * coupling.clamp_m == Approx(4.0));
+        CHECK(0.5 * coupling.clamp_rad == Approx(4.0 * 0.02).epsilon(1e-2));
+        CHECK(validate(*plan));
+        // A single point holds twice that where it is as deep as it may be.
+        if (method == ToolMethod::voxel_sampling) {
+            CHECK(first_voxels(*plan).settings.stiffness_N_per_m * 0.5 * scene.voxel_m ==
+                  Approx(8.0));
+        } else {
+            const FieldSamplingPlan& field = first_field(*plan);
+            CHECK(field.settings.stiffness_N_per_m * field.field->band_m() == Approx(8.0));
+            CHECK(field.settings.along == ForceAlong::slopes);
+        }
+    }
+}
+
+TEST_CASE("tool plan: a turn that nothing stiff resists is clamped at half a round") {
+    ToolScene scene = make_ball_tool();
+    scene.settings.coupling.turn.stiffness_Nm_per_rad = 1.0e-4;
+    const auto plan = make_tool_of(scene, {make_floor_box()});
+    CHECK(plan->settings.coupling.clamp_rad == Approx(std::numbers::pi));
+    CHECK(validate(*plan));
+}
+
+TEST_CASE("tool plan: one point alone is not pressed through by the most that a hand gives") {
+    for (const ToolMethod method : kMethods) {
+        ToolScene scene = make_ball_tool(method);
+        scene.n_points = 1;
+        ToolPlan plan = *make_tool_of(scene, {make_floor_box()});
+        Pointshell tip;
+        tip.add({0.0, -0.02, 0.0}, Vector3::UnitY());
+        if (method == ToolMethod::voxel_sampling) {
+            std::get<std::vector<VoxelSamplingPlan>>(plan.objects)[0].shell = tip;
+        } else {
+            std::get<std::vector<FieldSamplingPlan>>(plan.objects)[0].shell =
+                std::make_shared<const ShellTree>(ShellTree::build(tip).value());
+        }
+        const std::unique_ptr<ToolSolver> tool = make_tool(plan);
+        tool->place(Pose::at({0.0, 0.08, 0.0}));
+        const MovingFrame floor[] = {{}};
+        ToolFelt felt;
+        for (int i = 1; i <= 2000; ++i) {
+            const double share = std::min(1.0, i / 1000.0);
+            felt = tool->move({Pose::at({0.0, 0.08 - 0.08 * share, 0.0}), {}}, floor, i * kDt_s,
+                              kDt_s);
+        }
+        // The hand is 4 cm deep; the tip lies outside, or half as deep as the field knows, and the hand feels the clamp.
+        const double deepest_m =
+            method == ToolMethod::voxel_sampling ? 0.0 : 0.51 * first_field(plan).field->band_m();
+        CHECK(tool->grip_W().position.y() > 0.04 - deepest_m);
+        CHECK(felt.felt_W.force.y() == Approx(5.0).epsilon(1e-3));
+        CHECK(tool->touches()[0].touches);
+    }
+}
+
+TEST_CASE("tool plan: large voxels are kept as a tree, small ones as a grid") {
+    ToolScene scene = make_ball_tool();
+    CHECK(first_voxels(*make_tool_of(scene, {make_floor_box()})).grid != nullptr);
+    scene.voxel_m = 0.001;
+    const auto large = make_tool_of(scene, {make_box({0.2, 0.2, 0.2}).value()});
+    CHECK(first_voxels(*large).grid == nullptr);
+    CHECK(first_voxels(*large).map != nullptr);
+    CHECK(validate(*large));
+}
+
+TEST_CASE("tool plan: what cannot be a tool is refused") {
+    const auto refused = [](ToolMethod method, auto change) {
+        ToolPlan plan = *make_tool_of(make_ball_tool(method), {make_floor_box()});
+        change(plan);
+        return !validate(plan);
+    };
+    for (const ToolMethod method : kMethods) {
+        CHECK_FALSE(refused(method, [](ToolPlan&) {}));
+        CHECK(refused(method, [](ToolPlan& plan) {
+            std::visit([](auto& objects) { objects.clear(); }, plan.objects);
+        }));
+        CHECK(refused(method, [](ToolPlan& plan) {
+            std::visit([](auto& objects) { objects[0].shell = {}; }, plan.objects);
+        }));
+        CHECK(refused(method, [](ToolPlan& plan) {
+            std::visit([](auto& objects) { objects[0].settings.stiffness_N_per_m = -1.0; },
+                       plan.objects);
+        }));
+        CHECK(refused(method, [](ToolPlan& plan) { plan.settings.inertia.mass_kg = 0.0; }));
+        CHECK(refused(method, [](ToolPlan& plan) {
+            plan.settings.coupling.shift.stiffness_N_per_m = std::nan("");
+        }));
+        CHECK(refused(method, [](ToolPlan& plan) { plan.settings.handle_turn.coeffs() *= 1.01; }));
+    }
+    ToolOrder order;
+    order.shell = std::make_shared<const Pointshell>();
+    CHECK_FALSE(make_field_tool_plan(order, {}));
+    CHECK(compute_reach_m(*order.shell) == 0.0);
+}
+
+TEST_CASE("tool plan: a tool that lies turned in its handle is where the handle says") {
+    ToolScene scene = make_ball_tool();
+    scene.settings.grip_T = {0.0, 0.01, 0.02};
+    scene.settings.handle_turn = compute_exp(Vector3(0.4, 1.0, -0.7));
+    const std::unique_ptr<ToolSolver> tool = make_tool(*make_tool_of(scene, {make_floor_box()}));
+    const MovingFrame floor[] = {{Pose::at({0.0, -1.0, 0.0}), {}}};
+    const Pose handle{{0.1, 0.2, 0.3}, compute_exp(Vector3(0.5, -0.4, 0.2))};
+    tool->place(handle);
+    for (int i = 1; i <= 100; ++i) {
+        CHECK((tool->grip_W().position - handle.position).norm() < 1e-12);
+        CHECK(tool->grip_W().orientation.angularDistance(handle.orientation) < 1e-9);
+        CHECK(tool->move({handle, {}}, floor, i * kDt_s, kDt_s).moved);
+    }
+    const Vector3 arm_W = handle.orientation * (scene.settings.handle_turn * scene.settings.grip_T);
+    CHECK((tool->centre_W() - (handle.position - arm_W)).norm() < 1e-12);
+}
+
+TEST_CASE("tool plan: several objects add up, and each tells its own share") {
+    for (const ToolMethod method : kMethods) {
+        // A ball in the corner of a floor and a wall at its right.
+        const auto plan =
+            make_tool_of(make_ball_tool(method),
+                         {make_floor_box(), make_box({0.04, 0.2, 0.2}).value(), make_floor_box()});
+        const std::unique_ptr<ToolSolver> tool = make_tool(*plan);
+        const MovingFrame objects[] = {{Pose::at({0.0, -0.02, 0.0}), {}},
+                                       {Pose::at({0.02, 0.1, 0.0}), {}},
+                                       {Pose::at({0.0, -3.0, 0.0}), {}}};
+        tool->place(Pose::at({-0.04, 0.04, 0.0}));
+        CHECK(tool->is_free(objects));
+        ToolFelt felt;
+        for (int i = 1; i <= 2000; ++i) {
+            const double share = std::min(1.0, i / 1000.0);
+            const Vector3 at = Vector3(-0.04, 0.04, 0.0) + share * Vector3(0.034, -0.032, 0.0);
+            felt = tool->move({Pose::at(at), {}}, objects, i * kDt_s, kDt_s);
+        }
+        CHECK(felt.felt_W.force.x() < -1.0);
+        CHECK(felt.felt_W.force.y() > 1.0);
+        const auto touches = tool->touches();
+        CHECK(touches[0].wrench_W.force.y() > 1.0);
+        CHECK(touches[1].wrench_W.force.x() < -1.0);
+        const Vector3 sum_W = touches[0].wrench_W.force + touches[1].wrench_W.force;
+        CHECK((sum_W - felt.felt_W.force).norm() < 0.01 * sum_W.norm());
+        CHECK_FALSE(touches[2].touches);
+        CHECK(touches[2].wrench_W.force.norm() == 0.0);
+        // Where it has been put into the floor it is not free; a frame that is missing or no number is none either.
+        tool->place(Pose::at({-0.04, 0.0, 0.0}));
+        CHECK_FALSE(tool->is_free(objects));
+        tool->place(Pose::at({-0.04, 0.04, 0.0}));
+        CHECK_FALSE(tool->is_free({objects, 2}));
+        CHECK_FALSE(tool->move({}, {objects, 2}, 3.0, kDt_s).moved);
+        MovingFrame broken[] = {objects[0], objects[1], objects[2]};
+        broken[2].pose_W.position.x() = std::nan("");
+        CHECK_FALSE(tool->is_free(broken));
+        CHECK(tool->memory_bytes() > std::size_t{2000} * 5);
+    }
+}
