@@ -16,34 +16,32 @@ struct CentreDepth {
 
 inline CentreDepth find_centre_depth(const FieldView& field,
                                      const std::array<float, 3>& place) noexcept {
-    std::array<std::int32_t, 3> low{};
-    std::array<std::int32_t, 3> high{};
+    std::array<std::array<std::int32_t, 2>, 3> centres{};  // below and above, along each axis
     std::array<std::array<float, 2>, 3> weight{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float at = place[axis] / kBrickCells - 0.5F;
         const std::int32_t last = field.n_bricks[axis] - 1;
         const auto cell = static_cast<std::int32_t>(at > 0.0F ? at : 0.0F);
-        high[axis] = cell + 1 < last ? cell + 1 : last;
-        low[axis] = high[axis] > 0 ? high[axis] - 1 : 0;
-        float within = at - static_cast<float>(low[axis]);
+        const std::int32_t high = cell + 1 < last ? cell + 1 : last;
+        centres[axis] = {high > 0 ? high - 1 : 0, high};
+        float within = at - static_cast<float>(centres[axis][0]);
         within = within > 0.0F ? within : 0.0F;
         within = within < 1.0F ? within : 1.0F;
         weight[axis] = {1.0F - within, within};
     }
+    constexpr std::array<float, 2> kBy{-1.0F / kBrickCells, 1.0F / kBrickCells};
     CentreDepth found;
     for (unsigned corner = 0; corner < 8; ++corner) {
         const unsigned x = corner & 1U;
         const unsigned y = corner >> 1U & 1U;
         const unsigned z = corner >> 2U;
-        const std::int32_t entry = (x == 0 ? low[0] : high[0]) +
-                                   field.row * (y == 0 ? low[1] : high[1]) +
-                                   field.layer * (z == 0 ? low[2] : high[2]);
+        const std::int32_t entry =
+            centres[0][x] + field.row * centres[1][y] + field.layer * centres[2][z];
         const float depth = field.depths[entry];
         found.depth += depth * (weight[0][x] * weight[1][y] * weight[2][z]);
-        const float share = depth / kBrickCells;
-        found.slope[0] += (x == 0 ? -share : share) * (weight[1][y] * weight[2][z]);
-        found.slope[1] += (y == 0 ? -share : share) * (weight[0][x] * weight[2][z]);
-        found.slope[2] += (z == 0 ? -share : share) * (weight[0][x] * weight[1][y]);
+        found.slope[0] += depth * kBy[x] * (weight[1][y] * weight[2][z]);
+        found.slope[1] += depth * kBy[y] * (weight[0][x] * weight[2][z]);
+        found.slope[2] += depth * kBy[z] * (weight[0][x] * weight[1][y]);
     }
     return found;
 }
