@@ -1,6 +1,7 @@
 #include "dialogue/english/adjective.h"
 
 #include "dialogue/english/letters.h"
+#include "dialogue/english/word_table.h"
 
 #include <algorithm>
 #include <array>
@@ -53,11 +54,6 @@ constexpr std::array<std::string_view, 52> kBoth = {
 /// Both ways too, but "more" is what one teaches.
 constexpr std::array<std::string_view, 7> kBothMoreFirst = {
     "tired", "wicked", "rotten", "crooked", "hateful", "just", "slippery"};
-
-template <class Table>
-bool contains(const Table& table, std::string_view word) {
-    return std::find(table.begin(), table.end(), word) != table.end();
-}
 
 const Irregular* find_irregular(std::string_view adjective) {
     const auto* found =

@@ -1,6 +1,7 @@
 // a or an: by the sound that the next word begins with.
 #include "dialogue/english/letters.h"
 #include "dialogue/english/noun.h"
+#include "dialogue/english/word_table.h"
 
 #include <algorithm>
 #include <array>
@@ -19,8 +20,8 @@ constexpr std::array<std::string_view, 6> kButVowel = {"unin",  "unim", "unid",
 constexpr std::array<std::string_view, 4> kSilentH = {"hour", "honest", "honor", "honour"};
 constexpr std::array<std::string_view, 4> kHeirs = {"heir", "heirs", "heiress", "heirloom"};
 /// Both are heard.
-constexpr std::array<std::string_view, 6> kBoth = {"herb",       "herbal",    "historic",
-                                                   "historical", "historian", "hotel"};
+constexpr std::array<std::string_view, 6> kBothArticles = {"herb",       "herbal",    "historic",
+                                                           "historical", "historian", "hotel"};
 /// Letters whose name begins with a vowel: eff, aitch, el, em, en, ar, ess, ex.
 constexpr std::string_view kVowelNames = "AEFHILMNORSX";
 /// Initials that are said as a word.
@@ -36,11 +37,6 @@ bool starts_with_any(const Table& table, std::string_view word) {
     return std::any_of(table.begin(), table.end(), [&](std::string_view start) {
         return word.substr(0, start.size()) == start;
     });
-}
-
-template <class Table>
-bool contains(const Table& table, std::string_view word) {
-    return std::find(table.begin(), table.end(), word) != table.end();
 }
 
 /// Eight, eleven, eighteen and their thousands begin with a vowel sound.
@@ -89,7 +85,7 @@ std::string_view indefinite_article(std::string_view phrase) {
 }
 
 bool both_articles(std::string_view phrase) {
-    return contains(kBoth, lower_case(first_word(phrase)));
+    return contains(kBothArticles, lower_case(first_word(phrase)));
 }
 
 }  // namespace fulcrum::dialogue

@@ -2,6 +2,7 @@
 
 #include "dialogue/english/letters.h"
 #include "dialogue/english/number.h"
+#include "dialogue/english/word_table.h"
 
 #include <algorithm>
 #include <array>

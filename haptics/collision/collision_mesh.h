@@ -7,6 +7,7 @@
 #include "haptics/geometry/bounding_tree.h"
 #include "haptics/geometry/triangle_mesh.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -28,6 +29,11 @@ class CollisionMesh {
     }
     [[nodiscard]] const Vector3& vertex_B(std::int32_t vertex) const noexcept {
         return vertices_B_[static_cast<std::size_t>(vertex)];
+    }
+    /// Where a triangle's three corners lie.
+    [[nodiscard]] std::array<Vector3, 3> places_B(std::int32_t triangle) const noexcept {
+        const TriangleCorners& at = corners(triangle);
+        return {vertex_B(at[0]), vertex_B(at[1]), vertex_B(at[2])};
     }
     [[nodiscard]] std::span<const Vector3> vertices_B() const noexcept { return vertices_B_; }
     [[nodiscard]] std::span<const TriangleCorners> triangles() const noexcept { return triangles_; }

@@ -6,6 +6,10 @@ namespace fulcrum {
 /// The lightest thing that hangs on the coupling: a handle that nobody holds.
 inline constexpr double kHandleMass_kg = 0.045;
 
+/// Of a saturating spring: how steep its blend may begin, in secants of the blend, and still rise everywhere (Fritsch and
+/// Carlson 1980, see virtual_coupling.h).
+inline constexpr double kSteepestStart = 3.0;
+
 /// Spring and damper between hand and proxy; in world metres.
 /// With the last three fields zero the spring is linear at any stretch; otherwise its force is
 /// linear up to `linear_range_m`, constant from `saturation_range_m` on, and a cubic joins the two.

@@ -10,8 +10,6 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kSteepestStart = 3.0;  // times the secant, see virtual_coupling.h
-
 Expected<void> validate_turn(const TurnCouplingSettings& turn) {
     const std::array<Range, 2> ranges{
         {{"stiffness_Nm_per_rad", turn.stiffness_Nm_per_rad, 0.0, 1.0e3},

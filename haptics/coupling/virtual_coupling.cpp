@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kMaxStiffness_N_per_m = 1.0e5;  // twenty times the stiffest arm
 constexpr double kMaxDamping_Ns_per_m = 1.0e3;
-constexpr double kSteepestStart = 3.0;  // times the secant, Fritsch and Carlson
 
 // NaN fails every comparison, so it is refused with the rest.
 bool is_within(double value, double low, double high) {

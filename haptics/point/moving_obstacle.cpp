@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace fulcrum {
 
 namespace {
 
-// What is added to the obstacle's clearance, as a multiple of the rounding of the world's coordinates, for small solids far from the origin.
-constexpr double kRoundings = 64.0;
 // The gap that counts as met, of the clearance: the difference is what rounding may do to a proxy that slides.
 constexpr double kMet = 0.5;
 
@@ -34,8 +31,7 @@ bool MovingObstacle::take_pose(const Pose& pose_W) noexcept {
 double MovingObstacle::clearance_m() const noexcept {
     const double farthest_m =
         (to_world(proxy_B()) - origin_W()).cwiseAbs().maxCoeff() + origin_W().cwiseAbs().maxCoeff();
-    return obstacle_->clearance_m() +
-           kRoundings * std::numeric_limits<double>::epsilon() * farthest_m;
+    return obstacle_->clearance_m() + rounding_m(farthest_m);
 }
 
 CastHit MovingObstacle::cast(const Vector3& to_W, double reach_m,

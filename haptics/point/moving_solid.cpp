@@ -1,7 +1,6 @@
 #include "haptics/point/moving_solid.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace fulcrum {
 
@@ -9,8 +8,6 @@ namespace {
 
 // How high the proxy is held over a triangle, of the mesh's radius: far above rounding, far below what can be felt.
 constexpr double kClearance = 1.0e-10;
-// The same as a multiple of the rounding of the world's coordinates, for small solids far from the origin.
-constexpr double kRoundings = 64.0;
 // Foot and edge nearer than this, of the triangle's height over that edge, count as beside.
 constexpr double kEdgeMargin = 1.0e-13;
 // Triangles are collected between one and four reaches around a sweep, so that the next sweeps find them there: further as long
@@ -117,8 +114,7 @@ TouchedPlane MovingSolid::find_plane(std::int32_t triangle, int side) const noex
     plane.normal_W = turn_WB() * (prepared.doubled_area.normalized() * side_sign);
     plane.point_W = to_world(prepared.a);
     const double farthest_m = largest_component(plane.point_W) + largest_component(origin_W());
-    plane.clearance_m = kClearance * mesh_->radius_m() +
-                        kRoundings * std::numeric_limits<double>::epsilon() * farthest_m;
+    plane.clearance_m = kClearance * mesh_->radius_m() + rounding_m(farthest_m);
     return plane;
 }
 

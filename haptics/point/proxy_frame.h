@@ -9,6 +9,8 @@
 
 #include "haptics/math/spatial.h"
 
+#include <limits>
+
 namespace fulcrum {
 
 class ProxyFrame {
@@ -33,6 +35,10 @@ class ProxyFrame {
     [[nodiscard]] const Matrix3& turn_WB() const noexcept { return turn_WB_; }
     [[nodiscard]] const Vector3& origin_W() const noexcept { return origin_W_; }
     [[nodiscard]] const Vector3& proxy_B() const noexcept { return proxy_B_; }
+    /// What rounding in places as far as that amounts to, many times over: for small solids far from the origin.
+    [[nodiscard]] static double rounding_m(double farthest_m) noexcept {
+        return 64.0 * std::numeric_limits<double>::epsilon() * farthest_m;
+    }
 
   private:
     Pose pose_W_;

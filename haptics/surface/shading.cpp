@@ -6,18 +6,11 @@
 #include <algorithm>
 
 namespace fulcrum {
-namespace {
-
-std::array<Vector3, 3> places_of(const CollisionMesh& mesh, std::int32_t triangle) noexcept {
-    const TriangleCorners& corners = mesh.corners(triangle);
-    return {mesh.vertex_B(corners[0]), mesh.vertex_B(corners[1]), mesh.vertex_B(corners[2])};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Vector3 ShadedNormals::normal_B(std::int32_t triangle, const Vector3& point_B,
                                 const Vector3& side_B) const noexcept {
-    const auto p = places_of(*mesh_, triangle);
+    const auto p = mesh_->places_B(triangle);
     const Vector3 doubled = (p[1] - p[0]).cross(p[2] - p[0]);
     // Twice the signed areas of the three triangles that the point makes with the sides.
     Vector3 sum = Vector3::Zero();

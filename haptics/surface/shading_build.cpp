@@ -92,11 +92,6 @@ double angle_between(const Vector3& a, const Vector3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-std::array<Vector3, 3> places_of(const CollisionMesh& mesh, std::int32_t triangle) noexcept {
-    const TriangleCorners& corners = mesh.corners(triangle);
-    return {mesh.vertex_B(corners[0]), mesh.vertex_B(corners[1]), mesh.vertex_B(corners[2])};
-}
-
 }  // namespace
 
 ShadedNormals::ShadedNormals(std::shared_ptr<const CollisionMesh> mesh, double crease_angle_deg)
@@ -104,7 +99,7 @@ ShadedNormals::ShadedNormals(std::shared_ptr<const CollisionMesh> mesh, double c
     const auto n = static_cast<std::size_t>(mesh_->n_triangles());
     std::vector<Vector3> faces_B(n);
     for (std::size_t t = 0; t < n; ++t) {
-        const auto p = places_of(*mesh_, static_cast<std::int32_t>(t));
+        const auto p = mesh_->places_B(static_cast<std::int32_t>(t));
         faces_B[t] = compute_direction(Vector3((p[1] - p[0]).cross(p[2] - p[0])));
     }
     Groups groups(3 * n);
@@ -125,7 +120,7 @@ ShadedNormals::ShadedNormals(std::shared_ptr<const CollisionMesh> mesh, double c
             normals_B_.emplace_back(Vector3::Zero());
             face_of_group.push_back(t);
         }
-        const auto p = places_of(*mesh_, static_cast<std::int32_t>(t));
+        const auto p = mesh_->places_B(static_cast<std::int32_t>(t));
         const double angle = angle_between(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
         normals_B_[static_cast<std::size_t>(group)] += angle * faces_B[t];
         groups_[t][i] = group;

@@ -25,10 +25,10 @@ Floats evaluate(const BandTriangle::Line& line, const Floats& x, float y, float 
     return line.slope[0] * x + (line.slope[1] * y + line.slope[2] * z + line.offset);
 }
 
-Floats larger(const Floats& a, const Floats& b) noexcept {
+Floats larger_of(const Floats& a, const Floats& b) noexcept {
     return a > b ? a : b;
 }
-Floats smaller(const Floats& a, const Floats& b) noexcept {
+Floats smaller_of(const Floats& a, const Floats& b) noexcept {
     return a < b ? a : b;
 }
 
@@ -39,9 +39,9 @@ Floats compute_squares(const BandTriangle& t, const Floats& x, float y, float z)
     for (std::size_t i = 0; i < 3; ++i) {
         const Floats beyond = evaluate(t.beyond[i], x, y, z);
         const Floats along = evaluate(t.along[i], x, y, z);
-        const Floats past = larger(larger(-along, along - t.length[i]), zero);
-        outermost = larger(outermost, beyond + t.not_a_face);
-        nearest_edge = smaller(nearest_edge, beyond * beyond + past * past);
+        const Floats past = larger_of(larger_of(-along, along - t.length[i]), zero);
+        outermost = larger_of(outermost, beyond + t.not_a_face);
+        nearest_edge = smaller_of(nearest_edge, beyond * beyond + past * past);
     }
     const Floats height = evaluate(t.height, x, y, z);
     return height * height + (outermost <= zero ? zero : nearest_edge);
@@ -50,7 +50,7 @@ Floats compute_squares(const BandTriangle& t, const Floats& x, float y, float z)
 void lower_row(const BandTriangle& t, const Floats& x, float y, float z, float* row) noexcept {
     Floats squares;
     std::memcpy(&squares, row, sizeof squares);
-    squares = smaller(squares, compute_squares(t, x, y, z));
+    squares = smaller_of(squares, compute_squares(t, x, y, z));
     std::memcpy(row, &squares, sizeof squares);
 }
 

@@ -9,7 +9,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr int kMostCells = 512;  // along an axis: what a tree of three levels holds
+constexpr int kMostAcross = 512;  // along an axis: what a tree of three levels holds
 
 // Until it is reached from outside, what is not surface counts as interior.
 VoxelGrid make_grid(const TriangleMesh& mesh, double voxel_m, const VoxelFrame::Cell& n_cells,
@@ -134,7 +134,7 @@ Expected<VoxelGrid> voxelise(const TriangleMesh& mesh, const VoxeliseSettings& s
         // A side that is whole voxels long, to rounding, gets one more, so that it ends inside and not on a face.
         const double side = (mesh.upper_B()[i] - mesh.lower_B()[i]) / settings.voxel_m;
         const double needed = std::floor(side + 1.0e-6) + 1.0 + 2.0 * margin;
-        if (!(needed <= kMostCells)) {
+        if (!(needed <= kMostAcross)) {
             return fail("a voxel of " + std::to_string(settings.voxel_m) +
                             " m needs more than 512 voxels along a side of the mesh",
                         {}, "make the voxels larger or the mesh smaller");

@@ -9,7 +9,7 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr std::size_t kColumns = 80;
+constexpr std::size_t kLineColumns = 80;
 constexpr std::size_t kLessonIndent = 2;
 constexpr std::size_t kTableIndent = 4;
 constexpr std::size_t kNoteIndent = 6;
@@ -72,11 +72,11 @@ void write_wrapped(const std::string& text, std::size_t indent, std::string& out
         const std::size_t end = std::min(text.find(' ', at), text.size());
         std::string_view word = std::string_view(text).substr(at, end - at);
         at = end + 1;
-        if (line_has_word && display_width(line) + 1 + display_width(word) > kColumns) {
+        if (line_has_word && display_width(line) + 1 + display_width(word) > kLineColumns) {
             break_line();
         }
-        while (display_width(line) + (line_has_word ? 1 : 0) + display_width(word) > kColumns) {
-            const std::string_view piece = next_piece(word, kColumns - display_width(line));
+        while (display_width(line) + (line_has_word ? 1 : 0) + display_width(word) > kLineColumns) {
+            const std::string_view piece = next_piece(word, kLineColumns - display_width(line));
             line += piece;
             word.remove_prefix(piece.size());
             break_line();

@@ -56,6 +56,11 @@ struct LessonContext {
 
 /// The context of the script that runs.
 [[nodiscard]] LessonContext& context_of(lua_State* lua) noexcept;
+/// A getter's result.
+inline int push_text(lua_State* lua, const std::string& text) {
+    lua_pushlstring(lua, text.data(), text.size());
+    return 1;
+}
 /// Adds a command to the reply; raises when there are too many.
 void add_command(lua_State* lua, LessonCommand command);
 

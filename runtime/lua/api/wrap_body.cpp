@@ -181,11 +181,6 @@ void add_hinge_rows(ApiTable& table) {
                                 &get_of_hinge<kLoadTorque>});
 }
 
-int push_text(lua_State* lua, const std::string& text) {
-    lua_pushlstring(lua, text.data(), text.size());
-    return 1;
-}
-
 int get_name(lua_State* lua, LessonContext& context, std::int32_t index) {
     return push_text(lua, description_of(context, index).name);
 }

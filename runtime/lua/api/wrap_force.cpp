@@ -32,10 +32,8 @@ int set_strength(lua_State* lua, LessonContext& context, const Arguments& argume
     return send(lua, context);
 }
 
-int get_name(lua_State* lua, LessonContext& context, std::int32_t index) {
-    const std::string& name = context.description.forces[static_cast<std::size_t>(index)].name;
-    lua_pushlstring(lua, name.data(), name.size());
-    return 1;
+int get_force_name(lua_State* lua, LessonContext& context, std::int32_t index) {
+    return push_text(lua, context.description.forces[static_cast<std::size_t>(index)].name);
 }
 
 }  // namespace
@@ -77,7 +75,7 @@ void add_force_api(ApiTable& table) {
          "",
          "Weakens it.",
          &set_strength});
-    table.properties.push_back({"force", "name", "string", "", "", &get_name});
+    table.properties.push_back({"force", "name", "string", "", "", &get_force_name});
 }
 
 }  // namespace fulcrum::runtime

@@ -164,10 +164,8 @@ const Material& felt_of(const LessonContext& context, std::int32_t index) {
     return context.description.materials[static_cast<std::size_t>(index)].felt;
 }
 
-int get_name(lua_State* lua, LessonContext& context, std::int32_t index) {
-    const std::string& name = felt_of(context, index).name;
-    lua_pushlstring(lua, name.data(), name.size());
-    return 1;
+int get_felt_name(lua_State* lua, LessonContext& context, std::int32_t index) {
+    return push_text(lua, felt_of(context, index).name);
 }
 
 /// A number of the surface as a field.
@@ -202,7 +200,7 @@ void add_properties(ApiTable& table) {
                               int (*get)(lua_State*, LessonContext&, std::int32_t)) {
         table.properties.push_back({"material", property, "number", unit, text, get});
     };
-    table.properties.push_back({"material", "name", "string", "", "", &get_name});
+    table.properties.push_back({"material", "name", "string", "", "", &get_felt_name});
     add("hardness", "",
         "0 (soft) to 1, hard from 0.5 on: from the stiffness of its spring and the tone of a tap",
         &get_grade<&MaterialGrades::hardness>);

@@ -11,11 +11,11 @@ namespace fulcrum::runtime {
 
 namespace {
 
-constexpr float kPadX = 14.0F;
-constexpr float kPadY = 3.0F;
+constexpr float kLabelPadX = 14.0F;
+constexpr float kLabelPadY = 3.0F;
 constexpr float kAway = 10.0F;  // between a thing and its label
-constexpr float kIconRoom = 30.0F;
-constexpr float kIcon = 14.0F;
+constexpr float kLabelIconRoom = 30.0F;
+constexpr float kLabelIcon = 14.0F;
 constexpr float kWidest = 420.0F;
 
 bool overlap(const Box& a, const Box& b) {
@@ -63,8 +63,9 @@ std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, std
         result.words = set_text(font, plain_text(label.text), settings);
         result.label = label;
         const float width =
-            result.words.width_px + measure.px(2.0F * kPadX + (label.is_force ? kIconRoom : 0.0F));
-        const float height = result.words.height_px + measure.px(2.0F * kPadY);
+            result.words.width_px +
+            measure.px(2.0F * kLabelPadX + (label.is_force ? kLabelIconRoom : 0.0F));
+        const float height = result.words.height_px + measure.px(2.0F * kLabelPadY);
         for (const Box& box : candidates(label, width, height, measure.px(kAway))) {
             const bool free = std::none_of(taken.begin(), taken.end(),
                                            [&](const Box& other) { return overlap(box, other); });
@@ -93,12 +94,12 @@ void draw_labels(const std::vector<PlacedLabel>& labels, const Measure& measure,
         list.shadow_box({box.x, box.y + measure.px(2.0F), box.width, box.height}, radius,
                         measure.px(8.0F), with_alpha(theme::kInk, 0.20F));
         list.fill_box(box, radius, theme::kPaper);
-        float x = box.x + measure.px(kPadX);
+        float x = box.x + measure.px(kLabelPadX);
         if (placed.label.is_force) {
-            draw_arrow_icon(list, {x + measure.px(kIcon - 4.0F), box.middle_y()}, measure.px(kIcon),
-                            placed.label.direction,
+            draw_arrow_icon(list, {x + measure.px(kLabelIcon - 4.0F), box.middle_y()},
+                            measure.px(kLabelIcon), placed.label.direction,
                             placed.label.is_load ? theme::kLoadArrow : theme::kForceArrow);
-            x += measure.px(kIconRoom);
+            x += measure.px(kLabelIconRoom);
         }
         list.text(placed.words, x, box.middle_y() - 0.5F * placed.words.height_px, 0.0F, 0.0F,
                   theme::kInk, theme::kEmphasisInk);

@@ -12,8 +12,8 @@ namespace fulcrum::runtime {
 namespace {
 
 // At 720.
-constexpr float kMargin = 48.0F;
-constexpr float kGap = 28.0F;
+constexpr float kMenuMargin = 48.0F;
+constexpr float kCardGap = 28.0F;
 constexpr float kHeadlineRoom = 108.0F;
 constexpr float kTallestCard = 430.0F;
 constexpr float kLeastCardHeight = 215.0F;
@@ -21,7 +21,7 @@ constexpr float kWidestCard = 360.0F;
 constexpr float kLeastCardWidth = 250.0F;
 constexpr float kPad = 18.0F;
 constexpr float kChosenFrame = 8.0F;
-constexpr float kRadius = 22.0F;
+constexpr float kCardRadius = 22.0F;
 constexpr float kTick = 24.0F;
 constexpr float kSign = 20.0F;       // radius of the sign that there are more rows
 constexpr float kSignArrow = 11.0F;  // of the arrow on it
@@ -58,8 +58,8 @@ struct Grid {
 Grid lay_out_grid(int count, const Measure& m, MenuLayout& layout) {
     Grid grid;
     grid.count = count;
-    grid.gap = m.px(kGap);
-    const float width_room = m.width_px - 2.0F * m.px(kMargin);
+    grid.gap = m.px(kCardGap);
+    const float width_room = m.width_px - 2.0F * m.px(kMenuMargin);
     const float height_room = std::max(layout.bottom_px - layout.top_px, m.px(kLeastCardHeight));
     const int most_columns = fitting(width_room, m.px(kLeastCardWidth), grid.gap);
     layout.all_rows = (count + most_columns - 1) / most_columns;
@@ -97,7 +97,7 @@ MenuCard lay_out_card(int index, bool chosen, const Grid& grid, const Measure& m
 /// The signs that there are more rows, in the margin right of the cards, where there are.
 void lay_out_signs(const Grid& grid, const Measure& m, MenuLayout& layout) {
     const float side = 2.0F * m.px(kSign);
-    const float x = m.width_px - 0.5F * m.px(kMargin) - 0.5F * side;
+    const float x = m.width_px - 0.5F * m.px(kMenuMargin) - 0.5F * side;
     if (layout.first_row > 0) {
         layout.earlier = {x, grid.top, side, side};
     }
@@ -137,15 +137,15 @@ MenuLayout lay_out_menu(const View& view, const Measure& m, float top_px, float 
 MenuLayout lay_out_menu(const View& view, const Measure& m, const std::vector<Box>& panels) {
     // Panels in the upper half push the cards down, those in the lower half push them up.
     const float headline = view.title.empty() ? 0.0F : m.px(kHeadlineRoom);
-    float top = m.px(0.4F * kGap) + headline;
+    float top = m.px(0.4F * kCardGap) + headline;
     bool covered = false;
-    float bottom = m.height_px - m.px(kGap);
+    float bottom = m.height_px - m.px(kCardGap);
     for (const Box& panel : panels) {
         if (panel.middle_y() < 0.5F * m.height_px) {
             top = std::max(top, panel.bottom() + m.px(kChosenFrame));
             covered = true;
         } else {
-            bottom = std::min(bottom, panel.y - m.px(kGap));
+            bottom = std::min(bottom, panel.y - m.px(kCardGap));
         }
     }
     MenuLayout layout = lay_out_menu(view, m, top, bottom);
@@ -182,7 +182,7 @@ void draw_menu_papers(const MenuLayout& layout, const Measure& m, DrawList& list
         }
         // The chosen card is larger, has a thick frame, and a tick later on.
         draw_paper(list, card.paper, m, theme::kSelectedPaper);
-        list.frame_box(card.paper, m.px(kRadius), m.px(kChosenFrame), theme::kBlue);
+        list.frame_box(card.paper, m.px(kCardRadius), m.px(kChosenFrame), theme::kBlue);
         draw_icon_ground(card);
     }
 }

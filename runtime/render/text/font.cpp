@@ -1,5 +1,7 @@
 #include "runtime/render/text/font.h"
 
+#include "runtime/render/text/utf8.h"
+
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
@@ -15,7 +17,6 @@ namespace fulcrum::runtime {
 
 namespace {
 
-constexpr char32_t kReplacement = 0xFFFD;
 constexpr int kWhiteSide = 4;  // full pixels in the atlas' first corner, for plain shapes
 constexpr int kGap = 1;        // between letters, so that no neighbour shines in
 constexpr std::size_t kFaceCount = 2;

@@ -6,8 +6,6 @@ namespace fulcrum::runtime {
 
 namespace {
 
-constexpr char32_t kReplacement = 0xFFFD;
-
 /// Takes one code point off the front; an ill-formed byte is taken alone.
 char32_t take_code_point(std::string_view& rest) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(rest[i]); };

@@ -13,6 +13,9 @@ namespace fulcrum::runtime {
 /// More than anybody reads at once; the rest is cut off.
 inline constexpr std::size_t kMostCodePoints = 4000;
 
+/// What stands for a byte or a code point that cannot be drawn.
+inline constexpr char32_t kReplacement = 0xFFFD;
+
 /// Code points to draw: ill-formed bytes become U+FFFD, tabs a space, line breaks '\n'; other
 /// control, zero-width, direction and private characters are left out. At most kMostCodePoints.
 [[nodiscard]] std::u32string decode_for_display(std::string_view utf8);

@@ -3,6 +3,7 @@
 
 #include "haptics/loop/haptic_loop.h"
 #include "tests/support/scripted_device.h"
+#include "tests/unit/haptics/loop/rounds.h"
 
 #include <catch2/catch.hpp>
 
@@ -10,9 +11,6 @@
 #include <utility>
 
 namespace fulcrum {
-
-inline constexpr double kDt_s = 0.001;
-inline constexpr double kRounding = 1e-9;
 
 // A loop with everything round it; `run` steps it, keeping lesson and world fresh while they are awake.
 struct Bench {

@@ -2,13 +2,11 @@
 #pragma once
 
 #include "haptics/loop/safety.h"
+#include "tests/unit/haptics/loop/rounds.h"
 
 #include <catch2/catch.hpp>
 
 namespace fulcrum {
-
-inline constexpr double kDt_s = 0.001;
-inline constexpr double kRounding = 1e-9;  // sums of a few thousand doubles near 1
 
 inline Wrench along_x(double force_N) {
     return {Vector3(force_N, 0, 0), Vector3::Zero()};

@@ -1,6 +1,7 @@
 // The god-object at the limits of its own lengths: clearance, slack, gain; and where one answer hides another.
 #include "haptics/geometry/shape.h"
 #include "haptics/point/god_object.h"
+#include "tests/support/touchable.h"
 
 #include <catch2/catch.hpp>
 
@@ -10,11 +11,8 @@ namespace {
 // Of a solid's radius: the proxy's clearance over it. See moving_solid.cpp.
 constexpr double kClearance = 1.0e-10;
 
-SolidPlan touchable(const Expected<TriangleMesh>& mesh, const Pose& pose_W = {}) {
-    REQUIRE(mesh);
-    const auto made = CollisionMesh::create(*mesh);
-    REQUIRE(made);
-    return {.body = 0, .shape = *made, .initial_pose_W = pose_W};
+SolidPlan solid_of(const Expected<TriangleMesh>& mesh, const Pose& pose_W = {}) {
+    return only_solid(touchable(mesh), pose_W).front();
 }
 
 Pose at(const Vector3& position_W) {
@@ -22,7 +20,7 @@ Pose at(const Vector3& position_W) {
 }
 
 TEST_CASE("god object: pressed by less than its clearance it stands still and costs no search") {
-    GodObject proxy({touchable(make_plate(1.0, 1.0, 3))});
+    GodObject proxy({solid_of(make_plate(1.0, 1.0, 3))});
     const double clearance_m = kClearance * std::sqrt(0.5);
     const std::array<Pose, 1> poses{at(Vector3::Zero())};
     proxy.reset(Vector3(0.1, 0.2, 0.03));
@@ -36,7 +34,7 @@ TEST_CASE("god object: pressed by less than its clearance it stands still and co
 }
 
 TEST_CASE("god object: past an edge it lets go however little there is to gain") {
-    GodObject proxy({touchable(make_box(Vector3::Ones()))});
+    GodObject proxy({solid_of(make_box(Vector3::Ones()))});
     const std::array<Pose, 1> poses{at(Vector3::Zero())};
     proxy.reset(Vector3(0.45, 0.6, 0.1));
     // Five thousand-millionths of a metre below the top: some fifty clearances.
@@ -51,7 +49,7 @@ TEST_CASE("god object: in a gap narrower than its clearances it slides along, an
     constexpr double kGap_m = 0.5e-10;  // the plates' clearances are 0.7e-10 each
     const auto plate = make_plate(1.0, 1.0, 3);
     const std::array<Pose, 2> poses{at(Vector3::Zero()), at(Vector3(0.0, kGap_m, 0.0))};
-    GodObject proxy({touchable(plate, poses[0]), touchable(plate, poses[1])});
+    GodObject proxy({solid_of(plate, poses[0]), solid_of(plate, poses[1])});
     proxy.reset(Vector3(-0.3, 0.5 * kGap_m, 0.05));
     for (int i = 0; i <= 100; ++i) {
         const Vector3 hand(-0.3 + 0.006 * i, i % 2 == 0 ? -0.1 : 0.1, 0.05 + 0.001 * i);
@@ -69,7 +67,7 @@ TEST_CASE("god object: what it touches takes it along, and over nothing that sta
         {Vector3(-1, 0, -1), Vector3(1, 0, -1), Vector3(1, 0, 1), Vector3(-1, 0, 1),
          Vector3(0, 0, -1), Vector3(0, 0, 1), Vector3(0, 0.1, -1), Vector3(0, 0.1, 1)},
         {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {5, 7, 6}});
-    GodObject proxy({touchable(tray)});
+    GodObject proxy({solid_of(tray)});
     const Vector3 hand(-0.1, -0.5, 0.0);
     proxy.reset(Vector3(-0.1, 0.5, 0.0));
     proxy.step(hand, std::array{at(Vector3::Zero())});
@@ -89,7 +87,7 @@ TEST_CASE(
                              Vector3(0.2, -1, 1), Vector3(0.05, -1, -0.15), Vector3(0.2, -1, -0.15),
                              Vector3(0.2, 1, -0.15), Vector3(0.05, 1, -0.15)},
                             {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
-    GodObject proxy({touchable(make_plate(4.0, 4.0, 3)), touchable(wall)});
+    GodObject proxy({solid_of(make_plate(4.0, 4.0, 3)), solid_of(wall)});
     proxy.reset(Vector3(0.0, 0.1, 0.0));
     proxy.step(Vector3(0.0, -0.1, 0.0), std::array{at(Vector3::Zero()), at(Vector3::Zero())});
     REQUIRE(proxy.contact().solid == 0);
@@ -108,7 +106,7 @@ TEST_CASE("god object: on a floor beside a ridge only what it stands on holds it
          Vector3(-0.5, -0.2, -0.8), Vector3(-3, 0, -3), Vector3(3, 0, -3), Vector3(0, 0, 4)},
         {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {4, 6, 5}});
     const std::array<Pose, 1> poses{at(Vector3::Zero())};
-    GodObject proxy({touchable(spike)});
+    GodObject proxy({solid_of(spike)});
     proxy.reset(Vector3(0.1, 1.0, -0.15));
     // In the groove of the first roof, y + z = 0.4, and the floor.
     proxy.step(Vector3(-0.05, -0.35, 0.3), poses);
@@ -127,7 +125,7 @@ TEST_CASE("god object: on a floor beside a ridge only what it stands on holds it
 }
 
 TEST_CASE("god object: a start in a face with another right before it goes behind the face") {
-    const SolidPlan lower = touchable(make_plate(1.0, 1.0, 3));
+    const SolidPlan lower = solid_of(make_plate(1.0, 1.0, 3));
     const Vector3 start(0.1, 0.0, 0.03);
     MovingSolid solid(lower, 0);
     solid.put_proxy(start);
@@ -140,7 +138,7 @@ TEST_CASE("god object: a start in a face with another right before it goes behin
 }
 
 TEST_CASE("god object: a hand up to 1e30 metres away is followed, one beyond is not") {
-    GodObject proxy({touchable(make_plate(1.0, 1.0, 3))});
+    GodObject proxy({solid_of(make_plate(1.0, 1.0, 3))});
     const std::array<Pose, 1> poses{at(Vector3::Zero())};
     CHECK(proxy.step(Vector3(0.0, 1.0e30, 0.0), poses).position_W.y() == 1.0e30);
     CHECK(proxy.step(Vector3(0.0, 1.001e30, 0.0), poses).position_W.y() == 1.0e30);
@@ -154,7 +152,7 @@ TEST_CASE("god object: the smallest mesh that is built can be touched") {
         vertex *= kScale;
     }
     GodObject proxy(
-        {touchable(TriangleMesh::build(vertices, make_box(Vector3::Ones())->triangles()))});
+        {solid_of(TriangleMesh::build(vertices, make_box(Vector3::Ones())->triangles()))});
     proxy.reset(kScale * Vector3(0.1, 0.9, -0.2));
     const ProxyContact& contact = proxy.step(kScale * Vector3(0.13, 0.3, -0.22), poses);
     CHECK((contact.position_W / kScale - Vector3(0.13, 0.5, -0.22)).norm() < 1e-9);
