@@ -1,4 +1,5 @@
 include(discover_tests)
+include(join_sources)
 
 # Eigen and the commonest standard headers are compiled once for all libraries. Sources include what they use all the
 # same: the presets for clang build without this.
@@ -19,6 +20,10 @@ function(fulcrum_library name folder)
     add_library(fulcrum_${name} STATIC ${sources})
     target_link_libraries(fulcrum_${name} PUBLIC fulcrum_options ${arg_DEPENDS} PRIVATE ${arg_PRIVATE})
     target_precompile_headers(fulcrum_${name} REUSE_FROM fulcrum_pch)
+    # The real-time check judges the objects of haptics one by one (tests/realtime), in builds without sanitizers.
+    if(FULCRUM_SANITIZE OR NOT name STREQUAL haptics)
+      fulcrum_join_library(fulcrum_${name} ${sources})
+    endif()
   else()
     add_library(fulcrum_${name} INTERFACE)
     target_link_libraries(fulcrum_${name} INTERFACE fulcrum_options ${arg_DEPENDS})
@@ -26,10 +31,10 @@ function(fulcrum_library name folder)
   add_library(fulcrum::${name} ALIAS fulcrum_${name})
 endfunction()
 
-# fulcrum_tests(NAME folder LABEL label DEPENDS ... [BUILT_ANEW]): one test program from every .cpp under folder; each TEST_CASE
-# is a ctest of its own, carrying the label. With FULCRUM_TEST_OBJECTS, another build's folder, the tests' objects are taken
+# fulcrum_tests(NAME folder LABEL label DEPENDS ... [BUILT_ANEW]): one test program from every *_test.cpp under folder; each
+# TEST_CASE is a ctest of its own, carrying the label. With FULCRUM_TEST_OBJECTS, another build's folder, the tests' objects are taken
 # from there: what they test is sanitized, they are not. Not those BUILT_ANEW, which are compiled for one build's folder or
-# for sanitizers.
+# for sanitizers, nor are those joined (join_sources.cmake), for they replace what the whole program allocates with.
 function(fulcrum_tests name folder)
   cmake_parse_arguments(arg "BUILT_ANEW" "LABEL;TIMEOUT" "DEPENDS;ENVIRONMENT" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*_test.cpp)
@@ -39,9 +44,13 @@ function(fulcrum_tests name folder)
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
+  if(NOT arg_BUILT_ANEW)
+    fulcrum_join_sources(sources ${name} ${sources})
+  endif()
   if(FULCRUM_TEST_OBJECTS AND NOT arg_BUILT_ANEW)
-    list(TRANSFORM sources REPLACE "^${CMAKE_SOURCE_DIR}/tests/(.*)$"
-                                   "${FULCRUM_TEST_OBJECTS}/tests/CMakeFiles/test_${name}.dir/\\1.o")
+    # Where CMake puts the object of a source, which lies under the folder of the build or of the tests.
+    list(TRANSFORM sources REPLACE "^(${CMAKE_CURRENT_BINARY_DIR}|${CMAKE_SOURCE_DIR}/tests)/(.*)$"
+                                   "${FULCRUM_TEST_OBJECTS}/tests/CMakeFiles/test_${name}.dir/\\2.o")
     set_source_files_properties(${sources} PROPERTIES EXTERNAL_OBJECT ON)
   endif()
   add_executable(test_${name} ${sources})

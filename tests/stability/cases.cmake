@@ -1,6 +1,7 @@
 # Hard cases register themselves: they are linked whole, into the program that ctest asks and into the benchmarks.
 file(GLOB case_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/cases/*.cpp)
 list(FILTER case_sources EXCLUDE REGEX run_cases)
+fulcrum_join_sources(case_sources cases ${case_sources})
 add_library(fulcrum_stability_cases OBJECT ${case_sources})
 target_link_libraries(fulcrum_stability_cases PUBLIC fulcrum::haptics fulcrum::test_support)
 target_precompile_headers(fulcrum_stability_cases REUSE_FROM fulcrum_pch)
