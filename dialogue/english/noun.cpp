@@ -113,11 +113,6 @@ constexpr std::array<std::string_view, 22> kSingularInS = {
 /// "the" belongs to the name.
 constexpr std::array<std::string_view, 2> kNamedThe = {"moon", "sun"};
 
-template <class Table>
-bool contains(const Table& table, std::string_view word) {
-    return std::find(table.begin(), table.end(), word) != table.end();
-}
-
 /// Places, amounts and answers that are no things.
 constexpr std::array<std::string_view, 27> kNoNouns = {
     "near", "nearer", "far",   "farther", "further", "close",   "closer", "up",      "down",

@@ -26,12 +26,14 @@ struct Hold {
     }
 };
 
-// No more than the hand may feel.
-void limit_push(double most_N, SolidPush& push) noexcept {
-    const double force_N = compute_length(push.force_W);
-    const double share = force_N > most_N ? most_N / force_N : 1.0;
+// No more than the hand may feel: a couple is drawn together with the force that comes with it, and by itself.
+void limit_push(const MostFelt& most, SolidPush& push) noexcept {
+    const auto find_share = [](double asked, double allowed) {
+        return asked > allowed ? allowed / asked : 1.0;
+    };
+    const double share = find_share(compute_length(push.force_W), most.force_N);
     push.force_W *= share;
-    push.couple_W *= share;
+    push.couple_W *= std::min(share, find_share(compute_length(push.couple_W), most.torque_Nm));
 }
 
 // The share of the hand's force that one solid takes, all of it where it alone is touched.
@@ -137,23 +139,23 @@ void AxleStage::push(const ProxyContact& contact, const HandPush& hand, double d
     const Vector3 held_W = compute_held_force(contact, hand.force_W, hand.spring_W);
     for (std::size_t i = 0; i < axles_.size(); ++i) {
         const auto solid = static_cast<std::int32_t>(axles_[i].solid);
-        move_on(i, compute_push(contact, solid, held_W, cursor_m_), hand.most_N, dt_s);
+        move_on(i, compute_push(contact, solid, held_W, cursor_m_), {.force_N = hand.most_N}, dt_s);
     }
     tell();
 }
 
-void AxleStage::push_by_tool(std::span<const SolidPush> pushes, double most_N,
+void AxleStage::push_by_tool(std::span<const SolidPush> pushes, const MostFelt& most,
                              double dt_s) noexcept {
     for (std::size_t i = 0; i < axles_.size(); ++i) {
-        move_on(i, pushes[axles_[i].solid], most_N, dt_s);
+        move_on(i, pushes[axles_[i].solid], most, dt_s);
     }
     tell();
 }
 
-void AxleStage::move_on(std::size_t i, SolidPush push, double most_N, double dt_s) noexcept {
+void AxleStage::move_on(std::size_t i, SolidPush push, const MostFelt& most, double dt_s) noexcept {
     Axle& axle = axles_[i];
     AxleReport& report = frame_.axles[i];
-    limit_push(most_N, push);
+    limit_push(most, push);
     report.pivot_W = axle.rest_W.position + axle.settings.pivot_B;
     report.touched = push.touches;
     report.at_W = push.at_W;

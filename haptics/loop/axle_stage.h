@@ -48,8 +48,9 @@ class AxleStage {
     [[nodiscard]] std::uint32_t put() const noexcept { return put_; }
     /// Then, when the forces are known. Moves all axles on and tells of them.
     void push(const ProxyContact& contact, const HandPush& hand, double dt_s) noexcept;
-    /// The same of a tool: one push a solid of the plan; none is given more than `most_N`.
-    void push_by_tool(std::span<const SolidPush> pushes, double most_N, double dt_s) noexcept;
+    /// The same of a tool: one push a solid of the plan; none is given more than `most`.
+    void push_by_tool(std::span<const SolidPush> pushes, const MostFelt& most,
+                      double dt_s) noexcept;
 
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
@@ -63,7 +64,7 @@ class AxleStage {
         std::uint32_t n_spins = 0;
         Pose rest_W{};  // of the body at angle 0, in this round
     };
-    void move_on(std::size_t i, SolidPush push, double most_N, double dt_s) noexcept;
+    void move_on(std::size_t i, SolidPush push, const MostFelt& most, double dt_s) noexcept;
     void tell() noexcept;
     static bool take_order(const AxleOrder& order, Axle& axle) noexcept;
 

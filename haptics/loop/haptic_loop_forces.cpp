@@ -48,7 +48,10 @@ void HapticLoop::add_tool() noexcept {
 // What the hand presses turns; the contact's is the first force of the round, and so far the only one.
 void HapticLoop::turn_axles() noexcept {
     if (tool_) {
-        axles_->push_by_tool(tool_->pushes(), gate_.find_most_N(dt_s_), dt_s_);
+        // The hand feels the world's torques over the scale (tool_stage.h).
+        axles_->push_by_tool(
+            tool_->pushes(),
+            {gate_.find_most_N(dt_s_), gate_.find_most_Nm(dt_s_) * plan_.workspace.scale}, dt_s_);
         return;
     }
     axles_->push(touch_->contact,

@@ -97,17 +97,24 @@ void SafetyGate::enter(GatePhase phase) noexcept {
 }
 
 double SafetyGate::find_most_N(double dt_s) const noexcept {
-    const bool lets_through = phase_ == GatePhase::rising || phase_ == GatePhase::open;
-    if (!lets_through || !(dt_s >= 0.0)) {
-        return 0.0;
-    }
+    return lets_through(dt_s) ? std::min(settings_.max_force_N,
+                                         compute_length(output_D_.force) + find_growth_N(dt_s))
+                              : 0.0;
+}
+
+double SafetyGate::find_most_Nm(double dt_s) const noexcept {
+    return lets_through(dt_s)
+               ? std::min(settings_.max_torque_Nm, compute_length(output_D_.torque) +
+                                                       torque_per_force_m_ * find_growth_N(dt_s))
+               : 0.0;
+}
+
+double SafetyGate::find_growth_N(double dt_s) const noexcept {
     // As `follow` lets it grow.
     const double rise_s = std::min(dt_s, kLongestStep_s);
     const bool stays_rising =
         phase_ == GatePhase::rising && rise_age_s_ + rise_s <= settings_.soft_start_s;
-    const double growth_N =
-        rise_s * (stays_rising ? settings_.soft_start_N_per_s : settings_.max_slew_N_per_s);
-    return std::min(settings_.max_force_N, compute_length(output_D_.force) + growth_N);
+    return rise_s * (stays_rising ? settings_.soft_start_N_per_s : settings_.max_slew_N_per_s);
 }
 
 Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s) noexcept {

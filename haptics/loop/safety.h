@@ -60,6 +60,8 @@ class SafetyGate {
 
     /// The largest force in newtons that the next `pass` may let through, whatever is commanded and without a fault.
     [[nodiscard]] double find_most_N(double dt_s) const noexcept;
+    /// The same of the torque, newton metres.
+    [[nodiscard]] double find_most_Nm(double dt_s) const noexcept;
 
     /// True while a fade, of a fault or of a stop, has not come to zero.
     [[nodiscard]] bool is_fading() const noexcept;
@@ -73,6 +75,11 @@ class SafetyGate {
 
   private:
     void enter(GatePhase phase) noexcept;
+    [[nodiscard]] bool lets_through(double dt_s) const noexcept {
+        return (phase_ == GatePhase::rising || phase_ == GatePhase::open) && dt_s >= 0.0;
+    }
+    // How much the force may grow in the next `pass` of an open gate.
+    [[nodiscard]] double find_growth_N(double dt_s) const noexcept;
     void judge(const Wrench& commanded, double dt_s) noexcept;
     void follow(const Wrench& limited, double dt_s) noexcept;
     void fade(double dt_s) noexcept;

@@ -12,4 +12,10 @@ struct SolidPush {
     Vector3 couple_W{Vector3::Zero()};  ///< on it as well, wherever
 };
 
+/// What a hand may feel next (SafetyGate::find_most_N and find_most_Nm), seen in the world.
+struct MostFelt {
+    double force_N = 0.0;
+    double torque_Nm = 0.0;
+};
+
 }  // namespace fulcrum

@@ -39,8 +39,16 @@ inline LessonDescription full_description() {
     d.hand = {Vector3(0, 0.4, 0), 2.0, 2000.0, true, 17, ProxyKind::virtual_proxy,
               SphereShape{0.01},  20};
     d.bodies[1].material = 1;
-    d.bodies[0].hinge = AxleSettings{
-        Vector3(0, 1, 0), Vector3(0.1, 0.2, 0), 0.5, 0.25, -1.0, 2.0, 3.0, Vector3(-0.4, 0, 0)};
+    d.bodies[0].hinge = AxleSettings{.axis_W = Vector3(0, 1, 0),
+                                     .pivot_B = Vector3(0.1, 0.2, 0),
+                                     .inertia_kg_m2 = 0.5,
+                                     .mass_kg = 0.3,
+                                     .centre_B = Vector3(0.1, 0.21, 0),
+                                     .friction_Nm = 0.25,
+                                     .lowest_rad = -1.0,
+                                     .highest_rad = 2.0,
+                                     .load_N = 3.0,
+                                     .load_B = Vector3(-0.4, 0, 0)};
     d.questions = {{"heaviest",
                     "Which?",
                     {"the {thing}", "{thing}"},

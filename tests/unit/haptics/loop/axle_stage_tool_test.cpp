@@ -31,9 +31,9 @@ TEST_CASE(
     const Pose rest[] = {Pose{}, Pose{}};
     SolidPush pushes[2];
     pushes[0] = {true, Vector3(0.4, 0.05, 0), Vector3(1, -2, 3), Vector3(7, 5, 0.25)};
-    const auto report = [&](double most_N) {
+    const auto report = [&](double most_N, double most_Nm = 100.0) {
         (void)stage.turn(rest);
-        stage.push_by_tool(pushes, most_N, 1e-3);
+        stage.push_by_tool(pushes, {most_N, most_Nm}, 1e-3);
         REQUIRE(channels->frame.take());
         return channels->frame.value().axles[0];
     };
@@ -46,6 +46,14 @@ TEST_CASE(
     const double force_N = pushes[0].force_W.norm();
     CHECK(report(0.5 * force_N).torque_Nm == Approx(0.5 * torque_Nm));
     CHECK(report(0.0).torque_Nm == 0.0);
+    // The couple alone has a limit of its own, behind a closed gate nothing.
+    const double couple_Nm = pushes[0].couple_W.norm();
+    CHECK(report(10.0, 0.5 * couple_Nm).torque_Nm == Approx(torque_Nm - 0.5 * 0.25));
+    CHECK(report(10.0, 0.0).torque_Nm == Approx(torque_Nm - 0.25));
+    pushes[0].force_W = Vector3::Zero();
+    CHECK(report(10.0, 100.0).torque_Nm == Approx(0.25));
+    CHECK(report(0.0, 0.5 * couple_Nm).torque_Nm == Approx(0.125));
+    CHECK(report(10.0, 0.0).torque_Nm == 0.0);
     // Another solid's push is not its.
     std::swap(pushes[0], pushes[1]);
     CHECK(report(10.0).torque_Nm == 0.0);

@@ -208,23 +208,34 @@ TEST_CASE("safety: limits scale the vector and keep its direction") {
 }
 
 TEST_CASE("safety: what the gate says that it may let through next bounds what it lets through") {
-    SafetyGate gate{SafetySettings{}};
+    SafetySettings settings;
+    settings.max_torque_Nm = 0.3;
+    SafetyGate gate{settings};
     CHECK(gate.find_most_N(kDt_s) == 0.0);
+    CHECK(gate.find_most_Nm(kDt_s) == 0.0);
     double tightest = 0.0;
+    double tightest_turn = 0.0;
     for (int i = 0; i < 4000; ++i) {
         const double dt_s = i % 7 == 0 ? 3.0 * kDt_s : kDt_s;
         const Fault fault = i == 3500 ? Fault::device_read : Fault::none;
         const double most_N = gate.find_most_N(dt_s);
-        const double felt_N = gate.pass(along_x(i < 100 ? 0.0 : 50.0), fault, dt_s).force.norm();
+        const double most_Nm = gate.find_most_Nm(dt_s);
+        const double asked = i < 100 ? 0.0 : 50.0;
+        const Wrench felt = gate.pass({Vector3(asked, 0, 0), Vector3(0, asked, 0)}, fault, dt_s);
         if (i > 0 && i < 3500) {
-            REQUIRE(felt_N <= most_N);
-            tightest = std::max(tightest, most_N > 0.0 ? felt_N / most_N : 0.0);
+            REQUIRE(felt.force.norm() <= most_N);
+            REQUIRE(felt.torque.norm() <= most_Nm * (1.0 + 1e-12));
+            tightest = std::max(tightest, most_N > 0.0 ? felt.force.norm() / most_N : 0.0);
+            tightest_turn =
+                std::max(tightest_turn, most_Nm > 0.0 ? felt.torque.norm() / most_Nm : 0.0);
         }
         if (i > 3500) {
             REQUIRE(gate.find_most_N(dt_s) == 0.0);
+            REQUIRE(gate.find_most_Nm(dt_s) == 0.0);
         }
     }
     CHECK(tightest == Approx(1.0));
+    CHECK(tightest_turn == Approx(1.0));
     CHECK(gate.find_most_N(std::numeric_limits<double>::quiet_NaN()) == 0.0);
 }
 

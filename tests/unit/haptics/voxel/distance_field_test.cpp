@@ -175,8 +175,8 @@ TEST_CASE("distance field: deeper than the band the depth goes on, and the way o
 }
 
 TEST_CASE("distance field: the way out is the depth's slope, and the depth is continuous") {
-    const Fixture& bumpy = ::bumpy();
-    const double s = bumpy.field.frame().voxel_m;
+    const Fixture& ball = bumpy();
+    const double s = ball.field.frame().voxel_m;
     Random random(13);
     constexpr double kWay_m = 1.0e-6;
     int n_deep = 0;
@@ -184,8 +184,8 @@ TEST_CASE("distance field: the way out is the depth's slope, and the depth is co
     for (int i = 0; i < 20000; ++i) {
         const Vector3 p = 1.05 * random.in_cube();
         const Vector3 way = kWay_m * random.direction();
-        const DepthSample here = bumpy.field.sample_depth(p);
-        const DepthSample there = bumpy.field.sample_depth(p + way);
+        const DepthSample here = ball.field.sample_depth(p);
+        const DepthSample there = ball.field.sample_depth(p + way);
         const double change_m = there.depth_m - here.depth_m;
         // The band's last quarter is the steepest: 1 + 4 K/b, and K is small there but between close walls.
         CHECK(std::abs(change_m) < 4.0 * kWay_m);
