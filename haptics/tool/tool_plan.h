@@ -25,7 +25,7 @@ struct ToolPlan {
     ToolObjects objects;
     VoxelToolSettings settings{};
 
-    [[nodiscard]] std::size_t n_objects() const noexcept {
+    [[nodiscard]] std::size_t n_objects() const {
         return std::visit([](const auto& plans) { return plans.size(); }, objects);
     }
 };

@@ -152,7 +152,9 @@ template <class Sampling, class Plan>
 ToolFelt SampledTool<Sampling, Plan>::move(const MovingFrame& handle,
                                            std::span<const MovingFrame> objects, double now_s,
                                            double dt_s) noexcept {
-    return run(handle, objects, now_s, dt_s);
+    const VoxelToolResult result = run(handle, objects, now_s, dt_s);
+    const ToolFelt& felt = result;
+    return felt;
 }
 
 template <class Sampling, class Plan>
