@@ -19,6 +19,7 @@
 
 #include "haptics/base/error.h"
 #include "haptics/coupling/coupling_settings.h"
+#include "haptics/math/rotation.h"
 #include "haptics/math/wrench_jacobian.h"
 
 namespace fulcrum {
@@ -62,6 +63,15 @@ struct MovingFrame {
     Pose pose_W{};
     Twist velocity_W{};
 };
+
+/// The frame so much later, moved evenly along its velocity; `later_s` may be negative.
+[[nodiscard]] inline MovingFrame move_evenly(const MovingFrame& frame, double later_s) noexcept {
+    MovingFrame moved = frame;
+    moved.pose_W.position += later_s * frame.velocity_W.linear;
+    moved.pose_W.orientation =
+        compute_exp(later_s * frame.velocity_W.angular) * frame.pose_W.orientation;
+    return moved;
+}
 
 /// The wrench on the tool about its grip, and how its force depends on the grip's place and velocity, its torque on the
 /// tool's turn (left perturbation) and spin.

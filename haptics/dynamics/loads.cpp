@@ -118,12 +118,7 @@ void ToolCouplingLoad::set_handle(const MovingFrame& handle, double time_s) noex
 }
 
 MovingFrame ToolCouplingLoad::compute_handle(double time_s) const noexcept {
-    const double later_s = time_s - handle_time_s_;
-    MovingFrame moved = handle_;
-    moved.pose_W.position += later_s * handle_.velocity_W.linear;
-    moved.pose_W.orientation =
-        compute_exp(later_s * handle_.velocity_W.angular) * handle_.pose_W.orientation;
-    return moved;
+    return move_evenly(handle_, time_s - handle_time_s_);
 }
 
 MovingFrame ToolCouplingLoad::compute_grip(const RigidState& state) const noexcept {

@@ -40,6 +40,16 @@ inline void add_point_force(const Vector3& arm_W, const Vector3& force_W, Wrench
     wrench.torque += arm_W.cross(force_W);
 }
 
+/// Adds to a wrench's derivatives by the pose those of a force at a point, whose arm stands as the matrix of its cross product:
+/// by the point's place, and by the body's turning, which moves the point.
+inline void add_point_slopes(const Matrix3& arm, const Vector3& force, const Matrix3& by_position,
+                             const Matrix3& by_turn, Matrix6& by_pose) noexcept {
+    by_pose.topLeftCorner<3, 3>() += by_position;
+    by_pose.topRightCorner<3, 3>() += by_turn;
+    by_pose.bottomLeftCorner<3, 3>() += arm * by_position;
+    by_pose.bottomRightCorner<3, 3>() += arm * by_turn + compute_skew(force) * arm;
+}
+
 /// Adds a force at the point `arm_W` from the origin, of a body that turns at `spin_W`, to a wrench and its derivatives.
 inline void add_point_force(const Vector3& arm_W, const Vector3& spin_W, const PointForce& point,
                             Wrench& wrench, WrenchJacobian& jacobian) noexcept {
@@ -47,10 +57,7 @@ inline void add_point_force(const Vector3& arm_W, const Vector3& spin_W, const P
     const Matrix3 arm = compute_skew(arm_W);
     const Matrix3 by_turn = -(point.by_position + point.by_velocity * compute_skew(spin_W)) * arm;
     const Matrix3 by_spin = -point.by_velocity * arm;
-    jacobian.pose.topLeftCorner<3, 3>() += point.by_position;
-    jacobian.pose.topRightCorner<3, 3>() += by_turn;
-    jacobian.pose.bottomLeftCorner<3, 3>() += arm * point.by_position;
-    jacobian.pose.bottomRightCorner<3, 3>() += arm * by_turn + compute_skew(point.force) * arm;
+    add_point_slopes(arm, point.force, point.by_position, by_turn, jacobian.pose);
     jacobian.velocity.topLeftCorner<3, 3>() += point.by_velocity;
     jacobian.velocity.topRightCorner<3, 3>() += by_spin;
     jacobian.velocity.bottomLeftCorner<3, 3>() += arm * point.by_velocity;

@@ -18,16 +18,10 @@ Vector6 at_arm(const Vector3& arm, const Vector3& force) noexcept {
 }
 
 // Of one point's force by slopes, over the stiffness.
-void add_point_slopes(const DepthSample& at, const Vector3& arm_O, Matrix6& slopes) noexcept {
-    PointForce point;
-    point.force = at.depth_m * at.way_out;
-    point.by_position = -at.way_out * at.way_out.transpose() - at.depth_m * at.hessian;
+void add_depth_slopes(const DepthSample& at, const Vector3& arm_O, Matrix6& slopes) noexcept {
+    const Matrix3 by_position = -at.way_out * at.way_out.transpose() - at.depth_m * at.hessian;
     const Matrix3 arm = compute_skew(arm_O);
-    const Matrix3 by_turn = -point.by_position * arm;
-    slopes.topLeftCorner<3, 3>() += point.by_position;
-    slopes.topRightCorner<3, 3>() += by_turn;
-    slopes.bottomLeftCorner<3, 3>() += arm * point.by_position;
-    slopes.bottomRightCorner<3, 3>() += arm * by_turn + compute_skew(point.force) * arm;
+    add_point_slopes(arm, at.depth_m * at.way_out, by_position, -by_position * arm, slopes);
 }
 
 }  // namespace
@@ -45,7 +39,7 @@ void FieldSampler::add_slopes(std::size_t thinning, std::size_t leaf, const Fiel
         const Vector3 arm_O = X_OT.orientation * Vector3(points.x[i], points.y[i], points.z[i]);
         const DepthSample depth = field_->sample_depth(X_OT.position + arm_O);
         if (settings_.along == ForceAlong::slopes) {
-            add_point_slopes(depth, arm_O, *slopes_O_);
+            add_depth_slopes(depth, arm_O, *slopes_O_);
         } else {
             const Vector3 n_O =
                 X_OT.orientation * Vector3(points.nx[i], points.ny[i], points.nz[i]);

@@ -45,12 +45,7 @@ class SamplingLoad final : public Load {
 
   private:
     [[nodiscard]] MovingFrame compute_object(double time_s) const noexcept {
-        const double later_s = time_s - object_time_s_;
-        MovingFrame moved = object_;
-        moved.pose_W.position += later_s * object_.velocity_W.linear;
-        moved.pose_W.orientation =
-            compute_exp(later_s * object_.velocity_W.angular) * object_.pose_W.orientation;
-        return moved;
+        return move_evenly(object_, time_s - object_time_s_);
     }
 
     const Sampling* sampling_;
