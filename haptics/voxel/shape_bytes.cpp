@@ -1,5 +1,7 @@
 #include "haptics/voxel/shape_bytes.h"
 
+#include "haptics/voxel/byte_walk.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -21,58 +23,6 @@ constexpr std::size_t kHeadBytes = 8 + 4 + 4 + kDigestBytes + 8;
 constexpr std::int32_t kMostFieldCells = 2048;
 constexpr std::int32_t kMostGridCells = 512;
 constexpr double kLargest_m = TriangleMesh::kLargestCoordinate_m;
-
-class Writer {
-  public:
-    explicit Writer(Bytes& bytes) noexcept : bytes_(bytes) {}
-    template <class T>
-    void field(const T& value) {
-        array(std::span<const T>(&value, 1));
-    }
-    template <class T>
-    void array(std::span<const T> values) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        const auto raw = std::as_bytes(values);
-        bytes_.insert(bytes_.end(), raw.begin(), raw.end());
-    }
-
-  private:
-    Bytes& bytes_;
-};
-
-// After the first field that is not there all others are zero, and `is_whole` says so.
-class Reader {
-  public:
-    explicit Reader(std::span<const std::byte> bytes) noexcept : left_(bytes) {}
-    template <class T>
-    void field(T& value) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        is_whole_ = is_whole_ && left_.size() >= sizeof(T);
-        value = T{};
-        if (is_whole_) {
-            std::memcpy(&value, left_.data(), sizeof(T));
-            left_ = left_.subspan(sizeof(T));
-        }
-    }
-    /// `n` values, if there are as many.
-    template <class T>
-    void array(std::vector<T>& values, std::size_t n) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        is_whole_ = is_whole_ && left_.size() / sizeof(T) >= n;
-        values.clear();
-        if (is_whole_ && n > 0) {
-            values.resize(n);
-            std::memcpy(static_cast<void*>(values.data()), left_.data(), n * sizeof(T));
-            left_ = left_.subspan(n * sizeof(T));
-        }
-    }
-    [[nodiscard]] bool is_whole() const noexcept { return is_whole_; }
-    [[nodiscard]] std::size_t n_left() const noexcept { return left_.size(); }
-
-  private:
-    std::span<const std::byte> left_;
-    bool is_whole_ = true;
-};
 
 tl::unexpected<Error> refuse(const char* why) {
     return fail(why, {}, "it is made again");
@@ -108,17 +58,53 @@ bool is_frame(const VoxelFrame& frame, std::int32_t least, std::int32_t most) no
                        [=](std::int32_t n) { return n >= least && n <= most; });
 }
 
-// The head, the payload that `write` adds, and the checksum.
-template <class Write>
-Bytes seal(ShapeKind kind, const Digest& key, const Write& write) {
+// What is kept of each kind.
+template <class Walker>
+void walk_payload(Walker& walker, const VoxelGrid& grid) {
+    walk_frame(walker, grid.frame);
+    for (std::size_t first = 0; first < grid.cells.size();) {
+        const VoxelClass kind = grid.cells[first];
+        std::size_t end = first + 1;
+        while (end < grid.cells.size() && grid.cells[end] == kind) {
+            ++end;
+        }
+        // The kind in the two lowest bits.
+        walker.field(static_cast<std::uint32_t>(end - first) << 2U |
+                     static_cast<std::uint32_t>(kind));
+        first = end;
+    }
+}
+
+template <class Walker>
+void walk_payload(Walker& walker, const Pointshell& shell) {
+    for (const auto* const values :
+         {&shell.x_m, &shell.y_m, &shell.z_m, &shell.nx, &shell.ny, &shell.nz}) {
+        walker.array(std::span<const float>(*values));
+    }
+}
+
+template <class Walker>
+void walk_payload(Walker& walker, const DistanceField& field);
+
+template <class Shape>
+std::size_t count_all(const Shape& shape) {
+    ByteCounter counter;
+    walk_payload(counter, shape);
+    return kHeadBytes + counter.n_bytes() + kDigestBytes;
+}
+
+// The head, the payload and the checksum.
+template <class Shape>
+Bytes seal(ShapeKind kind, const Digest& key, const Shape& shape) {
     Bytes bytes;
-    Writer writer(bytes);
+    bytes.reserve(count_all(shape));
+    ByteWriter writer(bytes);
     writer.field(kMark);
     writer.field(kShapeVersion);
     writer.field(kind);
     writer.field(key);
     writer.field(std::uint64_t{0});
-    write(writer);
+    walk_payload(writer, shape);
     const std::uint64_t length = bytes.size() - kHeadBytes;
     std::memcpy(bytes.data() + kHeadBytes - sizeof length, &length, sizeof length);
     writer.field(compute_sha256(bytes));
@@ -131,7 +117,7 @@ Expected<std::span<const std::byte>> unseal(std::span<const std::byte> bytes, Sh
     if (bytes.size() < kHeadBytes + kDigestBytes) {
         return refuse("the kept shape is cut off");
     }
-    Reader reader(bytes);
+    ByteReader reader(bytes);
     std::remove_const_t<decltype(kMark)> mark{};
     std::uint32_t version = 0;
     auto found_kind = std::uint32_t{0};
@@ -172,19 +158,31 @@ bool is_filled(const DistanceField::Brick& brick, int value) noexcept {
                        [=](std::int16_t v) { return v == value; });
 }
 
+// A unit normal in single precision.
+bool is_direction(const Vector3& normal) noexcept {
+    constexpr double kRounding = 1.0e-6;
+    return std::abs(normal.squaredNorm() - 1.0) <= kRounding;
+}
+
 }  // namespace
 
 // Reads and writes what only a field's maker may set.
 class DistanceFieldBytes {
   public:
+    template <class Walker, class Field>
+    static void walk_head(Walker& walker, Field& field);
     template <class Walker>
-    static void walk_head(Walker& walker, DistanceField& field);
-    static void write(const DistanceField& field, Writer& writer);
-    [[nodiscard]] static bool read(Reader& reader, DistanceField& field);
+    static void walk(Walker& walker, const DistanceField& field);
+    [[nodiscard]] static bool read(ByteReader& reader, DistanceField& field);
+
+  private:
+    [[nodiscard]] static bool is_head(const DistanceField& field) noexcept;
+    [[nodiscard]] static bool are_bricks(const DistanceField& field) noexcept;
+    [[nodiscard]] static bool is_table(const DistanceField& field) noexcept;
 };
 
-template <class Walker>
-void DistanceFieldBytes::walk_head(Walker& walker, DistanceField& field) {
+template <class Walker, class Field>
+void DistanceFieldBytes::walk_head(Walker& walker, Field& field) {
     walk_frame(walker, field.frame_);
     walker.field(field.band_m_);
     walker.field(field.slope_bound_);
@@ -195,34 +193,63 @@ void DistanceFieldBytes::walk_head(Walker& walker, DistanceField& field) {
     walker.field(field.sheet_m_);
 }
 
-void DistanceFieldBytes::write(const DistanceField& field, Writer& writer) {
-    DistanceField head;
-    head.frame_ = field.frame_;
-    head.band_m_ = field.band_m_;
-    head.slope_bound_ = field.slope_bound_;
-    head.counts_ = field.counts_;
-    head.ball_centre_O_ = field.ball_centre_O_;
-    head.ball_radius_m_ = field.ball_radius_m_;
-    head.sheet_m_ = field.sheet_m_;
-    walk_head(writer, head);
-    writer.field(static_cast<std::uint64_t>(field.bricks_.size()));
-    writer.array(std::span<const DistanceField::Entry>(field.table_));
-    writer.array(std::span<const DistanceField::Brick>(field.bricks_));
-    writer.array(std::span<const float>(field.depths_));
+template <class Walker>
+void DistanceFieldBytes::walk(Walker& walker, const DistanceField& field) {
+    walk_head(walker, field);
+    walker.field(static_cast<std::uint64_t>(field.bricks_.size()));
+    walker.array(std::span<const DistanceField::Entry>(field.table_));
+    walker.array(std::span<const DistanceField::Brick>(field.bricks_));
+    walker.array(std::span<const float>(field.depths_));
 }
 
-bool DistanceFieldBytes::read(Reader& reader, DistanceField& field) {
+bool DistanceFieldBytes::is_head(const DistanceField& field) noexcept {
+    constexpr double kSteepest = 1.01 * std::numbers::sqrt3;  // a little for 16 bits
+    const auto is_multiple = [](std::int32_t n) { return n % kBrickCells == 0; };
+    const auto& n_cells = field.frame_.n_cells;
+    return is_frame(field.frame_, kBrickCells, kMostFieldCells) &&
+           std::all_of(n_cells.begin(), n_cells.end(), is_multiple) && is_length(field.band_m_) &&
+           field.sheet_m_ >= 0.0 && field.sheet_m_ <= field.band_m_ &&
+           is_place(field.ball_centre_O_) && is_length(field.ball_radius_m_) &&
+           field.counts_.n_bricks >= 0 && field.counts_.n_open_edges >= 0 &&
+           field.slope_bound_ >= 1.0 && field.slope_bound_ <= kSteepest;
+}
+
+// Two are those of +b and -b, the others near the surface.
+bool DistanceFieldBytes::are_bricks(const DistanceField& field) noexcept {
+    return field.bricks_.size() == static_cast<std::size_t>(field.counts_.n_bricks) + 2 &&
+           std::all_of(field.bricks_.begin(), field.bricks_.end(), is_brick) &&
+           is_filled(field.bricks_[DistanceField::kFree], DistanceField::kLargestValue) &&
+           is_filled(field.bricks_[DistanceField::kInside], -DistanceField::kLargestValue);
+}
+
+// No place of the block is farther from the mesh, which the block holds, than the block is long. Outside the depth is what the entry
+// says; inside, where the entry may say less, at least that.
+bool DistanceFieldBytes::is_table(const DistanceField& field) noexcept {
+    const auto [x, y, z] = field.frame_.n_cells;
+    const auto longest_voxels = static_cast<float>(std::hypot(x, y, z));
+    constexpr float kAboveRounding = 1.0F + 1.0e-5F;
+    const auto is_entry = [&](const DistanceField::Entry& entry) {
+        return entry.brick >= 0 && static_cast<std::size_t>(entry.brick) < field.bricks_.size() &&
+               std::abs(entry.centre_voxels) <= longest_voxels;
+    };
+    const auto is_depth = [&](const DistanceField::Entry& entry, float depth) {
+        return entry.centre_voxels < 0.0F
+                   ? kAboveRounding * depth >= -entry.centre_voxels && depth <= longest_voxels
+                   : depth == -entry.centre_voxels;
+    };
+    return field.table_.back().brick == DistanceField::kFree &&
+           std::all_of(field.table_.begin(), field.table_.end(), is_entry) &&
+           std::equal(field.depths_.begin(), field.depths_.end(), field.table_.begin(),
+                      [&](float depth, const DistanceField::Entry& entry) {
+                          return is_depth(entry, depth);
+                      });
+}
+
+bool DistanceFieldBytes::read(ByteReader& reader, DistanceField& field) {
     walk_head(reader, field);
     std::uint64_t n_bricks = 0;
     reader.field(n_bricks);
-    const auto is_multiple = [](std::int32_t n) { return n % kBrickCells == 0; };
-    if (!reader.is_whole() || !is_frame(field.frame_, kBrickCells, kMostFieldCells) ||
-        !std::all_of(field.frame_.n_cells.begin(), field.frame_.n_cells.end(), is_multiple) ||
-        !is_length(field.band_m_) || !(field.sheet_m_ >= 0.0) ||
-        !(field.sheet_m_ <= field.band_m_) || !is_place(field.ball_centre_O_) ||
-        !is_length(field.ball_radius_m_) || field.counts_.n_bricks < 0 ||
-        field.counts_.n_open_edges < 0 || !(field.slope_bound_ > 0.0) ||
-        !(field.slope_bound_ <= 1.01 * std::numbers::sqrt3)) {
+    if (!reader.is_whole() || !is_head(field)) {
         return false;
     }
     const auto [nx, ny, nz] = field.n_bricks();
@@ -232,21 +259,17 @@ bool DistanceFieldBytes::read(Reader& reader, DistanceField& field) {
     reader.array(field.table_, n_entries);
     reader.array(field.bricks_, n_bricks);
     reader.array(field.depths_, n_entries - 1);
-    if (!reader.is_whole() || reader.n_left() != 0 || n_bricks < 2 ||
-        !std::all_of(field.bricks_.begin(), field.bricks_.end(), is_brick) ||
-        !std::all_of(field.depths_.begin(), field.depths_.end(),
-                     [](float depth) { return std::isfinite(depth); }) ||
-        !is_filled(field.bricks_[DistanceField::kFree], DistanceField::kLargestValue) ||
-        !is_filled(field.bricks_[DistanceField::kInside], -DistanceField::kLargestValue)) {
-        return false;
-    }
-    return field.table_.back().brick == DistanceField::kFree &&
-           std::all_of(
-               field.table_.begin(), field.table_.end(), [=](const DistanceField::Entry& entry) {
-                   return entry.brick >= 0 && static_cast<std::uint64_t>(entry.brick) < n_bricks &&
-                          std::isfinite(entry.centre_voxels);
-               });
+    return reader.is_whole() && reader.n_left() == 0 && are_bricks(field) && is_table(field);
 }
+
+namespace {
+
+template <class Walker>
+void walk_payload(Walker& walker, const DistanceField& field) {
+    DistanceFieldBytes::walk(walker, field);
+}
+
+}  // namespace
 
 Digest compute_shape_key(ShapeKind kind, const TriangleMesh& mesh,
                          std::span<const double> settings) {
@@ -263,9 +286,28 @@ Digest compute_shape_key(ShapeKind kind, const TriangleMesh& mesh,
     return hash.finish();
 }
 
+std::size_t count_bytes(const DistanceField& field) {
+    return count_all(field);
+}
+
+std::size_t count_bytes(const VoxelGrid& grid) {
+    return count_all(grid);
+}
+
+std::size_t count_bytes(const Pointshell& shell) {
+    return count_all(shell);
+}
+
 Bytes encode(const DistanceField& field, const Digest& key) {
-    return seal(ShapeKind::distance_field, key,
-                [&](Writer& writer) { DistanceFieldBytes::write(field, writer); });
+    return seal(ShapeKind::distance_field, key, field);
+}
+
+Bytes encode(const VoxelGrid& grid, const Digest& key) {
+    return seal(ShapeKind::voxel_grid, key, grid);
+}
+
+Bytes encode(const Pointshell& shell, const Digest& key) {
+    return seal(ShapeKind::pointshell, key, shell);
 }
 
 Expected<DistanceField> decode_distance_field(std::span<const std::byte> bytes, const Digest& key) {
@@ -273,7 +315,7 @@ Expected<DistanceField> decode_distance_field(std::span<const std::byte> bytes, 
     if (!payload) {
         return tl::unexpected(payload.error());
     }
-    Reader reader(*payload);
+    ByteReader reader(*payload);
     DistanceField field;
     if (!DistanceFieldBytes::read(reader, field)) {
         return refuse("the kept distance field is none");
@@ -281,29 +323,12 @@ Expected<DistanceField> decode_distance_field(std::span<const std::byte> bytes, 
     return field;
 }
 
-Bytes encode(const VoxelGrid& grid, const Digest& key) {
-    return seal(ShapeKind::voxel_grid, key, [&](Writer& writer) {
-        walk_frame(writer, grid.frame);
-        for (std::size_t first = 0; first < grid.cells.size();) {
-            const VoxelClass kind = grid.cells[first];
-            std::size_t end = first + 1;
-            while (end < grid.cells.size() && grid.cells[end] == kind) {
-                ++end;
-            }
-            // The kind in the two lowest bits.
-            writer.field(static_cast<std::uint32_t>(end - first) << 2U |
-                         static_cast<std::uint32_t>(kind));
-            first = end;
-        }
-    });
-}
-
 Expected<VoxelGrid> decode_voxel_grid(std::span<const std::byte> bytes, const Digest& key) {
     const auto payload = unseal(bytes, ShapeKind::voxel_grid, key);
     if (!payload) {
         return tl::unexpected(payload.error());
     }
-    Reader reader(*payload);
+    ByteReader reader(*payload);
     VoxelGrid grid;
     walk_frame(reader, grid.frame);
     if (!reader.is_whole() || !is_frame(grid.frame, 1, kMostGridCells)) {
@@ -331,15 +356,6 @@ Expected<VoxelGrid> decode_voxel_grid(std::span<const std::byte> bytes, const Di
     return grid;
 }
 
-Bytes encode(const Pointshell& shell, const Digest& key) {
-    return seal(ShapeKind::pointshell, key, [&](Writer& writer) {
-        for (const auto* const values :
-             {&shell.x_m, &shell.y_m, &shell.z_m, &shell.nx, &shell.ny, &shell.nz}) {
-            writer.array(std::span<const float>(*values));
-        }
-    });
-}
-
 Expected<Pointshell> decode_pointshell(std::span<const std::byte> bytes, const Digest& key) {
     const auto payload = unseal(bytes, ShapeKind::pointshell, key);
     if (!payload) {
@@ -351,13 +367,14 @@ Expected<Pointshell> decode_pointshell(std::span<const std::byte> bytes, const D
         n > static_cast<std::size_t>(kMostShellPoints)) {
         return refuse("the kept pointshell is none");
     }
-    Reader reader(*payload);
+    ByteReader reader(*payload);
     Pointshell shell;
     for (auto* const values :
          {&shell.x_m, &shell.y_m, &shell.z_m, &shell.nx, &shell.ny, &shell.nz}) {
         reader.array(*values, n);
-        if (!std::all_of(values->begin(), values->end(),
-                         [](float x) { return std::isfinite(x); })) {
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!is_place(shell.position_T(i)) || !is_direction(shell.normal_T(i))) {
             return refuse("the kept pointshell is none");
         }
     }

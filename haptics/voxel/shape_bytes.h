@@ -3,8 +3,10 @@
 //   bytes    mark (8) · version · kind (4 each) · key (32) · length (8) · that many bytes · SHA-256 of all before (32)
 //   key      SHA-256 over version, kind, the mesh's corners and triangles, and all settings as doubles
 // Numbers are little-endian. What is read is believed in nothing: mark, version, kind, key, length and checksum must be right, and
-// then every number within the range that the makers give it, so that no question to what was read can reach beyond it. No more
-// memory is asked for than the bytes fill; for voxels, which are kept as runs of one kind, no more than 512^3.
+// then every number within the range that the makers give it, so that no question to what was read can reach beyond it: nothing
+// farther than the block is long, slopes from 1 to sqrt(3), normals of unit length. Whether it is the shape that was asked for, of
+// that frame and size, is for who asks. No more memory is asked for than the bytes fill; for voxels, which are kept as runs of one
+// kind, no more than 512^3.
 //
 // Thread: load. Cost: 4 to 5 ns a byte, most of it the checksum: a field of 512^3, 43 MB, 0.2 s.
 #pragma once
@@ -31,6 +33,11 @@ enum class ShapeKind : std::uint32_t { distance_field = 1, voxel_grid = 2, point
 /// What a shape is made of: the same mesh and settings have the same key.
 [[nodiscard]] Digest compute_shape_key(ShapeKind kind, const TriangleMesh& mesh,
                                        std::span<const double> settings);
+
+/// How many bytes `encode` makes of it.
+[[nodiscard]] std::size_t count_bytes(const DistanceField& field);
+[[nodiscard]] std::size_t count_bytes(const VoxelGrid& grid);
+[[nodiscard]] std::size_t count_bytes(const Pointshell& shell);
 
 [[nodiscard]] Bytes encode(const DistanceField& field, const Digest& key);
 [[nodiscard]] Bytes encode(const VoxelGrid& grid, const Digest& key);

@@ -12,17 +12,10 @@ namespace {
 constexpr int kMostAcross = 512;  // along an axis: what a tree of three levels holds
 
 // Until it is reached from outside, what is not surface counts as interior.
-VoxelGrid make_grid(const TriangleMesh& mesh, double voxel_m, const VoxelFrame::Cell& n_cells,
-                    int margin) {
+VoxelGrid make_grid(const VoxelFrame& frame) {
     VoxelGrid grid;
-    grid.frame.voxel_m = voxel_m;
-    grid.frame.n_cells = n_cells;
-    // What the mesh does not fill is shared between both sides.
-    const Vector3 inner =
-        voxel_m * (Vector3(n_cells[0], n_cells[1], n_cells[2]).array() - 2.0 * margin).matrix();
-    const Vector3 middle = 0.5 * (mesh.lower_B() + mesh.upper_B());
-    grid.frame.lower_O = middle - 0.5 * inner - Vector3::Constant(voxel_m * margin);
-    const auto [nx, ny, nz] = n_cells;
+    grid.frame = frame;
+    const auto [nx, ny, nz] = frame.n_cells;
     grid.cells.assign(
         static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz),
         VoxelClass::interior);
@@ -121,14 +114,15 @@ Expected<void> validate(const VoxeliseSettings& settings) {
     return check_ranges("the voxels'", ranges);
 }
 
-Expected<VoxelGrid> voxelise(const TriangleMesh& mesh, const VoxeliseSettings& settings,
-                             const LoadProgress& progress) {
+Expected<VoxelFrame> make_voxel_frame(const TriangleMesh& mesh, const VoxeliseSettings& settings) {
     if (const auto checked = validate(settings); !checked) {
         return tl::unexpected(checked.error());
     }
     // One free voxel remains outside the last layer.
     const int margin = settings.offset_layers + settings.proximity_layers + 1;
-    VoxelFrame::Cell n_cells{};
+    VoxelFrame frame;
+    frame.voxel_m = settings.voxel_m;
+    Vector3 inner;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<Eigen::Index>(axis);
         // A side that is whole voxels long, to rounding, gets one more, so that it ends inside and not on a face.
@@ -139,9 +133,22 @@ Expected<VoxelGrid> voxelise(const TriangleMesh& mesh, const VoxeliseSettings& s
                             " m needs more than 512 voxels along a side of the mesh",
                         {}, "make the voxels larger or the mesh smaller");
         }
-        n_cells[axis] = static_cast<std::int32_t>(needed);
+        frame.n_cells[axis] = static_cast<std::int32_t>(needed);
+        inner[i] = settings.voxel_m * (needed - 2.0 * margin);
     }
-    VoxelGrid grid = make_grid(mesh, settings.voxel_m, n_cells, margin);
+    // What the mesh does not fill is shared between both sides.
+    const Vector3 middle = 0.5 * (mesh.lower_B() + mesh.upper_B());
+    frame.lower_O = middle - 0.5 * inner - Vector3::Constant(settings.voxel_m * margin);
+    return frame;
+}
+
+Expected<VoxelGrid> voxelise(const TriangleMesh& mesh, const VoxeliseSettings& settings,
+                             const LoadProgress& progress) {
+    const auto frame = make_voxel_frame(mesh, settings);
+    if (!frame) {
+        return tl::unexpected(frame.error());
+    }
+    VoxelGrid grid = make_grid(*frame);
     // About as much of the time as each step takes.
     const auto goes_on = [&](double share) { return !progress || progress(share); };
     mark_surface(mesh, grid);

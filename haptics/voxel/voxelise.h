@@ -37,6 +37,10 @@ struct VoxeliseSettings {
 /// Refuses settings outside their ranges, NaN included.
 [[nodiscard]] Expected<void> validate(const VoxeliseSettings& settings);
 
+/// The block of voxels that the mesh needs with its layers and a free one outside them; refuses what `voxelise` refuses.
+[[nodiscard]] Expected<VoxelFrame> make_voxel_frame(const TriangleMesh& mesh,
+                                                    const VoxeliseSettings& settings);
+
 /// The mesh as voxels, its frame that of the mesh; the outermost voxels are free. Refuses settings that `validate` refuses
 /// and a mesh that needs more than 512 voxels along an axis; an error too where `progress`, asked after each step, stops it.
 [[nodiscard]] Expected<VoxelGrid> voxelise(const TriangleMesh& mesh,

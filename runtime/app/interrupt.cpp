@@ -21,7 +21,9 @@ void watch_for_interrupts() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         (void)sigaction(signal, &action, nullptr);
     }
+    // Nobody reads any more, or a file may not become longer: that is an ordinary error of who writes.
     (void)std::signal(SIGPIPE, SIG_IGN);
+    (void)std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool interrupted() noexcept {

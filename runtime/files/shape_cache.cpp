@@ -4,108 +4,41 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <string_view>
+#include <utility>
 
 namespace fulcrum::runtime {
 namespace {
 
-constexpr mode_t kFileMode = 0600;
-constexpr const char* kShapeEnding = ".shape";
-constexpr const char* kTemporaryEnding = ".tmp";
+constexpr std::string_view kShapeEnding = ".shape";
 constexpr const char* kNothingKept = "what took long to make is made again each time";
 // So long no program writes one file.
 constexpr auto kAbandoned = std::chrono::hours(1);
 
-class Descriptor {
-  public:
-    explicit Descriptor(int number) noexcept : number_(number) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (number_ >= 0) {
-            close(number_);
-        }
-    }
-    [[nodiscard]] int number() const noexcept { return number_; }
-
-  private:
-    int number_;
-};
-
-// Both go on after a signal. 0, or the error's number.
-int read_all(int descriptor, std::span<std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t n = ::read(descriptor, bytes.data(), bytes.size());
-        if (n < 0 && errno != EINTR) {
-            return errno;
-        }
-        if (n == 0) {
-            return EIO;  // it has become shorter
-        }
-        bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
-    }
-    return 0;
+std::string name_of(const Digest& key) {
+    return to_hex(key).append(kShapeEnding);
 }
 
-int write_all(int descriptor, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
-        if (n < 0 && errno != EINTR) {
-            return errno;
-        }
-        bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
-    }
-    return fsync(descriptor) == 0 ? 0 : errno;
+bool is_shape_name(std::string_view name) {
+    constexpr std::size_t kHexLetters = 2 * sizeof(Digest);
+    return name.size() == kHexLetters + kShapeEnding.size() && name.ends_with(kShapeEnding) &&
+           name.find_first_not_of("0123456789abcdef") == kHexLetters;
 }
 
-// To a new file that no other program or thread writes. 0, or the error's number; then there is no file.
-int write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-    int error_number = 0;
-    {
-        const Descriptor file(
-            open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, kFileMode));
-        error_number = file.number() < 0 ? errno : write_all(file.number(), bytes);
-    }
-    if (error_number != 0) {
-        unlink(path.c_str());
-    }
-    return error_number;
+// The number that the system gives where there is no more room, or not for this user.
+bool is_for_want_of_room(int error_number) {
+    return error_number == ENOSPC || error_number == EDQUOT;
 }
 
-struct Kept {
-    std::filesystem::path path;
-    std::filesystem::file_time_type used;
-    std::uint64_t bytes = 0;
-};
+tl::unexpected<Error> refuse_other(const char* what) {
+    return fail(std::string("the kept ") + what + " is not the one that was asked for", {},
+                "it is made again");
+}
 
-// The shapes of a folder; temporary files that nobody finished are removed.
-std::vector<Kept> list(const std::filesystem::path& folder) {
-    std::vector<Kept> all;
-    std::error_code error;
-    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
-         at.increment(error)) {
-        std::error_code gone;
-        const auto used = at->last_write_time(gone);
-        const bool is_plain =
-            !gone && at->symlink_status(gone).type() == std::filesystem::file_type::regular;
-        const std::uint64_t bytes = is_plain ? at->file_size(gone) : 0;
-        if (!is_plain || gone) {
-            continue;
-        }
-        const std::filesystem::path ending = at->path().extension();
-        if (ending == kShapeEnding) {
-            all.push_back({at->path(), used, bytes});
-        } else if (ending == kTemporaryEnding &&
-                   std::filesystem::file_time_type::clock::now() - used > kAbandoned) {
-            std::filesystem::remove(at->path(), gone);
-        }
-    }
-    return all;
+bool are_alike(const VoxelFrame& a, const VoxelFrame& b) {
+    return a.lower_O == b.lower_O && a.voxel_m == b.voxel_m && a.n_cells == b.n_cells;
 }
 
 }  // namespace
@@ -116,95 +49,101 @@ Expected<std::filesystem::path> default_shape_cache_folder() {
     });
 }
 
-std::filesystem::path ShapeCache::path_of(const Digest& key) const {
-    return settings_.folder / (to_hex(key) + kShapeEnding);
+void ShapeCache::tell(const std::string& name, const std::string& what) {
+    told_.push_back(to_sentence({what, (settings_.folder / name).string(), kNothingKept}));
 }
 
-void ShapeCache::tell(const std::filesystem::path& path, const char* what, int error_number) {
-    const std::string why =
-        error_number == 0 ? "" : std::string(": ") + std::strerror(error_number);
-    told_.push_back(to_sentence({what + why, path.string(), kNothingKept}));
+bool ShapeCache::open(bool is_made) {
+    if (is_off_ || folder_) {
+        return !is_off_;
+    }
+    Expected<std::optional<PrivateFolder>> opened =
+        PrivateFolder::open(settings_.folder, kNothingKept);
+    if (opened && !*opened && is_made) {
+        opened = PrivateFolder::create(settings_.folder, kNothingKept);
+    }
+    if (!opened) {
+        told_.push_back(to_sentence(opened.error()));
+        is_off_ = true;
+        return false;
+    }
+    folder_ = std::move(*opened);
+    return folder_.has_value();
 }
 
 std::optional<Bytes> ShapeCache::read(const Digest& key) {
-    if (settings_.folder.empty()) {
+    if (!open(false)) {
         return std::nullopt;
     }
-    const std::filesystem::path path = path_of(key);
-    // Not even a pipe or another's link makes it wait or read elsewhere.
-    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    if (file.number() < 0) {
-        if (errno != ENOENT) {
-            tell(path, "this kept shape can't be read", errno);
-        }
+    auto bytes = folder_->read(name_of(key), settings_.most_file_bytes);
+    if (!bytes) {
+        tell(name_of(key), bytes.error().message);
         return std::nullopt;
     }
-    struct stat about {};
-    if (fstat(file.number(), &about) != 0 || !S_ISREG(about.st_mode) || about.st_uid != geteuid() ||
-        static_cast<std::uint64_t>(about.st_size) > settings_.most_file_bytes) {
-        tell(path, "this kept shape is no plain file of yours or is too large", 0);
-        return std::nullopt;
-    }
-    Bytes bytes(static_cast<std::size_t>(about.st_size));
-    if (const int error_number = read_all(file.number(), bytes); error_number != 0) {
-        tell(path, "this kept shape can't be read", error_number);
-        return std::nullopt;
-    }
-    // Used now; where the time can't be set it goes the sooner.
-    const std::array<timespec, 2> now{{{0, UTIME_NOW}, {0, UTIME_NOW}}};
-    futimens(file.number(), now.data());
-    return bytes;
+    counts_.n_read += *bytes ? 1 : 0;
+    return std::move(*bytes);
 }
 
-void ShapeCache::write(const Digest& key, std::span<const std::byte> bytes) {
-    if (settings_.folder.empty()) {
+void ShapeCache::write(const Digest& key, double took_s, std::uint64_t n_bytes,
+                       const std::function<Bytes()>& make_bytes) {
+    ++counts_.n_made;
+    if (is_off_ || took_s < settings_.least_build_s) {
         return;
     }
-    const std::filesystem::path path = path_of(key);
-    if (bytes.size() > std::min(settings_.most_file_bytes, settings_.most_bytes)) {
-        tell(path, "this shape is too large to be kept", 0);
+    if (n_bytes > std::min(settings_.most_file_bytes, settings_.most_bytes)) {
+        tell(name_of(key), "this shape is too large to be kept");
         return;
     }
-    if (const auto made = create_private_folders(settings_.folder, kNothingKept); !made) {
-        told_.push_back(to_sentence(made.error()));
+    if (!open(true)) {
         return;
     }
-    static std::atomic<unsigned> n_written{0};
-    std::filesystem::path temporary = path;
-    temporary += '.' + std::to_string(getpid()) + '.' + std::to_string(n_written.fetch_add(1)) +
-                 kTemporaryEnding;
-    int error_number = write_file(temporary, bytes);
-    if (error_number == 0 && rename(temporary.c_str(), path.c_str()) != 0) {
-        error_number = errno;
-        unlink(temporary.c_str());
+    const Bytes bytes = make_bytes();
+    int error_number = folder_->replace(name_of(key), bytes);
+    if (is_for_want_of_room(error_number)) {
+        trim(bytes.size());
+        error_number = folder_->replace(name_of(key), bytes);
     }
     if (error_number != 0) {
-        tell(path, "this shape can't be kept", error_number);
+        tell(name_of(key), std::string("this shape can't be kept: ") + std::strerror(error_number));
+        // What comes after would only drive out what is kept.
+        is_off_ = is_for_want_of_room(error_number);
         return;
     }
-    sync_folder(settings_.folder);
-    trim();
+    ++counts_.n_kept;
+    trim(0);
 }
 
 void ShapeCache::forget(const Digest& key, const Error& why) {
-    const std::filesystem::path path = path_of(key);
-    told_.push_back(to_sentence({why.message, path.string(), why.what_to_do}));
-    unlink(path.c_str());
+    ++counts_.n_refused;
+    told_.push_back(
+        to_sentence({why.message, (settings_.folder / name_of(key)).string(), why.what_to_do}));
+    if (open(false)) {
+        folder_->remove(name_of(key));
+    }
 }
 
-void ShapeCache::trim() {
-    std::vector<Kept> all = list(settings_.folder);
+// Removes what nobody finished, and the shapes unused for longest until those that are left are few enough and `to_free` bytes fewer.
+void ShapeCache::trim(std::uint64_t to_free) {
+    const auto now = std::chrono::system_clock::now();
+    std::vector<FolderFile> shapes;
     std::uint64_t bytes = 0;
-    for (const Kept& kept : all) {
-        bytes += kept.bytes;
+    for (FolderFile& file : folder_->list()) {
+        if (is_shape_name(file.name)) {
+            bytes += file.bytes;
+            shapes.push_back(std::move(file));
+        } else if (is_shape_name(find_target_name(file.name)) && now - file.used > kAbandoned) {
+            folder_->remove(file.name);
+        }
     }
-    std::sort(all.begin(), all.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
-    for (const Kept& kept : all) {
-        if (bytes <= settings_.most_bytes) {
+    std::sort(shapes.begin(), shapes.end(),
+              [](const FolderFile& a, const FolderFile& b) { return a.used < b.used; });
+    const std::uint64_t most = std::min(settings_.most_bytes, bytes - std::min(bytes, to_free));
+    for (const FolderFile& shape : shapes) {
+        if (bytes <= most) {
             break;
         }
-        unlink(kept.path.c_str());
-        bytes -= kept.bytes;
+        folder_->remove(shape.name);
+        bytes -= shape.bytes;
     }
 }
 
@@ -221,8 +160,18 @@ Expected<DistanceField> recall_distance_field(ShapeCache& cache, const TriangleM
                                         static_cast<double>(frame.n_cells[2]),
                                         settings.band_voxels,
                                         settings.sheet_voxels};
-    return recall(cache, compute_shape_key(ShapeKind::distance_field, mesh, numbers),
-                  decode_distance_field,
+    const auto decode = [&](const Bytes& bytes, const Digest& key) {
+        return decode_distance_field(bytes, key)
+            .and_then([&](DistanceField field) -> Expected<DistanceField> {
+                if (!are_alike(field.frame(), frame) ||
+                    field.band_m() != settings.band_voxels * frame.voxel_m ||
+                    field.sheet_m() != settings.sheet_voxels * frame.voxel_m) {
+                    return refuse_other("distance field");
+                }
+                return field;
+            });
+    };
+    return recall(cache, compute_shape_key(ShapeKind::distance_field, mesh, numbers), decode,
                   [&] { return DistanceField::build(mesh, frame, settings, progress); });
 }
 
@@ -231,14 +180,32 @@ Expected<VoxelGrid> recall_voxels(ShapeCache& cache, const TriangleMesh& mesh,
     const std::array<double, 3> numbers{settings.voxel_m,
                                         static_cast<double>(settings.offset_layers),
                                         static_cast<double>(settings.proximity_layers)};
-    return recall(cache, compute_shape_key(ShapeKind::voxel_grid, mesh, numbers), decode_voxel_grid,
+    const auto decode = [&](const Bytes& bytes, const Digest& key) {
+        return decode_voxel_grid(bytes, key).and_then([&](VoxelGrid grid) -> Expected<VoxelGrid> {
+            const auto frame = make_voxel_frame(mesh, settings);
+            if (!frame || !are_alike(grid.frame, *frame)) {
+                return refuse_other("block of voxels");
+            }
+            return grid;
+        });
+    };
+    return recall(cache, compute_shape_key(ShapeKind::voxel_grid, mesh, numbers), decode,
                   [&] { return voxelise(mesh, settings, progress); });
 }
 
 Expected<Pointshell> recall_surface_pointshell(ShapeCache& cache, const TriangleMesh& mesh,
                                                int n_points) {
     const std::array<double, 1> numbers{static_cast<double>(n_points)};
-    return recall(cache, compute_shape_key(ShapeKind::pointshell, mesh, numbers), decode_pointshell,
+    const auto decode = [&](const Bytes& bytes, const Digest& key) {
+        return decode_pointshell(bytes, key)
+            .and_then([&](Pointshell shell) -> Expected<Pointshell> {
+                if (shell.size() != static_cast<std::size_t>(n_points)) {
+                    return refuse_other("pointshell");
+                }
+                return shell;
+            });
+    };
+    return recall(cache, compute_shape_key(ShapeKind::pointshell, mesh, numbers), decode,
                   [&] { return make_surface_pointshell(mesh, n_points); });
 }
 

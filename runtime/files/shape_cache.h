@@ -1,11 +1,13 @@
 // Shapes that took long to make, kept on disk for the next time: distance fields, voxels and pointshells by what they are made of.
 //
 //   name    the key (shape_bytes.h: mesh, settings, version) in hex + ".shape", in a folder that is the user's alone
-//   write   to a file of its own name beside it, synced, then renamed: there is the old one, or the new one, or none, whenever a
-//           program or a computer stops; a temporary file that nobody finished goes after an hour
-//   read    a plain file of the user's and no longer than `most_file_bytes`; what is in it is judged by shape_bytes.h. What is
+//           (private_folder.h: how it is read and written, whenever a program or a computer stops)
+//   read    no longer than `most_file_bytes`; what is in it is judged by shape_bytes.h, and must be what was asked for. What is
 //           refused is told, removed and made again: a cache can cost time, never a lesson
-//   size    above `most_bytes` the files that have not been used for longest go
+//   write   made into bytes only where they would be kept. On a full disk the shapes that have not been used for longest go, as
+//           many bytes as are missing, and it is tried once more; after that nothing more is kept
+//   size    above `most_bytes` the shapes that have not been used for longest go; of the cache's own files those that nobody
+//           finished for an hour. Whatever else lies in the folder stays
 // Programs that run at once share the folder: whoever renames last wins, and both made the same.
 //
 // Thread: one at a time an object; load. Cost: reading 5 ns a byte. Errors: none; what went wrong is in `told()`.
@@ -14,10 +16,12 @@
 
 #include "haptics/voxel/shape_bytes.h"
 #include "haptics/voxel/voxelise.h"
+#include "runtime/files/private_folder.h"
 
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,27 +38,40 @@ struct ShapeCacheSettings {
 /// $XDG_CACHE_HOME/fulcrum/shapes, or ~/.cache/fulcrum/shapes. Nothing is made.
 [[nodiscard]] Expected<std::filesystem::path> default_shape_cache_folder();
 
+struct ShapeCacheCounts {
+    int n_read = 0;     ///< found
+    int n_refused = 0;  ///< of these, not fit to be used
+    int n_made = 0;     ///< took their time
+    int n_kept = 0;     ///< of these, for the next time
+};
+
 class ShapeCache {
   public:
-    explicit ShapeCache(ShapeCacheSettings settings) : settings_(std::move(settings)) {}
+    explicit ShapeCache(ShapeCacheSettings settings)
+        : settings_(std::move(settings)), is_off_(settings_.folder.empty()) {}
 
     /// The bytes kept under that key, if there are any; unchecked but for size and owner.
     [[nodiscard]] std::optional<Bytes> read(const Digest& key);
-    /// Keeps them.
-    void write(const Digest& key, std::span<const std::byte> bytes);
+    /// Keeps what took `took_s` to make, `n_bytes` that `make_bytes` makes, if that is asked for.
+    void write(const Digest& key, double took_s, std::uint64_t n_bytes,
+               const std::function<Bytes()>& make_bytes);
     /// Removes what is kept under that key, because of `why`.
     void forget(const Digest& key, const Error& why);
 
     /// One sentence for each thing that could not be kept or was not fit to be used.
     [[nodiscard]] const std::vector<std::string>& told() const noexcept { return told_; }
-    [[nodiscard]] const ShapeCacheSettings& settings() const noexcept { return settings_; }
+    [[nodiscard]] const ShapeCacheCounts& counts() const noexcept { return counts_; }
 
   private:
-    [[nodiscard]] std::filesystem::path path_of(const Digest& key) const;
-    void tell(const std::filesystem::path& path, const char* what, int error_number);
-    void trim();
+    // With the folder open, or off and told why; without `is_made` a folder that is not there stays so.
+    [[nodiscard]] bool open(bool is_made);
+    void tell(const std::string& name, const std::string& what);
+    void trim(std::uint64_t to_free);
 
     ShapeCacheSettings settings_;
+    bool is_off_;  // nothing is read or kept any more
+    std::optional<PrivateFolder> folder_;
+    ShapeCacheCounts counts_;
     std::vector<std::string> told_;
 };
 
@@ -72,8 +89,8 @@ template <class Decode, class Build>
     const auto begun = std::chrono::steady_clock::now();
     auto built = build();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-    if (built && took.count() >= cache.settings().least_build_s) {
-        cache.write(key, encode(*built, key));
+    if (built) {
+        cache.write(key, took.count(), count_bytes(*built), [&] { return encode(*built, key); });
     }
     return built;
 }

@@ -64,4 +64,25 @@ std::u32string decode_for_display(std::string_view utf8) {
     return text;
 }
 
+void append_utf8(std::string& text, char32_t code_point) {
+    const auto put = [&text](char32_t byte) { text.push_back(static_cast<char>(byte)); };
+    const auto put_rest = [&](int n_left) {
+        for (int shift = 6 * (n_left - 1); shift >= 0; shift -= 6) {
+            put(0x80U | (code_point >> shift & 0x3FU));
+        }
+    };
+    if (code_point < 0x80) {
+        put(code_point);
+    } else if (code_point < 0x800) {
+        put(0xC0U | code_point >> 6U);
+        put_rest(1);
+    } else if (code_point < 0x10000) {
+        put(0xE0U | code_point >> 12U);
+        put_rest(2);
+    } else {
+        put(0xF0U | code_point >> 18U);
+        put_rest(3);
+    }
+}
+
 }  // namespace fulcrum::runtime

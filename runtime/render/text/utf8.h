@@ -20,4 +20,7 @@ inline constexpr char32_t kReplacement = 0xFFFD;
 /// control, zero-width, direction and private characters are left out. At most kMostCodePoints.
 [[nodiscard]] std::u32string decode_for_display(std::string_view utf8);
 
+/// Its one to four bytes behind `text`.
+void append_utf8(std::string& text, char32_t code_point);
+
 }  // namespace fulcrum::runtime

@@ -52,6 +52,7 @@ TEST_CASE("shape bytes: a distance field comes back the same in every question")
     const auto back = decode_distance_field(bytes, kFieldKey);
     REQUIRE(back);
     CHECK(encode(*back, kFieldKey) == bytes);
+    CHECK(count_bytes(field()) == bytes.size());
     CHECK(back->slope_bound() == field().slope_bound());
     CHECK(back->counts().n_bricks == field().counts().n_bricks);
     Random random(2);
@@ -64,6 +65,35 @@ TEST_CASE("shape bytes: a distance field comes back the same in every question")
     }
 }
 
+TEST_CASE("shape bytes: a frame lies in the bytes axis by axis, and comes back so") {
+    const TriangleMesh box = make_box({1.0, 2.0, 3.0}).value();
+    VoxelFrame frame = DistanceField::make_frame(box, 48, 5.0).value();
+    frame.lower_O -= frame.voxel_m * Vector3(0.1, 0.2, 0.3);
+    REQUIRE(frame.n_cells[0] < frame.n_cells[1]);
+    REQUIRE(frame.n_cells[1] < frame.n_cells[2]);
+    const DistanceField made =
+        DistanceField::build(box, frame, {.band_voxels = 3.0, .sheet_voxels = 1.25}).value();
+    const Bytes bytes = encode(made, kFieldKey);
+    const auto number_at = [&](std::size_t at, auto number) {
+        std::memcpy(&number, bytes.data() + kPayloadAt + at, sizeof number);
+        return number;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        CHECK(number_at(8 * axis, 0.0) == frame.lower_O[static_cast<Eigen::Index>(axis)]);
+        CHECK(number_at(32 + 4 * axis, std::int32_t{0}) == frame.n_cells[axis]);
+    }
+    CHECK(number_at(24, 0.0) == frame.voxel_m);
+    const auto back = decode_distance_field(bytes, kFieldKey);
+    REQUIRE(back);
+    CHECK(back->frame().lower_O == frame.lower_O);
+    CHECK(back->frame().voxel_m == frame.voxel_m);
+    CHECK(back->frame().n_cells == frame.n_cells);
+    CHECK(back->band_m() == 3.0 * frame.voxel_m);
+    CHECK(back->sheet_m() == 1.25 * frame.voxel_m);
+    CHECK(back->ball_centre_O() == made.ball_centre_O());
+    CHECK(back->ball_radius_m() == made.ball_radius_m());
+}
+
 TEST_CASE("shape bytes: voxels and pointshells come back the same") {
     const VoxelGrid grid = voxelise(ball(), {.voxel_m = 0.1}).value();
     const Bytes voxels = encode(grid, kGridKey);
@@ -74,7 +104,9 @@ TEST_CASE("shape bytes: voxels and pointshells come back the same") {
     CHECK(grid_back->frame.lower_O == grid.frame.lower_O);
     CHECK(grid_back->frame.voxel_m == grid.frame.voxel_m);
     CHECK(voxels.size() < grid.cells.size());
+    CHECK(voxels.size() == count_bytes(grid));
     const Pointshell shell = make_surface_pointshell(ball(), 500).value();
+    CHECK(encode(shell, kShellKey).size() == count_bytes(shell));
     const auto shell_back = decode_pointshell(encode(shell, kShellKey), kShellKey);
     REQUIRE(shell_back);
     CHECK(shell_back->x_m == shell.x_m);
@@ -113,15 +145,23 @@ TEST_CASE(
     CHECK(refuses(0, nan));
     CHECK(refuses(24, 0.0));
     CHECK(refuses(24, -1.0));
-    CHECK(refuses(32, std::int32_t{0}));
-    CHECK(refuses(32, std::int32_t{2147483640}));
-    CHECK(refuses(36, std::int32_t{25}));
-    CHECK(refuses(36, std::int32_t{32}));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const double lower : {nan, std::numeric_limits<double>::infinity(), -1.0e300}) {
+            CHECK(refuses(8 * axis, lower));
+        }
+        const std::int32_t n = field().frame().n_cells[axis];
+        for (const std::int32_t wrong : {0, -8, n - 8, n + 1, n + 8, 2147483640}) {
+            CHECK(refuses(32 + 4 * axis, wrong));
+        }
+    }
     // Band, slope, counts, ball, sheet, number of bricks.
     CHECK(refuses(44, nan));
     CHECK(refuses(52, 2.0));
     CHECK(refuses(52, 0.0));
+    CHECK(refuses(52, 0.999));
+    CHECK(refuses(52, nan));
     CHECK(refuses(60, std::int64_t{-1}));
+    CHECK(refuses(60, field().counts().n_bricks + 1));
     CHECK(refuses(76, nan));
     CHECK(refuses(100, -1.0));
     CHECK(refuses(108, nan));
@@ -140,7 +180,20 @@ TEST_CASE(
     CHECK(refuses(bricks_at + 2 * sizeof(DistanceField::Brick), std::int16_t{-32768}));
     const std::size_t depths_at =
         bricks_at + field().bricks().size() * sizeof(DistanceField::Brick);
+    // A corner is outside, the middle inside; nothing is farther from the mesh than the block is long, and the entry says no more.
+    const std::size_t n = field().depths().size();
+    const std::size_t inner = static_cast<std::size_t>(((nz / 2) * ny + ny / 2) * nx + nx / 2);
+    REQUIRE(field().depths()[0] < 0.0F);
+    REQUIRE(field().depths()[inner] > 0.0F);
     CHECK(refuses(depths_at, std::numeric_limits<float>::quiet_NaN()));
+    CHECK(refuses(depths_at, std::numeric_limits<float>::infinity()));
+    CHECK(refuses(depths_at, 0.0F));
+    CHECK(refuses(depths_at + 4 * inner, 1000.0F));
+    CHECK(refuses(depths_at + 4 * inner, 0.5F * field().depths()[inner]));
+    CHECK(refuses(depths_at + 4 * inner, -1.0F));
+    CHECK(refuses(depths_at + 4 * (n - 1), std::numeric_limits<float>::quiet_NaN()));
+    CHECK(refuses(128, 1000.0F));
+    CHECK(refuses(128, -1000.0F));
     // And what is within its range is taken.
     CHECK_FALSE(refuses(bricks_at + 2 * sizeof(DistanceField::Brick), std::int16_t{5}));
 }
@@ -157,9 +210,26 @@ TEST_CASE("shape bytes: voxels that fill too little or too much are refused") {
     }
     CHECK_FALSE(decode_voxel_grid(with(bytes, kPayloadAt + 32, std::int32_t{513}), kGridKey));
     CHECK_FALSE(decode_voxel_grid(with(bytes, kPayloadAt + 32, std::int32_t{-2}), kGridKey));
-    Pointshell shell = make_surface_pointshell(ball(), 2).value();
-    shell.ny[1] = std::numeric_limits<float>::quiet_NaN();
-    CHECK_FALSE(decode_pointshell(encode(shell, kShellKey), kShellKey));
+    CHECK_FALSE(decode_voxel_grid(with(bytes, kPayloadAt + 24, 0.0), kGridKey));
+    CHECK_FALSE(decode_voxel_grid(with(bytes, kPayloadAt, 1.0e300), kGridKey));
+}
+
+TEST_CASE("shape bytes: points that are nowhere and normals that are no directions are refused") {
+    const Pointshell whole = make_surface_pointshell(ball(), 2).value();
+    const auto refuses = [&](std::vector<float> Pointshell::*values, float value) {
+        Pointshell shell = whole;
+        (shell.*values)[1] = value;
+        return !decode_pointshell(encode(shell, kShellKey), kShellKey);
+    };
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    CHECK_FALSE(refuses(&Pointshell::x_m, 0.25F));
+    CHECK(refuses(&Pointshell::x_m, none));
+    CHECK(refuses(&Pointshell::z_m, 1.0e30F));
+    CHECK(refuses(&Pointshell::ny, none));
+    CHECK(refuses(&Pointshell::nx, whole.nx[1] + 0.01F));
+    Pointshell zero = whole;
+    zero.nx[0] = zero.ny[0] = zero.nz[0] = 0.0F;
+    CHECK_FALSE(decode_pointshell(encode(zero, kShellKey), kShellKey));
     CHECK_FALSE(decode_pointshell(encode(Pointshell{}, kShellKey), kShellKey));
 }
 

@@ -7,7 +7,8 @@
 
 using namespace fulcrum::runtime;
 
-TEST_CASE("interrupt: the wish to end is noted, and a closed pipe is an ordinary error") {
+TEST_CASE(
+    "interrupt: the wish to end is noted; a closed pipe and a file too long are ordinary errors") {
     watch_for_interrupts();
     CHECK_FALSE(interrupted());
     int ends[2] = {};
@@ -15,6 +16,8 @@ TEST_CASE("interrupt: the wish to end is noted, and a closed pipe is an ordinary
     (void)close(ends[0]);
     CHECK(write(ends[1], "x", 1) == -1);
     (void)close(ends[1]);
+    (void)std::raise(SIGXFSZ);
+    CHECK_FALSE(interrupted());
     (void)std::raise(SIGTERM);
     CHECK(interrupted());
 }

@@ -1,61 +1,18 @@
 #include "runtime/files/shape_cache.h"
 
-#include "haptics/geometry/shape.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/unit/runtime/files/shape_cache_fixture.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <fstream>
 #include <string>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <thread>
-#include <unistd.h>
 
 namespace fulcrum::runtime {
 namespace {
-
-namespace fs = std::filesystem;
-
-ShapeCacheSettings keep_all(const fs::path& folder) {
-    return {.folder = folder, .least_build_s = 0.0};
-}
-
-TriangleMesh ball() {
-    return make_sphere(1.0, 3).value();
-}
-
-Pointshell shell_of(int n) {
-    return make_surface_pointshell(ball(), n).value();
-}
-
-Digest key_of(double number) {
-    return compute_shape_key(ShapeKind::pointshell, ball(), std::vector<double>{number});
-}
-
-// The only shape in the folder.
-fs::path find_only(const fs::path& folder) {
-    std::vector<fs::path> all;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        all.push_back(entry.path());
-    }
-    REQUIRE(all.size() == 1);
-    REQUIRE(all.front().extension() == ".shape");
-    return all.front();
-}
-
-// How often the shell was made.
-struct Maker {
-    int n_made = 0;
-    Expected<Pointshell> make(ShapeCache& cache, const Digest& key) {
-        return recall(cache, key, decode_pointshell, [this] {
-            ++n_made;
-            return Expected<Pointshell>(shell_of(200));
-        });
-    }
-};
 
 TEST_CASE("shape cache: what was made once is read the next time, by another program too") {
     const ScratchFolder scratch;
@@ -66,6 +23,10 @@ TEST_CASE("shape cache: what was made once is read the next time, by another pro
         REQUIRE(shell);
         CHECK(shell->x_m == shell_of(200).x_m);
         CHECK(cache.told().empty());
+        CHECK(cache.counts().n_made == (i == 0 ? 1 : 0));
+        CHECK(cache.counts().n_kept == (i == 0 ? 1 : 0));
+        CHECK(cache.counts().n_read == (i == 0 ? 0 : 1));
+        CHECK(cache.counts().n_refused == 0);
     }
     CHECK(maker.n_made == 1);
     struct stat about {};
@@ -116,6 +77,7 @@ TEST_CASE("shape cache: a file that is cut off, changed or empty is told, and ma
         CHECK(maker.n_made == how + 2);
         REQUIRE(cache.told().size() == 1);
         CHECK(cache.told().front().find(path.string() + ": the kept shape ") == 0);
+        CHECK(cache.counts().n_refused == 1);
         // And the next one reads it again.
         REQUIRE(maker.make(cache, key_of(1)));
         CHECK(maker.n_made == how + 2);
@@ -151,6 +113,111 @@ TEST_CASE("shape cache: a link, a folder, a pipe and a file too large are not re
     CHECK(is_told(settings));
 }
 
+TEST_CASE("shape cache: a folder that is a link, or that others may write to, is not used") {
+    const ScratchFolder scratch;
+    Maker maker;
+    const fs::path own = scratch.path() / "own";
+    ShapeCache first(keep_all(own));
+    REQUIRE(maker.make(first, key_of(1)));
+    fs::create_directory_symlink(own, scratch.path() / "link");
+    ShapeCache linked(keep_all(scratch.path() / "link"));
+    REQUIRE(maker.make(linked, key_of(1)));
+    REQUIRE(maker.make(linked, key_of(2)));
+    CHECK(maker.n_made == 3);
+    // Once, whatever is asked for after that.
+    CHECK(linked.told() ==
+          std::vector<std::string>{(scratch.path() / "link").string() +
+                                   ": this is a link, where a folder should be; what took long to "
+                                   "make is made again each time."});
+    fs::permissions(own, fs::perms::others_write, fs::perm_options::add);
+    ShapeCache open(keep_all(own));
+    REQUIRE(maker.make(open, key_of(1)));
+    CHECK(maker.n_made == 4);
+    CHECK(open.told().size() == 1);
+    CHECK(std::distance(fs::directory_iterator(own), {}) == 1);
+}
+
+TEST_CASE("shape cache: a whole shape that is not the one asked for is told, and made again") {
+    const ScratchFolder scratch;
+    // With room for a thicker band.
+    const VoxelFrame frame = DistanceField::make_frame(ball(), 24, 4.0).value();
+    const DistanceField field = DistanceField::build(ball(), frame).value();
+    VoxelFrame moved = frame;
+    moved.lower_O.x() -= 0.01 * frame.voxel_m;
+    VoxelFrame finer = frame;
+    finer.voxel_m *= 0.999;
+    const DistanceFieldSettings sheet{.band_voxels = 3.0, .sheet_voxels = 1.0};
+    const auto is_made_again = [&](const Bytes& lie, const auto& ask) {
+        ShapeCache cache(keep_all(scratch.path()));
+        (void)ask(cache);
+        const fs::path path = find_only(scratch.path());
+        // The key that it is asked for by, with right checksums, and other contents.
+        const Digest key = [&] {
+            Digest found{};
+            const std::string hex = path.stem().string();
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                found[i] = static_cast<std::byte>(std::stoi(hex.substr(2 * i, 2), nullptr, 16));
+            }
+            return found;
+        }();
+        Bytes changed = lie;
+        std::copy(key.begin(), key.end(), changed.begin() + 16);
+        const auto sealed = static_cast<std::ptrdiff_t>(changed.size() - sizeof(Digest));
+        const Digest checksum =
+            compute_sha256(std::span(changed).first(static_cast<std::size_t>(sealed)));
+        std::copy(checksum.begin(), checksum.end(), changed.begin() + sealed);
+        keep(cache, key, changed);
+        const bool is_refused =
+            ask(cache) && cache.counts().n_refused == 1 && cache.told().size() == 1 &&
+            cache.told().front().find("is not the one that was asked for") != std::string::npos;
+        fs::remove(path);
+        return is_refused;
+    };
+    const auto ask_field = [&](ShapeCache& cache) {
+        return recall_distance_field(cache, ball(), frame, {}).has_value();
+    };
+    const Digest none{};
+    CHECK_FALSE(is_made_again(encode(field, none), ask_field));
+    CHECK(is_made_again(encode(DistanceField::build(ball(), moved).value(), none), ask_field));
+    CHECK(is_made_again(encode(DistanceField::build(ball(), finer).value(), none), ask_field));
+    CHECK(is_made_again(
+        encode(DistanceField::build(ball(), frame, {.band_voxels = 2.5}).value(), none),
+        ask_field));
+    CHECK(
+        is_made_again(encode(DistanceField::build(ball(), frame, sheet).value(), none), ask_field));
+    const auto ask_voxels = [&](ShapeCache& cache) {
+        return recall_voxels(cache, ball(), {.voxel_m = 0.1}).has_value();
+    };
+    CHECK(is_made_again(encode(voxelise(ball(), {.voxel_m = 0.11}).value(), none), ask_voxels));
+    CHECK(is_made_again(
+        encode(voxelise(ball(), {.voxel_m = 0.1, .offset_layers = 1}).value(), none), ask_voxels));
+    CHECK(is_made_again(encode(shell_of(99), none), [&](ShapeCache& cache) {
+        return recall_surface_pointshell(cache, ball(), 100).has_value();
+    }));
+}
+
+TEST_CASE("shape cache: what will not be kept is not made into bytes") {
+    const ScratchFolder scratch;
+    scratch.write("file", "");
+    int n_asked = 0;
+    const auto write = [&](ShapeCacheSettings settings) {
+        ShapeCache cache(std::move(settings));
+        cache.write(key_of(1), 1.0, 1000, [&] {
+            ++n_asked;
+            return Bytes(1000);
+        });
+    };
+    write({});
+    write({.folder = scratch.path() / "a", .least_build_s = 1.5});
+    write({.folder = scratch.path() / "a", .most_bytes = 999});
+    write({.folder = scratch.path() / "a", .most_file_bytes = 999});
+    write({.folder = scratch.path() / "file" / "below"});
+    CHECK(n_asked == 0);
+    CHECK_FALSE(fs::exists(scratch.path() / "a"));
+    write({.folder = scratch.path() / "a", .most_bytes = 1000, .most_file_bytes = 1000});
+    CHECK(n_asked == 1);
+}
+
 TEST_CASE("shape cache: no folder, and one that cannot be made, cost nothing but time") {
     Maker maker;
     ShapeCache none({});
@@ -183,116 +250,41 @@ TEST_CASE("shape cache: above its size the shapes unused for longest go; unfinis
     }
     // Number 0 is used again, so number 1 is the oldest when the fourth comes.
     REQUIRE(maker.make(cache, key_of(0)));
-    scratch.write("old.1.0.tmp", "unfinished");
-    scratch.write("new.1.0.tmp", "being written");
-    scratch.write("notes.txt", "somebody's");
-    fs::last_write_time(scratch.path() / "old.1.0.tmp", now - std::chrono::hours(2));
+    const std::string old_unfinished = to_hex(key_of(5)) + ".shape.1.0.tmp";
+    const std::string new_unfinished = to_hex(key_of(6)) + ".shape.1.0.tmp";
+    const std::vector<std::string> others{"notes.txt",
+                                          "notes.tmp",
+                                          "notes.1.0.tmp",
+                                          "a.shape",
+                                          "a.shape.1.0.tmp",
+                                          to_hex(key_of(7)) + ".shape.tmp",
+                                          to_hex(key_of(7)) + ".shape.old"};
+    scratch.write(old_unfinished, "unfinished");
+    scratch.write(new_unfinished, "being written");
+    fs::last_write_time(scratch.path() / old_unfinished, now - std::chrono::hours(2));
+    for (const std::string& other : others) {
+        scratch.write(other, std::string(one, 'x'));
+        fs::last_write_time(scratch.path() / other, now - std::chrono::hours(100));
+    }
     REQUIRE(maker.make(cache, key_of(3)));
     CHECK(maker.n_made == 4);
     CHECK(fs::exists(path_of(0)));
     CHECK_FALSE(fs::exists(path_of(1)));
     CHECK(fs::exists(path_of(2)));
     CHECK(fs::exists(path_of(3)));
-    CHECK_FALSE(fs::exists(scratch.path() / "old.1.0.tmp"));
-    CHECK(fs::exists(scratch.path() / "new.1.0.tmp"));
-    CHECK(fs::exists(scratch.path() / "notes.txt"));
+    CHECK_FALSE(fs::exists(scratch.path() / old_unfinished));
+    CHECK(fs::exists(scratch.path() / new_unfinished));
+    for (const std::string& other : others) {
+        INFO(other);
+        CHECK(fs::exists(scratch.path() / other));
+    }
     // What is larger than all that may be kept drives nothing out.
     settings.most_bytes = one / 2;
     ShapeCache narrow(settings);
     REQUIRE(maker.make(narrow, key_of(9)));
     CHECK(narrow.told().size() == 1);
+    CHECK(narrow.counts().n_kept == 0);
     CHECK(fs::exists(path_of(3)));
-}
-
-// Runs `work` in a program of its own, which has its parent's memory but shares nothing.
-template <class Work>
-pid_t start(const Work& work) {
-    const pid_t child = ::fork();
-    if (child == 0) {
-        ::_exit(work() ? 0 : 1);
-    }
-    REQUIRE(child > 0);
-    return child;
-}
-
-// Whether a file with that ending comes to be there within ten seconds.
-bool wait_for(const fs::path& folder, const char* ending) {
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (std::chrono::steady_clock::now() < until) {
-        std::error_code error;
-        for (fs::directory_iterator at(folder, error), end; !error && at != end;
-             at.increment(error)) {
-            if (at->path().extension() == ending) {
-                return true;
-            }
-        }
-        std::this_thread::sleep_for(std::chrono::microseconds(50));
-    }
-    return false;
-}
-
-TEST_CASE("shape cache: a writer killed at any time leaves whole shapes or none") {
-    const ScratchFolder scratch;
-    const Bytes bytes = encode(shell_of(20000), key_of(1));
-    int n_unfinished = 0;
-    for (int trial = 0; trial < 24; ++trial) {
-        const pid_t writer = start([&] {
-            ShapeCache cache(keep_all(scratch.path()));
-            for (;;) {
-                cache.write(key_of(1), bytes);
-            }
-            return true;
-        });
-        // In the middle of a file, or some time after the first was whole.
-        const bool was_there = wait_for(scratch.path(), trial % 2 == 0 ? ".tmp" : ".shape");
-        std::this_thread::sleep_for(std::chrono::microseconds(40 * trial));
-        ::kill(writer, SIGKILL);
-        ::waitpid(writer, nullptr, 0);
-        REQUIRE(was_there);
-        ShapeCache cache(keep_all(scratch.path()));
-        if (const auto kept = cache.read(key_of(1))) {
-            REQUIRE(*kept == bytes);
-        }
-        REQUIRE(cache.told().empty());
-        for (const auto& entry : fs::directory_iterator(scratch.path())) {
-            if (entry.path().extension() == ".tmp") {
-                ++n_unfinished;
-                fs::remove(entry.path());
-            }
-        }
-    }
-    ShapeCache cache(keep_all(scratch.path()));
-    CHECK(cache.read(key_of(1)));
-    // Some were killed in the middle of a file, or nothing was tried.
-    CHECK(n_unfinished > 0);
-}
-
-TEST_CASE(
-    "shape cache: programs at once read, write and drive out each other's, and get what they asked "
-    "for") {
-    const ScratchFolder scratch;
-    const std::uint64_t one = encode(shell_of(200), key_of(0)).size();
-    std::vector<pid_t> programs;
-    for (int program = 0; program < 4; ++program) {
-        programs.push_back(start([&] {
-            ShapeCacheSettings settings = keep_all(scratch.path());
-            settings.most_bytes = 3 * one;
-            Maker maker;
-            for (int i = 0; i < 100; ++i) {
-                ShapeCache cache(settings);
-                const auto shell = maker.make(cache, key_of((7 * i + program) % 5));
-                if (!shell || shell->x_m.size() != 200 || !cache.told().empty()) {
-                    return false;
-                }
-            }
-            return true;
-        }));
-    }
-    for (const pid_t program : programs) {
-        int status = -1;
-        REQUIRE(::waitpid(program, &status, 0) == program);
-        CHECK(status == 0);
-    }
 }
 
 TEST_CASE("shape cache: it lies in the user's cache folder") {

@@ -1,6 +1,10 @@
-#include "runtime/files/progress_line.h"
+#include "runtime/app/progress_line.h"
+
+#include "runtime/app/terminal_text.h"
 
 #include <algorithm>
+#include <array>
+#include <sys/ioctl.h>
 #include <unistd.h>
 #include <utility>
 
@@ -9,7 +13,15 @@ namespace {
 
 // To the line's beginning, and away with what stands there.
 constexpr const char* kEmptied = "\r\033[K";
-constexpr int kMostLetters = 50;
+constexpr int kMostColumns = 50;   // of what is done
+constexpr int kUsualColumns = 80;  // where the terminal doesn't say
+
+// Behind a full line some terminals begin another.
+int find_columns(std::FILE* stream) {
+    winsize size{};
+    const bool is_told = ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return (is_told ? size.ws_col : kUsualColumns) - 1;
+}
 
 }  // namespace
 
@@ -35,9 +47,11 @@ void ProgressLine::say(double share, std::string_view what) {
         return;
     }
     const double percent = 100.0 * std::clamp(share, 0.0, 1.0);
-    const int letters = std::min(kMostLetters, static_cast<int>(what.size()));
-    std::fprintf(settings_.stream, "%s%s %3.0f %% %.*s", kEmptied, label_.c_str(), percent, letters,
-                 what.data());
+    std::array<char, 16> number{};
+    std::snprintf(number.data(), number.size(), " %3.0f %% ", percent);
+    const std::string line = label_ + number.data() + fit_to_columns(what, kMostColumns);
+    std::fputs((kEmptied + fit_to_columns(line, find_columns(settings_.stream))).c_str(),
+               settings_.stream);
     std::fflush(settings_.stream);
     is_shown_ = true;
     last_ = now;

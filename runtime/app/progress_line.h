@@ -1,7 +1,7 @@
 // One line on a terminal that says how far something long has come, and goes when it is done.
 //
 // Nothing is shown for what is over within `after_s`, and nothing at all where the stream is no terminal: logs stay quiet.
-// The line is written anew at most every `between_s`.
+// The line is written anew at most every `between_s`, and is never longer than the terminal is wide.
 //
 // Thread: one. Cost: a look at the clock a call, 0.1 ms where it writes.
 #pragma once
@@ -31,7 +31,7 @@ class ProgressLine {
 
     /// Takes the line away, until something is said again.
     void clear();
-    /// "label  42 % what"; the share from 0 to 1, of `what` what fits.
+    /// "label  42 % what"; the share from 0 to 1, of `what`, in UTF-8 or any bytes, what fits.
     void say(double share, std::string_view what = {});
     [[nodiscard]] bool is_on_terminal() const noexcept { return on_terminal_; }
 

@@ -1,4 +1,4 @@
-#include "runtime/files/progress_line.h"
+#include "runtime/app/progress_line.h"
 
 #include <catch2/catch.hpp>
 
@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <string>
+#include <sys/ioctl.h>
 #include <thread>
 #include <unistd.h>
 
@@ -29,6 +30,11 @@ class Terminal {
         ::close(master_);
     }
     [[nodiscard]] std::FILE* stream() const { return stream_; }
+    void make_wide(unsigned short columns) const {
+        winsize size{};
+        size.ws_col = columns;
+        REQUIRE(::ioctl(master_, TIOCSWINSZ, &size) == 0);
+    }
     // What has been shown since.
     [[nodiscard]] std::string read() const {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -65,6 +71,29 @@ TEST_CASE("progress line: what lasts is shown in one line, and goes in the end")
         CHECK(terminal.read() == kEmptied + "Building  10 % ");
     }
     CHECK(terminal.read() == kEmptied);
+}
+
+TEST_CASE("progress line: it is shorter than the terminal is wide, in whole characters") {
+    const Terminal terminal;
+    ProgressLine line("Building", {.after_s = 0.0, .between_s = 0.0, .stream = terminal.stream()});
+    const std::string wide(200, 'x');
+    line.say(0.42, wide);
+    CHECK(terminal.read() == kEmptied + "Building  42 % " + std::string(50, 'x'));
+    terminal.make_wide(24);
+    line.say(0.42, wide);
+    CHECK(terminal.read() == kEmptied + "Building  42 % " + std::string(8, 'x'));
+    // A place of 24 columns holds eight letters of one column behind the number, four of two.
+    line.say(0.42, "\u00FC\u00FC\u00FC\u00FC\u00FC\u00FC\u00FC\u00FC\u00FC");
+    CHECK(terminal.read() ==
+          kEmptied + "Building  42 % \u00FC\u00FC\u00FC\u00FC\u00FC\u00FC\u00FC\u00FC");
+    line.say(0.42, "\uC9C0\uB81B\uB300\uC9C0\uB81B");
+    CHECK(terminal.read() == kEmptied + "Building  42 % \uC9C0\uB81B\uB300\uC9C0");
+    terminal.make_wide(6);
+    line.say(0.42, "a\nb");
+    CHECK(terminal.read() == kEmptied + "Build");
+    terminal.make_wide(40);
+    line.say(0.42, "a\n\033[2Jb");
+    CHECK(terminal.read() == kEmptied + "Building  42 % a [2Jb");
 }
 
 TEST_CASE("progress line: what is over soon is not shown, nor what goes to no terminal") {
