@@ -50,6 +50,10 @@ Expected<void> check_models(const Places& places, const fs::path& lesson_folder,
             return no_model(places, body.model, body.name, body.line);
         }
     }
+    const std::string tool = lesson.hand.tool ? lesson.hand.tool->model : "";
+    if (!tool.empty() && !is_there(tool)) {
+        return no_model(places, tool, "the tool", lesson.hand.line);
+    }
     if (lesson.bucket.present && !is_there(lesson.bucket.model)) {
         return no_model(places, lesson.bucket.model, "the bucket", lesson.bucket.line);
     }

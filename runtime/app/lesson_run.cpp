@@ -291,8 +291,8 @@ View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     scenery.world = newest_world();
     scenery.axles = newest_axles();
     scenery.renders_force = device().traits().renders_force;
-    scenery.ghost = !scenery.renders_force;
-    scenery.ghost_pose_W = scenery.ghost ? hand_->pointer_W() : scenery.hand.tool_pose_W;
+    scenery.ghost = !scenery.renders_force || plan_.haptic.tool != nullptr;
+    scenery.ghost_pose_W = scenery.renders_force ? scenery.hand.tool_pose_W : hand_->pointer_W();
     return compose_view(session_->description(), plan_, session_->hud(), scenery, catalogue);
 }
 

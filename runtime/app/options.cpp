@@ -163,6 +163,15 @@ std::vector<std::string> flags_of(const CommandWord& command) {
     return flags;
 }
 
+// The one word that is no option.
+Expected<void> set_lesson(Options& options, const CommandWord& command, const std::string& word) {
+    if (!command.takes_lesson || !options.lesson.empty()) {
+        return fail("\"" + word + "\" is one word too many", "", "see fulcrum help");
+    }
+    options.lesson = word;
+    return {};
+}
+
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
@@ -199,11 +208,10 @@ Expected<Options> parse_options(std::span<const std::string> words) {
             options.command = Command::help;
             return options;
         }
-        if (word.rfind("--", 0) != 0) {
-            if (!command->takes_lesson || !options.lesson.empty()) {
-                return fail("\"" + word + "\" is one word too many", "", "see fulcrum help");
+        if (!word.starts_with("--")) {
+            if (auto set = set_lesson(options, *command, word); !set) {
+                return tl::unexpected(set.error());
             }
-            options.lesson = word;
         } else if (command->flags.find(" " + word + " ") == std::string_view::npos) {
             return unknown("for " + std::string(command->word) + ", the option", word,
                            flags_of(*command));

@@ -2,6 +2,7 @@
 
 #include "runtime/render/egl/offscreen.h"
 #include "runtime/render/image.h"
+#include "runtime/render/scene/tool_model.h"
 #include "runtime/scene/gltf/gltf_model.h"
 #include "runtime/scene/shape_models.h"
 
@@ -28,6 +29,16 @@ Expected<std::unique_ptr<Picture>> Picture::create(const Places& places) {
 std::vector<std::string> Picture::load_models(const LessonDescription& lesson,
                                               const std::filesystem::path& lesson_folder) {
     std::vector<std::string> names{"cursor"};
+    std::vector<std::string> notices;
+    if (lesson.hand.tool && !lesson.hand.tool->model.empty()) {
+        names.push_back(lesson.hand.tool->model);
+    } else if (lesson.hand.tool) {
+        LoadedModel tool = make_tool_model(lesson.hand.tool->shape);
+        tool.name = kToolModel;
+        if (auto added = renderer_->add_model(tool); !added) {
+            notices.push_back(to_sentence(added.error()));
+        }
+    }
     if (lesson.bucket.present) {
         names.push_back(lesson.bucket.model);
     }
@@ -37,7 +48,10 @@ std::vector<std::string> Picture::load_models(const LessonDescription& lesson,
             names.emplace_back(kClothModel);  // what can be felt may be covered
         }
     }
-    return load_models(names, lesson_folder);
+    for (std::string& notice : load_models(names, lesson_folder)) {
+        notices.push_back(std::move(notice));
+    }
+    return notices;
 }
 
 std::vector<std::string> Picture::load_models(const std::vector<std::string>& names,

@@ -164,6 +164,14 @@ void add_torques(const LessonDescription& lesson, const Scenery& scenery,
     }
 }
 
+std::string tool_model(const LessonDescription& lesson) {
+    if (lesson.hand.tool) {
+        const std::string& model = lesson.hand.tool->model;
+        return model.empty() ? std::string(kToolModel) : model;
+    }
+    return lesson.bucket.present ? lesson.bucket.model : "cursor";
+}
+
 }  // namespace
 
 std::string number_text(double value, int decimals) {
@@ -188,9 +196,8 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
     add_bodies(lesson, hud, scenery, view);
 
     // The tool is drawn where it may be; a ghost shows where the hand is.
-    view.tool.model = lesson.bucket.present ? lesson.bucket.model : "cursor";
-    view.tool.pose_W = scenery.hand.tool_pose_W;
-    view.tool.pose_W.position = scenery.hand.proxy_position_W;
+    view.tool.model = tool_model(lesson);
+    view.tool.pose_W = {scenery.hand.proxy_position_W, scenery.hand.proxy_orientation_W};
     view.ghost_visible = scenery.ghost;
     view.ghost_pose_W = scenery.ghost_pose_W;
 

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "haptics/dynamics/axle.h"
+#include "haptics/dynamics/integrator.h"
 #include "haptics/handover/messages.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/math/spatial.h"
 #include "haptics/point/proxy_plan.h"
 #include "haptics/surface/material.h"
+#include "haptics/tool/tool_solver.h"
 
 #include <array>
 #include <cstdint>
@@ -73,6 +75,23 @@ struct CameraDescription {
     double vertical_angle_deg = 40.0;
 };
 
+/// A tool of points in the hand, which stays outside solid bodies and is felt with force and torque; masses and stiffnesses as
+/// the hand feels them, lengths in the scene's metres. Ranges as the program's reference has them.
+struct ToolDescription {
+    CursorShape shape =
+        CylinderShape{0.02, 0.05};  ///< upright along y; a point where it has a model
+    std::string model;              ///< instead of a shape, or empty
+    double mass_kg = 0.02;
+    double stiffness_N_per_m = 500.0;  ///< of the spring between hand and tool
+    double turn_stiffness_Nm_per_rad =
+        0.0;               ///< 0: as stiff at the tool's farthest point as the spring
+    double voxel_m = 0.0;  ///< side of the bodies' voxels; 0: chosen for each body
+    int points = 2000;
+    ToolMethod method = ToolMethod::field_sampling;
+    bool massless = false;
+    Integrator integrator = Integrator::backward_euler;
+};
+
 /// Where the hand works in the scene: the device's centre, and world metres a device metre.
 struct HandDescription {
     Vector3 centre_W{0.0, 0.3, 0.0};
@@ -84,6 +103,7 @@ struct HandDescription {
     std::optional<ProxyKind> proxy{};
     CursorShape cursor{};
     SourceLine line = 0;
+    std::optional<ToolDescription> tool{};  ///< instead of either
 };
 
 /// A question with its answer templates; `right` stays in Lua and is asked by a Judge message.

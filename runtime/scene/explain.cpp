@@ -1,5 +1,7 @@
 #include "runtime/scene/explain.h"
 
+#include "runtime/scene/plan_tool.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -79,7 +81,7 @@ std::string explain(const LessonDescription& lesson, const Plan& plan) {
                     stage.because);
     }
     text += "\nWhat is not in this list is not built.\n";
-    return text + materials_table(lesson, plan);
+    return text + tool_table(lesson, plan.haptic) + materials_table(lesson, plan);
 }
 
 }  // namespace fulcrum::runtime

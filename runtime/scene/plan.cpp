@@ -1,6 +1,7 @@
 #include "runtime/scene/plan.h"
 
 #include "haptics/field/field.h"
+#include "runtime/scene/plan_tool.h"
 #include "runtime/scene/plan_touch.h"
 
 #include <algorithm>
@@ -198,7 +199,11 @@ void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
     add(HapticStage::take_inputs, "the lesson and the world speak to it", 0);
     add(HapticStage::read, "a hand holds the device", 0);
     add(HapticStage::estimate, "dampers and the lesson need a velocity", 0);
-    if (!plan.haptic.solids.empty()) {
+    if (plan.haptic.tool) {
+        add(HapticStage::tool, "a " + name_of(*lesson.hand.tool) + " meets bodies",
+            lesson.hand.line);
+        list_axle_stage(lesson, plan.haptic, add);
+    } else if (!plan.haptic.solids.empty()) {
         const auto body = static_cast<std::size_t>(plan.haptic.solids.front().body);
         add(HapticStage::proxy,
             "a body can be touched, by a " + std::string(name_of(plan.haptic.proxy.kind)),
@@ -288,6 +293,9 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
     }
     if (auto proxy = choose_proxy(lesson, plan.haptic); !proxy) {
         return tl::unexpected(proxy.error());
+    }
+    if (auto tool = add_tool(lesson, load_solid, plan.haptic); !tool) {
+        return tl::unexpected(tool.error());
     }
     plan.touch_sound = std::ranges::any_of(
         plan.haptic.solids, [](const SolidPlan& solid) { return solid.surface.audible; });

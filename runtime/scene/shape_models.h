@@ -17,6 +17,9 @@ inline constexpr std::string_view kBoxModel = "box";
 /// A thin line in a circle of the body's radius, across its own y axis: the way of a planet. It cannot be touched.
 inline constexpr std::string_view kOrbitModel = "orbit";
 
+/// What a tool that is a shape by rule is drawn as; made for each lesson, and no file has that name.
+inline constexpr std::string_view kToolModel = "the tool in the hand";
+
 /// A cloth over a body of that radius: what a covered body is drawn as.
 inline constexpr std::string_view kClothModel = "cloth";
 

@@ -42,7 +42,7 @@ local function can_lift(x) return needed(x, support_x) <= strongest end
 function L:start(world)
   world:ground(0)
   world:camera { eye = { 0, 0.75, 1.75 }, target = { 0, 0.36, 0 }, angle = 40 }
-  world:hand { centre = { 0.1, 0.45, 0 }, scale = 4, cursor = "ball", cursor_size = 0.01 }
+  world:hand { centre = { 0.1, 0.45, 0 }, scale = 4, tool = { shape = "cylinder", radius = 0.02, length = 0.12 } }
   support = world:body { name = "support", model = "support", visible = true, movable = true,
     at = { 0, height - 0.02, 0 } }
   lever = world:body {

@@ -223,6 +223,20 @@ function World:viscosity(options) end
 ---@return Force
 function World:magnet(options) end
 
+---@class HandTool
+---@field shape? string what it is like; it stands upright; "ball", "box", "capsule" or "cylinder"; default cylinder
+---@field model? string a model instead, in its own size
+---@field radius? number of a ball, a capsule or a cylinder; a box is twice so wide and deep; in metres, 0.001 to 1; default 0.02
+---@field length? number from end to end; a ball has none; in metres, 0.002 to 2; default 0.1
+---@field mass? number as the hand feels it near a body; in free air nothing is felt; in kilograms, 0.005 to 1; default 0.02
+---@field stiffness? number of the spring between hand and tool; in newtons per metre, 50 to 2000; default 500
+---@field turn_stiffness? number of the spring that turns it as the hand turns; as stiff at its far end by default; in newton metres per radian, 0.001 to 10
+---@field voxel? number side of the cubes that bodies are made of for it; smaller follows their shape more closely and takes more memory; fine enough for each body by default; in metres, 0.0001 to 1
+---@field points? integer on its surface; more follow it more closely and take more time; 100 to 200000; default 2000
+---@field method? string how its points are kept outside bodies, by the name of the method: by the distance to their surface, or by cubes that they are made of; "field_sampling" or "voxel_sampling"; default field_sampling
+---@field massless? boolean it has no mass of its own: nothing smooths what it meets; default false
+---@field integrator? string how it is moved on; all but backward_euler want a heavy tool and a soft spring; "explicit_euler", "semi_implicit_euler", "verlet", "runge_kutta_4" or "backward_euler"; default backward_euler
+
 ---@class HandOptions
 ---@field centre? Vector|Body|Tool where the middle of the arm's reach lies; in metres, -10000 to 10000; default {0, 0.3, 0}
 ---@field scale? number metres in the scene for one metre of the hand; 0.01 to 100; default 1
@@ -230,6 +244,7 @@ function World:magnet(options) end
 ---@field proxy? string what solid bodies are touched with, by the name of its method; what the scene needs by default: friction_cone where something has friction; "god_object", "virtual_proxy" or "friction_cone"
 ---@field cursor? string the shape that touches; a ball is for virtual_proxy and friction_cone, the others for friction_cone alone; "point", "ball", "box", "capsule" or "cylinder"; default point
 ---@field cursor_size? number its radius, or half its side; a capsule and a cylinder are so long to each side; in metres, 0.0005 to 1; default 0.005
+---@field tool? HandTool what the hand holds instead of a cursor: a thing with a shape, felt with force and torque, that stays outside solid bodies; a hand that cannot turn holds it upright
 
 ---Says where the hand works in the scene, once.
 ---@param options HandOptions

@@ -38,6 +38,16 @@ inline LessonDescription full_description() {
     d.camera = {Vector3(0, 0.5, 1.5), Vector3(0, 0.3, 0), 50};
     d.hand = {Vector3(0, 0.4, 0), 2.0, 2000.0, true, 17, ProxyKind::virtual_proxy,
               SphereShape{0.01},  20};
+    d.hand.tool = ToolDescription{CapsuleShape{0.02, 0.05},
+                                  "",
+                                  0.03,
+                                  400.0,
+                                  0.25,
+                                  0.004,
+                                  3000,
+                                  ToolMethod::voxel_sampling,
+                                  true,
+                                  Integrator::verlet};
     d.bodies[1].material = 1;
     d.bodies[0].hinge = AxleSettings{.axis_W = Vector3(0, 1, 0),
                                      .pivot_B = Vector3(0.1, 0.2, 0),

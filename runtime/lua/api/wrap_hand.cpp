@@ -2,6 +2,9 @@
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/lesson_context.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace fulcrum::runtime {
 namespace {
 
@@ -30,6 +33,87 @@ ProxyKind proxy_of(std::string_view name) {
                                      : ProxyKind::god_object;
 }
 
+// The tool that the hand may hold instead of a cursor.
+constexpr Parameter kTool[] = {
+    {"shape", ParameterType::choice, "", 0, 0, "cylinder", "what it is like; it stands upright",
+     "ball box capsule cylinder"},
+    {"model", ParameterType::name, "", 0, 48, "nil", "a model instead, in its own size"},
+    {"radius", ParameterType::number, "metres", 0.001, 1, "0.02",
+     "of a ball, a capsule or a cylinder; a box is twice so wide and deep"},
+    {"length", ParameterType::number, "metres", 0.002, 2, "0.1",
+     "from end to end; a ball has none"},
+    {"mass", ParameterType::number, "kilograms", 0.005, 1, "0.02",
+     "as the hand feels it near a body; in free air nothing is felt"},
+    {"stiffness", ParameterType::number, "newtons per metre", 50, 2000, "500",
+     "of the spring between hand and tool"},
+    {"turn_stiffness", ParameterType::number, "newton metres per radian", 0.001, 10, "nil",
+     "of the spring that turns it as the hand turns; as stiff at its far end by default"},
+    {"voxel", ParameterType::number, "metres", 0.0001, 1, "nil",
+     "side of the cubes that bodies are made of for it; smaller follows their shape more closely "
+     "and takes more memory; fine enough for each body by default"},
+    {"points", ParameterType::integer, "", 100, 200000, "2000",
+     "on its surface; more follow it more closely and take more time"},
+    {"method", ParameterType::choice, "", 0, 0, "field_sampling",
+     "how its points are kept outside bodies, by the name of the method: by the distance to their "
+     "surface, or by cubes that they are made of",
+     "field_sampling voxel_sampling"},
+    {"massless", ParameterType::flag, "", 0, 0, "false",
+     "it has no mass of its own: nothing smooths what it meets"},
+    {"integrator", ParameterType::choice, "", 0, 0, "backward_euler",
+     "how it is moved on; all but backward_euler want a heavy tool and a soft spring",
+     "explicit_euler semi_implicit_euler verlet runge_kutta_4 backward_euler"}};
+
+CursorShape shape_of(std::string_view name, double radius_m, double length_m) {
+    if (name == "ball") {
+        return SphereShape{radius_m};
+    }
+    if (name == "box") {
+        return BoxShape{Vector3(radius_m, 0.5 * length_m, radius_m)};
+    }
+    if (name == "capsule") {
+        return CapsuleShape{radius_m, 0.5 * length_m - radius_m};
+    }
+    return CylinderShape{radius_m, 0.5 * length_m};
+}
+
+Integrator integrator_of(std::string_view name) {
+    constexpr std::string_view kNames[] = {"explicit_euler", "semi_implicit_euler", "verlet",
+                                           "runge_kutta_4", "backward_euler"};
+    const auto* const found = std::ranges::find(kNames, name);
+    return kIntegrators[static_cast<std::size_t>(found - std::begin(kNames))];
+}
+
+ToolDescription take_tool(lua_State* lua, const Arguments& arguments) {
+    ToolDescription tool;
+    const std::string& shape = arguments["shape"].text;
+    const double radius_m = arguments["radius"].number;
+    const double length_m = arguments["length"].number;
+    if (arguments["model"].given && arguments["shape"].given) {
+        raise_in_lesson(lua, "the tool has a shape and a model; leave out one of them");
+    }
+    if (shape == "capsule" && length_m <= 2.0 * radius_m) {
+        raise_in_lesson(lua,
+                        "a capsule is longer than twice its radius; give it more length, or take "
+                        "shape = \"ball\"");
+    }
+    tool.shape = shape_of(shape, radius_m, length_m);
+    if (arguments["model"].given) {
+        tool.shape = std::monostate{};
+        tool.model = arguments["model"].text;
+    }
+    tool.mass_kg = arguments["mass"].number;
+    tool.stiffness_N_per_m = arguments["stiffness"].number;
+    tool.turn_stiffness_Nm_per_rad =
+        arguments["turn_stiffness"].given ? arguments["turn_stiffness"].number : 0.0;
+    tool.voxel_m = arguments["voxel"].given ? arguments["voxel"].number : 0.0;
+    tool.points = static_cast<int>(arguments["points"].number);
+    tool.method = arguments["method"].text == "voxel_sampling" ? ToolMethod::voxel_sampling
+                                                               : ToolMethod::field_sampling;
+    tool.massless = arguments["massless"].flag;
+    tool.integrator = integrator_of(arguments["integrator"].text);
+    return tool;
+}
+
 int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     if (context.has_hand) {
         raise_in_lesson(lua,
@@ -43,6 +127,13 @@ int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments)
     context.description.hand.cursor = cursor_of(arguments);
     if (arguments["proxy"].given) {
         context.description.hand.proxy = proxy_of(arguments["proxy"].text);
+    }
+    if (arguments["tool"].given) {
+        if (arguments["proxy"].given || arguments["cursor"].given) {
+            raise_in_lesson(lua,
+                            "the hand has a tool and a cursor or proxy; leave out one of them");
+        }
+        context.description.hand.tool = take_tool(lua, arguments.record("tool"));
     }
     context.description.hand.line = place_in_lesson(lua).line;
     push_handle(lua, Handle::Kind::hand, 0);
@@ -82,7 +173,11 @@ void add_hand_api(ApiTable& table) {
            "friction_cone alone",
            "point ball box capsule cylinder"},
           {"cursor_size", number, "metres", 0.0005, 1, "0.005",
-           "its radius, or half its side; a capsule and a cylinder are so long to each side"}},
+           "its radius, or half its side; a capsule and a cylinder are so long to each side"},
+          {"tool", record, "", 0, 0, "nil",
+           "what the hand holds instead of a cursor: a thing with a shape, felt with force and "
+           "torque, that stays outside solid bodies; a hand that cannot turn holds it upright",
+           "", kTool, std::size(kTool)}},
          "Hand",
          "Says where the hand works in the scene, once.",
          &set_hand});

@@ -113,6 +113,26 @@ void cursor(Archive& a, Shape& shape) {
     }
 }
 
+template <class Archive, class Tool>
+void tool(Archive& a, Tool& t) {
+    a.one_of("the tool's shape", t.shape,
+             [](auto& archive, auto& shape) { cursor(archive, shape); });
+    a.name("the tool's model", t.model);
+    a.number("the tool's mass", t.mass_kg, 1e-3, 10.0);
+    a.number("the tool's stiffness", t.stiffness_N_per_m, 1.0, 1e4);
+    a.number("the tool's stiffness of turn", t.turn_stiffness_Nm_per_rad, 0.0, 100.0);
+    a.number("the tool's voxels", t.voxel_m, 0.0, 1.0);
+    a.integer("the tool's points", t.points, 1, 1'000'000);
+    a.choice("the tool's method", t.method, ToolMethod::voxel_sampling);
+    a.flag("a massless tool", t.massless);
+    a.choice("the tool's integrator", t.integrator, Integrator::backward_euler);
+    if constexpr (Archive::kReads) {
+        if (t.model.empty() == std::holds_alternative<std::monostate>(t.shape)) {
+            a.refuse("the tool", "has not either a shape or a model");
+        }
+    }
+}
+
 /// What touches: its shape by number, as in CursorShape.
 template <class Archive, class Hand>
 void proxy(Archive& a, Hand& h) {
@@ -124,6 +144,7 @@ void proxy(Archive& a, Hand& h) {
         h.proxy = chosen ? std::optional(kind) : std::nullopt;
     }
     a.one_of("the cursor", h.cursor, [](auto& archive, auto& shape) { cursor(archive, shape); });
+    optional(a, "a tool", h.tool, [](auto& each, auto& t) { tool(each, t); });
     a.integer("a line", h.line, 0, kMaxLine);
 }
 

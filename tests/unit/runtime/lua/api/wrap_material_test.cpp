@@ -168,5 +168,52 @@ TEST_CASE("hand: what touches is chosen by name") {
     }
 }
 
+TEST_CASE("hand: it may hold a tool, of a shape or a model, by a method by name") {
+    HostedLesson lesson;
+    REQUIRE(
+        lesson.start(
+            "world:hand { tool = { shape = 'capsule', radius = 0.01, length = 0.08, mass = 0.05, "
+            "stiffness = 300, turn_stiffness = 0.2, voxel = 0.004, points = 500, "
+            "method = 'voxel_sampling', massless = true, integrator = 'verlet' } }") == "");
+    REQUIRE(lesson.host->description().hand.tool);
+    const ToolDescription& tool = *lesson.host->description().hand.tool;
+    REQUIRE(std::holds_alternative<CapsuleShape>(tool.shape));
+    CHECK(std::get<CapsuleShape>(tool.shape).half_length_m == Approx(0.03));
+    CHECK(tool.mass_kg == 0.05);
+    CHECK(tool.stiffness_N_per_m == 300);
+    CHECK(tool.turn_stiffness_Nm_per_rad == 0.2);
+    CHECK(tool.voxel_m == 0.004);
+    CHECK(tool.points == 500);
+    CHECK(tool.method == ToolMethod::voxel_sampling);
+    CHECK(tool.massless);
+    CHECK(tool.integrator == Integrator::verlet);
+    // What is not said is the default; a model is in its own size.
+    HostedLesson plain;
+    REQUIRE(plain.start("world:hand { tool = { model = 'gear' } }") == "");
+    const ToolDescription& gear = *plain.host->description().hand.tool;
+    CHECK(gear.model == "gear");
+    CHECK(std::holds_alternative<std::monostate>(gear.shape));
+    CHECK(gear.method == ToolMethod::field_sampling);
+    CHECK(gear.integrator == Integrator::backward_euler);
+    CHECK_FALSE(gear.massless);
+    HostedLesson upright;
+    REQUIRE(upright.start("world:hand { tool = {} }") == "");
+    const CursorShape& shape = upright.host->description().hand.tool->shape;
+    REQUIRE(std::holds_alternative<CylinderShape>(shape));
+    CHECK(std::get<CylinderShape>(shape).half_height_m == 0.05);
+}
+
+TEST_CASE("hand: mistakes with a tool get one sentence") {
+    CHECK(sentence("world:hand { cursor = 'ball', tool = {} }") ==
+          "lesson.lua:2: the hand has a tool and a cursor or proxy; leave out one of them.");
+    CHECK(sentence("world:hand { tool = { shape = 'ball', model = 'gear' } }") ==
+          "lesson.lua:2: the tool has a shape and a model; leave out one of them.");
+    CHECK(sentence("world:hand { tool = { shape = 'capsule', length = 0.04 } }")
+              .find("a capsule is longer than twice its radius") != std::string::npos);
+    CHECK(sentence("world:hand { tool = { method = 'magic' } }")
+              .find("\"field_sampling\" or \"voxel_sampling\"") != std::string::npos);
+    CHECK(sentence("world:hand { tool = { mass = 5 } }").find("0.005 to 1") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace fulcrum::runtime

@@ -1,0 +1,34 @@
+// The tool in the hand, as the plan needs it: its points, and every solid body as voxels or as a distance field. For plan.cpp.
+//
+//   voxel   as the lesson says; else as fine as a body's longest side asks for, with at most so many voxels:
+//             s = max(length / 400, (volume of its box / 4 million)^(1/3))
+//   fields  4 voxels deep on both sides of the surface
+//   voxels  the layer that pushes lies one voxel outside the body, so that the tool's and the body's surfaces never meet; those that
+//           brake reach 4 mm further, in the hand's metres: two steps of a hand at 2 m/s
+//   hand    masses and springs are as the hand feels them: m = mass / scale, k = stiffness / scale, k_r = turn stiffness x scale
+//
+// Thread: load path. Cost: 10 ms and 1 byte a voxel up to 4 million for each body; with a lesson's own voxels at most kMostVoxels.
+#pragma once
+
+#include "runtime/scene/plan.h"
+
+#include <string>
+
+namespace fulcrum::runtime {
+
+/// Of all bodies together: 64 MB while they are made, a second.
+inline constexpr double kMostVoxels = 64.0e6;
+
+/// Gives the plan its tool, where the lesson has one; the plan has its solids already. Refuses with one sentence and the line of
+/// the lesson what cannot be made: no body to touch, a bucket beside it, materials (a tool of points feels shape alone), voxels
+/// that are too many, a model that encloses nothing.
+[[nodiscard]] Expected<void> add_tool(const LessonDescription& lesson,
+                                      const SolidLoader& load_solid, HapticPlan& plan);
+
+/// What the tool is like, in a few words: "cylinder", or its model's name.
+[[nodiscard]] std::string name_of(const ToolDescription& tool);
+
+/// For people who ask what runs: method, points, springs, and the voxels of each body; empty without a tool.
+[[nodiscard]] std::string tool_table(const LessonDescription& lesson, const HapticPlan& plan);
+
+}  // namespace fulcrum::runtime
