@@ -3,6 +3,7 @@
 #include "haptics/dynamics/axle.h"
 
 #include <cmath>
+#include <sstream>
 
 namespace fulcrum {
 
@@ -13,15 +14,24 @@ Expected<void> validate(const AxleSettings& settings) {
         {"inertia in kilogram square metres", settings.inertia_kg_m2, 1e-4, 1e6},
         {"mass in kilograms", settings.mass_kg, 0.0, 1e4},
         {"centre's distance in metres", settings.centre_B.norm(), 0.0, kFarthestOnAxle_m},
-        {"inertia about the centre in kilogram square metres",
-         move_pivot(settings, settings.centre_B).inertia_kg_m2, 0.0, 1e6},
         {"friction in newton metres", settings.friction_Nm, 0.0, 1e6},
         {"lowest angle in radians", settings.lowest_rad, -kAnyAngle_rad, kAnyAngle_rad},
         {"highest angle in radians", settings.highest_rad, settings.lowest_rad, kAnyAngle_rad},
         {"load in newtons", settings.load_N, 0.0, 1e6},
         {"load's distance in metres", settings.load_B.norm(), 0.0, kFarthestOnAxle_m},
     };
-    return check_ranges("an axle's", ranges);
+    if (auto checked = check_ranges("an axle's", ranges); !checked) {
+        return checked;
+    }
+    const double about_centre_kg_m2 = move_pivot(settings, settings.centre_B).inertia_kg_m2;
+    if (!(about_centre_kg_m2 >= 0.0)) {
+        std::ostringstream message;
+        message << "an axle's inertia is " << settings.inertia_kg_m2
+                << " kg m^2, and its mass alone, where its centre lies, has "
+                << settings.inertia_kg_m2 - about_centre_kg_m2 << " about the pivot";
+        return fail(message.str(), {}, "give it that much at least, or less mass");
+    }
+    return {};
 }
 
 }  // namespace fulcrum

@@ -4,9 +4,10 @@
 //   I_B = R diag(moments) R^T,   X_BP = (centre, R)    P the frame in which the integrators move the body
 // Two rules, the first where it holds:
 //   integrals   exact, to rounding. The mesh is closed, its neighbours agree which way is out (mesh_report.h), and it winds once,
-//               or once the other way round, round each of some 10^4 places where it winds at all (winding_number.h)
+//               or once the other way round, round each place where it winds at all (winding_number.h), of one by chance in each
+//               of up to 24^3 cubes
 //   samples     what the mesh winds round by at least a half (as the distance field has it), sampled at a place by chance in
-//               each of 64^3 cubes: open, cracked and overlapping meshes, solids within solids, parts turned inside out. Off by
+//               each of up to 64^3 cubes: open, cracked and overlapping meshes, solids within solids, parts turned inside out. Off by
 //               about 0.3 % for compact bodies, for thin ones by as much as few cubes tell; where there is a hole, by its bulge
 // What overlaps by less than a 24th of the mesh's length may pass as whole: it then counts twice.
 //

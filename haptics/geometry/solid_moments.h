@@ -1,4 +1,4 @@
-// How much a closed surface encloses, where the middle of that lies, and how it is spread: what masses and moments of inertia
+// How much a closed surface encloses, where the centre of that lies, and how it is spread: what masses and moments of inertia
 // are made of.
 //
 //   V   = integral of 1             = sum of D / 6,   D = a . (b x c) of a triangle with the corners a, b, c
@@ -21,8 +21,9 @@ namespace fulcrum {
 
 /// Of a solid, frame B.
 struct SolidMoments {
-    double volume_m3 = 0.0;             ///< below 0 where the surface is inside out
-    Vector3 centre_B{Vector3::Zero()};  ///< of the volume; the mesh's middle where there is none
+    double volume_m3 = 0.0;  ///< below 0 where the surface is inside out
+    Vector3 centre_B{
+        Vector3::Zero()};  ///< of the volume; the middle of the mesh's box where there is none
     Matrix3 second_m5{
         Matrix3::Zero()};  ///< the integral of (p - c)(p - c)^T; below 0 like the volume
 };

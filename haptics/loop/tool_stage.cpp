@@ -38,6 +38,11 @@ SolidPush compute_push(const Wrench& against_W, const Vector3& about_W) noexcept
     return push;
 }
 
+// A wrench about a place `arm` from another, about that one.
+Wrench move_about(const Wrench& wrench, const Vector3& arm) noexcept {
+    return {wrench.force, wrench.torque + arm.cross(wrench.force)};
+}
+
 }  // namespace
 
 void ToolStage::follow_solids(const ToolRound& round) noexcept {
@@ -70,13 +75,20 @@ void ToolStage::follow_hand(const ToolRound& round) noexcept {
 
 void ToolStage::tell_pushes(const Wrench& felt_W) noexcept {
     const std::span<const ToolTouch> touches = tool_->touches();
-    Vector3 all_W = Vector3::Zero();
+    // What the hand feels beyond what the solids push, about the grip.
+    const Vector3 arm_W = tool_->centre_W() - pose_W_.position;
+    Wrench rest_W = felt_W;
+    double sizes_N = 0.0;
+    double n_touched = 0.0;
     for (const ToolTouch& touch : touches) {
-        all_W += touch.wrench_W.force;
+        if (touch.touches) {
+            const Wrench own_W = move_about(touch.wrench_W, arm_W);
+            rest_W.force -= own_W.force;
+            rest_W.torque -= own_W.torque;
+            sizes_N += compute_length(own_W.force);
+            n_touched += 1.0;
+        }
     }
-    const double all_N = compute_length(all_W);
-    const double share = all_N > 0.0 ? compute_length(felt_W.force) / all_N : 0.0;
-    const auto n_touched = std::ranges::count_if(touches, &ToolTouch::touches);
     // Which is pressed hardest, and each with what?
     solid_ = kNoBody;
     double most_N = -1.0;
@@ -85,11 +97,13 @@ void ToolStage::tell_pushes(const Wrench& felt_W) noexcept {
         if (!touches[i].touches) {
             continue;
         }
-        const Wrench& own_W = touches[i].wrench_W;
-        pushes_[i] = n_touched == 1 ? compute_push(felt_W, pose_W_.position)
-                                    : compute_push({share * own_W.force, share * own_W.torque},
-                                                   tool_->centre_W());
-        if (const double force_N = compute_length(own_W.force); force_N > most_N) {
+        const Wrench own_W = move_about(touches[i].wrench_W, arm_W);
+        const double force_N = compute_length(own_W.force);
+        const double share = sizes_N > 0.0 ? force_N / sizes_N : 1.0 / n_touched;
+        pushes_[i] =
+            compute_push({own_W.force + share * rest_W.force, own_W.torque + share * rest_W.torque},
+                         pose_W_.position);
+        if (force_N > most_N) {
             most_N = force_N;
             solid_ = static_cast<std::int32_t>(i);
         }

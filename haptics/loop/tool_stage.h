@@ -4,10 +4,11 @@
 //   force on the hand    the coupling's, as the tool gives it
 //   torque on the hand   about the grip, over the workspace's scale: forces are felt unscaled and lengths are not, so that a turn
 //                        of the handle takes from the hand as much as from the tool, in the hand's metres
-//   force on a solid     what the hand presses: minus the force and torque it feels, where one solid is touched; of several each has
-//                        its share, its own wrench on the tool times |felt| / |sum of all|. Given at the place on the line it
-//                        acts along that is nearest to where its torque is about, p = c + F x tau / F^2, and with the couple
-//                        that is left, (tau . F) F / F^2. So what turns a body is the coupling and not the stiff contact
+//   force on a solid     -(W_i + w_i (felt - sum of W)),  w_i = |F_i| / sum of |F|    W_i its own wrench on the tool, F_i the force
+//                        of it, all about the grip. Together they are what the hand presses, minus the force and torque that it
+//                        feels: all of that where one solid is touched. Where the tool is twisted between two that push against
+//                        each other, each has about its own. Given at the place on the line it acts along that is nearest to
+//                        the grip, p = g + F x tau / F^2, and with the couple that is left, (tau . F) F / F^2
 // A solid's velocity is the way between the last two places it was told to be at over the time between; one that is not told to
 // move for longer than that stands still.
 //

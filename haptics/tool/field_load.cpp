@@ -5,7 +5,7 @@ namespace fulcrum {
 VoxelContact FieldSampling::to_contact(const FieldTouch& touch) const noexcept {
     constexpr double kAsDeep = 1.0 - 1.0e-3;  // values are kept in steps
     const bool through = touch.deepest_m >= kAsDeep * sampler_.field().band_m();
-    return {touch.wrench_W, touch.n_touching, through ? 1 : 0, 0};
+    return {touch.wrench_W, touch.n_touching, through ? 1 : 0, 0, touch.error_N, touch.error_Nm};
 }
 
 VoxelContact FieldSampling::sample(const RigidState& state,

@@ -3,11 +3,13 @@
 //
 //   wrench      as field_sampling.h has it; continuous across voxels along `normals`, conservative along `slopes`
 //   derivative  by the tool's pose, exact within a cell; none by its velocity, for the field neither brakes nor damps
+// With a budget of time both are those of the points that were looked at, for all they stand for, and how far the wrench may be off is
+// told with it. What was found in the last step says where to look first, so that the same pose may give another wrench.
 // What counts as a touch: a point inside the object, F < 0. It lies in the layer that pushes until it is as deep as the band
 // (distance_field.h), from where on it is pushed out as well, but has penetrated. Nothing is felt before F = 0.
 //
-// Thread: one at a time, also to ask: the sampler remembers what is free, which changes no answer. Cost: that of field sampling; with
-// derivatives 0.1 us more for a point that touches. No allocation.
+// Thread: one at a time, also to ask: the sampler remembers what is free, which without a budget changes no answer. Cost: that of
+// field sampling; with derivatives 0.1 us more for a point that touches, within the budget where there is one. No allocation.
 #pragma once
 
 #include "haptics/tool/field_sampling.h"
@@ -37,8 +39,8 @@ class FieldSampling {
     /// Of field and points, and what is remembered.
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
-    /// The tool in `state` against the object in `object`, both in W: `n_surface` points are inside the object; `n_interior` is 1
-    /// where the deepest of them is as deep as the band; nothing brakes.
+    /// The tool in `state` against the object in `object`, both in W: `n_surface` points are inside the object, of those looked at
+    /// and what they stand for; `n_interior` is 1 where the deepest looked at is as deep as the band; nothing brakes.
     [[nodiscard]] VoxelContact sample(const RigidState& state,
                                       const MovingFrame& object) const noexcept;
     /// The same; adds the derivatives by the tool's pose.

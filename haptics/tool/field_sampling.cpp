@@ -35,6 +35,12 @@ void FieldSampler::reset() noexcept {
     has_last_ = false;
 }
 
+bool FieldSampler::is_within_reach(const Pose& X_OT) const noexcept {
+    constexpr double kUnit = 1.0e-3;  // of a quaternion's square, for what was turned often
+    return is_finite(X_OT) && std::abs(X_OT.orientation.squaredNorm() - 1.0) < kUnit &&
+           X_OT.position.cwiseAbs().maxCoeff() < kFarthest_voxels * field_->frame().voxel_m;
+}
+
 void FieldSampler::rebase_clock() noexcept {
     for (Level& level : levels_) {
         for (std::vector<float>* const times : {&level.free_until, &level.hopeless_until}) {
@@ -195,12 +201,8 @@ void FieldSampler::remember_groups() noexcept {
 FieldTouch FieldSampler::step(const Pose& X_WO, const Pose& X_WT) noexcept {
     touch_ = {};
     began_s_ = settings_.budget_us > 0.0 ? monotonic_now_s() : 0.0;
-    if (!is_finite(X_WO) || !is_finite(X_WT)) {
-        reset();
-        return touch_;
-    }
     const Pose X_OT = X_WO.inverse() * X_WT;
-    if (!(X_OT.position.cwiseAbs().maxCoeff() < kFarthest_voxels * field_->frame().voxel_m)) {
+    if (!is_finite(X_WO) || !is_finite(X_WT) || !is_within_reach(X_OT)) {
         reset();
         return touch_;
     }

@@ -96,13 +96,14 @@ class FieldSampler {
     [[nodiscard]] static Expected<FieldSampler> build(Field field, Shell shell,
                                                       const FieldSamplingSettings& settings = {});
 
-    /// Object at X_WO, tool at X_WT. A pose that is not finite, or a million voxels away, gives no force, and all is looked at anew afterwards.
+    /// Object at X_WO, tool at X_WT. A pose that is not finite, that turns by no unit quaternion, or a million voxels away, gives no
+    /// force, and all is looked at anew afterwards.
     [[nodiscard]] FieldTouch step(const Pose& X_WO, const Pose& X_WT) noexcept;
 
     /// The share of the way from one pose of the tool to the other, in the object's frame, that may be gone before a point comes
     /// deeper than `deepest_m` (0 to 3/4 of the band; what a penalty force needs to push back) or, if it was deeper at the start,
     /// deeper than it was: straight for the origin, about one axis at an even rate. 1: all of it, always so for a motion that
-    /// leaves; 0: none, or a pose that is not finite. Ends within `kNearTouch_voxels` before that, or short of it after
+    /// leaves; 0: none, or a pose that `step` refuses. Ends within `kNearTouch_voxels` before that, or short of it after
     /// `kMaxAdvances` advances of a tenth of a voxel at least; a motion that slides takes no longer ones. However often it is
     /// called, no point that was not comes deeper than `deepest_m` by 0.05 voxels.
     [[nodiscard]] double find_first_touch(const Pose& from_OT, const Pose& to_OT,
@@ -157,6 +158,8 @@ class FieldSampler {
     };
 
     FieldSampler(Field field, Shell shell, const FieldSamplingSettings& settings);
+    // A number, a turn, and no farther than the clock of motion can count.
+    [[nodiscard]] bool is_within_reach(const Pose& X_OT) const noexcept;
     void advance_clock(const Pose& X_OT) noexcept;
     void rebase_clock() noexcept;
     // The whole shell, to be searched.
@@ -183,8 +186,11 @@ class FieldSampler {
     // A motion, and what each point of it may not pass.
     struct Sweep;
     // How far the points of a leaf may go at `place` at least; below 0 where one is beyond its limit.
-    [[nodiscard]] float find_leaf_margin(const Sweep& sweep, const FieldPlace& place,
-                                         std::size_t leaf, float slack_voxels) noexcept;
+    [[nodiscard]] float find_leaf_margin(const Sweep& sweep, const Pose& X_OT,
+                                         const FieldPlace& place, std::size_t leaf,
+                                         float slack_voxels) noexcept;
+    void deepen(const ShellPoints& points, const Pose& X_OT,
+                std::span<float> values) const noexcept;
     [[nodiscard]] double find_margin(const Sweep& sweep, double share, float slack_voxels) noexcept;
     [[nodiscard]] double find_end(const Sweep& sweep, double free, double not_free) noexcept;
 

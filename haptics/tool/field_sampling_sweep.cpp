@@ -3,7 +3,8 @@
 // With F_i(t) of point i on its way, voxels, and its limit
 //   l_i = min(l, F_i(0) - slack),   l = a L / 2 - deepest        a the least advance, L the field's slope bound
 // the motion goes on from t by min (F_i - l_i) / L, which no point outruns, or by a where that is less: sliding along a surface would
-// take for ever otherwise. Samples a apart see every way into the surface but the last a L / 2, which l makes up for.
+// take for ever otherwise. Samples a apart see every way into the surface but the last a L / 2, which l makes up for. Deeper than 3/4 of
+// the band F is told by the depth, -D, which goes on where F ends.
 #include "haptics/math/length.h"
 #include "haptics/tool/field_sampling.h"
 
@@ -21,7 +22,7 @@ constexpr double kClosest_voxels = 0.02;      // how well the end is found
 constexpr float kSlack_voxels = 5.0e-4F;
 // That far below the limit a point has no such slack any more, so that many motions do not add up.
 constexpr float kDeepestHeld_voxels = 0.05F;
-constexpr double kMostOfBand = 0.75;  // near its end the field knows no more depth
+constexpr int kMostHalvings = 40;  // a million voxels are 26
 
 Pose compute_between(const Pose& from, const Pose& to, double share) noexcept {
     return share > 0.0 ? Pose{from.position + share * (to.position - from.position),
@@ -39,8 +40,21 @@ struct FieldSampler::Sweep {
     float limit_voxels;
 };
 
-float FieldSampler::find_leaf_margin(const Sweep& sweep, const FieldPlace& place, std::size_t leaf,
-                                     float slack_voxels) noexcept {
+// In place of what F ends at, -D; steps.
+void FieldSampler::deepen(const ShellPoints& points, const Pose& X_OT,
+                          std::span<float> values) const noexcept {
+    constexpr double kFrom = -DistanceField::kDeepFrom * DistanceField::kLargestValue;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (static_cast<double>(values[i]) < kFrom) {
+            const Vector3 p_T(points.x[i], points.y[i], points.z[i]);
+            values[i] =
+                static_cast<float>(-field_->sample_depth(X_OT * p_T).depth_m / field_->step_m());
+        }
+    }
+}
+
+float FieldSampler::find_leaf_margin(const Sweep& sweep, const Pose& X_OT, const FieldPlace& place,
+                                     std::size_t leaf, float slack_voxels) noexcept {
     const ShellPoints points = shell_->points(0, leaf);
     const std::size_t n = shell_->count_in(0, leaf);
     alignas(64) std::array<float, kLeafPoints> now{};
@@ -53,6 +67,8 @@ float FieldSampler::find_leaf_margin(const Sweep& sweep, const FieldPlace& place
         // Some may have been there at the start.
         alignas(64) std::array<float, kLeafPoints> before{};
         kernels_->sample(bounds_.view, sweep.start, points, kLeafPoints, before.data(), nullptr);
+        deepen(points, X_OT, {now.data(), n});
+        deepen(points, sweep.from_OT, {before.data(), n});
         const float floor = limit - kDeepestHeld_voxels / bounds_.voxels_per_step;
         margin = HUGE_VALF;
         for (std::size_t i = 0; i < n; ++i) {
@@ -65,7 +81,8 @@ float FieldSampler::find_leaf_margin(const Sweep& sweep, const FieldPlace& place
 
 double FieldSampler::find_margin(const Sweep& sweep, double share, float slack_voxels) noexcept {
     constexpr float kLookCloser = 1.0F;  // voxels; balls with less slack are opened
-    const FieldPlace place(*field_, compute_between(sweep.from_OT, sweep.to_OT, share));
+    const Pose X_OT = compute_between(sweep.from_OT, sweep.to_OT, share);
+    const FieldPlace place(*field_, X_OT);
     float least = HUGE_VALF;
     begin_at_top();
     for (std::size_t level = levels_.size() - 1;; --level) {
@@ -78,15 +95,16 @@ double FieldSampler::find_margin(const Sweep& sweep, double share, float slack_v
     // Balls tell how far F is above 0.
     least -= std::max(sweep.limit_voxels, 0.0F);
     for (const std::int32_t node : nodes_) {
-        least = std::min(
-            least, find_leaf_margin(sweep, place, static_cast<std::size_t>(node), slack_voxels));
+        least = std::min(least, find_leaf_margin(sweep, X_OT, place, static_cast<std::size_t>(node),
+                                                 slack_voxels));
     }
     return static_cast<double>(least);
 }
 
 // Between a share that is free and one that is not; without slack, which would let a tool creep in with each call.
 double FieldSampler::find_end(const Sweep& sweep, double free, double not_free) noexcept {
-    while ((not_free - free) * sweep.way_voxels > kClosest_voxels) {
+    for (int i = 0; i < kMostHalvings && (not_free - free) * sweep.way_voxels > kClosest_voxels;
+         ++i) {
         const double middle = 0.5 * (free + not_free);
         (find_margin(sweep, middle, 0.0F) >= 0.0 ? free : not_free) = middle;
     }
@@ -95,12 +113,13 @@ double FieldSampler::find_end(const Sweep& sweep, double free, double not_free) 
 
 double FieldSampler::find_first_touch(const Pose& from_OT, const Pose& to_OT,
                                       double deepest_m) noexcept {
-    if (!is_finite(from_OT) || !is_finite(to_OT)) {
+    if (!is_within_reach(from_OT) || !is_within_reach(to_OT)) {
         return 0.0;
     }
     const double voxel_m = field_->frame().voxel_m;
     const double deepest_voxels =
-        deepest_m > 0.0 ? std::min(deepest_m, kMostOfBand * field_->band_m()) / voxel_m : 0.0;
+        deepest_m > 0.0 ? std::min(deepest_m, DistanceField::kDeepFrom * field_->band_m()) / voxel_m
+                        : 0.0;
     // At an even rate no point is faster than the origin and the farthest point round it together.
     const double angle = from_OT.orientation.angularDistance(to_OT.orientation);
     const Vector3 shift = to_OT.position - from_OT.position;

@@ -23,6 +23,7 @@ enum class ToolMethod : std::uint8_t {
 struct ToolTouch {
     Wrench wrench_W{};     ///< on the tool, N and Nm about its centre of mass
     bool touches = false;  ///< the tool reaches what pushes it, or is deeper
+    double error_N = 0.0;  ///< how far the force may be off, where a budget of time left out points
 };
 
 /// What one step of a tool gives the hand.

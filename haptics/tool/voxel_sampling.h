@@ -71,6 +71,8 @@ struct VoxelContact {
     std::int64_t n_surface = 0;    ///< points in voxels that push, whether they push or not
     std::int64_t n_interior = 0;   ///< points that have penetrated
     std::int64_t n_proximity = 0;  ///< points in voxels that brake
+    double error_N = 0.0;   ///< how far the force may be off for points that were left out; 0: none
+    double error_Nm = 0.0;  ///< likewise the torque
 
     /// The deepest kind that any point reached: interior, surface, proximity, free in that order.
     [[nodiscard]] VoxelClass deepest() const noexcept {

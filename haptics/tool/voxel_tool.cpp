@@ -124,12 +124,14 @@ VoxelContact SampledTool<Sampling, Plan>::look(double now_s) noexcept {
     for (std::size_t i = 0; i < loads_.size(); ++i) {
         const VoxelContact one = loads_[i].compute_contact(state_, now_s);
         near_[i] = one.deepest() != VoxelClass::free ? 1 : 0;
-        touches_[i] = {one.wrench_W, one.n_surface + one.n_interior > 0};
+        touches_[i] = {one.wrench_W, one.n_surface + one.n_interior > 0, one.error_N};
         all.wrench_W.force += one.wrench_W.force;
         all.wrench_W.torque += one.wrench_W.torque;
         all.n_surface += one.n_surface;
         all.n_interior += one.n_interior;
         all.n_proximity += one.n_proximity;
+        all.error_N += one.error_N;
+        all.error_Nm += one.error_Nm;
     }
     return all;
 }

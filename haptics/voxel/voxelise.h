@@ -6,7 +6,7 @@
 //      inside free
 //   4  the layers outwards: L(v) is 0 for surface, and for a free voxel 1 + the least L of its 26 neighbours. With k
 //      offset and n proximity layers:  L < k interior, L = k surface (it pushes), k < L <= k + n proximity, the rest free
-// A place that is not interior is farther than (k - 1) s from the mesh, s the voxel: between its own voxel and the
+// A place that is not interior is at least (k - 1) s from the mesh, s the voxel: between its own voxel and the
 // surface's there are k - 1 others along one axis. So the tool's and the object's true surfaces cannot meet while no point of the tool is
 // in the interior, if every place of the tool's surface is within (k - 1) s of one of its points: with k = 2 for points from
 // voxels of up to 2/sqrt(3) s (pointshell.h), for points on the mesh where they lie that dense. With k = 0 or 1 they can.

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -289,6 +290,53 @@ TEST_CASE("tool stage: of two solids that are pressed each has its share of what
     CHECK(std::abs(pushes[0].force_W.x()) < 0.05);
     CHECK((pushes[0].force_W + pushes[1].force_W + felt.wrench_W.force).norm() < 0.02);
     CHECK(stage->solid() == (pushes[0].force_W.norm() > pushes[1].force_W.norm() ? 0 : 1));
+}
+
+TEST_CASE("tool stage: twisted between two solids, each is pushed with what turns the hand back") {
+    // A bar of 10 cm whose right end turns down on a floor and whose left end turns up under a ceiling.
+    HapticPlan plan = make_floor();
+    plan.solids[0].initial_pose_W = Pose::at(Vector3(0.04, -0.026, 0.0));
+    plan.solids.push_back({.body = 9,
+                           .shape = BoxShape{Vector3(0.1, 0.02, 0.1)},
+                           .initial_pose_W = Pose::at(Vector3(-0.04, 0.026, 0.0))});
+    ToolScene scene = make_ball_tool(ToolMethod::field_sampling);
+    scene.tool = make_box({0.1, 0.01, 0.01}).value();
+    scene.voxel_m = 0.002;
+    const TriangleMesh block = make_box({0.06, 0.04, 0.2}).value();
+    plan.tool = make_tool_of(scene, {block, block});
+    const auto stage = make_tool_stage(plan);
+    const Pose solids[] = {plan.solids[0].initial_pose_W, plan.solids[1].initial_pose_W};
+    double most_N = 0.0;
+    double most_turn_Nm = 0.0;
+    int n_both = 0;
+    for (int i = 1; i <= 3000; ++i) {
+        ToolRound round = make_round(Vector3::Zero(), solids, i * kDt_s);
+        round.hand.pose_W.orientation = compute_exp(Vector3(0.0, 0.0, -2.0e-4 * i));
+        const ToolForce felt = stage->step(round);
+        const std::span<const SolidPush> pushes = stage->pushes();
+        if (!pushes[0].touches || !pushes[1].touches) {
+            continue;
+        }
+        ++n_both;
+        most_turn_Nm = std::max(most_turn_Nm, felt.wrench_W.torque.norm());
+        Vector3 force_W = felt.wrench_W.force;
+        Vector3 torque_W = felt.wrench_W.torque;
+        for (const SolidPush& push : pushes) {
+            most_N = std::max(most_N, push.force_W.norm());
+            force_W += push.force_W;
+            torque_W += (push.at_W - stage->pose_W().position).cross(push.force_W) + push.couple_W;
+        }
+        // Together they are what the hand feels, at each moment.
+        CHECK(force_W.norm() < 1.0e-9);
+        CHECK(torque_W.norm() < 1.0e-9);
+    }
+    REQUIRE(n_both > 1000);
+    REQUIRE(most_turn_Nm > 0.02);
+    // Pushed at some 2 cm to 5 cm from the middle.
+    CHECK(most_N > most_turn_Nm / 0.1);
+    CHECK(most_N < 1.5 * most_turn_Nm / 0.04);
+    CHECK(stage->pushes()[0].force_W.y() < 0.0);
+    CHECK(stage->pushes()[1].force_W.y() > 0.0);
 }
 
 TEST_CASE("tool stage: its energy is watched, in both ports") {

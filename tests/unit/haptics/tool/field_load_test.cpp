@@ -3,6 +3,7 @@
 #include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/loads.h"
 #include "haptics/geometry/shape.h"
+#include "haptics/tool/voxel_tool.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -220,6 +221,45 @@ TEST_CASE(
         CHECK(state.velocity_W.linear.norm() < 2.0e-3);
         CHECK(field.compute_contact(state, 0.0).wrench_W.force.y() > 0.5);
     }
+}
+
+TEST_CASE("field load: what a budget left out is told with the wrench") {
+    Random random(6);
+    Pointshell shell;
+    for (int i = 0; i < 20000; ++i) {
+        const Vector3 out = random.direction();
+        shell.add((kRadius_m - 0.3 * small_ball()->frame().voxel_m) * out, -out);
+    }
+    const auto tree = std::make_shared<const ShellTree>(ShellTree::build(shell).value());
+    const auto make = [&](double budget_us) {
+        return FieldSampling::build(
+                   {small_ball(), tree, {.budget_us = budget_us, .clock = BudgetClock::counted}})
+            .value();
+    };
+    const FieldSampling all = make(0.0);
+    const FieldSampling some = make(20.0);
+    RigidState state;
+    state.pose_W.position = {0.001, 0.0, 0.0};
+    const VoxelContact exact = all.sample(state, {});
+    const VoxelContact contact = some.sample(state, {});
+    CHECK(exact.error_N == 0.0);
+    CHECK(exact.error_Nm == 0.0);
+    const double off_N = (contact.wrench_W.force - exact.wrench_W.force).norm();
+    CHECK(off_N > 0.0);
+    CHECK(contact.error_N >= off_N);
+    CHECK(contact.error_Nm >= (contact.wrench_W.torque - exact.wrench_W.torque).norm());
+    // A tool among two such objects tells both together, and of each its own.
+    const FieldSamplingPlan plan{
+        small_ball(), tree, {.budget_us = 20.0, .clock = BudgetClock::counted}};
+    VoxelToolSettings settings;
+    settings.inertia = make_ball_inertia(0.1, 0.02);
+    FieldTool tool = FieldTool::build({plan, plan}, settings).value();
+    tool.place(state.pose_W);
+    const std::vector<MovingFrame> objects(2);
+    static_cast<void>(tool.move({state.pose_W, {}}, objects, 1.0e-3, 1.0e-3));
+    REQUIRE(tool.touches().size() == 2);
+    CHECK(tool.touches()[0].error_N > 0.0);
+    CHECK(tool.touches()[1].error_N > 0.0);
 }
 
 TEST_CASE("field load: a plan without a field, and settings out of range, are refused") {

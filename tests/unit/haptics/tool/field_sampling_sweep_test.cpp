@@ -163,9 +163,38 @@ TEST_CASE("field sampling sweep: a wall is not passed at 2 or 5 m/s from any dis
     }
 }
 
-TEST_CASE("field sampling sweep: a pose that is no number may go nowhere") {
+TEST_CASE("field sampling sweep: deeper than the band, a tool may go out and along, no deeper") {
     FieldSampler sampler = make_ball_on_box();
-    const Pose broken = Pose::at(Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
-    CHECK(sampler.find_first_touch(broken, at_depth(-0.01)) == 0.0);
-    CHECK(sampler.find_first_touch(at_depth(-0.01), broken) == 0.0);
+    const double voxel_m = 2.0 * kHalf_m / 55.98;
+    // Half of the ball lies deeper than three voxels, the field's band.
+    const Pose from = at_depth(0.01);
+    for (const double way_m : {0.5e-3, 4.0e-3, 0.015}) {
+        const double share = sampler.find_first_touch(from, at_depth(0.01 + way_m));
+        CHECK(share * way_m < 0.1 * voxel_m);
+        CHECK(sampler.find_first_touch(from, at_depth(0.01 - way_m)) == 1.0);
+    }
+    CHECK(sampler.find_first_touch(from, at_depth(0.01, 5.0e-3)) == 1.0);
+    // All of it beyond the band, from where nothing at all was seen.
+    const Pose deep = at_depth(2.0 * kBall_m + 4.0 * voxel_m);
+    CHECK(sampler.find_first_touch(deep, at_depth(2.0 * kBall_m + 5.0 * voxel_m)) < 0.2);
+}
+
+TEST_CASE(
+    "field sampling sweep: a pose that is no number, no turn or too far away may go nowhere") {
+    FieldSampler sampler = make_ball_on_box();
+    const Pose here = at_depth(-0.01);
+    Pose stretched = here;
+    stretched.orientation.coeffs() *= 1.0e200;
+    Pose flat = here;
+    flat.orientation.coeffs().setZero();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const Pose& broken : {Pose::at(Vector3::Constant(nan)), Pose::at({0.0, -1.0e18, 0.0}),
+                               Pose::at({0.0, -1.0e300, 0.0}), stretched, flat}) {
+        CHECK(sampler.find_first_touch(broken, here) == 0.0);
+        CHECK(sampler.find_first_touch(here, broken) == 0.0);
+        CHECK(sampler.step({}, broken).n_touching == 0);
+    }
+    // The longest way there is ends too, at the wall or short of it.
+    CHECK(sampler.find_first_touch(Pose::at({0.0, 1.0e3, 0.0}), Pose::at({0.0, -1.0e3, 0.0})) <
+          0.5);
 }
