@@ -60,7 +60,7 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
     frame_.dt_s = input.dt_s;
     frame_.tool_pose_W = input.hand.tool_pose_W;
     frame_.tool_twist_W = input.hand.tool_twist_W;
-    frame_.applied_force_W = input.hand.applied_W.force;
+    frame_.applied_W = input.hand.applied_W;
     if (input.world != nullptr) {
         frame_.bodies.assign(input.world->bodies.begin(),
                              input.world->bodies.begin() + input.world->n_bodies);

@@ -85,7 +85,7 @@ struct LessonFrame {
     double dt_s = 0.0;
     Pose tool_pose_W{};
     Twist tool_twist_W{};
-    Vector3 applied_force_W{Vector3::Zero()};
+    Wrench applied_W{};              ///< what the hand is given
     std::vector<BodyState> bodies;   ///< in the order of the scene
     std::vector<HingeState> hinges;  ///< of the bodies that have one, in their order
     std::vector<LessonEvent> events;

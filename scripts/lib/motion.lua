@@ -9,7 +9,8 @@
 ---   end)
 ---
 --- When the function ends the hand stays where it is. Without `motion` a hand's file returns a function of its own:
---- `return function(hand, t, world) return x, y, z end`, called 60 times a second.
+--- `return function(hand, t, world) return x, y, z end`, called 60 times a second; after them it may give the buttons that it
+--- presses, and how it is turned, as `motion.turn_to` has it.
 
 -- What the program gives to the shared library: mistakes are told at the hand's own line.
 local module_name, program = ...
@@ -19,6 +20,7 @@ local motion = {}
 
 -- Where the hand that is being played wants to be. One hand a process, so one set of these.
 local x, y, z, buttons = 0, 0.3, 0, 0
+local turn = { 0, 0, 0 }      -- degrees about this direction, by as much as it is long
 local now = 0
 
 -- Lets a frame go by.
@@ -105,6 +107,24 @@ function motion.move_to(place, seconds)
   until now >= from + seconds - 1e-9
 end
 
+--- Turns the hand smoothly in so many seconds, to { x, y, z }: about this direction, by as many degrees as it is long.
+--- `{ 0, 0, 30 }` leans what it holds 30 degrees to the left, `{ 0, 0, 0 }` holds it as in the beginning.
+---@param to Vector
+---@param seconds number
+function motion.turn_to(to, seconds)
+  if type(to) ~= "table" then
+    mistake("motion.turn_to takes degrees about a direction, such as { 0, 0, 30 }; got " .. shown(to))
+  end
+  local tx, ty, tz = coordinates("motion.turn_to", to)
+  check_seconds("motion.turn_to's second value", seconds)
+  local fx, fy, fz, from = turn[1], turn[2], turn[3], now
+  repeat
+    next_frame "motion.turn_to"
+    local s = seconds > 0 and motion.minimum_jerk((now - from) / seconds) or 1
+    turn = { fx + (tx - fx) * s, fy + (ty - fy) * s, fz + (tz - fz) * s }
+  until now >= from + seconds - 1e-9
+end
+
 local follow_options = { seconds = "number", quickness = "number", until_ = "function", x = "number", y = "number",
   z = "number" }
 
@@ -186,7 +206,7 @@ function motion.play(script)
       local fine, problem = coroutine.resume(playing, world, hand)
       if not fine then error(problem, 0) end
     end
-    return x, y, z, buttons
+    return x, y, z, buttons, turn
   end
 end
 

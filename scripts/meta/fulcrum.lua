@@ -88,6 +88,8 @@ local Material = {}
 ---@field vz number metres per second
 ---@field position Vector metres; {x, y, z}
 ---@field force number newtons; how strongly the hand is pushed or pulled
+---@field turn Vector degrees; how the hand is turned: about this direction, by as much as it is long
+---@field torque number newton metres; how strongly the hand is turned, with a tool in it
 local Tool = {}
 
 ---A force on the hand.

@@ -8,6 +8,7 @@ using namespace fulcrum::test;
 
 namespace {
 constexpr const char* kTouch = FULCRUM_TEST_LESSONS "/touch";
+constexpr const char* kTool = FULCRUM_TEST_LESSONS "/tool";
 constexpr const char* kForces = FULCRUM_TEST_LESSONS "/forces";
 }  // namespace
 
@@ -39,6 +40,30 @@ TEST_CASE("touch: explain shows the proxy with the line that asked for it, and n
     CHECK(run.output.find("lesson.lua:6") != std::string::npos);
     CHECK(run.output.find("forces: weight") == std::string::npos);
     CHECK(run.output.find("falling bodies") == std::string::npos);
+}
+
+TEST_CASE("tool: a stick lies flat on a table with force, and turned there with torque") {
+    const Sandbox sandbox;
+    const ProgramRun run = sandbox.run(std::string("run ") + kTool + " --headless --hand " + kTool +
+                                       "/turn.lua --seconds 7 --record r.rec");
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    CHECK(run.output.find("touched table") != std::string::npos);
+    const Record record = read_run(sandbox.path("r.rec"));
+    CHECK(sample_at(record, 0.4).applied_W.force.norm() < 1e-9);
+    // Flat at 3.8 s: hand (300 N/m) and coupling (500 N/m) share the 10 mm that the stick's half width is too high by, and the
+    // springs of its points, 5 N for the tool's clamp, give way by little.
+    const RecordSample& flat = sample_at(record, 3.8);
+    const double force_N = 0.01 / (1.0 / 300.0 + 1.0 / 500.0);
+    CHECK(flat.applied_W.force.y() == Approx(force_N).epsilon(0.1));
+    CHECK(flat.applied_W.force.y() < force_N);
+    CHECK(flat.applied_W.torque.norm() < 1e-3);
+    // Turned by 6 degrees, hand (3 Nm/rad) and coupling (0.5 Nm/rad) share the angle, for the stick still lies flat.
+    const RecordSample& turned = sample_at(record, 6.5);
+    const double torque_Nm = 6.0 * M_PI / 180.0 / (1.0 / 3.0 + 1.0 / 0.5);
+    CHECK(turned.applied_W.torque.z() == Approx(torque_Nm).epsilon(0.05));
+    CHECK(turned.applied_W.torque.z() < torque_Nm);
+    CHECK(run.output.find("turned 8") != std::string::npos);
 }
 
 TEST_CASE(

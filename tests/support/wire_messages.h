@@ -109,7 +109,7 @@ inline LessonFrame full_frame() {
     f.dt_s = 1.0 / 60.0;
     f.tool_pose_W.position = Vector3(1, 2, 3);
     f.tool_twist_W.linear = Vector3(4, 5, 6);
-    f.applied_force_W = Vector3(0, -2, 0);
+    f.applied_W = {Vector3(0, -2, 0), Vector3(0.1, 0, -0.3)};
     f.bodies = {{Pose{}, Vector3(0, -3, 0), BodyWhere::falling},
                 {Pose{}, Vector3::Zero(), BodyWhere::held}};
     f.hinges = {{0.5, -2.0, 0.25, 0.125, -0.75}};

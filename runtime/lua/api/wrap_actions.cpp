@@ -1,4 +1,5 @@
 // What a lesson does to the world and to the learner while it runs, and what it can look up.
+#include "haptics/math/rotation.h"
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/nouns.h"
@@ -132,7 +133,17 @@ int get_tool_place(lua_State* lua, LessonContext& context, std::int32_t /*index*
 }
 
 int get_tool_force(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
-    lua_pushnumber(lua, context.frame.applied_force_W.norm());
+    lua_pushnumber(lua, context.frame.applied_W.force.norm());
+    return 1;
+}
+
+int get_tool_torque(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, context.frame.applied_W.torque.norm());
+    return 1;
+}
+
+int get_tool_turn(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    push_vector(lua, kDegrees * compute_log(context.frame.tool_pose_W.orientation));
     return 1;
 }
 
@@ -158,6 +169,12 @@ void add_properties(ApiTable& table) {
         {"tool", "position", "Vector", "metres", "{x, y, z}", &get_tool_place});
     table.properties.push_back({"tool", "force", "number", "newtons",
                                 "how strongly the hand is pushed or pulled", &get_tool_force});
+    table.properties.push_back(
+        {"tool", "turn", "Vector", "degrees",
+         "how the hand is turned: about this direction, by as much as it is long", &get_tool_turn});
+    table.properties.push_back({"tool", "torque", "number", "newton metres",
+                                "how strongly the hand is turned, with a tool in it",
+                                &get_tool_torque});
 }
 
 }  // namespace

@@ -3,15 +3,12 @@
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/needs.h"
 
-#include <numbers>
 #include <string>
 
 namespace fulcrum::runtime {
 namespace {
 
 using Kind = WorldCommand::Kind;
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;  // of a radian
 
 const BodyDescription& description_of(const LessonContext& context, std::int32_t index) {
     return context.description.bodies[static_cast<std::size_t>(index)];

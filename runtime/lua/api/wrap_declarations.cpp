@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 
 namespace fulcrum::runtime {
 namespace {
@@ -32,8 +31,6 @@ int set_camera(lua_State* /*lua*/, LessonContext& context, const Arguments& argu
     camera.vertical_angle_deg = arguments["angle"].number;
     return 0;
 }
-
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
 // What a body turns about.
 constexpr Parameter kHinge[] = {
@@ -76,10 +73,10 @@ AxleSettings take_hinge(lua_State* lua, const Arguments& arguments, const BodyDe
     hinge.inertia_kg_m2 = arguments["inertia"].number;
     hinge.friction_Nm = arguments["friction"].number;
     if (arguments["lowest"].given) {
-        hinge.lowest_rad = arguments["lowest"].number * kDegree_rad;
+        hinge.lowest_rad = arguments["lowest"].number / kDegrees;
     }
     if (arguments["highest"].given) {
-        hinge.highest_rad = arguments["highest"].number * kDegree_rad;
+        hinge.highest_rad = arguments["highest"].number / kDegrees;
     }
     if (hinge.lowest_rad > hinge.highest_rad || hinge.lowest_rad > 0.0 || hinge.highest_rad < 0.0) {
         raise_in_lesson(lua,

@@ -1,5 +1,7 @@
 #include "runtime/lua/host/lesson_host.h"
 
+#include "haptics/math/length.h"
+#include "haptics/math/rotation.h"
 #include "runtime/lua/api/needs.h"
 #include "runtime/lua/api/sound_names.h"
 
@@ -68,6 +70,26 @@ double check_target(lua_State* lua, int index) {
                         "if it presses any");
     }
     return value;
+}
+
+/// How the hand's target is turned: degrees about a direction, by as much as it is long.
+Quaternion check_turn(lua_State* lua, int index) {
+    constexpr double kMostTurn_deg = 3600.0;
+    Vector3 turn_deg = Vector3::Constant(std::nan(""));
+    const int turn = lua_absindex(lua, index);
+    for (int axis = 0; lua_istable(lua, turn) && axis < 3; ++axis) {
+        if (lua_rawgeti(lua, turn, axis + 1) == LUA_TNUMBER) {
+            turn_deg[axis] = lua_tonumber(lua, -1);
+        }
+        lua_pop(lua, 1);
+    }
+    if (!(compute_length(turn_deg) <= kMostTurn_deg)) {
+        raise_in_lesson(lua,
+                        "a simulated hand gives its turn as { x, y, z } in degrees, a direction "
+                        "that it turns about "
+                        "by as much as it is long, at most 3600");
+    }
+    return compute_exp(turn_deg / kDegrees);
 }
 
 /// Sounds that the text names are checked before the first of them is played.
@@ -311,18 +333,21 @@ void LessonHost::run_hand(lua_State* lua, LessonReply& reply) {
     push_handle(lua, Handle::Kind::tool, 0);
     lua_pushnumber(lua, hand_.frame.time_s);
     push_handle(lua, Handle::Kind::world, 0);
-    hand_script_->call(lua, n_arguments, 4);
-    if (lua_isnil(lua, -4)) {
+    hand_script_->call(lua, n_arguments, 5);
+    if (lua_isnil(lua, -5)) {
         return;  // no target: the hand stays where it was
     }
     reply.has_hand_target = true;
     reply.hand_target_W = Pose{};
     reply.hand_target_W.position =
-        Vector3(check_target(lua, -4), check_target(lua, -3), check_target(lua, -2));
-    if (lua_type(lua, -1) == LUA_TBOOLEAN) {
-        reply.hand_buttons = lua_toboolean(lua, -1) != 0 ? 1U : 0U;
-    } else if (!lua_isnil(lua, -1)) {
-        const double buttons = check_target(lua, -1);
+        Vector3(check_target(lua, -5), check_target(lua, -4), check_target(lua, -3));
+    if (!lua_isnil(lua, -1)) {
+        reply.hand_target_W.orientation = check_turn(lua, -1);
+    }
+    if (lua_type(lua, -2) == LUA_TBOOLEAN) {
+        reply.hand_buttons = lua_toboolean(lua, -2) != 0 ? 1U : 0U;
+    } else if (!lua_isnil(lua, -2)) {
+        const double buttons = check_target(lua, -2);
         reply.hand_buttons = buttons >= 0.0 ? static_cast<std::uint32_t>(buttons) : 0U;
     }
 }

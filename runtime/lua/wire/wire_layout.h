@@ -205,7 +205,8 @@ void frame(Archive& a, Frame& f) {
     pose(a, "the tool", f.tool_pose_W, kAny);
     vector(a, "the tool's velocity", f.tool_twist_W.linear, kAny);
     vector(a, "the tool's turning", f.tool_twist_W.angular, kAny);
-    vector(a, "the applied force", f.applied_force_W, kAny);
+    vector(a, "the applied force", f.applied_W.force, kAny);
+    vector(a, "the applied torque", f.applied_W.torque, kAny);
     a.list("bodies", f.bodies, static_cast<std::size_t>(kMaxBodies), [](auto& each, auto& b) {
         pose(each, "a body", b.pose_W, kAny);
         vector(each, "a body's velocity", b.velocity_W, kAny);

@@ -1,6 +1,9 @@
+#include "haptics/math/rotation.h"
 #include "tests/unit/runtime/lua/hosted_lesson.h"
 
 #include <catch2/catch.hpp>
+
+#include <numbers>
 
 namespace fulcrum::runtime {
 namespace {
@@ -31,14 +34,15 @@ TEST_CASE("actions: looking things up") {
                         "'egg' } end\n"
                         "function L:update(world) local t = world:tool() print(#world:bodies(), "
                         "world:bodies()[2], world:find 'egg', world.time, t.x, t.vy, t.position.z, "
-                        "t.force) end") == "");
+                        "t.force, t.torque, t.turn.z) end") == "");
     LessonFrame frame = lesson.frame();
     frame.time_s = 1.5;
     frame.tool_pose_W.position = Vector3(1, 2, 3);
+    frame.tool_pose_W.orientation = compute_exp(Vector3(0, 0, std::numbers::pi / 4));
     frame.tool_twist_W.linear = Vector3(0, -4, 0);
-    frame.applied_force_W = Vector3(3, 0, 4);
+    frame.applied_W = {Vector3(3, 0, 4), Vector3(0, 0.3, 0.4)};
     REQUIRE(lesson.play(frame) == "");
-    CHECK(lesson.prints == "2\tegg\tegg\t1.5\t1.0\t-4.0\t3.0\t5.0;");
+    CHECK(lesson.prints == "2\tegg\tegg\t1.5\t1.0\t-4.0\t3.0\t5.0\t0.5\t45.0;");
     CHECK(HostedLesson().start("world:body { name = 'apple' } world:find 'aple'") ==
           "lesson.lua:2: there is no body \"aple\"; did you mean \"apple\"?");
 }

@@ -79,8 +79,26 @@ TEST_CASE(
     CHECK(lesson.reply.has_hand_target);
     CHECK(lesson.reply.hand_target_W.position == Vector3(1, 2, 3));
     CHECK(lesson.reply.hand_buttons == 6U);
+    CHECK(lesson.reply.hand_target_W.orientation.isApprox(Quaternion::Identity()));
     REQUIRE(lesson.play() == "");
     CHECK_FALSE(lesson.reply.has_hand_target);
+}
+
+TEST_CASE("lesson host: a hand may turn, in degrees about a direction") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load("", "return function() return 1, 2, 3, 0, { 0, 90, 0 } end") == "");
+    REQUIRE(lesson.play() == "");
+    const Vector3 nose_W = lesson.reply.hand_target_W.orientation * Vector3(0, 0, 1);
+    CHECK((nose_W - Vector3(1, 0, 0)).norm() < 1e-12);
+    for (const char* turn :
+         {"3", "{ 0, 90 }", "{ 0, 0/0, 0 }", "{ 0, 'a', 0 }", "{ 9999, 0, 0 }"}) {
+        HostedLesson wild;
+        REQUIRE(wild.load("", std::string("\nreturn function() return 1, 2, 3, nil, ") + turn +
+                                  " end") == "");
+        CHECK(wild.play() ==
+              "hand.lua:2: a simulated hand gives its turn as { x, y, z } in degrees, a direction "
+              "that it turns about by as much as it is long, at most 3600.");
+    }
 }
 
 TEST_CASE("lesson host: a hand's mistakes are told with its file") {

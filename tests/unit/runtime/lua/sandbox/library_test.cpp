@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace fulcrum::runtime {
 namespace {
@@ -228,6 +229,9 @@ TEST_CASE("motion: what it is given wrong is told at the hand's line, not the li
           "hand.lua:3: motion.follow has no second; did you mean seconds?");
     CHECK(sentence("motion.follow(world:find 'apple', { until_ = 3 })") ==
           "hand.lua:3: motion.follow's until_ is a function; got 3.");
+    CHECK(sentence("motion.turn_to(30, 1)") ==
+          "hand.lua:3: motion.turn_to takes degrees about a direction, such as { 0, 0, 30 }; got "
+          "30.");
     CHECK(sentence("motion.press(-1)") == "hand.lua:3: motion.press takes 0, 1, 2 or 3; got -1.");
     CHECK(sentence("motion.move_to(world:find 'apple', 1)") == "");
 }
@@ -242,6 +246,7 @@ return motion.play(function(world)
   motion.press(2)
   motion.follow(world:find "apple", { seconds = 20, y = 0.2 })
   motion.press(0)
+  motion.turn_to({ 0, 0, 30 }, 1)
 end)
 )");
     player.start("function L:start(world) world:body { name = 'apple', at = {-0.3, 1, 0.1} } end",
@@ -268,6 +273,16 @@ end)
     player.step();
     player.step();
     CHECK(player.last.hand_buttons == 0U);
+    // It turns as it moves: half of it after two of four steps, all of it at the end.
+    const auto find_turn_deg = [&] {
+        const Quaternion& turned = player.last.hand_target_W.orientation;
+        return 2.0 * std::atan2(turned.z(), turned.w()) * 180.0 / std::numbers::pi;
+    };
+    player.step();
+    CHECK(find_turn_deg() == Approx(15.0));
+    player.step();
+    player.step();
+    CHECK(find_turn_deg() == Approx(30.0));
 }
 
 TEST_CASE("motion: following covers the same share whatever the frame rate") {
