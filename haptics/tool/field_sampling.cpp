@@ -11,7 +11,6 @@ namespace fulcrum {
 
 namespace {
 
-constexpr float kMargin = 2.0e-3F;  // voxels: single precision places and clock
 // So far away nothing touches, and the clock of motion would lose count.
 constexpr double kFarthest_voxels = 1.0e6;
 constexpr double kLongestClock = 4096.0;  // voxels; beyond, single precision is too coarse
@@ -29,6 +28,9 @@ void FieldSampler::reset() noexcept {
         std::fill(level.free_until.begin(), level.free_until.end(), kAlways);
         std::fill(level.hopeless_until.begin(), level.hopeless_until.end(), kAlways);
     }
+    for (std::vector<float>& until : thinned_until_) {
+        std::fill(until.begin(), until.end(), kAlways);
+    }
     last_touched_.clear();
     clock_voxels_ = 0.0;
     now_ = 0.0F;
@@ -42,13 +44,16 @@ bool FieldSampler::is_within_reach(const Pose& X_OT) const noexcept {
 }
 
 void FieldSampler::rebase_clock() noexcept {
-    for (Level& level : levels_) {
-        for (std::vector<float>* const times : {&level.free_until, &level.hopeless_until}) {
-            for (float& time : *times) {
-                time -= now_;
-            }
+    const auto rebase = [this](std::vector<float>& times) {
+        for (float& time : times) {
+            time -= now_;
         }
+    };
+    for (Level& level : levels_) {
+        rebase(level.free_until);
+        rebase(level.hopeless_until);
     }
+    std::for_each(thinned_until_.begin(), thinned_until_.end(), rebase);
     clock_voxels_ = 0.0;
 }
 
@@ -148,7 +153,8 @@ void FieldSampler::take(std::size_t thinning, std::span<const std::int32_t> leav
                         const FieldPlace& place, const Pose& X_OT) noexcept {
     constexpr std::size_t kMostInLanes = 128;  // leaves whose sums single precision may hold
     constexpr std::size_t kRun = 64;
-    const bool remembers = settings_.mode == SamplingMode::coherent && thinning == 0;
+    const bool remembers = settings_.mode == SamplingMode::coherent;
+    std::vector<float>& until = free_until(thinning);
     const float free_per_step = bounds_.voxels_per_step * bounds_.inverse_slope;
     std::array<ShellPoints, kRun> points;
     std::array<float, kRun> least{};
@@ -168,13 +174,10 @@ void FieldSampler::take(std::size_t thinning, std::span<const std::int32_t> leav
             if (least[i] < 0.0F) {
                 ++n_in_lanes_;
                 touched_.add(leaves[i]);
-                if (slopes_O_ != nullptr) {
-                    add_slopes(thinning, static_cast<std::size_t>(leaves[i]), place, X_OT);
-                }
             }
             if (remembers) {
-                levels_.front().free_until[static_cast<std::size_t>(leaves[i])] =
-                    now_ + least[i] * free_per_step - kMargin;
+                until[static_cast<std::size_t>(leaves[i])] =
+                    now_ + least[i] * free_per_step - kFreeMargin_voxels;
             }
         }
         touch_.n_leaves += static_cast<std::int64_t>(n_taken);
@@ -232,7 +235,14 @@ FieldTouch FieldSampler::step(const Pose& X_WO, const Pose& X_WT) noexcept {
         }
     }
     empty_lanes(X_OT);
-    return finish(X_WO);
+    if (slopes_O_ != nullptr) {
+        add_all_slopes(place, X_OT);
+    }
+    const FieldTouch touch = finish(X_WO);
+    if (settings_.budget_us > 0.0) {
+        learn_reserve();
+    }
+    return touch;
 }
 
 FieldTouch FieldSampler::finish(const Pose& X_WO) noexcept {
@@ -252,8 +262,9 @@ FieldTouch FieldSampler::finish(const Pose& X_WO) noexcept {
     touch_.error_Nm = touch_.bound_Nm;
     if (touch_.weight > 1 && !was_cut_short_) {
         constexpr double kFar = 4.0;  // times the spread
-        const double missed_N = compute_length(touch_.wrench_W.force) * missed_points_ /
-                                static_cast<double>(std::max<std::int64_t>(touch_.n_touching, 1));
+        // Where pushes cancel out, as in a wedge, what was missed does not.
+        const double missed_N =
+            0.5 * settings_.stiffness_N_per_m * slope * touch_.deepest_m * missed_points_;
         touch_.error_N =
             std::min(touch_.bound_N, kFar * k * std::sqrt(spread_.force_square) + missed_N);
         touch_.error_Nm = std::min(touch_.bound_Nm, kFar * k * std::sqrt(spread_.torque_square) +

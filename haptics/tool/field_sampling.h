@@ -17,19 +17,24 @@
 // With a budget a step ends in time, on the machine's clock or a counted one, and says what it left out:
 //   all that may touch fits   it is exact
 //   else                      first look: one point for 2^m that lie together, m the least that fits in 0.6 of the time; where it
-//                             touches, closer looks take its place, as fine as fits in the rest
+//                             touches, and a quarter more where it nearly does, closer looks take its place, as fine as fits in
+//                             the rest
 //   64 samples touch          their sum times 2^m stands for all
 //   fewer                     no sum of few stands for many: whole leaves are taken, first what touched in the last step, then
 //                             what reaches farthest for its size. A lone tip weighs what it weighs
+//   derivatives               of one leaf in n that touch, times n, the least n that fits in what the force leaves of the time,
+//                             half of it at least
+// What things cost is learned, and how long before the end to stop, so that one step in 200 is late. One that lost the processor for
+// longer than its budget is late whatever it does: it does what it had planned.
 // How far the result may be off:
-//   bound    k L_n sum over nodes left out of n D, and the samples' own sum. D = L min(-slack, m - m_free), at most the band: how
-//            deep a node may be by its ball and by when it was free last; n its points, L_n = 1 by normals, L by slopes. For
-//            the torque times the tool's reach. Never exceeded, for closed meshes, by what is less deep than 3/4 of the band; often
-//            many times the error
+//   bound    k L_n sum over nodes left out of n D, and the samples' own sum. D = L min(-slack, m - m_free): how deep a node may be
+//            by its ball and by when it was free last; where that is beyond 3/4 of the band, a brick's diagonal more, and as deep as
+//            anything in the object where its middle may be. n its points, L_n = 1 by normals, L by slopes. For the torque times
+//            the tool's reach. Never exceeded for closed meshes; often many times the error
 //   error    where samples stand for all: four times the square root of 16/15 sum |X_l - mean|^2 over 16 interleaved sums X_l, as if
 //            samples were drawn by chance; they are spread evenly, so that the error is less. And for what the first look missed at
-//            the rim, 2^m sqrt(N) points like those that touch, N its leaves that did. Else, and where the clock cut a look short,
-//            the bound. In local contact 5 to 25 times the true error at the median
+//            the rim, 2^m sqrt(N) points half as deep as the deepest, N its leaves that did. Else, and where the clock cut a look
+//            short, the bound. In local contact 5 to 25 times the true error at the median
 //
 // `find_first_touch` follows a motion by conservative advancement: the tool may go on by as much as is free around it. Points that
 // touch at the start stop only what takes them deeper; a motion along the surface or out of it is free. So a tool in contact moves,
@@ -85,6 +90,7 @@ struct FieldTouch {
     std::int64_t n_left = 0;    ///< nodes that may touch and were left out
     std::int64_t n_leaves = 0;  ///< taken
     std::int64_t n_groups = 0;  ///< of balls, looked at
+    std::int64_t n_sloped = 0;  ///< leaves whose derivatives were taken
 };
 
 class FieldSampler {
@@ -109,8 +115,8 @@ class FieldSampler {
     [[nodiscard]] double find_first_touch(const Pose& from_OT, const Pose& to_OT,
                                           double deepest_m = 0.0) noexcept;
 
-    /// The same as `step`; adds the wrench's derivatives by the tool's pose, W, rows and columns as in wrench_jacobian.h. Exact
-    /// within a cell of the field, jumps from cell to cell by the surface's bend.
+    /// The same as `step`; adds the wrench's derivatives by the tool's pose, W, rows and columns as in wrench_jacobian.h. Without a
+    /// budget exact within a cell of the field; jumps from cell to cell by the surface's bend.
     [[nodiscard]] FieldTouch step_linearised(const Pose& X_WO, const Pose& X_WT,
                                              Matrix6& by_pose_W) noexcept;
 
@@ -134,6 +140,10 @@ class FieldSampler {
         void add(std::int32_t node) noexcept { nodes_[n_++] = node; }
         void put(std::size_t i, std::int32_t node) noexcept { nodes_[i] = node; }
         void shorten(std::size_t n) noexcept { n_ = n; }
+        void drop_first(std::size_t n) noexcept {
+            std::copy(begin() + n, end(), nodes_.data());
+            n_ -= n;
+        }
         void copy(const Nodes& other) noexcept {
             std::copy(other.begin(), other.end(), nodes_.data());
             n_ = other.n_;
@@ -150,6 +160,7 @@ class FieldSampler {
         std::size_t n_ = 0;
     };
     static constexpr float kAlways = -1.0e30F;
+    static constexpr float kFreeMargin_voxels = 2.0e-3F;  // single precision places and clock
 
     struct Level {
         std::vector<float> free_until;      // a node's, on the clock of motion, voxels
@@ -180,6 +191,8 @@ class FieldSampler {
               const Pose& X_OT) noexcept;
     void add_slopes(std::size_t thinning, std::size_t leaf, const FieldPlace& place,
                     const Pose& X_OT) noexcept;
+    // Of the leaves that touch, or evenly of as many as there is time for.
+    void add_all_slopes(const FieldPlace& place, const Pose& X_OT) noexcept;
     void empty_lanes(const Pose& X_OT) noexcept;
     void remember_groups() noexcept;
     [[nodiscard]] FieldTouch finish(const Pose& X_WO) noexcept;
@@ -197,8 +210,13 @@ class FieldSampler {
     // With a budget.
     void step_within_budget(const FieldPlace& place, const Pose& X_OT) noexcept;
     [[nodiscard]] double elapsed_us() const noexcept;
+    // Until the step, or its part, must end.
+    [[nodiscard]] double find_left_us() const noexcept;
+    // Time since `before_us`; where it was taken by something else, it counts no longer.
+    double find_lap_us(double before_us, double expected_us) noexcept;
     // What one of `n` things costs, from what they took.
-    void learn(double& cost_us, double took_us, std::int64_t n) const noexcept;
+    void learn(double& cost_us, double took_us, std::size_t n) const noexcept;
+    void learn_reserve() noexcept;
     // Leaves that fit in a share of the time that is left.
     [[nodiscard]] std::size_t find_room(double share) const noexcept;
     // As far down as there is time; the level of the nodes found.
@@ -206,38 +224,64 @@ class FieldSampler {
     // Of leaves as many as there is time for; how many.
     std::size_t take_in_time(std::size_t thinning, std::span<const std::int32_t> leaves,
                              const FieldPlace& place, const Pose& X_OT) noexcept;
+    // All nodes, which are leaves.
+    void take_leaves(const FieldPlace& place, const Pose& X_OT) noexcept;
     void forget_sums() noexcept;
-    // One of 2^merge of the nodes that follow each other, to `leaves_`.
-    void list_units(std::size_t merge) noexcept;
-    // What units that touched stand for, by a finer thinning instead; whether there was time.
-    bool take_touched(std::size_t thinning, std::size_t finer, const FieldPlace& place,
-                      const Pose& X_OT) noexcept;
-    // Leaves out all nodes but those of units that touched.
-    void keep_touched(std::size_t level, std::size_t merge) noexcept;
+    // What closer looks may fail to replace.
+    struct FirstLook {
+        ContactSums sums;
+        ContactSpread spread;
+        float deepest_steps;
+        std::size_t n_touched;
+    };
+    // Until when the leaves of a thinning are free, by their own points.
+    [[nodiscard]] std::vector<float>& free_until(std::size_t thinning) noexcept {
+        return thinning == 0 ? levels_.front().free_until : thinned_until_[thinning - 1];
+    }
+    void list_units(std::size_t level, std::size_t thinning) noexcept;
+    void rank_units(std::size_t thinning) noexcept;
+    void choose_units(std::size_t room) noexcept;
+    std::size_t choose_finer(std::size_t thinning) noexcept;
+    void keep_chosen(std::size_t level, std::size_t thinning) noexcept;
+    bool list_parts(std::size_t thinning, std::size_t finer, std::size_t room) noexcept;
+    // At the units chosen, as closely as there is time for; whether at each point of them.
+    bool look_closer(std::size_t level, std::size_t thinning, const FieldPlace& place,
+                     const Pose& X_OT) noexcept;
     // Whether enough of the samples touch to stand for all.
     bool take_samples(std::size_t level, const FieldPlace& place, const Pose& X_OT) noexcept;
-    // Of the nodes about `room`, those that matter most, to `leaves_`.
+    // Keeps as many of the nodes as there is room for, those that matter most.
     void choose_deepest(std::size_t level, std::size_t room) noexcept;
     void take_deepest(std::size_t level, const FieldPlace& place, const Pose& X_OT) noexcept;
     // Nodes whose points touched in the last step first, then those that reach farthest for their size; to `ranks_`.
     void rank_nodes(std::size_t level) noexcept;
-    // The rank that at most `n` nodes reach, to one part in 128.
-    [[nodiscard]] float find_rank_above(std::size_t n) const noexcept;
-    void leave_out(std::size_t level, float depth_voxels) noexcept;
+    // How deep any point of a node may be that may be so deep by slack and motion.
+    [[nodiscard]] double bound_depth_m(std::size_t level, std::size_t node,
+                                       float depth_voxels) const noexcept;
+    void leave_out(std::size_t level, std::size_t i) noexcept;
+    // Leaves that touch for one whose derivatives fit in the time that is left.
+    [[nodiscard]] std::size_t find_slopes_stride() const noexcept;
+
+    static constexpr std::int64_t kSlopesLeaves = 16;  // leaves that cost what one's derivatives do
 
     Field field_;
     Shell shell_;
     FieldSamplingSettings settings_;
     SlackBounds bounds_;
+    double deepest_voxels_;  // of all the object's bricks
     const FieldKernels* kernels_;
     std::vector<Level> levels_;
     Nodes nodes_;
     std::vector<float> depths_;  // how deep they may be, slack's voxels
     std::vector<float> ranks_;
-    Nodes leaves_;  // chosen, with a budget
+    // With a budget.
+    Nodes leaves_;                                   // of a thinning, looked at first
+    Nodes parts_;                                    // what they stand for
+    std::vector<std::vector<float>> thinned_until_;  // of each thinning but the first, as a level's
     Nodes last_touched_;
-    double leaf_us_, group_us_;  // learned
-    Nodes touched_;              // leaves of a thinning that were taken and touch
+    double leaf_us_, group_us_, slopes_us_;  // learned
+    double reserve_us_ = 0.0;                // likewise, before the end
+    double share_ = 1.0;                     // of the time, until what runs must end
+    Nodes touched_;                          // leaves of a thinning that were taken and touch
     double clock_voxels_ = 0.0;
     float now_ = 0.0F;  // the clock, rounded up
     Pose last_OT_;

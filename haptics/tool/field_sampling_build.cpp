@@ -2,6 +2,7 @@
 #include "haptics/base/range.h"
 #include "haptics/tool/field_sampling.h"
 
+#include <algorithm>
 #include <array>
 
 namespace fulcrum {
@@ -23,6 +24,17 @@ Expected<void> validate(const FieldSamplingSettings& settings) {
     return {};
 }
 
+namespace {
+
+double find_deepest_voxels(const DistanceField& field) {
+    const double band_voxels = field.band_m() / field.frame().voxel_m;
+    const auto deepest = std::max_element(field.depths().begin(), field.depths().end());
+    return deepest == field.depths().end() ? band_voxels
+                                           : std::max(band_voxels, static_cast<double>(*deepest));
+}
+
+}  // namespace
+
 Expected<FieldSampler> FieldSampler::build(Field field, Shell shell,
                                            const FieldSamplingSettings& settings) {
     if (field == nullptr || shell == nullptr) {
@@ -39,9 +51,11 @@ FieldSampler::FieldSampler(Field field, Shell shell, const FieldSamplingSettings
       shell_(std::move(shell)),
       settings_(settings),
       bounds_(*field_),
+      deepest_voxels_(find_deepest_voxels(*field_)),
       kernels_(&best_field_kernels()),
       leaf_us_(settings.leaf_us),
-      group_us_(settings.group_us) {
+      group_us_(settings.group_us),
+      slopes_us_(kSlopesLeaves * settings.leaf_us) {
     for (std::size_t l = 0; l < shell_->n_levels(); ++l) {
         Level level;
         level.free_until.assign(ShellTree::kWidth * shell_->level(l).size(), kAlways);
@@ -52,6 +66,10 @@ FieldSampler::FieldSampler(Field field, Shell shell, const FieldSamplingSettings
     const std::size_t n_most = levels_.front().free_until.size();
     nodes_.reserve(n_most);
     leaves_.reserve(n_most);
+    parts_.reserve(n_most);
+    for (std::size_t m = 1; m < shell_->n_thinnings(); ++m) {
+        thinned_until_.emplace_back(shell_->n_leaves(m), kAlways);
+    }
     touched_.reserve(2 * n_most);  // leaves of thinnings first, then the leaves themselves
     last_touched_.reserve(2 * n_most);
     depths_.resize(n_most);
@@ -60,11 +78,14 @@ FieldSampler::FieldSampler(Field field, Shell shell, const FieldSamplingSettings
 
 std::size_t FieldSampler::memory_bytes() const noexcept {
     std::size_t bytes = sizeof(*this) + nodes_.memory_bytes() + leaves_.memory_bytes() +
-                        touched_.memory_bytes() + last_touched_.memory_bytes() +
-                        2 * depths_.capacity() * sizeof(float);
+                        parts_.memory_bytes() + touched_.memory_bytes() +
+                        last_touched_.memory_bytes() + 2 * depths_.capacity() * sizeof(float);
     for (const Level& level : levels_) {
         bytes += (level.free_until.capacity() + level.hopeless_until.capacity()) * sizeof(float) +
                  level.groups.memory_bytes();
+    }
+    for (const std::vector<float>& until : thinned_until_) {
+        bytes += until.capacity() * sizeof(float);
     }
     return bytes;
 }

@@ -50,7 +50,8 @@ FieldSampler make(const FieldSampler::Field& field, const FieldSampler::Shell& s
 }
 
 double cost_us(const FieldTouch& touch) {
-    return static_cast<double>(touch.n_leaves) * kLeaf_us +
+    // Derivatives of a leaf count as sixteen.
+    return static_cast<double>(touch.n_leaves + 16 * touch.n_sloped) * kLeaf_us +
            static_cast<double>(touch.n_groups) * kGroup_us;
 }
 
@@ -229,4 +230,110 @@ TEST_CASE(
         CHECK(compare(some, exact).force_N <= some.bound_N);
         CHECK(compare(some, exact).torque_Nm <= some.bound_Nm);
     }
+}
+
+TEST_CASE("field sampling budget: kept whatever the tool did before, still, slow or jumping") {
+    FieldSampler all = make(bumpy(), ball(), 0.0);
+    for (const double budget_us : {5.0, 20.0, 60.0, 90.0}) {
+        FieldSampler some = make(bumpy(), ball(), budget_us);
+        Wanderer wanderer(4, 0.05);
+        Random random(11);
+        Pose X_WT;
+        for (int i = 0; i < 400; ++i) {
+            // Rest, in which what touches becomes known; then a jump, near or far.
+            if (i % 20 == 0) {
+                X_WT = {(i % 40 == 0 ? 1.9 : 0.05) * wanderer.next(), random.turn(0.5)};
+            } else if (i % 20 > 15) {
+                X_WT.position += 0.01 * random.in_cube();
+            }
+            const FieldTouch touch = some.step({}, X_WT);
+            CHECK(cost_us(touch) <= budget_us + kRounding_us);
+            const FieldTouch exact = all.step({}, X_WT);
+            CHECK(compare(touch, exact).force_N <=
+                  touch.bound_N + 1.0e-6 * exact.wrench_W.force.norm());
+        }
+    }
+}
+
+TEST_CASE("field sampling budget: derivatives have their part of it, and stand for all") {
+    for (const ForceAlong along : {ForceAlong::normals, ForceAlong::slopes}) {
+        FieldSampler all = make(bumpy(), ball(), 0.0, along);
+        FieldSampler some = make(bumpy(), ball(), 100.0, along);
+        FieldSampler few = make(bumpy(), ball(), 5.0, along);
+        Random random(8);
+        for (int i = 0; i < 40; ++i) {
+            const Pose X_WT{0.06 * random.direction(), random.turn(0.5)};
+            Matrix6 exact = Matrix6::Zero();
+            Matrix6 about = Matrix6::Zero();
+            Matrix6 roughly = Matrix6::Zero();
+            const FieldTouch touch = all.step_linearised({}, X_WT, exact);
+            CHECK(touch.n_sloped > 30);
+            const FieldTouch fewer = some.step_linearised({}, X_WT, about);
+            CHECK(cost_us(fewer) <= 100.0 + kRounding_us);
+            CHECK(fewer.n_sloped > 10);
+            CHECK(fewer.n_sloped < touch.n_sloped);
+            // As a stiffness against shifts, of a tool that is touched all round.
+            const Matrix3 off = about.topLeftCorner<3, 3>() - exact.topLeftCorner<3, 3>();
+            CHECK(off.norm() < 0.3 * exact.topLeftCorner<3, 3>().norm());
+            CHECK(cost_us(few.step_linearised({}, X_WT, roughly)) <= 5.0 + kRounding_us);
+        }
+    }
+}
+
+TEST_CASE("field sampling budget: a cost thought far too high comes down by itself") {
+    FieldSampler wary =
+        FieldSampler::build(bumpy(), ball(), {.budget_us = 50.0, .leaf_us = 10.0}).value();
+    FieldSampler never =
+        FieldSampler::build(bumpy(), ball(), {.budget_us = 5.0, .leaf_us = 10.0}).value();
+    const Pose X_WT = Pose::at({0.05, 0.01, 0.0});
+    std::int64_t n_wary = 0;
+    std::int64_t n_never = 0;
+    for (int i = 0; i < 400; ++i) {
+        n_wary = std::max(n_wary, wary.step({}, X_WT).n_leaves);
+        n_never = std::max(n_never, never.step({}, X_WT).n_leaves);
+    }
+    CHECK(n_wary > 10);
+    CHECK(n_never > 0);
+}
+
+TEST_CASE("field sampling budget: the bound holds for what is deeper than the band as well") {
+    const FieldSampler::Field box = make_field(*make_box({1.0, 1.0, 1.0}), 64);
+    const FieldSampler::Shell points =
+        make_shell(make_surface_pointshell(make_sphere(0.2, 16).value(), 20000).value());
+    for (const ForceAlong along : {ForceAlong::normals, ForceAlong::slopes}) {
+        FieldSampler all = make(box, points, 0.0, along);
+        Random random(3);
+        for (const double depth_m : {0.02, 0.06, 0.2, 0.45, 0.69}) {
+            FieldSampler some = make(box, points, 5.0, along);
+            for (int i = 0; i < 5; ++i) {
+                const Pose X_WT{{0.01 * i, 0.7 - depth_m, 0.0}, random.turn(0.5)};
+                const FieldTouch exact = all.step({}, X_WT);
+                const FieldTouch touch = some.step({}, X_WT);
+                REQUIRE(exact.n_touching > 0);
+                INFO(depth_m);
+                CHECK(compare(touch, exact).force_N <= touch.bound_N);
+                CHECK(compare(touch, exact).torque_Nm <= touch.bound_Nm);
+            }
+        }
+    }
+}
+
+TEST_CASE("field sampling budget: where pushes cancel out, what may be missed does not") {
+    // A slot that closes on a box from both sides.
+    const FieldSampler::Field box = make_field(*make_box({1.0, 1.0, 1.0}), 64);
+    const double depth_m = 0.3 * box->frame().voxel_m;
+    Pointshell slot;
+    constexpr int kSide = 160;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const double x_m = 0.8 * (i % kSide) / kSide - 0.4;
+        const double z_m = 0.8 * (i / kSide) / kSide - 0.4;
+        slot.add({x_m, 0.5 - depth_m, z_m}, Vector3::UnitY());
+        slot.add({x_m, depth_m - 0.5, z_m}, -Vector3::UnitY());
+    }
+    FieldSampler some = make(box, make_shell(slot), 20.0);
+    const FieldTouch touch = some.step({}, Pose::at({0.003, 0.0, 0.002}));
+    REQUIRE(touch.weight > 1);
+    const double stiffness_N_per_m = some.settings().stiffness_N_per_m;
+    const auto weight = static_cast<double>(touch.weight);
+    CHECK(touch.error_N >= 0.5 * weight * stiffness_N_per_m * touch.deepest_m);
 }
