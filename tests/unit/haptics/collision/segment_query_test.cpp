@@ -248,14 +248,24 @@ TEST_CASE("segment query: the next triangles are collected ahead while the prese
     const auto vector = [&] { return Vector3(normal(random), normal(random), normal(random)); };
     NearbyTriangles nearby;
     int n_hits = 0;
+    int n_longest = 0;
     for (int round = 0; round < 500; ++round) {
         const Vector3 here = vector().normalized();
         const Vector3 next = here + 0.08 * vector().normalized();
         REQUIRE(nearby.collect(*mesh, box_at(here)));
         nearby.begin_ahead(*mesh, box_at(next));
+        // Two nodes at a time: half as often as one at a time.
+        NearbyTriangles one_by_one;
+        one_by_one.begin_ahead(*mesh, box_at(next));
+        int n_nodes = 1;
+        while (one_by_one.go_on_ahead(*mesh, 1) == Collecting::goes_on) {
+            ++n_nodes;
+        }
+        int n_pairs = 0;
         Collecting collecting = Collecting::goes_on;
         while (nearby.is_collecting_ahead()) {
             REQUIRE(collecting == Collecting::goes_on);
+            ++n_pairs;
             REQUIRE(nearby.covers(here));
             const Vector3 from = here + 0.01 * vector().normalized();
             const Vector3 to = here - 0.02 * vector().normalized();
@@ -264,6 +274,8 @@ TEST_CASE("segment query: the next triangles are collected ahead while the prese
             collecting = nearby.go_on_ahead(*mesh, 2);
         }
         REQUIRE(collecting == Collecting::done);
+        REQUIRE(n_pairs == (n_nodes + 1) / 2);
+        n_longest = std::max(n_longest, n_nodes);
         REQUIRE(nearby.covers(next));
         const Vector3 from = next + 0.04 * vector().normalized();
         const Vector3 to = next - 0.04 * vector().normalized();
@@ -272,6 +284,7 @@ TEST_CASE("segment query: the next triangles are collected ahead while the prese
         n_hits += near.found() ? 1 : 0;
     }
     CHECK(n_hits > 50);
+    CHECK(n_longest >= 4);
     // One that does not fit leaves the present ones in place.
     REQUIRE(nearby.collect(*mesh, box_at(Vector3::UnitX())));
     nearby.begin_ahead(*mesh, {Vector3::Constant(-2.0), Vector3::Constant(2.0)});

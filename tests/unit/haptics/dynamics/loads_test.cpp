@@ -1,5 +1,6 @@
 #include "haptics/dynamics/loads.h"
 
+#include "tests/support/adding_load.h"
 #include "tests/unit/haptics/dynamics/integrator_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -80,6 +81,17 @@ const PlaneContact kContact{.point_B = {0.01, -0.02, 0.03},
                             .stiffness_N_per_m = 2000.0,
                             .damping_Ns_per_m = 5.0,
                             .damping_ramp_m = 0.0};
+
+// What no load may do: it sets one derivative.
+class SettingLoad final : public Load {
+  public:
+    void add_wrench(const RigidState& /*state*/, double /*time_s*/,
+                    Wrench& /*wrench*/) const noexcept override {}
+    void add_linearised_wrench(const RigidState& /*state*/, double /*time_s*/, Wrench& /*wrench*/,
+                               WrenchJacobian& jacobian) const noexcept override {
+        jacobian.velocity(5, 5) = 1.0;
+    }
+};
 
 // A body whose contact point lies `depth_m` behind the plane and sinks at `sinking_m_per_s`.
 RigidState touching(double depth_m, double sinking_m_per_s) {
@@ -215,6 +227,23 @@ TEST_CASE("loads: the handle moves on from its stamp along its twist") {
     const Wrench b = there.compute_felt_wrench(any_state(), 1.5);
     CHECK((a.force - b.force).norm() < kRounding);
     CHECK((a.torque - b.torque).norm() < kRounding);
+}
+
+TEST_CASE("loads: each adds its wrench and derivatives to what is there") {
+    const RigidState state = touching(0.002, 0.1);
+    CHECK(find_adding_error(ConstantLoad({{1.0, -2.0, 3.0}, {0.1, 0.2, -0.3}}), state) < kRounding);
+    CHECK(find_adding_error(PointSpringLoad({.point_B = {0.01, 0.0, 0.02},
+                                             .stiffness_N_per_m = 50.0,
+                                             .damping_Ns_per_m = 2.0}),
+                            state) < kRounding);
+    const std::array<PlaneContact, 2> contacts{kContact, kContact};
+    CHECK(find_adding_error(PlaneContactsLoad(contacts), state) < kRounding);
+    CHECK(find_adding_error(PlaneContactsLoad({}), state) < kRounding);
+    ToolCouplingLoad coupling({}, {0.01, -0.02, 0.03});
+    coupling.set_handle({{{0.03, 0.01, -0.04}, compute_exp({0.3, 0.8, -0.5})}, {}}, 0.0);
+    CHECK(find_adding_error(coupling, state) < kRounding);
+    // And what sets instead of adding is found.
+    CHECK(find_adding_error(SettingLoad(), state) > 1.0e-3);
 }
 
 TEST_CASE("loads: several as one add up") {

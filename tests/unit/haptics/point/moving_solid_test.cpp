@@ -101,6 +101,48 @@ TEST_CASE("moving solid: one that looks ahead answers as the tree does and seldo
     CHECK(slide(true) * 5 < n_without);
 }
 
+TEST_CASE("moving solid: a step looks into sixteen nodes ahead and no more") {
+    constexpr int kNodesAStep = 16;
+    const auto mesh = make_bumpy_sphere(1.0, 70, 0.03, 20.0);
+    const auto collision = CollisionMesh::create(mesh.value());
+    REQUIRE(collision);
+    const Vector3 along = Vector3::UnitZ();
+    const Vector3 from(1.035, 0.0, 0.0);
+    int n_tried = 0;
+    for (const double reach_m : {0.0165, 0.02, 0.025}) {
+        // What comes next lies six reaches on, two reaches around: so many nodes are looked into.
+        const Vector3 next = from + 6.0 * reach_m * along;
+        const Vector3 margin = Vector3::Constant(2.0 * reach_m);
+        NearbyTriangles whole;
+        whole.begin_ahead(**collision, {next - margin, next + margin});
+        int n_nodes = 1;
+        while (whole.go_on_ahead(**collision, 1) == Collecting::goes_on) {
+            ++n_nodes;
+        }
+        REQUIRE(whole.covers(next));
+        const int n_steps = (n_nodes + kNodesAStep - 1) / kNodesAStep;
+        REQUIRE(n_steps >= 2);
+        const auto has_to_search_after = [&](int steps) {
+            MovingSolid ball = make_solid(mesh, Pose{});
+            ball.put_proxy(from);
+            ball.look_ahead(reach_m);
+            (void)ball.sweep_nearby(from - 0.1 * reach_m * Vector3::UnitX(), reach_m);
+            ball.put_proxy(from + 1.5 * reach_m * along);
+            for (int step = 0; step < steps; ++step) {
+                ball.look_ahead(reach_m);
+            }
+            ball.put_proxy(next);
+            const auto before = ball.n_searches();
+            (void)ball.sweep_nearby(next - 0.1 * reach_m * Vector3::UnitX(), reach_m);
+            return ball.n_searches() > before;
+        };
+        CHECK(has_to_search_after(n_steps - 1));
+        CHECK_FALSE(has_to_search_after(n_steps));
+        ++n_tried;
+    }
+    CHECK(n_tried == 3);
+}
+
 TEST_CASE("moving solid: over a triangle means that the foot lies within its edges") {
     MovingSolid plate = make_solid(make_plate(1.0, 1.0, 1), kPose);
     for (const double height : {-0.3, 1e-9, 2.0}) {
