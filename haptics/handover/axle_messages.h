@@ -36,6 +36,7 @@ struct AxleReport {
     Vector3 pivot_W{Vector3::Zero()};  ///< a point of the axis
     double angle_rad = 0.0;
     double spin_rad_per_s = 0.0;
+    double inertia_kg_m2 = 0.0;  ///< about the axis through that pivot
     bool touched = false;
     Vector3 at_W{Vector3::Zero()};     ///< where the hand presses, when it is touched
     Vector3 force_W{Vector3::Zero()};  ///< of the hand on the body

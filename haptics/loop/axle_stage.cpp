@@ -167,6 +167,7 @@ void AxleStage::move_on(std::size_t i, SolidPush push, const MostFelt& most, dou
     step_axle(axle.settings, report.torque_Nm, std::min(dt_s, kLongestAxleStep_s), axle.state);
     report.angle_rad = axle.state.angle_rad;
     report.spin_rad_per_s = axle.state.spin_rad_per_s;
+    report.inertia_kg_m2 = axle.settings.inertia_kg_m2;
     report.load_N = axle.settings.load_N;
     report.pose_W = compute_turned_pose(axle.settings, axle.state.angle_rad, axle.rest_W);
     report.load_W = report.pivot_W + compute_load_arm_W(axle.settings, axle.state.angle_rad);

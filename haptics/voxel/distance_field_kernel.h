@@ -70,32 +70,25 @@ inline void gather(const FieldView& field, Gathered& gathered) noexcept {
     }
 }
 
+// Out of each quarter of two vectors the four numbers of these places in the first quarter; from 16 on those of the second vector.
+template <int kA, int kB, int kC, int kD>
+inline Ints pick_quarters(const Ints& a, const Ints& b) noexcept {
+    return __builtin_shufflevector(a, b, kA, kB, kC, kD, kA + 4, kB + 4, kC + 4, kD + 4, kA + 8,
+                                   kB + 8, kC + 8, kD + 8, kA + 12, kB + 12, kC + 12, kD + 12);
+}
+
 // Sixteen points' pairs from their slots: a matrix of 4 x 4 turned in each part of a vector.
 inline void load_pairs(const Gathered& gathered, std::size_t first, Corners& corners) noexcept {
     std::array<Ints, 4> slots;
     __builtin_memcpy(&slots, gathered.pairs[first].data(), sizeof slots);
-    const auto low = [](const Ints& a, const Ints& b) {
-        return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13,
-                                       29);
-    };
-    const auto high = [](const Ints& a, const Ints& b) {
-        return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15,
-                                       31);
-    };
-    const auto even = [](const Ints& a, const Ints& b) {
-        return __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28,
-                                       29);
-    };
-    const auto odd = [](const Ints& a, const Ints& b) {
-        return __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30,
-                                       31);
-    };
-    const Ints near_01 = low(slots[0], slots[1]);
-    const Ints near_23 = low(slots[2], slots[3]);
-    const Ints far_01 = high(slots[0], slots[1]);
-    const Ints far_23 = high(slots[2], slots[3]);
-    const std::array<Ints, 4> pairs{even(near_01, near_23), odd(near_01, near_23),
-                                    even(far_01, far_23), odd(far_01, far_23)};
+    const Ints near_01 = pick_quarters<0, 16, 1, 17>(slots[0], slots[1]);
+    const Ints near_23 = pick_quarters<0, 16, 1, 17>(slots[2], slots[3]);
+    const Ints far_01 = pick_quarters<2, 18, 3, 19>(slots[0], slots[1]);
+    const Ints far_23 = pick_quarters<2, 18, 3, 19>(slots[2], slots[3]);
+    const std::array<Ints, 4> pairs{pick_quarters<0, 1, 16, 17>(near_01, near_23),
+                                    pick_quarters<2, 3, 18, 19>(near_01, near_23),
+                                    pick_quarters<0, 1, 16, 17>(far_01, far_23),
+                                    pick_quarters<2, 3, 18, 19>(far_01, far_23)};
     for (std::size_t edge = 0; edge < 4; ++edge) {
         split_pairs(pairs[edge], edge, corners);
     }

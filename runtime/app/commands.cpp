@@ -184,6 +184,9 @@ int check_command(const Installation& installation, const Options& options) {
                             }
                         }
                         say_of_pictures(run.description(), folder);
+                        for (const std::string& notice : run.plan().notices) {
+                            std::printf("%s\n", notice.c_str());
+                        }
                         std::printf("%s: no mistakes found.\n", run.description().id.c_str());
                         return 0;
                     });

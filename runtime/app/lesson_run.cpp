@@ -1,7 +1,10 @@
 #include "runtime/app/lesson_run.h"
 
+#include "runtime/app/interrupt.h"
 #include "runtime/app/lesson_parts.h"
+#include "runtime/files/shape_cache.h"
 #include "runtime/lesson/compose_view.h"
+#include "runtime/text/progress_line.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -11,6 +14,29 @@ namespace {
 
 constexpr const char* kGuest = "guest";
 constexpr std::size_t kMostPrints = 8;  // lines a frame: a terminal must not hold the lesson up
+
+// With the user's cache of shapes and a line that says how far it has come; nothing of either where the lesson needs none.
+Expected<Plan> compile_shown(const LessonDescription& lesson, PlanOptions options,
+                             const SolidLoader& load_solid, const PictureLoader& load_picture) {
+    if (!lesson.hand.tool) {
+        return compile_plan(lesson, options, load_solid, load_picture);
+    }
+    const auto folder = default_shape_cache_folder();
+    ShapeCache shapes({.folder = folder.value_or(std::filesystem::path{})});
+    Expected<Plan> plan = [&] {
+        ProgressLine line("Making " + lesson.id + " ready:");
+        options.shapes = &shapes;
+        options.progress = [&line](double share, std::string_view what) {
+            line.say(share, what);
+            return !interrupted();
+        };
+        return compile_plan(lesson, options, load_solid, load_picture);
+    }();
+    for (const std::string& sentence : shapes.told()) {
+        std::fprintf(stderr, "%s\n", sentence.c_str());
+    }
+    return plan;
+}
 }  // namespace
 
 LessonRun::~LessonRun() = default;
@@ -42,8 +68,8 @@ Expected<void> LessonRun::load(const Places& places, const RunRequest& request) 
     PlanOptions options = request.plan;
     options.device_force_limit_N = HandDevice::force_limit_N(request.hand);
     const LessonDescription& lesson = process_->description();
-    auto plan = compile_plan(lesson, options, make_solid_loader(places, request.folder),
-                             make_picture_loader(request.folder, lesson.hand.scale));
+    auto plan = compile_shown(lesson, std::move(options), make_solid_loader(places, request.folder),
+                              make_picture_loader(request.folder, lesson.hand.scale));
     if (!plan) {
         return tl::unexpected(plan.error());
     }

@@ -107,7 +107,7 @@ void LessonSession::take_hinges(const AxleFrame& axles) {
         const double force_N = report.force_W.norm();
         frame_.hinges.push_back({report.angle_rad, report.spin_rad_per_s, report.torque_Nm,
                                  force_N > 0.0 ? std::abs(report.torque_Nm) / force_N : 0.0,
-                                 report.load_torque_Nm});
+                                 report.load_torque_Nm, report.inertia_kg_m2});
         if (axles.n_axles > 0 && frame_.bodies[i].where == BodyWhere::placed) {
             frame_.bodies[i].pose_W = report.pose_W;
         }

@@ -81,7 +81,7 @@ std::string explain(const LessonDescription& lesson, const Plan& plan) {
                     stage.because);
     }
     text += "\nWhat is not in this list is not built.\n";
-    return text + tool_table(lesson, plan.haptic) + materials_table(lesson, plan);
+    return text + tool_table(lesson, plan) + materials_table(lesson, plan);
 }
 
 }  // namespace fulcrum::runtime

@@ -77,6 +77,7 @@ struct HingeState {
     double torque_Nm = 0.0;       ///< of the hand
     double arm_m = 0.0;           ///< of the hand's force: how far its line passes from the axis
     double load_torque_Nm = 0.0;  ///< of what hangs on it
+    double inertia_kg_m2 = 0.0;   ///< about its axis where that lies now
 };
 
 /// Everything the lesson needs to know for one frame.

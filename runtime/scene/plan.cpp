@@ -294,7 +294,7 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
     if (auto proxy = choose_proxy(lesson, plan.haptic); !proxy) {
         return tl::unexpected(proxy.error());
     }
-    if (auto tool = add_tool(lesson, load_solid, plan.haptic); !tool) {
+    if (auto tool = add_tool(lesson, load_solid, options, plan); !tool) {
         return tl::unexpected(tool.error());
     }
     plan.touch_sound = std::ranges::any_of(

@@ -21,6 +21,8 @@
 
 namespace fulcrum::runtime {
 
+class ShapeCache;
+
 /// The share of the force limit that the heaviest load may use; the rest is left for springs and
 /// for the arm's own friction, so that a weight is never clipped by the last gate.
 inline constexpr double kWeightShareOfLimit = 0.9;
@@ -34,6 +36,12 @@ enum class SpeechInput : std::uint8_t { text };
 /// As the command line, the plan and the recogniser name it: "text".
 [[nodiscard]] std::string_view name_of(SpeechInput speech);
 
+/// Told how much of what takes long to load is done, 0 to 1, and what it is; false stops the loading. May be empty.
+using PlanProgress = std::function<bool(double share, std::string_view what)>;
+
+/// Where what takes long to make comes from.
+enum class ShapeSource : std::uint8_t { made, cache };
+
 /// What the person at the keyboard chose; the rest follows from the lesson.
 struct PlanOptions {
     double force_limit_N = 5.0;  ///< of this site, 0.5 to 10
@@ -44,6 +52,8 @@ struct PlanOptions {
     bool record = false;    ///< --record was given
     double day = kTestDay;  ///< today, as the lesson is told: days since noon of 1 January 2000
     SpeechInput speech = SpeechInput::text;
+    ShapeCache* shapes = nullptr;  ///< keeps what takes long to make; null: it is made each time
+    PlanProgress progress{};
 };
 
 /// One line of `fulcrum explain`: a stage that will run, and who asked for it.
@@ -72,6 +82,10 @@ struct Plan {
     std::vector<MaterialFacts> material_facts;  ///< one a material of the lesson, as it is felt
     double felt_scale =
         1.0;  ///< the factor that fitted the felt weights under the limit, at most 1
+    std::vector<ShapeSource>
+        tool_shapes;  ///< with a tool: of each solid as it meets it, then of its own points
+    std::vector<std::string>
+        notices;  ///< what a teacher should know of this scene, a sentence each
     std::vector<PlanStage>
         stages;  ///< everything above, in the order of the data, for people and for tests
 

@@ -5,6 +5,7 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/tool/tool_plan.h"
 #include "haptics/voxel/voxelise.h"
+#include "runtime/files/shape_cache.h"
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_touch.h"
 
@@ -101,24 +102,37 @@ struct Objects {
     std::vector<std::shared_ptr<const VoxelGrid>> grids;
     std::vector<FieldSampler::Field> fields;
     double voxels_left = kMostVoxels;
+    LoadProgress progress;  // of the next one
 };
 
-Expected<void> add_grid(const TriangleMesh& mesh, double voxel_m, double scale, Objects& objects) {
+// What `make` gives, and whether the cache had it.
+template <class Make>
+auto make_and_note(const ShapeCache& shapes, std::vector<ShapeSource>& sources, const Make& make) {
+    const int n_made = shapes.counts().n_made;
+    auto made = make();
+    sources.push_back(shapes.counts().n_made > n_made ? ShapeSource::made : ShapeSource::cache);
+    return made;
+}
+
+Expected<void> add_grid(const TriangleMesh& mesh, double voxel_m, double scale, ShapeCache& shapes,
+                        Objects& objects) {
     VoxeliseSettings settings{.voxel_m = voxel_m, .offset_layers = 1};
     settings.proximity_layers = static_cast<int>(
         std::clamp(std::ceil(kBrakes_m * scale / voxel_m), 1.0, static_cast<double>(kMostLayers)));
-    return voxelise(mesh, settings).map([&](VoxelGrid grid) {
+    return recall_voxels(shapes, mesh, settings, objects.progress).map([&](VoxelGrid grid) {
         objects.grids.push_back(std::make_shared<const VoxelGrid>(std::move(grid)));
     });
 }
 
-Expected<void> add_field(const TriangleMesh& mesh, double voxel_m, Objects& objects) {
+Expected<void> add_field(const TriangleMesh& mesh, double voxel_m, ShapeCache& shapes,
+                         Objects& objects) {
     const double length_m = bounds_of(mesh).size_m().maxCoeff();
     const double rows = std::ceil((length_m / voxel_m + 2.0 * kBand_voxels + 2.0) / kBrickCells);
     const int n_along = kBrickCells * std::max(2, static_cast<int>(rows));
     return DistanceField::make_frame(mesh, n_along, kBand_voxels)
         .and_then([&](const VoxelFrame& frame) {
-            return DistanceField::build(mesh, frame, {.band_voxels = kBand_voxels});
+            return recall_distance_field(shapes, mesh, frame, {.band_voxels = kBand_voxels},
+                                         objects.progress);
         })
         .map([&](DistanceField field) {
             objects.fields.push_back(std::make_shared<const DistanceField>(std::move(field)));
@@ -127,7 +141,7 @@ Expected<void> add_field(const TriangleMesh& mesh, double voxel_m, Objects& obje
 
 // One solid body, from the voxels that are left.
 Expected<void> add_object(const LessonDescription& lesson, const BodyDescription& body,
-                          const CollisionMesh& mesh, Objects& objects) {
+                          const CollisionMesh& mesh, ShapeCache& shapes, Objects& objects) {
     const ToolDescription& tool = *lesson.hand.tool;
     const auto triangles = mesh_of(mesh);
     if (!triangles) {
@@ -143,12 +157,48 @@ Expected<void> add_object(const LessonDescription& lesson, const BodyDescription
                     "give the tool larger voxels: at most 480 along a body, and 64 million in all");
     }
     return tool.method == ToolMethod::voxel_sampling
-               ? add_grid(*triangles, voxel_m, lesson.hand.scale, objects)
-               : add_field(*triangles, voxel_m, objects);
+               ? add_grid(*triangles, voxel_m, lesson.hand.scale, shapes, objects)
+               : add_field(*triangles, voxel_m, shapes, objects);
+}
+
+// Each solid body as the method needs it.
+Expected<Objects> make_objects(const LessonDescription& lesson, const PlanProgress& progress,
+                               ShapeCache& shapes, Plan& plan) {
+    Objects objects;
+    const std::vector<SolidPlan>& solids = plan.haptic.solids;
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solids[i].body)];
+        if (body.material != kNoMaterial) {
+            return fail("the " + body.noun + " has a material, and a tool feels its shape alone",
+                        at_line(body.line), "leave out the material, or the hand's tool");
+        }
+        if (progress) {
+            objects.progress = [&progress, &body, i, n = solids.size()](double share) {
+                return progress((static_cast<double>(i) + share) / static_cast<double>(n),
+                                body.noun);
+            };
+        }
+        const auto added = make_and_note(shapes, plan.tool_shapes, [&] {
+            return add_object(lesson, body, **find_mesh(solids[i].shape), shapes, objects);
+        });
+        if (!added) {
+            const Error& error = added.error();
+            return fail(error.message,
+                        error.where.empty() ? at_line(lesson.hand.line) : error.where,
+                        error.what_to_do);
+        }
+        if (const auto holes =
+                objects.fields.empty() ? std::nullopt : objects.fields.back()->tell_holes()) {
+            plan.notices.push_back(to_sentence(
+                {"the " + body.noun + ": " + holes->message, at_line(body.line), "close them"}));
+        }
+    }
+    return objects;
 }
 
 // The tool about its centre of mass, along its principal axes; the hand holds it at its mesh's origin, as that is turned.
-Expected<ToolOrder> make_order(const LessonDescription& lesson, const SolidLoader& load_solid) {
+Expected<ToolOrder> make_order(const LessonDescription& lesson, const SolidLoader& load_solid,
+                               ShapeCache& shapes) {
     const ToolDescription& tool = *lesson.hand.tool;
     const double scale = lesson.hand.scale;
     auto mesh = load_tool_mesh(tool, lesson.hand.line, load_solid);
@@ -156,7 +206,7 @@ Expected<ToolOrder> make_order(const LessonDescription& lesson, const SolidLoade
         return tl::unexpected(mesh.error());
     }
     auto inertia = compute_inertia_of_mass(*mesh, tool.mass_kg / scale, name_of(tool));
-    auto shell = make_surface_pointshell(*mesh, tool.points);
+    auto shell = recall_surface_pointshell(shapes, *mesh, tool.points);
     if (!inertia || !shell) {
         return tl::unexpected(inertia ? shell.error() : inertia.error());
     }
@@ -176,6 +226,10 @@ Expected<ToolOrder> make_order(const LessonDescription& lesson, const SolidLoade
                                                       ? tool.turn_stiffness_Nm_per_rad * scale
                                                       : stiffness * reach_m * reach_m;
     return order;
+}
+
+const char* name_of(ShapeSource source) {
+    return source == ShapeSource::made ? "made now" : "from the cache";
 }
 
 // A body as the tool meets it, for people.
@@ -208,69 +262,66 @@ std::string name_of(const ToolDescription& tool) {
 }
 
 Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load_solid,
-                        HapticPlan& plan) {
+                        const PlanOptions& options, Plan& plan) {
     if (!lesson.hand.tool) {
         return {};
     }
     const std::string where = at_line(lesson.hand.line);
-    if (plan.solids.empty()) {
+    if (plan.haptic.solids.empty()) {
         return fail("the hand has a tool, and no body is solid", where,
                     "make a body solid = true, or leave the tool out");
     }
     if (lesson.bucket.present) {
         return fail("the hand has a tool and a bucket", where, "leave out one of them");
     }
-    // Each solid body as the method needs it.
-    Objects objects;
-    for (const SolidPlan& solid : plan.solids) {
-        const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
-        if (body.material != kNoMaterial) {
-            return fail("the " + body.noun + " has a material, and a tool feels its shape alone",
-                        at_line(body.line), "leave out the material, or the hand's tool");
-        }
-        if (auto added = add_object(lesson, body, **find_mesh(solid.shape), objects); !added) {
-            const Error& error = added.error();
-            return fail(error.message, error.where.empty() ? where : error.where, error.what_to_do);
-        }
+    ShapeCache none{{}};
+    ShapeCache& shapes = options.shapes != nullptr ? *options.shapes : none;
+    const auto objects = make_objects(lesson, options.progress, shapes, plan);
+    if (!objects) {
+        return tl::unexpected(objects.error());
     }
     // The tool among them.
-    const auto made =
-        make_order(lesson, load_solid).and_then([&](ToolOrder order) -> Expected<ToolPlan> {
-            order.most_force_N = plan.safety.max_force_N;
-            return lesson.hand.tool->method == ToolMethod::voxel_sampling
-                       ? make_voxel_tool_plan(order, objects.grids)
-                       : make_field_tool_plan(order, objects.fields);
-        });
+    const auto made = make_and_note(shapes, plan.tool_shapes, [&] {
+                          return make_order(lesson, load_solid, shapes);
+                      }).and_then([&](ToolOrder order) -> Expected<ToolPlan> {
+        order.most_force_N = plan.haptic.safety.max_force_N;
+        return lesson.hand.tool->method == ToolMethod::voxel_sampling
+                   ? make_voxel_tool_plan(order, objects->grids)
+                   : make_field_tool_plan(order, objects->fields);
+    });
     const auto checked = made.and_then([](const ToolPlan& tool) { return validate(tool); });
     if (!checked) {
         return fail("the tool: " + checked.error().message, where, checked.error().what_to_do);
     }
-    plan.tool = std::make_shared<const ToolPlan>(*made);
+    plan.haptic.tool = std::make_shared<const ToolPlan>(*made);
     return {};
 }
 
-std::string tool_table(const LessonDescription& lesson, const HapticPlan& plan) {
-    if (!plan.tool || !lesson.hand.tool) {
+std::string tool_table(const LessonDescription& lesson, const Plan& plan) {
+    if (!plan.haptic.tool || !lesson.hand.tool) {
         return {};
     }
     const ToolDescription& tool = *lesson.hand.tool;
-    const VoxelToolSettings& settings = plan.tool->settings;
+    const VoxelToolSettings& settings = plan.haptic.tool->settings;
     std::array<char, 256> line{};
     std::snprintf(
         line.data(), line.size(),
-        "%-16.48s %s, %d points, %s, %.3g N/m and %.3g Nm/rad in the hand\n", name_of(tool).c_str(),
+        "%-16.48s %s, %d points, %s, %.3g N/m and %.3g Nm/rad in the hand, points %s\n",
+        name_of(tool).c_str(),
         tool.method == ToolMethod::voxel_sampling ? "voxel sampling" : "field sampling",
         tool.points, tool.massless ? "massless" : std::string(to_string(tool.integrator)).c_str(),
-        tool.stiffness_N_per_m, settings.coupling.turn.stiffness_Nm_per_rad / lesson.hand.scale);
+        tool.stiffness_N_per_m, settings.coupling.turn.stiffness_Nm_per_rad / lesson.hand.scale,
+        name_of(plan.tool_shapes.back()));
     std::string text = line.data();
-    const std::vector<ObjectFacts> facts = find_facts(*plan.tool);
+    const std::vector<ObjectFacts> facts = find_facts(*plan.haptic.tool);
     for (std::size_t i = 0; i < facts.size(); ++i) {
-        const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(plan.solids[i].body)];
+        const BodyDescription& body =
+            lesson.bodies[static_cast<std::size_t>(plan.haptic.solids[i].body)];
         const VoxelFrame::Cell& n = facts[i].frame.n_cells;
-        std::snprintf(line.data(), line.size(), "%-16.48s %d x %d x %d voxels of %s, %s\n",
+        std::snprintf(line.data(), line.size(), "%-16.48s %d x %d x %d voxels of %s, %s, %s\n",
                       body.noun.c_str(), n[0], n[1], n[2],
                       millimetres(facts[i].frame.voxel_m).c_str(),
-                      bytes_text(facts[i].bytes).c_str());
+                      bytes_text(facts[i].bytes).c_str(), name_of(plan.tool_shapes[i]));
         text += line.data();
     }
     return "\nThe tool in the hand, and what it meets:\n" + text;

@@ -7,6 +7,8 @@
 //           brake reach 4 mm further, in the hand's metres: two steps of a hand at 2 m/s
 //   hand    masses and springs are as the hand feels them: m = mass / scale, k = stiffness / scale, k_r = turn stiffness x scale
 //
+// What takes long to make comes from the cache of shapes where it has been made before.
+//
 // Thread: load path. Cost: 10 ms and 1 byte a voxel up to 4 million for each body; with a lesson's own voxels at most kMostVoxels.
 #pragma once
 
@@ -19,16 +21,19 @@ namespace fulcrum::runtime {
 /// Of all bodies together: 64 MB while they are made, a second.
 inline constexpr double kMostVoxels = 64.0e6;
 
-/// Gives the plan its tool, where the lesson has one; the plan has its solids already. Refuses with one sentence and the line of
+/// Gives the plan its tool, where the lesson has one, and a notice of each body with holes, if a field closes them; the plan has its
+/// solids already. Refuses with one sentence and the line of
 /// the lesson what cannot be made: no body to touch, a bucket beside it, materials (a tool of points feels shape alone), voxels
 /// that are too many, a model that encloses nothing.
 [[nodiscard]] Expected<void> add_tool(const LessonDescription& lesson,
-                                      const SolidLoader& load_solid, HapticPlan& plan);
+                                      const SolidLoader& load_solid, const PlanOptions& options,
+                                      Plan& plan);
 
 /// What the tool is like, in a few words: "cylinder", or its model's name.
 [[nodiscard]] std::string name_of(const ToolDescription& tool);
 
-/// For people who ask what runs: method, points, springs, and the voxels of each body; empty without a tool.
-[[nodiscard]] std::string tool_table(const LessonDescription& lesson, const HapticPlan& plan);
+/// For people who ask what runs: method, points, springs, and the voxels of each body, made now or from the cache; empty without a
+/// tool.
+[[nodiscard]] std::string tool_table(const LessonDescription& lesson, const Plan& plan);
 
 }  // namespace fulcrum::runtime

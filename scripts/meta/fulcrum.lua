@@ -49,7 +49,7 @@ local Hand = {}
 ---@class Body
 ---@field angle number degrees; of a body on a hinge: how far it is turned
 ---@field spin number degrees per second; of a body on a hinge
----@field inertia number kilogram square metres; of a body on a hinge
+---@field inertia number kilogram square metres; of a body on a hinge, about its axis where that lies now
 ---@field torque number newton metres; of the hand about a hinge: lever arm × force, counter-clockwise above 0
 ---@field arm number metres; how far the hand's force passes from the hinge; 0 when nothing presses
 ---@field load_torque number newton metres; of what hangs on a body about its hinge

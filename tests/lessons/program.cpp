@@ -23,11 +23,12 @@ Sandbox::~Sandbox() {
     fs::remove_all(folder_, ignored);
 }
 
-ProgramRun Sandbox::run(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.string() +
-                                "' && env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_DATA_HOME HOME='" +
-                                folder_.string() + "' '" FULCRUM_PROGRAM "' " + arguments +
-                                " 2>&1 </dev/null";
+ProgramRun Sandbox::run(const std::string& arguments, const std::string& under) const {
+    const std::string command =
+        "cd '" + folder_.string() +
+        "' && env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_DATA_HOME -u XDG_CACHE_HOME HOME='" +
+        folder_.string() + "' " + under + " '" FULCRUM_PROGRAM "' " + arguments +
+        " 2>&1 </dev/null";
     ProgramRun run;
     std::FILE* pipe = popen(command.c_str(), "r");
     REQUIRE(pipe != nullptr);

@@ -26,8 +26,8 @@ class Sandbox {
     [[nodiscard]] std::string path(const std::string& name) const {
         return (folder_ / name).string();
     }
-    /// Runs `fulcrum ARGUMENTS` without a display.
-    [[nodiscard]] ProgramRun run(const std::string& arguments) const;
+    /// Runs `fulcrum ARGUMENTS` without a display; by the command `under`, if there is one.
+    [[nodiscard]] ProgramRun run(const std::string& arguments, const std::string& under = "") const;
     /// Writes a file inside, with its folders.
     std::string write(const std::string& name, const std::string& text) const;
 

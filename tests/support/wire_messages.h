@@ -112,7 +112,7 @@ inline LessonFrame full_frame() {
     f.applied_W = {Vector3(0, -2, 0), Vector3(0.1, 0, -0.3)};
     f.bodies = {{Pose{}, Vector3(0, -3, 0), BodyWhere::falling},
                 {Pose{}, Vector3::Zero(), BodyWhere::held}};
-    f.hinges = {{0.5, -2.0, 0.25, 0.125, -0.75}};
+    f.hinges = {{0.5, -2.0, 0.25, 0.125, -0.75, 1.5}};
     f.events = {
         BodyEvent{BodyEvent::Kind::landed, 1, 3.5}, KeyEvent{"space"},
         JudgeEvent{"heaviest", {{"thing", "egg"}}},

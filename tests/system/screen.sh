@@ -13,7 +13,7 @@ need() {
 need Xvfb
 folder=$(mktemp -d)
 export HOME=$folder
-unset XDG_DATA_HOME WAYLAND_DISPLAY
+unset XDG_DATA_HOME XDG_CACHE_HOME WAYLAND_DISPLAY
 mkfifo "$folder/display"
 Xvfb -noreset -displayfd 3 -screen 0 1280x720x24 3>"$folder/display" 2>/dev/null &
 server=$!

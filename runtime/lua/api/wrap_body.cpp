@@ -137,7 +137,9 @@ int get_of_hinge(lua_State* lua, LessonContext& context, std::int32_t index) {
     return 1;
 }
 int get_inertia(lua_State* lua, LessonContext& context, std::int32_t index) {
-    lua_pushnumber(lua, hinge_of(lua, context, index, "an inertia").inertia_kg_m2);
+    const AxleSettings& declared = hinge_of(lua, context, index, "an inertia");
+    const double now_kg_m2 = hinge_state_of(context, index).inertia_kg_m2;
+    lua_pushnumber(lua, now_kg_m2 > 0.0 ? now_kg_m2 : declared.inertia_kg_m2);
     return 1;
 }
 
@@ -164,7 +166,8 @@ void add_hinge_rows(ApiTable& table) {
     table.properties.push_back({"body", "spin", "number", "degrees per second",
                                 "of a body on a hinge", &get_of_hinge<kSpin>});
     table.properties.push_back({"body", "inertia", "number", "kilogram square metres",
-                                "of a body on a hinge", &get_inertia});
+                                "of a body on a hinge, about its axis where that lies now",
+                                &get_inertia});
     table.properties.push_back(
         {"body", "torque", "number", "newton metres",
          "of the hand about a hinge: lever arm × force, counter-clockwise above 0",

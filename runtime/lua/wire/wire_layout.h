@@ -218,6 +218,7 @@ void frame(Archive& a, Frame& f) {
         each.number("a torque", h.torque_Nm, -kAny, kAny);
         each.number("a lever arm", h.arm_m, 0.0, kAny);
         each.number("a load's torque", h.load_torque_Nm, -kAny, kAny);
+        each.number("an inertia", h.inertia_kg_m2, 0.0, kAny);
     });
     a.list("events", f.events, kMaxEvents, [](auto& each, auto& e) {
         each.one_of("an event", e,

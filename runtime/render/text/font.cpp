@@ -1,6 +1,6 @@
 #include "runtime/render/text/font.h"
 
-#include "runtime/render/text/utf8.h"
+#include "runtime/text/utf8.h"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H

@@ -1,6 +1,6 @@
 #include "runtime/render/text/paragraph.h"
 
-#include "runtime/render/text/utf8.h"
+#include "runtime/text/utf8.h"
 
 #include <algorithm>
 

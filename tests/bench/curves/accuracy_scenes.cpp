@@ -5,10 +5,13 @@
 #include "tests/bench/curves/mesh_file.h"
 #include "tests/support/wander.h"
 
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace fulcrum::bench {
 namespace {
@@ -59,6 +62,34 @@ Pose place(const Vector3& middle_U, const Quaternion& turn_UT) {
 Wrench push_up(const Pose& X_OT, double force_N) {
     const Vector3 force_O = kAskew * Vector3(0.0, force_N, 0.0);
     return {force_O, (X_OT.orientation * kMiddle_T).cross(force_O)};
+}
+
+struct NamedMesh {
+    std::string name;
+    TriangleMesh mesh;
+};
+
+// A person's own mesh, in the middle and as large as the usual one, or that.
+NamedMesh load_as_large(const std::string& file, const std::string& usual_name,
+                        const TriangleMesh& usual) {
+    if (file.empty()) {
+        return {usual_name, usual};
+    }
+    const auto loaded = load_mesh_file(file);
+    if (!loaded) {
+        throw std::runtime_error(to_sentence(loaded.error()));
+    }
+    const auto longest_m = [](const TriangleMesh& mesh) {
+        return (mesh.upper_B() - mesh.lower_B()).maxCoeff();
+    };
+    const Vector3 middle = 0.5 * (loaded->lower_B() + loaded->upper_B());
+    const double scale = longest_m(usual) / longest_m(*loaded);
+    std::vector<Vector3> vertices;
+    for (const Vector3& v : loaded->vertices_B()) {
+        vertices.push_back(scale * (v - middle));
+    }
+    return {std::filesystem::path(file).stem().string(),
+            TriangleMesh::build(std::move(vertices), loaded->triangles()).value()};
 }
 
 Pointshell put_beside(const Pointshell& shell) {
@@ -134,33 +165,21 @@ AccuracyScene make_cylinder_box(int n_poses) {
     return scene;
 }
 
-AccuracyScene make_free_forms(int n_poses, const std::string& object_file) {
-    TriangleMesh object = *make_torus(0.7, 0.3, 120, 60);
-    std::string of = "a torus";
-    if (!object_file.empty()) {
-        const auto loaded = load_mesh_file(object_file);
-        if (!loaded) {
-            throw std::runtime_error(to_sentence(loaded.error()));
-        }
-        // As large as the torus.
-        const Vector3 middle = 0.5 * (loaded->lower_B() + loaded->upper_B());
-        const double scale = 2.0 / (loaded->upper_B() - loaded->lower_B()).maxCoeff();
-        std::vector<Vector3> vertices;
-        for (const Vector3& v : loaded->vertices_B()) {
-            vertices.push_back(scale * (v - middle));
-        }
-        object = TriangleMesh::build(std::move(vertices), loaded->triangles()).value();
-        of = object_file;
-    }
-    const TriangleMesh tool = *make_bumpy_sphere(0.3, 40, 0.05, 9.0);
+AccuracyScene make_free_forms(int n_poses, const std::string& object_file,
+                              const std::string& tool_file) {
+    const NamedMesh object = load_as_large(object_file, "a torus", *make_torus(0.7, 0.3, 120, 60));
+    const NamedMesh named_tool =
+        load_as_large(tool_file, "a bumpy ball", *make_bumpy_sphere(0.3, 40, 0.05, 9.0));
+    const TriangleMesh& tool = named_tool.mesh;
     AccuracyScene scene{"free-forms",
-                        "A bumpy ball on " + of,
+                        named_tool.name + " on " + object.name,
                         "converged: many points and the finest field",
-                        make_askew(object),
+                        make_askew(object.mesh),
                         {},
                         0.0,
                         {},
                         {}};
+    scene.title.front() = static_cast<char>(std::toupper(scene.title.front()));
     for (const TriangleCorners& t : tool.triangles()) {
         const std::vector<Vector3>& v = tool.vertices_B();
         const auto at = [&](int corner) {

@@ -4,7 +4,7 @@
 //                of area A feel kappa A / N each
 //   ball on a plane       F = kappa 2 pi R^2 ((d - R)(1 - u^2) / 2 + R (1 - u^3) / 3),  u = 1 - d / R, d at the lowest point
 //   face on a cylinder    F = kappa L (R x - h^2 asinh(x / h)),  h = R - d, x = sqrt(R^2 - h^2), L the face's length along the axis
-//   free forms            a bumpy ball on a torus or a mesh of your own, by a hundred thousand points or more and the finest field: converged
+//   free forms            a bumpy ball on a torus, or meshes of your own, by a hundred thousand points or more and the finest field: converged
 // All lie askew in the lattice, and the tool's origin beside its middle, so that there is a torque.
 #pragma once
 
@@ -32,7 +32,9 @@ struct AccuracyScene {
 
 [[nodiscard]] AccuracyScene make_sphere_plane(int n_poses);
 [[nodiscard]] AccuracyScene make_cylinder_box(int n_poses);
-/// A bumpy ball on `object`, a torus where it is empty; its wrenches are not known.
-[[nodiscard]] AccuracyScene make_free_forms(int n_poses, const std::string& object_file);
+/// The tool of one file on the object of another, each as large as what is there where its file is empty: a bumpy ball on a torus.
+/// Its wrenches are not known. Throws std::runtime_error, one sentence, where a file cannot be read.
+[[nodiscard]] AccuracyScene make_free_forms(int n_poses, const std::string& object_file,
+                                            const std::string& tool_file);
 
 }  // namespace fulcrum::bench

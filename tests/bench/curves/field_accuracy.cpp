@@ -92,6 +92,14 @@ CostPoint judge_double(double knob, const AccuracyScene& scene, const DistanceFi
                  [&](const Pose& X_OT) { return sum_in_double(field, points, k, X_OT); });
 }
 
+// The library's way, and in double precision.
+void judge_both(double knob, const AccuracyScene& scene, const FieldSampler::Field& field,
+                const Pointshell& points, const FieldSampler::Shell& shell, CostCurve& curve) {
+    curve.points.push_back(
+        judge_field(kSingle, knob, scene, field, shell, {.mode = SamplingMode::tree}));
+    curve.points.push_back(judge_double(knob, scene, *field, points, shell->reach_m()));
+}
+
 CostCurve make_curve(const AccuracyScene& scene, const std::string& knob, const std::string& what) {
     CostCurve curve;
     curve.name = "field-accuracy-" + scene.name + "-" + knob;
@@ -119,10 +127,7 @@ CostCurve vary_voxels(const Run& run, const AccuracyScene& scene) {
     const FieldSampler::Shell shell = make_shell(points);
     for (const double n :
          run.pick<std::vector<double>>({32, 64, kUsualCells, 256, 512}, {32, kUsualCells})) {
-        const FieldSampler::Field field = make_field(scene, n);
-        curve.points.push_back(
-            judge_field(kSingle, n, scene, field, shell, {.mode = SamplingMode::tree}));
-        curve.points.push_back(judge_double(n, scene, *field, points, shell->reach_m()));
+        judge_both(n, scene, make_field(scene, n), points, shell, curve);
     }
     return curve;
 }
@@ -137,10 +142,7 @@ CostCurve vary_points(const Run& run, const AccuracyScene& scene,
     for (const double n : run.pick<std::vector<double>>({1000, 5000, kUsualPoints, 100000, 1000000},
                                                         {1000, kUsualPoints})) {
         const Pointshell points = scene.make_shell(static_cast<int>(n));
-        const FieldSampler::Shell shell = make_shell(points);
-        curve.points.push_back(
-            judge_field(kSingle, n, scene, field, shell, {.mode = SamplingMode::tree}));
-        curve.points.push_back(judge_double(n, scene, *field, points, shell->reach_m()));
+        judge_both(n, scene, field, points, make_shell(points), curve);
     }
     return curve;
 }
@@ -220,7 +222,7 @@ Report run_field_accuracy(Run& run) {
     std::vector<AccuracyScene> scenes;
     scenes.push_back(make_sphere_plane(n_poses));
     scenes.push_back(make_cylinder_box(n_poses));
-    scenes.push_back(make_free_forms(n_poses, run.mesh_file()));
+    scenes.push_back(make_free_forms(n_poses, run.mesh_file(), run.tool_file()));
     converge(run, scenes.back());
     Report report;
     for (const AccuracyScene& scene : scenes) {

@@ -1,6 +1,6 @@
 // fulcrum bench: runs the registered benchmarks and writes what they found as CSV, SVG and one page.
-#include "runtime/files/progress_line.h"
 #include "runtime/lua/process/lesson_process.h"
+#include "runtime/text/progress_line.h"
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/environment.h"
 #include "tests/bench/harness/options.h"
@@ -182,8 +182,8 @@ Expected<void> run_all(const BenchOptions& options, const Environment& environme
         Progress progress(i, chosen.size(), *chosen[i]);
         Run run(
             options.quick,
-            [&](double share, const std::string& what) { progress.say(share, what); },
-            options.mesh);
+            [&](double share, const std::string& what) { progress.say(share, what); }, options.mesh,
+            options.tool);
         for (Exhibit& exhibit : chosen[i]->run(run)) {
             join_peers(exhibit, run);
             // At once: a run that is broken off leaves what it has.

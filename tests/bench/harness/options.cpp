@@ -1,6 +1,7 @@
 #include "tests/bench/harness/options.h"
 
 #include <algorithm>
+#include <map>
 
 namespace fulcrum::bench {
 namespace {
@@ -23,6 +24,8 @@ std::string listing(std::span<const std::string> known) {
 Expected<BenchOptions> parse_bench_options(std::span<const std::string> words,
                                            std::span<const std::string> known) {
     BenchOptions options;
+    const std::map<std::string, std::string*> values{
+        {"--out", &options.out}, {"--mesh", &options.mesh}, {"--tool", &options.tool}};
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];
         if (word == "--quick") {
@@ -31,15 +34,14 @@ Expected<BenchOptions> parse_bench_options(std::span<const std::string> words,
             options.list = true;
         } else if (word == "--help") {
             options.help = true;
-        } else if (word == "--out" || word == "--draw" || word == "--mesh") {
+        } else if (const auto value = values.find(word);
+                   value != values.end() || word == "--draw") {
             if (i + 1 == words.size()) {
                 return fail(word + " needs a value", {}, "see fulcrum bench --help");
             }
             ++i;
-            if (word == "--out") {
-                options.out = words[i];
-            } else if (word == "--mesh") {
-                options.mesh = words[i];
+            if (value != values.end()) {
+                *value->second = words[i];
             } else {
                 options.draw.push_back(words[i]);
             }
@@ -64,7 +66,8 @@ std::string bench_usage() {
   fulcrum bench [NAME…]      measures all benchmarks, or those named, and draws error against time
       --out DIR              where CSV, SVG and index.html are written (bench-results)
       --quick                a rough answer: fewer settings, fewer repetitions
-      --mesh FILE            an OBJ, GLB or glTF file of your own, for those that take one: snags
+      --mesh FILE            an OBJ, GLB or glTF file of your own, for those that take one: snags, field-accuracy
+      --tool FILE            another, for what touches it: field-accuracy
       --list                 what there is
       --draw FILE.csv        draws a figure again from its file, beside it; measures nothing
 )";

@@ -14,6 +14,7 @@ struct BenchOptions {
     std::vector<std::string> draw;   ///< CSV files to draw again, instead of running anything
     std::string out = "bench-results";
     std::string mesh;  ///< an OBJ or GLB file for benchmarks that take one; empty: their own shapes
+    std::string tool;  ///< another, for what touches it
     bool quick = false;
     bool list = false;
     bool help = false;

@@ -17,13 +17,18 @@ class Run {
   public:
     /// `say` gets the share done, 0 to 1, and a few words.
     using Say = std::function<void(double, const std::string&)>;
-    Run(bool quick, Say say, std::string mesh_file = {})
-        : quick_(quick), say_(std::move(say)), mesh_file_(std::move(mesh_file)) {}
+    Run(bool quick, Say say, std::string mesh_file = {}, std::string tool_file = {})
+        : quick_(quick),
+          say_(std::move(say)),
+          mesh_file_(std::move(mesh_file)),
+          tool_file_(std::move(tool_file)) {}
 
     /// True when a rough answer within a few seconds is wanted: fewer settings, fewer repetitions, the same figures.
     [[nodiscard]] bool quick() const { return quick_; }
     /// The mesh that a person wants to see measured; empty when none was named.
     [[nodiscard]] const std::string& mesh_file() const { return mesh_file_; }
+    /// The same for what touches it.
+    [[nodiscard]] const std::string& tool_file() const { return tool_file_; }
     /// Tells the person who waits how far it has come: `share` 0 to 1.
     void progress(double share, const std::string& what = {}) const { say_(share, what); }
     /// `full` or, in a quick run, `rough`.
@@ -36,6 +41,7 @@ class Run {
     bool quick_;
     Say say_;
     std::string mesh_file_;
+    std::string tool_file_;
 };
 
 struct Bench {

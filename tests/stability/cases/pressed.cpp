@@ -138,33 +138,59 @@ double find_spread_rad(const CollisionMesh& mesh, const Vector3& centre_B, doubl
     return widest;
 }
 
-// By how much the force turns in a tick more than the facets do that lie within two ticks' way of the proxy.
-Finding find_turn(const Body& body) {
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+double find_angle_deg(const Vector3& a, const Vector3& b) {
+    return kDegrees * std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// By how much what is felt turns in a tick, by how much it may, and how much more than that it does.
+struct Turns {
+    double felt_deg = 0.0;
+    double allowed_deg = 0.0;
     double worst_deg = 0.0;
-    double widest_deg = 0.0;
+};
+
+// Pressed in and carried over the body from both sides; felt(contact) is a direction, allowed_deg(before, contact) an angle.
+template <class Felt, class Allowed>
+Turns measure_turns(const Body& body, const Felt& felt, const Allowed& allowed_deg) {
+    Turns turns;
     for (const double side : {1.0, -1.0}) {
         GodObject proxy(only_solid(body.mesh));
         Wanderer wanderer(9);
         proxy.reset(body.press(wanderer.next(), -0.1 * side));
-        Vector3 before = Vector3::Zero();
+        ProxyContact before;
         for (int i = 0; i < kSteps / 4; ++i) {
             const ProxyContact contact = proxy.step(body.press(wanderer.next(), kDepth * side), {});
             if (i > 0) {
-                const double turned =
-                    std::atan2(before.cross(contact.normal_W).norm(), before.dot(contact.normal_W));
-                const double spread =
-                    find_spread_rad(*body.mesh, contact.position_W, 2.0 * Wanderer::kStep);
-                constexpr double kDegrees = 180.0 / std::numbers::pi;
-                worst_deg = worse(worst_deg, kDegrees * (turned - spread));
-                widest_deg = std::max(widest_deg, kDegrees * turned);
+                const double turned_deg = find_angle_deg(felt(before), felt(contact));
+                const double allowed = allowed_deg(before, contact);
+                turns.felt_deg = std::max(turns.felt_deg, turned_deg);
+                turns.allowed_deg = std::max(turns.allowed_deg, allowed);
+                turns.worst_deg = worse(turns.worst_deg, turned_deg - allowed);
             }
-            before = contact.normal_W;
+            before = contact;
         }
     }
+    return turns;
+}
+
+Finding tell_turns(const Body& body, const Turns& turns, const char* what, double most_deg) {
     char note[96];
-    std::snprintf(note, sizeof note, "%d triangles; with the facets it turned by up to %.2f",
-                  body.mesh->n_triangles(), widest_deg);
-    return {worst_deg, 1.0, note};
+    std::snprintf(note, sizeof note, "%d triangles; %s by up to %.2f", body.mesh->n_triangles(),
+                  what, most_deg);
+    return {turns.worst_deg, 1.0, note};
+}
+
+// More than the facets turn that lie within two ticks' way of the proxy.
+Finding find_turn(const Body& body) {
+    const Turns turns = measure_turns(
+        body, [](const ProxyContact& contact) { return contact.normal_W; },
+        [&](const ProxyContact& /*before*/, const ProxyContact& contact) {
+            return kDegrees *
+                   find_spread_rad(*body.mesh, contact.position_W, 2.0 * Wanderer::kStep);
+        });
+    return tell_turns(body, turns, "with the facets it turned", turns.felt_deg);
 }
 
 // The true ball's normal over a place: of |p| = bumpy_radius(p / |p|).
@@ -175,42 +201,25 @@ Vector3 bumpy_normal(const Vector3& p) {
     return (u - (slope - u.dot(slope) * u) / p.norm()).normalized();
 }
 
-// By how much the shaded force turns in a tick more than the true ball's normal does under the proxy: at 4 radii a second the bumps
-// alone turn that by more than a degree.
+// The shaded force, more than the true ball's normal turns under the proxy: at 4 radii a second the bumps alone turn that by more
+// than a degree.
 Finding find_shaded_turn(const Body& body) {
-    constexpr double kDegrees = 180.0 / std::numbers::pi;
     const ShadedNormals shaded(body.mesh, 60.0);
-    double worst_deg = 0.0;
-    double true_deg = 0.0;
-    for (const double side : {1.0, -1.0}) {
-        GodObject proxy(only_solid(body.mesh));
-        Wanderer wanderer(9);
-        proxy.reset(body.press(wanderer.next(), -0.1 * side));
-        Vector3 before = Vector3::Zero();
-        Vector3 true_before = Vector3::Zero();
-        for (int i = 0; i < kSteps / 4; ++i) {
-            const ProxyContact contact = proxy.step(body.press(wanderer.next(), kDepth * side), {});
+    const Turns turns = measure_turns(
+        body,
+        [&](const ProxyContact& contact) {
             Vector3 force = Vector3::Zero();
             for (const SolidTouch& touch : contact.active()) {
                 force += touch.push_m *
                          shaded.normal_B(touch.feature, contact.position_W, touch.normal_W);
             }
-            const Vector3 normal = bumpy_normal(contact.position_W);
-            if (i > 0) {
-                const double turned = std::atan2(before.cross(force).norm(), before.dot(force));
-                const double own =
-                    std::atan2(true_before.cross(normal).norm(), true_before.dot(normal));
-                worst_deg = worse(worst_deg, kDegrees * (turned - own));
-                true_deg = std::max(true_deg, kDegrees * own);
-            }
-            before = force;
-            true_before = normal;
-        }
-    }
-    char note[96];
-    std::snprintf(note, sizeof note, "%d triangles; the true ball's normal turned by up to %.2f",
-                  body.mesh->n_triangles(), true_deg);
-    return {worst_deg, 1.0, note};
+            return force;
+        },
+        [](const ProxyContact& before, const ProxyContact& contact) {
+            return find_angle_deg(bumpy_normal(before.position_W),
+                                  bumpy_normal(contact.position_W));
+        });
+    return tell_turns(body, turns, "the true ball's normal turned", turns.allowed_deg);
 }
 
 constexpr FrictionSettings kRough{.static_coefficient = 0.5, .dynamic_coefficient = 0.4};

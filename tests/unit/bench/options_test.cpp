@@ -20,10 +20,11 @@ TEST_CASE("bench options: a name, the first part of several names, or none for a
 }
 
 TEST_CASE("bench options: out, mesh and draw take their values") {
-    const auto options =
-        parse({"--out", "there", "--draw", "a.csv", "--draw", "b.csv", "--mesh", "bunny.obj"});
+    const auto options = parse({"--out", "there", "--draw", "a.csv", "--draw", "b.csv", "--mesh",
+                                "bunny.obj", "--tool", "teapot.glb"});
     REQUIRE(options);
     CHECK(options->mesh == "bunny.obj");
+    CHECK(options->tool == "teapot.glb");
     CHECK(options->out == "there");
     CHECK(options->draw == std::vector<std::string>{"a.csv", "b.csv"});
 }
@@ -36,6 +37,7 @@ TEST_CASE("bench options: what is not known is refused in a sentence that helps"
     CHECK_FALSE(parse({"--fast"}));
     CHECK_FALSE(parse({"--out"}));
     CHECK_FALSE(parse({"--mesh"}));
+    CHECK_FALSE(parse({"--tool"}));
 }
 
 }  // namespace

@@ -112,6 +112,30 @@ TEST_CASE("axle stage: a ball presses where it touches, not where its middle is"
     CHECK(channels->frame.value().axles[0].torque_Nm == Approx(0.4 * -2.0 - 0.05 * -1.0));
 }
 
+TEST_CASE("axle stage: the inertia that it tells is that about the pivot where it lies now") {
+    HapticPlan plan = make_beam(0.1);
+    plan.axles[0].axle.mass_kg = 2.0;
+    const auto channels = std::make_unique<AxleChannels>();
+    AxleStage stage(plan, channels.get());
+    StillProxy proxy;
+    const Pose rest[] = {Pose{}};
+    AxleOrders orders;
+    const auto told_kg_m2 = [&](double pivot_m) {
+        orders.axles[0].is_set = true;
+        orders.axles[0].pivot_B = {pivot_m, 0, 0};
+        channels->orders.publish(orders);
+        (void)stage.turn(rest, proxy);
+        stage.push({}, {}, 1e-3);
+        REQUIRE(channels->frame.take());
+        return channels->frame.value().axles[0].inertia_kg_m2;
+    };
+    // Steiner: m d^2 more.
+    CHECK(told_kg_m2(0.0) == 0.1);
+    CHECK(told_kg_m2(0.3) == Approx(0.1 + 2.0 * 0.09).epsilon(1e-12));
+    CHECK(told_kg_m2(-0.5) == Approx(0.1 + 2.0 * 0.25).epsilon(1e-12));
+    CHECK(told_kg_m2(0.0) == Approx(0.1).epsilon(1e-12));
+}
+
 TEST_CASE("axle stage: a lesson sets angle and spin once, pivot and load for good") {
     const HapticPlan plan = make_beam(0.1);
     const auto channels = std::make_unique<AxleChannels>();

@@ -39,6 +39,7 @@ AxleFrame pressed() {
     report.force_W = {0, -2, 0};
     report.torque_Nm = -1.0;
     report.load_torque_Nm = 0.6;
+    report.inertia_kg_m2 = 0.35;
     report.load_N = 3.0;
     report.load_W = {0, 0.3, 0};
     return frame;
@@ -66,6 +67,7 @@ TEST_CASE("hinges: the lesson is told angle, spin, torque and lever arm, and the
     CHECK(frame.hinges[0].torque_Nm == -1.0);
     CHECK(frame.hinges[0].arm_m == Approx(0.5));
     CHECK(frame.hinges[0].load_torque_Nm == 0.6);
+    CHECK(frame.hinges[0].inertia_kg_m2 == 0.35);
     CHECK(frame.bodies[2].pose_W.position.x() == 0.01);
     CHECK(frame.bodies[0].pose_W.position.x() == 0.0);
     AxleFrame untouched = axles;

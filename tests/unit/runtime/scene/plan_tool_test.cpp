@@ -4,12 +4,18 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/tool/tool_plan.h"
+#include "runtime/files/shape_cache.h"
 #include "runtime/scene/explain.h"
+#include "tests/support/scratch_folder.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
@@ -132,6 +138,95 @@ TEST_CASE("plan: each shape is a tool, and a model too") {
     CHECK(settings.grip_T.norm() < 1e-9);
     const Vector3 thin = settings.handle_turn * Vector3::UnitX();
     CHECK(std::abs(thin.y()) == Approx(1.0));
+}
+
+TEST_CASE("plan: what a tool meets is made once and then read, and people are told which") {
+    for (const ToolMethod method : {ToolMethod::field_sampling, ToolMethod::voxel_sampling}) {
+        const ScratchFolder scratch;
+        LessonDescription lesson = make_lesson();
+        lesson.hand.tool->method = method;
+        lesson.hand.tool->shape = std::monostate{};
+        lesson.hand.tool->model = "stick";
+        const auto compile_with = [&](ShapeCache& shapes) {
+            return compile_plan(lesson, {.shapes = &shapes}, load_block);
+        };
+        ShapeCache first({.folder = scratch.path() / "shapes", .least_build_s = 0.0});
+        const auto made = compile_with(first);
+        REQUIRE(made);
+        CHECK(made->tool_shapes == std::vector{ShapeSource::made, ShapeSource::made});
+        CHECK(explain(lesson, *made).find("points made now") != std::string::npos);
+        CHECK(explain(lesson, *made).find("B, made now\n") != std::string::npos);
+        CHECK(first.counts().n_kept == 2);
+        ShapeCache second({.folder = scratch.path() / "shapes", .least_build_s = 0.0});
+        const auto read = compile_with(second);
+        REQUIRE(read);
+        CHECK(read->tool_shapes == std::vector{ShapeSource::cache, ShapeSource::cache});
+        CHECK(explain(lesson, *read).find("points from the cache") != std::string::npos);
+        CHECK(explain(lesson, *read).find("B, from the cache\n") != std::string::npos);
+        CHECK(second.counts().n_read == 2);
+        CHECK(second.counts().n_made == 0);
+        CHECK(second.told().empty());
+        // Without one all is made, and the same.
+        const auto without = compile(lesson);
+        REQUIRE(without);
+        CHECK(without->tool_shapes == made->tool_shapes);
+        CHECK(validate(read->haptic));
+        CHECK(without->haptic.tool->settings.inertia.moments_kg_m2 ==
+              read->haptic.tool->settings.inertia.moments_kg_m2);
+        // What is damaged is told, once each, and made again.
+        for (const auto& entry : std::filesystem::directory_iterator(scratch.path() / "shapes")) {
+            std::filesystem::resize_file(entry.path(), 100);
+        }
+        ShapeCache third({.folder = scratch.path() / "shapes", .least_build_s = 0.0});
+        const auto again = compile_with(third);
+        REQUIRE(again);
+        CHECK(again->tool_shapes == made->tool_shapes);
+        CHECK(third.told().size() == 2);
+    }
+}
+
+TEST_CASE("plan: how far a tool's bodies have come is told, and they can be stopped") {
+    LessonDescription lesson = make_lesson();
+    lesson.bodies.push_back(lesson.bodies.front());
+    lesson.bodies.back().name = lesson.bodies.back().noun = "wall";
+    lesson.hand.tool->voxel_m = 0.002;
+    std::vector<std::pair<double, std::string>> told;
+    PlanOptions options;
+    options.progress = [&](double share, std::string_view what) {
+        told.emplace_back(share, what);
+        return true;
+    };
+    REQUIRE(compile_plan(lesson, options, load_block));
+    REQUIRE(told.size() >= 2);
+    CHECK(std::is_sorted(told.begin(), told.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; }));
+    CHECK(told.front().second == "block");
+    CHECK(told.back().second == "wall");
+    CHECK(told.back().first > 0.5);
+    CHECK(told.back().first <= 1.0);
+    options.progress = [](double /*share*/, std::string_view /*what*/) { return false; };
+    const auto stopped = compile_plan(lesson, options, load_block);
+    REQUIRE_FALSE(stopped);
+    CHECK(to_sentence(stopped.error()).find("was stopped before it was made") != std::string::npos);
+}
+
+TEST_CASE("plan: who has a body with holes met by a tool's field is told what they lead to") {
+    const LessonDescription lesson = make_lesson();
+    CHECK(compile(lesson)->notices.empty());
+    const auto load_open = [](const BodyDescription& /*body*/) {
+        const TriangleMesh block = make_box(Vector3(0.4, 0.04, 0.1)).value();
+        std::vector<TriangleCorners> triangles = block.triangles();
+        triangles.pop_back();
+        return TriangleMesh::build(block.vertices_B(), triangles)
+            .and_then([](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); });
+    };
+    const auto plan = compile_plan(lesson, {}, load_open);
+    REQUIRE(plan);
+    REQUIRE(plan->notices.size() == 1);
+    CHECK(plan->notices.front().find("lesson.lua:4: the block: the mesh has 3 open edges") == 0);
+    LessonDescription voxels = lesson;
+    voxels.hand.tool->method = ToolMethod::voxel_sampling;
+    CHECK(compile_plan(voxels, {}, load_open)->notices.empty());
 }
 
 TEST_CASE("plan: mistakes with a tool get one sentence and a line") {

@@ -77,6 +77,11 @@ TEST_CASE("hinges: fields tell how each one stands, in degrees") {
     frame.hinges = {{45 * kDegree_rad, -10 * kDegree_rad, 0, 0, 0}, {0, 0, -0.5, 0.25, 0.75}};
     REQUIRE(lesson.play(frame) == "");
     CHECK(lesson.prints == "45.0\t-10.0\t0.25;-0.5\t0.25\t0.75;");
+    // On another pivot it is harder to turn.
+    lesson.prints.clear();
+    frame.hinges[0].inertia_kg_m2 = 0.75;
+    REQUIRE(lesson.play(frame) == "");
+    CHECK(lesson.prints == "45.0\t-10.0\t0.75;-0.5\t0.25\t0.75;");
 }
 
 TEST_CASE("hinges: what makes no sense is told at its line") {

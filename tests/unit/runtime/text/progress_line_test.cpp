@@ -1,4 +1,4 @@
-#include "runtime/app/progress_line.h"
+#include "runtime/text/progress_line.h"
 
 #include <catch2/catch.hpp>
 

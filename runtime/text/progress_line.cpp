@@ -1,6 +1,6 @@
-#include "runtime/app/progress_line.h"
+#include "runtime/text/progress_line.h"
 
-#include "runtime/app/terminal_text.h"
+#include "runtime/text/terminal_text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "runtime/app/terminal_text.h"
+#include "runtime/text/terminal_text.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "runtime/render/text/utf8.h"
+#include "runtime/text/utf8.h"
 
 #include <catch2/catch.hpp>
 

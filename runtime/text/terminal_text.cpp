@@ -1,6 +1,6 @@
-#include "runtime/app/terminal_text.h"
+#include "runtime/text/terminal_text.h"
 
-#include "runtime/render/text/utf8.h"
+#include "runtime/text/utf8.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,125 @@
+// What takes long to make for a tool is made once for a user, whatever happens to the program or the files meanwhile.
+#include "tests/lessons/program.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kExplain = std::string("explain ") + FULCRUM_TEST_LESSONS "/banana";
+
+// What is kept in the sandbox's cache.
+std::vector<fs::path> kept_in(const Sandbox& sandbox, const char* ending) {
+    std::vector<fs::path> all;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(sandbox.path(".cache/fulcrum/shapes"), none)) {
+        if (entry.path().extension() == ending) {
+            all.push_back(entry.path());
+        }
+    }
+    return all;
+}
+
+bool says(const ProgramRun& run, const char* words) {
+    return run.output.find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "tool shapes: made at the first start, read at the next, and the lesson is played with both") {
+    const Sandbox sandbox;
+    const ProgramRun first = sandbox.run(kExplain);
+    INFO(first.output);
+    REQUIRE(first.exit_code == 0);
+    CHECK(says(first, "banana"));
+    CHECK(says(first, "B, made now\n"));
+    REQUIRE(kept_in(sandbox, ".shape").size() == 1);
+    CHECK(kept_in(sandbox, ".tmp").empty());
+    // No terminal: no line that says how far it has come.
+    CHECK_FALSE(says(first, "%"));
+    const ProgramRun second = sandbox.run(kExplain);
+    INFO(second.output);
+    CHECK(second.exit_code == 0);
+    CHECK(says(second, "B, from the cache\n"));
+    const ProgramRun played = sandbox.run(
+        std::string("run ") + FULCRUM_TEST_LESSONS "/banana --headless --seconds 4 --hand " +
+        FULCRUM_TEST_LESSONS "/touch/press.lua");
+    INFO(played.output);
+    CHECK(played.exit_code == 0);
+    CHECK(says(played, "touched ball"));
+}
+
+TEST_CASE("tool shapes: a damaged file is told in one sentence and made again") {
+    const Sandbox sandbox;
+    REQUIRE(sandbox.run(kExplain).exit_code == 0);
+    const auto kept = kept_in(sandbox, ".shape");
+    REQUIRE(kept.size() == 1);
+    fs::resize_file(kept.front(), fs::file_size(kept.front()) / 2);
+    const ProgramRun damaged = sandbox.run(kExplain);
+    INFO(damaged.output);
+    CHECK(damaged.exit_code == 0);
+    CHECK(damaged.output.find(kept.front().string() +
+                              ": the kept shape is cut off or too long; it is made again.\n") == 0);
+    CHECK(says(damaged, "B, made now\n"));
+    const ProgramRun mended = sandbox.run(kExplain);
+    INFO(mended.output);
+    CHECK(says(mended, "B, from the cache\n"));
+    CHECK_FALSE(says(mended, "made again"));
+}
+
+TEST_CASE("tool shapes: a program killed at any step of writing leaves whole files or none") {
+    std::size_t n_unfinished = 0;
+    // Folders are synced as well; a step that never comes kills nobody.
+    for (const char* step :
+         {"write 1", "fsync 1", "fsync 2", "fsync 3", "fsync 4", "fsync 5", "renameat 1"}) {
+        const std::string call = std::string(step).substr(0, std::string(step).find(' '));
+        const Sandbox sandbox;
+        const ProgramRun killed = sandbox.run(
+            kExplain, "strace -f -o /dev/null -e trace=" + call + " -e inject=" + call +
+                          ":signal=KILL:when=" + std::string(step).substr(call.size() + 1));
+        INFO(step << killed.output);
+        if (killed.exit_code == 127 || says(killed, "strace: ")) {
+            WARN("skipped: no strace (Debian package strace), or none is allowed");
+            return;
+        }
+        CHECK(killed.exit_code != 0);
+        n_unfinished += kept_in(sandbox, ".tmp").size();
+        const ProgramRun next = sandbox.run(kExplain);
+        INFO(next.output);
+        CHECK(next.exit_code == 0);
+        CHECK_FALSE(says(next, "made again"));
+        CHECK(says(sandbox.run(kExplain), "B, from the cache\n"));
+    }
+    CHECK(n_unfinished >= 2);
+}
+
+TEST_CASE("tool shapes: what cannot be kept is told, and costs time alone") {
+    const Sandbox sandbox;
+    sandbox.write("elsewhere/notes", "");
+    fs::create_directories(sandbox.path(".cache/fulcrum"));
+    fs::create_directory_symlink(sandbox.path("elsewhere"), sandbox.path(".cache/fulcrum/shapes"));
+    const ProgramRun run = sandbox.run(kExplain);
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(says(run, "this is a link, where a folder should be"));
+    CHECK(says(run, "B, made now\n"));
+    CHECK(std::distance(fs::directory_iterator(sandbox.path("elsewhere")), {}) == 1);
+    // Files may not become long: that is no end of the program.
+    const Sandbox narrow;
+    const ProgramRun bounded = narrow.run(kExplain, "prlimit --fsize=100000");
+    INFO(bounded.output);
+    CHECK(bounded.exit_code == 0);
+    CHECK(says(bounded, "this shape can't be kept: File too large"));
+    CHECK(kept_in(narrow, ".shape").empty());
+    CHECK(kept_in(narrow, ".tmp").empty());
+}
