@@ -30,9 +30,12 @@ struct Step {
 // The equations at one guess.
 struct Guess {
     Vector6 residual;
-    Matrix6 matrix;
+    Matrix6 matrix{Matrix6::Zero()};
     double size = 0.0;  // of the residual, in tolerances
 };
+
+// The matrix takes the load's derivatives, which may cost many times the load itself.
+enum class Wanted : std::uint8_t { residual, matrix_too };
 
 Twist add(const Twist& twist, const Vector6& change) noexcept {
     return {twist.linear + change.head<3>(), twist.angular + change.tail<3>()};
@@ -44,14 +47,18 @@ RigidState compute_state(const Step& step, const Twist& velocity) noexcept {
             velocity};
 }
 
-Guess evaluate(const Step& step, const IntegratorSettings& settings,
-               const Twist& velocity) noexcept {
+Guess evaluate(const Step& step, const IntegratorSettings& settings, const Twist& velocity,
+               Wanted wanted) noexcept {
     const RigidState state = compute_state(step, velocity);
     const double h = step.dt_s;
     const double mass_kg = step.inertia.mass_kg;
     Wrench wrench;
     WrenchJacobian jacobian;
-    step.load.add_linearised_wrench(state, step.end_s, wrench, jacobian);
+    if (wanted == Wanted::residual) {
+        step.load.add_wrench(state, step.end_s, wrench);
+    } else {
+        step.load.add_linearised_wrench(state, step.end_s, wrench, jacobian);
+    }
     // The residual.
     const Matrix3 inertia_W = compute_inertia_W(step.inertia, state.pose_W.orientation);
     const Vector3 momentum = inertia_W * velocity.angular;
@@ -63,6 +70,9 @@ Guess evaluate(const Step& step, const IntegratorSettings& settings,
         std::max(guess.residual.head<3>().norm() / (mass_kg * settings.newton_tolerance_m_per_s),
                  guess.residual.tail<3>().norm() /
                      (step.inertia.moments_kg_m2.minCoeff() * settings.newton_tolerance_rad_per_s));
+    if (wanted == Wanted::residual) {
+        return guess;
+    }
     // Newton's matrix.
     const Matrix3 turn_by_spin = h * compute_left_jacobian(h * velocity.angular);
     guess.matrix = -h * jacobian.velocity;
@@ -76,25 +86,28 @@ Guess evaluate(const Step& step, const IntegratorSettings& settings,
 }
 
 // Solves matrix * x = -residual; rows and columns are scaled by the masses first, so that a kilogram and a kilogram square
-// metre compare. False where a pivot is lost in rounding.
-bool solve(const Inertia& inertia, const Guess& guess, Vector6& change) noexcept {
+// metre compare. Singular where a pivot is lost in rounding.
+StepStatus solve(const Inertia& inertia, const Guess& guess, Vector6& change) noexcept {
+    if (!guess.matrix.allFinite()) {
+        return StepStatus::not_finite;
+    }
     const double turn = 1.0 / std::sqrt(inertia.moments_kg_m2.minCoeff());
     const double shift = 1.0 / std::sqrt(inertia.mass_kg);
     Vector6 scale;
     scale << Vector3::Constant(shift), Vector3::Constant(turn);
     const Matrix6 scaled = scale.asDiagonal() * guess.matrix * scale.asDiagonal();
     if (!scaled.allFinite()) {
-        return false;
+        return StepStatus::singular;
     }
     const Eigen::PartialPivLU<Matrix6> lu(scaled);
     const Vector6 pivots = lu.matrixLU().diagonal().cwiseAbs();
     constexpr double kLost = 1.0e-14;  // of the largest pivot: nothing but rounding
     if (!(pivots.minCoeff() > kLost * pivots.maxCoeff())) {
-        return false;
+        return StepStatus::singular;
     }
     const Vector6 scaled_residual = scale.cwiseProduct(guess.residual);
     change = -scale.cwiseProduct(Vector6(lu.solve(scaled_residual)));
-    return change.allFinite();
+    return change.allFinite() ? StepStatus::done : StepStatus::singular;
 }
 
 }  // namespace
@@ -112,8 +125,9 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
     const int last = settings.newton_iterations > 1 ? settings.newton_iterations : 0;
     for (int i = 0; i <= last; ++i) {
         const Twist velocity = add(base, change);
-        const Guess guess = evaluate(step, settings, velocity);
-        if (!guess.residual.allFinite() || !guess.matrix.allFinite()) {
+        Guess guess =
+            evaluate(step, settings, velocity, i > 0 ? Wanted::residual : Wanted::matrix_too);
+        if (!guess.residual.allFinite()) {
             return {StepStatus::not_finite, result.n_solves};
         }
         if (i > 0 && guess.size <= 1.0) {
@@ -133,9 +147,13 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
             change *= 0.5;
             continue;
         }
+        if (i > 0) {
+            guess = evaluate(step, settings, velocity, Wanted::matrix_too);
+        }
         ++result.n_solves;
-        if (!solve(inertia, guess, change)) {
-            return {StepStatus::singular, result.n_solves};
+        const StepStatus solved = solve(inertia, guess, change);
+        if (solved != StepStatus::done) {
+            return {solved, result.n_solves};
         }
     }
     next = compute_state(step, add(base, change));

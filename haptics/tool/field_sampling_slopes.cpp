@@ -18,12 +18,48 @@ Vector6 at_arm(const Vector3& arm, const Vector3& force) noexcept {
     return wrench;
 }
 
-// Of one point's force by slopes, over the stiffness.
-void add_depth_slopes(const DepthSample& at, const Vector3& arm_O, Matrix6& slopes) noexcept {
-    const Matrix3 by_position = -at.way_out * at.way_out.transpose() - at.depth_m * at.hessian;
-    const Matrix3 arm = compute_skew(arm_O);
-    add_point_slopes(arm, at.depth_m * at.way_out, by_position, -by_position * arm, slopes);
-}
+// The sum of points' derivatives by slopes, over the stiffness. With S = -(g g^T + D H), which is symmetric, row by row:
+//   by the place S     by turning T = -S [r], rows r x S_i     and below them T^T and [r] T + [f][r], [f][r] = r f^T - (f . r) I
+class SlopeSum {
+  public:
+    void add(const DepthSample& at, const Vector3& arm_O) noexcept {
+        const Vector3 force = at.depth_m * at.way_out;
+        std::array<Vector3, 3> turned;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto row = static_cast<int>(i);
+            const Vector3 by_place =
+                -at.way_out[row] * at.way_out - at.depth_m * at.hessian.col(row);
+            turned[i] = arm_O.cross(by_place);
+            place_[i] += by_place;
+            turn_[i] += turned[i];
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto column = static_cast<int>(i);
+            const Vector3 of_column(turned[0][column], turned[1][column], turned[2][column]);
+            torque_[i] += arm_O.cross(of_column) + force[column] * arm_O;
+        }
+        along_arm_ += force.dot(arm_O);
+    }
+
+    void add_to(Matrix6& slopes) const noexcept {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto at = static_cast<int>(i);
+            slopes.block<1, 3>(at, 0) += place_[i].transpose();
+            slopes.block<1, 3>(at, 3) += turn_[i].transpose();
+            slopes.block<3, 1>(3, at) += turn_[i];
+            slopes.block<3, 1>(3, at + 3) += torque_[i];
+            slopes(at + 3, at + 3) -= along_arm_;
+        }
+    }
+
+  private:
+    using Rows = std::array<Vector3, 3>;
+    static Rows zero() noexcept { return {Vector3::Zero(), Vector3::Zero(), Vector3::Zero()}; }
+    Rows place_ = zero();
+    Rows turn_ = zero();
+    Rows torque_ = zero();  // by turning, column by column
+    double along_arm_ = 0.0;
+};
 
 }  // namespace
 
@@ -33,20 +69,22 @@ void FieldSampler::add_slopes(std::size_t thinning, std::size_t leaf, const Fiel
     std::array<float, kLeafPoints> values{};
     kernels_->sample(bounds_.view, place, points, kLeafPoints, values.data(), nullptr);
     const std::size_t n = shell_->count_in(thinning, leaf);
+    const Matrix3 R_OT = X_OT.orientation.toRotationMatrix();
+    SlopeSum sum;
     for (std::size_t i = 0; i < n; ++i) {
         if (!(values[i] < 0.0F)) {
             continue;
         }
-        const Vector3 arm_O = X_OT.orientation * Vector3(points.x[i], points.y[i], points.z[i]);
+        const Vector3 arm_O = R_OT * Vector3(points.x[i], points.y[i], points.z[i]);
         const DepthSample depth = field_->sample_depth(X_OT.position + arm_O);
         if (settings_.along == ForceAlong::slopes) {
-            add_depth_slopes(depth, arm_O, *slopes_O_);
+            sum.add(depth, arm_O);
         } else {
-            const Vector3 n_O =
-                X_OT.orientation * Vector3(points.nx[i], points.ny[i], points.nz[i]);
+            const Vector3 n_O = R_OT * Vector3(points.nx[i], points.ny[i], points.nz[i]);
             *slopes_O_ -= at_arm(arm_O, n_O) * at_arm(arm_O, depth.way_out).transpose();
         }
     }
+    sum.add_to(*slopes_O_);
 }
 
 void FieldSampler::add_all_slopes(const FieldPlace& place, const Pose& X_OT) noexcept {
