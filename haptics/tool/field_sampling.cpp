@@ -1,6 +1,7 @@
 #include "haptics/tool/field_sampling.h"
 
 #include "haptics/base/clock.h"
+#include "haptics/base/prefetch.h"
 #include "haptics/math/length.h"
 
 #include <algorithm>
@@ -13,7 +14,10 @@ namespace {
 
 // So far away nothing touches, and the clock of motion would lose count.
 constexpr double kFarthest_voxels = 1.0e6;
-constexpr double kLongestClock = 4096.0;  // voxels; beyond, single precision is too coarse
+constexpr double kLongestClock = 4096.0;          // voxels; beyond, single precision is too coarse
+constexpr float kFarthestSeen_voxels = 2.0F;      // from where a leaf was looked at
+constexpr float kLeastWorth_voxels = 0.02F;       // of F, to be remembered
+constexpr float kAboveRounding = 1.0F + 1.0e-3F;  // of turns added up in single precision
 
 // How far any point within `reach_m` of the origin goes at most.
 double bound_motion_m(const Pose& from, const Pose& to, double reach_m) noexcept {
@@ -31,6 +35,7 @@ void FieldSampler::reset() noexcept {
     for (std::vector<float>& until : thinned_until_) {
         std::fill(until.begin(), until.end(), kAlways);
     }
+    forget_seen();
     last_touched_.clear();
     clock_voxels_ = 0.0;
     now_ = 0.0F;
@@ -54,17 +59,73 @@ void FieldSampler::rebase_clock() noexcept {
         rebase(level.hopeless_until);
     }
     std::for_each(thinned_until_.begin(), thinned_until_.end(), rebase);
+    forget_seen();
     clock_voxels_ = 0.0;
 }
 
+void FieldSampler::forget_seen() noexcept {
+    for (Seen& seen : seen_) {
+        seen.least_voxels = -1.0F;
+    }
+    turned_rad_ = 0.0;
+}
+
+std::array<float, 3> FieldSampler::find_middle(std::size_t leaf,
+                                               const FieldPlace& place) const noexcept {
+    const EightBalls& balls = shell_->level(0)[leaf / ShellTree::kWidth];
+    const std::size_t lane = leaf % ShellTree::kWidth;
+    std::array<float, 3> middle{};
+    for (std::size_t row = 0; row < 3; ++row) {
+        middle[row] = place.A[3 * row] * balls.x[lane] + place.A[3 * row + 1] * balls.y[lane] +
+                      place.A[3 * row + 2] * balls.z[lane] + place.b[row];
+    }
+    return middle;
+}
+
+void FieldSampler::remember_leaf(std::size_t leaf, float least_voxels,
+                                 const FieldPlace& place) noexcept {
+    Seen& seen = seen_[leaf];
+    seen.least_voxels = std::min(least_voxels, slope_boxes_.most_voxels());
+    if (!(seen.least_voxels > kLeastWorth_voxels)) {
+        return;
+    }
+    seen.middle = find_middle(leaf, place);
+    seen.turned_rad = static_cast<float>(turned_rad_);
+    seen.slopes = slope_boxes_.find(seen.middle, seen.radius_voxels + kFarthestSeen_voxels);
+}
+
+float FieldSampler::recall_leaf(std::size_t leaf, const FieldPlace& place) const noexcept {
+    const Seen& seen = seen_[leaf];
+    if (!(seen.least_voxels > kLeastWorth_voxels)) {
+        return -1.0F;
+    }
+    std::array<float, 3> way = find_middle(leaf, place);
+    float square = 0.0F;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        way[axis] -= seen.middle[axis];
+        square += way[axis] * way[axis];
+    }
+    // Points go another way than the middle by as much as the leaf has turned.
+    const float apart =
+        kAboveRounding * seen.radius_voxels * (static_cast<float>(turned_rad_) - seen.turned_rad);
+    if (!(std::sqrt(square) + apart < kFarthestSeen_voxels)) {
+        return -1.0F;
+    }
+    return seen.least_voxels + seen.slopes.find_fall(way) - apart / bounds_.inverse_slope -
+           kFreeMargin_voxels;
+}
+
 void FieldSampler::advance_clock(const Pose& X_OT) noexcept {
-    constexpr double kAboveRounding = 1.0 + 1.0e-6;
+    constexpr double kAbove = 1.0 + 1.0e-6;  // rounding
+    constexpr double kLongestTurn_rad = 100.0;
     if (has_last_) {
-        clock_voxels_ += kAboveRounding * bound_motion_m(last_OT_, X_OT, shell_->reach_m()) /
-                         field_->frame().voxel_m;
+        const Quaternion turn = last_OT_.orientation.conjugate() * X_OT.orientation;
+        turned_rad_ += 2.0 * kAbove * turn.vec().norm();
+        clock_voxels_ +=
+            kAbove * bound_motion_m(last_OT_, X_OT, shell_->reach_m()) / field_->frame().voxel_m;
     }
     now_ = std::nextafter(static_cast<float>(clock_voxels_), HUGE_VALF);
-    if (clock_voxels_ > kLongestClock) {
+    if (clock_voxels_ > kLongestClock || turned_rad_ > kLongestTurn_rad) {
         rebase_clock();
         now_ = 0.0F;
     }
@@ -77,6 +138,17 @@ float FieldSampler::search_group(std::size_t level, std::size_t group, unsigned 
     Level& here = levels_[level];
     const std::size_t first = ShellTree::kWidth * group;
     float* const until = here.free_until.data() + first;
+    for (unsigned i = due; level == 0 && remembers && i != 0; i &= i - 1U) {
+        const auto at = static_cast<std::size_t>(std::countr_zero(i));
+        const float free = recall_leaf(first + at, place);
+        if (free > kLeastWorth_voxels) {
+            until[at] = now_ + free * bounds_.inverse_slope;
+            due &= ~(1U << at);
+        }
+    }
+    if (due == 0) {
+        return HUGE_VALF;
+    }
     const bool asks = !remembers || here.hopeless_until[group] <= now_;
     std::array<float, ShellTree::kWidth> slacks{};
     if (asks) {
@@ -108,8 +180,15 @@ float FieldSampler::search_level(std::size_t level, const FieldPlace& place, boo
                                  float within) noexcept {
     nodes_.clear();
     float least = HUGE_VALF;
-    for (const std::int32_t node : levels_[level].groups) {
+    constexpr std::ptrdiff_t kAhead = 4;  // groups whose memory is asked for
+    const Nodes& groups = levels_[level].groups;
+    for (const std::int32_t& node : groups) {
         const auto group = static_cast<std::size_t>(node);
+        if (level == 0 && remembers && groups.end() - &node > kAhead) {
+            const auto next = static_cast<std::size_t>((&node)[kAhead]);
+            prefetch(&seen_[ShellTree::kWidth * next], ShellTree::kWidth * sizeof(Seen));
+            prefetch(&shell_->level(0)[next], sizeof(EightBalls));
+        }
         const float* const until = levels_[level].free_until.data() + ShellTree::kWidth * group;
         unsigned due = 0;
         for (unsigned i = 0; i < ShellTree::kWidth; ++i) {
@@ -178,6 +257,10 @@ void FieldSampler::take(std::size_t thinning, std::span<const std::int32_t> leav
             if (remembers) {
                 until[static_cast<std::size_t>(leaves[i])] =
                     now_ + least[i] * free_per_step - kFreeMargin_voxels;
+                if (thinning == 0) {
+                    remember_leaf(static_cast<std::size_t>(leaves[i]),
+                                  least[i] * bounds_.voxels_per_step, place);
+                }
             }
         }
         touch_.n_leaves += static_cast<std::int64_t>(n_taken);

@@ -10,8 +10,9 @@
 //   tree          from the top; a ball that has slack (ball_slack.h) is left out with all below it
 //   coherent      the same, and each ball, leaf or group remembers until when it is free: with m(t) the sum of the tool's motions
 //                 so far (largest way of any point in the object's frame), a ball with slack s at m is free until m + s; a leaf that
-//                 was looked at, until m + min F / L; a group, until the first of its parts is not. At rest almost nothing is
-//                 asked, and when all moves far it is the tree
+//                 was looked at, until m + min F / L; a group, until the first of its parts is not. A leaf that is free no longer
+//                 by that is by where it was looked at, as long as it went along the surface or away from it (slope_boxes.h). At
+//                 rest almost nothing is asked, and when all moves far it is the tree
 // Object and tool may both move: all happens in the object's frame O.
 //
 // With a budget a step ends in time, on the machine's clock or a counted one, and says what it left out:
@@ -40,7 +41,8 @@
 // touch at the start stop only what takes them deeper; a motion along the surface or out of it is free. So a tool in contact moves,
 // and one that is fast does not tunnel through a wall that is more than twice the depth let to it.
 //
-// Thread: one at a time; build at load. Cost: a leaf 0.07 us in the cache and 0.17 beyond it, a group of 8 balls 0.03 us; memory 6 bytes a point.
+// Thread: one at a time; build at load. Cost: a leaf 0.07 us in the cache and 0.17 beyond it, a group of 8 balls 0.03 us; memory 6 bytes a point
+// and 8 a brick of the field's block.
 // Source: W. McNeely, K. Puterbaugh, J. Troy 2006, Voxel-based 6-DOF haptic rendering improvements, Haptics-e 3(7), section 4
 // (temporal coherence); J. Barbic, D. James 2008, Six-DoF haptic rendering of contact between geometrically complex reduced
 // deformable models, IEEE Trans. Haptics 1(1), sections 4.2 and 4.3 (nested points, graceful degradation); the sweep: B. Mirtich 1996,
@@ -49,6 +51,7 @@
 
 #include "haptics/math/wrench_jacobian.h"
 #include "haptics/voxel/ball_slack.h"
+#include "haptics/voxel/slope_boxes.h"
 
 #include <algorithm>
 #include <memory>
@@ -172,6 +175,13 @@ class FieldSampler {
     // A number, a turn, and no farther than the clock of motion can count.
     [[nodiscard]] bool is_within_reach(const Pose& X_OT) const noexcept;
     void advance_clock(const Pose& X_OT) noexcept;
+    [[nodiscard]] std::array<float, 3> find_middle(std::size_t leaf,
+                                                   const FieldPlace& place) const noexcept;
+    // That a leaf was looked at here, its least F being above 0.
+    void remember_leaf(std::size_t leaf, float least_voxels, const FieldPlace& place) noexcept;
+    void forget_seen() noexcept;
+    // How much F is above 0 at least, by where the leaf was looked at; voxels, below 0 where that says nothing.
+    [[nodiscard]] float recall_leaf(std::size_t leaf, const FieldPlace& place) const noexcept;
     void rebase_clock() noexcept;
     // The whole shell, to be searched.
     void begin_at_top() noexcept;
@@ -267,6 +277,7 @@ class FieldSampler {
     Shell shell_;
     FieldSamplingSettings settings_;
     SlackBounds bounds_;
+    SlopeBoxes slope_boxes_;
     double deepest_voxels_;  // of all the object's bricks
     const FieldKernels* kernels_;
     std::vector<Level> levels_;
@@ -284,6 +295,16 @@ class FieldSampler {
     Nodes touched_;                          // leaves of a thinning that were taken and touch
     double clock_voxels_ = 0.0;
     float now_ = 0.0F;  // the clock, rounded up
+    // Where a leaf was looked at last, and how F falls round there.
+    struct Seen {
+        std::array<float, 3> middle{};  // of its ball, voxels of the field
+        float least_voxels = -1.0F;     // F; below 0: not seen
+        float turned_rad = 0.0F;
+        float radius_voxels = 0.0F;
+        SlopeBox slopes;
+    };
+    std::vector<Seen> seen_;
+    double turned_rad_ = 0.0;  // all turns so far
     Pose last_OT_;
     bool has_last_ = false;
     // While a step runs.

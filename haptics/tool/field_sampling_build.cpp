@@ -51,6 +51,7 @@ FieldSampler::FieldSampler(Field field, Shell shell, const FieldSamplingSettings
       shell_(std::move(shell)),
       settings_(settings),
       bounds_(*field_),
+      slope_boxes_(*field_),
       deepest_voxels_(find_deepest_voxels(*field_)),
       kernels_(&best_field_kernels()),
       leaf_us_(settings.leaf_us),
@@ -73,13 +74,20 @@ FieldSampler::FieldSampler(Field field, Shell shell, const FieldSamplingSettings
     touched_.reserve(2 * n_most);  // leaves of thinnings first, then the leaves themselves
     last_touched_.reserve(2 * n_most);
     depths_.resize(n_most);
+    seen_.resize(n_most);
+    for (std::size_t leaf = 0; leaf < n_most; ++leaf) {
+        const EightBalls& balls = shell_->level(0)[leaf / ShellTree::kWidth];
+        seen_[leaf].radius_voxels =
+            bounds_.voxels_per_metre * balls.radius[leaf % ShellTree::kWidth];
+    }
     ranks_.resize(n_most);
 }
 
 std::size_t FieldSampler::memory_bytes() const noexcept {
     std::size_t bytes = sizeof(*this) + nodes_.memory_bytes() + leaves_.memory_bytes() +
                         parts_.memory_bytes() + touched_.memory_bytes() +
-                        last_touched_.memory_bytes() + 2 * depths_.capacity() * sizeof(float);
+                        last_touched_.memory_bytes() + 2 * depths_.capacity() * sizeof(float) +
+                        seen_.capacity() * sizeof(Seen) + slope_boxes_.memory_bytes();
     for (const Level& level : levels_) {
         bytes += (level.free_until.capacity() + level.hopeless_until.capacity()) * sizeof(float) +
                  level.groups.memory_bytes();

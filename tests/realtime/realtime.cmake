@@ -27,7 +27,7 @@ set(load_functions
     "friction_cone.cpp.o=FrictionCone::~?FrictionCone"
     "virtual_proxy.cpp.o=VirtualProxy::~?VirtualProxy"
     "touch_motion.cpp.o=TouchMotion::TouchMotion" "touch_teller.cpp.o=TouchTeller::TouchTeller"
-    "triangle_clusters.cpp.o=TriangleClusters::TriangleClusters|build_(leaves|parents)" "distance_field.cpp.o=memory_bytes"
+    "triangle_clusters.cpp.o=TriangleClusters::TriangleClusters|build_(leaves|parents)" "slope_boxes.cpp.o=SlopeBoxes::SlopeBoxes" "distance_field.cpp.o=memory_bytes"
     "bounding_tree.cpp.o=BoundingTree::BoundingTree|build_nodes|find_centres|put_in_order|memory_bytes")
 function(add_symbol_check name finds)
   add_test(NAME "realtime: ${name}"

@@ -328,7 +328,9 @@ Report run_field_sampling(Run& run) {
         budget_rows.add("socket", speed, socket, way);
         run.progress(speed < 0.1 ? 0.75 : 0.9, "a socket at " + to_text(speed) + " radii a second");
     }
-    budget_rows.add("local", 0.5, scene, make_local_way(scene, 0.5, n, 1000.0));
+    for (const double speed : {0.5, 4.0}) {
+        budget_rows.add("local", speed, scene, make_local_way(scene, speed, n, 1000.0));
+    }
     Sheet build{"field-sampling-build",
                 "What is built and kept",
                 kWork,

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <limits>
 
 using namespace fulcrum;
@@ -284,4 +285,70 @@ TEST_CASE(
     CHECK(samplers[1].find_first_touch(Pose::at({0.8, 0.0, 0.0}), Pose::at(Vector3::Zero())) <
           0.25);
     CHECK(samplers[1].find_first_touch(way[0], Pose::at(Vector3::Zero())) == 1.0);
+}
+
+TEST_CASE("field sampling: what slides along a face or away from it is not looked at again") {
+    const FieldSampler::Field box = make_field(*make_box({1.0, 1.0, 1.0}), 64);
+    const double voxel_m = box->frame().voxel_m;
+    Pointshell points;
+    constexpr int kSide = 64;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        points.add({0.6 * (i % kSide) / kSide - 0.3, 0.0, 0.6 * (i / kSide) / kSide - 0.3},
+                   Vector3::UnitY());
+    }
+    const auto plate = std::make_shared<const ShellTree>(ShellTree::build(points).value());
+    FieldSampler sampler = FieldSampler::build(box, plate, {}).value();
+    const auto step = [&](double along_voxels, double above_voxels) {
+        return sampler
+            .step({}, Pose::at({along_voxels * voxel_m, 0.5 + above_voxels * voxel_m, 0.0}))
+            .n_leaves;
+    };
+    CHECK(step(0.0, 0.5) == static_cast<std::int64_t>(plate->n_leaves()));
+    for (int i = 1; i <= 15; ++i) {
+        CHECK(step(0.1 * i, 0.5) == 0);
+    }
+    for (int i = 1; i <= 4; ++i) {
+        CHECK(step(1.5, 0.5 + 0.1 * i) == 0);
+    }
+    // Down to the face it must be.
+    CHECK(step(1.5, 0.0) == static_cast<std::int64_t>(plate->n_leaves()));
+}
+
+TEST_CASE(
+    "field sampling: in a socket of its own shape memory changes no contact, however it slides "
+    "and turns") {
+    // A ball with a bumpy hollow, and a bumpy ball a voxel smaller in it.
+    const TriangleMesh inner = *make_bumpy_sphere(1.0, 24, 0.05, 12.0);
+    std::vector<Vector3> vertices = make_sphere(1.2, 16)->vertices_B();
+    std::vector<TriangleCorners> triangles = make_sphere(1.2, 16)->triangles();
+    const auto first = static_cast<std::int32_t>(vertices.size());
+    vertices.insert(vertices.end(), inner.vertices_B().begin(), inner.vertices_B().end());
+    for (const TriangleCorners& t : inner.triangles()) {
+        triangles.push_back({first + t[0], first + t[2], first + t[1]});
+    }
+    const FieldSampler::Field socket =
+        make_field(*TriangleMesh::build(std::move(vertices), std::move(triangles)), 96);
+    const double voxel_m = socket->frame().voxel_m;
+    const FieldSampler::Shell plug =
+        make_shell(*make_bumpy_sphere(1.0 - voxel_m, 24, 0.05, 12.0), 20000);
+    FieldSampler brute =
+        FieldSampler::build(socket, plug, {.mode = SamplingMode::brute_force}).value();
+    for (const double step_voxels : {0.02, 0.3}) {
+        FieldSampler coherent = FieldSampler::build(socket, plug, {}).value();
+        Wanderer wanderer(5, step_voxels);
+        std::int64_t n_leaves = 0;
+        std::int64_t n_touching = 0;
+        for (int i = 0; i < 600; ++i) {
+            const double turn = 0.3 * voxel_m * std::sin(0.5 * step_voxels * i);
+            const Pose X_WT{1.1 * voxel_m * wanderer.next(),
+                            compute_exp(turn * Vector3(0.6, 0.8, 0.0))};
+            const FieldTouch exact = brute.step({}, X_WT);
+            const FieldTouch by_memory = coherent.step({}, X_WT);
+            REQUIRE(is_same(exact, by_memory));
+            n_leaves += by_memory.n_leaves;
+            n_touching += exact.n_touching;
+        }
+        CHECK(n_touching > 600 * 100);
+        CHECK(n_leaves < 600 * static_cast<std::int64_t>(plug->n_leaves()) / 2);
+    }
 }
