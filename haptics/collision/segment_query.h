@@ -8,6 +8,7 @@
 
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/collision/segment_triangle.h"
+#include "haptics/collision/triangle_batch.h"
 
 #include <array>
 #include <cstdint>
@@ -40,41 +41,60 @@ class NearbyTriangles {
 
     /// Collects the triangles near `box_B`. When there are too many it is false: nothing is covered, and the tree answers.
     bool collect(const CollisionMesh& mesh, const Box& box_B) noexcept;
-    /// Begins to collect `box_B` as the next one.
+    /// Begins to collect `box_B` as the next one, in place of one begun before.
     void begin_ahead(const CollisionMesh& mesh, const Box& box_B) noexcept;
-    /// Goes on with it by up to `n_nodes` nodes of the tree; once it is complete, and fits, it takes the present one's place.
+    /// Goes on with it by up to `n_nodes` nodes of the tree. Once done it waits until it covers more than the present one.
     Collecting go_on_ahead(const CollisionMesh& mesh, std::int32_t n_nodes) noexcept;
     [[nodiscard]] bool is_collecting_ahead() const noexcept { return !ahead_.search.is_over(); }
-
+    /// How many leaves the last box that was done has.
     [[nodiscard]] std::size_t n_leaves() const noexcept { return n_leaves_; }
     [[nodiscard]] bool covers(const Vector3& point_B) const noexcept {
-        return covers_ && box_B_.contains(point_B);
+        return present_.covers(point_B);
     }
-    /// How far along the segment, from 0 to 1, the collected triangles can answer. Needs `covers(from_B)`.
-    [[nodiscard]] double find_covered_part(const Vector3& from_B,
-                                           const Vector3& to_B) const noexcept;
-    /// The nearest meeting in the first `part` of the segment, of which all is covered; `t` is that of the whole segment.
+    /// The same of the next box, once it is done.
+    [[nodiscard]] bool covers_ahead(const Vector3& point_B) const noexcept {
+        return ahead_.nearby.covers(point_B);
+    }
+    /// How far along the segment, from 0 to 1, the collected triangles can answer; 0 when they don't cover its start. The next box
+    /// takes the present one's place where it can answer further.
+    [[nodiscard]] double cover(const Vector3& from_B, const Vector3& to_B) noexcept;
+    /// The nearest meeting in the first `part` of the segment, no more than `cover` told last; `t` is that of the whole segment.
+    /// The next segments are expected within `around_m` of this one.
     [[nodiscard]] SegmentHit find_nearest_hit(const CollisionMesh& mesh, const Vector3& from_B,
-                                              const Vector3& to_B, double part) noexcept;
+                                              const Vector3& to_B, double part,
+                                              double around_m) noexcept;
 
   private:
-    // The last sweep's triangles: one that goes back on its way needs no others.
-    static constexpr std::size_t kMaxAsked = 32;
+    struct Nearby {
+        std::array<std::int32_t, kCapacity> leaves{};
+        std::size_t n_leaves = 0;
+        Box box_B{};
+        bool done = false;
 
+        [[nodiscard]] bool covers(const Vector3& point_B) const noexcept {
+            return done && box_B.contains(point_B);
+        }
+        [[nodiscard]] double find_covered_part(const Vector3& from_B,
+                                               const Vector3& to_B) const noexcept;
+    };
     struct Ahead {
         BoundingTree::LeafSearch search;
-        std::array<std::int32_t, kCapacity> leaves{};
-        Box box_B{};
+        Nearby nearby;
     };
 
-    std::array<PreparedTriangle, kMaxAsked> asked_;
-    std::size_t n_asked_ = kMaxAsked + 1;  // more than fit: nothing is remembered
-    StepBox asked_box_{};
-    std::array<std::int32_t, kCapacity> leaves_{};
-    std::size_t n_leaves_ = 0;
-    Box box_B_;
-    bool covers_ = false;
+    void take_ahead() noexcept;
+    // Asks all collected triangles within a box, and remembers them when they fit.
+    [[nodiscard]] SegmentHit ask_within(const CollisionMesh& mesh, const Box& box_B,
+                                        const Vector3& from_B, const Vector3& to_B) noexcept;
+
+    // All triangles in a box around the last segment: one that stays in the box needs no others.
+    TriangleBatch asked_;
+    Box asked_box_B_;
+    bool asked_fits_ = false;
+    double around_ = 1.0;  // how far around a segment they are taken, of what is asked for
+    Nearby present_;
     Ahead ahead_;
+    std::size_t n_leaves_ = 0;
 };
 
 }  // namespace fulcrum

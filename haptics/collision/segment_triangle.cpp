@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace fulcrum {
 
@@ -52,6 +53,43 @@ class PlaneView {
     Vector3 eye_;
 };
 
+// A point as seen from a segment's start, with its largest coordinate.
+struct Offset {
+    const Vector3* point;
+    double x;
+    double y;
+    double z;
+    double largest;
+};
+
+// On which side of an edge a segment's line passes: the orientation of both's ends. It is written out, for three edges share what
+// they begin with, and numbers that stay in registers need not wait for memory.
+class LineView {
+  public:
+    LineView(const Vector3& from, const Vector3& to) noexcept : from_(from), way_(offset(to)) {}
+
+    [[nodiscard]] Offset offset(const Vector3& point) const noexcept {
+        const double x = point.x() - from_.x();
+        const double y = point.y() - from_.y();
+        const double z = point.z() - from_.z();
+        return {&point, x, y, z, std::max(std::max(std::abs(x), std::abs(y)), std::abs(z))};
+    }
+    // orientation(from, to, u, v)
+    [[nodiscard]] int turn(const Offset& u, const Offset& v) const noexcept {
+        const double determinant = (way_.y * u.z - way_.z * u.y) * v.x +
+                                   (way_.z * u.x - way_.x * u.z) * v.y +
+                                   (way_.x * u.y - way_.y * u.x) * v.z;
+        if (std::abs(determinant) > kDeterminantError * way_.largest * u.largest * v.largest) {
+            return determinant > 0.0 ? 1 : -1;
+        }
+        return orientation_exact(from_, *way_.point, *u.point, *v.point);
+    }
+
+  private:
+    const Vector3& from_;
+    Offset way_;
+};
+
 // A segment almost in the triangle's plane has heights of mere rounding; still it can only meet the triangle where it is
 // within its box. A search that goes by boxes may rely on that.
 double clamp_to_box(const PreparedTriangle& triangle, const Vector3& from, const Vector3& to,
@@ -77,12 +115,12 @@ SegmentHit meet_coplanar(const PreparedTriangle& triangle, const Vector3& from,
                          const Vector3& to) noexcept {
     const PlaneView view(triangle);
     if (view.contains(from)) {
-        return {triangle.index, 0.0, 0};
+        return {0.0, triangle.index, 0};
     }
     const double t = std::min({view.cross_edge(from, to, triangle.a, triangle.b),
                                view.cross_edge(from, to, triangle.b, triangle.c),
                                view.cross_edge(from, to, triangle.c, triangle.a)});
-    return t <= 1.0 ? SegmentHit{triangle.index, clamp_to_box(triangle, from, to, t), 0}
+    return t <= 1.0 ? SegmentHit{clamp_to_box(triangle, from, to, t), triangle.index, 0}
                     : SegmentHit{};
 }
 
@@ -94,9 +132,13 @@ SegmentHit meet_in_plane(const PreparedTriangle& triangle, const Vector3& from, 
     if (side_from == 0 && side_to == 0) {
         return meet_coplanar(triangle, from, to);
     }
-    const int past_ab = orientation(from, to, triangle.a, triangle.b);
-    const int past_bc = orientation(from, to, triangle.b, triangle.c);
-    const int past_ca = orientation(from, to, triangle.c, triangle.a);
+    const LineView view(from, to);
+    const Offset a = view.offset(triangle.a);
+    const Offset b = view.offset(triangle.b);
+    const Offset c = view.offset(triangle.c);
+    const int past_ab = view.turn(a, b);
+    const int past_bc = view.turn(b, c);
+    const int past_ca = view.turn(c, a);
     const bool any_left = past_ab > 0 || past_bc > 0 || past_ca > 0;
     const bool any_right = past_ab < 0 || past_bc < 0 || past_ca < 0;
     if (any_left && any_right) {
@@ -106,7 +148,7 @@ SegmentHit meet_in_plane(const PreparedTriangle& triangle, const Vector3& from, 
     const double above = side_from == 0 ? 0.0 : std::abs(height_from);
     const double below = side_to == 0 ? 0.0 : std::abs(height_to);
     const double t = above + below > 0.0 ? above / (above + below) : 0.0;
-    return {triangle.index, clamp_to_box(triangle, from, to, t),
+    return {clamp_to_box(triangle, from, to, t), triangle.index,
             side_from != 0 ? side_from : -side_to};
 }
 

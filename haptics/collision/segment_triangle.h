@@ -26,12 +26,12 @@ struct PreparedTriangle {
     std::int32_t index = -1;
 };
 
-/// A meeting at from + t (to - from).
+/// A meeting at from + t (to - from). Two words long, so that it is passed on in registers.
 struct SegmentHit {
-    std::int32_t triangle = -1;
     double t = 2.0;  ///< 0 to 1; 2 when there is none
-    int side =
-        0;  ///< +1 when `from` lies on the front's side, -1 behind; 0 when both ends lie in the plane
+    std::int32_t triangle = -1;
+    /// +1 when `from` lies on the front's side, -1 behind; 0 when both ends lie in the plane.
+    std::int32_t side = 0;
 
     [[nodiscard]] bool found() const noexcept { return triangle >= 0; }
     /// Of two meetings the nearer, of equally near ones that of the lower triangle.

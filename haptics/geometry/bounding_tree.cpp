@@ -112,20 +112,42 @@ std::optional<std::size_t> BoundingTree::collect_leaves(
 void BoundingTree::LeafSearch::begin(const BoundingTree& tree, const Box& box) noexcept {
     steps_ = tree.grid_.to_steps(box);
     n_found_ = 0;
-    stack_.n = 0;
+    n_done_ = 0;
+    n_queued_ = 0;
     if (tree.root_box_.overlaps(box)) {
-        stack_.places[stack_.n++] = {0, 0, 0.0F};
+        queue_[n_queued_++] = {0, 0};
     }
 }
 
 bool BoundingTree::go_on(LeafSearch& search, std::int32_t n_nodes,
                          std::span<std::int32_t> leaves) const noexcept {
-    visit_stacked(search.stack_, search.steps_, n_nodes, [&](std::int32_t leaf, unsigned) noexcept {
-        if (search.n_found_ < leaves.size()) {
-            leaves[search.n_found_] = leaf;
+    for (; !search.is_over() && n_nodes > 0; --n_nodes) {
+        const LeafSearch::Node node = search.queue_[search.n_done_++];
+        // A leaf is taken for the box that its parent has of it, without a look into it; the root for its own.
+        if (n_levels_ == 1) {
+            search.add_leaf(node.index, leaves);
+            continue;
         }
-        return ++search.n_found_ <= leaves.size();
-    });
+        const bool over_leaves = node.level + 2 == n_levels_;
+        if (!over_leaves && search.n_queued_ + kWidth > search.queue_.size()) {
+            search.give_up(leaves);
+            break;
+        }
+        unsigned overlapping =
+            find_overlapping(node_at({node.level, node.index, 0.0F}), search.steps_);
+        for (; overlapping != 0; overlapping &= overlapping - 1U) {
+            const std::int32_t child = node.index * kWidth + std::countr_zero(overlapping);
+            prefetch(&node_at({node.level + 1, child, 0.0F}), sizeof(EightBoxes));
+            if (over_leaves) {
+                search.add_leaf(child, leaves);
+            } else {
+                search.queue_[search.n_queued_++] = {node.level + 1, child};
+            }
+        }
+        if (search.n_found_ > leaves.size()) {
+            search.give_up(leaves);
+        }
+    }
     return !search.is_over();
 }
 

@@ -18,7 +18,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,15 +40,10 @@ class BoundingTree {
 
     /// Calls visit(slot) for every triangle whose box may overlap `box`, and some others near it.
     template <class Visit>
-    void for_each_in_box(const Box& box, Visit&& visit) const noexcept {
-        for_each_leaf(box, [&](std::int32_t leaf, unsigned overlapping) noexcept {
-            visit_children(leaf, overlapping, visit);
-            return true;
-        });
-    }
+    void for_each_in_box(const Box& box, Visit&& visit) const noexcept;
 
     /// Writes the leaves, nodes of up to 8 triangles, that may hold a triangle overlapping `box`. Returns how many, or
-    /// nothing when they are more than fit.
+    /// nothing when they are more than fit, or the nodes above them more than a search holds.
     [[nodiscard]] std::optional<std::size_t> collect_leaves(
         const Box& box, std::span<std::int32_t> leaves) const noexcept;
 
@@ -64,12 +58,7 @@ class BoundingTree {
     /// As `for_each_in_box`, among the triangles of the given leaves only.
     template <class Visit>
     void for_each_in_leaves(std::span<const std::int32_t> leaves, const StepBox& steps,
-                            Visit&& visit) const noexcept {
-        for (const std::int32_t leaf : leaves) {
-            visit_children(leaf, find_overlapping(node_at({n_levels_ - 1, leaf, 0.0F}), steps),
-                           visit);
-        }
-    }
+                            Visit&& visit) const noexcept;
 
     /// Calls t_end = visit(slot, t_end) for every triangle whose box may be met by from + t (to - from), t in
     /// [0, t_end], nearest boxes first. t_end starts at 1; visit returns how much of the segment is still of interest.
@@ -94,22 +83,6 @@ class BoundingTree {
     // Deepest stack: all children of one node in each level.
     static constexpr std::size_t kStack = static_cast<std::size_t>(kMaxLevels) * kWidth;
 
-    // Nodes still to be looked into.
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the places are filled as it grows
-    struct Stack {
-        std::array<Place, kStack> places;
-        std::size_t n = 0;
-    };
-
-    // Calls visit_leaf(leaf, overlapping children) until it returns false.
-    template <class VisitLeaf>
-    void for_each_leaf(const Box& box, VisitLeaf&& visit_leaf) const noexcept;
-    // The same from what is stacked, for `n_nodes` at most.
-    template <class VisitLeaf>
-    void visit_stacked(Stack& stack, const StepBox& steps, std::int32_t n_nodes,
-                       VisitLeaf&& visit_leaf) const noexcept;
-    template <class Visit>
-    static void visit_children(std::int32_t leaf, unsigned overlapping, Visit& visit) noexcept;
     void build_nodes(const TriangleMesh& mesh);
     [[nodiscard]] StepSegment to_steps(const Vector3& from, const Vector3& to) const noexcept;
     // The part of a segment within the root's box, with a margin; false when there is none.
@@ -130,14 +103,6 @@ class BoundingTree {
     StepGrid grid_;
 };
 
-template <class Visit>
-void BoundingTree::visit_children(std::int32_t leaf, unsigned overlapping, Visit& visit) noexcept {
-    while (overlapping != 0) {
-        visit(leaf * kWidth + std::countr_zero(overlapping));
-        overlapping &= overlapping - 1U;
-    }
-}
-
 class BoundingTree::LeafSearch {
   public:
     /// Over: nothing to look for.
@@ -145,45 +110,76 @@ class BoundingTree::LeafSearch {
     /// Anew, for the leaves that may hold a triangle overlapping `box`.
     void begin(const BoundingTree& tree, const Box& box) noexcept;
 
-    [[nodiscard]] bool is_over() const noexcept { return stack_.n == 0; }
+    [[nodiscard]] bool is_over() const noexcept { return n_done_ == n_queued_; }
     /// How many leaves were met so far; more than fit when there are too many.
     [[nodiscard]] std::size_t n_found() const noexcept { return n_found_; }
 
   private:
     friend class BoundingTree;
+    struct Node {
+        std::int32_t level;
+        std::int32_t index;  // within the level
+    };
+    // All nodes above the leaves that a search may meet; one that meets more is treated as having too many leaves.
+    static constexpr std::size_t kMostNodes = 128;
+
+    void add_leaf(std::int32_t leaf, std::span<std::int32_t> leaves) noexcept {
+        if (n_found_ < leaves.size()) {
+            leaves[n_found_] = leaf;
+        }
+        ++n_found_;
+    }
+    void give_up(std::span<std::int32_t> leaves) noexcept {
+        n_found_ = leaves.size() + 1;
+        n_done_ = n_queued_;
+    }
+
     StepBox steps_{};
-    Stack stack_;
+    // First come, first served: by the time that a node's turn comes it has been fetched.
+    std::array<Node, kMostNodes> queue_{};
+    std::size_t n_queued_ = 0;
+    std::size_t n_done_ = 0;
     std::size_t n_found_ = 0;
 };
 
-template <class VisitLeaf>
-void BoundingTree::for_each_leaf(const Box& box, VisitLeaf&& visit_leaf) const noexcept {
+template <class Visit>
+void BoundingTree::for_each_in_box(const Box& box, Visit&& visit) const noexcept {
     if (!root_box_.overlaps(box)) {
         return;
     }
-    Stack stack;
-    stack.places[stack.n++] = {0, 0, 0.0F};
-    visit_stacked(stack, grid_.to_steps(box), std::numeric_limits<std::int32_t>::max(), visit_leaf);
+    const StepBox steps = grid_.to_steps(box);
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filled as it grows
+    std::array<Place, kStack> stack;
+    std::size_t n_stacked = 0;
+    stack[n_stacked++] = {0, 0, 0.0F};
+    while (n_stacked > 0) {
+        const Place place = stack[--n_stacked];
+        unsigned overlapping = find_overlapping(node_at(place), steps);
+        for (; overlapping != 0; overlapping &= overlapping - 1U) {
+            const std::int32_t child = place.index * kWidth + std::countr_zero(overlapping);
+            if (place.level + 1 == n_levels_) {
+                visit(child);
+                continue;
+            }
+            stack[n_stacked++] = {place.level + 1, child, 0.0F};
+            prefetch(&node_at(stack[n_stacked - 1]), sizeof(EightBoxes));
+        }
+    }
 }
 
-template <class VisitLeaf>
-void BoundingTree::visit_stacked(Stack& stack, const StepBox& steps, std::int32_t n_nodes,
-                                 VisitLeaf&& visit_leaf) const noexcept {
-    for (; stack.n > 0 && n_nodes > 0; --n_nodes) {
-        const Place place = stack.places[--stack.n];
-        unsigned overlapping = find_overlapping(node_at(place), steps);
-        if (place.level + 1 == n_levels_) {
-            if (overlapping != 0 && !visit_leaf(place.index, overlapping)) {
-                stack.n = 0;
-            }
-            continue;
+template <class Visit>
+void BoundingTree::for_each_in_leaves(std::span<const std::int32_t> leaves, const StepBox& steps,
+                                      Visit&& visit) const noexcept {
+    // Eight leaves at a time: what they have to visit is one word, so few branches depend on what is found.
+    for (; !leaves.empty(); leaves = leaves.subspan(std::min<std::size_t>(leaves.size(), kWidth))) {
+        std::uint64_t overlapping = 0;
+        for (std::size_t i = 0; i < std::min<std::size_t>(leaves.size(), kWidth); ++i) {
+            const EightBoxes& boxes = node_at({n_levels_ - 1, leaves[i], 0.0F});
+            overlapping |= std::uint64_t{find_overlapping(boxes, steps)} << (kWidth * i);
         }
-        while (overlapping != 0) {
-            const Place child{place.level + 1, place.index * kWidth + std::countr_zero(overlapping),
-                              0.0F};
-            prefetch(&node_at(child), sizeof(EightBoxes));
-            stack.places[stack.n++] = child;
-            overlapping &= overlapping - 1U;
+        for (; overlapping != 0; overlapping &= overlapping - 1U) {
+            const auto bit = static_cast<std::size_t>(std::countr_zero(overlapping));
+            visit(leaves[bit / kWidth] * kWidth + static_cast<std::int32_t>(bit % kWidth));
         }
     }
 }

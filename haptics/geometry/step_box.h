@@ -29,19 +29,15 @@ struct Box {
         return (lower.array() <= other.upper.array()).all() &&
                (upper.array() >= other.lower.array()).all();
     }
+    /// What both have in common.
+    [[nodiscard]] Box cut_to(const Box& other) const noexcept {
+        return {lower.cwiseMax(other.lower), upper.cwiseMin(other.upper)};
+    }
 };
 
 struct StepBox {
     std::array<std::int16_t, 3> lower{};
     std::array<std::int16_t, 3> upper{};
-
-    [[nodiscard]] bool contains(const StepBox& other) const noexcept {
-        bool inside = true;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            inside = inside && lower[axis] <= other.lower[axis] && other.upper[axis] <= upper[axis];
-        }
-        return inside;
-    }
 };
 
 class StepGrid {

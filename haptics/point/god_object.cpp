@@ -230,7 +230,7 @@ void GodObject::publish(const Vector3& goal_W) noexcept {
     for (MovingSolid& solid : solids_) {
         solid.put_proxy(proxy_W_);
     }
-    contact_ = planes_.make_contact(proxy_W_, goal_W);
+    planes_.tell_contact(proxy_W_, goal_W, contact_);
 }
 
 std::uint64_t GodObject::n_searches() const noexcept {

@@ -48,9 +48,9 @@ struct HeldPlanes {
     /// The same before the goal is known, so that nothing pushes yet; `anchors_W` are the touches' own.
     void tell_carried(const Vector3& proxy_W, const std::array<Vector3, kMaxTouches>& anchors_W,
                       ProxyContact& contact) noexcept;
-    /// The whole contact of a proxy that followed the goal.
-    [[nodiscard]] ProxyContact make_contact(const Vector3& proxy_W,
-                                            const Vector3& goal_W) const noexcept;
+    /// The whole contact of a proxy that followed the goal; touches that do not count stay as they were.
+    void tell_contact(const Vector3& proxy_W, const Vector3& goal_W,
+                      ProxyContact& contact) const noexcept;
 };
 
 template <class Plane>
@@ -116,19 +116,20 @@ void HeldPlanes<Plane>::tell_carried(const Vector3& proxy_W,
 }
 
 template <class Plane>
-ProxyContact HeldPlanes<Plane>::make_contact(const Vector3& proxy_W,
-                                             const Vector3& goal_W) const noexcept {
-    ProxyContact contact{
-        .position_W = proxy_W, .solid = kNoBody, .n_constraints = 0, .normal_W = Vector3::Zero()};
+void HeldPlanes<Plane>::tell_contact(const Vector3& proxy_W, const Vector3& goal_W,
+                                     ProxyContact& contact) const noexcept {
+    contact.position_W = proxy_W;
+    contact.solid = kNoBody;
+    contact.n_constraints = 0;
+    contact.normal_W.setZero();
     if (count == 0) {
-        return contact;
+        return;
     }
     tell_touches(proxy_W, contact);
     const auto strongest = std::ranges::max_element(contact.active(), {}, &SolidTouch::push_m);
     contact.solid = strongest->solid;
     const Vector3 push = proxy_W - goal_W;
     contact.normal_W = push.squaredNorm() > 0.0 ? compute_direction(push) : strongest->normal_W;
-    return contact;
 }
 
 /// Where the touched solid takes the proxy along to; where it stands when none is touched.

@@ -19,11 +19,13 @@ constexpr std::size_t kFewLeaves = NearbyTriangles::kCapacity / 4;
 // The next triangles are collected around where the proxy will be so many steps on, once it is that near to the end of the
 // present ones; in one step by a share of the tree's nodes, so that no step pays for a whole search.
 constexpr double kStepsAhead = 3.0;
-constexpr std::int32_t kNodesAhead = 16;
+constexpr std::int32_t kNodesAhead = 6;
 // A motion longer than this many reaches leads into the stuff: most likely it is stopped in its first part, over which fewer
 // triangles lie.
 constexpr double kLongMotion = 1.5;
 constexpr double kFirstPart = 0.1;  // reaches
+// So many reaches around a sweep the triangles are made ready for the next ones.
+constexpr double kAround = 0.25;
 
 }  // namespace
 
@@ -56,7 +58,7 @@ void MovingSolid::look_ahead(double reach_m) noexcept {
     }
     if (!nearby_.is_collecting_ahead()) {
         const Vector3 next_B = proxy_B() + ahead_B;
-        if (nearby_.covers(next_B)) {
+        if (nearby_.covers(next_B) || nearby_.covers_ahead(next_B)) {
             return;
         }
         const Vector3 margin = Vector3::Constant(margin_ * reach_m);
@@ -83,21 +85,21 @@ SegmentHit MovingSolid::sweep_nearby(const Vector3& to_W, double reach_m) noexce
     }
     // What is remembered serves when it reaches to the end, or as far as anything collected anew would.
     const double length_m = largest_component(to_B - proxy_B());
-    double part = nearby_.covers(proxy_B()) ? nearby_.find_covered_part(proxy_B(), to_B) : 0.0;
+    double part = nearby_.cover(proxy_B(), to_B);
     if (part < 1.0 && part * length_m < reach_m) {
         const double wanted = std::min(1.0, reach_m / length_m);
         const Vector3 end_B = proxy_B() + wanted * (to_B - proxy_B());
         collect_nearby(end_B, reach_m);
-        part = nearby_.covers(proxy_B()) ? nearby_.find_covered_part(proxy_B(), to_B) : 0.0;
+        part = nearby_.cover(proxy_B(), to_B);
     }
     if (part > 0.0) {
         SegmentHit hit;
         if (length_m * part > kLongMotion * reach_m) {
-            hit =
-                nearby_.find_nearest_hit(*mesh_, proxy_B(), to_B, kFirstPart * reach_m / length_m);
+            hit = nearby_.find_nearest_hit(*mesh_, proxy_B(), to_B, kFirstPart * reach_m / length_m,
+                                           kAround * reach_m);
         }
         if (!hit.found()) {
-            hit = nearby_.find_nearest_hit(*mesh_, proxy_B(), to_B, part);
+            hit = nearby_.find_nearest_hit(*mesh_, proxy_B(), to_B, part, kAround * reach_m);
         }
         if (part == 1.0 || hit.found()) {
             return hit;

@@ -32,8 +32,11 @@ bool try_plane(const Vector3& wish, const Planes& planes, int index, double slac
     if (!(square > kParallel * kParallel) || !(push >= 0.0) || !respects(foot, planes, slack_m)) {
         return false;
     }
-    found = {
-        .position = foot, .n_active = 1, .active = {index}, .multiplier = {push}, .feasible = true};
+    found.position = foot;
+    found.n_active = 1;
+    found.active[0] = index;
+    found.multiplier[0] = push;
+    found.feasible = true;
     return true;
 }
 

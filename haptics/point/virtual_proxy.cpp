@@ -241,7 +241,7 @@ void VirtualProxy::publish(const Vector3& goal_W) noexcept {
     for (MovingObstacle& solid : solids_) {
         solid.put_proxy(proxy_W_);
     }
-    contact_ = planes_.make_contact(proxy_W_, goal_W);
+    planes_.tell_contact(proxy_W_, goal_W, contact_);
 }
 
 }  // namespace fulcrum

@@ -186,8 +186,9 @@ TEST_CASE(
                 continue;
             }
             ++n_covered;
-            const double part = nearby.find_covered_part(from, to);
-            const SegmentHit near = nearby.find_nearest_hit(*mesh, from, to, part);
+            const double part = nearby.cover(from, to);
+            const SegmentHit near =
+                nearby.find_nearest_hit(*mesh, from, to, part, i % 3 == 0 ? 0.0 : 0.02);
             const SegmentHit all = find_nearest_hit(*mesh, from, to);
             if (all.t <= part) {
                 ++n_hits;
@@ -216,7 +217,7 @@ TEST_CASE("segment query: a way back and a way aside after a sweep are answered 
         if (!nearby.covers(from) || !nearby.covers(to)) {
             return 0;
         }
-        const SegmentHit near = nearby.find_nearest_hit(*mesh, from, to, 1.0);
+        const SegmentHit near = nearby.find_nearest_hit(*mesh, from, to, 1.0, 0.01);
         const SegmentHit all = find_nearest_hit(*mesh, from, to);
         REQUIRE(near.triangle == all.triangle);
         REQUIRE(near.t == all.t);
@@ -263,23 +264,29 @@ TEST_CASE("segment query: the next triangles are collected ahead while the prese
         }
         int n_pairs = 0;
         Collecting collecting = Collecting::goes_on;
-        while (nearby.is_collecting_ahead()) {
-            REQUIRE(collecting == Collecting::goes_on);
+        while (collecting == Collecting::goes_on) {
+            REQUIRE_FALSE(nearby.covers_ahead(next));
             ++n_pairs;
             REQUIRE(nearby.covers(here));
             const Vector3 from = here + 0.01 * vector().normalized();
             const Vector3 to = here - 0.02 * vector().normalized();
-            REQUIRE(nearby.find_nearest_hit(*mesh, from, to, 1.0).triangle ==
+            REQUIRE(nearby.find_nearest_hit(*mesh, from, to, 1.0, 0.01).triangle ==
                     find_nearest_hit(*mesh, from, to).triangle);
             collecting = nearby.go_on_ahead(*mesh, 2);
+            REQUIRE(nearby.is_collecting_ahead() == (collecting == Collecting::goes_on));
         }
         REQUIRE(collecting == Collecting::done);
         REQUIRE(n_pairs == (n_nodes + 1) / 2);
         n_longest = std::max(n_longest, n_nodes);
+        // Done, it waits until it can answer further than the present one.
+        REQUIRE(nearby.covers_ahead(next));
+        REQUIRE(nearby.cover(here, here) == 1.0);
+        REQUIRE(nearby.covers(here));
+        REQUIRE(nearby.cover(next, next) == 1.0);
         REQUIRE(nearby.covers(next));
         const Vector3 from = next + 0.04 * vector().normalized();
         const Vector3 to = next - 0.04 * vector().normalized();
-        const SegmentHit near = nearby.find_nearest_hit(*mesh, from, to, 1.0);
+        const SegmentHit near = nearby.find_nearest_hit(*mesh, from, to, 1.0, 0.01);
         REQUIRE(near.triangle == find_nearest_hit(*mesh, from, to).triangle);
         n_hits += near.found() ? 1 : 0;
     }
@@ -289,7 +296,32 @@ TEST_CASE("segment query: the next triangles are collected ahead while the prese
     REQUIRE(nearby.collect(*mesh, box_at(Vector3::UnitX())));
     nearby.begin_ahead(*mesh, {Vector3::Constant(-2.0), Vector3::Constant(2.0)});
     CHECK(nearby.go_on_ahead(*mesh, 1000000) == Collecting::too_many);
+    CHECK_FALSE(nearby.covers_ahead(Vector3::Zero()));
     CHECK(nearby.covers(Vector3::UnitX()));
+}
+
+TEST_CASE("segment query: more triangles around a sweep than can be remembered are all asked") {
+    const auto mesh = make_collision_mesh(make_bumpy_sphere(1.0, 24, 0.05, 9.0));
+    std::mt19937_64 random(43);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const auto vector = [&] { return Vector3(unit(random), unit(random), unit(random)); };
+    NearbyTriangles nearby;
+    int n_hits = 0;
+    for (int round = 0; round < 300; ++round) {
+        const Vector3 centre = vector().normalized();
+        REQUIRE(nearby.collect(
+            *mesh, {centre - Vector3::Constant(0.08), centre + Vector3::Constant(0.08)}));
+        for (int i = 0; i < 10; ++i) {
+            const Vector3 from = centre + 0.07 * vector();
+            const Vector3 to = centre + 0.07 * vector();
+            const SegmentHit near = nearby.find_nearest_hit(*mesh, from, to, 1.0, 0.07);
+            const SegmentHit all = find_nearest_hit_brute_force(*mesh, from, to);
+            REQUIRE(near.triangle == all.triangle);
+            REQUIRE(near.t == all.t);
+            n_hits += all.found() ? 1 : 0;
+        }
+    }
+    CHECK(n_hits > 500);
 }
 
 TEST_CASE("segment query: too many triangles for the near set leave the answer to the tree") {

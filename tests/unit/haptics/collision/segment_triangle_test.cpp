@@ -75,9 +75,9 @@ TEST_CASE("segment and triangle: a single point meets only where it lies") {
 }
 
 TEST_CASE("segment and triangle: the nearer of two comes first, of equals the lower number") {
-    const SegmentHit near{3, 0.25, 1};
-    const SegmentHit far{2, 0.5, 1};
-    const SegmentHit equal{4, 0.25, -1};
+    const SegmentHit near{0.25, 3, 1};
+    const SegmentHit far{0.5, 2, 1};
+    const SegmentHit equal{0.25, 4, -1};
     CHECK(near.is_before(far));
     CHECK_FALSE(far.is_before(near));
     CHECK(near.is_before(equal));

@@ -110,9 +110,41 @@ TEST_CASE("bounding tree: leaves searched for in pieces are those of one search"
     }
     CHECK(n_too_many > 20);
     CHECK(n_in_pieces > 200);
+    // However many leaves there is room for, the nodes above them are more than a search holds.
+    std::array<std::int32_t, 4000> plenty{};
+    CHECK_FALSE(BoundingTree(*make_sphere(1.0, 80))
+                    .collect_leaves({Vector3::Constant(-1.0), Vector3::Constant(1.0)}, plenty));
     // Far from all triangles it is over at once.
     search.begin(tree, {Vector3::Constant(5.0), Vector3::Constant(6.0)});
     CHECK(search.is_over());
+}
+
+TEST_CASE("bounding tree: the leaves collected hold every triangle near, and few others") {
+    // From one leaf that is the root itself to four levels.
+    for (const int frequency : {1, 2, 5, 40}) {
+        const auto mesh = make_bumpy_sphere(1.0, frequency, 0.1, 7.0);
+        const BoundingTree tree(*mesh);
+        std::mt19937_64 random(6);
+        std::uniform_real_distribution<double> unit(-1.0, 1.0);
+        std::size_t n_leaves = 0;
+        std::size_t n_needed = 0;
+        for (int round = 0; round < 300; ++round) {
+            const Vector3 centre = Vector3(unit(random), unit(random), unit(random)).normalized();
+            const Box box{centre - Vector3::Constant(0.05), centre + Vector3::Constant(0.05)};
+            std::array<std::int32_t, 24> leaves{};
+            const auto n = tree.collect_leaves(box, leaves);
+            REQUIRE(n);
+            std::set<std::int32_t> needed;
+            tree.for_each_in_box(box, [&](std::int32_t slot) { needed.insert(slot / 8); });
+            const std::set<std::int32_t> found(leaves.begin(),
+                                               leaves.begin() + static_cast<std::ptrdiff_t>(*n));
+            REQUIRE(std::includes(found.begin(), found.end(), needed.begin(), needed.end()));
+            n_leaves += *n;
+            n_needed += needed.size();
+        }
+        CHECK(n_needed > 200);
+        CHECK(n_leaves < 2 * n_needed);
+    }
 }
 
 TEST_CASE("bounding tree: points on a box's very edge are found") {
