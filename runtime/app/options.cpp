@@ -172,6 +172,27 @@ Expected<void> set_lesson(Options& options, const CommandWord& command, const st
     return {};
 }
 
+// The word at `i`, and its value where it has one.
+Expected<void> take_word(Options& options, const CommandWord& command,
+                         std::span<const std::string> words, std::size_t& i) {
+    const std::string& word = words[i];
+    if (!word.starts_with("--")) {
+        return set_lesson(options, command, word);
+    }
+    if (command.flags.find(" " + word + " ") == std::string_view::npos) {
+        return unknown("for " + std::string(command.word) + ", the option", word,
+                       flags_of(command));
+    }
+    if (!takes_value(word)) {
+        set_switch(options, word);
+        return {};
+    }
+    if (i + 1 == words.size()) {
+        return fail(word + " needs a value", "", "see fulcrum help");
+    }
+    return set_value(options, word, words[++i]);
+}
+
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
@@ -208,19 +229,8 @@ Expected<Options> parse_options(std::span<const std::string> words) {
             options.command = Command::help;
             return options;
         }
-        if (!word.starts_with("--")) {
-            if (auto set = set_lesson(options, *command, word); !set) {
-                return tl::unexpected(set.error());
-            }
-        } else if (command->flags.find(" " + word + " ") == std::string_view::npos) {
-            return unknown("for " + std::string(command->word) + ", the option", word,
-                           flags_of(*command));
-        } else if (!takes_value(word)) {
-            set_switch(options, word);
-        } else if (i + 1 == words.size()) {
-            return fail(word + " needs a value", "", "see fulcrum help");
-        } else if (auto set = set_value(options, word, words[++i]); !set) {
-            return tl::unexpected(set.error());
+        if (auto taken = take_word(options, *command, words, i); !taken) {
+            return tl::unexpected(taken.error());
         }
     }
     if (command->takes_lesson && options.lesson.empty()) {

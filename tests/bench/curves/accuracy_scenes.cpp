@@ -190,13 +190,16 @@ AccuracyScene make_free_forms(int n_poses, const std::string& object_file,
     scene.make_shell = [tool](int n_points) {
         return put_beside(make_surface_pointshell(tool, n_points).value());
     };
-    // From each side towards the middle of the object, as deep behind the first touch as in the other scenes.
+    // From each side towards the middle of the object, as deep behind the first touch as in the other scenes; where only a tip is in
+    // by then, which no voxel resolves, deeper.
     const auto field = std::make_shared<const DistanceField>(
-        DistanceField::build(scene.object, DistanceField::make_frame(scene.object, 128).value())
+        DistanceField::build(scene.object, DistanceField::make_frame(scene.object, 256).value())
             .value());
     const auto shell =
         std::make_shared<const ShellTree>(ShellTree::build(scene.make_shell(20000)).value());
     FieldSampler sampler = FieldSampler::build(field, shell).value();
+    constexpr int kLeastInside = 100;  // of 20 000
+    constexpr double kDeepest_m = 8 * kDeep_m;
     Random random(23);
     while (static_cast<int>(scene.X_OT.size()) < n_poses) {
         const Quaternion turn = random.turn(kPi);
@@ -205,8 +208,13 @@ AccuracyScene make_free_forms(int n_poses, const std::string& object_file,
             return Pose{(2.0 - way_m) * out - turn * kMiddle_T, turn};
         };
         const double way_m = 2.0 * sampler.find_first_touch(at(0.0), at(2.0));
-        if (way_m < 2.0) {
-            scene.X_OT.push_back(at(way_m + kDeep_m));
+        double depth_m = kDeep_m;
+        while (depth_m < kDeepest_m &&
+               sampler.step({}, at(way_m + depth_m)).n_touching < kLeastInside) {
+            depth_m += kDeep_m;
+        }
+        if (way_m < 2.0 && depth_m < kDeepest_m) {
+            scene.X_OT.push_back(at(way_m + depth_m));
         }
     }
     return scene;

@@ -4,7 +4,8 @@
 //                of area A feel kappa A / N each
 //   ball on a plane       F = kappa 2 pi R^2 ((d - R)(1 - u^2) / 2 + R (1 - u^3) / 3),  u = 1 - d / R, d at the lowest point
 //   face on a cylinder    F = kappa L (R x - h^2 asinh(x / h)),  h = R - d, x = sqrt(R^2 - h^2), L the face's length along the axis
-//   free forms            a bumpy ball on a torus, or meshes of your own, by a hundred thousand points or more and the finest field: converged
+//   free forms            a bumpy ball on a torus, or meshes of your own, by a hundred thousand points or more and the finest field: converged;
+//                         pressed in until one in two hundred of the tool's points is inside
 // All lie askew in the lattice, and the tool's origin beside its middle, so that there is a torque.
 #pragma once
 

@@ -113,8 +113,8 @@ CostCurve make_curve(const AccuracyScene& scene, const std::string& knob, const 
 }
 
 const std::string kPoses =
-    "A tool, pressed in by a hundredth of the object's size, turned and shifted by chance; the "
-    "sum of its points' forces and torques";
+    "A tool, pressed in by a hundredth of the object's size, or more where less than one in 200 of "
+    "its points is in, turned and shifted by chance; the sum of its points' forces and torques";
 
 CostCurve vary_voxels(const Run& run, const AccuracyScene& scene) {
     CostCurve curve = make_curve(scene, "voxels", "how fine a field");
