@@ -1,9 +1,12 @@
 // The half of explain.h that speaks of a run.
 #include "runtime/scene/explain.h"
+#include "runtime/scene/plan_tool.h"
 
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 namespace fulcrum::runtime {
 namespace {
@@ -70,6 +73,23 @@ nlohmann::ordered_json json_of_materials(const LessonDescription& lesson, const 
     return materials;
 }
 
+nlohmann::ordered_json json_of_tool(const LessonDescription& lesson, const HapticPlan& plan) {
+    const ToolDescription& tool = *lesson.hand.tool;
+    nlohmann::ordered_json bodies = nlohmann::ordered_json::array();
+    const std::vector<ToolObjectFacts> facts = find_object_facts(*plan.tool);
+    for (std::size_t i = 0; i < facts.size(); ++i) {
+        const auto body = static_cast<std::size_t>(plan.solids[i].body);
+        bodies.push_back({{"name", lesson.bodies[body].name},
+                          {"voxels", facts[i].frame.n_cells},
+                          {"voxel_m", facts[i].frame.voxel_m},
+                          {"memory_bytes", facts[i].bytes}});
+    }
+    return {{"name", name_of(tool)},
+            {"method", name_of(tool.method)},
+            {"points", tool.points},
+            {"bodies", std::move(bodies)}};
+}
+
 }  // namespace
 
 std::string explain_costs(const Plan& plan, const Analysis& analysis) {
@@ -112,6 +132,9 @@ std::string explain_json(const LessonDescription& lesson, const Plan& plan,
     }
     whole["stages"] = std::move(stages);
     whole["materials"] = json_of_materials(lesson, plan);
+    if (plan.haptic.tool && lesson.hand.tool) {
+        whole["tool"] = json_of_tool(lesson, plan.haptic);
+    }
     // A title may hold what is no UTF-8: it is replaced, never thrown at.
     return whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

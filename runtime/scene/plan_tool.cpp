@@ -232,33 +232,15 @@ const char* name_of(ShapeSource source) {
     return source == ShapeSource::made ? "made now" : "from the cache";
 }
 
-// A body as the tool meets it, for people.
-struct ObjectFacts {
-    VoxelFrame frame;
-    std::size_t bytes;
-};
-
-std::vector<ObjectFacts> find_facts(const ToolPlan& plan) {
-    std::vector<ObjectFacts> facts;
-    if (const auto* fields = std::get_if<std::vector<FieldSamplingPlan>>(&plan.objects)) {
-        for (const FieldSamplingPlan& object : *fields) {
-            facts.push_back({object.field->frame(), object.field->memory_bytes()});
-        }
-        return facts;
-    }
-    for (const auto& object : std::get<std::vector<VoxelSamplingPlan>>(plan.objects)) {
-        facts.push_back(object.grid != nullptr
-                            ? ObjectFacts{object.grid->frame, object.grid->memory_bytes()}
-                            : ObjectFacts{object.map->frame(), object.map->memory_bytes()});
-    }
-    return facts;
-}
-
 }  // namespace
 
 std::string name_of(const ToolDescription& tool) {
     constexpr std::array<const char*, 6> kNames{"", "ball", "box", "capsule", "cylinder", "hull"};
     return tool.model.empty() ? kNames[tool.shape.index()] : tool.model;
+}
+
+const char* name_of(ToolMethod method) {
+    return method == ToolMethod::voxel_sampling ? "voxel_sampling" : "field_sampling";
 }
 
 Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load_solid,
@@ -297,6 +279,22 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     return {};
 }
 
+std::vector<ToolObjectFacts> find_object_facts(const ToolPlan& plan) {
+    std::vector<ToolObjectFacts> facts;
+    if (const auto* fields = std::get_if<std::vector<FieldSamplingPlan>>(&plan.objects)) {
+        for (const FieldSamplingPlan& object : *fields) {
+            facts.push_back({object.field->frame(), object.field->memory_bytes()});
+        }
+        return facts;
+    }
+    for (const auto& object : std::get<std::vector<VoxelSamplingPlan>>(plan.objects)) {
+        facts.push_back(object.grid != nullptr
+                            ? ToolObjectFacts{object.grid->frame, object.grid->memory_bytes()}
+                            : ToolObjectFacts{object.map->frame(), object.map->memory_bytes()});
+    }
+    return facts;
+}
+
 std::string tool_table(const LessonDescription& lesson, const Plan& plan) {
     if (!plan.haptic.tool || !lesson.hand.tool) {
         return {};
@@ -304,16 +302,15 @@ std::string tool_table(const LessonDescription& lesson, const Plan& plan) {
     const ToolDescription& tool = *lesson.hand.tool;
     const VoxelToolSettings& settings = plan.haptic.tool->settings;
     std::array<char, 256> line{};
-    std::snprintf(
-        line.data(), line.size(),
-        "%-16.48s %s, %d points, %s, %.3g N/m and %.3g Nm/rad in the hand, points %s\n",
-        name_of(tool).c_str(),
-        tool.method == ToolMethod::voxel_sampling ? "voxel sampling" : "field sampling",
-        tool.points, tool.massless ? "massless" : std::string(to_string(tool.integrator)).c_str(),
-        tool.stiffness_N_per_m, settings.coupling.turn.stiffness_Nm_per_rad / lesson.hand.scale,
-        name_of(plan.tool_shapes.back()));
+    std::snprintf(line.data(), line.size(),
+                  "%-16.48s %s, %d points, %s, %.3g N/m and %.3g Nm/rad in the hand, points %s\n",
+                  name_of(tool).c_str(), name_of(tool.method), tool.points,
+                  tool.massless ? "massless" : std::string(to_string(tool.integrator)).c_str(),
+                  tool.stiffness_N_per_m,
+                  settings.coupling.turn.stiffness_Nm_per_rad / lesson.hand.scale,
+                  name_of(plan.tool_shapes.back()));
     std::string text = line.data();
-    const std::vector<ObjectFacts> facts = find_facts(*plan.haptic.tool);
+    const std::vector<ToolObjectFacts> facts = find_object_facts(*plan.haptic.tool);
     for (std::size_t i = 0; i < facts.size(); ++i) {
         const BodyDescription& body =
             lesson.bodies[static_cast<std::size_t>(plan.haptic.solids[i].body)];

@@ -12,9 +12,11 @@
 // Thread: load path. Cost: 10 ms and 1 byte a voxel up to 4 million for each body; with a lesson's own voxels at most kMostVoxels.
 #pragma once
 
+#include "haptics/tool/tool_plan.h"
 #include "runtime/scene/plan.h"
 
 #include <string>
+#include <vector>
 
 namespace fulcrum::runtime {
 
@@ -31,6 +33,18 @@ inline constexpr double kMostVoxels = 64.0e6;
 
 /// What the tool is like, in a few words: "cylinder", or its model's name.
 [[nodiscard]] std::string name_of(const ToolDescription& tool);
+
+/// A solid body as the tool meets it.
+struct ToolObjectFacts {
+    VoxelFrame frame;
+    std::size_t bytes;
+};
+
+/// Of each solid, in the plan's order.
+[[nodiscard]] std::vector<ToolObjectFacts> find_object_facts(const ToolPlan& plan);
+
+/// "voxel_sampling" or "field_sampling", as a lesson calls it.
+[[nodiscard]] const char* name_of(ToolMethod method);
 
 /// For people who ask what runs: method, points, springs, and the voxels of each body, made now or from the cache; empty without a
 /// tool.

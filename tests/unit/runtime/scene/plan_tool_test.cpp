@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,8 +74,18 @@ TEST_CASE("plan: a tool in the hand is a stage of its own, instead of the proxy'
         CHECK(text.find("2000 points, backward Euler, 500 N/m") != std::string::npos);
         CHECK(text.find("block            4") != std::string::npos);
         CHECK(
-            text.find(method == ToolMethod::voxel_sampling ? "voxel sampling" : "field sampling") !=
+            text.find(method == ToolMethod::voxel_sampling ? "voxel_sampling" : "field_sampling") !=
             std::string::npos);
+        // The same for programs.
+        const auto tool = nlohmann::json::parse(explain_json(lesson, *plan, nullptr)).at("tool");
+        CHECK(tool["name"] == "cylinder");
+        CHECK(tool["method"] == name_of(method));
+        CHECK(tool["points"] == 2000);
+        REQUIRE(tool["bodies"].size() == 1);
+        CHECK(tool["bodies"][0]["name"] == lesson.bodies[0].name);
+        CHECK(tool["bodies"][0]["memory_bytes"] > 100'000);
+        const double voxel_m = tool["bodies"][0]["voxel_m"];
+        CHECK(tool["bodies"][0]["voxels"][0].get<double>() * voxel_m > 0.4);
     }
 }
 
@@ -88,6 +99,7 @@ TEST_CASE("plan: without a tool nothing of it is there") {
     CHECK(plan->has("haptic", "proxy"));
     for (const char* words : {"The tool in the hand", "voxel"}) {
         CHECK(explain(lesson, *plan).find(words) == std::string::npos);
+        CHECK(explain_json(lesson, *plan, nullptr).find("\"tool\"") == std::string::npos);
     }
 }
 
