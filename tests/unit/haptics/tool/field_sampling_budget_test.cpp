@@ -304,7 +304,14 @@ TEST_CASE("field sampling budget: the bound holds for what is deeper than the ba
         FieldSampler all = make(box, points, 0.0, along);
         Random random(3);
         for (const double depth_m : {0.02, 0.06, 0.2, 0.45, 0.69}) {
-            FieldSampler some = make(box, points, 5.0, along);
+            // So dear that none is looked at: the bound alone must say what is missing.
+            FieldSampler some = FieldSampler::build(box, points,
+                                                    {.along = along,
+                                                     .budget_us = 5.0,
+                                                     .clock = BudgetClock::counted,
+                                                     .leaf_us = 10.0,
+                                                     .group_us = 0.01})
+                                    .value();
             for (int i = 0; i < 5; ++i) {
                 const Pose X_WT{{0.01 * i, 0.7 - depth_m, 0.0}, random.turn(0.5)};
                 const FieldTouch exact = all.step({}, X_WT);
