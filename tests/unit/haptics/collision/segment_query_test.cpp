@@ -324,6 +324,26 @@ TEST_CASE("segment query: more triangles around a sweep than can be remembered a
     CHECK(n_hits > 500);
 }
 
+TEST_CASE("segment query: what is made ready around a sweep ends with the collected box") {
+    const auto mesh = make_collision_mesh(make_sphere(1.0, 80));
+    std::mt19937_64 random(47);
+    std::normal_distribution<double> normal;
+    const auto vector = [&] { return Vector3(normal(random), normal(random), normal(random)); };
+    const auto box_at = [](const Vector3& centre) {
+        return Box{centre - Vector3::Constant(0.004), centre + Vector3::Constant(0.004)};
+    };
+    NearbyTriangles nearby;
+    for (int round = 0; round < 200; ++round) {
+        const Vector3 here = vector().normalized();
+        const Vector3 next = (here + 0.05 * here.cross(vector()).normalized()).normalized();
+        REQUIRE(nearby.collect(*mesh, box_at(here)));
+        REQUIRE(nearby.find_nearest_hit(*mesh, 1.002 * here, 0.998 * here, 1.0, 0.06).found());
+        REQUIRE(nearby.collect(*mesh, box_at(next)));
+        REQUIRE(nearby.find_nearest_hit(*mesh, 1.002 * next, 0.998 * next, 1.0, 0.06).triangle ==
+                find_nearest_hit(*mesh, 1.002 * next, 0.998 * next).triangle);
+    }
+}
+
 TEST_CASE("segment query: too many triangles for the near set leave the answer to the tree") {
     const auto mesh = make_collision_mesh(make_sphere(1.0, 8));
     NearbyTriangles nearby;

@@ -98,6 +98,29 @@ TEST_CASE(
     CHECK(batch.find_nearest_hit(Vector3(0.25, 0.25, 0.0), Vector3(0.25, 0.25, 0.0)).triangle == 7);
 }
 
+TEST_CASE("triangle batch: what rounding puts on the wrong side of a plane is not left out") {
+    Draw draw;
+    TriangleBatch batch;
+    int n_met = 0;
+    int n_missed = 0;
+    for (int round = 0; round < 2000; ++round) {
+        const std::vector<PreparedTriangle> triangles = draw.triangles(1, false);
+        const PreparedTriangle& one = triangles.front();
+        batch.clear();
+        batch.add(one);
+        // In the plane but for rounding, seen from either side.
+        const Vector3 middle = one.a + 0.3 * (one.b - one.a) + 0.4 * (one.c - one.a);
+        for (const double side : {1.0, -1.0}) {
+            const Vector3 from = middle + side * one.doubled_area;
+            const SegmentHit each = ask_each(triangles, from, middle);
+            REQUIRE(batch.find_nearest_hit(from, middle).triangle == each.triangle);
+            ++(each.found() ? n_met : n_missed);
+        }
+    }
+    CHECK(n_met > 1000);
+    CHECK(n_missed > 1000);
+}
+
 TEST_CASE("triangle batch: of meetings equally near it tells that of the lower triangle") {
     TriangleBatch batch;
     for (const std::int32_t index : {9, 3, 5}) {
