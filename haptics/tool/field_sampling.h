@@ -241,8 +241,8 @@ class FieldSampler {
     struct FirstLook {
         ContactSums sums;
         ContactSpread spread;
-        float deepest_steps;
-        std::size_t n_touched;
+        float deepest_steps = 0.0F;
+        std::size_t n_touched = 0;
     };
     // Until when the leaves of a thinning are free, by their own points.
     [[nodiscard]] std::vector<float>& free_until(std::size_t thinning) noexcept {
