@@ -8,8 +8,8 @@
 namespace fulcrum {
 namespace {
 
-// Scaling to a limit rounds; staying this much below it keeps the rounded norm under the limit
-// itself.
+// Scaling to a limit and squaring round; what stays this much below it is under the limit by any rounding. No command may lie
+// between, for the last check would silence it.
 constexpr double kBelowLimit = 1.0 - 1.0e-12;
 constexpr double kShortestPeriod_s = 1.0 / kMostRate_Hz;
 constexpr double kLongestPeriod_s = 1.0 / 1000.0;
@@ -129,8 +129,8 @@ Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s) no
 
     Wrench limited{};
     if (!any(faults_)) {
-        limited = {shortened(commanded_D.force, settings_.max_force_N),
-                   shortened(commanded_D.torque, settings_.max_torque_Nm)};
+        limited = {shortened(commanded_D.force, settings_.max_force_N * kBelowLimit),
+                   shortened(commanded_D.torque, settings_.max_torque_Nm * kBelowLimit)};
     }
     judge(commanded_D, rise_dt_s);
     switch (phase_) {

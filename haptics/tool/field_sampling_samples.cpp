@@ -17,8 +17,9 @@ constexpr std::int64_t kEnoughTouch = 64;  // samples that stand for all
 // are not known to be free.
 void FieldSampler::list_units(std::size_t level, std::size_t thinning) noexcept {
     const std::vector<float>& until = free_until(thinning);
-    const std::size_t merge = thinning - std::min(thinning, 3 * level);
-    const std::size_t split = 3 * level - std::min(thinning, 3 * level);
+    const std::size_t as_level = 3 * level;
+    const std::size_t merge = thinning > as_level ? thinning - as_level : 0;
+    const std::size_t split = thinning > as_level ? 0 : as_level - thinning;
     leaves_.clear();
     parts_.clear();
     std::size_t next = 0;

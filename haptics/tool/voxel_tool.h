@@ -43,7 +43,7 @@ struct VoxelToolSettings {
     bool lead_clamped = true;
     bool silent_in_free_space = true;
     ToolMass mass = ToolMass::massive;
-    IntegratorSettings integrator{.newton_iterations = 4};
+    IntegratorSettings integrator{.newton_iterations = 12};
     Inertia inertia{};  ///< of the massive tool; the brakes' too
     Vector3 grip_T{
         Vector3::Zero()};  ///< where the coupling holds it, metres from the centre of mass

@@ -83,7 +83,7 @@ SlopeBox SlopeBoxes::find(const std::array<float, 3>& centre, float reach) const
         for (std::int32_t y = first[1]; y <= last[1]; ++y) {
             const std::int32_t row = (z * n_bricks_[1] + y) * n_bricks_[0];
             for (std::int32_t x = first[0]; x <= last[0]; ++x) {
-                unite(box, boxes_[static_cast<std::size_t>(row + x)]);
+                unite(box, boxes_[static_cast<std::size_t>(row) + static_cast<std::size_t>(x)]);
             }
         }
     }

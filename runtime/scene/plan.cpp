@@ -79,7 +79,11 @@ HapticPlan haptic_plan(const LessonDescription& lesson, const PlanOptions& optio
     plan.workspace.pose_WD.position = lesson.hand.centre_W;
     plan.workspace.scale = lesson.hand.scale;
     scale_coupling(plan.coupling, lesson.hand.scale);
+    // A gentler site is gentler to the wrist, too; the gate's torque rates go with the ratio of the two limits.
+    const SafetySettings usual;
     plan.safety.max_force_N = options.force_limit_N;
+    plan.safety.max_torque_Nm =
+        usual.max_torque_Nm * std::min(1.0, options.force_limit_N / usual.max_force_N);
     plan.lesson_force = lesson.hand.lesson_force;
     plan.expects_lesson = true;
     for (const ForceDescription& force : lesson.forces) {

@@ -194,3 +194,32 @@ TEST_CASE("solids: bodies of one model share its mesh, and those of one material
     const auto relief = static_cast<double>(memory_of(sandbox, "forces: texture", one));
     CHECK(static_cast<double>(memory_of(sandbox, "forces: texture", same)) < 1.2 * relief);
 }
+
+TEST_CASE(
+    "tool: a flat face pressed on a box is felt alike by either method and with many points") {
+    const Sandbox sandbox;
+    sandbox.write("press.lua",
+                  "local motion = require 'motion'\n"
+                  "return motion.play(function()\n"
+                  "  motion.start_at { 0.01, 0.45, 0.01 }\n"
+                  "  motion.move_to({ 0.01, 0.34, 0.01 }, 0.8)\n"
+                  "end)\n");
+    for (const char* how : {"", "method = 'voxel_sampling'", "points = 50000"}) {
+        sandbox.write("lesson.lua",
+                      std::string("local L = lesson { id = 'face', title = 'A face' }\n"
+                                  "function L:start(world)\n"
+                                  "  world:body { name = 'floor', model = 'box', radius = 0.05, "
+                                  "at = { 0, 0.25, 0 }, solid = true }\n"
+                                  "  world:hand { tool = { shape = 'cylinder', ") +
+                          how + " } }\nend\nreturn L\n");
+        const ProgramRun run =
+            sandbox.run("run " + sandbox.path("lesson.lua") + " --headless --hand " +
+                        sandbox.path("press.lua") + " --seconds 2 --record r.rec");
+        INFO(how << "\n" << run.output);
+        REQUIRE(run.exit_code == 0);
+        // Hand (300 N/m) and coupling (500 N/m) share 10 mm, or with voxels up to a layer of 0.6 mm more.
+        const double force_N = sample_at(read_run(sandbox.path("r.rec")), 1.9).applied_W.force.y();
+        CHECK(force_N > 1.8);
+        CHECK(force_N < 10.6e-3 / (1.0 / 300.0 + 1.0 / 500.0));
+    }
+}

@@ -218,6 +218,18 @@ TEST_CASE("plan: a magnet is as stiff as at its centre, alone and beside others"
     CHECK_FALSE(magnets(1, 0.0, 0.0));
 }
 
+TEST_CASE("plan: a gentler site lets less torque through as well, a stronger one no more") {
+    LessonDescription lesson;
+    for (const auto& [limit_N, torque_Nm] : {std::pair(0.5, 0.03), {5.0, 0.3}, {10.0, 0.3}}) {
+        PlanOptions options;
+        options.force_limit_N = limit_N;
+        const auto plan = compile_plan(lesson, options, no_mesh);
+        REQUIRE(plan);
+        CHECK(plan->haptic.safety.max_force_N == limit_N);
+        CHECK(plan->haptic.safety.max_torque_Nm == Approx(torque_Nm));
+    }
+}
+
 TEST_CASE("plan: weights fit under the limit of a device that is weaker than the site's") {
     PlanOptions options;
     options.force_limit_N = 10.0;
