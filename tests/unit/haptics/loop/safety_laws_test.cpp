@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace fulcrum;
 
@@ -153,4 +154,31 @@ TEST_CASE("safety: a clock that stands still or creeps holds no force that shoul
         (void)fast.pass(along_x(4.0), Fault::none, kDt_s);
     }
     CHECK(fast.pass(along_x(4.0), Fault::device_read, 0.0).force.x() == Approx(4.0 * 0.998));
+}
+
+TEST_CASE("safety: what lies at a limit by rounding is given, not dropped, in every direction") {
+    for (const double limit_N : {0.5, 5.0, 10.0}) {
+        SafetySettings settings;
+        settings.max_force_N = limit_N;
+        SafetyGate gate = open_gate(settings, 0.0);
+        double least_N = limit_N;
+        double least_Nm = settings.max_torque_Nm;
+        for (int i = 0; i < 20000; ++i) {
+            // Slowly round, a few units of the last place about the limit's own length.
+            const double angle = 1.0e-3 * i;
+            const Vector3 along(std::cos(angle), std::sin(angle), 0.1 * std::sin(7.0 * angle));
+            const double off = 1.0 + (i % 9 - 4) * 1.1e-16;
+            const Vector3 way = along.normalized() * off;
+            const Wrench out =
+                gate.pass({limit_N * way, settings.max_torque_Nm * way}, Fault::none, kDt_s);
+            REQUIRE(out.force.squaredNorm() <= limit_N * limit_N);
+            REQUIRE(out.torque.squaredNorm() <= settings.max_torque_Nm * settings.max_torque_Nm);
+            if (i > 3000) {
+                least_N = std::min(least_N, out.force.norm());
+                least_Nm = std::min(least_Nm, out.torque.norm());
+            }
+        }
+        CHECK(least_N > 0.999 * limit_N);
+        CHECK(least_Nm > 0.999 * settings.max_torque_Nm);
+    }
 }
