@@ -300,7 +300,8 @@ TEST_CASE("field sampling budget: a cost thought far too high comes down by itse
     }
     CHECK(n_eager > 0);
     CHECK(4 * n_wary > n_eager);
-    CHECK(n_never > 0);
+    // Where ten fit into 50 us, one fits into 9.
+    CHECK((n_never > 0 || n_eager < 10));
 }
 
 TEST_CASE("field sampling budget: the bound holds for what is deeper than the band as well") {
