@@ -11,6 +11,8 @@
 #define FULCRUM_KERNEL ball_kernels
 #define FULCRUM_KERNEL_LANES 8
 #include "haptics/voxel/distance_field_cells.h"
+#undef FULCRUM_KERNEL
+#undef FULCRUM_KERNEL_LANES
 
 namespace fulcrum {
 

@@ -15,6 +15,8 @@
 #define FULCRUM_KERNEL plain_kernels
 #define FULCRUM_KERNEL_LANES 8
 #include "haptics/voxel/distance_field_kernel.h"
+#undef FULCRUM_KERNEL
+#undef FULCRUM_KERNEL_LANES
 
 namespace fulcrum {
 

@@ -16,6 +16,8 @@
 #define FULCRUM_KERNEL wide_kernels
 #define FULCRUM_KERNEL_LANES 16
 #include "haptics/voxel/distance_field_kernel.h"
+#undef FULCRUM_KERNEL
+#undef FULCRUM_KERNEL_LANES
 #pragma GCC pop_options
 
 namespace fulcrum {

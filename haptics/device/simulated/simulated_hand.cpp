@@ -43,8 +43,8 @@ void SimulatedHand::reset() noexcept {
 
 void SimulatedHand::advance(double dt_s) noexcept {
     // A clock's rounding is no new step.
-    constexpr double kSameStep = 1.0e-9;
-    if (!(std::abs(dt_s - step_dt_s_) <= kSameStep * dt_s)) {
+    constexpr double kSameClock = 1.0e-9;
+    if (!(std::abs(dt_s - step_dt_s_) <= kSameClock * dt_s)) {
         moving_ = compute_oscillator_step(settings_.mass_kg, settings_.stiffness_N_per_m,
                                           settings_.damping_Ns_per_m, dt_s);
         turning_ =

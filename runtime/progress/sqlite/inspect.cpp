@@ -66,15 +66,11 @@ void check_columns(Database& database) {
                                    {"attempt_error", "point", 3}};
     const std::int64_t version = database.number("PRAGMA user_version");
     for (const Column& column : kColumns) {
-        const std::string table = column.table;
-        const std::string name = column.name;
-        const bool there = database.number(("SELECT count(*) FROM pragma_table_info('" + table +
-                                            "') WHERE name = '" + name + "'")
-                                               .c_str()) > 0;
-        if (column.since <= version && !there) {
-            throw Refused({"this database says that it is of version " + std::to_string(version) +
-                               ", but has no " + table + "." + name,
-                           database.path(), kElsewhere});
+        Statement find(database, "SELECT 1 FROM pragma_table_info(?) WHERE name = ?");
+        if (column.since <= version && !find.bind(column.table).bind(column.name).step()) {
+            std::string told = "this database says that it is of version " + std::to_string(version);
+            told.append(", but has no ").append(column.table).append(".").append(column.name);
+            throw Refused({told, database.path(), kElsewhere});
         }
     }
 }
