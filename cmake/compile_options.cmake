@@ -8,12 +8,8 @@ endif()
 option(FULCRUM_WERROR "treat warnings as errors" OFF)
 set(FULCRUM_SANITIZE "" CACHE STRING "sanitizers, as for -fsanitize=")
 set(FULCRUM_TEST_OBJECTS "" CACHE PATH "a build of this tree whose objects of tests are linked instead of being compiled again")
-# RelWithDebInfo keeps asserts armed (no NDEBUG) and light debug information. Sanitized code is optimised less: it is
-# built more often than it runs, and g++ 12 warns without cause about what sanitizers add to optimised code.
+# RelWithDebInfo keeps asserts armed (no NDEBUG) and light debug information.
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1")
-if(FULCRUM_SANITIZE)
-  set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")
-endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 option(FULCRUM_PORTABLE "build for any x86-64 processor instead of this one's level" OFF)
 

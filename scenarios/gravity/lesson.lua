@@ -81,14 +81,16 @@ L:question "heavier" {
 L:question "heaviest" {
   prompt = "Which one is the heaviest?",
   again = "Let's weigh them again.",
-  answers = { "[a|an|the] {thing} is the <superlative:heavy> [one|thing|object]" },
+  answers = { "[a|an|the] {thing} is the <superlative:heavy> [one|thing|object]",
+              "the <superlative:heavy> [one|thing|object] is [a|an|the] {thing}" },
   right = function(a) return bodies[a.thing] == heaviest() end,
 }
 
 L:question "lightest" {
   prompt = "Which one is the lightest?",
   again = "Let's weigh them again.",
-  answers = { "[a|an|the] {thing} is the <superlative:light> [one|thing|object]" },
+  answers = { "[a|an|the] {thing} is the <superlative:light> [one|thing|object]",
+              "the <superlative:light> [one|thing|object] is [a|an|the] {thing}" },
   right = function(a) return bodies[a.thing] == lightest() end,
 }
 

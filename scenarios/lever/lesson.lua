@@ -168,19 +168,21 @@ L:question "near_far" {
 
 local ways = { Earth = -0.1, hand = 0.1 }   -- where the two are from the support
 
+local toward = "([(nearer|closer)] to|near|nearer|towards) the {goal}"
+
 L:question "which_way" {
   prompt = "Where must the support go: to the Earth or to your hand?",
   again = "Look at the two arms.",
   answers = {
     "the support must go [(nearer|closer)] to the {goal}",
-    "(the support|it) (must|should|has to|needs to|can) (go|move|come|be) ([(nearer|closer)] to|near|towards) the {goal}",
-    "(the support|it) (goes|moves|comes) ([(nearer|closer)] to|near|towards) the {goal}",
-    "[(I|you|we)] [(must|should|can|have to)] (move|push|put|bring) (it|the support) ([(nearer|closer)] to|near|towards) the {goal}",
-    "([(nearer|closer)] to|near|towards) the {goal}",
+    "(the support|it) (must|should|has to|needs to|can) (go|move|come|be) " .. toward,
+    "(the support|it) (goes|moves|comes) " .. toward,
+    "[(I|you|we)] [(must|should|can|have to)] (move|push|put|bring) (it|the support) " .. toward,
+    toward,
   },
   nearly = {
-    "(the support|it) (must to go|must goes|must going|go|going|is go|need go|have to go) ([(nearer|closer)] to|near|towards) the {goal}",
-    "[must] go ([(nearer|closer)] to|near|towards) the {goal}",
+    "(the support|it) (must to go|must goes|must going|go|going|is go|need go|have to go) " .. toward,
+    "[must] go " .. toward,
   },
   lists = { goal = { "Earth|left|left side", "hand|right|right side" } },
   right = function(a) return needed(end_x, support_x + ways[a.goal]) < needed(end_x, support_x) end,

@@ -197,6 +197,8 @@ L:question "your_turn" {
     "(tell me|I want to know) how many <plural:moon> {planet} has",
     "how {quality} is {planet}",
     "how {quality} is {planet} [away] from the Sun",
+    "how {quality} is {planet} away",
+    "what is the {distance} of {planet} from the Sun",
     "how long is [(a|the|one)] {time} on {planet}",
     "(tell me|I want to know) how {quality} {planet} is",
   },
@@ -210,7 +212,7 @@ L:question "your_turn" {
     "how {quality} {planet} [is] [from the Sun]",
     "how long {time} on {planet} [is]",
   },
-  lists = { planet = asked_about, quality = { "big|large", "far|far away", "heavy" },
+  lists = { planet = asked_about, distance = { "distance" }, quality = { "big|large|wide", "far|far away", "heavy" },
             time = { "day|a day|the day|one day", "year|a year|the year|one year" } },
   right = function(a) return planets.facts(a.planet) ~= nil end,
 }
@@ -296,7 +298,7 @@ local replies = {
 }
 
 local function reply_to(asked)
-  local tell = replies[asked.quality or asked.time]
+  local tell = replies[asked.distance and "far" or asked.quality or asked.time]
   if tell then return sentence(tell(asked.planet)) end
   return sentence(called(asked.planet) .. " has " .. moons_of(asked.planet))
 end

@@ -12,6 +12,10 @@ local L = lesson { id = "textures", title = "What is it made of?", level = "A1",
 
 local names = { "metal", "wood", "rock" }
 
+-- How else they are called; "it is wooden" says that it is made of wood.
+local called = { "metal", "wood", "rock|stone" }
+local function said_material(a) return a.wooden and "wood" or a.material end
+
 -- What is true of a material, from its stiffness, the tone of a tap, its relief and its friction: 0 to 1 each.
 local is = {
   hard     = function(m) return m.hardness >= 0.5 end,
@@ -123,8 +127,10 @@ for _, name in ipairs(names) do
   L:question("like_" .. name) {
     prompt = "What is " .. name .. " like?",
     again = "Let's feel it again.",
-    answers = { "{material} is <adjective:{feel}> [and <adjective:{feel:also}>]" },
-    lists = { material = names, feel = adjectives },
+    answers = { "{material} is <adjective:{feel}> [and <adjective:{feel:also}>]",
+                "[(the|this)] {material} (is|feels) <adjective:{feel}> [and <adjective:{feel:also}>]",
+                "(it|this|this one) feels <adjective:{feel}> [and <adjective:{feel:also}>]" },
+    lists = { material = called, feel = adjectives },
     right = function(a)   -- "It is hard" says no material: then it is the one that was asked for
       return (a.material or name) == name and all_true(blocks[name].material, a.feel, a.also)
     end,
@@ -136,19 +142,19 @@ local hidden   -- the block that is asked for
 L:question "under" {
   prompt = "What is under this cloth?",
   again = "Let's feel it again.",
-  answers = { "<it> is {material}", "{material} [is under (the|this) cloth]", "<it> <made_of:{material}>" },
-  lists = { material = names },
-  right = function(a) return a.material == hidden.material.name end,
+  answers = { "<it> is {material}", "{material} [is under (the|this) cloth]", "<it> <made_of:{material}>", "<it> is {wooden}" },
+  lists = { material = called, wooden = { "wooden" } },
+  right = function(a) return said_material(a) == hidden.material.name end,
 }
 
 for _, thing in ipairs(things) do
   L:question("made_" .. thing.name) {
     prompt = "What is the " .. thing.name .. " made of?",
     again = "Let's feel it again.",
-    answers = { "[a|an|the] {thing} <made_of:{material}>" },
-    lists = { thing = { "spaceship", "table", "statue" }, material = names },
+    answers = { "[a|an|the] {thing} <made_of:{material}>", "[(a|an|the)] {thing} is {wooden}", "it is {wooden}" },
+    lists = { thing = { "spaceship", "table", "statue" }, material = called, wooden = { "wooden" } },
     right = function(a)
-      return (a.thing or thing.name) == thing.name and a.material == made[thing.name].material.name
+      return (a.thing or thing.name) == thing.name and said_material(a) == made[thing.name].material.name
     end,
   }
 end

@@ -1,4 +1,4 @@
--- A simulated hand that taps and strokes whatever stands on the board, one thing after the other.
+-- A simulated hand that taps and strokes what the star hangs over.
 local motion = require "motion"
 
 local rest = 0.53      -- how high it goes from one thing to the next
@@ -23,13 +23,28 @@ local function stroke(body)
   motion.wait(0.3)
 end
 
+local function distance(one, other) return math.abs(one.x - other.x) end
+
+-- What stands under the star; nil while there is none.
+local function under_the_star(world)
+  local star, found
+  for _, body in ipairs(world:bodies()) do
+    if body.name == "star" and body.where == "placed" then star = body end
+  end
+  for _, body in ipairs(star and world:bodies() or {}) do
+    if body.material and body.where == "placed" and (not found or distance(body, star) < distance(found, star)) then
+      found = body
+    end
+  end
+  return found
+end
+
 return motion.play(function(world)
   motion.start_at { 0, rest, 0 }
   motion.wait(1)
   while true do
-    for _, body in ipairs(world:bodies()) do
-      if body.material and body.where == "placed" then stroke(body) end
-    end
+    local body = under_the_star(world)
+    if body then stroke(body) end
     motion.wait(0.1)
   end
 end)
