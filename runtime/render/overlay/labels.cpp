@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace fulcrum::runtime {
 
@@ -17,6 +18,7 @@ constexpr float kAway = 10.0F;  // between a thing and its label
 constexpr float kLabelIconRoom = 30.0F;
 constexpr float kLabelIcon = 14.0F;
 constexpr float kWidest = 420.0F;
+constexpr float kInscribed = 0.7F;  // half a square's side in a circle of radius 1
 
 bool overlap(const Box& a, const Box& b) {
     return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
@@ -25,6 +27,24 @@ bool overlap(const Box& a, const Box& b) {
 bool inside(const Box& box, const Measure& m) {
     return box.x >= 0.0F && box.y >= 0.0F && box.right() <= m.width_px &&
            box.bottom() <= m.height_px;
+}
+
+/// Square pixels of a box over what other things cover, about.
+float area_over_others(const Box& box, const std::vector<SceneLabel>& labels,
+                       const SceneLabel& label, float margin) {
+    float area = 0.0F;
+    for (const SceneLabel& other : labels) {
+        if (&other == &label || other.is_force) {
+            continue;
+        }
+        const float half = kInscribed * other.radius_px + margin;
+        const float x = other.middle_px[0];
+        const float y = other.middle_px[1];
+        const float width = std::min(box.right(), x + half) - std::max(box.x, x - half);
+        const float height = std::min(box.bottom(), y + half) - std::max(box.y, y - half);
+        area += std::max(width, 0.0F) * std::max(height, 0.0F);
+    }
+    return area;
 }
 
 /// Places around a circle, the best first. A force's words stand left of its arrow.
@@ -66,15 +86,22 @@ std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, std
             result.words.width_px +
             measure.px(2.0F * kLabelPadX + (label.is_force ? kLabelIconRoom : 0.0F));
         const float height = result.words.height_px + measure.px(2.0F * kLabelPadY);
+        // Beside its own thing alone, where that is possible; else over others as little as may be.
+        float least = std::numeric_limits<float>::max();
         for (const Box& box : candidates(label, width, height, measure.px(kAway))) {
             const bool free = std::none_of(taken.begin(), taken.end(),
                                            [&](const Box& other) { return overlap(box, other); });
-            if (free && inside(box, measure)) {
+            const float area = label.is_force
+                                   ? 0.0F  // it belongs to the thing that it stands on
+                                   : area_over_others(box, labels, label, measure.px(2.0F * kAway));
+            if (free && area < least && inside(box, measure)) {
+                least = area;
                 result.box = box;
-                taken.push_back(box);
-                placed.push_back(std::move(result));
-                return;
             }
+        }
+        if (least < std::numeric_limits<float>::max()) {
+            taken.push_back(result.box);
+            placed.push_back(std::move(result));
         }
     };
     for (const bool forces : {true, false}) {

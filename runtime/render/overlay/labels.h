@@ -32,7 +32,8 @@ struct PlacedLabel {
 };
 
 /// Finds room right of, left of, below or above each thing, inside the picture and outside the
-/// boxes that are taken; a label without room is left out. Forces come first, then in order.
+/// boxes that are taken, and away from other things where that is possible; a label without room is
+/// left out. Forces come first, then in order.
 [[nodiscard]] std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels,
                                                     std::vector<Box> taken, Font& font,
                                                     const Measure& measure);

@@ -163,6 +163,36 @@ TEST_CASE("labels: a force's words come first and stand left of its arrow") {
     CHECK(placed[1].box.x >= 640.0F + 30.0F);
 }
 
+TEST_CASE("labels: each stands beside its own thing, over no other while there is room") {
+    Font font = andika();
+    const std::vector<SceneLabel> in_a_row = {
+        {.middle_px = {400, 360}, .radius_px = 80, .text = "spaceship"},
+        {.middle_px = {640, 360}, .radius_px = 100, .text = "table"},
+        {.middle_px = {880, 360}, .radius_px = 80, .text = "statue"}};
+    const auto placed = place_labels(in_a_row, {}, font, Measure(1280, 720));
+    REQUIRE(placed.size() == 3);
+    for (const PlacedLabel& label : placed) {
+        for (const SceneLabel& thing : in_a_row) {
+            const float half = 0.7F * thing.radius_px;
+            const Box its{thing.middle_px[0] - half, thing.middle_px[1] - half, 2 * half, 2 * half};
+            INFO(label.label.text << " and " << thing.text);
+            CHECK_FALSE(overlap(label.box, its));
+        }
+    }
+    // Nothing beside it: right of the thing, as ever.
+    const auto alone = place_labels({in_a_row[1]}, {}, font, Measure(1280, 720));
+    REQUIRE(alone.size() == 1);
+    CHECK(alone[0].box.x >= 740.0F);
+    // Without such room a label still stands somewhere.
+    std::vector<SceneLabel> crowd;
+    for (int i = 0; i < 12; ++i) {
+        crowd.push_back({.middle_px = {100.0F + 98.0F * static_cast<float>(i), 360},
+                         .radius_px = 300,
+                         .text = "a"});
+    }
+    CHECK(place_labels(crowd, {}, font, Measure(1280, 720)).size() == 12);
+}
+
 TEST_CASE("menu: the chosen card is always in sight, cards neither overlap nor leave the picture") {
     for (const auto& [width, height] :
          {std::pair{1280, 720}, {800, 600}, {480, 800}, {3840, 2160}}) {
