@@ -68,7 +68,8 @@ void check_columns(Database& database) {
     for (const Column& column : kColumns) {
         Statement find(database, "SELECT 1 FROM pragma_table_info(?) WHERE name = ?");
         if (column.since <= version && !find.bind(column.table).bind(column.name).step()) {
-            std::string told = "this database says that it is of version " + std::to_string(version);
+            std::string told =
+                "this database says that it is of version " + std::to_string(version);
             told.append(", but has no ").append(column.table).append(".").append(column.name);
             throw Refused({told, database.path(), kElsewhere});
         }

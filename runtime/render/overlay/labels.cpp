@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 namespace fulcrum::runtime {
 
@@ -64,6 +65,27 @@ std::array<Box, 6> candidates(const SceneLabel& label, float width, float height
     return {right, left, below, above, lower_right, upper_right};
 }
 
+/// Beside its own thing alone, where that is possible; else over others as little as may be. None
+/// where everything is taken.
+std::optional<Box> find_room(const SceneLabel& label, const std::vector<SceneLabel>& labels,
+                             const std::vector<Box>& taken, float width, float height,
+                             const Measure& measure) {
+    std::optional<Box> room;
+    float least = std::numeric_limits<float>::max();
+    for (const Box& box : candidates(label, width, height, measure.px(kAway))) {
+        const bool free = std::none_of(taken.begin(), taken.end(),
+                                       [&](const Box& other) { return overlap(box, other); });
+        const float area = label.is_force
+                               ? 0.0F  // it belongs to the thing that it stands on
+                               : area_over_others(box, labels, label, measure.px(2.0F * kAway));
+        if (free && area < least && inside(box, measure)) {
+            least = area;
+            room = box;
+        }
+    }
+    return room;
+}
+
 }  // namespace
 
 std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, std::vector<Box> taken,
@@ -86,21 +108,10 @@ std::vector<PlacedLabel> place_labels(const std::vector<SceneLabel>& labels, std
             result.words.width_px +
             measure.px(2.0F * kLabelPadX + (label.is_force ? kLabelIconRoom : 0.0F));
         const float height = result.words.height_px + measure.px(2.0F * kLabelPadY);
-        // Beside its own thing alone, where that is possible; else over others as little as may be.
-        float least = std::numeric_limits<float>::max();
-        for (const Box& box : candidates(label, width, height, measure.px(kAway))) {
-            const bool free = std::none_of(taken.begin(), taken.end(),
-                                           [&](const Box& other) { return overlap(box, other); });
-            const float area = label.is_force
-                                   ? 0.0F  // it belongs to the thing that it stands on
-                                   : area_over_others(box, labels, label, measure.px(2.0F * kAway));
-            if (free && area < least && inside(box, measure)) {
-                least = area;
-                result.box = box;
-            }
-        }
-        if (least < std::numeric_limits<float>::max()) {
-            taken.push_back(result.box);
+        const auto room = find_room(label, labels, taken, width, height, measure);
+        if (room) {
+            result.box = *room;
+            taken.push_back(*room);
             placed.push_back(std::move(result));
         }
     };
