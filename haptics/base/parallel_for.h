@@ -1,7 +1,7 @@
 // Work while loading that falls into many independent pieces, on a few threads.
 //
 // The pieces are taken in order, so that those which cost more do not hold up the others; what each of them writes must be its
-// own. The calling thread works as well, and is the only one that tells how far the work has come.
+// own. The calling thread works as well, and is the only one that tells how far the work has come: after each 64 pieces of its own.
 //
 // Thread: load; returns when all is done. Cost: one atomic count a chunk of pieces.
 #pragma once
@@ -43,9 +43,8 @@ bool parallel_for(std::size_t n, std::size_t n_threads, const Work& work,
             }
         });
     }
-    constexpr std::size_t kChunksBetween = 64;
-    for (std::size_t i = 1; take_chunk(); ++i) {
-        if (progress && i % kChunksBetween == 0) {
+    while (take_chunk()) {
+        if (progress) {
             const std::size_t n_begun = std::min(n, next.load(std::memory_order_relaxed));
             const bool goes_on = progress(static_cast<double>(n_begun) / static_cast<double>(n));
             is_stopped.store(!goes_on, std::memory_order_relaxed);

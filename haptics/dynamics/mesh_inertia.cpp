@@ -1,14 +1,13 @@
 #include "haptics/dynamics/mesh_inertia.h"
 
-#include "haptics/base/parallel_for.h"
 #include "haptics/dynamics/integrator.h"
 #include "haptics/geometry/mesh_report.h"
-#include "haptics/geometry/solid_moments.h"
 #include "haptics/voxel/winding_number.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,12 +61,13 @@ class Places {
     std::array<std::size_t, 3> n_{};
 };
 
-// Whether the mesh winds round every place 0 times or once, all of these the same way.
-bool winds_once(const TriangleMesh& mesh, const TriangleClusters& clusters) {
+// Whether the mesh winds round every place 0 times or once, all of these the same way; nothing where it was stopped.
+std::optional<bool> winds_once(const TriangleMesh& mesh, const TriangleClusters& clusters,
+                               const LoadProgress& progress) {
     constexpr double kUncertain = 0.1;  // far clusters count as dipoles, which are off by 0.02
     const Places places(mesh, kProbesAlong);
     std::vector<std::uint8_t> found(places.n_rows(), 0);  // 1: once, 2: the other way, 4: else
-    parallel_for(places.n_rows(), kThreads, [&](std::size_t row) noexcept {
+    const auto probe = [&](std::size_t row) noexcept {
         for (std::size_t i = 0; i < places.n_in_row(); ++i) {
             const double w = compute_winding_number(clusters, places.place_B(places.place(row, i)));
             const double whole = std::round(w);
@@ -77,7 +77,10 @@ bool winds_once(const TriangleMesh& mesh, const TriangleClusters& clusters) {
                 found[row] |= whole > 0.0 ? 1U : 2U;
             }
         }
-    });
+    };
+    if (!parallel_for(places.n_rows(), kThreads, probe, progress)) {
+        return std::nullopt;
+    }
     unsigned all = 0;
     for (const std::uint8_t row : found) {
         all |= row;
@@ -85,8 +88,10 @@ bool winds_once(const TriangleMesh& mesh, const TriangleClusters& clusters) {
     return all <= 2U;
 }
 
-// Sums over cubes whose places are inside; in steps, from the first.
-SolidMoments sample_moments(const TriangleMesh& mesh, const TriangleClusters& clusters) {
+// Sums over cubes whose places are inside; in steps, from the first. Nothing where it was stopped.
+std::optional<SolidMoments> sample_moments(const TriangleMesh& mesh,
+                                           const TriangleClusters& clusters,
+                                           const LoadProgress& progress) {
     const Places places(mesh, kSamplesAlong);
     struct Row {
         double n = 0.0;
@@ -94,7 +99,7 @@ SolidMoments sample_moments(const TriangleMesh& mesh, const TriangleClusters& cl
         Matrix3 second{Matrix3::Zero()};
     };
     std::vector<Row> rows(places.n_rows());
-    parallel_for(rows.size(), kThreads, [&](std::size_t r) noexcept {
+    const auto sum_row = [&](std::size_t r) noexcept {
         Row& row = rows[r];
         for (std::size_t i = 0; i < places.n_in_row(); ++i) {
             const Vector3 place = places.place(r, i);
@@ -104,7 +109,10 @@ SolidMoments sample_moments(const TriangleMesh& mesh, const TriangleClusters& cl
                 row.second += place * place.transpose();
             }
         }
-    });
+    };
+    if (!parallel_for(rows.size(), kThreads, sum_row, progress)) {
+        return std::nullopt;
+    }
     Row sum;
     for (const Row& row : rows) {
         sum.n += row.n;
@@ -114,43 +122,38 @@ SolidMoments sample_moments(const TriangleMesh& mesh, const TriangleClusters& cl
     const double step_m = places.step_m();
     const Vector3 centre = sum.first / std::max(sum.n, 1.0);
     const double volume_m3 = step_m * step_m * step_m;
-    return {sum.n * volume_m3, places.place_B(centre),
-            step_m * step_m * volume_m3 * (sum.second - sum.n * centre * centre.transpose())};
+    return SolidMoments{
+        sum.n * volume_m3, places.place_B(centre),
+        step_m * step_m * volume_m3 * (sum.second - sum.n * centre * centre.transpose())};
 }
 
-struct Solid {
-    SolidMoments moments;
-    InertiaRule rule = InertiaRule::integrals;
-};
-
-Expected<Solid> measure(const TriangleMesh& mesh, const std::string& where) {
+// By the rule that holds; nothing where it was stopped.
+std::optional<MeasuredSolid> find_moments(const TriangleMesh& mesh, const LoadProgress& progress) {
     const MeshReport report = compute_mesh_report(mesh);
     const TriangleClusters clusters(mesh);
-    const bool is_whole =
-        report.is_closed() && report.inconsistent_edges == 0 && winds_once(mesh, clusters);
-    Solid solid{is_whole ? compute_solid_moments(mesh) : sample_moments(mesh, clusters),
-                is_whole ? InertiaRule::integrals : InertiaRule::samples};
-    if (solid.moments.volume_m3 < 0.0) {  // inside out: it encloses what it encloses
-        solid.moments.volume_m3 *= -1.0;
-        solid.moments.second_m5 *= -1.0;
+    if (report.is_closed() && report.inconsistent_edges == 0) {
+        const std::optional<bool> is_whole = winds_once(mesh, clusters, progress);
+        if (!is_whole) {
+            return std::nullopt;
+        }
+        if (*is_whole) {
+            return MeasuredSolid{compute_solid_moments(mesh), false};
+        }
     }
-    // Below these a sheet's rounding is all that is there, or too few samples to tell a shape.
-    constexpr double kFlattest = 1.0e-12;
-    constexpr double kFewestSamples = 64.0;
-    const double longest_m = (mesh.upper_B() - mesh.lower_B()).maxCoeff();
-    const double share = solid.moments.volume_m3 / (longest_m * longest_m * longest_m);
-    const double least =
-        is_whole ? kFlattest : kFewestSamples / std::pow(static_cast<double>(kSamplesAlong), 3);
-    if (!(share >= least)) {
-        return fail("the mesh encloses nothing, so it has no mass", where,
-                    "close its holes, or give mass and moments of inertia as numbers");
+    if (auto moments = sample_moments(mesh, clusters, progress)) {
+        return MeasuredSolid{*moments, true};
     }
-    return solid;
+    return std::nullopt;
 }
 
-Expected<MeshInertia> fill(const Solid& solid, double density_kg_per_m3, const std::string& where) {
+bool is_above_zero(double number) noexcept {
+    return number > 0.0 && std::isfinite(number);
+}
+
+Expected<MeshInertia> fill(const MeasuredSolid& solid, double density_kg_per_m3,
+                           const std::string& where) {
     MeshInertia filled;
-    filled.rule = solid.rule;
+    filled.rule = solid.by_samples ? InertiaRule::samples : InertiaRule::integrals;
     filled.volume_m3 = solid.moments.volume_m3;
     filled.inertia_B = density_kg_per_m3 * compute_unit_inertia(solid.moments);
     const PrincipalAxes axes = compute_principal_axes(filled.inertia_B);
@@ -165,11 +168,41 @@ Expected<MeshInertia> fill(const Solid& solid, double density_kg_per_m3, const s
     return filled;
 }
 
-bool is_above_zero(double number) noexcept {
-    return number > 0.0 && std::isfinite(number);
+}  // namespace
+
+Expected<MeasuredSolid> measure_solid(const TriangleMesh& mesh, const std::string& where,
+                                      const LoadProgress& progress) {
+    const auto found = find_moments(mesh, progress);
+    if (!found) {
+        return fail("the mass was stopped before it was found", where, "find it again");
+    }
+    MeasuredSolid solid = *found;
+    if (solid.moments.volume_m3 < 0.0) {  // inside out: it encloses what it encloses
+        solid.moments.volume_m3 *= -1.0;
+        solid.moments.second_m5 *= -1.0;
+    }
+    // Below these a sheet's rounding is all that is there, or too few samples to tell a shape.
+    constexpr double kFlattest = 1.0e-12;
+    constexpr double kFewestSamples = 64.0;
+    const double longest_m = (mesh.upper_B() - mesh.lower_B()).maxCoeff();
+    const double share = solid.moments.volume_m3 / (longest_m * longest_m * longest_m);
+    const double least = solid.by_samples
+                             ? kFewestSamples / std::pow(static_cast<double>(kSamplesAlong), 3)
+                             : kFlattest;
+    if (!(share >= least)) {
+        return fail("the mesh encloses nothing, so it has no mass", where,
+                    "close its holes, or give mass and moments of inertia as numbers");
+    }
+    return solid;
 }
 
-}  // namespace
+Expected<MeshInertia> fill_with_mass(const MeasuredSolid& solid, double mass_kg,
+                                     const std::string& where) {
+    if (!is_above_zero(mass_kg)) {
+        return fail("the mass is no number above 0", where, "give it in kg");
+    }
+    return fill(solid, mass_kg / solid.moments.volume_m3, where);
+}
 
 std::string_view to_string(InertiaRule rule) noexcept {
     return rule == InertiaRule::integrals ? "integrals" : "samples";
@@ -181,18 +214,15 @@ Expected<MeshInertia> compute_inertia(const TriangleMesh& mesh, double density_k
         return fail("the density is no number above 0", where,
                     "give it in kg/m^3: water has 1000, steel 7850");
     }
-    return measure(mesh, where).and_then([&](const Solid& solid) {
+    return measure_solid(mesh, where).and_then([&](const MeasuredSolid& solid) {
         return fill(solid, density_kg_per_m3, where);
     });
 }
 
 Expected<MeshInertia> compute_inertia_of_mass(const TriangleMesh& mesh, double mass_kg,
                                               const std::string& where) {
-    if (!is_above_zero(mass_kg)) {
-        return fail("the mass is no number above 0", where, "give it in kg");
-    }
-    return measure(mesh, where).and_then([&](const Solid& solid) {
-        return fill(solid, mass_kg / solid.moments.volume_m3, where);
+    return measure_solid(mesh, where).and_then([&](const MeasuredSolid& solid) {
+        return fill_with_mass(solid, mass_kg, where);
     });
 }
 

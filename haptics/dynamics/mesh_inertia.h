@@ -17,7 +17,9 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/base/parallel_for.h"
 #include "haptics/dynamics/rigid_state.h"
+#include "haptics/geometry/solid_moments.h"
 #include "haptics/geometry/triangle_mesh.h"
 
 #include <cstdint>
@@ -39,6 +41,16 @@ struct MeshInertia {
     double volume_m3 = 0.0;  ///< enclosed
     InertiaRule rule = InertiaRule::integrals;
 };
+
+/// What the mesh encloses, by the first rule that holds: what takes long of the rest. Refuses a mesh that encloses nothing, `where`
+/// names it in the error; an error too where `progress` stops it.
+[[nodiscard]] Expected<MeasuredSolid> measure_solid(const TriangleMesh& mesh,
+                                                    const std::string& where = {},
+                                                    const LoadProgress& progress = {});
+
+/// The same filled evenly, so that it has this mass. Refuses what `compute_inertia_of_mass` does.
+[[nodiscard]] Expected<MeshInertia> fill_with_mass(const MeasuredSolid& solid, double mass_kg,
+                                                   const std::string& where = {});
 
 /// Of a mesh filled evenly, kg/m^3. Refuses a density that is not a number above 0, a mesh that encloses nothing, and masses and
 /// moments that `validate` of an inertia refuses; `where` names the mesh in the error.

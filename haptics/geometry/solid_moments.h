@@ -28,6 +28,12 @@ struct SolidMoments {
         Matrix3::Zero()};  ///< the integral of (p - c)(p - c)^T; below 0 like the volume
 };
 
+/// Moments and how they were found.
+struct MeasuredSolid {
+    SolidMoments moments{};
+    bool by_samples = false;  ///< not the sums above: the mesh is broken, and was sampled
+};
+
 /// Of what the mesh winds round.
 [[nodiscard]] SolidMoments compute_solid_moments(const TriangleMesh& mesh) noexcept;
 

@@ -85,8 +85,7 @@ class DistanceFieldBuilder {
 
     // False where it was stopped.
     [[nodiscard]] bool build() {
-        list_triangles();
-        if (!tell(kShareListed) || !fill_near_bricks()) {
+        if (!list_triangles() || !fill_near_bricks()) {
             return false;
         }
         keep_near_bricks();
@@ -139,7 +138,7 @@ class DistanceFieldBuilder {
 
     template <class Visit>
     void for_each_brick_near(const TriangleAt& t, Visit&& visit) const;
-    void list_triangles();
+    [[nodiscard]] bool list_triangles();
     [[nodiscard]] bool fill_near_bricks();
     bool fill_brick(std::size_t listed, DistanceField::Brick& brick) const noexcept;
     void keep_near_bricks();
@@ -190,14 +189,19 @@ void DistanceFieldBuilder::for_each_brick_near(const TriangleAt& t, Visit&& visi
     }
 }
 
-void DistanceFieldBuilder::list_triangles() {
+bool DistanceFieldBuilder::list_triangles() {
+    constexpr std::size_t kBetween = 4096;  // from one question whether to go on to the next
     struct Pair {
         std::int32_t brick;
         std::int32_t triangle;
     };
     std::vector<Pair> pairs;
     std::vector<std::size_t> count(n_all() + 1, 0);
+    const auto n = static_cast<double>(mesh_.triangles().size());
     for (std::size_t i = 0; i < mesh_.triangles().size(); ++i) {
+        if (i % kBetween == 0 && !tell(kShareListed * static_cast<double>(i) / n)) {
+            return false;
+        }
         for_each_brick_near(lattice_triangle(i), [&](std::int32_t brick) {
             pairs.push_back({brick, static_cast<std::int32_t>(i)});
             ++count[static_cast<std::size_t>(brick) + 1];
@@ -215,6 +219,7 @@ void DistanceFieldBuilder::list_triangles() {
     for (const Pair& pair : pairs) {
         near_.triangles[count[static_cast<std::size_t>(pair.brick)]++] = pair.triangle;
     }
+    return tell(kShareListed);
 }
 
 bool DistanceFieldBuilder::fill_brick(std::size_t listed,

@@ -109,6 +109,41 @@ std::vector<std::size_t> order_triangles(const TriangleMesh& mesh, double longes
     return order;
 }
 
+// Point k stands for the area from k/n to (k + 1)/n; the triangle in which its middle lies has it. False where it was stopped.
+template <class GoesOn>
+bool place_points(const TriangleMesh& mesh, const std::vector<std::size_t>& order, int n_points,
+                  const GoesOn& goes_on, std::vector<Candidate>& candidates) {
+    constexpr std::size_t kBetween = 4096;  // triangles and points from one question to the next
+    const double longest_m = (mesh.upper_B() - mesh.lower_B()).maxCoeff();
+    double total = 0.0;
+    for (const TriangleCorners& triangle : mesh.triangles()) {
+        total += compute_length(compute_doubled_area(corners_of(mesh, triangle)));
+    }
+    candidates.reserve(static_cast<std::size_t>(n_points));
+    double passed = 0.0;
+    std::size_t asked_at = kBetween;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const TrianglePoints t = corners_of(mesh, mesh.triangles()[order[i]]);
+        const Vector3 doubled_area = compute_doubled_area(t);
+        passed += compute_length(doubled_area);
+        const bool last = i + 1 == order.size();
+        const double share = static_cast<double>(n_points) * passed / total - 0.5;
+        const auto end = last ? n_points : std::min(n_points, static_cast<int>(std::ceil(share)));
+        for (int k = 0; static_cast<int>(candidates.size()) < end; ++k) {
+            const Vector3 place = compute_place(t, k);
+            candidates.push_back({compute_morton(place, mesh.lower_B(), longest_m), place,
+                                  -compute_direction(doubled_area)});
+            if (i + candidates.size() >= asked_at) {
+                asked_at = i + candidates.size() + kBetween;
+                if (!goes_on(static_cast<double>(candidates.size()) / n_points)) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 void Pointshell::add(const Vector3& position_T, const Vector3& normal_T) {
@@ -156,36 +191,32 @@ Expected<Pointshell> make_voxel_pointshell(const TriangleMesh& mesh, double voxe
     return in_order(candidates);
 }
 
-Expected<Pointshell> make_surface_pointshell(const TriangleMesh& mesh, int n_points) {
+Expected<Pointshell> make_surface_pointshell(const TriangleMesh& mesh, int n_points,
+                                             const LoadProgress& progress) {
     if (n_points < 1 || n_points > kMostShellPoints) {
         return fail("a pointshell of " + std::to_string(n_points) +
                         " points is outside the range 1 to 16 million",
                     {}, "set it within that range");
     }
+    // About as much of the time as each step takes.
+    constexpr double kOrdered = 0.2;
+    constexpr double kPlaced = 0.6;
+    const auto goes_on = [&](double share) { return !progress || progress(share); };
     const double longest_m = (mesh.upper_B() - mesh.lower_B()).maxCoeff();
     const std::vector<std::size_t> order = order_triangles(mesh, longest_m);
-    double total = 0.0;
-    for (const TriangleCorners& triangle : mesh.triangles()) {
-        total += compute_length(compute_doubled_area(corners_of(mesh, triangle)));
-    }
-    // Point k stands for the area from k/n to (k + 1)/n; the triangle in which its middle lies has it.
     std::vector<Candidate> candidates;
-    candidates.reserve(static_cast<std::size_t>(n_points));
-    double passed = 0.0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const TrianglePoints t = corners_of(mesh, mesh.triangles()[order[i]]);
-        const Vector3 doubled_area = compute_doubled_area(t);
-        passed += compute_length(doubled_area);
-        const bool last = i + 1 == order.size();
-        const double share = static_cast<double>(n_points) * passed / total - 0.5;
-        const auto end = last ? n_points : std::min(n_points, static_cast<int>(std::ceil(share)));
-        for (int k = 0; static_cast<int>(candidates.size()) < end; ++k) {
-            const Vector3 place = compute_place(t, k);
-            candidates.push_back({compute_morton(place, mesh.lower_B(), longest_m), place,
-                                  -compute_direction(doubled_area)});
-        }
+    if (!goes_on(kOrdered) ||
+        !place_points(
+            mesh, order, n_points,
+            [&](double share) { return goes_on(kOrdered + share * (kPlaced - kOrdered)); },
+            candidates)) {
+        return fail("the points were stopped before they were made", {}, "make them again");
     }
-    return in_order(candidates);
+    Pointshell shell = in_order(candidates);
+    if (!goes_on(1.0)) {
+        return fail("the points were stopped before they were made", {}, "make them again");
+    }
+    return shell;
 }
 
 Pointshell make_moved(const Pointshell& shell, const Pose& X_NT) {

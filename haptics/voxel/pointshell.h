@@ -15,6 +15,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/base/parallel_for.h"
 #include "haptics/geometry/triangle_mesh.h"
 
 #include <cstddef>
@@ -44,8 +45,10 @@ inline constexpr int kMostShellPoints = 16'000'000;
 /// `validate` of voxelise.h refuses, and more than 512 voxels along an axis.
 [[nodiscard]] Expected<Pointshell> make_voxel_pointshell(const TriangleMesh& mesh, double voxel_m);
 
-/// `n_points` points on the mesh's triangles, from 1 to 16 million; the same ones each time. T is the mesh's frame.
-[[nodiscard]] Expected<Pointshell> make_surface_pointshell(const TriangleMesh& mesh, int n_points);
+/// `n_points` points on the mesh's triangles, from 1 to 16 million; the same ones each time. T is the mesh's frame. An error too
+/// where `progress` stops it.
+[[nodiscard]] Expected<Pointshell> make_surface_pointshell(const TriangleMesh& mesh, int n_points,
+                                                           const LoadProgress& progress = {});
 
 /// The same tool seen from another frame N: p_N = X_NT p_T.
 [[nodiscard]] Pointshell make_moved(const Pointshell& shell, const Pose& X_NT);

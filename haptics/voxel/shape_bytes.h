@@ -1,17 +1,19 @@
-// Distance fields, voxels and pointshells as bytes, so that what took long to make need not be made again; and back, checked.
+// Distance fields, voxels, pointshells and a mesh's moments as bytes, so that what took long to make need not be made again; and
+// back, checked.
 //
 //   bytes    mark (8) · version · kind (4 each) · key (32) · length (8) · that many bytes · SHA-256 of all before (32)
 //   key      SHA-256 over version, kind, the mesh's corners and triangles, and all settings as doubles
 // Numbers are little-endian. What is read is believed in nothing: mark, version, kind, key, length and checksum must be right, and
 // then every number within the range that the makers give it, so that no question to what was read can reach beyond it: nothing
-// farther than the block is long, slopes from 1 to sqrt(3), normals of unit length. Whether it is the shape that was asked for, of
-// that frame and size, is for who asks. No more memory is asked for than the bytes fill; for voxels, which are kept as runs of one
-// kind, no more than 512^3.
+// farther than the block is long, slopes from 1 to sqrt(3), where a hole is closed by a membrane to 2 sqrt(3) b / s, normals of unit
+// length, moments that a body can have. Whether it is the shape that was asked for, of that frame and size, is for who asks. No more
+// memory is asked for than the bytes fill; for voxels, which are kept as runs of one kind, no more than 512^3.
 //
 // Thread: load. Cost: 4 to 5 ns a byte, most of it the checksum: a field of 512^3, 43 MB, 0.2 s.
 #pragma once
 
 #include "haptics/base/sha256.h"
+#include "haptics/geometry/solid_moments.h"
 #include "haptics/voxel/distance_field.h"
 #include "haptics/voxel/pointshell.h"
 #include "haptics/voxel/voxel_grid.h"
@@ -28,7 +30,12 @@ using Bytes = std::vector<std::byte>;
 /// Goes up with every change of the layout, or of what a maker makes of the same settings.
 inline constexpr std::uint32_t kShapeVersion = 2;
 
-enum class ShapeKind : std::uint32_t { distance_field = 1, voxel_grid = 2, pointshell = 3 };
+enum class ShapeKind : std::uint32_t {
+    distance_field = 1,
+    voxel_grid = 2,
+    pointshell = 3,
+    solid_moments = 4
+};
 
 /// What a shape is made of: the same mesh and settings have the same key.
 [[nodiscard]] Digest compute_shape_key(ShapeKind kind, const TriangleMesh& mesh,
@@ -38,10 +45,12 @@ enum class ShapeKind : std::uint32_t { distance_field = 1, voxel_grid = 2, point
 [[nodiscard]] std::size_t count_bytes(const DistanceField& field);
 [[nodiscard]] std::size_t count_bytes(const VoxelGrid& grid);
 [[nodiscard]] std::size_t count_bytes(const Pointshell& shell);
+[[nodiscard]] std::size_t count_bytes(const MeasuredSolid& solid);
 
 [[nodiscard]] Bytes encode(const DistanceField& field, const Digest& key);
 [[nodiscard]] Bytes encode(const VoxelGrid& grid, const Digest& key);
 [[nodiscard]] Bytes encode(const Pointshell& shell, const Digest& key);
+[[nodiscard]] Bytes encode(const MeasuredSolid& solid, const Digest& key);
 
 /// Each refuses bytes that are cut off, changed, of another version, kind or key, or that no maker made.
 [[nodiscard]] Expected<DistanceField> decode_distance_field(std::span<const std::byte> bytes,
@@ -50,5 +59,7 @@ enum class ShapeKind : std::uint32_t { distance_field = 1, voxel_grid = 2, point
                                                     const Digest& key);
 [[nodiscard]] Expected<Pointshell> decode_pointshell(std::span<const std::byte> bytes,
                                                      const Digest& key);
+[[nodiscard]] Expected<MeasuredSolid> decode_measured_solid(std::span<const std::byte> bytes,
+                                                            const Digest& key);
 
 }  // namespace fulcrum

@@ -38,6 +38,7 @@ void find_range(const DistanceField::Brick& brick, std::size_t stride, int& leas
 }
 
 SlopeBox make_box(const DistanceField::Brick& brick, double voxels_per_step) {
+    constexpr double kSteepest = 127.0;  // in units
     SlopeBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         int least = 2 * DistanceField::kLargestValue;
@@ -45,6 +46,10 @@ SlopeBox make_box(const DistanceField::Brick& brick, double voxels_per_step) {
         find_range(brick, kStrides[axis], least, most);
         if (least <= most) {
             const double units = voxels_per_step / static_cast<double>(SlopeBox::kUnit);
+            if (std::max(-least, most) * units > kSteepest) {
+                box.least[3] = SlopeBox::kAny;
+                return box;
+            }
             box.least[axis] = static_cast<std::int8_t>(std::floor(least * units));
             box.minus_most[axis] = static_cast<std::int8_t>(-std::ceil(most * units));
         }

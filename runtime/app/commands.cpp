@@ -2,6 +2,7 @@
 
 #include "haptics/collision/self_intersection.h"
 #include "runtime/app/headless.h"
+#include "runtime/app/interrupt.h"
 #include "runtime/app/lesson_parts.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/menu_screen.h"
@@ -46,7 +47,7 @@ int with_run(const Installation& installation, const Options& options, RunReques
     const auto store = make_null_store();
     const auto run =
         LessonRun::create(installation.places, request, *store, installation.catalogue);
-    return run ? use(**run, *folder) : complain(run.error(), 1);
+    return run ? use(**run, *folder) : complain_of_loading(run.error());
 }
 
 // What L:test{ expect = … } may name (kTestFacts), as text.
@@ -160,6 +161,10 @@ Expected<Installation> open_installation(double started_s) {
 int complain(const Error& error, int exit_code) {
     std::fprintf(stderr, "%s\n", to_sentence(error).c_str());
     return exit_code;
+}
+
+int complain_of_loading(const Error& error) {
+    return interrupted() ? interrupt_exit_code() : complain(error, 1);
 }
 
 int list_command(const Installation& installation) {

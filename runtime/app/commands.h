@@ -1,5 +1,5 @@
 // What each word of the command line does. Each returns the program's exit code: 0 done, 1 the lesson or a test failed, 2
-// wrong usage or unreadable input.
+// wrong usage or unreadable input, 130 when Ctrl-C came before the lesson began.
 #pragma once
 
 #include "dialogue/catalogue.h"
@@ -20,6 +20,8 @@ struct Installation {
 
 /// Says an error in one sentence on the terminal and gives the exit code.
 int complain(const Error& error, int exit_code);
+/// The same of a lesson that could not be made ready, 1; where Ctrl-C stopped that, nothing is said and the code is the signal's.
+int complain_of_loading(const Error& error);
 
 [[nodiscard]] int menu_command(const Installation& installation, const Options& options);
 [[nodiscard]] int run_command(const Installation& installation, const Options& options);

@@ -6,10 +6,10 @@
 namespace fulcrum::runtime {
 namespace {
 
-std::atomic<bool> interrupt_seen{false};
+std::atomic<int> signal_seen{0};
 
-extern "C" void note_interrupt(int /*signal*/) {
-    interrupt_seen.store(true, std::memory_order_relaxed);
+extern "C" void note_interrupt(int signal) {
+    signal_seen.store(signal, std::memory_order_relaxed);
 }
 
 }  // namespace
@@ -27,7 +27,13 @@ void watch_for_interrupts() {
 }
 
 bool interrupted() noexcept {
-    return interrupt_seen.load(std::memory_order_relaxed);
+    return signal_seen.load(std::memory_order_relaxed) != 0;
+}
+
+int interrupt_exit_code() noexcept {
+    constexpr int kShells = 128;  // what shells add to a signal's number
+    const int signal = signal_seen.load(std::memory_order_relaxed);
+    return signal == 0 ? 0 : kShells + signal;
 }
 
 }  // namespace fulcrum::runtime

@@ -53,10 +53,13 @@ void LessonScreen::begin() {
     }
     auto run = LessonRun::create(places_, request, store_, catalogue_);
     if (!run) {
-        fail_with(run.error());
+        if (!interrupted()) {
+            fail_with(run.error());
+        }
         return;
     }
     run_ = std::move(*run);
+    has_begun_ = true;
     print_lines(run_->process().prints_while_loading());
     files_.watch_only(files_of_lesson(places_, request_.folder, run_->description(),
                                       run_->process().files_read()));

@@ -34,6 +34,8 @@ class LessonScreen {
     Left play();
     /// True when the lesson failed and was not mended; then `play` has told why.
     [[nodiscard]] bool failed() const { return !error_.empty(); }
+    /// True once the lesson was ready to be played; not where Ctrl-C came before that.
+    [[nodiscard]] bool has_begun() const { return has_begun_; }
     /// How the haptic loop did and how long after `since_s` of the monotonic clock it first ran, for the terminal.
     [[nodiscard]] std::string statistics(double since_s) const;
 
@@ -74,7 +76,8 @@ class LessonScreen {
     TypedLine typing_;
     FrameInput input_{};
     double wheel_m_ = 0.0;
-    bool stopped_ = false;  // the emergency stop holds
+    bool stopped_ = false;
+    bool has_begun_ = false;
     std::optional<Left> left_;
     View last_view_{};
     bool screenshot_taken_ = false;

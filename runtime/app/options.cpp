@@ -265,7 +265,7 @@ std::string usage() {
   fulcrum report             what learners did  (--learner NAME --lesson ID --format text|csv --out FILE)
   fulcrum bench [NAME…]      what accuracy costs in time  (--out DIR --quick --list --draw FILE.csv)
 
-Exit codes: 0 done, 1 the lesson or a test failed, 2 wrong usage or unreadable input.
+Exit codes: 0 done, 1 the lesson or a test failed, 2 wrong usage or unreadable input, 130 Ctrl-C before a lesson began.
 )";
 }
 

@@ -1,6 +1,7 @@
 #include "runtime/app/commands.h"
 #include "runtime/app/desktop.h"
 #include "runtime/app/headless.h"
+#include "runtime/app/interrupt.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/lesson_screen.h"
 #include "runtime/app/menu_screen.h"
@@ -24,7 +25,10 @@ int run_in_window(const Installation& installation, const Options& options, RunR
                         std::move(request), options);
     (void)screen.play();
     std::fprintf(stderr, "%s\n", screen.statistics(installation.started_s).c_str());
-    return screen.failed() ? 1 : 0;
+    if (screen.failed()) {
+        return 1;
+    }
+    return screen.has_begun() ? 0 : interrupt_exit_code();
 }
 
 // Writes the picture at the wanted time, or at the end.
@@ -70,7 +74,7 @@ int run_without_window(const Installation& installation, const Options& options,
     const auto store = open_store_or_none(options.database);
     auto run = LessonRun::create(installation.places, request, *store, installation.catalogue);
     if (!run) {
-        return complain(run.error(), 1);
+        return complain_of_loading(run.error());
     }
     ScreenshotTaker screenshot(installation, options, **run, request.folder);
     HeadlessSettings settings;

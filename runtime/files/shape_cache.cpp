@@ -194,7 +194,7 @@ Expected<VoxelGrid> recall_voxels(ShapeCache& cache, const TriangleMesh& mesh,
 }
 
 Expected<Pointshell> recall_surface_pointshell(ShapeCache& cache, const TriangleMesh& mesh,
-                                               int n_points) {
+                                               int n_points, const LoadProgress& progress) {
     const std::array<double, 1> numbers{static_cast<double>(n_points)};
     const auto decode = [&](const Bytes& bytes, const Digest& key) {
         return decode_pointshell(bytes, key)
@@ -206,7 +206,13 @@ Expected<Pointshell> recall_surface_pointshell(ShapeCache& cache, const Triangle
             });
     };
     return recall(cache, compute_shape_key(ShapeKind::pointshell, mesh, numbers), decode,
-                  [&] { return make_surface_pointshell(mesh, n_points); });
+                  [&] { return make_surface_pointshell(mesh, n_points, progress); });
+}
+
+Expected<MeasuredSolid> recall_measured_solid(ShapeCache& cache, const TriangleMesh& mesh,
+                                              const LoadProgress& progress) {
+    return recall(cache, compute_shape_key(ShapeKind::solid_moments, mesh, {}),
+                  decode_measured_solid, [&] { return measure_solid(mesh, {}, progress); });
 }
 
 }  // namespace fulcrum::runtime

@@ -1,6 +1,12 @@
-// Shapes that took long to make, kept on disk for the next time: distance fields, voxels and pointshells by what they are made of.
+// Shapes that took long to make, kept on disk for the next time: distance fields, voxels, pointshells and what a mesh encloses.
 //
-//   name    the key (shape_bytes.h: mesh, settings, version) in hex + ".shape", in a folder that is the user's alone
+//   key     all that a shape is made of: its kind, the version of the makers, the mesh's corners and triangles, and
+//             a distance field    the frame's corner, voxel and cells, the band, the sheet
+//             voxels              the voxel, layers that push, layers that brake
+//             a pointshell        how many points
+//             what is enclosed    nothing else: any mass is put to it afterwards
+//           The number of threads is not in it: whatever it is, the shape is the same to the bit
+//   name    the key (shape_bytes.h) in hex + ".shape", in a folder that is the user's alone
 //           (private_folder.h: how it is read and written, whenever a program or a computer stops)
 //   read    no longer than `most_file_bytes`; what is in it is judged by shape_bytes.h, and must be what was asked for. What is
 //           refused is told, removed and made again: a cache can cost time, never a lesson
@@ -14,6 +20,7 @@
 // Source: where it lies: XDG Base Directory Specification 0.8.
 #pragma once
 
+#include "haptics/dynamics/mesh_inertia.h"
 #include "haptics/voxel/shape_bytes.h"
 #include "haptics/voxel/voxelise.h"
 #include "runtime/files/private_folder.h"
@@ -107,7 +114,11 @@ template <class Decode, class Build>
                                                 const LoadProgress& progress = {});
 /// make_surface_pointshell, kept.
 [[nodiscard]] Expected<Pointshell> recall_surface_pointshell(ShapeCache& cache,
-                                                             const TriangleMesh& mesh,
-                                                             int n_points);
+                                                             const TriangleMesh& mesh, int n_points,
+                                                             const LoadProgress& progress = {});
+/// measure_solid, kept.
+[[nodiscard]] Expected<MeasuredSolid> recall_measured_solid(ShapeCache& cache,
+                                                            const TriangleMesh& mesh,
+                                                            const LoadProgress& progress = {});
 
 }  // namespace fulcrum::runtime

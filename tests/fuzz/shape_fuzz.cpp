@@ -70,6 +70,10 @@ void try_bytes(const Bytes& bytes) {
         require(again && again->cells == grid->cells);
         require(grid->find_class({0, 0, 0}) == grid->cells.front());
     }
+    const auto solid = fulcrum::decode_measured_solid(bytes, key);
+    if (accept(solid, bytes, key)) {
+        require(solid->moments.volume_m3 > 0.0 && solid->moments.second_m5.allFinite());
+    }
     const auto shell = fulcrum::decode_pointshell(bytes, key);
     if (accept(shell, bytes, key)) {
         require(shell->position_T(shell->size() - 1).allFinite());

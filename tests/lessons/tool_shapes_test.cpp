@@ -123,3 +123,24 @@ TEST_CASE("tool shapes: what cannot be kept is told, and costs time alone") {
     CHECK(kept_in(narrow, ".shape").empty());
     CHECK(kept_in(narrow, ".tmp").empty());
 }
+
+TEST_CASE("tool shapes: Ctrl-C while they are made ends the program at once, without a word") {
+    const Sandbox sandbox;
+    std::string text =
+        "local L = lesson { id = \"many\", title = \"Many\" }\nfunction L:start(world)\n";
+    for (int i = 0; i < 8; ++i) {
+        text += "  world:body { name = \"ball" + std::to_string(i) +
+                "\", model = \"sphere\", solid = true, radius = 0.1" + std::to_string(i) +
+                ", at = { " + std::to_string(i) + ", 0, 0 } }\n";
+    }
+    sandbox.write("many/lesson.lua",
+                  text + "  world:hand { tool = { points = 200000 } }\nend\nreturn L\n");
+    for (const char* signal : {"INT", "TERM"}) {
+        const ProgramRun run = sandbox.run(
+            "explain many", std::string("timeout --preserve-status -s ") + signal + " 1");
+        INFO(signal);
+        CHECK(run.output.empty());
+        CHECK(run.exit_code == (signal == std::string("INT") ? 130 : 143));
+        CHECK(kept_in(sandbox, ".tmp").empty());
+    }
+}

@@ -75,7 +75,7 @@ Wrench sum_in_double(const DistanceField& field, const Pointshell& points, doubl
     Wrench sum;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vector3 arm_O = X_OT.orientation * points.position_T(i);
-        const double depth_m = -field.sample(X_OT.position + arm_O).value_m;
+        const double depth_m = field.sample_depth(X_OT.position + arm_O).depth_m;
         if (depth_m > 0.0) {
             const Vector3 force = k * depth_m * (X_OT.orientation * points.normal_T(i));
             sum.force += force;

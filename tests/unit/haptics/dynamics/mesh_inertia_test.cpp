@@ -135,6 +135,34 @@ TEST_CASE("mesh inertia: open, overlapping, nested and partly inverted meshes ar
     }
 }
 
+TEST_CASE("mesh inertia: measured once a mesh has any mass; measuring tells, and can be stopped") {
+    const TriangleMesh ball = *make_sphere(0.1, 24);
+    const TriangleMesh cracked = *make_cracked(ball, 1.0e-4, 1, 0.0);
+    for (const bool broken : {false, true}) {
+        const TriangleMesh& mesh = broken ? cracked : ball;
+        const auto solid = measure_solid(mesh);
+        REQUIRE(solid);
+        CHECK(solid->by_samples == broken);
+        for (const double mass_kg : {0.1, 3.0}) {
+            const auto filled = fill_with_mass(*solid, mass_kg);
+            const auto found = compute_inertia_of_mass(mesh, mass_kg);
+            REQUIRE(filled);
+            CHECK(filled->inertia.moments_kg_m2 == found->inertia.moments_kg_m2);
+            CHECK(filled->X_BP.position == found->X_BP.position);
+            CHECK(filled->rule == found->rule);
+        }
+        int n_told = 0;
+        const auto stopped = measure_solid(mesh, "ball.obj", [&](double share) {
+            CHECK(share <= 1.0);
+            return ++n_told < 3;
+        });
+        REQUIRE_FALSE(stopped);
+        CHECK(n_told == 3);
+        CHECK(to_sentence(stopped.error()) ==
+              "ball.obj: the mass was stopped before it was found; find it again.");
+    }
+}
+
 TEST_CASE("mesh inertia: what encloses nothing or weighs what no body weighs is refused") {
     const TriangleMesh box = *make_box(Vector3::Constant(0.1));
     const double nan = std::numeric_limits<double>::quiet_NaN();

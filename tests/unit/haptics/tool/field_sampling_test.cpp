@@ -233,6 +233,47 @@ TEST_CASE("field sampling: a tool deeper than the band is pushed out, harder the
 }
 
 TEST_CASE(
+    "field sampling: with or without holes, below the band too, all modes sum D in double "
+    "precision") {
+    const TriangleMesh ball = *make_bumpy_sphere(1.0, 16, 0.05, 9.0);
+    std::vector<TriangleCorners> triangles = ball.triangles();
+    triangles.resize(triangles.size() - triangles.size() / 20);
+    const Pointshell points = make_surface_pointshell(*make_sphere(0.15, 12), 3000).value();
+    const auto shell = std::make_shared<const ShellTree>(ShellTree::build(points).value());
+    for (const bool open : {false, true}) {
+        const FieldSampler::Field field = make_field(
+            open ? TriangleMesh::build(ball.vertices_B(), triangles).value() : ball, 128);
+        REQUIRE((field->counts().n_open_edges > 0) == open);
+        Random random(6);
+        double clamped = 0.0;
+        for (int pose = 0; pose < 12; ++pose) {
+            const Pose X_OT{(1.15 - 0.02 * pose) * random.direction(), random.turn(3.0)};
+            Vector3 sum = Vector3::Zero();
+            Vector3 sum_in_band = Vector3::Zero();
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const Vector3 p_O = X_OT * points.position_T(i);
+                const Vector3 normal_O = X_OT.orientation * points.normal_T(i);
+                sum += field->sample_depth(p_O).depth_m * normal_O;
+                sum_in_band += std::max(-field->sample(p_O).value_m, 0.0) * normal_O;
+            }
+            clamped = std::max(clamped, (sum - sum_in_band).norm() / std::max(sum.norm(), 1e-3));
+            for (const SamplingMode mode :
+                 {SamplingMode::brute_force, SamplingMode::tree, SamplingMode::coherent}) {
+                FieldSampler sampler =
+                    FieldSampler::build(
+                        field, shell,
+                        {.stiffness_N_per_m = 1.0, .along = ForceAlong::normals, .mode = mode})
+                        .value();
+                const Vector3 force = sampler.step({}, X_OT).wrench_W.force;
+                CHECK((force - sum).norm() <= 1.0e-4 * sum.norm() + 1.0e-6);
+            }
+        }
+        // What ends at the band is another law: by this much it is less there.
+        CHECK(clamped > 0.05);
+    }
+}
+
+TEST_CASE(
     "field sampling: of a box without a lid, as a sheet, all modes feel the walls and no lid") {
     const TriangleMesh closed = *make_box({1.0, 1.0, 1.0});
     std::vector<TriangleCorners> triangles;

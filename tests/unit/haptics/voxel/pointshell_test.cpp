@@ -154,3 +154,28 @@ TEST_CASE("pointshell: counts and voxels out of range are refused") {
     CHECK_FALSE(make_voxel_pointshell(mesh, 0.0));
     CHECK_FALSE(make_voxel_pointshell(mesh, 0.0001));
 }
+
+TEST_CASE("pointshell on the mesh: it tells how far it has come, and stops where it is told to") {
+    const TriangleMesh mesh = *make_sphere(kRadius_m, 20);
+    constexpr int kPoints = 100000;
+    std::vector<double> told;
+    const auto whole = make_surface_pointshell(mesh, kPoints, [&](double share) {
+        told.push_back(share);
+        return true;
+    });
+    REQUIRE(whole);
+    CHECK(whole->x_m == make_surface_pointshell(mesh, kPoints)->x_m);
+    CHECK(std::is_sorted(told.begin(), told.end()));
+    CHECK(told.size() > 20);
+    CHECK(told.back() == 1.0);
+    for (const double most : {0.0, 0.4, 0.9}) {
+        double last = 0.0;
+        const auto stopped = make_surface_pointshell(mesh, kPoints, [&](double share) {
+            last = share;
+            return share <= most;
+        });
+        REQUIRE_FALSE(stopped);
+        CHECK(last > most);
+        CHECK(stopped.error().message == "the points were stopped before they were made");
+    }
+}

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -111,6 +112,65 @@ TEST_CASE("shape bytes: voxels and pointshells come back the same") {
     REQUIRE(shell_back);
     CHECK(shell_back->x_m == shell.x_m);
     CHECK(shell_back->nz == shell.nz);
+}
+
+// A box without one of its triangles: a membrane closes the hole, and F jumps there from one end of the band to the other.
+TriangleMesh open_box() {
+    const TriangleMesh box = make_box({1.0, 0.7, 0.8}).value();
+    std::vector<TriangleCorners> triangles = box.triangles();
+    triangles.pop_back();
+    return TriangleMesh::build(box.vertices_B(), triangles).value();
+}
+
+TEST_CASE("shape bytes: the field of an open mesh comes back as well, and no steeper one") {
+    for (const double sheet_voxels : {0.0, 1.5}) {
+        const DistanceField made =
+            DistanceField::build(open_box(), DistanceField::make_frame(open_box(), 48, 5.0).value(),
+                                 {.band_voxels = 3.0, .sheet_voxels = sheet_voxels})
+                .value();
+        REQUIRE(made.counts().n_open_edges == 3);
+        CHECK((made.slope_bound() > 2.0) == (sheet_voxels == 0.0));
+        const Bytes bytes = encode(made, kFieldKey);
+        const auto back = decode_distance_field(bytes, kFieldKey);
+        REQUIRE(back);
+        CHECK(back->slope_bound() == made.slope_bound());
+        // 2 sqrt(3) b / s, with 1 % for 16 bits; without a membrane sqrt(3).
+        const double most = (sheet_voxels == 0.0 ? 6.0 : 1.0) * std::sqrt(3.0);
+        const auto takes = [&](double slope) {
+            return decode_distance_field(with(bytes, kPayloadAt + 52, slope), kFieldKey)
+                .has_value();
+        };
+        CHECK(takes(most));
+        CHECK_FALSE(takes(1.02 * most));
+    }
+}
+
+TEST_CASE("shape bytes: what a mesh encloses comes back the same; what no body has is refused") {
+    const MeasuredSolid solid{compute_solid_moments(open_box()), true};
+    const Digest key = compute_shape_key(ShapeKind::solid_moments, open_box(), {});
+    const Bytes bytes = encode(solid, key);
+    CHECK(bytes.size() == count_bytes(solid));
+    const auto back = decode_measured_solid(bytes, key);
+    REQUIRE(back);
+    CHECK(back->moments.volume_m3 == solid.moments.volume_m3);
+    CHECK(back->moments.centre_B == solid.moments.centre_B);
+    CHECK(back->moments.second_m5 == solid.moments.second_m5);
+    CHECK(back->by_samples);
+    const auto refuses = [&](std::size_t at, auto value) {
+        return !decode_measured_solid(with(bytes, kPayloadAt + at, value), key);
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double volume : {nan, 0.0, -1.0, 1.0e300}) {
+        CHECK(refuses(0, volume));
+    }
+    CHECK(refuses(16, nan));
+    CHECK(refuses(16, 1.0e300));
+    CHECK(refuses(32, nan));
+    CHECK(refuses(32, -1.0));   // spread by less than nothing along x
+    CHECK(refuses(40, 100.0));  // other by x and y than by y and x
+    CHECK(refuses(104, std::uint8_t{2}));
+    CHECK_FALSE(refuses(104, std::uint8_t{0}));
+    CHECK_FALSE(decode_measured_solid(std::span(bytes).first(bytes.size() - 1), key));
 }
 
 TEST_CASE("shape bytes: what is cut off, longer, or changed in any place is refused") {

@@ -51,6 +51,31 @@ TEST_CASE("slope boxes: no way within the box falls faster than they say") {
     }
 }
 
+TEST_CASE("slope boxes: over a hole no way is known not to fall, beside it all is as ever") {
+    const TriangleMesh box = make_box({1.0, 1.0, 1.0}).value();
+    std::vector<TriangleCorners> triangles = box.triangles();
+    const TriangleCorners hole = triangles.back();
+    triangles.pop_back();
+    const DistanceField field =
+        make_field(TriangleMesh::build(box.vertices_B(), triangles).value());
+    const SlopeBoxes boxes(field);
+    const auto corner = [&](std::size_t i) {
+        return box.vertices_B()[static_cast<std::size_t>(hole[i])];
+    };
+    // On the edge of the hole the membrane begins.
+    const Vector3 edge_O = 0.5 * (corner(0) + corner(1));
+    const SlopeBox over = boxes.find(to_floats(field.frame().to_lattice(edge_O)), 4.0F);
+    for (const Vector3& way : {Vector3(0.0, 0.0, 0.0), Vector3(0.1, 0.0, 0.0), Vector3(edge_O)}) {
+        CHECK(over.find_fall(to_floats(way)) < -1.0e6F);
+    }
+    const Vector3 other_O = -(corner(0) + corner(1) + corner(2)) / 3.0;
+    const Vector3 out =
+        other_O.cwiseAbs().maxCoeff() *
+        other_O.cwiseProduct((other_O.cwiseAbs().array() > 0.49).cast<double>().matrix());
+    const SlopeBox beside = boxes.find(to_floats(field.frame().to_lattice(other_O)), 2.0F);
+    CHECK(beside.find_fall(to_floats(out)) == 0.0F);
+}
+
 TEST_CASE("slope boxes: over a level face a way along it or out of it does not fall") {
     const DistanceField field = make_field(make_box({1.0, 1.0, 1.0}).value());
     const SlopeBoxes boxes(field);

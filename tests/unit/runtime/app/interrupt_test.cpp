@@ -18,6 +18,8 @@ TEST_CASE(
     (void)close(ends[1]);
     (void)std::raise(SIGXFSZ);
     CHECK_FALSE(interrupted());
+    CHECK(interrupt_exit_code() == 0);
     (void)std::raise(SIGTERM);
     CHECK(interrupted());
+    CHECK(interrupt_exit_code() == 128 + SIGTERM);
 }

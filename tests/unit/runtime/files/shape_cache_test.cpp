@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <sys/stat.h>
 
@@ -52,6 +53,79 @@ TEST_CASE("shape cache: fields, voxels and pointshells by mesh and settings") {
     CHECK_FALSE(recall_voxels(cache, ball(), {.voxel_m = -1.0}));
     CHECK(std::distance(fs::directory_iterator(scratch.path()), {}) == 5);
     CHECK(cache.told().empty());
+}
+
+TEST_CASE("shape cache: a shape is read again for the same mesh and settings, and for no others") {
+    const ScratchFolder scratch;
+    const VoxelFrame frame = DistanceField::make_frame(ball(), 24, 5.0).value();
+    const auto with = [&](auto change) {
+        VoxelFrame changed = frame;
+        change(changed);
+        return changed;
+    };
+    ShapeCache cache(keep_all(scratch.path()));
+    const auto field = [&](const VoxelFrame& of, const DistanceFieldSettings& settings) {
+        return recall_distance_field(cache, ball(), of, settings).has_value();
+    };
+    const double eighth_m = 0.125 * frame.voxel_m;
+    const std::vector<std::function<bool()>> all{
+        [&] { return field(frame, {}); },
+        [&] { return field(with([&](auto& f) { f.lower_O.x() -= eighth_m; }), {}); },
+        [&] { return field(with([&](auto& f) { f.lower_O.y() -= eighth_m; }), {}); },
+        [&] { return field(with([&](auto& f) { f.lower_O.z() -= eighth_m; }), {}); },
+        [&] { return field(with([&](auto& f) { f.voxel_m *= 1.001; }), {}); },
+        [&] { return field(with([](auto& f) { f.n_cells[0] += 8; }), {}); },
+        [&] { return field(with([](auto& f) { f.n_cells[1] += 8; }), {}); },
+        [&] { return field(with([](auto& f) { f.n_cells[2] += 8; }), {}); },
+        [&] { return field(frame, {.band_voxels = 2.5}); },
+        [&] { return field(frame, {.sheet_voxels = 1.0}); },
+        [&] { return recall_voxels(cache, ball(), {.voxel_m = 0.1}).has_value(); },
+        [&] { return recall_voxels(cache, ball(), {.voxel_m = 0.11}).has_value(); },
+        [&] {
+            return recall_voxels(cache, ball(), {.voxel_m = 0.1, .offset_layers = 1}).has_value();
+        },
+        [&] {
+            return recall_voxels(cache, ball(), {.voxel_m = 0.1, .proximity_layers = 2})
+                .has_value();
+        },
+        [&] { return recall_surface_pointshell(cache, ball(), 100).has_value(); },
+        [&] { return recall_surface_pointshell(cache, ball(), 101).has_value(); },
+        [&] { return recall_measured_solid(cache, ball()).has_value(); },
+        [&] { return recall_measured_solid(cache, make_sphere(1.0, 4).value()).has_value(); }};
+    for (int round = 1; round <= 2; ++round) {
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            INFO("the shape with number " << i);
+            CHECK(all[i]());
+        }
+        CHECK(cache.counts().n_made == static_cast<int>(all.size()));
+        CHECK(cache.counts().n_read == static_cast<int>(all.size()) * (round - 1));
+    }
+    // As many threads as there are make the same shape.
+    CHECK(field(frame, {.n_threads = 1}));
+    CHECK(cache.counts().n_made == static_cast<int>(all.size()));
+    CHECK(cache.told().empty());
+}
+
+TEST_CASE("shape cache: an open body's field is made once, and read at the next start") {
+    const ScratchFolder scratch;
+    std::vector<TriangleCorners> triangles = ball().triangles();
+    triangles.erase(triangles.begin(), triangles.begin() + 7);
+    const TriangleMesh open = TriangleMesh::build(ball().vertices_B(), triangles).value();
+    const VoxelFrame frame = DistanceField::make_frame(open, 48).value();
+    for (int start = 0; start < 2; ++start) {
+        ShapeCache cache(keep_all(scratch.path()));
+        const auto field = recall_distance_field(cache, open, frame, {});
+        REQUIRE(field);
+        CHECK(field->counts().n_open_edges > 0);
+        CHECK(cache.counts().n_made == 1 - start);
+        CHECK(cache.counts().n_refused == 0);
+        CHECK(cache.told().empty());
+        const auto solid = recall_measured_solid(cache, open);
+        REQUIRE(solid);
+        CHECK(solid->by_samples);
+        CHECK(solid->moments.second_m5 == measure_solid(open)->moments.second_m5);
+        CHECK(cache.counts().n_made == 2 - 2 * start);
+    }
 }
 
 TEST_CASE("shape cache: a file that is cut off, changed or empty is told, and made again") {

@@ -26,7 +26,8 @@ TEST_CASE("shape bytes: the fuzzer begins with shapes of today's layout") {
                              .value(),
                          key)},
         {"voxels", encode(voxelise(box, {.voxel_m = 0.4}).value(), key)},
-        {"pointshell", encode(make_surface_pointshell(box, 5).value(), key)}};
+        {"pointshell", encode(make_surface_pointshell(box, 5).value(), key)},
+        {"solid", encode(MeasuredSolid{compute_solid_moments(box), true}, key)}};
     for (const auto& [name, bytes] : seeds) {
         const std::string path = FULCRUM_SOURCE_DIR "/tests/fuzz/corpus/shape/" + name;
         if (std::getenv("FULCRUM_WRITE_SEEDS") != nullptr) {
