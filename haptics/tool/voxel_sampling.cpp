@@ -108,6 +108,16 @@ double compute_braking_Ns_per_m(const VoxelSamplingSettings& settings,
     return std::min(wanted, power / (settings.cycle_s * yielding));
 }
 
+// b as derivatives see it. Where points slide along what brakes, b grows as 1 / sum(-n.u/|u|) and the force stays; slopes for a b
+// held would grow with it until no step can be solved.
+double limit_for_slopes(double braking_Ns_per_m, const VoxelSamplingSettings& settings,
+                        std::int64_t n_proximity) noexcept {
+    constexpr double kLeastShare = 1.0e-3;  // of -n.u/|u|, at the mean
+    const auto n = static_cast<double>(std::max<std::int64_t>(n_proximity, 1));
+    return std::min(braking_Ns_per_m,
+                    settings.inertia.mass_kg / (2.0 * settings.cycle_s * kLeastShare * n));
+}
+
 }  // namespace
 
 void VoxelSampling::set_cycle(double dt_s) noexcept {
@@ -168,16 +178,17 @@ VoxelContact VoxelSampling::sample_all(const RigidState& state, const MovingFram
     const double spring_N = settings_.stiffness_N_per_m * s;
     const Wrench springs = to_wrench(sums.push, share.share * spring_N, s, R_WT);
     // Brakes.
-    const double brake_N = compute_braking_Ns_per_m(settings_, motion, sums, s) * s;
-    const Wrench brakes = to_wrench(sums.brake, brake_N, s, R_WT);
+    const double braking_Ns_per_m = compute_braking_Ns_per_m(settings_, motion, sums, s);
+    const Wrench brakes = to_wrench(sums.brake, braking_Ns_per_m * s, s, R_WT);
     if constexpr (kLinear) {
         Matrix6 pushed = share.share * sums.push_by_pose;
         pushed += share.by_fullness * Eigen::Map<const Vector6>(sums.push.data()) *
                   sums.fullness_by_pose.transpose();
         jacobian->pose += to_slopes(pushed, spring_N, s, R_WT);
         add_turning(springs, jacobian->pose);  // everything but d turns with the tool
-        jacobian->pose += to_slopes(sums.brake_by.pose, brake_N, s, R_WT);
-        jacobian->velocity += to_slopes(sums.brake_by.velocity, brake_N, s, R_WT);
+        const double slope_N = s * limit_for_slopes(braking_Ns_per_m, settings_, sums.n_proximity);
+        jacobian->pose += to_slopes(sums.brake_by.pose, slope_N, s, R_WT);
+        jacobian->velocity += to_slopes(sums.brake_by.velocity, slope_N, s, R_WT);
     }
     return {{springs.force + brakes.force, springs.torque + brakes.torque},
             sums.n_surface,

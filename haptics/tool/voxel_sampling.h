@@ -15,7 +15,8 @@
 // In free space, with no point in surface or proximity, the wrench is exactly zero.
 //
 // The force is continuous within a voxel and jumps by up to k s where a point crosses into the next. Between jumps the
-// derivatives are exact but for one_cycle's b and the averaging beyond N, which are held.
+// derivatives are exact but for one_cycle's b and the averaging beyond N, which are held; derivatives take b to be at most
+// M / (2 dt 1e-3 n), n the points that are near, for it grows without bound where they slide along what brakes.
 //
 // Thread: asked from the step, after which `set_object` may move the object. Cost: 0.6 ns a point, more where it touches
 // (`fulcrum bench voxel-speed`); no allocation. Places are single precision: voxel_lanes.h says how exact.

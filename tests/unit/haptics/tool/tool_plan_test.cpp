@@ -191,3 +191,29 @@ TEST_CASE("tool plan: several objects add up, and each tells its own share") {
         CHECK(tool->memory_bytes() > std::size_t{2000} * 5);
     }
 }
+
+TEST_CASE("tool plan: a box among voxels is lifted along its side faces, whichever way up is") {
+    // The layers that brake reach its faces on both sides; by rounding its points go into them by nothing and out of them again.
+    const Vector3 size_m(0.04, 0.08, 0.04);
+    const Pose tilt{Vector3::Zero(), compute_exp(Vector3(0.3, 0.3, 0.4))};
+    const TriangleMesh wall = make_box({0.05, 0.05, 0.05}).value();
+    ToolScene scene{.tool = make_box(size_m).value(),
+                    .inertia = make_box_inertia(0.02, size_m),
+                    .voxel_m = 0.0006};
+    scene.settings.coupling.turn.stiffness_Nm_per_rad = 0.5;
+    const std::unique_ptr<ToolSolver> tool = make_tool(*make_tool_of(scene, {wall, wall}));
+    const MovingFrame walls[] = {{tilt * Pose::at({-0.046, 0.0, 0.0}), {}},
+                                 {tilt * Pose::at({0.046, 0.0, 0.0}), {}}};
+    tool->place(tilt);
+    int n_stuck = 0;
+    Pose handle_W;
+    for (int i = 1; i <= 400; ++i) {
+        handle_W = tilt * Pose::at({0.0, 0.0005 * std::min(i, 200), 0.0});
+        const Vector3 up_W = tilt.orientation * Vector3(0.0, i < 200 ? 0.5 : 0.0, 0.0);
+        const ToolFelt felt =
+            tool->move({handle_W, {up_W, Vector3::Zero()}}, walls, i * kDt_s, kDt_s);
+        n_stuck += felt.moved ? 0 : 1;
+    }
+    CHECK(n_stuck == 0);
+    CHECK((tool->grip_W().position - handle_W.position).norm() < 1e-4);
+}

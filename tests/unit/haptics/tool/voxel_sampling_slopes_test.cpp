@@ -120,3 +120,28 @@ TEST_CASE("voxel sampling: a load adds to what there is, and its object moves on
           1.0e-4 * lower.wrench_W.force.norm());
     CHECK(later.wrench_W.force.y() > now.wrench_W.force.y());
 }
+
+TEST_CASE("voxel sampling: slopes of brakes stay bounded where points slide along what brakes") {
+    VoxelSamplingSettings settings = plain();
+    settings.braking = PreContactBraking::one_cycle;
+    settings.inertia = make_box_inertia(0.05, {0.04, 0.02, 0.04});
+    Pointshell shell;
+    shell.add({0.0, 0.005, 0.0}, Vector3::UnitY());
+    const VoxelSampling sampling = make_sampling(shell, settings);
+    const double most_Ns_per_m = 0.05 / (2.0 * settings.cycle_s * 1.0e-3);
+    for (const double share : {1.0e-1, 1.0e-2, 1.0e-4, 1.0e-6}) {
+        CAPTURE(share);
+        RigidState state;
+        state.pose_W = Pose::at({0.005, 0.0, 0.005});
+        state.velocity_W.linear = {0.1, -0.1 * share, 0.0};
+        WrenchJacobian jacobian;
+        const VoxelContact contact = sampling.sample_linearised(state, {}, jacobian);
+        REQUIRE(contact.n_proximity == 1);
+        // What brakes is half the motion, however little of it goes into the layer.
+        CHECK(contact.wrench_W.force.x() ==
+              Approx(-0.05 * 0.1 / (2.0 * settings.cycle_s)).epsilon(0.01));
+        const double slope = jacobian.velocity.topLeftCorner<3, 3>().cwiseAbs().maxCoeff();
+        CHECK(slope > 0.9 * std::min(most_Ns_per_m, 0.05 / (2.0 * settings.cycle_s * share)));
+        CHECK(slope < 1.01 * most_Ns_per_m);
+    }
+}
