@@ -6,6 +6,7 @@
 #include "haptics/tool/tool_plan.h"
 #include "haptics/voxel/voxelise.h"
 #include "runtime/files/shape_cache.h"
+#include "runtime/scene/check_tool.h"
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_touch.h"
 
@@ -263,10 +264,12 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
         return tl::unexpected(objects.error());
     }
     // The tool among them.
+    std::shared_ptr<const Pointshell> shell;
     const auto made = make_and_note(shapes, plan.tool_shapes, [&] {
                           return make_order(lesson, load_solid, shapes);
                       }).and_then([&](ToolOrder order) -> Expected<ToolPlan> {
         order.most_force_N = plan.haptic.safety.max_force_N;
+        shell = order.shell;
         return lesson.hand.tool->method == ToolMethod::voxel_sampling
                    ? make_voxel_tool_plan(order, objects->grids)
                    : make_field_tool_plan(order, objects->fields);
@@ -276,7 +279,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
         return fail("the tool: " + checked.error().message, where, checked.error().what_to_do);
     }
     plan.haptic.tool = std::make_shared<const ToolPlan>(*made);
-    return {};
+    return check_tool(lesson.hand, *made, *shell);
 }
 
 std::vector<ToolObjectFacts> find_object_facts(const ToolPlan& plan) {

@@ -26,7 +26,7 @@ inline constexpr double kMostVoxels = 64.0e6;
 /// Gives the plan its tool, where the lesson has one, and a notice of each body with holes, if a field closes them; the plan has its
 /// solids already. Refuses with one sentence and the line of
 /// the lesson what cannot be made: no body to touch, a bucket beside it, materials (a tool of points feels shape alone), voxels
-/// that are too many, a model that encloses nothing.
+/// that are too many, a model that encloses nothing, what check_tool.h refuses.
 [[nodiscard]] Expected<void> add_tool(const LessonDescription& lesson,
                                       const SolidLoader& load_solid, const PlanOptions& options,
                                       Plan& plan);

@@ -1,0 +1,99 @@
+#include "runtime/scene/check_tool.h"
+
+#include "runtime/scene/plan_touch.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+namespace fulcrum::runtime {
+namespace {
+
+// What a lesson may ask for, as the program's reference has it; in the hand's kilograms and N/m.
+constexpr double kMostMass_kg = 1.0;
+constexpr double kSoftest_N_per_m = 50.0;
+constexpr double kStiffest_N_per_m = 2000.0;
+constexpr double kSpringStep = 1.25;  // from one that is tried to the next
+constexpr int kSprings = 16;  // on either side: 1.25^16 = 35, from the softest to near the stiffest
+
+// Two digits, upwards: what is said must do.
+double round_up(double value) {
+    const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return std::ceil(value / digit - 1.0e-9) * digit;
+}
+
+template <class... Values>
+std::string print(const char* format, Values... values) {
+    std::array<char, 192> text{};
+    std::snprintf(text.data(), text.size(), format, values...);
+    return text.data();
+}
+
+// The tool on another spring; its turn goes with it, as it does by default.
+VoxelToolSettings make_stiffer(VoxelToolSettings settings, double ratio) {
+    settings.coupling.shift.stiffness_N_per_m *= ratio;
+    settings.coupling.turn.stiffness_Nm_per_rad *= ratio;
+    return settings;
+}
+
+// A spring in the hand with which the heaviest tool holds, the nearest to its own that is tried.
+std::optional<double> find_spring(const HandDescription& hand, const StepLimit& limit,
+                                  const VoxelToolSettings& settings, double dt_s) {
+    if (hand.tool->turn_stiffness_Nm_per_rad > 0.0) {
+        return std::nullopt;  // that was chosen by itself
+    }
+    const VoxelToolSettings heaviest = make_heavier(settings, kMostMass_kg / hand.scale);
+    const double own = hand.tool->stiffness_N_per_m;
+    double ratio = 1.0;
+    for (int i = 0; i < kSprings; ++i) {
+        ratio *= kSpringStep;
+        for (const double spring : {round_up(own / ratio), round_up(own * ratio)}) {
+            if (spring >= kSoftest_N_per_m && spring <= kStiffest_N_per_m &&
+                limit.holds(make_stiffer(heaviest, spring / own), dt_s)) {
+                return spring;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+// A mass, or a mass and a spring, or nothing.
+std::string find_what_would_do(const HandDescription& hand, const StepLimit& limit,
+                               const VoxelToolSettings& settings, double dt_s) {
+    if (const auto least_kg = limit.find_least_mass_kg(settings, dt_s, kMostMass_kg / hand.scale)) {
+        const double mass_kg = std::min(round_up(*least_kg * hand.scale), kMostMass_kg);
+        return print("give it a mass of at least %g, or ", mass_kg);
+    }
+    if (const auto spring = find_spring(hand, limit, settings, dt_s)) {
+        return print("give it a mass of %g and a stiffness of %g, or ", kMostMass_kg, *spring);
+    }
+    return {};
+}
+
+}  // namespace
+
+Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,
+                          const Pointshell& shell) {
+    const VoxelToolSettings& settings = plan.settings;
+    if (settings.mass == ToolMass::massless ||
+        settings.integrator.integrator == Integrator::backward_euler) {
+        return {};
+    }
+    const StepLimit limit(plan, shell);
+    const double dt_s = 1.0 / hand.rate_hz;
+    if (limit.holds(settings, dt_s)) {
+        return {};
+    }
+    const std::string name(to_string(settings.integrator.integrator));
+    return fail(
+        print("the tool: with %g kg on %g N/m, %d points and %g steps a second %s shakes it",
+              hand.tool->mass_kg, hand.tool->stiffness_N_per_m, hand.tool->points, hand.rate_hz,
+              name.c_str()),
+        at_line(hand.line),
+        find_what_would_do(hand, limit, settings, dt_s) +
+            "leave out integrator: backward_euler holds it");
+}
+
+}  // namespace fulcrum::runtime

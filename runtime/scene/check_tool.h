@@ -1,0 +1,18 @@
+// Whether the tool that a lesson asks for can be moved on as it asks: told before it runs, with what would do.
+//
+// An explicit integrator shakes a tool that is too light for its spring and for what its points press against (step_limit.h). What
+// would do is sought within a lesson's ranges, first a mass, then a spring beside the largest mass; backward Euler always does.
+//
+// Thread: load path. Cost: nothing where the integrator has no limit, else 20 ms, and a second where it refuses.
+#pragma once
+
+#include "haptics/tool/step_limit.h"
+#include "runtime/scene/description.h"
+
+namespace fulcrum::runtime {
+
+/// Refuses with one sentence and the line of the lesson. `shell` is that of the plan's order; `plan` has been validated.
+[[nodiscard]] Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,
+                                        const Pointshell& shell);
+
+}  // namespace fulcrum::runtime
