@@ -5,6 +5,7 @@
 //   derivative  by the tool's pose, exact within a cell; none by its velocity, for the field neither brakes nor damps
 // With a budget of time both are those of the points that were looked at, for all they stand for, and how far the wrench may be off is
 // told with it. What was found in the last step says where to look first, so that the same pose may give another wrench.
+// A motion that would take a point deeper than a voxel, or deeper than it was, can be stopped where it does (`find_first_touch`).
 // What counts as a touch: a point inside the object, F < 0. It lies in the layer that pushes until it is as deep as the band
 // (distance_field.h), from where on it is pushed out as well, but has penetrated. Nothing is felt before F = 0.
 //
@@ -24,8 +25,18 @@ struct FieldSamplingPlan {
     FieldSamplingSettings settings{};
 };
 
+/// Where the object of a step is at its end, and where it and the tool were at its start.
+struct ToolMotion {
+    Pose before_W;  ///< of the tool
+    Pose object_before_W;
+    MovingFrame object{};
+};
+
 class FieldSampling {
   public:
+    /// How deep a motion may take a point that was not as deep: what pushes back, and less than walls are thick that the field has.
+    static constexpr double kSweptDepth_voxels = 1.0;
+
     /// Refuses what FieldSampler::build does.
     [[nodiscard]] static Expected<FieldSampling> build(FieldSamplingPlan plan);
 
@@ -46,6 +57,11 @@ class FieldSampling {
     /// The same; adds the derivatives by the tool's pose.
     [[nodiscard]] VoxelContact sample_linearised(const RigidState& state, const MovingFrame& object,
                                                  WrenchJacobian& jacobian) const noexcept;
+
+    /// Puts `end`, where the motion leads, back to where its first point comes deeper than that, with as much of its velocity
+    /// relative to the object; whether it did. `depth_m`: of the deepest point at the start. Asks nothing of a motion too short for
+    /// it, which every slow one is; else a search of the tree for each tenth of a voxel at worst.
+    bool stop_at_touch(const ToolMotion& motion, double depth_m, RigidState& end) const noexcept;
 
   private:
     explicit FieldSampling(FieldSampler sampler) noexcept : sampler_(std::move(sampler)) {}

@@ -24,13 +24,13 @@ constexpr float kSlack_voxels = 5.0e-4F;
 constexpr float kDeepestHeld_voxels = 0.05F;
 constexpr int kMostHalvings = 40;  // a million voxels are 26
 
+}  // namespace
+
 Pose compute_between(const Pose& from, const Pose& to, double share) noexcept {
     return share > 0.0 ? Pose{from.position + share * (to.position - from.position),
                               from.orientation.slerp(share, to.orientation)}
                        : from;
 }
-
-}  // namespace
 
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): an aggregate that is given all at once
 struct FieldSampler::Sweep {

@@ -74,6 +74,7 @@ struct VoxelContact {
     std::int64_t n_proximity = 0;  ///< points in voxels that brake
     double error_N = 0.0;   ///< how far the force may be off for points that were left out; 0: none
     double error_Nm = 0.0;  ///< likewise the torque
+    double depth_m = 0.0;   ///< of the deepest point, where a field tells it; 0 by voxels
 
     /// The deepest kind that any point reached: interior, surface, proximity, free in that order.
     [[nodiscard]] VoxelClass deepest() const noexcept {

@@ -53,6 +53,18 @@ void tell_cycle(VoxelSampling& sampling, double dt_s) noexcept {
 }
 void tell_cycle(FieldSampling& /*sampling*/, double /*dt_s*/) noexcept {}
 
+// Voxels brake what comes near; they know no way in between.
+bool stop_at_touch(const VoxelSampling& /*sampling*/, const MovingFrame& /*object*/,
+                   const Pose& /*before_W*/, double /*dt_s*/, double /*depth_m*/,
+                   RigidState& /*end*/) noexcept {
+    return false;
+}
+bool stop_at_touch(const FieldSampling& sampling, const MovingFrame& object, const Pose& before_W,
+                   double dt_s, double depth_m, RigidState& end) noexcept {
+    return sampling.stop_at_touch({before_W, move_evenly(object, -dt_s).pose_W, object}, depth_m,
+                                  end);
+}
+
 }  // namespace
 
 template <class Sampling, class Plan>
@@ -103,6 +115,7 @@ void SampledTool<Sampling, Plan>::place(const Pose& handle_W) noexcept {
     state_.pose_W.orientation = handle_W.orientation * settings_.handle_turn;
     state_.pose_W.position = handle_W.position - state_.pose_W.orientation * settings_.grip_T;
     std::ranges::fill(near_, std::uint8_t{0});
+    std::ranges::fill(depths_m_, 0.0);
     std::ranges::fill(touches_, ToolTouch{});
 }
 
@@ -124,6 +137,7 @@ VoxelContact SampledTool<Sampling, Plan>::look(double now_s) noexcept {
     for (std::size_t i = 0; i < loads_.size(); ++i) {
         const VoxelContact one = loads_[i].compute_contact(state_, now_s);
         near_[i] = one.deepest() != VoxelClass::free ? 1 : 0;
+        depths_m_[i] = one.depth_m;
         touches_[i] = {one.wrench_W, one.n_surface + one.n_interior > 0, one.error_N};
         all.wrench_W.force += one.wrench_W.force;
         all.wrench_W.torque += one.wrench_W.torque;
@@ -183,6 +197,7 @@ VoxelToolResult SampledTool<Sampling, Plan>::run(MovingFrame handle,
     coupling.set_handle(settings_.lead_clamped ? limit_lead(handle, objects) : handle, now_s);
     set_objects(objects, now_s, dt_s);
     const AllOf<SamplingLoad<Sampling>> points(loads_);
+    const Pose before_W = state_.pose_W;
     // Where that moves it.
     if (settings_.mass == ToolMass::massive) {
         result.step = advance(coupling, points, now_s, dt_s);
@@ -190,6 +205,9 @@ VoxelToolResult SampledTool<Sampling, Plan>::run(MovingFrame handle,
         settle(coupling, points, now_s);
     }
     result.moved = result.step.moved();
+    if (settings_.swept && result.moved) {
+        stop_at_touch(before_W, objects, dt_s);
+    }
     // What the hand feels of it.
     result.contact = look(now_s);
     if (result.contact.deepest() != VoxelClass::free || !settings_.silent_in_free_space) {
@@ -201,6 +219,15 @@ VoxelToolResult SampledTool<Sampling, Plan>::run(MovingFrame handle,
             coupling_, compute_length(Vector3(handle.pose_W.position - grip.position)));
     }
     return result;
+}
+
+template <class Sampling, class Plan>
+void SampledTool<Sampling, Plan>::stop_at_touch(const Pose& before_W,
+                                                std::span<const MovingFrame> objects,
+                                                double dt_s) noexcept {
+    for (std::size_t i = 0; i < samplings_.size(); ++i) {
+        fulcrum::stop_at_touch(samplings_[i], objects[i], before_W, dt_s, depths_m_[i], state_);
+    }
 }
 
 template <class Sampling, class Plan>

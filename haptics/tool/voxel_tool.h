@@ -11,6 +11,9 @@
 // voxel that pushes or brakes, the hand feels exactly nothing, whatever the coupling's stretch: what a tool's inertia would be
 // felt as there is left out, as McNeely does.
 //
+// In a field a step's motion is swept (field_load.h): however fast tool or object, no point passes more than a voxel into an object in
+// one step, so that no wall of two voxels is passed. Voxels have layers and brakes for that.
+//
 // Several objects, each with its map and its own motion, add up. Each of n that are near brakes by an n-th of what it would alone,
 // for together they must not take more motion than there is.
 //
@@ -42,6 +45,8 @@ struct VoxelToolSettings {
     /// Near the object the handle's motion is clamped with the springs; false leaves it to the dampers as they are.
     bool lead_clamped = true;
     bool silent_in_free_space = true;
+    bool swept =
+        true;  ///< a tool in fields stops where a step's motion first touches; no matter by voxels
     ToolMass mass = ToolMass::massive;
     IntegratorSettings integrator{.newton_iterations = 12};
     Inertia inertia{};  ///< of the massive tool; the brakes' too
@@ -114,12 +119,16 @@ class SampledTool final : public ToolSolver {
     [[nodiscard]] StepResult advance(const Load& coupling, const Load& points, double now_s,
                                      double dt_s) noexcept;
     void settle(const Load& coupling, const Load& points, double now_s) noexcept;
+    // Back from where the step led to what is touched on the way there.
+    void stop_at_touch(const Pose& before_W, std::span<const MovingFrame> objects,
+                       double dt_s) noexcept;
     [[nodiscard]] VoxelContact look(double now_s) noexcept;
 
     std::vector<Sampling> samplings_;            // one an object
     std::vector<SamplingLoad<Sampling>> loads_;  // of the samplings, which stay where they are
     std::vector<ToolTouch> touches_;
     std::vector<std::uint8_t> near_;  // something of the object was, at the end of the last step
+    std::vector<double> depths_m_;    // of the deepest point in each object, likewise
     VoxelToolSettings settings_;
     ToolCouplingSettings coupling_;
     double least_voxel_m_ = 0.0;

@@ -47,6 +47,7 @@ SampledTool<Sampling, Plan>::SampledTool(std::vector<Sampling> samplings,
     : samplings_(std::move(samplings)),
       touches_(samplings_.size()),
       near_(samplings_.size()),
+      depths_m_(samplings_.size()),
       settings_(settings),
       coupling_(settings.coupling) {
     loads_.reserve(samplings_.size());
@@ -113,7 +114,8 @@ Expected<SampledTool<Sampling, Plan>> SampledTool<Sampling, Plan>::build(
 template <class Sampling, class Plan>
 std::size_t SampledTool<Sampling, Plan>::memory_bytes() const noexcept {
     std::size_t bytes = sizeof(*this) + loads_.capacity() * sizeof(loads_[0]) +
-                        touches_.capacity() * sizeof(ToolTouch) + near_.capacity();
+                        touches_.capacity() * sizeof(ToolTouch) + near_.capacity() +
+                        depths_m_.capacity() * sizeof(double);
     for (const Sampling& sampling : samplings_) {
         bytes += sampling.memory_bytes();
     }
