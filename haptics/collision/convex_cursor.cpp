@@ -9,6 +9,8 @@ namespace {
 
 // How much of a cursor's least half size its corners are rounded by.
 constexpr double kRounded = 1.0e-3;
+// Planes that a cursor may rest on at once.
+constexpr std::size_t kMostFloors = 4;
 
 using Kind = ConvexCore::Kind;
 
@@ -65,6 +67,12 @@ double least_half_m(const ConvexCore& core) {
 Gap to_gap(const ConvexGap& apart, double radii_m, double size_m) noexcept {
     const double depth_m = apart.gap_m > 0.0 ? 0.0 : size_m;
     return {.normal_B = apart.normal, .gap_m = apart.gap_m - radii_m - depth_m};
+}
+
+// Room for the next ways.
+Box find_wider(const Box& box, double margin_m) noexcept {
+    const Vector3 margin = Vector3::Constant(margin_m);
+    return {box.lower - margin, box.upper + margin};
 }
 
 Vector3 or_up(const Vector3& v) noexcept {
@@ -163,34 +171,48 @@ Gap ConvexMeshObstacle::find_gap(const TriangleForGap& triangle,
     return to_gap(apart, cursor_.radius_m(), 0.0);
 }
 
-// Does the triangle's own plane, or one of those given, keep it off the way?
-bool ConvexMeshObstacle::is_free(const TriangleForGap& triangle,
-                                 const CastQuestion& question) const noexcept {
-    const auto separates = [&](const Vector3& direction) noexcept {
-        const double lowest =
-            std::min(direction.dot(question.from_B), direction.dot(question.to_B)) +
-            direction.dot(cursor_.find_support(-direction)) - cursor_.radius_m();
-        return lowest - triangle.highest_along(direction) >= question.level_m;
-    };
+double ConvexMeshObstacle::find_lowest_m(const Vector3& direction,
+                                         const CastQuestion& question) const noexcept {
+    return std::min(direction.dot(question.from_B), direction.dot(question.to_B)) +
+           direction.dot(cursor_.find_support(-direction)) - cursor_.radius_m() - question.level_m;
+}
+
+// Does the triangle's own plane, or a floor, keep it off the way?
+bool ConvexMeshObstacle::is_free(const TriangleForGap& triangle, const CastQuestion& question,
+                                 std::span<const Floor> floors) const noexcept {
     const double side = triangle.normal.dot(question.from_B - triangle.a) < 0.0 ? -1.0 : 1.0;
-    return separates(side * triangle.normal) || std::ranges::any_of(question.normals_B, separates);
+    const Vector3 own = side * triangle.normal;
+    return triangle.highest_along(own) <= find_lowest_m(own, question) ||
+           std::ranges::any_of(floors, [&](const Floor& floor) noexcept {
+               return triangle.highest_along(floor.normal_B) <= floor.height_m;
+           });
 }
 
 CastHit ConvexMeshObstacle::cast(const CastQuestion& question) noexcept {
+    std::array<Floor, kMostFloors> floors;
+    const std::size_t n_floors = std::min(question.normals_B.size(), kMostFloors);
+    for (std::size_t i = 0; i < n_floors; ++i) {
+        floors[i] = {question.normals_B[i], find_lowest_m(question.normals_B[i], question)};
+    }
+    const std::span<const Floor> given(floors.data(), n_floors);
     CastHit nearest;
-    mesh_->tree().for_each_in_box(
-        cursor_.find_swept_box(question.from_B, question.to_B, question.level_m),
-        [&](std::int32_t index) noexcept {
-            const TriangleForGap triangle = prepare_for_gap(*mesh_, index);
-            if (is_free(triangle, question)) {
-                return;
-            }
-            const double t = cast_convex(
-                question, [&](const Vector3& at_B) noexcept { return find_gap(triangle, at_B); });
-            if (t < nearest.t || (t == nearest.t && t <= 1.0 && index < nearest.feature)) {
-                nearest = {t, index};
-            }
-        });
+    const auto ask = [&](std::int32_t index) noexcept {
+        const TriangleForGap triangle = prepare_for_gap(*mesh_, index);
+        if (is_free(triangle, question, given)) {
+            return;
+        }
+        const double t = cast_convex(
+            question, [&](const Vector3& at_B) noexcept { return find_gap(triangle, at_B); });
+        if (t < nearest.t || (t == nearest.t && t <= 1.0 && index < nearest.feature)) {
+            nearest = {t, index};
+        }
+    };
+    const Box swept = cursor_.find_swept_box(question.from_B, question.to_B, question.level_m);
+    if (near_.covers(swept) || near_.collect(*mesh_, find_wider(swept, question.reach_m))) {
+        near_.for_each_in_box(swept, given, ask);
+    } else {
+        mesh_->tree().for_each_in_box(swept, ask);
+    }
     return nearest;
 }
 

@@ -4,11 +4,15 @@
 // least half size, a hull cursor is as much larger: so that between cores that touch there is always a distance, and a direction. The cursor
 // keeps the world's axes: when the body turns, the cursor turns in the body's frame.
 //
-// Thread: haptic loop. Cost: a distance some hundred nanoseconds, of each triangle near; no allocation.
+// A mesh's triangles near the cursor are remembered (near_leaves.h): eight at a time those beside the way, or below the planes that the
+// cursor rests on, are passed over.
+//
+// Thread: haptic loop. Cost: a distance some hundred nanoseconds, of each triangle that is left; no allocation.
 #pragma once
 
 #include "haptics/collision/collision_mesh.h"
 #include "haptics/collision/convex_gap.h"
+#include "haptics/collision/near_leaves.h"
 #include "haptics/collision/obstacle.h"
 #include "haptics/collision/solid_shape.h"
 #include "haptics/collision/triangle_gap.h"
@@ -96,11 +100,15 @@ class ConvexMeshObstacle final : public Obstacle {
 
   private:
     [[nodiscard]] Gap find_gap(const TriangleForGap& triangle, const Vector3& at_B) const noexcept;
-    [[nodiscard]] bool is_free(const TriangleForGap& triangle,
-                               const CastQuestion& question) const noexcept;
+    [[nodiscard]] bool is_free(const TriangleForGap& triangle, const CastQuestion& question,
+                               std::span<const Floor> floors) const noexcept;
+    /// Of the cursor's lowest point on the way, less the level.
+    [[nodiscard]] double find_lowest_m(const Vector3& direction,
+                                       const CastQuestion& question) const noexcept;
 
     std::shared_ptr<const CollisionMesh> mesh_;
     TurnedCursor cursor_;
+    NearLeaves near_;
 };
 
 }  // namespace fulcrum

@@ -13,10 +13,6 @@ constexpr double kRadius = 0.25;
 // A long way through a mesh is asked for in pieces of this many reaches.
 constexpr double kPiece = 4.0;
 constexpr double kMostPieces = 64.0;
-// A triangle that touches the nearest point is not much further than this, of the distance.
-constexpr double kNearby = 1.001;
-// By far more than rounding, of a length.
-constexpr double kRounding = 1.0e-12;
 
 Box box_around(const Vector3& from, const Vector3& to, double margin_m) noexcept {
     const Vector3 margin = Vector3::Constant(margin_m);
@@ -62,80 +58,36 @@ Vector3 find_straight(const TriangleForGap& triangle, TrianglePart part) noexcep
 }  // namespace
 
 MeshObstacle::MeshObstacle(std::shared_ptr<const CollisionMesh> mesh, double radius_m)
-    : mesh_(std::move(mesh)), ball_radius_m_(radius_m) {
-    triangles_.resize(kMostRemembered);
-    bounds_m_.resize(kMostRemembered);
-}
+    : mesh_(std::move(mesh)), ball_radius_m_(radius_m) {}
 
 CastHit MeshObstacle::cast(const CastQuestion& question) noexcept {
     const double around_m = ball_radius_m_ + question.level_m;
-    if (!mesh_->tree().root_box().overlaps(box_around(question.from_B, question.to_B, around_m))) {
+    const Box swept = box_around(question.from_B, question.to_B, around_m);
+    if (!mesh_->tree().root_box().overlaps(swept)) {
         return {};
     }
-    const auto is_remembered = [&](const Vector3& at_B) noexcept {
-        return (at_B - centre_B_).norm() + around_m <= reach_m_;
-    };
-    if (!is_remembered(question.from_B) || !is_remembered(question.to_B)) {
+    if (!near_.covers(swept)) {
         const double length_m = (question.to_B - question.from_B).norm();
         const double margin_m = std::max(kReach * question.reach_m, kRadius * ball_radius_m_);
-        if (length_m > kPiece * (margin_m + around_m)) {
-            return cast_through_tree(question);
-        }
-        remember(0.5 * (question.from_B + question.to_B), around_m + margin_m + 0.5 * length_m);
-        if (reach_m_ < 0.0) {
+        if (length_m > kPiece * (margin_m + around_m) ||
+            !near_.collect(*mesh_,
+                           box_around(question.from_B, question.to_B, around_m + margin_m))) {
             return cast_through_tree(question);
         }
     }
     return cast_remembered(question);
 }
 
-void MeshObstacle::remember(const Vector3& centre_B, double radius_m) noexcept {
-    n_remembered_ = 0;
-    centre_B_ = centre_B;
-    last_B_ = centre_B;
-    reach_m_ = radius_m;
-    travelled_m_ = 0.0;
-    mesh_->tree().for_each_in_box(box_around(centre_B, centre_B, radius_m),
-                                  [this](std::int32_t triangle) noexcept { remember(triangle); });
-}
-
-// Unless it lies beyond the ball's reach, as its own middle and radius tell.
-void MeshObstacle::remember(std::int32_t triangle) noexcept {
-    const TriangleCorners& corners = mesh_->corners(triangle);
-    const Vector3& a = mesh_->vertex_B(corners[0]);
-    const Vector3& b = mesh_->vertex_B(corners[1]);
-    const Vector3& c = mesh_->vertex_B(corners[2]);
-    const Vector3 middle = (a + b + c) * (1.0 / 3.0);
-    const double square = std::max(
-        {(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()});
-    const double least_m = ((middle - centre_B_).norm() - std::sqrt(square)) * (1.0 - kRounding);
-    if (least_m > reach_m_ || reach_m_ < 0.0) {
-        return;
-    }
-    if (n_remembered_ == kMostRemembered) {
-        reach_m_ = -1.0;
-        return;
-    }
-    triangles_[n_remembered_] = prepare_for_gap(*mesh_, triangle);
-    bounds_m_[n_remembered_++] = least_m;
-}
-
-CastHit MeshObstacle::cast_remembered(const CastQuestion& question) noexcept {
-    travelled_m_ += (question.from_B - last_B_).norm() * (1.0 + kRounding);
-    last_B_ = question.from_B;
+CastHit MeshObstacle::cast_remembered(const CastQuestion& question) const noexcept {
     CastHit nearest;
-    const double length_m = (question.to_B - question.from_B).norm();
     const double distance_m = ball_radius_m_ + question.level_m;
-    const double around_m = (distance_m + length_m) * (1.0 + kRounding);
-    for (std::size_t i = 0; i < n_remembered_; ++i) {
-        if (bounds_m_[i] - travelled_m_ > around_m ||
-            is_apart(triangles_[i], question, distance_m)) {
-            continue;
-        }
-        const TriangleGap gap = find_triangle_gap(triangles_[i], question.from_B);
-        bounds_m_[i] = gap.distance_m * (1.0 - kRounding) + travelled_m_;
-        meet(triangles_[i], gap, question, nearest);
-    }
+    near_.for_each_near_way(
+        question.from_B, question.to_B, distance_m, [&](std::int32_t index) noexcept {
+            const TriangleForGap triangle = prepare_for_gap(*mesh_, index);
+            if (!is_apart(triangle, question, distance_m)) {
+                meet(triangle, find_triangle_gap(triangle, question.from_B), question, nearest);
+            }
+        });
     return nearest;
 }
 
@@ -203,29 +155,27 @@ double MeshObstacle::find_bend(std::int32_t feature, const Vector3& at_B,
                                const Vector3& direction_B) const noexcept {
     constexpr double kFarthestTurn = 0.3;  // radians, where nothing ends it
     constexpr double kBeside = 1.0e-9;     // of an edge's length: a corner of the same edge
+    constexpr double kSame = 1.0e-9;       // of the distance: the same place
     const TriangleForGap triangle = prepare_for_gap(*mesh_, feature);
     const TriangleGap seen = find_triangle_gap(triangle, at_B);
     const Vector3 from_nearest = seen.distance_m * seen.normal_B;
     const Vector3 nearest_B = at_B - from_nearest;
-    const auto shares = [&](const TriangleForGap& other) noexcept {
-        constexpr double kSame = 1.0e-9;  // of the distance
-        return find_triangle_gap(other, nearest_B).distance_m <= kSame * seen.distance_m;
-    };
-    const double farthest_m = kNearby * seen.distance_m + travelled_m_ + (at_B - last_B_).norm();
+    const double same_m = kSame * seen.distance_m;
     double least_m = kFarthestTurn * seen.distance_m;
-    for (std::size_t i = 0; i < n_remembered_; ++i) {
-        const TriangleForGap& other = triangles_[i];
-        if (bounds_m_[i] > farthest_m || !shares(other)) {
-            continue;
-        }
-        for (const Vector3& beyond_a : {Vector3(Vector3::Zero()), other.ab, other.ac}) {
-            const Vector3 corner = other.a + beyond_a - nearest_B;
-            const double rise = direction_B.dot(corner);
-            if (rise > kBeside * corner.norm()) {
-                least_m = std::min(least_m, std::max(-from_nearest.dot(corner), 0.0) / rise);
+    mesh_->tree().for_each_in_box(
+        box_around(nearest_B, nearest_B, same_m), [&](std::int32_t index) noexcept {
+            const TriangleForGap other = prepare_for_gap(*mesh_, index);
+            if (find_triangle_gap(other, nearest_B).distance_m > same_m) {
+                return;
             }
-        }
-    }
+            for (const Vector3& beyond_a : {Vector3(Vector3::Zero()), other.ab, other.ac}) {
+                const Vector3 corner = other.a + beyond_a - nearest_B;
+                const double rise = direction_B.dot(corner);
+                if (rise > kBeside * corner.norm()) {
+                    least_m = std::min(least_m, std::max(-from_nearest.dot(corner), 0.0) / rise);
+                }
+            }
+        });
     return least_m;
 }
 

@@ -49,13 +49,14 @@ std::size_t find_longest_axis(std::span<const Centre> centres) {
     return longest;
 }
 
-// Splits so that the left part is a power of two: then every aligned run of 8^k slots is one subtree.
+// Splits so that the left part is a power of two: then every aligned run of 8^k slots is one subtree. Within a leaf the order is of no
+// account.
 void put_in_order(std::span<Centre> centres) {
     std::vector<std::span<Centre>> waiting{centres};
     while (!waiting.empty()) {
         const std::span<Centre> part = waiting.back();
         waiting.pop_back();
-        if (part.size() < 2) {
+        if (part.size() <= BoundingTree::kWidth) {
             continue;
         }
         const std::size_t n_left = std::bit_floor(part.size() - 1);

@@ -1,9 +1,10 @@
 // Sources, named in short beside the numbers:
 //
-//   Okamura   A. M. Okamura, M. R. Cutkosky, J. T. Dennerlein 2001, Reality-based models for vibration feedback in virtual
-//             environments, IEEE/ASME Trans. Mechatronics 6(3): frequency and decay that felt most real on a device, for
-//             rubber, wood and aluminium, and the ratio of their amplitudes. The device's own scale of force is chosen: 10 N for each
-//             m/s on metal, so that a tap of 0.2 m/s rings with 2 N, two thirds of what a desktop arm gives.
+//   like      the law: a sinusoid that decays, scaled by the speed of the tap, of another amplitude, frequency and decay for rubber, wood
+//   Okamura   and metal, below what real ones ring with where an arm could not follow. A. M. Okamura, M. R. Cutkosky, J. T. Dennerlein
+//             2001, Reality-based models for vibration feedback in virtual environments, IEEE/ASME Trans. Mechatronics 6(3), pp. 245-252.
+//             The numbers are ours, chosen after the order of magnitude of theirs, not copied from their tables: 10 N for each m/s on
+//             metal, so that a tap of 0.2 m/s rings with 2 N, two thirds of what a desktop arm gives.
 //   Marks     Marks' Standard Handbook for Mechanical Engineers, table of coefficients of static and sliding friction
 //   Byerlee   J. Byerlee 1978, Friction of rocks, Pure and Applied Geophysics 116: a shear stress of 0.85 times the normal one, up
 //             to 200 MPa
@@ -48,7 +49,7 @@ Material make_wood() {
         // Planed softwood: early and late wood of a year alternate every few millimetres (chosen: 3 mm, 0.15 mm deep,
         // so that the slope is 0.11 at most).
         .texture = relief(SineTexture{0.003, 0.0}, TextureLaw::lateral, 1.5e-4),
-        .transient = ringing(5.0, 30.0, 80.0)};  // Okamura
+        .transient = ringing(5.0, 30.0, 80.0)};  // like Okamura
 }
 
 Material make_metal() {
@@ -58,7 +59,7 @@ Material make_metal() {
         // Chosen: metal that hands have touched is never clean, and tables have 0.15 to 0.20 at rest for iron with grease on it;
         // sliding about half of that, so that it is the most slippery of all.
         .friction = {0.15, 0.081, 0.0},
-        .transient = ringing(10.0, 100.0, 90.0)};  // Okamura, aluminium
+        .transient = ringing(10.0, 100.0, 90.0)};  // like Okamura, aluminium
 }
 
 Material make_rock() {
@@ -80,7 +81,7 @@ Material make_rubber() {
             .friction = {1.0, 0.8, 0.0},
             // Chosen: the fine pattern of a mat.
             .texture = relief(SineTexture{0.002, 0.7}, TextureLaw::lateral, 3.0e-5),
-            .transient = ringing(3.9, 18.0, 60.0)};  // Okamura
+            .transient = ringing(3.9, 18.0, 60.0)};  // like Okamura
 }
 
 Material make_glass() {
@@ -113,8 +114,7 @@ Material make_sandpaper() {
         // P40: grains of 0.425 mm (FEPA), two to four grains from one to the next; half a grain stands out of the glue (chosen).
         // Finer paper has waves that no loop of 1 kHz can give at a stroke's usual speed.
         .texture = relief(NoiseTexture{0.00085, 0.0017, 80}, TextureLaw::lateral, 2.1e-4),
-        .transient =
-            ringing(5.0, 30.0, 120.0)};  // wood under it (Okamura), deadened by glue (chosen)
+        .transient = ringing(5.0, 30.0, 120.0)};  // as the wood under it, deadened by glue (chosen)
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "runtime/app/picture.h"
 
+#include "runtime/lesson/compose_view.h"
 #include "runtime/render/egl/offscreen.h"
 #include "runtime/render/image.h"
 #include "runtime/render/scene/tool_model.h"
@@ -32,8 +33,9 @@ std::vector<std::string> Picture::load_models(const LessonDescription& lesson,
     std::vector<std::string> notices;
     if (lesson.hand.tool && !lesson.hand.tool->model.empty()) {
         names.push_back(lesson.hand.tool->model);
-    } else if (lesson.hand.tool) {
-        LoadedModel tool = make_tool_model(lesson.hand.tool->shape);
+    } else if (lesson.hand.tool || has_shaped_cursor(lesson.hand)) {
+        LoadedModel tool =
+            make_tool_model(lesson.hand.tool ? lesson.hand.tool->shape : lesson.hand.cursor);
         tool.name = kToolModel;
         if (auto added = renderer_->add_model(tool); !added) {
             notices.push_back(to_sentence(added.error()));

@@ -169,10 +169,17 @@ std::string tool_model(const LessonDescription& lesson) {
         const std::string& model = lesson.hand.tool->model;
         return model.empty() ? std::string(kToolModel) : model;
     }
-    return lesson.bucket.present ? lesson.bucket.model : "cursor";
+    if (lesson.bucket.present) {
+        return lesson.bucket.model;
+    }
+    return has_shaped_cursor(lesson.hand) ? std::string(kToolModel) : "cursor";
 }
 
 }  // namespace
+
+bool has_shaped_cursor(const HandDescription& hand) noexcept {
+    return !hand.tool && !std::holds_alternative<std::monostate>(hand.cursor);
+}
 
 std::string number_text(double value, int decimals) {
     char text[32];
@@ -200,6 +207,11 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
     view.tool.pose_W = {scenery.hand.proxy_position_W, scenery.hand.proxy_orientation_W};
     view.ghost_visible = scenery.ghost;
     view.ghost_pose_W = scenery.ghost_pose_W;
+    if (has_shaped_cursor(lesson.hand)) {
+        // Felt so: it keeps the world's axes however the hand turns.
+        view.tool.pose_W.orientation.setIdentity();
+        view.ghost_pose_W.orientation.setIdentity();
+    }
 
     const Vector3 force_W = scenery.hand.applied_W.force;
     const double force_N = force_W.norm();

@@ -32,6 +32,9 @@ struct Scenery {
                                 const SessionHud& hud, const Scenery& scenery,
                                 const dialogue::Catalogue& catalogue);
 
+/// Is the hand a ball, box, capsule or cylinder of its own, drawn as such (kToolModel), that touches without turning?
+[[nodiscard]] bool has_shaped_cursor(const HandDescription& hand) noexcept;
+
 /// A number with so many decimals.
 [[nodiscard]] std::string number_text(double value, int decimals);
 /// Newtons as a child reads them: one decimal.

@@ -105,4 +105,26 @@ Expected<TriangleMesh> make_cracked(const TriangleMesh& mesh, double crack_m, un
                                {.weld_relative = weld_relative});
 }
 
+Expected<TriangleMesh> make_t_junctions(const TriangleMesh& mesh) {
+    std::vector<Vector3> vertices = mesh.vertices_B();
+    std::vector<TriangleCorners> triangles;
+    for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+        const TriangleCorners& t = mesh.triangles()[i];
+        if (i % 3 != 0) {
+            triangles.push_back(t);
+            continue;
+        }
+        // Each of its edges in turn.
+        const std::size_t edge = i / 3 % 3;
+        const std::int32_t u = t[edge];
+        const std::int32_t v = t[(edge + 1) % 3];
+        const std::int32_t w = t[(edge + 2) % 3];
+        const auto middle = static_cast<std::int32_t>(vertices.size());
+        vertices.emplace_back(0.5 * (vertex_of(mesh, u) + vertex_of(mesh, v)));
+        triangles.push_back({u, middle, w});
+        triangles.push_back({middle, v, w});
+    }
+    return TriangleMesh::build(std::move(vertices), std::move(triangles), {.weld_relative = 0.0});
+}
+
 }  // namespace fulcrum

@@ -1,4 +1,4 @@
-// Meshes that are hard to touch: grooves, prisms of slivers, surfaces that fall apart into triangles or at a seam.
+// Meshes that are hard to touch: grooves, prisms of slivers, surfaces that fall apart into triangles or at a seam, or have T-junctions.
 #pragma once
 
 #include "haptics/geometry/triangle_mesh.h"
@@ -23,5 +23,9 @@ namespace fulcrum {
 /// moved by up to `crack_m`. Built with the given weld.
 [[nodiscard]] Expected<TriangleMesh> make_cracked(const TriangleMesh& mesh, double crack_m,
                                                   unsigned seed, double weld_relative);
+
+/// The same surface with T-junctions: of every third triangle an edge is cut in its middle, which its neighbour over that edge knows
+/// nothing of; as the middle is rounded, neither surface need contain the other's edge. Nothing is welded.
+[[nodiscard]] Expected<TriangleMesh> make_t_junctions(const TriangleMesh& mesh);
 
 }  // namespace fulcrum

@@ -3,6 +3,9 @@
 //
 // A bumpy ball (3 % bumps), pressed in 2 % of the radius, 4 radii a second at 1 kHz. Each step is timed by itself, and every
 // pass does the same steps: the least time of a step over the passes is what it costs when the machine does nothing else.
+//
+// At one speed a finer mesh has more edges to cross in a tick, so it is also measured at a quarter of an edge a tick: there the work of
+// a tick is the same on every mesh, and what is left to grow is the search for triangles, log n, and how far away in memory they are.
 #include "haptics/geometry/shape.h"
 #include "haptics/point/god_object.h"
 #include "tests/bench/curves/one_constraint_proxy.h"
@@ -27,6 +30,7 @@ constexpr double kBumps = 20.0;
 constexpr int kWarmUp = 200;
 constexpr double kFelt = 0.1;           // of the depth: less is no touch to speak of
 constexpr int kLargestScanned = 11000;  // triangles; beyond, a plain scan only takes longer
+constexpr double kEdgesPerTick = 0.25;
 
 double bumpy_radius(const Vector3& u) {
     return 1.0 +
@@ -35,8 +39,13 @@ double bumpy_radius(const Vector3& u) {
                3.0;
 }
 
-std::vector<Vector3> make_hands(int n) {
-    Wanderer wanderer(1);
+// The length of an edge, radii, of a ball of so many triangles that are alike.
+double edge_length(double n_triangles) {
+    return std::sqrt(16.0 * std::numbers::pi / (std::numbers::sqrt3 * n_triangles));
+}
+
+std::vector<Vector3> make_hands(int n, double step) {
+    Wanderer wanderer(1, step);
     std::vector<Vector3> hands;
     for (int i = 0; i < n; ++i) {
         const Vector3& u = wanderer.next();
@@ -100,9 +109,9 @@ Figures measure_proxy(const std::string& method, Proxy& proxy, const CollisionMe
 }
 
 // One search through all triangles a step, from where the god-object is to the hand.
-Figures measure_scan(const CollisionMesh& mesh, GodObject& proxy, const std::vector<Vector3>& hands,
-                     int n_steps, int n_passes) {
-    Figures figures{"plain scan, one segment", static_cast<double>(mesh.n_triangles())};
+Figures measure_scan(const std::string& method, const CollisionMesh& mesh, GodObject& proxy,
+                     const std::vector<Vector3>& hands, int n_steps, int n_passes) {
+    Figures figures{method, static_cast<double>(mesh.n_triangles())};
     std::vector<double> us;
     proxy.reset(1.1 * hands[0]);
     for (std::size_t i = 0; i < static_cast<std::size_t>(n_steps); ++i) {
@@ -144,24 +153,30 @@ Build measure_build(const TriangleMesh& mesh, int n_builds) {
     return build;
 }
 
-// p of time ~ triangles^p from the coarsest to the finest mesh of a method, by its medians.
-double find_growth(const std::vector<Figures>& all, const std::string& method) {
-    const Figures* coarsest = nullptr;
-    const Figures* finest = nullptr;
-    for (const Figures& one : all) {
-        if (one.method == method) {
-            coarsest = coarsest == nullptr ? &one : coarsest;
-            finest = &one;
-        }
+struct Growth {
+    double exponent = kNone;  // p of time ~ triangles^p
+    double of_log = kNone;    // the medians' ratio, of that of the logarithms
+};
+
+// From the coarsest to the finest mesh of a method, by its medians.
+Growth find_growth(const std::vector<Figures>& all, const std::string& method) {
+    const auto is_of_it = [&](const Figures& one) { return one.method == method; };
+    const auto coarsest = std::ranges::find_if(all, is_of_it);
+    const auto finest = std::find_if(all.rbegin(), all.rend(), is_of_it);
+    if (finest->n_triangles == coarsest->n_triangles) {
+        return {};
     }
-    return coarsest == finest ? kNone
-                              : std::log(finest->median_us / coarsest->median_us) /
-                                    std::log(finest->n_triangles / coarsest->n_triangles);
+    const double grown = finest->median_us / coarsest->median_us;
+    const double log_coarsest = std::log(coarsest->n_triangles);
+    const double log_finest = std::log(finest->n_triangles);
+    return {std::log(grown) / (log_finest - log_coarsest), grown * log_coarsest / log_finest};
 }
 
 constexpr const char* kWork =
     "A hand slides over a ball with bumps of 3 %, 2 % of the radius deep at 4 radii a second, "
-    "1 kHz; the least time of each step over all passes, then the median and 99 % of the steps.";
+    "1 kHz, or at a quarter of an edge a tick; the least time of each step over all passes, then "
+    "the "
+    "median and 99 % of the steps.";
 
 LineChart draw_steps(const std::vector<Figures>& all, const std::vector<std::string>& methods) {
     LineChart chart;
@@ -170,7 +185,7 @@ LineChart draw_steps(const std::vector<Figures>& all, const std::vector<std::str
     chart.work = kWork;
     chart.reference =
         "beside it a proxy with one constraint a tick, and a search through all triangles for one "
-        "segment";
+        "segment; theory: as log n, through the coarsest mesh at a quarter of an edge a tick";
     chart.advice =
         "Take the mesh as fine as the touch needs it: a million triangles still leave 99 % of a "
         "millisecond free.";
@@ -190,6 +205,12 @@ LineChart draw_steps(const std::vector<Figures>& all, const std::vector<std::str
         chart.lines.push_back(std::move(median));
         chart.lines.push_back(std::move(tail));
     }
+    const Line& even = chart.lines[2];
+    Line theory{"log n", LineStyle::theory, even.x, {}};
+    for (const double n_triangles : even.x) {
+        theory.y.push_back(even.y.front() * std::log(n_triangles) / std::log(even.x.front()));
+    }
+    chart.lines.push_back(std::move(theory));
     return chart;
 }
 
@@ -229,14 +250,16 @@ Sheet list_all(const std::vector<Figures>& all, const std::vector<Build>& builds
                      "median µs",
                      "99 % µs",
                      "growth exponent of the median",
+                     "growth of the median, of that of log n",
                      "most the force turned in a tick, degrees",
                      "largest gap to the hand, radii",
                      "build ms",
                      "memory MB"};
     for (const Figures& one : all) {
         const auto build = std::ranges::find(builds, one.n_triangles, &Build::n_triangles);
+        const Growth growth = find_growth(all, one.method);
         sheet.rows.push_back({to_text(one.n_triangles), one.method, to_text(one.median_us),
-                              to_text(one.p99_us), to_text(find_growth(all, one.method)),
+                              to_text(one.p99_us), to_text(growth.exponent), to_text(growth.of_log),
                               to_text(one.worst_turn_deg), to_text(one.worst_gap),
                               to_text(build->ms), to_text(build->megabytes)});
     }
@@ -244,9 +267,10 @@ Sheet list_all(const std::vector<Figures>& all, const std::vector<Build>& builds
 }
 
 Report run_god_object(Run& run) {
-    const std::vector<std::string> methods{"god-object", "one constraint a tick",
-                                           "plain scan, one segment"};
-    const std::vector<Vector3> hands = make_hands(run.pick(20000, 4000));
+    const std::vector<std::string> methods{"god-object", "god-object, a quarter of an edge a tick",
+                                           "one constraint a tick", "plain scan, one segment"};
+    const int n_steps = run.pick(20000, 4000);
+    const std::vector<Vector3> hands = make_hands(n_steps, Wanderer::kStep);
     const int n_passes = run.pick(7, 3);
     const std::vector<int> frequencies =
         run.pick<std::vector<int>>({4, 7, 13, 22, 40, 71, 126, 224}, {7, 22, 71});
@@ -260,10 +284,14 @@ Report run_god_object(Run& run) {
         builds.push_back(measure_build(*source, run.pick(5, 2)));
         GodObject god_object(only_solid(mesh));
         all.push_back(measure_proxy(methods[0], god_object, *mesh, hands, n_passes));
+        const double step = kEdgesPerTick * edge_length(mesh->n_triangles());
+        all.push_back(
+            measure_proxy(methods[1], god_object, *mesh, make_hands(n_steps, step), n_passes));
         OneConstraintProxy simple(mesh);
-        all.push_back(measure_proxy(methods[1], simple, *mesh, hands, n_passes));
+        all.push_back(measure_proxy(methods[2], simple, *mesh, hands, n_passes));
         if (mesh->n_triangles() <= kLargestScanned) {
-            all.push_back(measure_scan(*mesh, god_object, hands, run.pick(1000, 400), n_passes));
+            all.push_back(
+                measure_scan(methods[3], *mesh, god_object, hands, run.pick(1000, 400), n_passes));
         }
     }
     return {draw_steps(all, methods), draw_builds(builds), list_all(all, builds)};

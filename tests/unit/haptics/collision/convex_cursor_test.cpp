@@ -89,5 +89,38 @@ TEST_CASE("convex cursor: a hull of a box's corners is the box, but for its roun
           Approx(1.0 - 1.0e-3 * std::sqrt(14.0)));
 }
 
+TEST_CASE("convex cursor: what it remembers of a mesh changes no answer, however the body turns") {
+    const auto mesh = touchable(make_bumpy_sphere(1.0, 20, 0.1, 8.0));
+    const ConvexBody cursor = make_convex_cursor(BoxShape{{0.05, 0.03, 0.08}});
+    ConvexMeshObstacle remembering(mesh, cursor);
+    Wanderer wanderer(6);
+    Random random(9);
+    Vector3 from = 1.3 * wanderer.next();
+    Matrix3 turned = Matrix3::Identity();
+    int n_hits = 0;
+    for (int i = 0; i < 1500; ++i) {
+        if (i % 50 == 0) {
+            // The cursor turns where it is free.
+            from = 1.3 * wanderer.next();
+            turned = random.turn(1.0).toRotationMatrix();
+            remembering.turn(turned);
+        }
+        const Vector3 to = wanderer.next() * (1.12 + 0.1 * std::sin(0.1 * i));
+        ConvexMeshObstacle fresh(mesh, cursor);
+        fresh.turn(turned);
+        const CastQuestion question{
+            .from_B = from, .to_B = to, .level_m = kLevel_m, .reach_m = 0.004};
+        const CastHit expected = fresh.cast(question);
+        const CastHit hit = remembering.cast(question);
+        REQUIRE(hit.t == Approx(expected.t).margin(1e-9));
+        // Free of every triangle there, as asked of each.
+        const Vector3 there = from + std::min(hit.t, 1.0) * (to - from);
+        REQUIRE(remembering.find_nearest(there, 0.4 * kLevel_m) == -1);
+        from = there;
+        n_hits += hit.found() ? 1 : 0;
+    }
+    CHECK(n_hits > 100);
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -75,7 +75,7 @@ TEST_CASE("materials: each differs from each other in something that is felt") {
     }
 }
 
-TEST_CASE("materials: the tapped ones are ordered as Okamura found them") {
+TEST_CASE("materials: what is harder rings higher, as is written for each") {
     CHECK(facts_of("rubber").ringing_Hz == 18.0);
     CHECK(facts_of("wood").ringing_Hz == 30.0);
     CHECK(facts_of("metal").ringing_Hz == 100.0);

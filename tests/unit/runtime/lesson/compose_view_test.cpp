@@ -1,5 +1,6 @@
 #include "runtime/lesson/compose_view.h"
 
+#include "runtime/scene/shape_models.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -81,6 +82,27 @@ TEST_CASE(
     CHECK(view.bodies[0].scale.y() < 1.0);
     CHECK(view.bodies[0].scale.prod() == Approx(1.0));  // flatter and wider: the same volume
     CHECK(view.ghost_visible);
+}
+
+TEST_CASE("view: a cursor with a shape is drawn in it, and does not turn as the hand does") {
+    Shown shown;
+    shown.lesson.bucket.present = false;
+    shown.scenery.ghost = true;
+    const Quaternion turned(Eigen::AngleAxisd(0.4, Vector3::UnitX()));
+    shown.scenery.hand.proxy_position_W = {0.1, 0.2, 0.3};
+    shown.scenery.hand.proxy_orientation_W = turned;
+    shown.scenery.ghost_pose_W.orientation = turned;
+    CHECK(shown.view().tool.model == "cursor");
+    CHECK(shown.view().tool.pose_W.orientation.isApprox(turned));
+    shown.lesson.hand.cursor = CapsuleShape{0.01, 0.03};
+    const View view = shown.view();
+    CHECK(view.tool.model == kToolModel);
+    CHECK(view.tool.pose_W.position == Vector3(0.1, 0.2, 0.3));
+    CHECK(view.tool.pose_W.orientation.isApprox(Quaternion::Identity()));
+    CHECK(view.ghost_pose_W.orientation.isApprox(Quaternion::Identity()));
+    // A tool that is felt with torque turns.
+    shown.lesson.hand.tool.emplace();
+    CHECK(shown.view().tool.pose_W.orientation.isApprox(turned));
 }
 
 TEST_CASE("view: without a world the visible bodies stand where the lesson put them") {

@@ -1,0 +1,145 @@
+// Readers of the haptic loop that are too slow: sound, lesson, world and recorder read nothing for seconds. The loop waits for none of
+// them and counts what was lost; what comes after they woke is whole. Only a record that is full fades the force, as every fault does.
+#include "tests/unit/haptics/loop/haptic_loop_fixture.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+using namespace fulcrum;
+
+namespace {
+
+// A floor at height zero that may be heard.
+class AudibleFloor final : public Proxy {
+  public:
+    void reset(const Vector3& hand_W) noexcept override { contact_.position_W = hand_W; }
+    void put_solid(std::size_t /*solid*/, const Pose& /*pose_W*/) noexcept override {}
+    const ProxyContact& step(const Vector3& hand_W,
+                             std::span<const Pose> /*poses_W*/) noexcept override {
+        contact_ = {};
+        contact_.position_W = hand_W.cwiseMax(Vector3(-1.0, 0.0, -1.0));
+        if (hand_W.y() < 0.0) {
+            contact_.solid = 0;
+            contact_.n_constraints = 1;
+            contact_.normal_W = Vector3::UnitY();
+            contact_.touches[0] = {.solid = 0, .feature = 0, .normal_W = Vector3::UnitY()};
+            contact_.touches[0].push_m = -hand_W.y();
+            contact_.touches[0].anchor_W = contact_.position_W;
+        }
+        return contact_;
+    }
+
+  private:
+    ProxyContact contact_;
+};
+
+HapticPlan make_audible_plan() {
+    HapticPlan plan;
+    plan.coupling = CouplingSettings{.stiffness_N_per_m = 400.0, .damping_Ns_per_m = 2.0};
+    plan.solids.push_back({7, nullptr, {}});
+    plan.solids[0].surface.audible = true;
+    return plan;
+}
+
+// A loop whose channels may be listened to.
+struct Listened {
+    explicit Listened(bool has_sound, bool has_recorder) {
+        bench.channels->touches = has_sound ? touches.get() : nullptr;
+        bench.channels->record = has_recorder ? record.get() : nullptr;
+        loop = std::make_unique<HapticLoop>(make_audible_plan(), bench.device, *bench.channels,
+                                            std::make_unique<AudibleFloor>());
+    }
+    // The hand dips into the floor ten times a second, deepest a centimetre.
+    void step() {
+        now_s += kDt_s;
+        bench.device.pose_D.position = Vector3(0.01, 0.01 * std::cos(62.8 * now_s), 0.0);
+        bench.command.stamp_s = now_s;
+        bench.channels->command.publish(bench.command);
+        loop->step(now_s);
+    }
+
+    std::unique_ptr<RecordRing> record = std::make_unique<RecordRing>();
+    std::unique_ptr<TouchRing> touches = std::make_unique<TouchRing>();
+    Bench bench{HapticPlan{}};
+    std::unique_ptr<HapticLoop> loop;
+    double now_s = 0.0;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "slow readers: nobody listens or looks for 15 s, and each force is to the bit as without them; "
+    "what was lost is counted") {
+    constexpr std::uint64_t kRoundsAsleep = 15000;
+    Listened slow(true, false);
+    Listened alone(false, false);
+    std::uint64_t n_pressed = 0;
+    for (std::uint64_t i = 0; i < kRoundsAsleep; ++i) {
+        slow.step();
+        alone.step();
+        REQUIRE(slow.bench.device.written_D.force == alone.bench.device.written_D.force);
+        REQUIRE(slow.loop->state().faults == Fault::none);
+        n_pressed += slow.bench.device.written_D.force.y() > 1.0 ? 1 : 0;
+    }
+    CHECK(n_pressed > kRoundsAsleep / 4);
+    // The newest state is the newest.
+    REQUIRE(slow.bench.channels->state_for_lesson.take());
+    CHECK(slow.bench.channels->state_for_lesson.value().tick == kRoundsAsleep - 1);
+    REQUIRE(slow.bench.channels->state_for_world.take());
+    CHECK(slow.bench.channels->state_for_world.value().tick == kRoundsAsleep - 1);
+    // Of the touches those that fitted were kept, the oldest, in order; from then on every one is kept again.
+    const std::uint64_t n_lost = slow.touches->dropped();
+    CHECK(n_lost > 0);
+    TouchSample touch;
+    double last_s = -1.0;
+    std::size_t n_touches = 0;
+    for (; slow.touches->pop(touch); ++n_touches) {
+        REQUIRE(touch.time_s > last_s);
+        last_s = touch.time_s;
+    }
+    CHECK(n_touches == kTouchRingCapacity);
+    for (int i = 0; i < 200; ++i) {
+        slow.step();
+    }
+    REQUIRE(slow.touches->pop(touch));
+    CHECK(touch.time_s > last_s + 1.0);
+    CHECK(slow.touches->dropped() == n_lost);
+}
+
+TEST_CASE(
+    "slow readers: a recorder that sleeps costs the force and no round; every lost one is counted, "
+    "and when it wakes all is back") {
+    constexpr std::uint64_t kRoundsAsleep = 3 * kRecordRingCapacity;
+    Listened slow(false, true);
+    for (std::uint64_t i = 0; i < kRoundsAsleep; ++i) {
+        slow.step();
+        REQUIRE(slow.bench.device.n_writes == static_cast<int>(i + 1));
+        // Told from the round after the first that was lost.
+        REQUIRE(slow.loop->state().faults ==
+                (i > kRecordRingCapacity ? Fault::record_full : Fault::none));
+    }
+    CHECK(slow.loop->state().gate == GatePhase::waiting);
+    CHECK(slow.bench.device.written_D.force.norm() == 0.0);
+    CHECK(slow.record->dropped() == kRoundsAsleep - kRecordRingCapacity);
+    // It wakes: what was kept is the oldest, and nothing is missing in it.
+    RecordSample sample;
+    for (std::uint64_t tick = 0; tick < kRecordRingCapacity; ++tick) {
+        REQUIRE(slow.record->pop(sample));
+        REQUIRE(sample.tick == tick);
+    }
+    CHECK_FALSE(slow.record->pop(sample));
+    // From here on every round is kept again, and the force comes back.
+    const std::uint64_t n_lost = slow.record->dropped();
+    double most_N = 0.0;
+    for (std::uint64_t i = 0; i < 6000; ++i) {
+        slow.step();
+        REQUIRE(slow.record->pop(sample));
+        REQUIRE(sample.tick == kRoundsAsleep + i);
+        most_N = std::max(most_N, slow.bench.device.written_D.force.y());
+    }
+    CHECK(most_N > 1.0);
+    CHECK(slow.record->dropped() == n_lost);
+}
