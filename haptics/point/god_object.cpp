@@ -1,5 +1,6 @@
 #include "haptics/point/god_object.h"
 
+#include "haptics/math/length.h"
 #include "haptics/point/let_through.h"
 
 #include <algorithm>
@@ -78,7 +79,7 @@ void GodObject::look_ahead() noexcept {
 
 void GodObject::find_near_solids(const Vector3& goal_W) noexcept {
     // The distance to the hand never grows, so all that follows happens in this ball.
-    const double radius_m = (proxy_W_ - goal_W).norm();
+    const double radius_m = compute_length(Vector3(proxy_W_ - goal_W));
     n_near_ = 0;
     for (std::size_t i = 0; i < solids_.size(); ++i) {
         if (!solids_[i].lets_through() && solids_[i].is_near(goal_W, radius_m)) {
@@ -118,7 +119,7 @@ GodObject::Advance GodObject::advance(const Vector3& target_W) noexcept {
     const Blocker blocker = sweep_all(target_W);
     if (blocker.solid == kNoBody) {
         move_to(target_W);
-        return {.blocked = false, .moved_m = way.norm(), .plane = {}};
+        return {.blocked = false, .moved_m = compute_length(way), .plane = {}};
     }
     Advance result{.blocked = true, .moved_m = 0.0, .plane = {}};
     result.plane = solids_[static_cast<std::size_t>(blocker.solid)].find_plane(blocker.hit.triangle,
@@ -131,7 +132,7 @@ GodObject::Advance GodObject::advance(const Vector3& target_W) noexcept {
                          : 0.0;
     const Vector3 stop_W = proxy_W_ + t * way;
     if (t > 0.0 && sweep_all(stop_W).solid == kNoBody) {
-        result.moved_m = (stop_W - proxy_W_).norm();
+        result.moved_m = compute_length(Vector3(stop_W - proxy_W_));
         move_to(stop_W);
     }
     return result;

@@ -18,7 +18,8 @@
 
 namespace fulcrum {
 
-/// Planes that act together, with how much each pushes. One more than can be active.
+/// Planes that act together, with how much each pushes: the active ones, and for a moment one that was just met. Plane is a TouchedPlane
+/// (moving_solid.h) or an ObstaclePlane (moving_obstacle.h).
 template <class Plane>
 struct HeldPlanes {
     std::array<Plane, kMaxPlanes> plane;
@@ -71,12 +72,13 @@ Vector3 HeldPlanes<Plane>::constrain(const Vector3& wish, double slack,
     if (!found.feasible) {
         // In a gap too narrow for the clearance: no nearer to any plane than now.
         for (PlaneConstraint& constraint : given) {
-            constraint.gap_m = std::min(constraint.gap_m, 0.0);
+            constraint.offset_m = std::min(constraint.offset_m, 0.0);
         }
         found = compute_constrained_point(wish, given, slack * clearance_m);
     }
     if (!found.feasible) {
-        count = std::min<std::size_t>(count, 3);
+        // Nowhere is better: it stays, and the planes that it came with hold it.
+        count = std::min(count, kMaxTouches);
         return Vector3::Zero();
     }
     // The active ones are in order, so none is written over before it has moved up.
@@ -148,6 +150,7 @@ template <class Solids, class FindBlocker, class Blocker>
                                                         const Vector3& proxy_W,
                                                         FindBlocker&& find_blocker,
                                                         Blocker& first) noexcept {
+    static_assert(kMaxSolids <= 32, "each solid tried has a bit");
     first = find_blocker(wish_W);
     Blocker next = first;
     Vector3 candidate_W = wish_W;

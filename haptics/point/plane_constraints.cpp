@@ -1,6 +1,6 @@
 #include "haptics/point/plane_constraints.h"
 
-#include <cmath>
+#include "haptics/math/length.h"
 
 namespace fulcrum {
 
@@ -15,7 +15,7 @@ using Planes = std::span<const PlaneConstraint>;
 
 bool respects(const Vector3& position, const Planes& planes, double slack_m) noexcept {
     for (const PlaneConstraint& plane : planes) {
-        if (!(plane.normal.dot(position) >= plane.gap_m - slack_m)) {
+        if (!(plane.normal.dot(position) >= plane.offset_m - slack_m)) {
             return false;
         }
     }
@@ -27,7 +27,7 @@ bool try_plane(const Vector3& wish, const Planes& planes, int index, double slac
                ConstrainedPoint& found) noexcept {
     const PlaneConstraint& plane = planes[static_cast<std::size_t>(index)];
     const double square = plane.normal.squaredNorm();
-    const double push = (plane.gap_m - plane.normal.dot(wish)) / square;
+    const double push = (plane.offset_m - plane.normal.dot(wish)) / square;
     const Vector3 foot = wish + push * plane.normal;
     if (!(square > kParallel * kParallel) || !(push >= 0.0) || !respects(foot, planes, slack_m)) {
         return false;
@@ -52,7 +52,7 @@ class ActiveSet {
         for (std::size_t i = 0; i < n_; ++i) {
             free -= directions_[i].dot(plane.normal) * directions_[i];
         }
-        const double sine = free.norm();
+        const double sine = compute_length(free);
         if (!(sine > kParallel)) {
             return false;
         }
@@ -62,7 +62,7 @@ class ActiveSet {
                 directions_[i].dot(free) * directions_[i];  // once more, for what cancellation left
         }
         const double lead = plane.normal.dot(free);
-        const double push = (plane.gap_m - plane.normal.dot(position_)) / lead;
+        const double push = (plane.offset_m - plane.normal.dot(position_)) / lead;
         position_ += push * free;
         directions_[n_] = free;
         pushes_[n_] = push;
@@ -110,7 +110,7 @@ bool try_set(const Vector3& wish, const Planes& planes, unsigned set, double sla
             return false;
         }
     }
-    if (!active.find_multipliers(kMultiplierSlack * wish.norm()) ||
+    if (!active.find_multipliers(kMultiplierSlack * compute_length(wish)) ||
         !respects(active.position(), planes, slack_m)) {
         return false;
     }

@@ -121,7 +121,7 @@ Vector3 find_nearest_within(const CollisionMesh& mesh, double radius, const Vect
         if (worst.normal == Vector3::Zero()) {
             return place;
         }
-        worst.gap_m -= worst.normal.dot(hand);
+        worst.offset_m -= worst.normal.dot(hand);
         acting.push_back(worst);
         const ConstrainedPoint found = compute_constrained_point(Vector3::Zero(), acting, 1.0e-12);
         place = hand + found.position;

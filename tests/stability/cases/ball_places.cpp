@@ -102,7 +102,7 @@ Vector3 find_nearest_within(const CollisionMesh& mesh, double radius_m, const Ve
         acting.push_back(worst);
         std::vector<PlaneConstraint> seen = acting;
         for (PlaneConstraint& plane : seen) {
-            plane.gap_m -= plane.normal.dot(hand_B);
+            plane.offset_m -= plane.normal.dot(hand_B);
         }
         const ConstrainedPoint found = compute_constrained_point(Vector3::Zero(), seen, 1.0e-12);
         place_B = hand_B + found.position;

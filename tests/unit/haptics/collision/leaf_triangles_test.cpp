@@ -85,6 +85,33 @@ TEST_CASE("leaf triangles: none that a ball meets on its way is left out, at any
     }
 }
 
+TEST_CASE("leaf triangles: what is just touched is told, whatever single precision makes of it") {
+    const auto mesh = touchable(make_bumpy_sphere(0.3, 8, 0.1, 6.0));
+    Random random(31);
+    LeafTriangles leaf;
+    for (std::int32_t triangle = 0; triangle < mesh->n_triangles(); ++triangle) {
+        leaf.load(*mesh, triangle / 8);
+        const unsigned bit = 1U << static_cast<unsigned>(triangle % 8);
+        const auto [a, b, c] = mesh->places_B(triangle);
+        for (const double away : {0.01, 0.1, 1.0, 10.0}) {
+            const Vector3 at = a + away * random.direction();
+            const double distance =
+                find_triangle_gap(prepare_for_gap(*mesh, triangle), at).distance_m;
+            REQUIRE((leaf.find_near(at, Vector3::Zero(), distance * (1.0 + 1.0e-14)) & bit) != 0);
+            // Met at the end of a way that leads towards it, or past it.
+            const Vector3 half = 0.3 * away * random.direction();
+            REQUIRE((leaf.find_near(at - half, half, distance * (1.0 + 1.0e-14)) & bit) != 0);
+        }
+        const Vector3 up = random.direction();
+        const double top = std::max({up.dot(a), up.dot(b), up.dot(c)});
+        REQUIRE((leaf.find_above(up, top - 1.0e-15) & bit) != 0);
+        const Vector3 lower = a.cwiseMin(b).cwiseMin(c);
+        const Vector3 upper = a.cwiseMax(b).cwiseMax(c);
+        REQUIRE((leaf.find_in_box({upper, upper + Vector3::Ones()}) & bit) != 0);
+        REQUIRE((leaf.find_in_box({lower - Vector3::Ones(), lower}) & bit) != 0);
+    }
+}
+
 TEST_CASE("leaf triangles: slivers and triangles of one point are asked rather than left out") {
     // Strips a thousandth as wide as long.
     std::vector<Vector3> vertices;

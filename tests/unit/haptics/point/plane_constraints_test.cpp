@@ -63,7 +63,7 @@ TEST_CASE(
         std::vector<PlaneConstraint> planes(1 + static_cast<std::size_t>(round) % kMaxPlanes);
         for (PlaneConstraint& plane : planes) {
             plane.normal = Vector3(normal(random), normal(random), normal(random)).normalized();
-            plane.gap_m = -std::abs(normal(random));  // so the origin is allowed
+            plane.offset_m = -std::abs(normal(random));  // so the origin is allowed
         }
         const Vector3 wish = 5.0 * Vector3(normal(random), normal(random), normal(random));
         const ConstrainedPoint found = solve(wish, planes);
@@ -72,14 +72,14 @@ TEST_CASE(
         for (std::size_t i = 0; i < static_cast<std::size_t>(found.n_active); ++i) {
             const PlaneConstraint& plane = planes[static_cast<std::size_t>(found.active[i])];
             REQUIRE(found.multiplier[i] >= -1e-9);
-            REQUIRE(plane.normal.dot(found.position) == Approx(plane.gap_m).margin(1e-9));
+            REQUIRE(plane.normal.dot(found.position) == Approx(plane.offset_m).margin(1e-9));
             rebuilt += found.multiplier[i] * plane.normal;
         }
         // Nearly parallel planes have large multipliers that cancel: their rounding grows with them.
         const double largest = *std::max_element(found.multiplier.begin(), found.multiplier.end());
         REQUIRE((rebuilt - found.position).norm() <= 1e-12 * (1.0 + std::abs(largest)));
         for (const PlaneConstraint& plane : planes) {
-            REQUIRE(plane.normal.dot(found.position) >= plane.gap_m - 1e-9);
+            REQUIRE(plane.normal.dot(found.position) >= plane.offset_m - 1e-9);
         }
         ++n_with_active[static_cast<std::size_t>(found.n_active)];
     }
