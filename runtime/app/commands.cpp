@@ -125,7 +125,7 @@ Expected<Analysis> measure_stages(LessonRun& run, const std::optional<double>& e
         return fail("the play was broken off, so there are no figures of the whole of it", {},
                     "let it come to its end, or give --seconds");
     }
-    if (const std::string trouble = trouble_of(*outcome); !trouble.empty()) {
+    if (const std::string trouble = trouble_of(run, *outcome, true); !trouble.empty()) {
         std::fprintf(stderr, "%s\n", trouble.c_str());
     }
     if (!clock.hand_moved()) {
@@ -209,7 +209,7 @@ int test_command(const Installation& installation, const Options& options) {
             if (!outcome) {
                 return complain(outcome.error(), 1);
             }
-            if (const std::string trouble = trouble_of(*outcome); !trouble.empty()) {
+            if (const std::string trouble = trouble_of(run, *outcome, false); !trouble.empty()) {
                 std::fprintf(stderr, "%s\n", trouble.c_str());
             }
             const int unmet = count_unmet(run.description().tests.front(), run.session().result());

@@ -105,9 +105,18 @@ bool asks_in_vain(const SessionHud& hud, double now_s, double patience_s) {
 
 }  // namespace
 
-std::string trouble_of(const HeadlessOutcome& outcome) {
+std::string trouble_of(const LessonRun& run, const HeadlessOutcome& outcome, bool takes_say) {
+    constexpr const char* kSayFile = "give --say a file with one answer a line";
+    if (outcome.nobody_answered && run.say_line() > 0) {
+        const std::size_t n = run.description().tests.front().say.size();
+        return to_sentence({"the lesson asked, and say of L:test has no answer left (" +
+                                std::to_string(n) + " in all)",
+                            "lesson.lua:" + std::to_string(run.say_line()),
+                            std::string("add answers to it") +
+                                (takes_say ? std::string(", or ") + kSayFile : std::string())});
+    }
     if (outcome.nobody_answered) {
-        return "The lesson asked and nobody answered; give --say a file with one answer a line.";
+        return std::string("The lesson asked and nobody answered; ") + kSayFile + '.';
     }
     if (outcome.never_ended) {
         return "The lesson had not finished after " +

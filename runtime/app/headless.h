@@ -36,8 +36,10 @@ struct HeadlessOutcome {
     double wall_s = 0.0;
 };
 
-/// Why the run did not come to the lesson's end, one sentence; empty when it did or was told when to stop.
-[[nodiscard]] std::string trouble_of(const HeadlessOutcome& outcome);
+/// Why the run did not come to the lesson's end, one sentence; empty when it did or was told when to stop. `takes_say`: the command
+/// has an option --say.
+[[nodiscard]] std::string trouble_of(const LessonRun& run, const HeadlessOutcome& outcome,
+                                     bool takes_say);
 
 /// Plays to the end. An error is the lesson's failure: by then the force has faded and the record tells so.
 [[nodiscard]] Expected<HeadlessOutcome> run_headless(LessonRun& run,

@@ -20,22 +20,43 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The models that the program has, and the one that a misspelt name most likely means.
-std::string nearest_model(const Places& places, const std::string& model) {
-    std::vector<std::string> known;
-    for (const fs::path& file : entries_of(places.models)) {
-        known.push_back(file.stem().string());
+// The names of models, the lesson's own too, that a misspelt one most likely means: "\"apple\" or \"maple\"".
+std::string near_models(const Places& places, const fs::path& lesson_folder,
+                        const std::string& model) {
+    constexpr int kMost = 3;
+    std::vector<std::string> known{std::string(kSphereModel), std::string(kBoxModel),
+                                   std::string(kOrbitModel)};
+    known.insert(known.end(), kPlanetModels.begin(), kPlanetModels.end());
+    for (const fs::path& folder : {lesson_folder, places.models}) {
+        for (const fs::path& file : entries_of(folder)) {
+            if (file.extension() == ".glb" || file.extension() == ".gltf") {
+                known.push_back(file.stem().string());
+            }
+        }
     }
-    return nearest_word(model, known);
+    std::string near;
+    for (int i = 0; i < kMost; ++i) {
+        // After the most likely one only those that differ by a letter.
+        const std::string next =
+            near.empty() ? nearest_word(model, known) : nearest_word(model, known, 1);
+        if (next.empty()) {
+            break;
+        }
+        near += (near.empty() ? "\"" : " or \"") + next + '"';
+        std::erase(known, next);
+    }
+    return near;
 }
 
-tl::unexpected<Error> no_model(const Places& places, const std::string& model,
-                               const std::string& owner, SourceLine line) {
-    const std::string near = nearest_model(places, model);
+tl::unexpected<Error> no_model(const Places& places, const fs::path& lesson_folder,
+                               const std::string& model, const std::string& owner,
+                               SourceLine line) {
+    const std::string near = near_models(places, lesson_folder, model);
+    const std::string put = "put " + model + ".glb beside the lesson";
     return fail("there is no model \"" + model + "\" for " + owner,
                 "lesson.lua:" + std::to_string(line),
-                near.empty() ? "put " + model + ".glb beside the lesson, or use sphere or box"
-                             : "did you mean \"" + near + "\"?");
+                near.empty() ? put + ", or use sphere or box"
+                             : "did you mean " + near + "? If not, " + put);
 }
 
 }  // namespace
@@ -47,15 +68,16 @@ Expected<void> check_models(const Places& places, const fs::path& lesson_folder,
     };
     for (const BodyDescription& body : lesson.bodies) {
         if (!is_there(body.model)) {
-            return no_model(places, body.model, body.name, body.line);
+            return no_model(places, lesson_folder, body.model, body.name, body.line);
         }
     }
     const std::string tool = lesson.hand.tool ? lesson.hand.tool->model : "";
     if (!tool.empty() && !is_there(tool)) {
-        return no_model(places, tool, "the tool", lesson.hand.line);
+        return no_model(places, lesson_folder, tool, "the tool", lesson.hand.line);
     }
     if (lesson.bucket.present && !is_there(lesson.bucket.model)) {
-        return no_model(places, lesson.bucket.model, "the bucket", lesson.bucket.line);
+        return no_model(places, lesson_folder, lesson.bucket.model, "the bucket",
+                        lesson.bucket.line);
     }
     return {};
 }
@@ -98,7 +120,7 @@ Expected<TriangleMesh> load_solid_mesh(const Places& places, const fs::path& les
     }
     const fs::path file = find_model(places, lesson_folder, body.model);
     if (file.empty()) {
-        return no_model(places, body.model, body.name, body.line);
+        return no_model(places, lesson_folder, body.model, body.name, body.line);
     }
     const auto model = load_gltf(file);
     if (!model) {

@@ -145,8 +145,9 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
     }
     const bool plays_own_test = request.own_test && !description.tests.empty();
     if (plays_own_test || !request.say.empty()) {
-        pupil_.emplace(plays_own_test && request.say.empty() ? description.tests.front().say
-                                                             : request.say);
+        const bool says_own = plays_own_test && request.say.empty();
+        pupil_.emplace(says_own ? description.tests.front().say : request.say);
+        say_line_ = says_own ? description.tests.front().line : 0;
     }
     auto session = LessonSession::create(std::move(description), plan_, catalogue, store,
                                          learner->id, version_of(process_->files_read()));

@@ -66,6 +66,8 @@ class LessonRun {
     /// What strokes and taps sound like; null when the plan has no sound of touch.
     [[nodiscard]] SoundStream* touch_sound() { return touch_sound_.get(); }
     [[nodiscard]] const HandDevice& hand() const { return *hand_; }
+    /// The line of the L:test whose answers are given; 0 where they are somebody else's, or nobody's.
+    [[nodiscard]] SourceLine say_line() const { return say_line_; }
 
     /// One frame, waiting for the lesson's answer. An error means that the lesson has failed.
     [[nodiscard]] Expected<FrameReport> exchange_frame(const FrameInput& input);
@@ -115,6 +117,7 @@ class LessonRun {
     std::unique_ptr<RunRecorder> recorder_;  // null when nothing is recorded
     std::unique_ptr<LessonSession> session_;
     std::optional<SimulatedPupil> pupil_;
+    SourceLine say_line_ = 0;
     double last_frame_s_ = 0.0;
 };
 

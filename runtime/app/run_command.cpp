@@ -103,7 +103,7 @@ int run_without_window(const Installation& installation, const Options& options,
                 outcome->simulated_s,
                 outcome->wall_s > 0.0 ? outcome->simulated_s / outcome->wall_s : 0.0, result.score,
                 result.stars, result.attempts, result.attempts == 1 ? "answer" : "answers");
-    if (const std::string trouble = trouble_of(*outcome); !trouble.empty()) {
+    if (const std::string trouble = trouble_of(**run, *outcome, true); !trouble.empty()) {
         std::fprintf(stderr, "%s\n", trouble.c_str());
         return 1;
     }

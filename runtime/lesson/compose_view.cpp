@@ -1,5 +1,7 @@
 #include "runtime/lesson/compose_view.h"
 
+#include "haptics/math/length.h"
+#include "runtime/lesson/tool_extent.h"
 #include "runtime/scene/shape_models.h"
 
 #include <algorithm>
@@ -14,6 +16,9 @@ constexpr double kShortArm_m = 0.01;       // a shorter lever arm is told in mil
 constexpr double kSquashPerNewton = 0.02;  // flattening of what lies in the bucket, felt by the eye
 constexpr double kStrongestSquash = 0.25;
 constexpr double kArrowBelowBucket = 1.4;  // of its depth
+constexpr double kArrowRoom =
+    0.03;  // beside a tool, for half its head: parts of the camera's distance
+constexpr double kSeenAskew = 0.1;  // sine of an angle: an arrow seen end on has no side
 
 // Flatter and wider, with the same volume.
 Vector3 squash(double amount) {
@@ -119,6 +124,32 @@ std::string weight_text(const LessonDescription& lesson, const Plan& plan, const
     return catalogue.say("hud.force", {{"newtons", newtons_text(force_N)}});
 }
 
+// Beside a tool as it is seen, or from its surface on where that is nearer.
+Vector3 find_tail_beside_tool_W(const ToolPlan& tool, const CameraDescription& camera,
+                                const Pose& tool_W, const Vector3& force_W) {
+    const Vector3 along = compute_direction(force_W);
+    const double along_m = compute_tool_extent_m(tool, tool_W.orientation, along);
+    const Vector3 from_surface = along_m * along;
+    const Vector3 across = along.cross(compute_direction(Vector3(camera.eye_W - tool_W.position)));
+    if (compute_length(across) < kSeenAskew) {
+        return tool_W.position + from_surface;
+    }
+    const Vector3 aside = compute_direction(across);
+    const double aside_m = compute_tool_extent_m(tool, tool_W.orientation, aside) +
+                           kArrowRoom * compute_length(Vector3(camera.eye_W - camera.target_W));
+    return tool_W.position + (aside_m < along_m ? Vector3(aside_m * aside) : from_surface);
+}
+
+// The arrow hangs below the bucket, so that it hides nothing of what lies in it; nor does it hide a tool.
+Vector3 find_arrow_tail_W(const LessonDescription& lesson, const Plan& plan, const Pose& tool_W,
+                          const Vector3& force_W) {
+    if (plan.haptic.tool != nullptr) {
+        return find_tail_beside_tool_W(*plan.haptic.tool, lesson.camera, tool_W, force_W);
+    }
+    const double below_m = lesson.bucket.present ? kArrowBelowBucket * lesson.bucket.depth_m : 0.0;
+    return tool_W.position - Vector3(0.0, below_m, 0.0);
+}
+
 // The bar from the axis to where a force acts, at right angles to the axis.
 ViewTorque show_torque(const AxleSettings& hinge, const Vector3& pivot_W, const Vector3& at_W,
                        const Vector3& force_W, double torque_Nm,
@@ -164,6 +195,19 @@ void add_torques(const LessonDescription& lesson, const Scenery& scenery,
     }
 }
 
+// A model of size 1 is drawn as large as its shape is felt.
+Vector3 tool_scale(const LessonDescription& lesson) {
+    if (lesson.hand.tool && is_shape_model(lesson.hand.tool->model)) {
+        if (const auto* ball = std::get_if<SphereShape>(&lesson.hand.tool->shape)) {
+            return Vector3::Constant(ball->radius_m);
+        }
+        if (const auto* box = std::get_if<BoxShape>(&lesson.hand.tool->shape)) {
+            return box->half_size_m;
+        }
+    }
+    return Vector3::Ones();
+}
+
 std::string tool_model(const LessonDescription& lesson) {
     if (lesson.hand.tool) {
         const std::string& model = lesson.hand.tool->model;
@@ -204,6 +248,7 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
 
     // The tool is drawn where it may be; a ghost shows where the hand is.
     view.tool.model = tool_model(lesson);
+    view.tool.scale = tool_scale(lesson);
     view.tool.pose_W = {scenery.hand.proxy_position_W, scenery.hand.proxy_orientation_W};
     view.ghost_visible = scenery.ghost;
     view.ghost_pose_W = scenery.ghost_pose_W;
@@ -216,10 +261,7 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
     const Vector3 force_W = scenery.hand.applied_W.force;
     const double force_N = force_W.norm();
     if (force_N > kShownForce_N) {
-        // The arrow hangs below the bucket, so that it hides nothing of what lies in it.
-        const double below_m =
-            lesson.bucket.present ? kArrowBelowBucket * lesson.bucket.depth_m : 0.0;
-        view.force = {true, view.tool.pose_W.position - Vector3(0.0, below_m, 0.0), force_W,
+        view.force = {true, find_arrow_tail_W(lesson, plan, view.tool.pose_W, force_W), force_W,
                       weight_text(lesson, plan, scenery, catalogue, force_N)};
     }
 

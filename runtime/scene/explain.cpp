@@ -72,6 +72,25 @@ std::string bytes_text(std::size_t bytes) {
     return text.data();
 }
 
+std::string metres_text(double metres) {
+    constexpr double kLongestInMillimetres = 0.9995;  // what would be rounded to 1000 mm is not
+    const bool in_metres = metres >= kLongestInMillimetres;
+    const double value = in_metres ? metres : 1e3 * metres;
+    constexpr double kMost = 1e9;  // no scene is larger
+    int decimals = 0;
+    for (double digits = 100.0; digits > std::max(value, 1e-4) && decimals < 6; digits *= 0.1) {
+        ++decimals;
+    }
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, std::min(value, kMost));
+    std::string number = text.data();
+    if (decimals > 0) {
+        number.erase(number.find_last_not_of('0') + 1);
+        number.erase(number.find_last_not_of('.') + 1);
+    }
+    return number + (in_metres ? " m" : " mm");
+}
+
 std::string explain(const LessonDescription& lesson, const Plan& plan) {
     std::string text = lesson.title + " (" + lesson.id + ")\n\n";
     text += row("loop", "stage", "rate", "memory", "asked by", "because");

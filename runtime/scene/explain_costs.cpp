@@ -73,20 +73,26 @@ nlohmann::ordered_json json_of_materials(const LessonDescription& lesson, const 
     return materials;
 }
 
-nlohmann::ordered_json json_of_tool(const LessonDescription& lesson, const HapticPlan& plan) {
+const char* source_of(ShapeSource source) {
+    return source == ShapeSource::made ? "made" : "cache";
+}
+
+nlohmann::ordered_json json_of_tool(const LessonDescription& lesson, const Plan& plan) {
     const ToolDescription& tool = *lesson.hand.tool;
     nlohmann::ordered_json bodies = nlohmann::ordered_json::array();
-    const std::vector<ToolObjectFacts> facts = find_object_facts(*plan.tool);
+    const std::vector<ToolObjectFacts> facts = find_object_facts(*plan.haptic.tool);
     for (std::size_t i = 0; i < facts.size(); ++i) {
-        const auto body = static_cast<std::size_t>(plan.solids[i].body);
+        const auto body = static_cast<std::size_t>(plan.haptic.solids[i].body);
         bodies.push_back({{"name", lesson.bodies[body].name},
                           {"voxels", facts[i].frame.n_cells},
                           {"voxel_m", facts[i].frame.voxel_m},
-                          {"memory_bytes", facts[i].bytes}});
+                          {"memory_bytes", facts[i].bytes},
+                          {"source", source_of(plan.tool_shapes[i])}});
     }
     return {{"name", name_of(tool)},
             {"method", name_of(tool.method)},
             {"points", tool.points},
+            {"source", source_of(plan.tool_shapes.back())},
             {"bodies", std::move(bodies)}};
 }
 
@@ -133,7 +139,7 @@ std::string explain_json(const LessonDescription& lesson, const Plan& plan,
     whole["stages"] = std::move(stages);
     whole["materials"] = json_of_materials(lesson, plan);
     if (plan.haptic.tool && lesson.hand.tool) {
-        whole["tool"] = json_of_tool(lesson, plan.haptic);
+        whole["tool"] = json_of_tool(lesson, plan);
     }
     // A title may hold what is no UTF-8: it is replaced, never thrown at.
     return whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";

@@ -1,21 +1,19 @@
 #include "runtime/scene/plan_tool.h"
 
-#include "haptics/collision/collision_mesh.h"
 #include "haptics/dynamics/mesh_inertia.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/tool/tool_plan.h"
-#include "haptics/voxel/voxelise.h"
 #include "runtime/files/shape_cache.h"
 #include "runtime/scene/check_tool.h"
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_touch.h"
+#include "runtime/scene/shape_models.h"
+#include "runtime/scene/tool_bodies.h"
+#include "runtime/scene/tool_springs.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <memory>
-#include <sstream>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -23,33 +21,7 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr int kFinestDefault = 400;       // voxels along a body's longest side
-constexpr double kDefaultVoxels = 4.0e6;  // of a body at most
-constexpr double kBrakes_m = 0.004;       // the braking layers' depth, in the hand's metres
-constexpr int kMostLayers = 8;
-constexpr double kBand_voxels = 4.0;  // of a field
-constexpr int kBrickCells = 8;
-constexpr double kMarginCells = 24.0;  // layers and bands on both sides, at most
-constexpr double kMostAlong = 504.0;   // voxels along a body, margins included
-constexpr int kRound = 48;             // sides of a round tool
-
-// Bounds of a mesh.
-struct Bounds {
-    Vector3 lower_B;
-    Vector3 upper_B;
-    [[nodiscard]] Vector3 size_m() const { return upper_B - lower_B; }
-};
-
-Bounds bounds_of(const TriangleMesh& mesh) {
-    return {mesh.lower_B(), mesh.upper_B()};
-}
-
-Expected<TriangleMesh> mesh_of(const CollisionMesh& mesh) {
-    const auto vertices = mesh.vertices_B();
-    const auto triangles = mesh.triangles();
-    return TriangleMesh::build({vertices.begin(), vertices.end()},
-                               {triangles.begin(), triangles.end()});
-}
+constexpr int kRound = 48;  // sides of a round tool
 
 struct MakeMesh {
     Expected<TriangleMesh> operator()(const SphereShape& ball) const {
@@ -72,7 +44,7 @@ struct MakeMesh {
 
 Expected<TriangleMesh> load_tool_mesh(const ToolDescription& tool, SourceLine line,
                                       const SolidLoader& load_solid) {
-    if (tool.model.empty()) {
+    if (tool.model.empty() || is_shape_model(tool.model)) {
         return std::visit(MakeMesh{}, tool.shape);
     }
     BodyDescription body;
@@ -80,136 +52,46 @@ Expected<TriangleMesh> load_tool_mesh(const ToolDescription& tool, SourceLine li
     body.noun = "tool";
     body.model = tool.model;
     body.line = line;
-    return load_solid(body).and_then([](const auto& mesh) { return mesh_of(*mesh); });
+    return load_solid(body).and_then([](const auto& mesh) { return to_triangles(*mesh); });
 }
 
-double choose_voxel_m(const ToolDescription& tool, const Bounds& bounds) {
-    if (tool.voxel_m > 0.0) {
-        return tool.voxel_m;
+// Both in the lesson's own words: a lesson has no density.
+Expected<MeshInertia> find_inertia(const ToolDescription& tool, double scale,
+                                   const TriangleMesh& mesh, ShapeCache& shapes,
+                                   const LoadProgress& progress) {
+    auto solid = recall_measured_solid(shapes, mesh, progress);
+    if (!solid) {
+        return fail(solid.error().message, {}, "close its holes, or give the tool a shape");
     }
-    const Vector3 size_m = bounds.size_m();
-    return std::max(size_m.maxCoeff() / kFinestDefault, std::cbrt(size_m.prod() / kDefaultVoxels));
-}
-
-std::string millimetres(double metres) {
-    std::ostringstream text;
-    text.precision(2);
-    text << 1e3 * metres << " mm";
-    return text.str();
-}
-
-// What all bodies are made into.
-struct Objects {
-    std::vector<std::shared_ptr<const VoxelGrid>> grids;
-    std::vector<FieldSampler::Field> fields;
-    double voxels_left = kMostVoxels;
-    LoadProgress progress;  // of the next one
-};
-
-// What `make` gives, and whether the cache had it.
-template <class Make>
-auto make_and_note(const ShapeCache& shapes, std::vector<ShapeSource>& sources, const Make& make) {
-    const int n_made = shapes.counts().n_made;
-    auto made = make();
-    sources.push_back(shapes.counts().n_made > n_made ? ShapeSource::made : ShapeSource::cache);
-    return made;
-}
-
-Expected<void> add_grid(const TriangleMesh& mesh, double voxel_m, double scale, ShapeCache& shapes,
-                        Objects& objects) {
-    VoxeliseSettings settings{.voxel_m = voxel_m, .offset_layers = 1};
-    settings.proximity_layers = static_cast<int>(
-        std::clamp(std::ceil(kBrakes_m * scale / voxel_m), 1.0, static_cast<double>(kMostLayers)));
-    return recall_voxels(shapes, mesh, settings, objects.progress).map([&](VoxelGrid grid) {
-        objects.grids.push_back(std::make_shared<const VoxelGrid>(std::move(grid)));
+    return fill_with_mass(*solid, tool.mass_kg / scale).map_error([](const Error& /*error*/) {
+        return Error{"it is so small or so large that how it turns cannot be computed",
+                     {},
+                     "give it another size or more mass"};
     });
-}
-
-Expected<void> add_field(const TriangleMesh& mesh, double voxel_m, ShapeCache& shapes,
-                         Objects& objects) {
-    const double length_m = bounds_of(mesh).size_m().maxCoeff();
-    const double rows = std::ceil((length_m / voxel_m + 2.0 * kBand_voxels + 2.0) / kBrickCells);
-    const int n_along = kBrickCells * std::max(2, static_cast<int>(rows));
-    return DistanceField::make_frame(mesh, n_along, kBand_voxels)
-        .and_then([&](const VoxelFrame& frame) {
-            return recall_distance_field(shapes, mesh, frame, {.band_voxels = kBand_voxels},
-                                         objects.progress);
-        })
-        .map([&](DistanceField field) {
-            objects.fields.push_back(std::make_shared<const DistanceField>(std::move(field)));
-        });
-}
-
-// One solid body, from the voxels that are left.
-Expected<void> add_object(const LessonDescription& lesson, const BodyDescription& body,
-                          const CollisionMesh& mesh, ShapeCache& shapes, Objects& objects) {
-    const ToolDescription& tool = *lesson.hand.tool;
-    const auto triangles = mesh_of(mesh);
-    if (!triangles) {
-        return tl::unexpected(triangles.error());
-    }
-    const double voxel_m = choose_voxel_m(tool, bounds_of(*triangles));
-    const Vector3 cells = (bounds_of(*triangles).size_m() / voxel_m).array() + kMarginCells;
-    objects.voxels_left -= cells.prod();
-    if (objects.voxels_left < 0.0 || cells.maxCoeff() > kMostAlong) {
-        return fail("voxels of " + millimetres(voxel_m) + " are too small for the " + body.noun +
-                        " that the tool meets",
-                    at_line(lesson.hand.line),
-                    "give the tool larger voxels: at most 480 along a body, and 64 million in all");
-    }
-    return tool.method == ToolMethod::voxel_sampling
-               ? add_grid(*triangles, voxel_m, lesson.hand.scale, shapes, objects)
-               : add_field(*triangles, voxel_m, shapes, objects);
-}
-
-// Each solid body as the method needs it.
-Expected<Objects> make_objects(const LessonDescription& lesson, const PlanProgress& progress,
-                               ShapeCache& shapes, Plan& plan) {
-    Objects objects;
-    const std::vector<SolidPlan>& solids = plan.haptic.solids;
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-        const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solids[i].body)];
-        if (body.material != kNoMaterial) {
-            return fail("the " + body.noun + " has a material, and a tool feels its shape alone",
-                        at_line(body.line), "leave out the material, or the hand's tool");
-        }
-        if (progress) {
-            objects.progress = [&progress, &body, i, n = solids.size()](double share) {
-                return progress((static_cast<double>(i) + share) / static_cast<double>(n),
-                                body.noun);
-            };
-        }
-        const auto added = make_and_note(shapes, plan.tool_shapes, [&] {
-            return add_object(lesson, body, **find_mesh(solids[i].shape), shapes, objects);
-        });
-        if (!added) {
-            const Error& error = added.error();
-            return fail(error.message,
-                        error.where.empty() ? at_line(lesson.hand.line) : error.where,
-                        error.what_to_do);
-        }
-        if (const auto holes =
-                objects.fields.empty() ? std::nullopt : objects.fields.back()->tell_holes()) {
-            plan.notices.push_back(to_sentence(
-                {"the " + body.noun + ": " + holes->message, at_line(body.line), "close them"}));
-        }
-    }
-    return objects;
 }
 
 // The tool about its centre of mass, along its principal axes; the hand holds it at its mesh's origin, as that is turned.
 Expected<ToolOrder> make_order(const LessonDescription& lesson, const SolidLoader& load_solid,
-                               ShapeCache& shapes) {
+                               ShapeCache& shapes, const LoadProgress& progress) {
     const ToolDescription& tool = *lesson.hand.tool;
     const double scale = lesson.hand.scale;
+    const auto half = [&](double from) {
+        return progress ? LoadProgress([&progress, from](double share) {
+            return progress(from + 0.5 * share);
+        })
+                        : LoadProgress{};
+    };
     auto mesh = load_tool_mesh(tool, lesson.hand.line, load_solid);
     if (!mesh) {
         return tl::unexpected(mesh.error());
     }
-    auto inertia = compute_inertia_of_mass(*mesh, tool.mass_kg / scale, name_of(tool));
-    auto shell = recall_surface_pointshell(shapes, *mesh, tool.points);
-    if (!inertia || !shell) {
-        return tl::unexpected(inertia ? shell.error() : inertia.error());
+    auto inertia = find_inertia(tool, scale, *mesh, shapes, half(0.0));
+    if (!inertia) {
+        return tl::unexpected(inertia.error());
+    }
+    auto shell = recall_surface_pointshell(shapes, *mesh, tool.points, half(0.5));
+    if (!shell) {
+        return tl::unexpected(shell.error());
     }
     ToolOrder order;
     VoxelToolSettings& settings = order.settings;
@@ -229,11 +111,53 @@ Expected<ToolOrder> make_order(const LessonDescription& lesson, const SolidLoade
     return order;
 }
 
-const char* name_of(ShapeSource source) {
-    return source == ShapeSource::made ? "made now" : "from the cache";
+// The tool's share of what is told, and that of its bodies.
+struct SharedProgress {
+    const PlanProgress& progress;
+    double per_mesh;  // of all
+    std::string tool;
+
+    [[nodiscard]] LoadProgress of_tool() const {
+        return progress ? LoadProgress([this](double share) {
+            return progress(per_mesh * share, "the " + tool);
+        })
+                        : LoadProgress{};
+    }
+    [[nodiscard]] PlanProgress of_bodies() const {
+        return progress ? PlanProgress([this](double share, std::string_view what) {
+            return progress(per_mesh + (1.0 - per_mesh) * share, what);
+        })
+                        : PlanProgress{};
+    }
+};
+
+// One sentence about the tool, where it was not one about a line of its own.
+tl::unexpected<Error> refuse_tool(const Error& error, SourceLine line) {
+    return error.where.empty() ? fail("the tool: " + error.message, at_line(line), error.what_to_do)
+                               : tl::unexpected(error);
+}
+
+// The tool among its bodies.
+Expected<ToolPlan> put_among(const ToolDescription& tool, const ToolOrder& order,
+                             const ToolBodies& bodies) {
+    auto made = tool.method == ToolMethod::voxel_sampling
+                    ? Expected<ToolPlan>(make_voxel_tool_plan(order, bodies.grids))
+                    : make_field_tool_plan(order, bodies.fields);
+    if (!made) {
+        return made;
+    }
+    return validate(*made).map([&] { return std::move(*made); }).map_error([](const Error& /*e*/) {
+        return Error{"how it presses against so small a body cannot be computed",
+                     {},
+                     "give it larger voxels or the body a larger size"};
+    });
 }
 
 }  // namespace
+
+const char* name_of(ShapeSource source) {
+    return source == ShapeSource::made ? "made now" : "from the cache";
+}
 
 std::string name_of(const ToolDescription& tool) {
     constexpr std::array<const char*, 6> kNames{"", "ball", "box", "capsule", "cylinder", "hull"};
@@ -259,27 +183,39 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     }
     ShapeCache none{{}};
     ShapeCache& shapes = options.shapes != nullptr ? *options.shapes : none;
-    const auto objects = make_objects(lesson, options.progress, shapes, plan);
-    if (!objects) {
-        return tl::unexpected(objects.error());
+    // What can be refused at once is, before anything that takes long is made.
+    const auto list = list_tool_bodies(lesson, plan.haptic.solids);
+    if (!list) {
+        return tl::unexpected(list.error());
     }
-    // The tool among them.
-    std::shared_ptr<const Pointshell> shell;
-    const auto made = make_and_note(shapes, plan.tool_shapes, [&] {
-                          return make_order(lesson, load_solid, shapes);
-                      }).and_then([&](ToolOrder order) -> Expected<ToolPlan> {
-        order.most_force_N = plan.haptic.safety.max_force_N;
-        shell = order.shell;
-        return lesson.hand.tool->method == ToolMethod::voxel_sampling
-                   ? make_voxel_tool_plan(order, objects->grids)
-                   : make_field_tool_plan(order, objects->fields);
-    });
-    const auto checked = made.and_then([](const ToolPlan& tool) { return validate(tool); });
-    if (!checked) {
-        return fail("the tool: " + checked.error().message, where, checked.error().what_to_do);
+    const SharedProgress progress{options.progress,
+                                  1.0 / static_cast<double>(list->meshes.size() + 1),
+                                  name_of(*lesson.hand.tool)};
+    const int n_made = shapes.counts().n_made;
+    auto order = make_order(lesson, load_solid, shapes, progress.of_tool());
+    if (!order) {
+        return refuse_tool(order.error(), lesson.hand.line);
     }
-    plan.haptic.tool = std::make_shared<const ToolPlan>(*made);
-    return check_tool(lesson.hand, *made, *shell);
+    const ShapeSource source =
+        shapes.counts().n_made > n_made ? ShapeSource::made : ShapeSource::cache;
+    order->most_force_N = plan.haptic.safety.max_force_N;
+    if (auto good = check_tool_springs(lesson.hand, *order, compute_reach_m(*order->shell));
+        !good) {
+        return good;
+    }
+    auto bodies = make_tool_bodies(lesson, *list, progress.of_bodies(), shapes);
+    if (!bodies) {
+        return tl::unexpected(bodies.error());
+    }
+    auto made = put_among(*lesson.hand.tool, *order, *bodies);
+    if (!made) {
+        return refuse_tool(made.error(), lesson.hand.line);
+    }
+    plan.haptic.tool = std::make_shared<const ToolPlan>(std::move(*made));
+    plan.tool_shapes = std::move(bodies->sources);
+    plan.tool_shapes.push_back(source);
+    plan.notices.insert(plan.notices.end(), bodies->notices.begin(), bodies->notices.end());
+    return check_tool(lesson.hand, *plan.haptic.tool, *order->shell);
 }
 
 std::vector<ToolObjectFacts> find_object_facts(const ToolPlan& plan) {
@@ -320,7 +256,7 @@ std::string tool_table(const LessonDescription& lesson, const Plan& plan) {
         const VoxelFrame::Cell& n = facts[i].frame.n_cells;
         std::snprintf(line.data(), line.size(), "%-16.48s %d x %d x %d voxels of %s, %s, %s\n",
                       body.noun.c_str(), n[0], n[1], n[2],
-                      millimetres(facts[i].frame.voxel_m).c_str(),
+                      metres_text(facts[i].frame.voxel_m).c_str(),
                       bytes_text(facts[i].bytes).c_str(), name_of(plan.tool_shapes[i]));
         text += line.data();
     }

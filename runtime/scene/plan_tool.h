@@ -1,15 +1,11 @@
-// The tool in the hand, as the plan needs it: its points, and every solid body as voxels or as a distance field. For plan.cpp.
+// The tool in the hand, as the plan needs it: its points and springs, and every solid body as tool_bodies.h makes it. For plan.cpp.
 //
-//   voxel   as the lesson says; else as fine as a body's longest side asks for, with at most so many voxels:
-//             s = max(length / 400, (volume of its box / 4 million)^(1/3))
-//   fields  4 voxels deep on both sides of the surface
-//   voxels  the layer that pushes lies one voxel outside the body, so that the tool's and the body's surfaces never meet; those that
-//           brake reach 4 mm further, in the hand's metres: two steps of a hand at 2 m/s
 //   hand    masses and springs are as the hand feels them: m = mass / scale, k = stiffness / scale, k_r = turn stiffness x scale
 //
-// What takes long to make comes from the cache of shapes where it has been made before.
+// What can be refused is refused before anything that takes long is made: bodies and voxels first, then the tool, then its springs.
+// What takes long comes from the cache of shapes where it has been made before.
 //
-// Thread: load path. Cost: 10 ms and 1 byte a voxel up to 4 million for each body; with a lesson's own voxels at most kMostVoxels.
+// Thread: load path. Cost: that of tool_bodies.h, and 1 us a point.
 #pragma once
 
 #include "haptics/tool/tool_plan.h"
@@ -19,9 +15,6 @@
 #include <vector>
 
 namespace fulcrum::runtime {
-
-/// Of all bodies together: 64 MB while they are made, a second.
-inline constexpr double kMostVoxels = 64.0e6;
 
 /// Gives the plan its tool, where the lesson has one, and a notice of each body with holes, if a field closes them; the plan has its
 /// solids already. Refuses with one sentence and the line of
@@ -42,6 +35,9 @@ struct ToolObjectFacts {
 
 /// Of each solid, in the plan's order.
 [[nodiscard]] std::vector<ToolObjectFacts> find_object_facts(const ToolPlan& plan);
+
+/// "made now" or "from the cache".
+[[nodiscard]] const char* name_of(ShapeSource source);
 
 /// "voxel_sampling" or "field_sampling", as a lesson calls it.
 [[nodiscard]] const char* name_of(ToolMethod method);

@@ -22,6 +22,8 @@ local motion = {}
 local x, y, z, buttons = 0, 0.3, 0, 0
 local turn = { 0, 0, 0 }      -- degrees about this direction, by as much as it is long
 local now = 0
+local most_degrees = 3600     -- ten turns
+local most_metres = 10000
 
 -- Lets a frame go by.
 local function next_frame(called)
@@ -64,10 +66,21 @@ local function coordinates(called, place)
   return px, py, pz
 end
 
+-- A place that a hand may want to be at.
+local function reachable(called, place)
+  local px, py, pz = coordinates(called, place)
+  for _, value in ipairs { px, py, pz } do
+    if not (math.abs(value) <= most_metres) then
+      mistake(called .. " goes at most " .. most_metres .. " metres far along each axis; got " .. shown(value))
+    end
+  end
+  return px, py, pz
+end
+
 --- Is there at once; only sensible at the beginning.
 ---@param place Vector|Body|Tool
 function motion.start_at(place)
-  x, y, z = coordinates("motion.start_at", place)
+  x, y, z = reachable("motion.start_at", place)
 end
 
 --- Stays for so many seconds.
@@ -97,7 +110,7 @@ end
 ---@param place Vector|Body|Tool
 ---@param seconds number
 function motion.move_to(place, seconds)
-  local tx, ty, tz = coordinates("motion.move_to", place)
+  local tx, ty, tz = reachable("motion.move_to", place)
   check_seconds("motion.move_to's second value", seconds)
   local fx, fy, fz, from = x, y, z, now
   repeat
@@ -116,6 +129,10 @@ function motion.turn_to(to, seconds)
     mistake("motion.turn_to takes degrees about a direction, such as { 0, 0, 30 }; got " .. shown(to))
   end
   local tx, ty, tz = coordinates("motion.turn_to", to)
+  local degrees = math.sqrt(tx * tx + ty * ty + tz * tz)
+  if not (degrees <= most_degrees) then
+    mistake("motion.turn_to turns by at most " .. most_degrees .. " degrees; got " .. shown(degrees))
+  end
   check_seconds("motion.turn_to's second value", seconds)
   local fx, fy, fz, from = turn[1], turn[2], turn[3], now
   repeat

@@ -88,8 +88,8 @@ local Material = {}
 ---@field vz number metres per second
 ---@field position Vector metres; {x, y, z}
 ---@field force number newtons; how strongly the hand is pushed or pulled
----@field turn Vector degrees; how the hand is turned: about this direction, by as much as it is long
----@field torque number newton metres; how strongly the hand is turned, with a tool in it
+---@field turn Vector degrees; how the hand is turned, not what it presses against a body: about this direction, by as much as it is long
+---@field torque number newton metres; how strongly the hand is turned, with a tool in it; at most 0.3
 local Tool = {}
 
 ---A force on the hand.
@@ -227,17 +227,17 @@ function World:magnet(options) end
 
 ---@class HandTool
 ---@field shape? string what it is like; it stands upright; "ball", "box", "capsule" or "cylinder"; default cylinder
----@field model? string a model instead, in its own size
----@field radius? number of a ball, a capsule or a cylinder; a box is twice so wide and deep; in metres, 0.001 to 1; default 0.02
----@field length? number from end to end; a ball has none; in metres, 0.002 to 2; default 0.1
----@field mass? number as the hand feels it near a body; in free air nothing is felt; in kilograms, 0.005 to 1; default 0.02
+---@field model? string a model instead, in its own size, held at its origin; sphere, box and the planets are as large as the radius says
+---@field radius? number of a ball, a capsule or a cylinder; a box is twice so wide and deep; other models have none; in metres, 0.001 to 1; default 0.02
+---@field length? number from end to end, a capsule's round ends included; a ball and a model have none; in metres, 0.002 to 2; default 0.1
+---@field mass? number as the hand feels it near a body; in free air nothing is felt; not with massless; in kilograms, 0.005 to 1; default 0.02
 ---@field stiffness? number of the spring between hand and tool; in newtons per metre, 50 to 2000; default 500
----@field turn_stiffness? number of the spring that turns it as the hand turns; as stiff at its far end by default; in newton metres per radian, 0.001 to 10
----@field voxel? number side of the cubes that bodies are made of for it; smaller follows their shape more closely and takes more memory; fine enough for each body by default; in metres, 0.0001 to 1
+---@field turn_stiffness? number of the spring that turns it as the hand turns; by default as stiff at its far end as the other spring; what is felt of it is at most 0.3 newton metres, and less where the program is told to be gentler; in newton metres per radian, 0.001 to 10
+---@field voxel? number side of the cubes that bodies are made of for it; smaller follows their shape more closely and takes more memory: at most 480 along a body and 64 million in all; fine enough for each body by default, and for all together; in metres, 0.0001 to 1
 ---@field points? integer on its surface; more follow it more closely and take more time; 100 to 200000; default 2000
 ---@field method? string how its points are kept outside bodies, by the name of the method: by the distance to their surface, or by cubes that they are made of; "field_sampling" or "voxel_sampling"; default field_sampling
 ---@field massless? boolean it has no mass of its own: nothing smooths what it meets; default false
----@field integrator? string how it is moved on; all but backward_euler want a heavy tool and a soft spring; "explicit_euler", "semi_implicit_euler", "verlet", "runge_kutta_4" or "backward_euler"; default backward_euler
+---@field integrator? string how it is moved on; all but backward_euler want a heavy tool and a soft spring; not with massless; "explicit_euler", "semi_implicit_euler", "verlet", "runge_kutta_4" or "backward_euler"; default backward_euler
 
 ---@class HandOptions
 ---@field centre? Vector|Body|Tool where the middle of the arm's reach lies; in metres, -10000 to 10000; default {0, 0.3, 0}
@@ -245,8 +245,8 @@ function World:magnet(options) end
 ---@field rate? number how often forces are computed; in hertz, 1000 to 5000; default 1000
 ---@field proxy? string what solid bodies are touched with, by the name of its method; what the scene needs by default: friction_cone where something has friction; "god_object", "virtual_proxy" or "friction_cone"
 ---@field cursor? string the shape that touches; a ball is for virtual_proxy and friction_cone, the others for friction_cone alone; "point", "ball", "box", "capsule" or "cylinder"; default point
----@field cursor_size? number its radius, or half its side; a capsule and a cylinder are so long to each side; in metres, 0.0005 to 1; default 0.005
----@field tool? HandTool what the hand holds instead of a cursor: a thing with a shape, felt with force and torque, that stays outside solid bodies; a hand that cannot turn holds it upright
+---@field cursor_size? number its radius, or half its side; a capsule and a cylinder are so long to each side, a capsule without its round ends; in metres, 0.0005 to 1; default 0.005
+---@field tool? HandTool what the hand holds instead of a cursor: a thing with a shape, felt with force and torque, that stays outside solid bodies, at most 16 of them, without a material; where the hand is pressed in, a pale ghost of it shows where the hand is; a hand that cannot turn holds it upright; no bucket goes with it
 
 ---Says where the hand works in the scene, once.
 ---@param options HandOptions
@@ -341,7 +341,7 @@ function Body:drop(options) end
 ---@class PlaceOptions
 ---@field at? Vector|Body|Tool where it is now by default; in metres, -10000 to 10000
 
----Puts it somewhere, where it stays. Some body of the lesson must be movable.
+---Puts it somewhere, where it stays. Some body of the lesson must be movable. A solid body that is put where the hand's tool is pushes the tool out of itself, so put it beside.
 ---@param options PlaceOptions
 function Body:place(options) end
 

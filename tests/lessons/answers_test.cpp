@@ -79,3 +79,27 @@ TEST_CASE("answers: nonsense gets hints of words, never of dots or of leftovers"
     CHECK(run.output.find("like this: …\n") == std::string::npos);
     CHECK(run.output.find("or have") == std::string::npos);
 }
+
+TEST_CASE("answers: a test whose say is too short says so, and where, not to give --say") {
+    const Sandbox sandbox;
+    sandbox.write(
+        "two/lesson.lua",
+        "local L = lesson { id = \"two\", title = \"Two\", minutes = 1 }\n"
+        "L:question \"q\" { prompt = \"?\", answers = { \"yes\" }, right = function() return "
+        "true end }\n"
+        "local w function L:start(world) w = world w:ask \"q\" end\n"
+        "function L:answered() w:ask \"q\" end\n"
+        "L:test { say = { \"yes\" }, expect = { finished = true } }\nreturn L\n");
+    const std::string told =
+        "lesson.lua:5: the lesson asked, and say of L:test has no answer left (1 in all); add "
+        "answers to it";
+    const ProgramRun test = sandbox.run("test two");
+    INFO(test.output);
+    CHECK(test.exit_code == 1);
+    CHECK_THAT(test.output, Catch::Contains(told + ".\n"));
+    const ProgramRun run = sandbox.run("run two --headless");
+    INFO(run.output);
+    CHECK(run.exit_code == 1);
+    CHECK_THAT(run.output,
+               Catch::Contains(told + ", or give --say a file with one answer a line."));
+}

@@ -70,7 +70,9 @@ TEST_CASE("broken lessons: check finds models, sounds, expectations and hands th
     const std::vector<Mistake> mistakes{
         {kHead + "function L:start(world)\n  world:body { name = \"a\", model = \"aple\" }\nend\n"
                  "return L\n",
-         "lesson.lua:3: there is no model \"aple\" for a; did you mean \"apple\"?\n"},
+         "lesson.lua:3: there is no model \"aple\" for a; did you mean \"apple\"? If not, put "
+         "aple.glb "
+         "beside the lesson.\n"},
         {kHead + "function L:start(world)\n  world:body { name = \"zebra\", visible = true }\nend\n"
                  "return L\n",
          "lesson.lua:3: there is no model \"zebra\" for zebra; put zebra.glb beside the lesson, or "
@@ -80,7 +82,12 @@ TEST_CASE("broken lessons: check finds models, sounds, expectations and hands th
          "lesson.lua:3: there is no model \"zebra\" for zebra; put zebra.glb beside the lesson, or "
          "use sphere or box.\n"},
         {kHead + "function L:start(world)\n  world:bucket { model = \"buckte\" }\nend\nreturn L\n",
-         "lesson.lua:3: there is no model \"buckte\" for the bucket; did you mean \"bucket\"?\n"},
+         "lesson.lua:3: there is no model \"buckte\" for the bucket; did you mean \"bucket\"? If "
+         "not, put buckte.glb beside the lesson.\n"},
+        {kHead + "function L:start(world)\n  world:body { name = \"box\", solid = true }\n"
+                 "  world:hand { tool = { model = \"xylophone\" } }\nend\nreturn L\n",
+         "lesson.lua:4: there is no model \"xylophone\" for the tool; put xylophone.glb beside the "
+         "lesson, or use sphere or box.\n"},
         {kHead + "function L:key(name)\n  world:sound \"pup\"\nend\nreturn L\n",
          "lesson.lua:3: there is no sound \"pup\"; did you mean \"pop\"?\n"},
         {kHead + "L:test { expect = { stras = 3 } }\nreturn L\n",

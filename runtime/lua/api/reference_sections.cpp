@@ -160,7 +160,9 @@ std::string names_sections() {
         "balls "
         "likewise; `orbit` is a thin line in a circle of that radius, seen and not felt. Other "
         "models "
-        "have their own size.\n";
+        "have their own size. The same names are a tool's `model`, but for `orbit`: there the "
+        "tool's "
+        "own `radius` says how large a ball or a box is.\n";
     return out;
 }
 
@@ -269,8 +271,11 @@ std::string general_sections() {
     for (const FieldText& field : kAnswerFields) {
         out += "| `answer." + std::string(field.name) + "` | " + std::string(field.text) + " |\n";
     }
-    out += kTemplates + names_sections() + materials_section() + kTests + quoted(kTestFacts) +
-           ": `finished` is true or false, the others are whole numbers.\n";
+    out +=
+        kTemplates + names_sections() + materials_section() + kTests + quoted(kTestFacts) +
+        ": `finished` is true or false, the others are whole numbers. `form_errors` counts errors "
+        "of form, not answers: one answer may have several. Where the lesson asks more often than "
+        "`say` answers, the test ends there and has failed.\n";
     return out;
 }
 

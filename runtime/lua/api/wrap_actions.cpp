@@ -171,9 +171,11 @@ void add_properties(ApiTable& table) {
                                 "how strongly the hand is pushed or pulled", &get_tool_force});
     table.properties.push_back(
         {"tool", "turn", "Vector", "degrees",
-         "how the hand is turned: about this direction, by as much as it is long", &get_tool_turn});
+         "how the hand is turned, not what it presses against a body: about this direction, by as "
+         "much as it is long",
+         &get_tool_turn});
     table.properties.push_back({"tool", "torque", "number", "newton metres",
-                                "how strongly the hand is turned, with a tool in it",
+                                "how strongly the hand is turned, with a tool in it; at most 0.3",
                                 &get_tool_torque});
 }
 

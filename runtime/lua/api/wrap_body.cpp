@@ -258,7 +258,8 @@ void add_body_api(ApiTable& table) {
          kActing,
          {at},
          "",
-         "Puts it somewhere, where it stays. Some body of the lesson must be movable.",
+         "Puts it somewhere, where it stays. Some body of the lesson must be movable. A solid body "
+         "that is put where the hand's tool is pushes the tool out of itself, so put it beside.",
          &place});
     table.functions.push_back(
         {"body",

@@ -2,6 +2,7 @@
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/materials.h"
+#include "runtime/scene/shape_models.h"
 
 #include <algorithm>
 #include <iterator>
@@ -109,6 +110,10 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
         body.hinge = take_hinge(lua, arguments.record("hinge"), body);
         // Only a mass that the lesson gives is known to be that of its inertia.
         body.hinge->mass_kg = arguments["mass"].given ? body.mass_kg : 0.0;
+    }
+    if (body.solid && body.model == kOrbitModel) {
+        raise_in_lesson(
+            lua, body.name + " is an orbit, a thin line, seen and not felt; leave out solid");
     }
     if (arguments["material"].given && !body.solid) {
         raise_in_lesson(lua, body.name + " has a material but can't be touched; add solid = true");

@@ -1,6 +1,7 @@
 // The hand: where it works, what it touches with, and the lesson's own force on it.
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/lesson_context.h"
+#include "runtime/scene/shape_models.h"
 
 #include <algorithm>
 #include <iterator>
@@ -37,20 +38,28 @@ ProxyKind proxy_of(std::string_view name) {
 constexpr Parameter kTool[] = {
     {"shape", ParameterType::choice, "", 0, 0, "cylinder", "what it is like; it stands upright",
      "ball box capsule cylinder"},
-    {"model", ParameterType::name, "", 0, 48, "nil", "a model instead, in its own size"},
+    {"model", ParameterType::name, "", 0, 48, "nil",
+     "a model instead, in its own size, held at its origin; sphere, box and the planets are as "
+     "large "
+     "as the radius says"},
     {"radius", ParameterType::number, "metres", 0.001, 1, "0.02",
-     "of a ball, a capsule or a cylinder; a box is twice so wide and deep"},
+     "of a ball, a capsule or a cylinder; a box is twice so wide and deep; other models have none"},
     {"length", ParameterType::number, "metres", 0.002, 2, "0.1",
-     "from end to end; a ball has none"},
+     "from end to end, a capsule's round ends included; a ball and a model have none"},
     {"mass", ParameterType::number, "kilograms", 0.005, 1, "0.02",
-     "as the hand feels it near a body; in free air nothing is felt"},
+     "as the hand feels it near a body; in free air nothing is felt; not with massless"},
     {"stiffness", ParameterType::number, "newtons per metre", 50, 2000, "500",
      "of the spring between hand and tool"},
     {"turn_stiffness", ParameterType::number, "newton metres per radian", 0.001, 10, "nil",
-     "of the spring that turns it as the hand turns; as stiff at its far end by default"},
+     "of the spring that turns it as the hand turns; by default as stiff at its far end as the "
+     "other "
+     "spring; what is felt of it is at most 0.3 newton metres, and less where the program is told "
+     "to "
+     "be gentler"},
     {"voxel", ParameterType::number, "metres", 0.0001, 1, "nil",
      "side of the cubes that bodies are made of for it; smaller follows their shape more closely "
-     "and takes more memory; fine enough for each body by default"},
+     "and takes more memory: at most 480 along a body and 64 million in all; fine enough for each "
+     "body by default, and for all together"},
     {"points", ParameterType::integer, "", 100, 200000, "2000",
      "on its surface; more follow it more closely and take more time"},
     {"method", ParameterType::choice, "", 0, 0, "field_sampling",
@@ -60,7 +69,8 @@ constexpr Parameter kTool[] = {
     {"massless", ParameterType::flag, "", 0, 0, "false",
      "it has no mass of its own: nothing smooths what it meets"},
     {"integrator", ParameterType::choice, "", 0, 0, "backward_euler",
-     "how it is moved on; all but backward_euler want a heavy tool and a soft spring",
+     "how it is moved on; all but backward_euler want a heavy tool and a soft spring; not with "
+     "massless",
      "explicit_euler semi_implicit_euler verlet runge_kutta_4 backward_euler"}};
 
 CursorShape shape_of(std::string_view name, double radius_m, double length_m) {
@@ -83,23 +93,59 @@ Integrator integrator_of(std::string_view name) {
     return kIntegrators[static_cast<std::size_t>(found - std::begin(kNames))];
 }
 
-ToolDescription take_tool(lua_State* lua, const Arguments& arguments) {
-    ToolDescription tool;
+// What is said of a tool and would not be looked at is a mistake.
+struct Clash {
+    const char* given;
+    bool clashes;
+    const char* because;
+};
+
+void check_tool_size(lua_State* lua, const Arguments& arguments) {
     const std::string& shape = arguments["shape"].text;
+    const std::string& model = arguments["model"].text;
+    const bool has_model = arguments["model"].given;
     const double radius_m = arguments["radius"].number;
     const double length_m = arguments["length"].number;
-    if (arguments["model"].given && arguments["shape"].given) {
+    if (has_model && arguments["shape"].given) {
         raise_in_lesson(lua, "the tool has a shape and a model; leave out one of them");
     }
-    if (shape == "capsule" && length_m <= 2.0 * radius_m) {
+    if (model == kOrbitModel) {
+        raise_in_lesson(lua,
+                        "an orbit is a thin line, seen and not felt; give the tool a shape or "
+                        "another model");
+    }
+    const Clash clashes[] = {
+        {"radius", has_model && !is_shape_model(model), "a model has its own size"},
+        {"length", has_model, "a model has its own size"},
+        {"length", !has_model && shape == "ball", "a ball has none"},
+        {"mass", arguments["massless"].flag, "it is massless"},
+        {"integrator", arguments["massless"].flag, "it is massless, and rests where all balances"}};
+    for (const auto& [given, is_clash, because] : clashes) {
+        if (is_clash && arguments[given].given) {
+            raise_in_lesson(lua, std::string("the tool's ") + given + " is of no use: " + because +
+                                     "; leave it out");
+        }
+    }
+    if (!has_model && shape == "capsule" && length_m <= 2.0 * radius_m) {
         raise_in_lesson(lua,
                         "a capsule is longer than twice its radius; give it more length, or take "
                         "shape = \"ball\"");
     }
-    tool.shape = shape_of(shape, radius_m, length_m);
-    if (arguments["model"].given) {
+}
+
+ToolDescription take_tool(lua_State* lua, const Arguments& arguments) {
+    check_tool_size(lua, arguments);
+    ToolDescription tool;
+    const double radius_m = arguments["radius"].number;
+    tool.model = arguments["model"].text;
+    if (tool.model == kBoxModel) {
+        tool.shape = BoxShape{Vector3::Constant(radius_m)};
+    } else if (is_ball_model(tool.model)) {
+        tool.shape = SphereShape{radius_m};
+    } else if (arguments["model"].given) {
         tool.shape = std::monostate{};
-        tool.model = arguments["model"].text;
+    } else {
+        tool.shape = shape_of(arguments["shape"].text, radius_m, arguments["length"].number);
     }
     tool.mass_kg = arguments["mass"].number;
     tool.stiffness_N_per_m = arguments["stiffness"].number;
@@ -129,9 +175,11 @@ int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments)
         context.description.hand.proxy = proxy_of(arguments["proxy"].text);
     }
     if (arguments["tool"].given) {
-        if (arguments["proxy"].given || arguments["cursor"].given) {
-            raise_in_lesson(lua,
-                            "the hand has a tool and a cursor or proxy; leave out one of them");
+        for (const char* other : {"proxy", "cursor", "cursor_size"}) {
+            if (arguments[other].given) {
+                raise_in_lesson(lua, std::string("the hand has a tool and a ") + other +
+                                         "; leave out one of them");
+            }
         }
         context.description.hand.tool = take_tool(lua, arguments.record("tool"));
     }
@@ -173,10 +221,13 @@ void add_hand_api(ApiTable& table) {
            "friction_cone alone",
            "point ball box capsule cylinder"},
           {"cursor_size", number, "metres", 0.0005, 1, "0.005",
-           "its radius, or half its side; a capsule and a cylinder are so long to each side"},
+           "its radius, or half its side; a capsule and a cylinder are so long to each side, "
+           "a capsule without its round ends"},
           {"tool", record, "", 0, 0, "nil",
            "what the hand holds instead of a cursor: a thing with a shape, felt with force and "
-           "torque, that stays outside solid bodies; a hand that cannot turn holds it upright",
+           "torque, that stays outside solid bodies, at most 16 of them, without a material; where "
+           "the hand is pressed in, a pale ghost of it shows where the hand is; a hand that cannot "
+           "turn holds it upright; no bucket goes with it",
            "", kTool, std::size(kTool)}},
          "Hand",
          "Says where the hand works in the scene, once.",

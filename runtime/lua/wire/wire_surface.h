@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/lua/wire/wire_archive.h"
+#include "runtime/scene/shape_models.h"
 
 #include <optional>
 
@@ -127,8 +128,9 @@ void tool(Archive& a, Tool& t) {
     a.flag("a massless tool", t.massless);
     a.choice("the tool's integrator", t.integrator, Integrator::backward_euler);
     if constexpr (Archive::kReads) {
-        if (t.model.empty() == std::holds_alternative<std::monostate>(t.shape)) {
-            a.refuse("the tool", "has not either a shape or a model");
+        const bool has_shape = !std::holds_alternative<std::monostate>(t.shape);
+        if (has_shape != (t.model.empty() || is_shape_model(t.model))) {
+            a.refuse("the tool", "has not either a shape or a model of its own size");
         }
     }
 }

@@ -1,5 +1,7 @@
 #include "runtime/lesson/compose_view.h"
 
+#include "haptics/geometry/shape.h"
+#include "haptics/tool/tool_plan.h"
 #include "runtime/scene/shape_models.h"
 #include "tests/unit/runtime/lesson/session_fixture.h"
 
@@ -136,4 +138,48 @@ TEST_CASE("view: a ball and a box are drawn as large as they are felt, other mod
         shown.lesson.bodies[0].model = model;
         CHECK(shown.view().bodies[0].scale == Vector3::Constant(0.07));
     }
+}
+
+TEST_CASE("view: a tool that is a model of size 1 is drawn as large as it is felt") {
+    Shown shown;
+    const auto scale_of = [&](const char* model, const CursorShape& shape) {
+        shown.lesson.hand.tool = ToolDescription{};
+        shown.lesson.hand.tool->model = model;
+        shown.lesson.hand.tool->shape = shape;
+        CHECK(shown.view().tool.model == model);
+        return shown.view().tool.scale;
+    };
+    CHECK(scale_of("sphere", SphereShape{0.03}) == Vector3::Constant(0.03));
+    CHECK(scale_of("earth", SphereShape{0.05}) == Vector3::Constant(0.05));
+    CHECK(scale_of("box", BoxShape{Vector3::Constant(0.02)}) == Vector3::Constant(0.02));
+    CHECK(scale_of("kettle", std::monostate{}) == Vector3::Ones());
+}
+
+TEST_CASE("view: the arrow of a force stands beside the tool or at its end, and hides nothing") {
+    Shown shown;
+    ToolOrder order;
+    order.shell = std::make_shared<const Pointshell>(
+        make_surface_pointshell(make_cylinder(0.004, 0.2, 24).value(), 2000).value());
+    const Vector3 hand_W(0.1, 0.4, 0.0);
+    shown.lesson.camera.target_W = hand_W;
+    shown.lesson.camera.eye_W = hand_W + Vector3(0.0, 0.0, 1.0);
+    shown.scenery.hand.proxy_position_W = hand_W;
+    const auto tail = [&](const Vector3& force_W) {
+        shown.scenery.hand.applied_W.force = force_W;
+        return Vector3(shown.view().force.at_W - hand_W);
+    };
+    const Vector3 up(0.0, 3.0, 0.0);
+    CHECK(std::abs(tail(up).x()) < 1e-9);
+    shown.plan.haptic.tool =
+        std::make_shared<const ToolPlan>(make_voxel_tool_plan(order, {nullptr}));
+    // Along the stick: beside it, half an arrow's head and the stick's half width away.
+    CHECK(std::abs(tail(up).x()) == Approx(0.034).margin(1e-3));
+    CHECK(std::abs(tail(up).y()) < 1e-9);
+    // Across it: from its side on.
+    CHECK(tail({-2.0, 0.0, 0.0}).x() == Approx(-0.004).margin(1e-3));
+    // Towards the eye: from its side on as well, for such an arrow has no side.
+    CHECK(tail({0.0, 0.0, 2.0}).z() == Approx(0.004).margin(1e-3));
+    // Along it, for an eye above: from its end on.
+    shown.lesson.camera.eye_W = hand_W + Vector3(0.0, 1.0, 0.05);
+    CHECK(tail(up).y() == Approx(0.1).margin(1e-3));
 }

@@ -83,6 +83,8 @@ TEST_CASE("plan: a tool in the hand is a stage of its own, instead of the proxy'
         CHECK(tool["points"] == 2000);
         REQUIRE(tool["bodies"].size() == 1);
         CHECK(tool["bodies"][0]["name"] == lesson.bodies[0].name);
+        CHECK(tool["source"] == "made");
+        CHECK(tool["bodies"][0]["source"] == "made");
         CHECK(tool["bodies"][0]["memory_bytes"] > 100'000);
         const double voxel_m = tool["bodies"][0]["voxel_m"];
         CHECK(tool["bodies"][0]["voxels"][0].get<double>() * voxel_m > 0.4);
@@ -168,14 +170,17 @@ TEST_CASE("plan: what a tool meets is made once and then read, and people are to
         CHECK(made->tool_shapes == std::vector{ShapeSource::made, ShapeSource::made});
         CHECK(explain(lesson, *made).find("points made now") != std::string::npos);
         CHECK(explain(lesson, *made).find("B, made now\n") != std::string::npos);
-        CHECK(first.counts().n_kept == 2);
+        CHECK(first.counts().n_kept == 3);  // the body, the tool's points and what it encloses
         ShapeCache second({.folder = scratch.path() / "shapes", .least_build_s = 0.0});
         const auto read = compile_with(second);
         REQUIRE(read);
         CHECK(read->tool_shapes == std::vector{ShapeSource::cache, ShapeSource::cache});
         CHECK(explain(lesson, *read).find("points from the cache") != std::string::npos);
         CHECK(explain(lesson, *read).find("B, from the cache\n") != std::string::npos);
-        CHECK(second.counts().n_read == 2);
+        CHECK(second.counts().n_read == 3);
+        const auto json = nlohmann::json::parse(explain_json(lesson, *read, nullptr)).at("tool");
+        CHECK(json["source"] == "cache");
+        CHECK(json["bodies"][0]["source"] == "cache");
         CHECK(second.counts().n_made == 0);
         CHECK(second.told().empty());
         // Without one all is made, and the same.
@@ -193,7 +198,7 @@ TEST_CASE("plan: what a tool meets is made once and then read, and people are to
         const auto again = compile_with(third);
         REQUIRE(again);
         CHECK(again->tool_shapes == made->tool_shapes);
-        CHECK(third.told().size() == 2);
+        CHECK(third.told().size() == 3);
     }
 }
 
@@ -209,17 +214,23 @@ TEST_CASE("plan: how far a tool's bodies have come is told, and they can be stop
         return true;
     };
     REQUIRE(compile_plan(lesson, options, load_block));
-    REQUIRE(told.size() >= 2);
+    REQUIRE(told.size() >= 3);
     CHECK(std::is_sorted(told.begin(), told.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; }));
-    CHECK(told.front().second == "block");
+    // The tool's mass and points first.
+    CHECK(told.front().second == "the cylinder");
+    CHECK(told.front().first < 1.0 / 3.0);
+    CHECK(std::count_if(told.begin(), told.end(),
+                        [](const auto& each) { return each.second == "block"; }) > 0);
     CHECK(told.back().second == "wall");
     CHECK(told.back().first > 0.5);
     CHECK(told.back().first <= 1.0);
-    options.progress = [](double /*share*/, std::string_view /*what*/) { return false; };
-    const auto stopped = compile_plan(lesson, options, load_block);
-    REQUIRE_FALSE(stopped);
-    CHECK(to_sentence(stopped.error()).find("was stopped before it was made") != std::string::npos);
+    for (const char* at : {"the cylinder", "block", "wall"}) {
+        options.progress = [&](double /*share*/, std::string_view what) { return what != at; };
+        const auto stopped = compile_plan(lesson, options, load_block);
+        REQUIRE_FALSE(stopped);
+        CHECK(to_sentence(stopped.error()).find("stopped before") != std::string::npos);
+    }
 }
 
 TEST_CASE("plan: who has a body with holes met by a tool's field is told what they lead to") {
@@ -260,4 +271,34 @@ TEST_CASE("plan: mistakes with a tool get one sentence and a line") {
     lesson = make_lesson();
     lesson.hand.tool->shape = std::monostate{};
     CHECK(refusal(lesson).find("lesson.lua:7: the tool") == 0);
+    // What encloses nothing, and what is too large to be turned, before any body is made.
+    const auto refused_first = [](const LessonDescription& of, const SolidLoader& load) {
+        PlanOptions options;
+        bool body_begun = false;
+        options.progress = [&](double /*share*/, std::string_view what) {
+            body_begun = body_begun || what == "block";
+            return true;
+        };
+        const auto plan = compile_plan(of, options, load);
+        CHECK_FALSE(body_begun);
+        return plan ? "" : to_sentence(plan.error());
+    };
+    lesson = make_lesson();
+    lesson.hand.tool->shape = std::monostate{};
+    lesson.hand.tool->model = "paper";
+    CHECK(refused_first(
+              lesson,
+              [](const BodyDescription& body) {
+                  return body.model == "paper"
+                             ? make_plate(0.1, 0.1, 4).and_then([](const TriangleMesh& mesh) {
+                                   return CollisionMesh::create(mesh);
+                               })
+                             : load_block(body);
+              }) ==
+          "lesson.lua:7: the tool: the mesh encloses nothing, so it has no mass; close its holes, "
+          "or give the tool a shape.");
+    lesson = make_lesson();
+    lesson.hand.tool->shape = BoxShape{Vector3::Constant(1.0)};
+    CHECK(refused_first(lesson, load_block).find("give it a turn_stiffness of at most 10") !=
+          std::string::npos);
 }

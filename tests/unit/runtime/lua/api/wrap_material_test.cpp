@@ -2,6 +2,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace fulcrum::runtime {
 namespace {
 
@@ -174,7 +178,7 @@ TEST_CASE("hand: it may hold a tool, of a shape or a model, by a method by name"
         lesson.start(
             "world:hand { tool = { shape = 'capsule', radius = 0.01, length = 0.08, mass = 0.05, "
             "stiffness = 300, turn_stiffness = 0.2, voxel = 0.004, points = 500, "
-            "method = 'voxel_sampling', massless = true, integrator = 'verlet' } }") == "");
+            "method = 'voxel_sampling', massless = false, integrator = 'verlet' } }") == "");
     REQUIRE(lesson.host->description().hand.tool);
     const ToolDescription& tool = *lesson.host->description().hand.tool;
     REQUIRE(std::holds_alternative<CapsuleShape>(tool.shape));
@@ -185,7 +189,7 @@ TEST_CASE("hand: it may hold a tool, of a shape or a model, by a method by name"
     CHECK(tool.voxel_m == 0.004);
     CHECK(tool.points == 500);
     CHECK(tool.method == ToolMethod::voxel_sampling);
-    CHECK(tool.massless);
+    CHECK_FALSE(tool.massless);
     CHECK(tool.integrator == Integrator::verlet);
     // What is not said is the default; a model is in its own size.
     HostedLesson plain;
@@ -196,6 +200,24 @@ TEST_CASE("hand: it may hold a tool, of a shape or a model, by a method by name"
     CHECK(gear.method == ToolMethod::field_sampling);
     CHECK(gear.integrator == Integrator::backward_euler);
     CHECK_FALSE(gear.massless);
+    HostedLesson massless;
+    REQUIRE(massless.start("world:hand { tool = { massless = true } }") == "");
+    CHECK(massless.host->description().hand.tool->massless);
+    // A ball or a box by name is as large as the radius says, to be felt and to be seen.
+    for (const char* ball : {"sphere", "earth"}) {
+        HostedLesson round;
+        REQUIRE(round.start(std::string("world:hand { tool = { radius = 0.03, model = '") + ball +
+                            "' } }") == "");
+        const ToolDescription& held = *round.host->description().hand.tool;
+        CHECK(held.model == ball);
+        REQUIRE(std::holds_alternative<SphereShape>(held.shape));
+        CHECK(std::get<SphereShape>(held.shape).radius_m == 0.03);
+    }
+    HostedLesson box;
+    REQUIRE(box.start("world:hand { tool = { model = 'box' } }") == "");
+    REQUIRE(std::holds_alternative<BoxShape>(box.host->description().hand.tool->shape));
+    CHECK(std::get<BoxShape>(box.host->description().hand.tool->shape).half_size_m ==
+          Vector3::Constant(0.02));
     HostedLesson upright;
     REQUIRE(upright.start("world:hand { tool = {} }") == "");
     const CursorShape& shape = upright.host->description().hand.tool->shape;
@@ -205,7 +227,29 @@ TEST_CASE("hand: it may hold a tool, of a shape or a model, by a method by name"
 
 TEST_CASE("hand: mistakes with a tool get one sentence") {
     CHECK(sentence("world:hand { cursor = 'ball', tool = {} }") ==
-          "lesson.lua:2: the hand has a tool and a cursor or proxy; leave out one of them.");
+          "lesson.lua:2: the hand has a tool and a cursor; leave out one of them.");
+    CHECK(sentence("world:hand { cursor_size = 0.01, tool = {} }") ==
+          "lesson.lua:2: the hand has a tool and a cursor_size; leave out one of them.");
+    CHECK(sentence("world:hand { proxy = 'god_object', tool = {} }") ==
+          "lesson.lua:2: the hand has a tool and a proxy; leave out one of them.");
+    // What would not be looked at.
+    const std::vector<std::pair<std::string, std::string>> useless{
+        {"model = 'gear', radius = 0.1", "radius is of no use: a model has its own size"},
+        {"model = 'gear', length = 0.1", "length is of no use: a model has its own size"},
+        {"model = 'sphere', length = 0.1", "length is of no use: a model has its own size"},
+        {"shape = 'ball', length = 0.1", "length is of no use: a ball has none"},
+        {"massless = true, mass = 0.1", "mass is of no use: it is massless"},
+        {"massless = true, integrator = 'verlet'",
+         "integrator is of no use: it is massless, and rests where all balances"}};
+    for (const auto& [fields, because] : useless) {
+        CHECK(sentence("world:hand { tool = { " + fields + " } }") ==
+              "lesson.lua:2: the tool's " + because + "; leave it out.");
+    }
+    CHECK(sentence("world:hand { tool = { model = 'orbit' } }") ==
+          "lesson.lua:2: an orbit is a thin line, seen and not felt; give the tool a shape or "
+          "another model.");
+    CHECK(sentence("world:body { name = 'o', model = 'orbit', solid = true }") ==
+          "lesson.lua:2: o is an orbit, a thin line, seen and not felt; leave out solid.");
     CHECK(sentence("world:hand { tool = { shape = 'ball', model = 'gear' } }") ==
           "lesson.lua:2: the tool has a shape and a model; leave out one of them.");
     CHECK(sentence("world:hand { tool = { shape = 'capsule', length = 0.04 } }")

@@ -229,6 +229,10 @@ TEST_CASE("motion: what it is given wrong is told at the hand's line, not the li
           "hand.lua:3: motion.follow has no second; did you mean seconds?");
     CHECK(sentence("motion.follow(world:find 'apple', { until_ = 3 })") ==
           "hand.lua:3: motion.follow's until_ is a function; got 3.");
+    CHECK(sentence("motion.move_to({ 0, 0, -20000 }, 1)") ==
+          "hand.lua:3: motion.move_to goes at most 10000 metres far along each axis; got -20000.");
+    CHECK(sentence("motion.turn_to({ 0, 0, 4000 }, 1)") ==
+          "hand.lua:3: motion.turn_to turns by at most 3600 degrees; got 4000.");
     CHECK(sentence("motion.turn_to(30, 1)") ==
           "hand.lua:3: motion.turn_to takes degrees about a direction, such as { 0, 0, 30 }; got "
           "30.");

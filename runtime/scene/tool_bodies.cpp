@@ -1,0 +1,220 @@
+#include "runtime/scene/tool_bodies.h"
+
+#include "haptics/collision/collision_mesh.h"
+#include "haptics/voxel/voxelise.h"
+#include "runtime/files/shape_cache.h"
+#include "runtime/scene/explain.h"
+#include "runtime/scene/plan_touch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr int kFinestDefault = 400;       // voxels along a body's longest side
+constexpr double kDefaultVoxels = 4.0e6;  // of a body at most
+constexpr double kFinestDefault_m = 5.0e-5;
+constexpr double kBrakes_m = 0.004;  // the braking layers' depth, in the hand's metres
+constexpr int kMostLayers = 8;
+constexpr double kBand_voxels = 4.0;  // of a field
+constexpr int kBrickCells = 8;
+constexpr double kMarginCells = 24.0;  // layers and bands on both sides, at most
+constexpr double kMostAlong = 504.0;   // voxels along a body, margins included
+constexpr double kMillion = 1.0e6;
+
+Vector3 size_of(const TriangleMesh& mesh) {
+    return mesh.upper_B() - mesh.lower_B();
+}
+
+double count_voxels(const Vector3& size_m, double voxel_m) {
+    return ((size_m / voxel_m).array() + kMarginCells).prod();
+}
+
+// The least voxel from `finest_m` on with which `fits(voxel)` is true; it is for a body's own length.
+template <class Fits>
+double find_least_voxel_m(double finest_m, double length_m, const Fits& fits) {
+    if (fits(finest_m)) {
+        return finest_m;
+    }
+    double too_fine_m = finest_m;
+    double fine_m = std::max(finest_m, length_m);
+    constexpr int kHalvings = 60;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle_m = 0.5 * (too_fine_m + fine_m);
+        (fits(middle_m) ? fine_m : too_fine_m) = middle_m;
+    }
+    return fine_m;
+}
+
+double choose_voxel_m(const Vector3& size_m, double most_voxels) {
+    const double length_m = size_m.maxCoeff();
+    const double finest_m = std::max(
+        {length_m / kFinestDefault, std::cbrt(size_m.prod() / kDefaultVoxels), kFinestDefault_m});
+    return find_least_voxel_m(finest_m, length_m, [&](double voxel_m) {
+        return count_voxels(size_m, voxel_m) <= most_voxels;
+    });
+}
+
+double sum_voxels(const ToolBodyList& list, double voxel_m) {
+    return std::transform_reduce(
+        list.meshes.begin(), list.meshes.end(), 0.0, std::plus<>(),
+        [&](const ToolBodyList::Mesh& each) { return count_voxels(size_of(each.mesh), voxel_m); });
+}
+
+// With which all bodies could be made, two digits.
+std::string least_voxel_text(const ToolBodyList& list) {
+    double longest_m = 0.0;
+    for (const ToolBodyList::Mesh& each : list.meshes) {
+        longest_m = std::max(longest_m, size_of(each.mesh).maxCoeff());
+    }
+    const double least_m = find_least_voxel_m(
+        longest_m / (kMostAlong - kMarginCells), longest_m,
+        [&](double voxel_m) { return sum_voxels(list, voxel_m) <= kMostVoxels; });
+    const double digit = std::pow(10.0, std::floor(std::log10(least_m)) - 1.0);
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.2g", std::ceil(least_m / digit) * digit);
+    return text.data();
+}
+
+// The lesson's own voxels.
+Expected<void> check_voxels(const LessonDescription& lesson, const ToolBodyList& list) {
+    const double voxel_m = lesson.hand.tool->voxel_m;
+    const auto refuse = [&](const std::string& why) {
+        return fail(
+            "voxels of " + metres_text(voxel_m) + " are too " + why, at_line(lesson.hand.line),
+            "leave out the tool's voxel, or make it " + least_voxel_text(list) + " or more");
+    };
+    for (const ToolBodyList::Mesh& each : list.meshes) {
+        if (size_of(each.mesh).maxCoeff() / voxel_m + kMarginCells > kMostAlong) {
+            return refuse("small for the " + each.body->noun +
+                          " that the tool meets: at most 480 lie along a body");
+        }
+    }
+    if (const double n = sum_voxels(list, voxel_m); n > kMostVoxels) {
+        return refuse("many for what the tool meets: " + std::to_string(std::lround(n / kMillion)) +
+                      " million, and at most " +
+                      std::to_string(std::lround(kMostVoxels / kMillion)) + " million");
+    }
+    return {};
+}
+
+Expected<VoxelGrid> make_grid(const ToolBodyList::Mesh& of, double scale, ShapeCache& shapes,
+                              const LoadProgress& progress) {
+    VoxeliseSettings settings{.voxel_m = of.voxel_m, .offset_layers = 1};
+    settings.proximity_layers = static_cast<int>(std::clamp(
+        std::ceil(kBrakes_m * scale / of.voxel_m), 1.0, static_cast<double>(kMostLayers)));
+    return recall_voxels(shapes, of.mesh, settings, progress);
+}
+
+Expected<DistanceField> make_field(const ToolBodyList::Mesh& of, ShapeCache& shapes,
+                                   const LoadProgress& progress) {
+    const double length_m = size_of(of.mesh).maxCoeff();
+    const double rows = std::ceil((length_m / of.voxel_m + 2.0 * kBand_voxels + 2.0) / kBrickCells);
+    const int n_along = kBrickCells * std::max(2, static_cast<int>(rows));
+    return DistanceField::make_frame(of.mesh, n_along, kBand_voxels)
+        .and_then([&](const VoxelFrame& frame) {
+            return recall_distance_field(shapes, of.mesh, frame, {.band_voxels = kBand_voxels},
+                                         progress);
+        });
+}
+
+template <class Shape>
+auto keep_in(std::vector<std::shared_ptr<const Shape>>& list) {
+    return
+        [&list](Shape shape) { list.push_back(std::make_shared<const Shape>(std::move(shape))); };
+}
+
+// One of `made` for each solid.
+template <class Each>
+std::vector<Each> deal_out(const std::vector<Each>& made, const std::vector<std::size_t>& mesh_of) {
+    std::vector<Each> all;
+    for (const std::size_t mesh : mesh_of) {
+        if (mesh < made.size()) {
+            all.push_back(made[mesh]);
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+Expected<TriangleMesh> to_triangles(const CollisionMesh& mesh) {
+    const auto vertices = mesh.vertices_B();
+    const auto triangles = mesh.triangles();
+    return TriangleMesh::build({vertices.begin(), vertices.end()},
+                               {triangles.begin(), triangles.end()});
+}
+
+Expected<ToolBodyList> list_tool_bodies(const LessonDescription& lesson,
+                                        const std::vector<SolidPlan>& solids) {
+    ToolBodyList list;
+    std::map<const CollisionMesh*, std::size_t> known;
+    for (const SolidPlan& solid : solids) {
+        const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
+        if (body.material != kNoMaterial) {
+            return fail("the " + body.noun + " has a material, and a tool feels its shape alone",
+                        at_line(body.line), "leave out the material, or the hand's tool");
+        }
+        const CollisionMesh* const mesh = find_mesh(solid.shape)->get();
+        const auto [found, is_new] = known.emplace(mesh, list.meshes.size());
+        if (is_new) {
+            auto triangles = to_triangles(*mesh);
+            if (!triangles) {
+                return fail(triangles.error().message, at_line(body.line),
+                            triangles.error().what_to_do);
+            }
+            list.meshes.push_back({&body, std::move(*triangles), lesson.hand.tool->voxel_m});
+        }
+        list.mesh_of.push_back(found->second);
+    }
+    if (lesson.hand.tool->voxel_m > 0.0) {
+        return check_voxels(lesson, list).map([&] { return std::move(list); });
+    }
+    for (ToolBodyList::Mesh& each : list.meshes) {
+        each.voxel_m = choose_voxel_m(size_of(each.mesh),
+                                      kMostVoxels / static_cast<double>(list.meshes.size()));
+    }
+    return list;
+}
+
+Expected<ToolBodies> make_tool_bodies(const LessonDescription& lesson, const ToolBodyList& list,
+                                      const PlanProgress& progress, ShapeCache& shapes) {
+    const ToolDescription& tool = *lesson.hand.tool;
+    ToolBodies made;
+    for (std::size_t i = 0; i < list.meshes.size(); ++i) {
+        const ToolBodyList::Mesh& of = list.meshes[i];
+        LoadProgress part;
+        if (progress) {
+            part = [&progress, &of, i, n = list.meshes.size()](double share) {
+                return progress((static_cast<double>(i) + share) / static_cast<double>(n),
+                                of.body->noun);
+            };
+        }
+        const int n_made = shapes.counts().n_made;
+        const auto added =
+            tool.method == ToolMethod::voxel_sampling
+                ? make_grid(of, lesson.hand.scale, shapes, part).map(keep_in(made.grids))
+                : make_field(of, shapes, part).map(keep_in(made.fields));
+        if (!added) {
+            return fail("the " + of.body->noun + ": " + added.error().message,
+                        at_line(of.body->line), added.error().what_to_do);
+        }
+        made.sources.push_back(shapes.counts().n_made > n_made ? ShapeSource::made
+                                                               : ShapeSource::cache);
+        if (const auto holes =
+                made.fields.empty() ? std::nullopt : made.fields.back()->tell_holes()) {
+            made.notices.push_back(to_sentence({"the " + of.body->noun + ": " + holes->message,
+                                                at_line(of.body->line), "close them"}));
+        }
+    }
+    made.grids = deal_out(made.grids, list.mesh_of);
+    made.fields = deal_out(made.fields, list.mesh_of);
+    made.sources = deal_out(made.sources, list.mesh_of);
+    return made;
+}
+
+}  // namespace fulcrum::runtime
