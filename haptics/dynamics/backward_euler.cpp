@@ -8,6 +8,8 @@
 // The first guess is the old velocity, so loads are linearised where that leads (Otaduy & Lin: at the old pose). When a
 // step of Newton has made the residual longer, a contact opened or closed on the way: half that step is tried. The first
 // guess is never the answer, however little it leaves over: a load below the tolerance would be lost at every step for ever.
+// Where the loads cannot tell two places apart the residual stays at their rounding: a whole step of Newton no longer than that
+// which does not halve it is the last one. A halved step says nothing of the kind, nor does one that meets something new.
 #include "haptics/dynamics/integrator_steps.h"
 
 #include <Eigen/LU>
@@ -110,6 +112,28 @@ StepStatus solve(const Inertia& inertia, const Guess& guess, Vector6& change) no
     return change.allFinite() ? StepStatus::done : StepStatus::singular;
 }
 
+// One linear solve is a method of its own, taken as it comes; of more, what the last one led to is tried as well.
+int find_last_look(const IntegratorSettings& settings) noexcept {
+    return settings.newton_iterations > 1 ? settings.newton_iterations : 0;
+}
+
+// Whether a whole step of Newton by `change`, from a residual of `before` to one of `after`, is lost in the loads' rounding.
+bool is_lost(const IntegratorSettings& settings, double dt_s, bool is_whole, const Vector6& change,
+             double before, double after) noexcept {
+    constexpr double kHelps = 0.5;
+    constexpr double kMeetsSomething = 10.0;
+    return is_whole && dt_s * change.head<3>().norm() <= settings.least_way_m &&
+           dt_s * change.tail<3>().norm() <= settings.least_turn_rad && after > kHelps * before &&
+           after < kMeetsSomething * before;
+}
+
+// The last change of base, where it is not the best guess already: kept behind the first guess, which is no answer.
+void forget_worse(bool is_best, int n_changes, Vector6& change) noexcept {
+    if (is_best || n_changes > 1) {
+        change.setZero();
+    }
+}
+
 }  // namespace
 
 StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia& inertia,
@@ -120,9 +144,9 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
     Twist base = state.velocity_W;
     Vector6 change = Vector6::Zero();
     double base_size = std::numeric_limits<double>::infinity();
+    bool is_whole = false;  // the change is all of a step of Newton
     StepResult result{StepStatus::iterations_spent, 0};
-    // One linear solve is a method of its own, taken as it comes; of more, what the last one led to is tried as well.
-    const int last = settings.newton_iterations > 1 ? settings.newton_iterations : 0;
+    const int last = find_last_look(settings);
     for (int i = 0; i <= last; ++i) {
         const Twist velocity = add(base, change);
         Guess guess =
@@ -135,16 +159,23 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
             break;
         }
         const bool is_best = guess.size <= base_size;
+        const bool is_end = is_lost(settings, dt_s, is_whole, change, base_size, guess.size);
         if (is_best) {
             base = velocity;
             base_size = guess.size;
         }
-        if (i > 0 && i == last) {
+        if (is_end) {
+            result.status = StepStatus::done;
+            forget_worse(is_best, i, change);
+            break;
+        }
+        if (i == std::max(last, 1)) {
             change.setZero();
             break;
         }
         if (!is_best) {
             change *= 0.5;
+            is_whole = false;
             continue;
         }
         if (i > 0) {
@@ -155,6 +186,7 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
         if (solved != StepStatus::done) {
             return {solved, result.n_solves};
         }
+        is_whole = true;
     }
     next = compute_state(step, add(base, change));
     return result;

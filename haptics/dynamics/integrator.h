@@ -60,12 +60,16 @@ struct IntegratorSettings {
     double newton_tolerance_m_per_s = 1.0e-9;  ///< the momentum still missing, over m; 1e-14 to 1
     double newton_tolerance_rad_per_s =
         1.0e-7;  ///< the same of L over the least moment; 1e-14 to 1
+    /// Ways and turns too short for the loads to tell apart, as single precision places them, 0 to 1e-3: backward Euler ends where
+    /// it can get no nearer. 0: by the tolerances alone.
+    double least_way_m = 0.0;
+    double least_turn_rad = 0.0;
 };
 
 /// How a step ended. After the last two the state is as it was before. Where a force jumps, as that of a damped contact
 /// without a ramp, a step that ends at the jump may have no solution: its iterations are spent.
 enum class StepStatus : std::uint8_t {
-    done,              ///< explicit methods; backward Euler within its tolerances
+    done,  ///< explicit methods; backward Euler within its tolerances, or as near as the loads can tell
     iterations_spent,  ///< moved by the best guess; by the only one where newton_iterations is 1
     singular,          ///< the linear system has no solution
     not_finite         ///< NaN or infinity in the state, the loads or the result

@@ -20,10 +20,12 @@ Expected<Integrator> find_integrator(std::string_view name) {
 }
 
 Expected<void> validate(const IntegratorSettings& settings) {
-    const std::array<Range, 3> ranges{
+    const std::array<Range, 5> ranges{
         {{"newton_iterations", static_cast<double>(settings.newton_iterations), 1.0, 100.0},
          {"newton_tolerance_m_per_s", settings.newton_tolerance_m_per_s, 1.0e-14, 1.0},
-         {"newton_tolerance_rad_per_s", settings.newton_tolerance_rad_per_s, 1.0e-14, 1.0}}};
+         {"newton_tolerance_rad_per_s", settings.newton_tolerance_rad_per_s, 1.0e-14, 1.0},
+         {"least_way_m", settings.least_way_m, 0.0, 1.0e-3},
+         {"least_turn_rad", settings.least_turn_rad, 0.0, 1.0e-3}}};
     return check_ranges("the integrator's", ranges);
 }
 

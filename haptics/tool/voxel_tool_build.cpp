@@ -9,6 +9,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double kWidestClamp_rad = 1.0;  // of a tool smaller than its voxels
+constexpr double kSingle = 0x1p-24;       // of a length in single precision, half its last digit
 
 // What the sampling must know of the tool's motion.
 void fit_to_tool(const VoxelToolSettings& settings, VoxelSamplingPlan& plan) {
@@ -18,6 +19,14 @@ void fit_to_tool(const VoxelToolSettings& settings, VoxelSamplingPlan& plan) {
     }
 }
 void fit_to_tool(const VoxelToolSettings& /*settings*/, FieldSamplingPlan& /*plan*/) {}
+
+// How far a point may lie from where it is taken to be: its place in single precision (voxel_lanes.h).
+template <class Sampling>
+double compute_blur_m(const Sampling& sampling) {
+    const VoxelFrame& frame = sampling.frame();
+    const auto n = static_cast<double>(*std::ranges::max_element(frame.n_cells));
+    return kSingle * (3.0 * sampling.reach_m() + n * frame.voxel_m);
+}
 
 }  // namespace
 
@@ -55,6 +64,11 @@ SampledTool<Sampling, Plan>::SampledTool(std::vector<Sampling> samplings,
     for (const Sampling& sampling : samplings_) {
         loads_.emplace_back(sampling);
         least_voxel_m_ = std::min(least_voxel_m_, sampling.frame().voxel_m);
+        IntegratorSettings& integrator = settings_.integrator;
+        const double blur_m = compute_blur_m(sampling);
+        integrator.least_way_m = std::max(integrator.least_way_m, blur_m);
+        integrator.least_turn_rad =
+            std::max(integrator.least_turn_rad, blur_m / sampling.reach_m());
     }
     if (settings.critically_damped) {
         // The least moment's: for the others the damper is below critical, so no turn creeps.

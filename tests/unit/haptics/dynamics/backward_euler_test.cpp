@@ -3,7 +3,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 using namespace fulcrum;
 using namespace fulcrum::test;
@@ -292,4 +295,79 @@ TEST_CASE(
     CAPTURE(n_spent);
     CHECK(n_spent > 0);
     CHECK(worst <= 1.0 + 1.0e-9);
+}
+
+namespace {
+
+// A stiff floor under a weight, by a place that is known to a nanometre only; counts how often it is asked.
+// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): never deleted as a Load
+class BlurredFloor final : public Load {
+  public:
+    static constexpr double kBlur_m = 1.0e-9;
+    static constexpr double kStiffness_N_per_m = 1.0e8;
+    static constexpr double kWeight_N =
+        1.05;  // ten and a half nanometres: at no place that is known it is held
+
+    void add_wrench(const RigidState& state, double /*time_s*/,
+                    Wrench& wrench) const noexcept override {
+        ++n_asked_;
+        const double depth_m = -kBlur_m * std::round(state.pose_W.position.y() / kBlur_m);
+        wrench.force.y() += kStiffness_N_per_m * std::max(0.0, depth_m) - kWeight_N;
+    }
+    void add_linearised_wrench(const RigidState& state, double time_s, Wrench& wrench,
+                               WrenchJacobian& jacobian) const noexcept override {
+        add_wrench(state, time_s, wrench);
+        jacobian.pose(1, 1) -= state.pose_W.position.y() < 0.0 ? kStiffness_N_per_m : 0.0;
+    }
+    [[nodiscard]] int take_count() noexcept { return std::exchange(n_asked_, 0); }
+
+  private:
+    mutable int n_asked_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "backward Euler: it ends where loads cannot tell places apart, and finds stiff contacts as "
+    "before") {
+    const Inertia inertia = make_ball_inertia(0.02, 0.02);
+    BlurredFloor floor;
+    IntegratorSettings by_tolerance;
+    IntegratorSettings by_place;
+    by_place.least_way_m = 1.0e-8;
+    by_place.least_turn_rad = 1.0e-7;
+    // At rest on the floor.
+    const double held_m = -BlurredFloor::kWeight_N / BlurredFloor::kStiffness_N_per_m;
+    RigidState state;
+    state.pose_W.position.y() = held_m;
+    for (const bool blurred : {false, true}) {
+        RigidState now = state;
+        for (int i = 0; i < 100; ++i) {
+            const StepResult result = step_rigid_body(blurred ? by_place : by_tolerance, inertia,
+                                                      floor, 0.001 * i, 0.001, now);
+            CHECK(result.status == (blurred ? StepStatus::done : StepStatus::iterations_spent));
+            CHECK(std::abs(now.pose_W.position.y() - held_m) < 2.0 * BlurredFloor::kBlur_m);
+        }
+        const int n_asked = floor.take_count();
+        CHECK((blurred ? n_asked < 300 : n_asked > 2000));
+    }
+    // Falling on it from any height within a step, and from next to none.
+    for (const double height_m : {1.0e-3, 1.0e-4, 1.0e-6, 3.0e-8, 1.0e-9}) {
+        for (const double speed_m_per_s : {0.0, 1.0e-6, 0.01, 2.0}) {
+            RigidState falls;
+            falls.pose_W.position.y() = height_m;
+            falls.velocity_W.linear.y() = -speed_m_per_s;
+            RigidState other = falls;
+            double lowest_m = 0.0;
+            double other_lowest_m = 0.0;
+            for (int k = 0; k < 20; ++k) {
+                (void)step_rigid_body(by_tolerance, inertia, floor, 0.001 * k, 0.001, falls);
+                (void)step_rigid_body(by_place, inertia, floor, 0.001 * k, 0.001, other);
+                lowest_m = std::min(lowest_m, falls.pose_W.position.y());
+                other_lowest_m = std::min(other_lowest_m, other.pose_W.position.y());
+            }
+            CAPTURE(height_m, speed_m_per_s, lowest_m);
+            CHECK(std::abs(other_lowest_m - lowest_m) < 2.0 * BlurredFloor::kBlur_m);
+        }
+    }
 }

@@ -30,6 +30,8 @@ TEST_CASE(
         change(settings);
         return !validate(settings);
     };
+    CHECK(refuses([](auto& s) { s.least_way_m = -1.0e-9; }));
+    CHECK(refuses([](auto& s) { s.least_turn_rad = 0.1; }));
     CHECK(refuses([](auto& s) { s.newton_iterations = 0; }));
     CHECK(refuses([](auto& s) { s.newton_iterations = 101; }));
     CHECK(refuses([](auto& s) { s.newton_tolerance_m_per_s = 0.0; }));

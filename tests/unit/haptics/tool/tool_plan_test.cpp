@@ -217,3 +217,37 @@ TEST_CASE("tool plan: a box among voxels is lifted along its side faces, whichev
     CHECK(n_stuck == 0);
     CHECK((tool->grip_W().position - handle_W.position).norm() < 1e-4);
 }
+
+TEST_CASE(
+    "tool plan: a tool that lies flat and still is held in few iterations, by the force of many") {
+    for (const ToolMethod method : kMethods) {
+        ToolScene scene = make_ball_tool(method);
+        scene.tool = make_box({0.02, 0.02, 0.1}).value();
+        scene.inertia = make_box_inertia(0.02, {0.02, 0.02, 0.1});
+        scene.settings.coupling.turn.stiffness_Nm_per_rad = 0.5;
+        const ToolPlan plan = *make_tool_of(scene, {make_floor_box()});
+        const auto press = [](auto&& tool) {
+            tool.place(Pose::at({0.0, 0.04, 0.0}));
+            int n_solves = 0;
+            VoxelToolResult result;
+            for (int i = 1; i <= 600; ++i) {
+                const double y_m = std::max(0.028, 0.04 - 1.0e-4 * i);
+                result = tool.step({Pose::at({0.0, y_m, 0.0}), {}}, {}, i * kDt_s, kDt_s);
+                n_solves += i > 500 ? result.step.n_solves : 0;
+            }
+            // Coupling of 500 N/m, 2 mm too low for its half width; with voxels a layer more.
+            CHECK(result.felt_W.force.y() > 0.95);
+            CHECK(result.felt_W.force.y() < 3.1);
+            CHECK(n_solves < 300);
+        };
+        if (method == ToolMethod::voxel_sampling) {
+            press(VoxelTool::build(std::get<std::vector<VoxelSamplingPlan>>(plan.objects),
+                                   plan.settings)
+                      .value());
+        } else {
+            press(FieldTool::build(std::get<std::vector<FieldSamplingPlan>>(plan.objects),
+                                   plan.settings)
+                      .value());
+        }
+    }
+}
