@@ -30,7 +30,7 @@ namespace fulcrum::runtime {
 /// A solid body as the tool meets it.
 struct ToolObjectFacts {
     VoxelFrame frame;
-    std::size_t bytes;
+    std::size_t bytes = 0;
 };
 
 /// Of each solid, in the plan's order.

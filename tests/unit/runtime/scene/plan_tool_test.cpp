@@ -154,6 +154,22 @@ TEST_CASE("plan: each shape is a tool, and a model too") {
     CHECK(std::abs(thin.y()) == Approx(1.0));
 }
 
+TEST_CASE("plan: a tool that is a ball or a box by its model is felt as large as its shape says") {
+    const auto reach_of = [](const char* model, const CursorShape& shape) {
+        LessonDescription lesson = make_lesson();
+        lesson.hand.tool->model = model;
+        lesson.hand.tool->shape = shape;
+        const auto plan = compile(lesson);
+        REQUIRE(plan);
+        const auto& objects = std::get<std::vector<FieldSamplingPlan>>(plan->haptic.tool->objects);
+        return objects.front().shell->reach_m();
+    };
+    CHECK(reach_of("sphere", SphereShape{0.03}) == Approx(0.03).epsilon(0.01));
+    CHECK(reach_of("earth", SphereShape{0.07}) == Approx(0.07).epsilon(0.01));
+    CHECK(reach_of("box", BoxShape{Vector3::Constant(0.02)}) ==
+          Approx(0.02 * std::sqrt(3.0)).epsilon(0.05));
+}
+
 TEST_CASE("plan: what a tool meets is made once and then read, and people are told which") {
     for (const ToolMethod method : {ToolMethod::field_sampling, ToolMethod::voxel_sampling}) {
         const ScratchFolder scratch;
