@@ -16,6 +16,9 @@ constexpr double kMostMass_kg = 1.0;
 constexpr double kSoftest_N_per_m = 50.0;
 constexpr double kStiffest_N_per_m = 2000.0;
 constexpr double kSpringStep = 1.25;  // from one that is tried to the next
+constexpr double kVoxelPoint_ns =
+    25.0;  // of a point lying flat among voxels, all looks of a step: measured
+constexpr double kShareOfStep = 0.5;  // that a tool may take
 constexpr int kSprings = 16;  // on either side: 1.25^16 = 35, from the softest to near the stiffest
 
 // Two digits, upwards: what is said must do.
@@ -72,10 +75,25 @@ std::string find_what_would_do(const HandDescription& hand, const StepLimit& lim
     return {};
 }
 
-}  // namespace
+// Voxel sampling looks at every point in every step.
+Expected<void> check_time(const HandDescription& hand) {
+    const ToolDescription& tool = *hand.tool;
+    const double most_points = kShareOfStep * 1.0e9 / (hand.rate_hz * kVoxelPoint_ns);
+    if (tool.method != ToolMethod::voxel_sampling || tool.points <= most_points) {
+        return {};
+    }
+    return fail(
+        print("the tool: %d points among voxels take %.2g ms of each step of %.2g ms", tool.points,
+              1.0e-6 * kVoxelPoint_ns * tool.points, 1.0e3 / hand.rate_hz),
+        at_line(hand.line),
+        print("give it at most %.0f points, or method = \"field_sampling\", which looks only "
+              "at those that are near",
+              std::floor(most_points)));
+}
 
-Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,
-                          const Pointshell& shell) {
+// An explicit integrator must hold it.
+Expected<void> check_integrator(const HandDescription& hand, const ToolPlan& plan,
+                                const Pointshell& shell) {
     const VoxelToolSettings& settings = plan.settings;
     if (settings.mass == ToolMass::massless ||
         settings.integrator.integrator == Integrator::backward_euler) {
@@ -94,6 +112,13 @@ Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,
         at_line(hand.line),
         find_what_would_do(hand, limit, settings, dt_s) +
             "leave out integrator: backward_euler holds it");
+}
+
+}  // namespace
+
+Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,
+                          const Pointshell& shell) {
+    return check_time(hand).and_then([&] { return check_integrator(hand, plan, shell); });
 }
 
 }  // namespace fulcrum::runtime

@@ -113,3 +113,28 @@ TEST_CASE("check tool: a faster loop holds a lighter tool") {
     CHECK(at_2_kHz > 0.0);
     CHECK(at_2_kHz < 0.4 * at_1_kHz);
 }
+
+TEST_CASE(
+    "check tool: more points among voxels than a step has time for are refused, and as many as are "
+    "said are taken") {
+    for (const double rate_hz : {1000.0, 4000.0}) {
+        LessonDescription lesson = make_lesson(Integrator::backward_euler);
+        lesson.hand.rate_hz = rate_hz;
+        lesson.hand.tool->method = ToolMethod::voxel_sampling;
+        lesson.hand.tool->points = 200'000;
+        const std::string told = refusal(lesson);
+        CAPTURE(told);
+        CHECK(told.find("lesson.lua:7: the tool: 200000 points among voxels take 5 ms of each step "
+                        "of ") == 0);
+        CHECK(told.find("method = \"field_sampling\"") != std::string::npos);
+        const auto most = static_cast<int>(number_after(told, "at most"));
+        CHECK(most == 20'000'000 / static_cast<int>(rate_hz));
+        lesson.hand.tool->points = most + 1;
+        CHECK_FALSE(refusal(lesson).empty());
+        lesson.hand.tool->points = most;
+        CHECK(refusal(lesson).empty());
+        lesson.hand.tool->points = most + 1;
+        lesson.hand.tool->method = ToolMethod::field_sampling;
+        CHECK(refusal(lesson).empty());
+    }
+}
