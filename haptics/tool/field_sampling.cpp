@@ -297,6 +297,7 @@ FieldTouch FieldSampler::step(const Pose& X_WO, const Pose& X_WT) noexcept {
     spread_ = {};
     deepest_steps_ = 0.0F;
     left_out_m_ = 0.0;
+    missed_points_ = moved_m_ = moved_m2_ = 0.0;
     was_cut_short_ = false;
     touched_.clear();
     if (settings_.mode == SamplingMode::brute_force) {
@@ -343,15 +344,18 @@ FieldTouch FieldSampler::finish(const Pose& X_WO) noexcept {
     }
     touch_.error_N = touch_.bound_N;
     touch_.error_Nm = touch_.bound_Nm;
-    if (touch_.weight > 1 && !was_cut_short_) {
+    if (missed_points_ > 0.0 && !was_cut_short_) {
         constexpr double kFar = 4.0;  // times the spread
         // Where pushes cancel out, as in a wedge, what was missed does not.
         const double missed_N =
             0.5 * settings_.stiffness_N_per_m * slope * touch_.deepest_m * missed_points_;
-        touch_.error_N =
-            std::min(touch_.bound_N, kFar * k * std::sqrt(spread_.force_square) + missed_N);
-        touch_.error_Nm = std::min(touch_.bound_Nm, kFar * k * std::sqrt(spread_.torque_square) +
-                                                        shell_->reach_m() * missed_N);
+        const double far_N = std::max(kFar * k * std::sqrt(spread_.force_square) + missed_N,
+                                      settings_.stiffness_N_per_m * moved_m_);
+        const double far_Nm =
+            std::max(kFar * k * std::sqrt(spread_.torque_square) + shell_->reach_m() * missed_N,
+                     settings_.stiffness_N_per_m * moved_m2_);
+        touch_.error_N = std::min(touch_.bound_N, far_N);
+        touch_.error_Nm = std::min(touch_.bound_Nm, far_Nm);
     }
     return touch_;
 }

@@ -17,10 +17,11 @@
 //
 // With a budget a step ends in time, on the machine's clock or a counted one, and says what it left out:
 //   all that may touch fits   it is exact
-//   else                      first look: one point for 2^m that lie together, m the least that fits in 0.6 of the time; where it
-//                             touches, and a quarter more where it nearly does, closer looks take its place, as fine as fits in
-//                             the rest
-//   64 samples touch          their sum times 2^m stands for all
+//   else                      first look: one point for 2^m that lie together, m the least that fits in half of the time. Each sample
+//                             tells of the part it stands for: of the parts that have one that touches, as many more that nearly do
+//                             and a rim round them, closer looks take its place, as fine as fits in the rest; what time is left then
+//                             is given to what is next nearest (seen_samples.h)
+//   64 samples touch          their sum times 2^m stands for all. Where closer looks are at each point, that is the sum
 //   fewer                     no sum of few stands for many: whole leaves are taken, first what touched in the last step, then
 //                             what reaches farthest for its size. A lone tip weighs what it weighs
 //   derivatives               of one leaf in n that touch, times n, the least n that fits in what the force leaves of the time,
@@ -32,16 +33,17 @@
 //            by its ball and by when it was free last; where that is beyond 3/4 of the band, a brick's diagonal more, and as deep as
 //            anything in the object where its middle may be. n its points, L_n = 1 by normals, L by slopes. For the torque times
 //            the tool's reach. Never exceeded for closed meshes; often many times the error
-//   error    where samples stand for all: four times the square root of 16/15 sum |X_l - mean|^2 over 16 interleaved sums X_l, as if
-//            samples were drawn by chance; they are spread evenly, so that the error is less. And for what the first look missed at
-//            the rim, 2^m sqrt(N) points half as deep as the deepest, N its leaves that did. Else, and where the clock cut a look
-//            short, the bound. In local contact 5 to 25 times the true error at the median
+//   error    where samples stand for all, or told where to look: four times the square root of 16/15 sum |X_l - mean|^2 over 16
+//            interleaved sums X_l, as if samples were drawn by chance; they are spread evenly, so that the error is less. And for
+//            what the first look missed at the rim, 2^m sqrt(N) points half as deep as the deepest, N its leaves that did; at least
+//            as much as closer looks changed the sum. Else, and where the clock cut a look short, the bound. In local contact 5 to
+//            25 times the true error at the median, in a socket 30 to 60 times
 //
 // `find_first_touch` follows a motion by conservative advancement: the tool may go on by as much as is free around it. Points that
 // touch at the start stop only what takes them deeper; a motion along the surface or out of it is free. So a tool in contact moves,
 // and one that is fast does not tunnel through a wall that is more than twice the depth let to it.
 //
-// Thread: one at a time; build at load. Cost: a leaf 0.07 us in the cache and 0.17 beyond it, a group of 8 balls 0.03 us; memory 6 bytes a point
+// Thread: one at a time; build at load. Cost: a leaf 0.07 us in the cache and 0.17 beyond it, a group of 8 balls 0.03 us; memory 6 bytes a point, with a budget 8,
 // and 8 a brick of the field's block.
 // Source: W. McNeely, K. Puterbaugh, J. Troy 2006, Voxel-based 6-DOF haptic rendering improvements, Haptics-e 3(7), section 4
 // (temporal coherence); J. Barbic, D. James 2008, Six-DoF haptic rendering of contact between geometrically complex reduced
@@ -50,6 +52,7 @@
 #pragma once
 
 #include "haptics/math/wrench_jacobian.h"
+#include "haptics/tool/seen_samples.h"
 #include "haptics/voxel/ball_slack.h"
 #include "haptics/voxel/slope_boxes.h"
 
@@ -149,6 +152,18 @@ class FieldSampler {
         void drop_first(std::size_t n) noexcept {
             std::copy(begin() + n, end(), nodes_.data());
             n_ -= n;
+        }
+        void sort() noexcept { std::sort(nodes_.data(), nodes_.data() + n_); }
+        // What is in either, and what is in the first alone; not in place.
+        void unite(const Nodes& a, const Nodes& b) noexcept {
+            n_ = static_cast<std::size_t>(
+                std::set_union(a.begin(), a.end(), b.begin(), b.end(), nodes_.data()) -
+                nodes_.data());
+        }
+        void subtract(const Nodes& a, const Nodes& b) noexcept {
+            n_ = static_cast<std::size_t>(
+                std::set_difference(a.begin(), a.end(), b.begin(), b.end(), nodes_.data()) -
+                nodes_.data());
         }
         void copy(const Nodes& other) noexcept {
             std::copy(other.begin(), other.end(), nodes_.data());
@@ -252,14 +267,18 @@ class FieldSampler {
         return thinning == 0 ? levels_.front().free_until : thinned_until_[thinning - 1];
     }
     void list_units(std::size_t level, std::size_t thinning) noexcept;
-    void rank_units(std::size_t thinning) noexcept;
+    float rank_units(std::size_t thinning) noexcept;
     void choose_units(std::size_t room) noexcept;
-    std::size_t choose_finer(std::size_t thinning) noexcept;
-    void keep_chosen(std::size_t level, std::size_t thinning) noexcept;
-    bool list_parts(std::size_t thinning, std::size_t finer, std::size_t room) noexcept;
-    // At the units chosen, as closely as there is time for; whether at each point of them.
-    bool look_closer(std::size_t level, std::size_t thinning, const FieldPlace& place,
-                     const Pose& X_OT) noexcept;
+    void see_units(std::size_t thinning, const FieldPlace& place) noexcept;
+    struct Finer {
+        std::size_t thinning, n_wanted;
+    };
+    [[nodiscard]] Finer choose_finer(std::size_t thinning) noexcept;
+    void list_parts(std::size_t thinning, const Finer& finer) noexcept;
+    void leave_out_others(std::size_t level) noexcept;
+    bool take_parts(std::size_t thinning, const FieldPlace& place, const Pose& X_OT) noexcept;
+    // At parts of the units, as closely as there is time for; whether at each point of them.
+    bool look_closer(std::size_t thinning, const FieldPlace& place, const Pose& X_OT) noexcept;
     // Whether enough of the samples touch to stand for all.
     bool take_samples(std::size_t level, const FieldPlace& place, const Pose& X_OT) noexcept;
     // Keeps as many of the nodes as there is room for, those that matter most.
@@ -288,8 +307,9 @@ class FieldSampler {
     std::vector<float> depths_;  // how deep they may be, slack's voxels
     std::vector<float> ranks_;
     // With a budget.
-    Nodes leaves_;                                   // of a thinning, looked at first
-    Nodes parts_;                                    // what they stand for
+    Nodes leaves_;              // of a thinning, looked at first
+    Nodes parts_, more_parts_;  // what they stand for
+    SeenSamples seen_samples_;
     std::vector<std::vector<float>> thinned_until_;  // of each thinning but the first, as a level's
     Nodes last_touched_;
     double leaf_us_, group_us_, slopes_us_;  // learned
@@ -317,8 +337,9 @@ class FieldSampler {
     ContactSpread spread_;
     float deepest_steps_ = 0.0F;
     double began_s_ = 0.0;
-    double left_out_m_ = 0.0;  // sum of n D
-    double missed_points_ = 0.0;
+    double left_out_m_ = 0.0;                // sum of n D
+    double missed_points_ = 0.0;             // by samples that said where to look
+    double moved_m_ = 0.0, moved_m2_ = 0.0;  // by closer looks, force and torque over the stiffness
     bool was_cut_short_ = false;
     FieldTouch touch_;
     Matrix6* slopes_O_ = nullptr;  // where derivatives are asked for; over the stiffness

@@ -68,8 +68,12 @@ FieldSampler::FieldSampler(Field field, Shell shell, const FieldSamplingSettings
     nodes_.reserve(n_most);
     leaves_.reserve(n_most);
     parts_.reserve(n_most);
+    more_parts_.reserve(n_most);
     for (std::size_t m = 1; m < shell_->n_thinnings(); ++m) {
         thinned_until_.emplace_back(shell_->n_leaves(m), kAlways);
+    }
+    if (settings_.budget_us > 0.0 && shell_->n_thinnings() > 1) {
+        seen_samples_.reserve(shell_->n_leaves(1));
     }
     touched_.reserve(2 * n_most);  // leaves of thinnings first, then the leaves themselves
     last_touched_.reserve(2 * n_most);
@@ -85,9 +89,10 @@ FieldSampler::FieldSampler(Field field, Shell shell, const FieldSamplingSettings
 
 std::size_t FieldSampler::memory_bytes() const noexcept {
     std::size_t bytes = sizeof(*this) + nodes_.memory_bytes() + leaves_.memory_bytes() +
-                        parts_.memory_bytes() + touched_.memory_bytes() +
-                        last_touched_.memory_bytes() + 2 * depths_.capacity() * sizeof(float) +
-                        seen_.capacity() * sizeof(Seen) + slope_boxes_.memory_bytes();
+                        parts_.memory_bytes() + more_parts_.memory_bytes() +
+                        touched_.memory_bytes() + last_touched_.memory_bytes() +
+                        2 * depths_.capacity() * sizeof(float) + seen_.capacity() * sizeof(Seen) +
+                        slope_boxes_.memory_bytes() + seen_samples_.memory_bytes();
     for (const Level& level : levels_) {
         bytes += (level.free_until.capacity() + level.hopeless_until.capacity()) * sizeof(float) +
                  level.groups.memory_bytes();
