@@ -17,6 +17,7 @@ enum class Fault : std::uint32_t {
     lesson_failed = 1U << 6,    ///< the lesson's process failed; the force fades
     record_full = 1U << 7,   ///< the recorder could not keep up; samples were dropped and counted
     device_write = 1U << 8,  ///< the device refused the wrench
+    ended = 1U << 9,         ///< the run is over; the force fades before the loop stops
 };
 
 [[nodiscard]] constexpr Fault operator|(Fault a, Fault b) noexcept {

@@ -124,12 +124,6 @@ Vector3 compute_coupling_spring(const CouplingSettings& settings, const Vector3&
     return stretch_W * (compute_spring_force_N(settings, stretch_m) / stretch_m);
 }
 
-Vector3 compute_coupling_force(const CouplingSettings& settings, const Vector3& proxy_W,
-                               const Vector3& hand_W, const Vector3& relative_velocity_W) noexcept {
-    return compute_coupling_spring(settings, proxy_W, hand_W) -
-           settings.damping_Ns_per_m * relative_velocity_W;
-}
-
 Vector3 compute_contact_force(const CouplingSettings& settings, const Vector3& spring_W,
                               const Vector3& relative_velocity_W,
                               const Vector3& normal_W) noexcept {

@@ -1,6 +1,7 @@
 // The link between hand and proxy: a spring that may saturate, and a damper.
 //
-//   F = f(|d|) d/|d| - b (v_hand - v_proxy),   d = x_proxy - x_hand: the force on the hand.
+//   F = f(|d|) d/|d| - b (v_hand - v_proxy),   d = x_proxy - x_hand: the force on the hand;
+//   F - min(F . n, 0) n                        at a surface of normal n.
 //   f(s) = k s                                for s <= s1 (linear)
 //          cubic Hermite from (s1, k s1), slope k, to (s2, F_max), slope 0
 //          F_max                              for s >= s2 (constant);   f is C1 and never falls.
@@ -40,14 +41,9 @@ namespace fulcrum {
                                               const Vector3& proxy_W,
                                               const Vector3& hand_W) noexcept;
 
-/// The force on the hand, world frame, newtons. `relative_velocity_W` is the hand's velocity less
-/// the proxy's.
-[[nodiscard]] Vector3 compute_coupling_force(const CouplingSettings& settings,
-                                             const Vector3& proxy_W, const Vector3& hand_W,
-                                             const Vector3& relative_velocity_W) noexcept;
-
-/// The coupling's force while a surface is touched, from its spring's: whatever the damper says, a wall pushes and
-/// never holds fast. `normal_W` is the unit normal away from the surface; the force has no part against it.
+/// The force on the hand while a surface is touched, from its spring's, world frame, newtons: whatever the damper says,
+/// a wall pushes and never holds fast. `relative_velocity_W` is the hand's velocity less the proxy's; `normal_W` is the
+/// unit normal away from the surface; the force has no part against it.
 [[nodiscard]] Vector3 compute_contact_force(const CouplingSettings& settings,
                                             const Vector3& spring_W,
                                             const Vector3& relative_velocity_W,

@@ -27,18 +27,23 @@ namespace fulcrum {
 inline constexpr double kAnyAngle_rad = 1.0e9;
 /// From a body's origin, of pivot, load and centre of mass.
 inline constexpr double kFarthestOnAxle_m = 100.0;
+inline constexpr double kLeastAxleInertia_kg_m2 = 1.0e-4;
+inline constexpr double kMostAxleInertia_kg_m2 = 1.0e6;
+inline constexpr double kMostAxleMass_kg = 1.0e4;
+inline constexpr double kMostAxleFriction_Nm = 1.0e6;
+inline constexpr double kMostAxleLoad_N = 1.0e6;
 
 /// Places are from the body's origin as it lies at angle 0, along the world's axes, however its own lie then.
 struct AxleSettings {
     Vector3 axis_W{Vector3::UnitZ()};    ///< unit; it turns counter-clockwise about it
     Vector3 pivot_B{Vector3::Zero()};    ///< a point of the axis
-    double inertia_kg_m2 = 0.1;          ///< about the axis through the pivot, 1e-4 to 1e6
-    double mass_kg = 0.0;                ///< 0 to 1e4; 0: the same inertia on every pivot
+    double inertia_kg_m2 = 0.1;          ///< about the axis through the pivot
+    double mass_kg = 0.0;                ///< 0: the same inertia on every pivot
     Vector3 centre_B{Vector3::Zero()};   ///< of mass
-    double friction_Nm = 0.0;            ///< of its bearing, 0 to 1e6
+    double friction_Nm = 0.0;            ///< of its bearing
     double lowest_rad = -kAnyAngle_rad;  ///< below `highest_rad`
     double highest_rad = kAnyAngle_rad;
-    double load_N = 0.0;              ///< a weight, downwards, 0 to 1e6
+    double load_N = 0.0;              ///< a weight, downwards
     Vector3 load_B{Vector3::Zero()};  ///< where it hangs
 };
 
@@ -47,7 +52,7 @@ struct AxleState {
     double spin_rad_per_s = 0.0;
 };
 
-/// Refuses settings outside the ranges named at each field, an axis that is not of length one, NaN.
+/// Refuses settings outside the limits above, numbers below 0, an axis that is not of length one, NaN.
 [[nodiscard]] Expected<void> validate(const AxleSettings& settings);
 
 /// How far a place lies from the axis.

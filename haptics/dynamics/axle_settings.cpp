@@ -11,13 +11,14 @@ Expected<void> validate(const AxleSettings& settings) {
     const Range ranges[] = {
         {"axis' length", settings.axis_W.norm(), 1.0 - 1e-9, 1.0 + 1e-9},
         {"pivot's distance in metres", settings.pivot_B.norm(), 0.0, kFarthestOnAxle_m},
-        {"inertia in kilogram square metres", settings.inertia_kg_m2, 1e-4, 1e6},
-        {"mass in kilograms", settings.mass_kg, 0.0, 1e4},
+        {"inertia in kilogram square metres", settings.inertia_kg_m2, kLeastAxleInertia_kg_m2,
+         kMostAxleInertia_kg_m2},
+        {"mass in kilograms", settings.mass_kg, 0.0, kMostAxleMass_kg},
         {"centre's distance in metres", settings.centre_B.norm(), 0.0, kFarthestOnAxle_m},
-        {"friction in newton metres", settings.friction_Nm, 0.0, 1e6},
+        {"friction in newton metres", settings.friction_Nm, 0.0, kMostAxleFriction_Nm},
         {"lowest angle in radians", settings.lowest_rad, -kAnyAngle_rad, kAnyAngle_rad},
         {"highest angle in radians", settings.highest_rad, settings.lowest_rad, kAnyAngle_rad},
-        {"load in newtons", settings.load_N, 0.0, 1e6},
+        {"load in newtons", settings.load_N, 0.0, kMostAxleLoad_N},
         {"load's distance in metres", settings.load_B.norm(), 0.0, kFarthestOnAxle_m},
     };
     if (auto checked = check_ranges("an axle's", ranges); !checked) {

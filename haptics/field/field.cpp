@@ -48,12 +48,6 @@ double damping_of(const FieldPlan& plan) noexcept {
 
 }  // namespace
 
-Vector3 compute_field_force(const FieldPlan& plan, const Vector3& anchor_W,
-                            const Vector3& position_W, const Vector3& velocity_W) noexcept {
-    return law_of(plan.kind).elastic(plan, anchor_W, position_W) +
-           compute_viscous_force(velocity_W, damping_of(plan));
-}
-
 FieldGains compute_largest_gains(const FieldPlan& plan) noexcept {
     switch (plan.kind) {
         case FieldKind::spring:

@@ -35,11 +35,6 @@ struct FieldGains {
 /// at its centre.
 [[nodiscard]] Expected<void> validate(const FieldPlan& plan);
 
-/// The plain law, without the smoothing: newtons on a tool at `position_W` with `velocity_W`.
-[[nodiscard]] Vector3 compute_field_force(const FieldPlan& plan, const Vector3& anchor_W,
-                                          const Vector3& position_W,
-                                          const Vector3& velocity_W) noexcept;
-
 /// What of a field's law depends on the place alone: newtons on a tool at `position_W`.
 using ElasticLaw = Vector3 (*)(const FieldPlan& plan, const Vector3& anchor_W,
                                const Vector3& position_W) noexcept;

@@ -65,6 +65,8 @@ struct HapticChannels {
     /// Set by a person's explicit wish; the haptic loop takes it back when it has left the stop. It
     /// waits while `emergency_stop` is still pressed.
     std::atomic<bool> rearm{false};
+    /// Set by anybody when the run is over: the force fades and stays away. Nothing has failed.
+    std::atomic<bool> ended{false};
 };
 
 using WorldCommandRing = EventRing<WorldCommand, 256>;

@@ -90,11 +90,15 @@ AxleSettings put_on_pivot(const AxlePlan& plan, const Vector3& pivot_B) noexcept
 // True when the body has been put elsewhere at once: at another angle, or on another pivot.
 bool AxleStage::take_order(const AxleOrder& order, Axle& axle) noexcept {
     bool is_put = false;
-    if (order.is_set && compute_length(order.pivot_B) <= kFarthestOnAxle_m &&
-        std::isfinite(order.load_N)) {
+    // Each by itself: a pivot that cannot be leaves the load that can.
+    if (order.is_set && compute_length(order.pivot_B) <= kFarthestOnAxle_m) {
+        const double load_N = axle.settings.load_N;
         is_put = axle.settings.pivot_B != order.pivot_B;
         axle.settings = put_on_pivot(axle.plan, order.pivot_B);
-        axle.settings.load_N = std::max(order.load_N, 0.0);
+        axle.settings.load_N = load_N;
+    }
+    if (order.is_set && std::isfinite(order.load_N)) {
+        axle.settings.load_N = std::clamp(order.load_N, 0.0, kMostAxleLoad_N);
     }
     if (order.n_spins != std::exchange(axle.n_spins, order.n_spins) &&
         std::abs(order.spin_rad_per_s) <= kFastest_rad_per_s) {

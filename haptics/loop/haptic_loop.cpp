@@ -114,6 +114,9 @@ void HapticLoop::take_inputs() noexcept {
     if (channels_.lesson_failed.load(std::memory_order_acquire)) {
         state_.faults |= Fault::lesson_failed;
     }
+    if (channels_.ended.load(std::memory_order_acquire)) {
+        state_.faults |= Fault::ended;
+    }
     if (channels_.emergency_stop.take()) {
         state_.faults |= Fault::emergency_stop;
     } else if (channels_.rearm.load(std::memory_order_acquire) && !gate_.is_fading()) {

@@ -8,7 +8,7 @@
 // real-time thread that never sleeps. When it stops, or the task throws, `PeriodicTask::silence` is
 // called last.
 //
-// Thread: made, started, stopped and destroyed by one thread; `status` and the histograms by any.
+// Thread: made, started, stopped, asked for its `status` and destroyed by one thread; the histograms by any.
 // Cost: a wake-up a round, and a core for the spin's share of the period.
 // Source: clock_nanosleep(2) with absolute times, sched(7), mlockall(2).
 #pragma once
@@ -47,7 +47,7 @@ struct RealtimeStatus {
     std::uint64_t rounds = 0;
     std::uint64_t misses = 0;  ///< times skipped because a round began or ended too late
     std::string
-        sentence;  ///< e.g. "1000 Hz under SCHED_FIFO 80, memory locked"; names what was refused and why
+        sentence;  ///< e.g. "1000 Hz, SCHED_FIFO 80, memory locked"; names what was refused and why
 };
 
 class RealtimeThread {

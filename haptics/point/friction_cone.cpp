@@ -66,12 +66,11 @@ std::span<FrictionPlane> FrictionCone::hold(const Vector3& hand_W, Planes& stora
         any = any || storage[n].law.any();
         ++n;
     }
-    residual_m_ = 0.0;
     if (!any) {
         return {};
     }
     const std::span<FrictionPlane> planes(storage.data(), n);
-    residual_m_ = solve_friction(hand_W, planes, max_rounds_);
+    (void)solve_friction(hand_W, planes, max_rounds_);
     // A solid is stuck when all its planes are, and one that is not touched sticks at the next touch.
     std::ranges::fill(stuck_, char{1});
     for (std::size_t i = 0; i < n; ++i) {

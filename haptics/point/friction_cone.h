@@ -32,8 +32,6 @@ class FrictionCone final : public Proxy {
     const ProxyContact& step(const Vector3& hand_W,
                              std::span<const Pose> solid_poses_W) noexcept override;
 
-    /// What the last step's rounds left unsolved, metres.
-    [[nodiscard]] double residual_m() const noexcept { return residual_m_; }
     /// Does the solid hold the proxy fast?
     [[nodiscard]] bool is_stuck(std::int32_t solid) const noexcept {
         return stuck_[static_cast<std::size_t>(solid)] != 0;
@@ -50,7 +48,6 @@ class FrictionCone final : public Proxy {
     std::vector<FrictionLaw> laws_;
     std::vector<char> stuck_;  // of each solid
     int max_rounds_;
-    double residual_m_ = 0.0;
     ProxyContact contact_;
 };
 

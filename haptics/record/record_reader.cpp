@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,7 +16,9 @@ using record_layout::Source;
 
 constexpr std::size_t kMostSamplesInBlock = 65536;
 constexpr std::size_t kMostPayloadBytes = kMostSamplesInBlock * kRecordSampleBytes;
-constexpr std::uint32_t kKnownFaults = 0x1FF;  // the nine of fault.h
+// The last fault that each version knows, oldest first.
+constexpr Fault kLastFaults[] = {Fault::device_write, Fault::ended};
+static_assert(std::size(kLastFaults) == kRecordVersion);
 constexpr double kUnitTolerance = 1.0e-3;
 constexpr std::size_t kLargestFile_bytes = std::size_t{2} << 30;
 
@@ -42,6 +45,7 @@ class Reader {
 
     std::span<const std::byte> rest_;
     Record record_;
+    std::uint32_t known_faults_ = 0;
     bool ended_ = false;
 };
 
@@ -71,11 +75,12 @@ Expected<void> Reader::read_header() {
     std::uint32_t header_bytes = 0;
     source.field(version);
     source.field(header_bytes);
-    if (version != kRecordVersion) {
+    if (version < 1 || version > kRecordVersion) {
         return fail("the record has version " + std::to_string(version) +
-                        ", and this program reads version " + std::to_string(kRecordVersion),
+                        ", and this program reads versions 1 to " + std::to_string(kRecordVersion),
                     {}, "use the program that made it");
     }
+    known_faults_ = 2 * static_cast<std::uint32_t>(kLastFaults[version - 1]) - 1;
     source.field(record_.header.rate_Hz);
     record_.header.lesson = source.text(kRecordLessonBytes);
     std::uint32_t checksum = 0;
@@ -164,7 +169,7 @@ Problem Reader::read_samples(std::span<const std::byte> payload) {
         record_layout::visit_fields(source, sample, faults, gate);
         const double not_before_s =
             record_.samples.empty() ? -1.0e300 : record_.samples.back().time_s;
-        if (!is_possible(sample, not_before_s) || (faults & ~kKnownFaults) != 0 ||
+        if (!is_possible(sample, not_before_s) || (faults & ~known_faults_) != 0 ||
             gate > static_cast<std::uint32_t>(GatePhase::stopped)) {
             record_.samples.resize(before);
             return "the record holds an impossible sample, number " + std::to_string(before + i);

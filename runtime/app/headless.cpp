@@ -10,9 +10,6 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr double kFadeShown_s =
-    0.2;  // twice the gate's default fade: the record shows it to its end
-
 constexpr double kLeastMinutes = 1.0;
 
 // The virtual clock: time is a count of haptic ticks, so that nothing drifts and nothing depends on the machine.
@@ -81,7 +78,7 @@ class VirtualClock {
 // The force fades before anything is said, and the record shows it to its end.
 void fade_out(LessonRun& run, VirtualClock& clock, const std::string& sentence) {
     run.fail_softly(sentence);
-    for (const double until_s = clock.now_s() + kFadeShown_s; clock.now_s() < until_s;) {
+    for (const double until_s = clock.now_s() + run.fade_shown_s(); clock.now_s() < until_s;) {
         clock.tick();
     }
 }

@@ -284,6 +284,11 @@ void LessonRun::fail_softly(const std::string& sentence) {
     }
 }
 
+double LessonRun::fade_shown_s() const {
+    constexpr double kMargin_s = 0.05;  // some rounds beyond the gate's own fade
+    return plan_.haptic.safety.fade_s + kMargin_s;
+}
+
 bool LessonRun::device_is_lost() const {
     return any(channels_.state_for_lesson.value().faults &
                (Fault::device_read | Fault::device_stale | Fault::device_write));

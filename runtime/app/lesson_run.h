@@ -79,6 +79,10 @@ class LessonRun {
     void point_at(const Vector3& position_W, std::uint32_t buttons);
     /// Makes the force fade at once and stay away: the lesson has failed with this sentence.
     void fail_softly(const std::string& sentence);
+    /// The same where all is well: the lesson is left.
+    void end_softly() { channels_.ended.store(true, std::memory_order_release); }
+    /// Until the force is gone after either, and a record shows it.
+    [[nodiscard]] double fade_shown_s() const;
     /// True while the device gives no poses or takes no forces.
     [[nodiscard]] bool device_is_lost() const;
     /// What got lost between the loops, a sentence each; none in a good run. Call it when the loops stand still.

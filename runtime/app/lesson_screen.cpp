@@ -15,7 +15,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kWatchPeriod_s = 0.25;  // how often the lesson's files are looked at
-constexpr double kFadeMargin_s = 0.02;   // beyond the gate's own fade
 // For what the disk still has to keep when a play is over.
 constexpr double kStorePatience_s = 15.0;
 constexpr double kWheelStep_m = 0.02;  // depth of one notch
@@ -70,10 +69,7 @@ void LessonScreen::begin() {
     if (desktop_.sound) {
         desktop_.sound->set_stream(run_->touch_sound());
     }
-    // An emergency stop outlives the lesson: only the key that lifts it does.
-    if (stopped_) {
-        run_->channels().emergency_stop.press();
-    }
+    keys_.watch(&run_->channels());
     epoch_s_ = level_began_s_ = monotonic_now_s();
     level_ = 0;
     first_epoch_s_ = first_epoch_s_.value_or(epoch_s_);
@@ -86,9 +82,8 @@ void LessonScreen::begin() {
 void LessonScreen::stop() {
     // A loop that ends leaves its device without force at once; so the force fades first.
     if (run_ && loops_.haptic_status().running) {
-        run_->channels().lesson_failed.store(true, std::memory_order_release);
-        std::this_thread::sleep_for(
-            std::chrono::duration<double>(run_->plan().haptic.safety.fade_s + kFadeMargin_s));
+        run_->end_softly();
+        std::this_thread::sleep_for(std::chrono::duration<double>(run_->fade_shown_s()));
     }
     loops_.stop();
     if (desktop_.sound) {
@@ -105,6 +100,7 @@ void LessonScreen::stop() {
             std::fprintf(stderr, "%s\n", to_sentence(kept.error()).c_str());
         }
         say_losses(*run_);
+        keys_.watch(nullptr);
         run_.reset();
     }
 }
@@ -152,34 +148,31 @@ void LessonScreen::take_input(const WindowEvents& events) {
     if (events.close || interrupted()) {
         left_ = Left::closed;
     }
-    // A hand on an arm that nobody can stop by key any more is let go.
-    if (events.lost_focus && run_ && run_->device().traits().renders_force && !stopped_) {
-        press_stop();
+    if (events.lost_focus && run_) {
+        keys_.lose_focus(run_->device().traits().renders_force);
     }
     for (const KeyPress& press : events.pressed) {
         if (press.text.empty()) {
             take_key(press);
-        } else if (run_ && error_.empty() && !stopped_ && run_->session().hud().question_open) {
+        } else if (run_ && error_.empty() && !keys_.stopped() &&
+                   run_->session().hud().question_open) {
             typing_.add(press.text);
         }
     }
     move_pointer(events);
 }
 
-// Escape stops the arm, and leaves when it is stopped already or the lesson is over; return lets it go on.
+// The emergency stop's keys go before all others; return runs a lesson that failed again.
 void LessonScreen::take_key(const KeyPress& press) {
-    const bool is_escape = press.key == "escape" && !press.repeat;
-    const bool is_return = press.key == "return" && !press.repeat;
     const bool failed = !run_ || !error_.empty();
-    if (is_escape && (failed || stopped_ || run_->session().result().finished)) {
+    const RunState state{.failed = failed,
+                         .finished = !failed && run_->session().result().finished};
+    const StopKey done = keys_.take(press.key, press.repeat, state);
+    if (done == StopKey::leave) {
         left_ = Left::to_menu;
-    } else if (is_escape) {
-        press_stop();
-    } else if (failed && is_return) {
+    } else if (failed && press.key == "return" && !press.repeat) {
         begin();
-    } else if (stopped_ && is_return) {
-        lift_stop();
-    } else if (!failed && !stopped_) {
+    } else if (done == StopKey::nothing && !failed && !keys_.stopped()) {
         take_playing_key(press);
     }
 }
@@ -198,17 +191,6 @@ void LessonScreen::take_playing_key(const KeyPress& press) {
     } else if (!press.repeat && !question_open) {
         input_.keys.push_back(press.key);
     }
-}
-
-void LessonScreen::lift_stop() {
-    stopped_ = false;
-    run_->channels().emergency_stop.release();
-    run_->channels().rearm.store(true, std::memory_order_release);
-}
-
-void LessonScreen::press_stop() {
-    stopped_ = true;
-    run_->channels().emergency_stop.press();
 }
 
 void LessonScreen::move_pointer(const WindowEvents& events) {
@@ -290,7 +272,7 @@ View LessonScreen::compose() const {
         view.feedback.clear();
         view.input_visible = false;
         view.force.visible = false;
-    } else if (stopped_) {
+    } else if (keys_.stopped()) {
         view.banner = catalogue_.say("hud.emergency", {{"key", "Enter"}});
         view.banner_is_error = true;
     } else if (run_ && run_->device_is_lost()) {

@@ -9,6 +9,7 @@
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/live_loops.h"
 #include "runtime/app/options.h"
+#include "runtime/app/stop_keys.h"
 #include "runtime/app/typing.h"
 #include "runtime/app/watched_files.h"
 #include "runtime/progress/store.h"
@@ -46,8 +47,6 @@ class LessonScreen {
     void take_input(const WindowEvents& events);
     void take_key(const KeyPress& press);
     void take_playing_key(const KeyPress& press);
-    void press_stop();
-    void lift_stop();
     void move_pointer(const WindowEvents& events);
     void exchange();
     void watch_files();
@@ -76,7 +75,7 @@ class LessonScreen {
     TypedLine typing_;
     FrameInput input_{};
     double wheel_m_ = 0.0;
-    bool stopped_ = false;
+    StopKeys keys_;
     bool has_begun_ = false;
     std::optional<Left> left_;
     View last_view_{};

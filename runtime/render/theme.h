@@ -18,7 +18,6 @@ namespace fulcrum::runtime::theme {
 inline constexpr Colour kOrange = from_hex(0xE69F00);
 inline constexpr Colour kSkyBlue = from_hex(0x56B4E9);
 inline constexpr Colour kGreen = from_hex(0x009E73);
-inline constexpr Colour kYellow = from_hex(0xF0E442);
 inline constexpr Colour kBlue = from_hex(0x0072B2);
 inline constexpr Colour kVermillion = from_hex(0xD55E00);
 

@@ -120,7 +120,7 @@ struct FieldChangeCommand {
 struct LessonForceCommand {
     LinearisedWrench force{};
 };
-/// One instruction for the learner, shown and read aloud; an empty one clears it.
+/// One instruction for the learner, shown; an empty one clears it.
 struct CaptionCommand {
     std::string text;
 };

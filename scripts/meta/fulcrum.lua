@@ -156,13 +156,13 @@ function World:camera(options) end
 
 ---@class BodyHinge
 ---@field axis Vector|Body|Tool along which it lies: {0, 0, 1} points at you, as of a lever, {0, 1, 0} stands upright, as of a door; when it points at you, angles grow counter-clockwise; -1 to 1
----@field at? Vector|Body|Tool a place that the axis passes through; where the body is by default; in metres, -10000 to 10000
+---@field at? Vector|Body|Tool a place that the axis passes through, at most 100 m from the body; where the body is by default; in metres, -10000 to 10000
 ---@field inertia number how hard it is to turn, with all that hangs on it; a body with a mass is harder to turn on a support farther from its middle; in kilogram square metres, 0.0001 to 1000000
 ---@field friction? number the torque that brakes it; in newton metres, 0 to 1000000; default 0
 ---@field lowest? number it turns no further; no end by default; in degrees, -1000000 to 1000000
 ---@field highest? number it turns no further; no end by default; in degrees, -1000000 to 1000000
 ---@field load? number a weight that hangs on it; in newtons, 0 to 1000000; default 0
----@field load_at? Vector|Body|Tool where it hangs at first; where the body is by default; in metres, -10000 to 10000
+---@field load_at? Vector|Body|Tool where it hangs at first, at most 100 m from the body; where the body is by default; in metres, -10000 to 10000
 
 ---@class BodyOptions
 ---@field name string unique; how the lesson calls it, never the learner
@@ -289,7 +289,7 @@ function World:material(options) end
 ---Takes everything out of the bucket.
 function World:release() end
 
----Shows an instruction and reads it aloud.
+---Shows an instruction.
 ---@param text string one instruction; "" clears it; of at most 1000 bytes
 function World:caption(text) end
 
@@ -360,7 +360,7 @@ function Body:uncover() end
 ---@class TurnOptions
 ---@field angle? number it is there at once; in degrees, -1000000 to 1000000
 ---@field spin? number it turns so fast from now on, until something brakes it; in degrees per second, -5000 to 5000
----@field at? Vector|Body|Tool a place that its axis passes through from now on, for a body where it was declared; in metres, -10000 to 10000
+---@field at? Vector|Body|Tool a place that its axis passes through from now on, for a body where it was declared; at most 100 m from there; in metres, -10000 to 10000
 ---@field load? number the weight that hangs on it from now on; in newtons, 0 to 1000000
 
 ---Sets how a body on a hinge stands. When its axis points at you, angles grow counter-clockwise; they stay between its lowest and highest.

@@ -35,14 +35,12 @@ class Span {
 Vector3 compute_wall_force(const WallTrial& trial, const CouplingSettings& coupling,
                            const Vector3& hand, const Vector3& velocity) {
     // The surface is where a proxy would be held.
-    const Vector3 proxy(0.0, hand.y(), hand.z());
+    const Vector3 spring = compute_coupling_spring(coupling, {0.0, hand.y(), hand.z()}, hand);
     if (trial.both_ways) {
-        return compute_coupling_force(coupling, proxy, hand, velocity);
+        return spring - coupling.damping_Ns_per_m * velocity;
     }
-    return hand.x() < 0.0
-               ? compute_contact_force(coupling, compute_coupling_spring(coupling, proxy, hand),
-                                       velocity, Vector3::UnitX())
-               : Vector3(Vector3::Zero());
+    return hand.x() < 0.0 ? compute_contact_force(coupling, spring, velocity, Vector3::UnitX())
+                          : Vector3(Vector3::Zero());
 }
 
 bool is_linear_wall(const WallTrial& trial) {

@@ -201,7 +201,7 @@ void add_action_api(ApiTable& table) {
          kActing,
          {{"text", text, "", 0, 1000, kRequired, "one instruction; \"\" clears it"}},
          "",
-         "Shows an instruction and reads it aloud.",
+         "Shows an instruction.",
          &show_caption});
     table.functions.push_back(
         {"world",

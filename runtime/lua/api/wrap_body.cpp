@@ -1,5 +1,6 @@
 // A body: what a lesson asks of it and reads from it.
 #include "runtime/lua/api/binding_table.h"
+#include "runtime/lua/api/hinge_place.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/needs.h"
 
@@ -110,6 +111,7 @@ int turn(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     }
     if (arguments["at"].given) {
         command.pivot_W = arguments["at"].vector;
+        (void)place_on_hinge(lua, description_of(context, command.body), "hinge", *command.pivot_W);
     }
     if (arguments["load"].given) {
         command.load_N = arguments["load"].number;
@@ -154,8 +156,10 @@ void add_hinge_rows(ApiTable& table) {
           {"spin", number, "degrees per second", -5000, 5000, "nil",
            "it turns so fast from now on, until something brakes it"},
           {"at", vector, "metres", -10000, 10000, "nil",
-           "a place that its axis passes through from now on, for a body where it was declared"},
-          {"load", number, "newtons", 0, 1e6, "nil", "the weight that hangs on it from now on"}},
+           "a place that its axis passes through from now on, for a body where it was declared; at "
+           "most 100 m from there"},
+          {"load", number, "newtons", 0, kMostAxleLoad_N, "nil",
+           "the weight that hangs on it from now on"}},
          "",
          "Sets how a body on a hinge stands. When its axis points at you, angles grow "
          "counter-clockwise; they stay between its lowest and highest.",

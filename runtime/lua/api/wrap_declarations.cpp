@@ -1,5 +1,6 @@
 // What L:start(world) declares: bodies, forces, bucket, view.
 #include "runtime/lua/api/binding_table.h"
+#include "runtime/lua/api/hinge_place.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/materials.h"
 #include "runtime/scene/shape_models.h"
@@ -40,18 +41,22 @@ constexpr Parameter kHinge[] = {
      "a "
      "door; when it points at you, angles grow counter-clockwise"},
     {"at", ParameterType::vector, "metres", -10000, 10000, "nil",
-     "a place that the axis passes through; where the body is by default"},
-    {"inertia", ParameterType::number, "kilogram square metres", 0.0001, 1e6, kRequired,
+     "a place that the axis passes through, at most 100 m from the body; where the body is by "
+     "default"},
+    {"inertia", ParameterType::number, "kilogram square metres", kLeastAxleInertia_kg_m2,
+     kMostAxleInertia_kg_m2, kRequired,
      "how hard it is to turn, with all that hangs on it; a body with a mass is harder to turn on a "
      "support farther from its middle"},
-    {"friction", ParameterType::number, "newton metres", 0, 1e6, "0", "the torque that brakes it"},
+    {"friction", ParameterType::number, "newton metres", 0, kMostAxleFriction_Nm, "0",
+     "the torque that brakes it"},
     {"lowest", ParameterType::number, "degrees", -1e6, 1e6, "nil",
      "it turns no further; no end by default"},
     {"highest", ParameterType::number, "degrees", -1e6, 1e6, "nil",
      "it turns no further; no end by default"},
-    {"load", ParameterType::number, "newtons", 0, 1e6, "0", "a weight that hangs on it"},
+    {"load", ParameterType::number, "newtons", 0, kMostAxleLoad_N, "0",
+     "a weight that hangs on it"},
     {"load_at", ParameterType::vector, "metres", -10000, 10000, "nil",
-     "where it hangs at first; where the body is by default"}};
+     "where it hangs at first, at most 100 m from the body; where the body is by default"}};
 
 AxleSettings take_hinge(lua_State* lua, const Arguments& arguments, const BodyDescription& body) {
     AxleSettings hinge;
@@ -69,7 +74,7 @@ AxleSettings take_hinge(lua_State* lua, const Arguments& arguments, const BodyDe
     }
     hinge.axis_W /= length;
     if (arguments["at"].given) {
-        hinge.pivot_B = arguments["at"].vector - body.position_W;
+        hinge.pivot_B = place_on_hinge(lua, body, "hinge", arguments["at"].vector);
     }
     hinge.inertia_kg_m2 = arguments["inertia"].number;
     hinge.friction_Nm = arguments["friction"].number;
@@ -86,7 +91,7 @@ AxleSettings take_hinge(lua_State* lua, const Arguments& arguments, const BodyDe
     }
     hinge.load_N = arguments["load"].number;
     if (arguments["load_at"].given) {
-        hinge.load_B = arguments["load_at"].vector - body.position_W;
+        hinge.load_B = place_on_hinge(lua, body, "load", arguments["load_at"].vector);
     }
     return hinge;
 }

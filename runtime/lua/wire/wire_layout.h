@@ -267,7 +267,7 @@ void turn_command(Archive& a, Turn& t, const ReplyBounds& bounds) {
     optional(a, "a pivot", t.pivot_W,
              [](auto& each, auto& v) { vector(each, "a pivot", v, kMaxCoordinate_m); });
     optional(a, "a load", t.load_N,
-             [](auto& each, auto& v) { each.number("a load", v, 0.0, 1e6); });
+             [](auto& each, auto& v) { each.number("a load", v, 0.0, kMostAxleLoad_N); });
     if constexpr (Archive::kReads) {
         const auto body = static_cast<std::size_t>(t.body);
         const auto& bodies = bounds.description->bodies;

@@ -82,15 +82,15 @@ void optional(Archive& a, const char* what, Optional& value, const Each& each) {
 template <class Archive, class Hinge>
 void hinge(Archive& a, Hinge& h) {
     vector(a, "a hinge's axis", h.axis_W, 1.0);
-    vector(a, "a hinge's place", h.pivot_B, 100.0);
-    a.number("a hinge's inertia", h.inertia_kg_m2, 1e-4, 1e6);
-    a.number("a hinge's mass", h.mass_kg, 0.0, 1e4);
-    vector(a, "a hinge's centre of mass", h.centre_B, 100.0);
-    a.number("a hinge's friction", h.friction_Nm, 0.0, 1e6);
+    vector(a, "a hinge's place", h.pivot_B, kFarthestOnAxle_m);
+    a.number("a hinge's inertia", h.inertia_kg_m2, kLeastAxleInertia_kg_m2, kMostAxleInertia_kg_m2);
+    a.number("a hinge's mass", h.mass_kg, 0.0, kMostAxleMass_kg);
+    vector(a, "a hinge's centre of mass", h.centre_B, kFarthestOnAxle_m);
+    a.number("a hinge's friction", h.friction_Nm, 0.0, kMostAxleFriction_Nm);
     a.number("a hinge's lowest angle", h.lowest_rad, -kAnyAngle_rad, kAnyAngle_rad);
     a.number("a hinge's highest angle", h.highest_rad, -kAnyAngle_rad, kAnyAngle_rad);
-    a.number("a hinge's load", h.load_N, 0.0, 1e6);
-    vector(a, "where a load hangs", h.load_B, 100.0);
+    a.number("a hinge's load", h.load_N, 0.0, kMostAxleLoad_N);
+    vector(a, "where a load hangs", h.load_B, kFarthestOnAxle_m);
 }
 
 template <class Archive, class Shape>

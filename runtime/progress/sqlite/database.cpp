@@ -30,11 +30,6 @@ std::string one_line(const std::string& text) {
 
 }  // namespace
 
-bool is_damage(int code) noexcept {
-    const int primary = code & 0xFF;
-    return primary == SQLITE_CORRUPT || primary == SQLITE_NOTADB;
-}
-
 Error error_for(int code, const std::string& path, const std::string& text) {
     const std::string detail = one_line(text);
     constexpr const char* kElsewhere = "choose another file with --db or move this one away";

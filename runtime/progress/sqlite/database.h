@@ -34,9 +34,6 @@ class Refused final : public std::exception {
 /// taken.
 [[nodiscard]] Error error_for(int code, const std::string& path, const std::string& text);
 
-/// True when the code says that the file is no sound database.
-[[nodiscard]] bool is_damage(int code) noexcept;
-
 /// One connection.
 class Database {
   public:

@@ -106,8 +106,5 @@ void Program::set(const char* name, const Eigen::Matrix3f& value) const {
 void Program::set(const char* name, const Eigen::Matrix4f& value) const {
     glUniformMatrix4fv(location(name), 1, GL_FALSE, value.data());
 }
-void Program::set_linear(const char* name, const Colour& colour) const {
-    glUniform3f(location(name), to_linear(colour.r), to_linear(colour.g), to_linear(colour.b));
-}
 
 }  // namespace fulcrum::runtime::gl

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "haptics/base/error.h"
-#include "runtime/render/colour.h"
 #include "runtime/render/gl/handle.h"
 
 #include <Eigen/Core>
@@ -35,8 +34,6 @@ class Program {
     void set(const char* name, const Eigen::Vector4f& value) const;
     void set(const char* name, const Eigen::Matrix3f& value) const;
     void set(const char* name, const Eigen::Matrix4f& value) const;
-    /// Sets a vec3 to the light that the colour stands for.
-    void set_linear(const char* name, const Colour& colour) const;
 
   private:
     [[nodiscard]] GLint location(const char* name) const;

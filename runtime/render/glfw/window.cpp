@@ -277,10 +277,6 @@ bool Window::fullscreen() const {
     return glfwGetWindowMonitor(parts_->window) != nullptr;
 }
 
-void Window::set_title(const std::string& title) {
-    glfwSetWindowTitle(parts_->window, title.c_str());
-}
-
 int Window::width_px() const {
     int width = 0;
     int height = 0;
@@ -293,13 +289,6 @@ int Window::height_px() const {
     int height = 0;
     glfwGetFramebufferSize(parts_->window, &width, &height);
     return height;
-}
-
-double Window::ui_scale() const {
-    int width = 0;
-    int height = 0;
-    glfwGetWindowSize(parts_->window, &width, &height);
-    return width > 0 ? static_cast<double>(width_px()) / width : 1.0;
 }
 
 }  // namespace fulcrum::runtime

@@ -77,11 +77,9 @@ class Window {
     /// The whole screen, or the window as it was.
     void set_fullscreen(bool fullscreen);
     [[nodiscard]] bool fullscreen() const;
-    void set_title(const std::string& title);
 
-    [[nodiscard]] int width_px() const;     ///< of the framebuffer, 0 while minimised
-    [[nodiscard]] int height_px() const;    ///< of the framebuffer, 0 while minimised
-    [[nodiscard]] double ui_scale() const;  ///< framebuffer pixels a screen coordinate
+    [[nodiscard]] int width_px() const;   ///< of the framebuffer, 0 while minimised
+    [[nodiscard]] int height_px() const;  ///< of the framebuffer, 0 while minimised
 
   private:
     struct Parts;

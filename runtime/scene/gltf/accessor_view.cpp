@@ -126,7 +126,7 @@ Expected<AccessorView> view_accessor(const tinygltf::Model& model, int index, Ac
     }
     const std::span<const std::uint8_t> bytes(data);
     return AccessorView{bytes.subspan(view.byteOffset + accessor.byteOffset, needed),
-                        accessor.count, stride, components_of(role), accessor.componentType};
+                        accessor.count, stride, accessor.componentType};
 }
 
 }  // namespace fulcrum::runtime::gltf

@@ -23,8 +23,7 @@ struct AccessorView {
     std::span<const std::uint8_t> bytes;  ///< from the first element to the end of the buffer view
     std::size_t count = 0;                ///< elements, at least 1
     std::size_t stride_bytes = 0;
-    std::size_t n_components = 0;  ///< 1, 2 or 3
-    int component_type = 0;        ///< as in the file, e.g. 5126 for float
+    int component_type = 0;  ///< as in the file, e.g. 5126 for float
 
     /// A number of element `i`; normalised integers come out as 0 to 1.
     [[nodiscard]] float number(std::size_t i, std::size_t component) const noexcept;

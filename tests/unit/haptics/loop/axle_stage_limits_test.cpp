@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace fulcrum;
@@ -75,6 +76,36 @@ TEST_CASE("axle stage: on another pivot a body is as hard to turn as its mass sa
     CHECK(turned_by({3.0, 0.0, 0.0}) == Approx(kLeastRimMass_kg * 3.51 * 3.51));
     // Too far is not taken: the same push has 200.1 m to its pivot.
     CHECK(turned_by({2.0 * kFarthestOnAxle_m, 0.0, 0.0}) == Approx(0.2 * 0.1 / 200.1));
+}
+
+TEST_CASE("axle stage: of an order, what cannot be is left out, and the rest is carried out") {
+    const HapticPlan plan = make_beam();
+    const auto channels = std::make_unique<AxleChannels>();
+    AxleStage stage(plan, channels.get());
+    StillProxy proxy;
+    const Pose rest[] = {Pose{}};
+    const auto stands_after = [&](const Vector3& pivot_B, double load_N) {
+        AxleOrders orders;
+        orders.axles[0].is_set = true;
+        orders.axles[0].pivot_B = pivot_B;
+        orders.axles[0].load_N = load_N;
+        channels->orders.publish(orders);
+        (void)stage.turn(rest, proxy);
+        stage.push({}, {}, 1e-3);
+        REQUIRE(channels->frame.take());
+        return channels->frame.value().axles[0];
+    };
+    const double far_m = 2.0 * kFarthestOnAxle_m;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(stands_after({0.1, 0, 0}, 3.0).load_N == 3.0);
+    const AxleReport kept = stands_after({far_m, 0, 0}, 5.0);
+    CHECK(kept.load_N == 5.0);
+    CHECK(kept.pivot_W.x() == 0.1);
+    const AxleReport moved = stands_after({0.2, 0, 0}, nan);
+    CHECK(moved.load_N == 5.0);
+    CHECK(moved.pivot_W.x() == 0.2);
+    CHECK(stands_after({0.2, 0, 0}, -1.0).load_N == 0.0);
+    CHECK(stands_after({0.2, 0, 0}, 1e9).load_N == kMostAxleLoad_N);
 }
 
 TEST_CASE("axle stage: the load hangs where its torque has it, however the body lies") {

@@ -236,8 +236,9 @@ TEST_CASE("haptic loop: a device that refuses the wrench fades the force from th
     CHECK(bench.loop.state().gate == GatePhase::fading);
 }
 
-TEST_CASE("haptic loop: a silent lesson, a dead one, a silent world: each fades the force") {
-    for (int kind = 0; kind < 5; ++kind) {
+TEST_CASE(
+    "haptic loop: a silent lesson, a dead one, one that is over, a silent world: each fades") {
+    for (int kind = 0; kind < 6; ++kind) {
         Bench bench(make_weight_plan());
         hold(bench);
         Fault expected = Fault::command_stale;
@@ -256,6 +257,10 @@ TEST_CASE("haptic loop: a silent lesson, a dead one, a silent world: each fades 
                 bench.channels->lesson_failed.store(true);
                 expected = Fault::lesson_failed;
                 break;
+            case 4:
+                bench.channels->ended.store(true);
+                expected = Fault::ended;
+                break;
             default:
                 bench.world.carried_force_W.x() = std::numeric_limits<double>::infinity();
                 expected = Fault::command_invalid;
@@ -266,12 +271,14 @@ TEST_CASE("haptic loop: a silent lesson, a dead one, a silent world: each fades 
             bench.run(2);
         }
         CHECK(saw(bench, expected));
+        CHECK(saw(bench, Fault::lesson_failed) == (expected == Fault::lesson_failed));
         CHECK(bench.loop.state().gate != GatePhase::open);
         bench.run(101);
         CHECK(bench.device.written_D.force.norm() == 0.0);
         // It comes back, softly, when all is well again and the hand is empty.
         bench.lesson_awake = bench.world_awake = bench.command.lesson_alive = true;
         bench.channels->lesson_failed.store(false);
+        bench.channels->ended.store(false);
         bench.world.carried_force_W.setZero();
         bench.run(1000);
         CHECK(bench.loop.state().faults == Fault::none);

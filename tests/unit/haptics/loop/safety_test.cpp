@@ -242,7 +242,7 @@ TEST_CASE("safety: what the gate says that it may let through next bounds what i
 TEST_CASE("safety: any fault fades in a straight line to zero, then engagement is needed again") {
     const Fault each[] = {Fault::device_read,   Fault::device_stale,    Fault::device_invalid,
                           Fault::command_stale, Fault::command_invalid, Fault::lesson_failed,
-                          Fault::record_full,   Fault::device_write};
+                          Fault::record_full,   Fault::device_write,    Fault::ended};
     for (const Fault fault : each) {
         const SafetySettings settings;
         SafetyGate gate = open_gate(settings, 4.0);

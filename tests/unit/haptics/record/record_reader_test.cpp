@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <span>
 
 using namespace fulcrum;
 
@@ -75,6 +76,33 @@ TEST_CASE("record: hostile headers are refused, each with its sentence") {
     RecordEncoder bell({1000.0, "x\ay"});
     bell.finish();
     CHECK(complaint(bell.take_bytes()).find("impossible rate or lesson") != std::string::npos);
+}
+
+TEST_CASE("record: one of version 1 is read, without the fault that it cannot know") {
+    const auto record_of = [](Fault fault, std::uint32_t version) {
+        RecordEncoder encoder({1000.0, "gravity"});
+        RecordSample sample = make_sample(1);
+        sample.faults = fault;
+        encoder.append(sample);
+        encoder.finish();
+        std::vector<std::byte> bytes = encoder.take_bytes();
+        put_u32(bytes, 8, version);
+        put_u32(bytes, kRecordHeaderBytes - 4,
+                compute_crc32(std::span(bytes).first(kRecordHeaderBytes - 4)));
+        return bytes;
+    };
+    for (const std::uint32_t version : {1U, 2U}) {
+        const auto read = read_record(record_of(Fault::device_write, version));
+        REQUIRE(read);
+        CHECK(read->samples.front().faults == Fault::device_write);
+    }
+    const auto left = read_record(record_of(Fault::ended, 2));
+    REQUIRE(left);
+    CHECK(left->samples.front().faults == Fault::ended);
+    CHECK(complaint(record_of(Fault::ended, 1)).find("impossible sample") != std::string::npos);
+    CHECK(complaint(record_of(static_cast<Fault>(1U << 10), 2)).find("impossible sample") !=
+          std::string::npos);
+    CHECK(complaint(record_of(Fault::none, 0)).find("version 0") != std::string::npos);
 }
 
 TEST_CASE("record: hostile blocks are refused, each with its sentence") {

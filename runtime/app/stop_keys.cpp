@@ -1,0 +1,51 @@
+#include "runtime/app/stop_keys.h"
+
+namespace fulcrum::runtime {
+
+void StopKeys::watch(HapticChannels* channels) noexcept {
+    channels_ = channels;
+    if (channels_ != nullptr && stopped_) {
+        channels_->emergency_stop.press();
+    }
+}
+
+StopKey StopKeys::take(std::string_view key, bool repeat, const RunState& run) noexcept {
+    if (repeat) {
+        return StopKey::nothing;
+    }
+    if (key == "escape" && (run.failed || run.finished || stopped_)) {
+        return StopKey::leave;
+    }
+    if (key == "escape") {
+        press();
+        return StopKey::press;
+    }
+    if (key == "return" && stopped_ && !run.failed) {
+        lift();
+        return StopKey::lift;
+    }
+    return StopKey::nothing;
+}
+
+void StopKeys::lose_focus(bool renders_force) noexcept {
+    if (channels_ != nullptr && renders_force && !stopped_) {
+        press();
+    }
+}
+
+void StopKeys::press() noexcept {
+    stopped_ = true;
+    if (channels_ != nullptr) {
+        channels_->emergency_stop.press();
+    }
+}
+
+void StopKeys::lift() noexcept {
+    stopped_ = false;
+    if (channels_ != nullptr) {
+        channels_->emergency_stop.release();
+        channels_->rearm.store(true, std::memory_order_release);
+    }
+}
+
+}  // namespace fulcrum::runtime
