@@ -7,6 +7,18 @@
 #include <algorithm>
 
 namespace fulcrum {
+namespace {
+
+// `v` turned by the least turn that takes the unit vector `from` to `to`: two mirrors, through half way and through `to`.
+Vector3 turn_along(const Vector3& from, const Vector3& to, const Vector3& v) noexcept {
+    constexpr double kOpposite = 1.0e-6;
+    const double half = 1.0 + from.dot(to);
+    return half > kOpposite
+               ? Vector3(v - (from + to).dot(v) / half * (from + to) + 2.0 * from.dot(v) * to)
+               : v;
+}
+
+}  // namespace
 
 const CouplingSettings& ContactStage::coupling_of(std::int32_t solid) const noexcept {
     const auto i = static_cast<std::size_t>(solid);
@@ -83,7 +95,7 @@ Vector3 ContactStage::shade(const ProxyContact& contact,
             any = true;
         }
         pushes_W += touch.push_m * touches_[i].normal_W;
-        drags_W += touch.drag_W;
+        drags_W += turn_along(touch.normal_W, touches_[i].normal_W, touch.drag_W);
     }
     return any ? Vector3(pushes_W + drags_W) : Vector3(Vector3::Zero());
 }

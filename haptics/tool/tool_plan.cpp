@@ -7,8 +7,9 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kHoldsTimes = 2.0;    // what a single point holds, in parts of the force
-constexpr double kFullContacts = 4.0;  // points in voxels that push with all their stiffness
+constexpr double kHoldsTimes = 2.0;       // what a single point holds, in parts of the force
+constexpr double kFullContacts = 4.0;     // points in voxels that push with all their stiffness
+constexpr double kLookAheadCycles = 2.0;  // what leads nowhere within two steps is not braked
 constexpr std::size_t kCachedBytes = 2U << 20U;  // a grid up to here is faster than a tree
 constexpr int kTreeDepth = 2;
 
@@ -51,9 +52,10 @@ ToolPlan make_voxel_tool_plan(const ToolOrder& order,
     for (const std::shared_ptr<const VoxelGrid>& grid : grids) {
         VoxelSamplingPlan object;
         put_map(grid, object);
-        object.shell = *order.shell;
+        object.shell = order.shells.empty() ? *order.shell : *order.shells[objects.size()];
         object.settings.averaging = ContactAveraging::smooth;
         object.settings.full_contacts = kFullContacts;
+        object.settings.look_ahead_cycles = kLookAheadCycles;
         if (grid != nullptr) {
             object.settings.stiffness_N_per_m =
                 2.0 * kHoldsTimes * order.most_force_N / grid->frame.voxel_m;
@@ -80,6 +82,20 @@ Expected<ToolPlan> make_field_tool_plan(const ToolOrder& order,
         objects.push_back(std::move(object));
     }
     return ToolPlan{std::move(objects), make_clamped(order)};
+}
+
+std::size_t count_points(const ToolPlan& plan) {
+    std::size_t most = 0;
+    if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
+        for (const VoxelSamplingPlan& object : *voxels) {
+            most = std::max(most, object.shell.size());
+        }
+        return most;
+    }
+    for (const auto& object : std::get<std::vector<FieldSamplingPlan>>(plan.objects)) {
+        most = std::max(most, object.shell->n_points());
+    }
+    return most;
 }
 
 Expected<void> validate(const ToolPlan& plan) {

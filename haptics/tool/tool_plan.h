@@ -34,6 +34,8 @@ struct ToolPlan {
 struct ToolOrder {
     /// Points from the centre of mass along the principal axes.
     std::shared_ptr<const Pointshell> shell;
+    /// The same for each object, where they have their own; else empty.
+    std::vector<std::shared_ptr<const Pointshell>> shells{};
     VoxelToolSettings settings{};  ///< the clamps are set by the laws above
     double most_force_N = 5.0;     ///< that the hand may feel, above 0
 };
@@ -48,6 +50,9 @@ struct ToolOrder {
 /// The tool among fields, pushed along their slopes, so that no closed way gains energy. Refuses a shell that has no tree.
 [[nodiscard]] Expected<ToolPlan> make_field_tool_plan(
     const ToolOrder& order, const std::vector<FieldSampler::Field>& fields);
+
+/// Points of the tool, against the object that asks for the most of them.
+[[nodiscard]] std::size_t count_points(const ToolPlan& plan);
 
 /// Refuses what the method's build does.
 [[nodiscard]] Expected<void> validate(const ToolPlan& plan);

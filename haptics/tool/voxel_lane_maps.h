@@ -64,6 +64,11 @@ class GridMap {
         return any != 0;
     }
 
+    /// Of a cell within the map.
+    [[nodiscard]] VoxelClass find_class(const VoxelFrame::Cell& cell) const noexcept {
+        return cells_[(cell[2] * ny_ + cell[1]) * nx_ + cell[0]];
+    }
+
   private:
     const VoxelClass* cells_;
     std::int32_t nx_, ny_;
@@ -96,6 +101,11 @@ class TreeMap {
             any |= static_cast<PackedKinds>(kind);
         }
         return any != 0;
+    }
+
+    /// Of a cell within the map.
+    [[nodiscard]] VoxelClass find_class(const VoxelFrame::Cell& cell) const noexcept {
+        return map_->find_class(cell);
     }
 
   private:

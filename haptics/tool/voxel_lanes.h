@@ -5,6 +5,7 @@
 //   e = c - g,  d = (R n).e   how far it lies beneath the plane through c with normal R n
 //   surface, d > d_least      adds  d n  and  d (p x n)                       d_least = 0, or none
 //   proximity, n.u < 0        adds  -k u,  p x -k u  and  k = -n.u/|u|        u = v + w x p
+//   looking ahead             only if the voxel of p + a u or p + a u/2 pushes or is interior
 // Blocks of 64 points are carried into the lattice first, then looked up, then those eights that hit anything are added up: a
 // look at a byte cannot be done side by side, and the two halves keep out of each other's way.
 //
@@ -39,6 +40,7 @@ struct Motion {
     std::array<float, 3> velocity_T{}, spin_T{};  ///< voxels/s, rad/s
     float least_depth = 0.0F;
     bool brakes = false;
+    float ahead_s = 0.0F;  ///< brakes act only where what pushes lies so far ahead; 0: everywhere
 };
 
 /// What the points add up to; frame T, voxels.
@@ -200,6 +202,48 @@ inline void add_brake(const Motion& motion, const Eight& eight, LaneSums& sums) 
     sums.brake_share += share;
 }
 
+// Whether what pushes, or is interior, lies where point `lane` goes.
+template <class Map>
+inline bool comes_to_surface(const Map& map, const Motion& motion, const Eight& eight,
+                             std::size_t lane) {
+    const auto& [vx, vy, vz] = motion.velocity_T;
+    const auto& [wx, wy, wz] = motion.spin_T;
+    const std::array<float, 3> p{eight.p[0][lane], eight.p[1][lane], eight.p[2][lane]};
+    const std::array<float, 3> u{vx + (wy * p[2] - wz * p[1]), vy + (wz * p[0] - wx * p[2]),
+                                 vz + (wx * p[1] - wy * p[0])};
+    for (const float ahead_s : {0.5F * motion.ahead_s, motion.ahead_s}) {
+        std::array<std::int32_t, 3> cell{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto& row = motion.turn[axis];
+            float g = motion.shift[axis];
+            for (std::size_t i = 0; i < 3; ++i) {
+                g += row[i] * (p[i] + ahead_s * u[i]);
+            }
+            g = g > 0.0F ? g : 0.0F;
+            cell[axis] = static_cast<std::int32_t>(std::min(g, motion.last[axis]));
+        }
+        const VoxelClass kind = map.find_class(cell);
+        if (kind == VoxelClass::surface || kind == VoxelClass::interior) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Points that brake, but go elsewhere, are taken for free ones; whether any brakes.
+template <class Map>
+inline bool drop_passing(const Map& map, const Motion& motion, Eight& eight) {
+    bool any = false;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        if (eight.kind[lane] == 3) {
+            const bool stays = comes_to_surface(map, motion, eight, lane);
+            eight.kind[lane] = stays ? 3 : 0;
+            any = any || stays;
+        }
+    }
+    return any;
+}
+
 inline double add_lanes(const Floats& lanes) {
     double sum = 0.0;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -273,13 +317,16 @@ struct ChunkSums {
 };
 
 // Eight points of which at least one pushes or brakes.
-template <bool kLinear>
-inline void add_eight(const Shell& shell, const Motion& motion, const WideMotion& wide,
-                      PackedKinds packed, std::size_t first, bool brakes, ChunkSums& chunk,
-                      Sums& sums) {
+template <bool kLinear, class Map>
+inline void add_eight(const Shell& shell, const Map& map, const Motion& motion,
+                      const WideMotion& wide, PackedKinds packed, std::size_t first, bool brakes,
+                      ChunkSums& chunk, Sums& sums) {
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filled by the next line
     Eight eight;
     load_eight(shell, wide, packed, first, eight);
+    if (brakes && motion.ahead_s > 0.0F) {
+        brakes = drop_passing(map, motion, eight);
+    }
     add_push(motion, eight, chunk.lanes);
     if (brakes) {
         add_brake(motion, eight, chunk.lanes);
@@ -292,9 +339,10 @@ inline void add_eight(const Shell& shell, const Motion& motion, const WideMotion
     }
 }
 
-template <bool kLinear>
-inline void add_block(const Shell& shell, const Motion& motion, const WideMotion& wide,
-                      const Kinds& kinds, std::size_t first, ChunkSums& chunk, Sums& sums) {
+template <bool kLinear, class Map>
+inline void add_block(const Shell& shell, const Map& map, const Motion& motion,
+                      const WideMotion& wide, const Kinds& kinds, std::size_t first,
+                      ChunkSums& chunk, Sums& sums) {
     for (std::size_t group = 0; group < kinds.size(); ++group) {
         const PackedKinds packed = kinds[group];
         if (packed == 0) {
@@ -308,8 +356,8 @@ inline void add_block(const Shell& shell, const Motion& motion, const WideMotion
         chunk.n_interior += std::popcount(packed & ~(packed >> 1) & kOnes);
         const bool brakes = motion.brakes && proximity != 0;
         if (surface != 0 || brakes) {
-            add_eight<kLinear>(shell, motion, wide, packed, first + group * kLanes, brakes, chunk,
-                               sums);
+            add_eight<kLinear>(shell, map, motion, wide, packed, first + group * kLanes, brakes,
+                               chunk, sums);
         }
     }
 }
@@ -329,7 +377,7 @@ void sample(const Shell& shell, const Map& map, const Motion& motion, Sums& sums
         for (std::size_t first = begin; first < end; first += kBlock) {
             find_cells(shell, map, wide, first, cells);
             if (map.look_up(cells, kinds)) {
-                add_block<kLinear>(shell, motion, wide, kinds, first, chunk, sums);
+                add_block<kLinear>(shell, map, motion, wide, kinds, first, chunk, sums);
             }
         }
         add_lanes(chunk.lanes, sums);

@@ -147,6 +147,7 @@ voxel_lanes::Motion VoxelSampling::compute_motion(const RigidState& state,
     // No voxel is deeper than half its diagonal.
     motion.least_depth = settings_.plane == TangentPlane::one_side ? 0.0F : -1.0F;
     motion.brakes = settings_.braking != PreContactBraking::off;
+    motion.ahead_s = static_cast<float>(settings_.look_ahead_cycles * settings_.cycle_s);
     return motion;
 }
 

@@ -3,6 +3,8 @@
 // For each point at p with the unit normal n into the tool, in a voxel with the middle c (s its edge, k the stiffness):
 //   surface     F = k d n,  d = max(n.(c - p), 0)      a spring to the plane through c across n; both_sides: without max
 //   proximity   F = -b (-n.u/|u|) u  while n.u < 0     u the point's velocity; never while it recedes, so nothing sticks
+//               looking ahead by m cycles, only while p + m dt u or p + m dt u/2 lies in surface or interior: without, what
+//               glides along an object is dragged, for the point's own normal says nothing of where the object is
 //   interior    no force: it has penetrated, and is counted                      free: nothing
 // torque = r x F, r from the tool's centre of mass. The sum of the springs over n surface points is averaged:
 //   none     sum                        beyond   sum min(1, N/n): a jump of less than 1/N of the others' sum where one comes or goes
@@ -22,7 +24,7 @@
 // (`fulcrum bench voxel-speed`); no allocation. Places are single precision: voxel_lanes.h says how exact.
 // Source: W. McNeely, K. Puterbaugh, J. Troy 1999, Six degree-of-freedom haptic rendering using voxel sampling, sections 3
 // (tangent plane), 5.2 (averaging from N = 10), 5.3 (brakes, both forms); N = 70 as in the thesis of systems.md. The smooth
-// average and the brakes' bound are ours.
+// average, the brakes' bound and their look ahead are ours.
 #pragma once
 
 #include "haptics/base/error.h"
@@ -50,9 +52,10 @@ struct VoxelSamplingSettings {
     ContactAveraging averaging = ContactAveraging::beyond;
     double full_contacts = 10.0;  ///< N, 1 to 1e6
     PreContactBraking braking = PreContactBraking::one_cycle;
-    double braking_Ns_per_m = 1.0;  ///< b of `viscous`, a point; 0 to 1e4
-    Inertia inertia{};              ///< of the tool, for the brakes
-    double cycle_s = 0.001;         ///< dt of the brakes, 1e-6 to 1; a tool's step tells its own
+    double braking_Ns_per_m = 1.0;   ///< b of `viscous`, a point; 0 to 1e4
+    Inertia inertia{};               ///< of the tool, for the brakes
+    double look_ahead_cycles = 0.0;  ///< m of the brakes, 0: McNeely's, by normals alone; to 100
+    double cycle_s = 0.001;          ///< dt of the brakes, 1e-6 to 1; a tool's step tells its own
 };
 
 /// Refuses settings outside their ranges, NaN included.

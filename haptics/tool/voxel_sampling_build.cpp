@@ -83,10 +83,11 @@ Expected<void> validate(const VoxelSamplingSettings& settings) {
     if (const auto checked = validate(settings.inertia); !checked) {
         return checked;
     }
-    const std::array<Range, 4> ranges{
+    const std::array<Range, 5> ranges{
         {{"stiffness_N_per_m", settings.stiffness_N_per_m, 0.0, 1.0e6},
          {"full_contacts", settings.full_contacts, 1.0, 1.0e6},
          {"braking_Ns_per_m", settings.braking_Ns_per_m, 0.0, 1.0e4},
+         {"look_ahead_cycles", settings.look_ahead_cycles, 0.0, 100.0},
          {"cycle_s", settings.cycle_s, kShortestCycle_s, kLongestCycle_s}}};
     return check_ranges("the voxel sampling's", ranges);
 }

@@ -11,6 +11,7 @@
 #include "runtime/scene/tool_bodies.h"
 #include "runtime/scene/tool_springs.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -21,7 +22,8 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr int kRound = 48;  // sides of a round tool
+constexpr int kRound = 48;                   // sides of a round tool
+constexpr double kPointsApart_voxels = 1.5;  // nearer, those beside edges push sideways
 
 struct MakeMesh {
     Expected<TriangleMesh> operator()(const SphereShape& ball) const {
@@ -137,6 +139,31 @@ tl::unexpected<Error> refuse_tool(const Error& error, SourceLine line) {
                                : tl::unexpected(error);
 }
 
+// For voxels: rounded at edges, and for each body no denser than its voxels.
+Expected<void> round_points(const LessonDescription& lesson, const SolidLoader& load_solid,
+                            const ToolBodies& bodies, ToolOrder& order) {
+    const ToolDescription& tool = *lesson.hand.tool;
+    const auto mesh = load_tool_mesh(tool, lesson.hand.line, load_solid);
+    if (!mesh) {
+        return tl::unexpected(mesh.error());
+    }
+    const Pose X_PB{order.settings.grip_T, order.settings.handle_turn.conjugate()};
+    for (const std::shared_ptr<const VoxelGrid>& grid : bodies.grids) {
+        const auto same = std::ranges::find(bodies.grids, grid) - bodies.grids.begin();
+        if (static_cast<std::size_t>(same) < order.shells.size()) {
+            order.shells.push_back(order.shells[static_cast<std::size_t>(same)]);
+            continue;
+        }
+        const auto shell =
+            make_rounded_pointshell(*mesh, kPointsApart_voxels * grid->frame.voxel_m, tool.points);
+        if (!shell) {
+            return tl::unexpected(shell.error());
+        }
+        order.shells.push_back(std::make_shared<const Pointshell>(make_moved(*shell, X_PB)));
+    }
+    return {};
+}
+
 // The tool among its bodies.
 Expected<ToolPlan> put_among(const ToolDescription& tool, const ToolOrder& order,
                              const ToolBodies& bodies) {
@@ -207,6 +234,9 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     if (!bodies) {
         return tl::unexpected(bodies.error());
     }
+    if (const auto rounded = round_points(lesson, load_solid, *bodies, *order); !rounded) {
+        return refuse_tool(rounded.error(), lesson.hand.line);
+    }
     auto made = put_among(*lesson.hand.tool, *order, *bodies);
     if (!made) {
         return refuse_tool(made.error(), lesson.hand.line);
@@ -243,7 +273,8 @@ std::string tool_table(const LessonDescription& lesson, const Plan& plan) {
     std::array<char, 256> line{};
     std::snprintf(line.data(), line.size(),
                   "%-16.48s %s, %d points, %s, %.3g N/m and %.3g Nm/rad in the hand, points %s\n",
-                  name_of(tool).c_str(), name_of(tool.method), tool.points,
+                  name_of(tool).c_str(), name_of(tool.method),
+                  static_cast<int>(count_points(*plan.haptic.tool)),
                   tool.massless ? "massless" : std::string(to_string(tool.integrator)).c_str(),
                   tool.stiffness_N_per_m,
                   settings.coupling.turn.stiffness_Nm_per_rad / lesson.hand.scale,

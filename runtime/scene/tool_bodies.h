@@ -4,8 +4,8 @@
 //             s = max(length / 400, (volume of its box / 4 million)^(1/3), s_share, 0.05 mm)
 //             s_share: the body's block, margins and all, has kMostVoxels / n voxels, with n meshes
 //   fields  4 voxels deep on both sides of the surface
-//   voxels  the layer that pushes lies one voxel outside the body, so that the tool's and the body's surfaces never meet; those that
-//           brake reach 4 mm further, in the hand's metres: two steps of a hand at 2 m/s
+//   voxels  the layer that pushes lies one voxel outside the body, which holds the tool out where its points are as near to each
+//           other as voxels are; those that brake reach 4 mm further, in the hand's metres: two steps of a hand at 2 m/s at 1 kHz
 // What is too much is refused before anything is made; what takes long comes from the cache of shapes where it has been made before.
 //
 // Thread: load path. Cost: 10 ms and 1 byte a voxel up to 4 million for each mesh; with a lesson's own voxels at most kMostVoxels.

@@ -160,3 +160,36 @@ TEST_CASE("contact stage: what friction holds stays in a shaded force") {
     // The corner of a coarse ball: its normal is a degree off the radius.
     CHECK((felt.force_W - Vector3(1.0 * n + 0.5 * t)).norm() < 0.02);
 }
+
+TEST_CASE("contact stage: a shaded force stays in friction's cone, whatever the bend") {
+    HapticPlan plan;
+    plan.solids = only_solid(touchable(make_sphere(0.05, 2)));  // its faces meet at large angles
+    plan.solids[0].surface.shading = {true, 90.0};
+    plan.coupling = {.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 0.0};
+    ContactStage stage(plan);
+    const auto mesh = std::get<MeshShape>(plan.solids[0].shape);
+    const auto corners = mesh->corners(0);
+    const Vector3 corner = mesh->vertex_B(corners[0]);
+    const Vector3 along = (mesh->vertex_B(corners[1]) - corner).normalized();
+    const Vector3 n = (mesh->vertex_B(corners[1]) - corner)
+                          .cross(mesh->vertex_B(corners[2]) - corner)
+                          .normalized();
+    for (const Vector3& t : {along, Vector3(-along), Vector3(n.cross(along))}) {
+        ProxyContact contact;
+        contact.position_W = corner;
+        contact.solid = 0;
+        contact.n_constraints = 1;
+        contact.normal_W = n;
+        contact.touches[0] = {
+            .solid = 0, .feature = 0, .normal_W = n, .push_m = 0.002, .drag_W = 0.0016 * t};
+        const std::array<Pose, 1> poses{};
+        const ContactForce felt =
+            stage.step(contact, corner - 0.002 * n - 0.0016 * t, Vector3::Zero(), poses);
+        const Vector3& shaded = felt.spring.normal;
+        CHECK(shaded.dot(n) < 0.98);  // bent by more than ten degrees
+        const double across = felt.force_W.dot(shaded);
+        const double held = (felt.force_W - across * shaded).norm();
+        CHECK(held / across == Approx(0.8).epsilon(1.0e-9));
+        CHECK(felt.force_W.norm() == Approx(500.0 * std::hypot(0.002, 0.0016)));
+    }
+}

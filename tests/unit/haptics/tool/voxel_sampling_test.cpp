@@ -172,6 +172,46 @@ TEST_CASE("voxel sampling: brakes act while a point approaches, and only in prox
 }
 
 TEST_CASE(
+    "voxel sampling: looking ahead, what glides along is not braked, and what comes is as ever") {
+    VoxelSamplingSettings settings = plain();
+    settings.braking = PreContactBraking::one_cycle;
+    const Vector3 place(0.02, 0.0, 0.01);
+    // A side's normal: its point leads a motion along x.
+    const Pointshell leading = one_point(place, -Vector3::UnitX());
+    const Pointshell below = one_point(place, Vector3::UnitY());
+    const auto brake = [&](const Pointshell& shell, double look_ahead, const Vector3& velocity) {
+        settings.look_ahead_cycles = look_ahead;
+        RigidState state = at(Vector3(0.005, 0.005, 0.005) - place);  // in proximity, 5 mm up
+        state.velocity_W.linear = velocity;
+        return make_sampling(shell, settings).sample(state, kStill).wrench_W;
+    };
+    // Along the floor McNeely's brake pulls; looking ahead nothing does, nor while the way there takes longer than the look.
+    const Vector3 along(0.5, 0.0, 0.0);
+    CHECK(brake(leading, 0.0, along).force.x() < -0.1);
+    CHECK(is_zero(brake(leading, 2.0, along)));
+    CHECK(is_zero(brake(below, 2.0, {0.0, -2.4, 0.0})));
+    // Down, through what pushes within two steps, and also where one step and two end beyond it: the half way counts.
+    for (const double speed_m_per_s : {2.6, 4.0, 9.0}) {
+        const Vector3 down(0.1, -speed_m_per_s, 0.0);
+        const Wrench as_ever = brake(below, 0.0, down);
+        const Wrench ahead = brake(below, 2.0, down);
+        CHECK(as_ever.force.y() > 0.1);
+        CHECK(ahead.force == as_ever.force);
+        CHECK(ahead.torque == as_ever.torque);
+    }
+    // With derivatives the same.
+    settings.look_ahead_cycles = 2.0;
+    RigidState state = at(Vector3(0.005, 0.005, 0.005) - place);
+    state.velocity_W.linear = along;
+    WrenchJacobian jacobian;
+    CHECK(is_zero(
+        make_sampling(leading, settings).sample_linearised(state, kStill, jacobian).wrench_W));
+    CHECK(jacobian.velocity.isZero());
+    settings.look_ahead_cycles = -1.0;
+    CHECK_FALSE(validate(settings));
+}
+
+TEST_CASE(
     "voxel sampling: the one-cycle brake takes the motion's energy in one step, however many "
     "points") {
     VoxelSamplingSettings settings = plain();
