@@ -91,7 +91,7 @@ nlohmann::ordered_json json_of_tool(const LessonDescription& lesson, const Plan&
     }
     return {{"name", name_of(tool)},
             {"method", name_of(tool.method)},
-            {"points", tool.points},
+            {"points", count_points(*plan.haptic.tool)},
             {"source", source_of(plan.tool_shapes.back())},
             {"bodies", std::move(bodies)}};
 }
