@@ -140,7 +140,8 @@ Feedback Conversation::not_understood(const Mark& mark) {
                unheard_ == 2 && !frame.empty()) {
         feedback =
             say(FeedbackKind::not_understood, "feedback.not_understood.2", {{"frame", frame}});
-    } else if (const std::string example = example_sentence(*question_); asks(example)) {
+    } else if (const std::string example = example_sentence(*question_);
+               asks(example) || choices(*question_).empty()) {
         feedback = say(FeedbackKind::not_understood, "feedback.not_understood.example",
                        {{"sentence", example}});
     } else {

@@ -71,7 +71,8 @@ local function lightest() return extreme(function(a, b) return a < b end) end
 L:question "heavier" {
   prompt = "Which one is heavier, the apple or the egg?",
   again = "Let's weigh both again.",
-  answers = { "[the|a|an] {thing} is <comparative:heavy> [than [the|a|an] {other}]" },
+  answers = { "[the|a|an] {thing} is <comparative:heavy> [than [the|a|an] {other}]",
+              "[the|a|an] {thing} is the <comparative:heavy> one", "the <comparative:heavy> one is [the|a|an] {thing}" },
   right = function(a)
     local thing, other = bodies[a.thing], bodies[a.other]
     return thing == heaviest() and (other == nil or other.weight < thing.weight)

@@ -225,6 +225,8 @@ L:question "side_or_pole" {
     "it is (at|near|on) the {place}",
     "(it|the Earth|the planet) (turns|goes|moves) (more|faster|better) [(when|if) (I|you|we) push [it]] (at|near|on) the {place}",
     "(when|if) (I|you|we) push [it] (at|near|on) the {place}",
+    "(when|if) (I|you|we) push the {place} [it turns (more|faster|better)]",
+    "(it|the same push) turns [it] more (at|near|on) the {place}",
     "(when|if) (I|you|we) push [it] (at|near|on) the {place} it turns (more|faster|better)",
     "[more] (at|near|on) the {place} [it turns (more|faster|better)]",
     "the {place} [is (better|easier)]",

@@ -23,7 +23,7 @@ local is = {
   rough    = function(m) return m.roughness >= 0.5 end,
   smooth   = function(m) return m.roughness < 0.5 end,
   slippery = function(m) return m.slipperiness >= 0.5 end,
-  sticky   = function(m) return m.slipperiness < 0.5 end,
+  sticky   = function(m) return m.slipperiness < 0.15 end,   -- between the two it is neither
 }
 local adjectives = { "hard", "soft", "rough", "smooth", "slippery", "sticky" }
 
@@ -142,7 +142,8 @@ local hidden   -- the block that is asked for
 L:question "under" {
   prompt = "What is under this cloth?",
   again = "Let's feel it again.",
-  answers = { "<it> is {material}", "{material} [is under (the|this) cloth]", "<it> <made_of:{material}>", "<it> is {wooden}" },
+  answers = { "<it> is {material}", "{material} [is under (the|this) cloth]", "<it> <made_of:{material}>", "<it> is {wooden}",
+              "there is {material} [under (the|this|it)] [cloth]", "under (the|this) cloth is {material}" },
   lists = { material = called, wooden = { "wooden" } },
   right = function(a) return said_material(a) == hidden.material.name end,
 }
@@ -151,7 +152,8 @@ for _, thing in ipairs(things) do
   L:question("made_" .. thing.name) {
     prompt = "What is the " .. thing.name .. " made of?",
     again = "Let's feel it again.",
-    answers = { "[a|an|the] {thing} <made_of:{material}>", "[(a|an|the)] {thing} is {wooden}", "it is {wooden}" },
+    answers = { "[a|an|the] {thing} <made_of:{material}>", "[(a|an|the)] {thing} is ({wooden}|{material})",
+                "it is {wooden}" },
     lists = { thing = { "spaceship", "table", "statue" }, material = called, wooden = { "wooden" } },
     right = function(a)
       return (a.thing or thing.name) == thing.name and said_material(a) == made[thing.name].material.name

@@ -295,6 +295,23 @@ TEST_CASE("conversation: a learner who asks is answered like one who asks") {
     CHECK(hints[2] == "For example: How many moons does Saturn have?");
 }
 
+TEST_CASE("conversation: where no list has two words, the hint is a sentence, not an empty list") {
+    const Catalogue words = english_words();
+    const Question place = compiled({"place",
+                                     "Where is it easier?",
+                                     {"it is easier {far} from it", "it is easier {near} it"},
+                                     {{"far", {"far"}}, {"near", {"near"}}},
+                                     {},
+                                     {}});
+    Conversation conversation(words);
+    (void)conversation.ask(place);
+    std::string hint;
+    for (int i = 0; i < 3; ++i) {
+        hint = conversation.respond(conversation.hear("bla"), false).text;
+    }
+    CHECK(hint == "For example: It is easier far from it.");
+}
+
 TEST_CASE("conversation: who is not understood never gets a hint of nothing but dots") {
     const Catalogue words = english_words();
     const Question place = compiled(
