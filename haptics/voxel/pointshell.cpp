@@ -144,50 +144,18 @@ bool place_points(const TriangleMesh& mesh, const std::vector<std::size_t>& orde
     return true;
 }
 
-Vector3 find_nearest_on_edge(const Vector3& p, const Vector3& from, const Vector3& to) {
-    const Vector3 along = to - from;
-    const double square = along.squaredNorm();
-    const double t = square > 0.0 ? std::clamp((p - from).dot(along) / square, 0.0, 1.0) : 0.0;
-    return from + t * along;
+}  // namespace
+
+void Pointshell::add(const Vector3& position_T, const Vector3& normal_T) {
+    x_m.push_back(static_cast<float>(position_T.x()));
+    y_m.push_back(static_cast<float>(position_T.y()));
+    z_m.push_back(static_cast<float>(position_T.z()));
+    nx.push_back(static_cast<float>(normal_T.x()));
+    ny.push_back(static_cast<float>(normal_T.y()));
+    nz.push_back(static_cast<float>(normal_T.z()));
 }
 
-const Vector3& find_nearer(const Vector3& p, const Vector3& one, const Vector3& other) {
-    return (one - p).squaredNorm() <= (other - p).squaredNorm() ? one : other;
-}
-
-// The foot in its plane, or where that lies beside it the nearest place on an edge.
-Vector3 find_nearest(const Vector3& p, const TrianglePoints& t) {
-    const Vector3 normal = compute_doubled_area(t);
-    const double square = normal.squaredNorm();
-    const double v = (p - t[0]).cross(t[2] - t[0]).dot(normal);
-    const double w = (t[1] - t[0]).cross(p - t[0]).dot(normal);
-    if (square > 0.0 && v >= 0.0 && w >= 0.0 && v + w <= square) {
-        return t[0] + v / square * (t[1] - t[0]) + w / square * (t[2] - t[0]);
-    }
-    const Vector3 on_first = find_nearest_on_edge(p, t[0], t[1]);
-    const Vector3 on_second = find_nearest_on_edge(p, t[1], t[2]);
-    const Vector3 on_third = find_nearest_on_edge(p, t[2], t[0]);
-    return find_nearer(p, find_nearer(p, on_first, on_second), on_third);
-}
-
-// `place` begins at the voxel's centre, which is on no triangle but by chance: the first one that comes is nearer.
-void take_if_nearer(const Vector3& centre, const TrianglePoints& t, Vector3& place) {
-    const Vector3 other = find_nearest(centre, t);
-    place = place == centre ? other : find_nearer(centre, place, other);
-}
-
-Expected<void> check_count(int n_points) {
-    if (n_points < 1 || n_points > kMostShellPoints) {
-        return fail("a pointshell of " + std::to_string(n_points) +
-                        " points is outside the range 1 to 16 million",
-                    {}, "set it within that range");
-    }
-    return {};
-}
-
-// One point a voxel that triangles touch; put(centre, triangle, place) may move it from the centre for each of them.
-template <class Put>
-Expected<Pointshell> collect_voxels(const TriangleMesh& mesh, double voxel_m, const Put& put) {
+Expected<Pointshell> make_voxel_pointshell(const TriangleMesh& mesh, double voxel_m) {
     VoxeliseSettings settings;
     settings.voxel_m = voxel_m;
     settings.proximity_layers = 0;
@@ -206,17 +174,15 @@ Expected<Pointshell> collect_voxels(const TriangleMesh& mesh, double voxel_m, co
         const Vector3 doubled_area = compute_doubled_area(t);
         rasterise(frame, t, [&](const VoxelFrame::Cell& cell) {
             std::int32_t& here = number[grid->index_of(cell)];
-            const Vector3 centre = frame.centre_of(cell);
             if (here < 0) {
                 here = static_cast<std::int32_t>(candidates.size());
+                const Vector3 centre = frame.centre_of(cell);
                 candidates.push_back(
                     {compute_morton(centre, frame.lower_O, longest_m + 2.0 * voxel_m), centre,
                      Vector3::Zero()});
                 normals.emplace_back();
             }
-            const auto index = static_cast<std::size_t>(here);
-            put(centre, t, candidates[index].position);
-            normals[index].add(doubled_area, voxel_m * voxel_m);
+            normals[static_cast<std::size_t>(here)].add(doubled_area, voxel_m * voxel_m);
         });
     }
     for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -225,43 +191,12 @@ Expected<Pointshell> collect_voxels(const TriangleMesh& mesh, double voxel_m, co
     return in_order(candidates);
 }
 
-}  // namespace
-
-void Pointshell::add(const Vector3& position_T, const Vector3& normal_T) {
-    x_m.push_back(static_cast<float>(position_T.x()));
-    y_m.push_back(static_cast<float>(position_T.y()));
-    z_m.push_back(static_cast<float>(position_T.z()));
-    nx.push_back(static_cast<float>(normal_T.x()));
-    ny.push_back(static_cast<float>(normal_T.y()));
-    nz.push_back(static_cast<float>(normal_T.z()));
-}
-
-Expected<Pointshell> make_voxel_pointshell(const TriangleMesh& mesh, double voxel_m) {
-    return collect_voxels(mesh, voxel_m, [](const Vector3&, const TrianglePoints&, Vector3&) {});
-}
-
-Expected<Pointshell> make_rounded_pointshell(const TriangleMesh& mesh, double least_voxel_m,
-                                             int n_points) {
-    constexpr double kMostAlong = 500.0;
-    if (auto checked = check_count(n_points); !checked) {
-        return tl::unexpected(checked.error());
-    }
-    const double longest_m = (mesh.upper_B() - mesh.lower_B()).maxCoeff();
-    for (double voxel_m = std::max(least_voxel_m, longest_m / kMostAlong);;) {
-        auto shell = collect_voxels(mesh, voxel_m, take_if_nearer);
-        const double too_many =
-            shell ? static_cast<double>(shell->size()) / static_cast<double>(n_points) : 0.0;
-        if (too_many <= 1.0 || voxel_m > longest_m) {
-            return shell;
-        }
-        voxel_m *= std::max(1.02, std::sqrt(too_many));
-    }
-}
-
 Expected<Pointshell> make_surface_pointshell(const TriangleMesh& mesh, int n_points,
                                              const LoadProgress& progress) {
-    if (auto checked = check_count(n_points); !checked) {
-        return tl::unexpected(checked.error());
+    if (n_points < 1 || n_points > kMostShellPoints) {
+        return fail("a pointshell of " + std::to_string(n_points) +
+                        " points is outside the range 1 to 16 million",
+                    {}, "set it within that range");
     }
     // About as much of the time as each step takes.
     constexpr double kOrdered = 0.2;

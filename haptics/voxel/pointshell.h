@@ -1,12 +1,9 @@
-// A tool as points on its surface, each with the unit normal that points into the tool; made in either of three ways.
+// A tool as points on its surface, each with the unit normal that points into the tool; made in either of two ways.
 //
 //   from voxels   the centres of the voxels that the surface touches, as McNeely made them. A point may lie up to
 //                 sqrt(3)/2 voxels beside the surface; its normal is the mean of the triangles through its voxel
 //   on the mesh   points of the surface itself, as many as asked for: the mesh is cut into that many pieces of equal area,
 //                 piece after piece along a curve that fills space, and each gets one point
-//   rounded       a point a voxel, where the surface is nearest to its centre, with the voxel's mean normal: on the surface as
-//                 the second, and round where it has edges as the first. For voxel sampling, in which points beside an edge
-//                 push sideways with all their strength if their normals do
 // Points that follow each other lie near each other (Morton's order of their cells), so that what touches is a few runs.
 // A single precision place is off by at most 6e-8 of its distance from the origin.
 //
@@ -52,11 +49,6 @@ inline constexpr int kMostShellPoints = 16'000'000;
 /// where `progress` stops it.
 [[nodiscard]] Expected<Pointshell> make_surface_pointshell(const TriangleMesh& mesh, int n_points,
                                                            const LoadProgress& progress = {});
-
-/// At most `n_points` points, one in each voxel that the triangles touch, of the least edge that gives no more and is
-/// `least_voxel_m` at least. Of voxels larger than the mesh there may be more than one or two. Refuses what the other two do.
-[[nodiscard]] Expected<Pointshell> make_rounded_pointshell(const TriangleMesh& mesh,
-                                                           double least_voxel_m, int n_points);
 
 /// The same tool seen from another frame N: p_N = X_NT p_T.
 [[nodiscard]] Pointshell make_moved(const Pointshell& shell, const Pose& X_NT);

@@ -22,8 +22,7 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr int kRound = 48;                   // sides of a round tool
-constexpr double kPointsApart_voxels = 1.5;  // nearer, those beside edges push sideways
+constexpr int kRound = 48;  // sides of a round tool
 
 struct MakeMesh {
     Expected<TriangleMesh> operator()(const SphereShape& ball) const {
@@ -139,9 +138,10 @@ tl::unexpected<Error> refuse_tool(const Error& error, SourceLine line) {
                                : tl::unexpected(error);
 }
 
-// For voxels: rounded at edges, and for each body no denser than its voxels.
-Expected<void> round_points(const LessonDescription& lesson, const SolidLoader& load_solid,
-                            const ToolBodies& bodies, ToolOrder& order) {
+// Among voxels: a point a voxel, as McNeely has them, where the lesson allows so many. Such points lie in rows as the voxels do, so
+// that of a flat end all push at once; others push beside edges, too, where their normals point sideways.
+Expected<void> put_in_rows(const LessonDescription& lesson, const SolidLoader& load_solid,
+                           const ToolBodies& bodies, ToolOrder& order) {
     const ToolDescription& tool = *lesson.hand.tool;
     const auto mesh = load_tool_mesh(tool, lesson.hand.line, load_solid);
     if (!mesh) {
@@ -149,17 +149,11 @@ Expected<void> round_points(const LessonDescription& lesson, const SolidLoader& 
     }
     const Pose X_PB{order.settings.grip_T, order.settings.handle_turn.conjugate()};
     for (const std::shared_ptr<const VoxelGrid>& grid : bodies.grids) {
-        const auto same = std::ranges::find(bodies.grids, grid) - bodies.grids.begin();
-        if (static_cast<std::size_t>(same) < order.shells.size()) {
-            order.shells.push_back(order.shells[static_cast<std::size_t>(same)]);
-            continue;
-        }
-        const auto shell =
-            make_rounded_pointshell(*mesh, kPointsApart_voxels * grid->frame.voxel_m, tool.points);
-        if (!shell) {
-            return tl::unexpected(shell.error());
-        }
-        order.shells.push_back(std::make_shared<const Pointshell>(make_moved(*shell, X_PB)));
+        // Voxels too small for that are refused there; the points on the surface serve.
+        const auto rows = make_voxel_pointshell(*mesh, grid->frame.voxel_m);
+        order.shells.push_back(rows && rows->size() <= static_cast<std::size_t>(tool.points)
+                                   ? std::make_shared<const Pointshell>(make_moved(*rows, X_PB))
+                                   : order.shell);
     }
     return {};
 }
@@ -234,8 +228,8 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     if (!bodies) {
         return tl::unexpected(bodies.error());
     }
-    if (const auto rounded = round_points(lesson, load_solid, *bodies, *order); !rounded) {
-        return refuse_tool(rounded.error(), lesson.hand.line);
+    if (const auto put = put_in_rows(lesson, load_solid, *bodies, *order); !put) {
+        return refuse_tool(put.error(), lesson.hand.line);
     }
     auto made = put_among(*lesson.hand.tool, *order, *bodies);
     if (!made) {

@@ -1,7 +1,7 @@
 // The tool in the hand, as the plan needs it: its points and springs, and every solid body as tool_bodies.h makes it. For plan.cpp.
 //
 //   hand    masses and springs are as the hand feels them: m = mass / scale, k = stiffness / scale, k_r = turn stiffness x scale
-//   points  as many as the lesson says; among voxels at most, rounded (pointshell.h), and for each body 1.5 of its voxels apart
+//   points  as many as the lesson says, on the surface; among voxels a point a voxel of the tool, where that is no more
 //
 // What can be refused is refused before anything that takes long is made: bodies and voxels first, then the tool, then its springs.
 // What takes long comes from the cache of shapes where it has been made before.

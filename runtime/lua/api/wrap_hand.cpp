@@ -61,7 +61,10 @@ constexpr Parameter kTool[] = {
      "and takes more memory: at most 480 along a body and 64 million in all; fine enough for each "
      "body by default, and for all together"},
     {"points", ParameterType::integer, "", 100, 200000, "2000",
-     "on its surface; more follow it more closely and take more time"},
+     "on its surface; more follow it more closely and take more time; voxel_sampling has one a "
+     "voxel "
+     "of the tool where that is no more, and is best so: with fewer it pushes sideways beside "
+     "edges"},
     {"method", ParameterType::choice, "", 0, 0, "field_sampling",
      "how its points are kept outside bodies, by the name of the method: by the distance to their "
      "surface, or by cubes that they are made of",

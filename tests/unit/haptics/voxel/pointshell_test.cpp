@@ -122,35 +122,6 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("pointshell rounded: on the surface, no more than asked for, apart, and round at edges") {
-    const TriangleMesh mesh = make_box({0.04, 0.06, 0.04}).value();
-    for (const int n : {300, 2000}) {
-        const Pointshell shell = make_rounded_pointshell(mesh, 0.002, n).value();
-        CHECK(shell.size() <= static_cast<std::size_t>(n));
-        CHECK(static_cast<double>(shell.size()) > 0.7 * std::min(n, 3000));
-        int n_edges = 0;
-        for (std::size_t i = 0; i < shell.size(); ++i) {
-            const Vector3 p = shell.position_T(i);
-            const Vector3 inside = Vector3(0.02, 0.03, 0.02) - p.cwiseAbs();
-            CHECK(inside.minCoeff() == Approx(0.0).margin(1.0e-8));
-            // Into the box: across a face in its middle, half way between two where they meet.
-            const Vector3 n_T = shell.normal_T(i);
-            CHECK(n_T.norm() == Approx(1.0));
-            CHECK(n_T.dot(p) < 0.0);
-            const int n_faces = static_cast<int>((inside.array() < 1.0e-6).count());
-            CHECK(n_T.cwiseAbs().maxCoeff() <= (n_faces == 1 ? 1.0 : 0.9));
-            n_edges += n_faces > 1 ? 1 : 0;
-        }
-        CHECK(n_edges > 20);
-    }
-    // As few as can be, and as dense as the least edge lets them.
-    CHECK(make_rounded_pointshell(mesh, 0.002, 1).value().size() <= 8);
-    const std::size_t coarse = make_rounded_pointshell(mesh, 0.01, 100000).value().size();
-    CHECK(coarse < 300);
-    CHECK_FALSE(make_rounded_pointshell(mesh, 0.002, 0));
-    CHECK_FALSE(make_rounded_pointshell(mesh, std::nan(""), 100));
-}
-
 TEST_CASE("pointshell: the same each time, and neighbours in the list are neighbours in space") {
     const auto mesh = make_sphere(kRadius_m, 32).value();
     const Pointshell shell = make_surface_pointshell(mesh, 4096).value();

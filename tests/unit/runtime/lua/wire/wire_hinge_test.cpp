@@ -22,7 +22,7 @@ bool takes_reply(const TurnCommand& turn) {
     LessonReply reply;
     reply.commands = {turn};
     const Bytes bytes = bytes_of(reply);
-    return decode_reply(std::span(bytes).subspan(kHead), test::full_description()).has_value();
+    return decode_reply(std::span(bytes).subspan(kHead), fulcrum::test::full_description()).has_value();
 }
 
 bool takes_description(const LessonDescription& description) {
@@ -42,7 +42,7 @@ TEST_CASE("wire: a turn of a body without a hinge, or by no number, is refused")
 
 TEST_CASE("wire: a description whose hinge cannot be is refused") {
     const auto with = [](auto change) {
-        LessonDescription d = test::full_description();
+        LessonDescription d = fulcrum::test::full_description();
         change(d.bodies[0]);
         return takes_description(d);
     };

@@ -16,7 +16,7 @@
 namespace fulcrum::runtime {
 namespace {
 
-using test::HostedLesson;
+using fulcrum::runtime::test::HostedLesson;
 
 constexpr std::size_t kHead = 5;  // length and kind
 

@@ -15,12 +15,12 @@
 namespace fulcrum::runtime {
 namespace {
 
-using test::full_description;
-using test::full_error;
-using test::full_frame;
-using test::full_load;
-using test::full_module_answer;
-using test::full_reply;
+using fulcrum::test::full_description;
+using fulcrum::test::full_error;
+using fulcrum::test::full_frame;
+using fulcrum::test::full_load;
+using fulcrum::test::full_module_answer;
+using fulcrum::test::full_reply;
 
 constexpr std::size_t kHead = 5;  // length and kind
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
