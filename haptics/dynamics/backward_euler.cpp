@@ -9,7 +9,8 @@
 // step of Newton has made the residual longer, a contact opened or closed on the way: half that step is tried. The first
 // guess is never the answer, however little it leaves over: a load below the tolerance would be lost at every step for ever.
 // Where the loads cannot tell two places apart the residual stays at their rounding: a whole step of Newton no longer than that
-// which does not halve it is the last one. A halved step says nothing of the kind, nor does one that meets something new.
+// which makes it no shorter is the last one, and the second which does not halve it. A halved step says nothing of the kind, nor
+// does one that meets something new.
 #include "haptics/dynamics/integrator_steps.h"
 
 #include <Eigen/LU>
@@ -127,6 +128,9 @@ bool is_lost(const IntegratorSettings& settings, double dt_s, bool is_whole, con
            after < kMeetsSomething * before;
 }
 
+// Steps that go on a little are none too many: a tool that is let go gets away from what brakes by such.
+constexpr int kSlowSteps = 1;
+
 // The last change of base, where it is not the best guess already: kept behind the first guess, which is no answer.
 void forget_worse(bool is_best, int n_changes, Vector6& change) noexcept {
     if (is_best || n_changes > 1) {
@@ -145,6 +149,7 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
     Vector6 change = Vector6::Zero();
     double base_size = std::numeric_limits<double>::infinity();
     bool is_whole = false;  // the change is all of a step of Newton
+    int n_lost = 0;
     StepResult result{StepStatus::iterations_spent, 0};
     const int last = find_last_look(settings);
     for (int i = 0; i <= last; ++i) {
@@ -159,7 +164,8 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
             break;
         }
         const bool is_best = guess.size <= base_size;
-        const bool is_end = is_lost(settings, dt_s, is_whole, change, base_size, guess.size);
+        const bool was_lost = is_lost(settings, dt_s, is_whole, change, base_size, guess.size);
+        const bool is_end = was_lost && (!is_best || ++n_lost > kSlowSteps);
         if (is_best) {
             base = velocity;
             base_size = guess.size;

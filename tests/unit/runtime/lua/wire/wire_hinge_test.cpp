@@ -22,7 +22,8 @@ bool takes_reply(const TurnCommand& turn) {
     LessonReply reply;
     reply.commands = {turn};
     const Bytes bytes = bytes_of(reply);
-    return decode_reply(std::span(bytes).subspan(kHead), fulcrum::test::full_description()).has_value();
+    return decode_reply(std::span(bytes).subspan(kHead), fulcrum::test::full_description())
+        .has_value();
 }
 
 bool takes_description(const LessonDescription& description) {
