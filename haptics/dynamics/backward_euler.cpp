@@ -118,18 +118,22 @@ int find_last_look(const IntegratorSettings& settings) noexcept {
     return settings.newton_iterations > 1 ? settings.newton_iterations : 0;
 }
 
-// Whether a whole step of Newton by `change`, from a residual of `before` to one of `after`, is lost in the loads' rounding.
+// Whether a whole step of Newton by `change`, from a residual of `before` to one of `after`, is lost in the loads' rounding. Steps
+// that go on a little are none too many: a tool that is let go gets away from what brakes by such. `n_slow` counts them.
 bool is_lost(const IntegratorSettings& settings, double dt_s, bool is_whole, const Vector6& change,
-             double before, double after) noexcept {
+             double before, double after, int& n_slow) noexcept {
     constexpr double kHelps = 0.5;
     constexpr double kMeetsSomething = 10.0;
-    return is_whole && dt_s * change.head<3>().norm() <= settings.least_way_m &&
-           dt_s * change.tail<3>().norm() <= settings.least_turn_rad && after > kHelps * before &&
-           after < kMeetsSomething * before;
+    constexpr int kMostSlow = 1;
+    if (!is_whole || dt_s * change.head<3>().norm() > settings.least_way_m ||
+        dt_s * change.tail<3>().norm() > settings.least_turn_rad) {
+        return false;
+    }
+    if (!(after > kHelps * before && after < kMeetsSomething * before)) {
+        return false;
+    }
+    return after > before || ++n_slow > kMostSlow;
 }
-
-// Steps that go on a little are none too many: a tool that is let go gets away from what brakes by such.
-constexpr int kSlowSteps = 1;
 
 // The last change of base, where it is not the best guess already: kept behind the first guess, which is no answer.
 void forget_worse(bool is_best, int n_changes, Vector6& change) noexcept {
@@ -149,7 +153,7 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
     Vector6 change = Vector6::Zero();
     double base_size = std::numeric_limits<double>::infinity();
     bool is_whole = false;  // the change is all of a step of Newton
-    int n_lost = 0;
+    int n_slow = 0;
     StepResult result{StepStatus::iterations_spent, 0};
     const int last = find_last_look(settings);
     for (int i = 0; i <= last; ++i) {
@@ -164,8 +168,8 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
             break;
         }
         const bool is_best = guess.size <= base_size;
-        const bool was_lost = is_lost(settings, dt_s, is_whole, change, base_size, guess.size);
-        const bool is_end = was_lost && (!is_best || ++n_lost > kSlowSteps);
+        const bool is_end =
+            is_lost(settings, dt_s, is_whole, change, base_size, guess.size, n_slow);
         if (is_best) {
             base = velocity;
             base_size = guess.size;
