@@ -72,7 +72,7 @@ Expected<MeshInertia> find_inertia(const ToolDescription& tool, double scale,
 }
 
 // The tool about its centre of mass, along its principal axes; the hand holds it at its mesh's origin, as that is turned.
-Expected<ToolOrder> make_order(const LessonDescription& lesson, const SolidLoader& load_solid,
+Expected<ToolOrder> make_order(const LessonDescription& lesson, const TriangleMesh& mesh,
                                ShapeCache& shapes, const LoadProgress& progress) {
     const ToolDescription& tool = *lesson.hand.tool;
     const double scale = lesson.hand.scale;
@@ -82,15 +82,11 @@ Expected<ToolOrder> make_order(const LessonDescription& lesson, const SolidLoade
         })
                         : LoadProgress{};
     };
-    auto mesh = load_tool_mesh(tool, lesson.hand.line, load_solid);
-    if (!mesh) {
-        return tl::unexpected(mesh.error());
-    }
-    auto inertia = find_inertia(tool, scale, *mesh, shapes, half(0.0));
+    auto inertia = find_inertia(tool, scale, mesh, shapes, half(0.0));
     if (!inertia) {
         return tl::unexpected(inertia.error());
     }
-    auto shell = recall_surface_pointshell(shapes, *mesh, tool.points, half(0.5));
+    auto shell = recall_surface_pointshell(shapes, mesh, tool.points, half(0.5));
     if (!shell) {
         return tl::unexpected(shell.error());
     }
@@ -140,22 +136,22 @@ tl::unexpected<Error> refuse_tool(const Error& error, SourceLine line) {
 
 // Among voxels: a point a voxel, as McNeely has them, where the lesson allows so many. Such points lie in rows as the voxels do, so
 // that of a flat end all push at once; others push beside edges, too, where their normals point sideways.
-Expected<void> put_in_rows(const LessonDescription& lesson, const SolidLoader& load_solid,
-                           const ToolBodies& bodies, ToolOrder& order) {
-    const ToolDescription& tool = *lesson.hand.tool;
-    const auto mesh = load_tool_mesh(tool, lesson.hand.line, load_solid);
-    if (!mesh) {
-        return tl::unexpected(mesh.error());
-    }
+void put_in_rows(const TriangleMesh& mesh, int most_points, const ToolBodies& bodies,
+                 ToolOrder& order) {
     const Pose X_PB{order.settings.grip_T, order.settings.handle_turn.conjugate()};
     for (const std::shared_ptr<const VoxelGrid>& grid : bodies.grids) {
+        // Bodies that share a mesh share their voxels, too.
+        const auto first = std::ranges::find(bodies.grids, grid) - bodies.grids.begin();
+        if (static_cast<std::size_t>(first) < order.shells.size()) {
+            order.shells.push_back(order.shells[static_cast<std::size_t>(first)]);
+            continue;
+        }
         // Voxels too small for that are refused there; the points on the surface serve.
-        const auto rows = make_voxel_pointshell(*mesh, grid->frame.voxel_m);
-        order.shells.push_back(rows && rows->size() <= static_cast<std::size_t>(tool.points)
+        const auto rows = make_voxel_pointshell(mesh, grid->frame.voxel_m);
+        order.shells.push_back(rows && rows->size() <= static_cast<std::size_t>(most_points)
                                    ? std::make_shared<const Pointshell>(make_moved(*rows, X_PB))
                                    : order.shell);
     }
-    return {};
 }
 
 // The tool among its bodies.
@@ -213,7 +209,11 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
                                   1.0 / static_cast<double>(list->meshes.size() + 1),
                                   name_of(*lesson.hand.tool)};
     const int n_made = shapes.counts().n_made;
-    auto order = make_order(lesson, load_solid, shapes, progress.of_tool());
+    const auto mesh = load_tool_mesh(*lesson.hand.tool, lesson.hand.line, load_solid);
+    if (!mesh) {
+        return refuse_tool(mesh.error(), lesson.hand.line);
+    }
+    auto order = make_order(lesson, *mesh, shapes, progress.of_tool());
     if (!order) {
         return refuse_tool(order.error(), lesson.hand.line);
     }
@@ -228,9 +228,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     if (!bodies) {
         return tl::unexpected(bodies.error());
     }
-    if (const auto put = put_in_rows(lesson, load_solid, *bodies, *order); !put) {
-        return refuse_tool(put.error(), lesson.hand.line);
-    }
+    put_in_rows(*mesh, lesson.hand.tool->points, *bodies, *order);
     auto made = put_among(*lesson.hand.tool, *order, *bodies);
     if (!made) {
         return refuse_tool(made.error(), lesson.hand.line);
