@@ -3,6 +3,8 @@
 #include "tests/support/wander.h"
 
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 namespace fulcrum {
 
@@ -125,6 +127,17 @@ Expected<TriangleMesh> make_t_junctions(const TriangleMesh& mesh) {
         triangles.push_back({middle, v, w});
     }
     return TriangleMesh::build(std::move(vertices), std::move(triangles), {.weld_relative = 0.0});
+}
+
+Expected<TriangleMesh> make_hollow(const TriangleMesh& outside, const TriangleMesh& hollow) {
+    std::vector<Vector3> vertices = outside.vertices_B();
+    std::vector<TriangleCorners> triangles = outside.triangles();
+    const auto first = static_cast<std::int32_t>(vertices.size());
+    vertices.insert(vertices.end(), hollow.vertices_B().begin(), hollow.vertices_B().end());
+    for (const TriangleCorners& t : hollow.triangles()) {
+        triangles.push_back({first + t[0], first + t[2], first + t[1]});
+    }
+    return TriangleMesh::build(std::move(vertices), std::move(triangles));
 }
 
 }  // namespace fulcrum

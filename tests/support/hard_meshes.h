@@ -1,4 +1,5 @@
-// Meshes that are hard to touch: grooves, prisms of slivers, surfaces that fall apart into triangles or at a seam, or have T-junctions.
+// Meshes that are hard to touch: grooves, sockets, prisms of slivers, surfaces that fall apart into triangles or at a seam, or have
+// T-junctions.
 #pragma once
 
 #include "haptics/geometry/triangle_mesh.h"
@@ -27,5 +28,9 @@ namespace fulcrum {
 /// The same surface with T-junctions: of every third triangle an edge is cut in its middle, which its neighbour over that edge knows
 /// nothing of; as the middle is rounded, neither surface need contain the other's edge. Nothing is welded.
 [[nodiscard]] Expected<TriangleMesh> make_t_junctions(const TriangleMesh& mesh);
+
+/// What lies between two closed surfaces, `hollow` wholly inside `outside`: that one turned over, nothing welded.
+[[nodiscard]] Expected<TriangleMesh> make_hollow(const TriangleMesh& outside,
+                                                 const TriangleMesh& hollow);
 
 }  // namespace fulcrum

@@ -6,6 +6,7 @@
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/measure.h"
 #include "tests/bench/harness/registry.h"
+#include "tests/support/hard_meshes.h"
 #include "tests/support/wander.h"
 
 #include <algorithm>
@@ -45,16 +46,9 @@ Scene make_scene(const TriangleMesh& object, const TriangleMesh& tool, int n_alo
 
 // A ball with a hollow of radius 1 in it.
 TriangleMesh make_socket(int frequency) {
-    const TriangleMesh outside = *make_sphere(1.15, frequency);
-    const TriangleMesh inside = *make_bumpy_sphere(1.0, frequency, 0.02, 15.0);
-    std::vector<Vector3> vertices = outside.vertices_B();
-    std::vector<TriangleCorners> triangles = outside.triangles();
-    const auto first = static_cast<std::int32_t>(vertices.size());
-    vertices.insert(vertices.end(), inside.vertices_B().begin(), inside.vertices_B().end());
-    for (const TriangleCorners& t : inside.triangles()) {
-        triangles.push_back({first + t[0], first + t[2], first + t[1]});
-    }
-    return TriangleMesh::build(std::move(vertices), std::move(triangles)).value();
+    return make_hollow(*make_sphere(1.15, frequency),
+                       *make_bumpy_sphere(1.0, frequency, 0.02, 15.0))
+        .value();
 }
 
 // Poses at 1 kHz; the depth is so steered that about `n_wanted` points touch.

@@ -1,6 +1,7 @@
 // What samples tell a budget of time, on a counted clock: in a socket nearly all points are near, and few touch.
 #include "haptics/geometry/shape.h"
 #include "haptics/tool/field_sampling.h"
+#include "tests/support/hard_meshes.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -33,17 +34,8 @@ double cost_us(const FieldTouch& touch) {
 // A ball with a hollow in it.
 FieldSampler::Field socket() {
     static const FieldSampler::Field kField = [] {
-        const TriangleMesh outside = *make_sphere(1.2, 24);
-        const TriangleMesh inside = *make_bumpy_sphere(1.0, 24, 0.02, 9.0);
-        std::vector<Vector3> vertices = outside.vertices_B();
-        std::vector<TriangleCorners> triangles = outside.triangles();
-        const auto first = static_cast<std::int32_t>(vertices.size());
-        vertices.insert(vertices.end(), inside.vertices_B().begin(), inside.vertices_B().end());
-        for (const TriangleCorners& t : inside.triangles()) {
-            triangles.push_back({first + t[0], first + t[2], first + t[1]});
-        }
         const TriangleMesh mesh =
-            TriangleMesh::build(std::move(vertices), std::move(triangles)).value();
+            make_hollow(*make_sphere(1.2, 24), *make_bumpy_sphere(1.0, 24, 0.02, 9.0)).value();
         return std::make_shared<const DistanceField>(
             DistanceField::build(mesh, DistanceField::make_frame(mesh, 128).value()).value());
     }();
