@@ -1,5 +1,7 @@
 #include "dialogue/conversation/conversation.h"
 
+#include "dialogue/template/tokens.h"
+
 #include <algorithm>
 
 namespace fulcrum::dialogue {
@@ -24,6 +26,7 @@ std::vector<std::string> Conversation::ask(const Question& question, int number,
     state_ = State::asked;
     repeating_ = false;
     attempt_ = wrong_ = unheard_ = 0;
+    wanted_help_ = false;
     std::vector<std::string> lines = sentences_of(question.prompt);
     if (number > 0) {
         const CatalogueSlots slots{{"n", std::to_string(number)},
@@ -129,15 +132,17 @@ Feedback Conversation::not_understood(const Mark& mark) {
         return move_on();
     }
     state_ = State::asked;
+    // Who asks for help needs no second try.
+    wanted_help_ = wanted_help_ || wants_help(mark.said);
+    const int rung = wanted_help_ ? unheard_ + 1 : unheard_;
     // An opposite is named; else first only again, then how the sentence goes, then what can be said.
     Feedback feedback;
     if (!mark.opposite_said.empty()) {
         feedback = say(FeedbackKind::not_understood, "feedback.opposite",
                        {{"said", mark.opposite_said}, {"asked", "*" + mark.opposite_of + "*"}});
-    } else if (unheard_ == 1) {
+    } else if (rung == 1) {
         feedback = say(FeedbackKind::not_understood, "feedback.not_understood.1");
-    } else if (const std::string frame = sentence_frame(*question_);
-               unheard_ == 2 && !frame.empty()) {
+    } else if (const std::string frame = sentence_frame(*question_); rung == 2 && !frame.empty()) {
         feedback =
             say(FeedbackKind::not_understood, "feedback.not_understood.2", {{"frame", frame}});
     } else if (const std::string example = example_sentence(*question_);
@@ -160,6 +165,14 @@ Feedback Conversation::not_understood(const Mark& mark) {
     }
     feedback.ask_again = true;
     return feedback;
+}
+
+bool Conversation::wants_help(std::string_view said) const {
+    const std::vector<std::string> words = words_of(said);
+    const std::vector<std::string> keys = catalogue_->series("help.said");
+    return std::any_of(keys.begin(), keys.end(), [&](const std::string& key) {
+        return words_of(catalogue_->say(key)) == words;
+    });
 }
 
 Feedback Conversation::wrong_meaning(const Mark& mark) {

@@ -92,6 +92,8 @@ class Conversation {
     Feedback respond_to_form(const Mark& mark);
     Feedback respond_to_repeat(const Mark& mark, bool meaning_right);
     Feedback not_understood(const Mark& mark);
+    /// The catalogue's help.said.1, … have these words.
+    [[nodiscard]] bool wants_help(std::string_view said) const;
     Feedback wrong_meaning(const Mark& mark);
     Feedback move_on();
     Feedback say(FeedbackKind kind, std::string key, const CatalogueSlots& slots = {});
@@ -105,6 +107,7 @@ class Conversation {
     int attempt_ = 0;                  ///< answers to this question
     int wrong_ = 0;                    ///< of wrong meaning
     int unheard_ = 0;                  ///< not understood
+    bool wanted_help_ = false;         ///< help.said of the catalogue was said
     std::size_t praise_ = 0;           ///< next praise in turn
     Mark accepted_{};                  ///< the answer whose repetition was invited
     std::map<std::string, int> seen_;  ///< sightings by error

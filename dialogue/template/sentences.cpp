@@ -183,7 +183,8 @@ std::string render_phrase(const std::vector<Piece>& pieces, PieceRange range) {
     for (int i = range.first; i < range.last; ++i) {
         const std::string& right = pieces[static_cast<std::size_t>(i)].right;
         if (!right.empty()) {
-            text += (text.empty() ? "" : " ") + right;
+            text += text.empty() ? "" : " ";
+            text += right == "i" ? "I" : right;
         }
     }
     return text;

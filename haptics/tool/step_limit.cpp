@@ -1,8 +1,8 @@
 #include "haptics/tool/step_limit.h"
 
 #include "haptics/math/rotation.h"
+#include "haptics/math/spectral_radius.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +14,6 @@ namespace {
 constexpr std::size_t kNormals = 32;  // of the shell's own that are tried
 constexpr std::array<double, 5> kShares{0.0, 1.0 / 64.0, 1.0 / 16.0, 0.25, 1.0};  // of a contact
 constexpr double kRounding = 1.0e-9;
-
-using Matrix12 = Eigen::Matrix<double, 12, 12>;
 
 // How the points of a plan push.
 struct Springs {
@@ -92,22 +90,24 @@ Matrix6 put_at_grip(const Vector3& grip_T, double shift, double turn) {
     return matrix;
 }
 
-// A of the header; K and C are over the masses.
-Matrix12 compute_step(const IntegratorSettings& settings, const Matrix6& K, const Matrix6& C,
-                      double h) {
+// A of the header for (x, h v), which are of one size; K and C are over the masses.
+Eigen::MatrixXd compute_step(const IntegratorSettings& settings, const Matrix6& K, const Matrix6& C,
+                             double h) {
     const Matrix6 one = Matrix6::Identity();
-    Matrix12 A;
+    const Matrix6 pull = h * h * K;
+    const Matrix6 drag = h * C;
+    Eigen::MatrixXd A(12, 12);
     switch (settings.integrator) {
         case Integrator::semi_implicit_euler:
-            A << one - h * h * K, h * (one - h * C), -h * K, one - h * C;
+            A << one - pull, one - drag, -pull, one - drag;
             return A;
         case Integrator::verlet: {
             // v' = v - h G (K (x + h v / 2) + C v),  x' = x + h (v + v') / 2
             const bool predicts = settings.verlet_velocity == VerletVelocity::predicted_midpoint;
-            const Matrix6 G = predicts ? Matrix6(one - 0.5 * h * C) : one;
-            const Matrix6 by_x = -h * G * K;
-            const Matrix6 by_v = one - h * G * (0.5 * h * K + C);
-            A << one + 0.5 * h * by_x, 0.5 * h * (one + by_v), by_x, by_v;
+            const Matrix6 G = predicts ? Matrix6(one - 0.5 * drag) : one;
+            const Matrix6 by_x = -G * pull;
+            const Matrix6 by_v = one - G * (0.5 * pull + drag);
+            A << one + 0.5 * by_x, 0.5 * (one + by_v), by_x, by_v;
             return A;
         }
         case Integrator::explicit_euler:
@@ -115,9 +115,9 @@ Matrix12 compute_step(const IntegratorSettings& settings, const Matrix6& K, cons
         case Integrator::backward_euler:
             break;
     }
-    const Matrix12 whole = Matrix12::Identity();
-    Matrix12 rate;  // h L
-    rate << Matrix6::Zero(), h * one, -h * K, -h * C;
+    const Eigen::MatrixXd whole = Eigen::MatrixXd::Identity(12, 12);
+    Eigen::MatrixXd rate(12, 12);  // h L
+    rate << Matrix6::Zero(), one, -pull, -drag;
     if (settings.integrator == Integrator::explicit_euler) {
         return whole + rate;
     }
@@ -126,10 +126,6 @@ Matrix12 compute_step(const IntegratorSettings& settings, const Matrix6& K, cons
         A = whole + rate * A / order;
     }
     return A;
-}
-
-double compute_longest(const Matrix12& A) {
-    return Eigen::EigenSolver<Matrix12>(A, false).eigenvalues().cwiseAbs().maxCoeff();
 }
 
 }  // namespace
@@ -170,11 +166,11 @@ double StepLimit::compute_growth(const VoxelToolSettings& settings, double dt_s)
     for (const Matrix6& contact : contacts_) {
         for (const double share : kShares) {
             const Matrix6 K = held + share * over_masses(contact);
-            longest = std::max(longest,
-                               compute_longest(compute_step(settings.integrator, K, damped, dt_s)));
+            longest = std::max(longest, compute_spectral_radius(
+                                            compute_step(settings.integrator, K, damped, dt_s)));
             if (brakes_) {
-                longest = std::max(
-                    longest, compute_longest(compute_step(settings.integrator, K, braked, dt_s)));
+                longest = std::max(longest, compute_spectral_radius(compute_step(
+                                                settings.integrator, K, braked, dt_s)));
             }
         }
     }

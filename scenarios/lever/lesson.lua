@@ -193,7 +193,7 @@ L:question "how_strong" {
   again = "Multiply: force times arm is the same on both sides.",
   answers = {
     "I need {number} <plural:newton>",
-    "(I|you|we) [(must|have to|can)] (need|press with|push with|use|lift it with) {number} (<plural:newton>|N)",
+    "(I|you|we) [(must|have to|can)] (need|press with|push with|use|lift it with) {number} [(<plural:newton>|N)]",
     "it is {number} (<plural:newton>|N)",
     "{number} (<plural:newton>|N) [(is|are) enough]",
   },

@@ -5,7 +5,7 @@ if(FULCRUM_SANITIZE)
 endif()
 # Objects that only load or speak to people.
 set(load_path
-    error.cpp.o range.cpp.o tool_coupling_settings.cpp.o integrator_settings.cpp.o collision_mesh.cpp.o velocity_settings.cpp.o passivity_settings.cpp.o field_settings.cpp.o
+    error.cpp.o range.cpp.o spectral_radius.cpp.o tool_coupling_settings.cpp.o integrator_settings.cpp.o collision_mesh.cpp.o velocity_settings.cpp.o passivity_settings.cpp.o field_settings.cpp.o
     haptic_loop_build.cpp.o safety_settings.cpp.o pointer_settings.cpp.o simulated_hand_settings.cpp.o simulated_arm_settings.cpp.o
     replay_device_build.cpp.o world_build.cpp.o world_loop_build.cpp.o
     mesh_report.cpp.o solid_moments.cpp.o shape.cpp.o triangle_mesh.cpp.o weld.cpp.o crack.cpp.o mesh_edges.cpp.o convex_hull.cpp.o self_intersection.cpp.o

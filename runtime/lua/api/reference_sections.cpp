@@ -35,7 +35,8 @@ slots and `bodies`; the rest is known after it.
 
 Each `{slot}` of the template that fitted is a field: after "the tennis ball is heavier than the egg", `answer.thing` is
 `"tennis ball"` and `answer.other` is `"egg"`. A slot is the **noun** as it was declared, not the body's name: with
-`name = "b1", noun = "tennis ball"` compare bodies, `answer.bodies.thing == b1`, or `answer.thing == b1.noun`.
+`name = "b1", noun = "tennis ball"` compare bodies, `answer.bodies.thing == b1`, or `answer.thing == b1.noun`. A slot that
+was left out is nil; to ask for one that none of the question's sentences has is a mistake, told with its line.
 
 | field | |
 |---|---|

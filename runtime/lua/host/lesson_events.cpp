@@ -1,9 +1,16 @@
 // Events as Lua tables.
 #include "runtime/lua/api/nouns.h"
+#include "runtime/lua/api/reference_sections.h"
 #include "runtime/lua/host/lesson_host.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace fulcrum::runtime {
 namespace {
+
+constexpr std::uint64_t kWorkASlot = 20;
 
 void set_text(lua_State* lua, const char* field, const std::string& text) {
     lua_pushlstring(lua, text.data(), text.size());
@@ -34,6 +41,59 @@ void set_bodies(lua_State* lua, const LessonContext& context,
     lua_setfield(lua, -2, "bodies");
 }
 
+/// The slots that the question's sentences may fill: "{thing}" and "{thing:other}" give thing and other.
+std::vector<std::string> slots_of(const QuestionDescription& question) {
+    std::vector<std::string> slots;
+    for (const auto* templates : {&question.answers, &question.nearly}) {
+        for (const std::string& sentence : *templates) {
+            for (std::size_t at = sentence.find('{'); at != std::string::npos;
+                 at = sentence.find('{', at + 1)) {
+                const std::string inside = sentence.substr(at + 1, sentence.find('}', at) - at - 1);
+                slots.push_back(inside.substr(inside.find(':') + 1));
+            }
+        }
+    }
+    return slots;
+}
+
+/// __index of an answer. Upvalues: the lesson's context, the question's name.
+int read_unfilled(lua_State* lua) {
+    const auto* context =
+        static_cast<const LessonContext*>(lua_touserdata(lua, lua_upvalueindex(1)));
+    const std::string question = lua_tostring(lua, lua_upvalueindex(2));
+    const std::string name = lua_type(lua, 2) == LUA_TSTRING ? lua_tostring(lua, 2) : "";
+    const auto& all = context->description.questions;
+    const auto asked = std::find_if(
+        all.begin(), all.end(), [&](const QuestionDescription& one) { return one.id == question; });
+    const std::vector<std::string> slots =
+        asked == all.end() ? std::vector{name} : slots_of(*asked);
+    ScriptState::of(lua).charge(lua, 100 + kWorkASlot * slots.size());
+    if (std::ranges::find(answer_fields(), name, &FieldText::name) != answer_fields().end()) {
+        raise_in_lesson(lua, "answer." + name + " is known when `right` has judged, not yet in it");
+    }
+    if (!name.empty() && std::ranges::find(slots, name) == slots.end()) {
+        const std::string near = nearest_word(name, slots);
+        raise_in_lesson(
+            lua, "no sentence of the question \"" + question + "\" has {" + clean_text(name, 40) +
+                     "}; " +
+                     (near.empty() ? "is it spelt right?" : "did you mean answer." + near + "?"));
+    }
+    lua_pushnil(lua);
+    return 1;
+}
+
+/// What the answer's sentence left out is nil; what none of the question's sentences has is a slip of the pen.
+void guard_slots(lua_State* lua, const LessonContext& context, const std::string& question) {
+    lua_newtable(lua);
+    lua_pushlightuserdata(lua, const_cast<LessonContext*>(&context));
+    lua_pushlstring(lua, question.data(), question.size());
+    lua_pushcclosure(lua, &read_unfilled, 2);
+    lua_setfield(lua, -2, "__index");
+    lua_pushboolean(lua, 0);
+    lua_setfield(lua, -2, "__metatable");
+    lua_setmetatable(lua, -2);
+}
+
 const char* name_of(BodyEvent::Kind kind) {
     constexpr const char* kNames[] = {"caught", "landed", "touched", "released"};
     return kNames[static_cast<std::size_t>(kind)];
@@ -54,6 +114,7 @@ void push_answer(lua_State* lua, const LessonContext& context, const AnsweredEve
     set_flag(lua, "turned_round", answer.turned_round);
     lua_pushinteger(lua, answer.attempt);
     lua_setfield(lua, -2, "attempt");
+    guard_slots(lua, context, answer.question);
 }
 
 void push_event(lua_State* lua, const LessonContext& context, const LessonEvent& event) {
@@ -76,6 +137,7 @@ void push_event(lua_State* lua, const LessonContext& context, const LessonEvent&
         set_slots(lua, judge->slots);
         set_bodies(lua, context, judge->slots);
         set_text(lua, "question", judge->question);
+        guard_slots(lua, context, judge->question);
     } else {
         lua_newtable(lua);
         set_text(lua, "name", "ready");

@@ -166,6 +166,24 @@ TEST_CASE("conversation: the opposite of what is asked is named, called neither 
     CHECK(talk.respond(talk.hear("the egg is lighter"), false).kind == FeedbackKind::moved_on);
 }
 
+TEST_CASE("conversation: who wants help gets it at once, and then more") {
+    for (const char* said : {"I don't know.", "i do not know", "Help me, please!"}) {
+        Conversation talk(words());
+        talk.ask(heavier());
+        const Feedback first = talk.respond(talk.hear(said), false);
+        CHECK(first.keys == std::vector<std::string>{"feedback.not_understood.2"});
+        CHECK(first.ask_again);
+        CHECK(talk.respond(talk.hear("mumble"), false).keys ==
+              std::vector<std::string>{"feedback.not_understood.3"});
+        // The next question begins anew.
+        CHECK(answer(talk, heavier(), "mumble").keys ==
+              std::vector<std::string>{"feedback.not_understood.1"});
+    }
+    Conversation talk(words());
+    CHECK(answer(talk, heavier(), "I know").keys ==
+          std::vector<std::string>{"feedback.not_understood.1"});
+}
+
 TEST_CASE("conversation: thing and material that changed places are a wrong meaning of their own") {
     Conversation talk(words());
     const Question question = made_of_what();

@@ -32,6 +32,12 @@ TEST_CASE("sentences: the canonical one has the right article and verb, and noth
           "A watermelon is the heaviest.");
 }
 
+TEST_CASE("sentences: who speaks is I, however a template writes it") {
+    const Question think =
+        compiled({"think", "?", {"now i think it is {thing}"}, {{"thing", {"Mars"}}}});
+    CHECK(canonical(think, {{"thing", "Mars"}}) == "Now I think it is Mars.");
+}
+
 TEST_CASE("sentences: phrases, emphasis and gaps") {
     const auto pieces = canonical_pieces(*heaviest().templates, 0, {{"thing", "egg"}});
     REQUIRE(pieces.size() == 5);

@@ -62,6 +62,30 @@ TEST_CASE("events: the answer key sees the slots and its truth is the verdict") 
     CHECK(lesson.commands<VerdictCommand>()[0].question == "q");
 }
 
+TEST_CASE(
+    "events: a slot that no sentence of the question has is a mistake, one that was left out is "
+    "nil") {
+    const std::string question =
+        "L:question 'q' { prompt = '?', answers = { '[the] {thing} is {size:how}', 'it is {size}' "
+        "},\n"
+        "lists = { size = { 'big' } }, right = function(a) return ";
+    const std::string start = "function L:start(world) world:body { name = 'egg' } end\n";
+    const JudgeEvent judged{"q", {{"thing", "egg"}, {"how", "big"}}};
+    const auto play = [&](const char* right) {
+        HostedLesson lesson;
+        REQUIRE(lesson.load((start + question + right + " end }").c_str()) == "");
+        return lesson.play(lesson.frame({judged}));
+    };
+    CHECK(play("a.thing == 'egg' and a.how == 'big' and a.size == nil") == "");
+    CHECK_THAT(play("a.thnig == 'egg'"),
+               Catch::Contains("lesson.lua:4: no sentence of the question \"q\" has {thnig}; did "
+                               "you mean answer.thing?"));
+    CHECK_THAT(play("a.colour"), Catch::Contains("has {colour}; is it spelt right?"));
+    CHECK_THAT(play("a.attempt < 2"),
+               Catch::Contains("answer.attempt is known when `right` has judged"));
+    CHECK(play("getmetatable(a)") == "");
+}
+
 TEST_CASE("events: the reference names exactly the fields that each event has") {
     HostedLesson lesson;
     REQUIRE(lesson.load("function L:start(world) world:body { name = 'egg' } L:listen(function(e) "
