@@ -1,0 +1,99 @@
+#include "haptics/flight/flat_plate.h"
+
+#include "haptics/math/length.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kLongestRatio = 50.0;  // beyond it a plate is as good as endless
+
+// The coefficient along the normal, and the same times the share of the chord by which it acts upstream of the middle.
+struct NormalForce {
+    double coefficient = 0.0;
+    double lever = 0.0;
+};
+
+NormalForce compute_cross_flow(double aspect_ratio, double sine, double cosine) noexcept {
+    const double attached = compute_lift_slope(aspect_ratio) * sine * cosine;
+    return {attached + compute_broadside_drag(aspect_ratio) * sine * sine, 0.25 * attached};
+}
+
+NormalForce compute_separated(double aspect_ratio, double sine, double cosine) noexcept {
+    const double coefficient = compute_broadside_drag(aspect_ratio) * sine;
+    return {coefficient, coefficient * 0.75 * cosine / (4.0 + kPi * sine)};
+}
+
+NormalForce compute_thin_plate(double aspect_ratio, double sine, double cosine) noexcept {
+    const double angle_rad = std::atan2(sine, cosine);
+    const double lift = 2.0 * kPi * angle_rad / (1.0 + 2.0 * angle_rad / aspect_ratio);
+    const double drag = 1.28 * sine + lift * lift / (0.7 * kPi * aspect_ratio);
+    const double coefficient = lift * cosine + drag * sine;
+    return {coefficient, 0.25 * coefficient};
+}
+
+NormalForce compute_normal_force(PlateLaw law, double aspect_ratio, double sine,
+                                 double cosine) noexcept {
+    switch (law) {
+        case PlateLaw::separated:
+            return compute_separated(aspect_ratio, sine, cosine);
+        case PlateLaw::thin_plate:
+            return compute_thin_plate(aspect_ratio, sine, cosine);
+        case PlateLaw::cross_flow:
+            break;
+    }
+    return compute_cross_flow(aspect_ratio, sine, cosine);
+}
+
+}  // namespace
+
+std::string_view to_string(PlateLaw law) noexcept {
+    constexpr std::array<std::string_view, 3> kNames{"cross flow", "separated", "thin plate"};
+    return kNames[static_cast<std::size_t>(law)];
+}
+
+double compute_lift_slope(double aspect_ratio) noexcept {
+    return 2.0 * kPi * aspect_ratio / (2.0 + std::sqrt(aspect_ratio * aspect_ratio + 4.0));
+}
+
+double compute_broadside_drag(double aspect_ratio) noexcept {
+    return 1.11 + 0.018 * std::min(aspect_ratio, kLongestRatio);
+}
+
+double compute_normal_coefficient(PlateLaw law, double aspect_ratio, double angle_rad) noexcept {
+    return compute_normal_force(law, aspect_ratio, std::sin(angle_rad), std::cos(angle_rad))
+        .coefficient;
+}
+
+PlateForce compute_plate_force(PlateLaw law, const FlatPlate& plate, double density_kg_per_m3,
+                               const Vector3& flow) noexcept {
+    const double speed_m_per_s = compute_length(flow);
+    if (!(speed_m_per_s > 0.0)) {
+        return {};
+    }
+    // Across and along.
+    const double across_m_per_s = plate.normal.dot(flow);
+    const Vector3 along = flow - across_m_per_s * plate.normal;
+    const double along_m_per_s = compute_length(along);
+    const NormalForce normal =
+        compute_normal_force(law, plate.aspect_ratio, std::abs(across_m_per_s) / speed_m_per_s,
+                             along_m_per_s / speed_m_per_s);
+    const double scale_N = 0.5 * density_kg_per_m3 * plate.area_m2;
+    const double pressure_N =
+        std::copysign(scale_N * speed_m_per_s * speed_m_per_s, across_m_per_s);
+    PlateForce result;
+    result.force = pressure_N * normal.coefficient * plate.normal +
+                   scale_N * kPlateFriction * along_m_per_s * along;
+    // Upstream of the middle, as far as the stream goes along the chord.
+    if (along_m_per_s > 0.0) {
+        const double upstream_m = -plate.chord_m * plate.chord.dot(along) / along_m_per_s;
+        result.torque = upstream_m * pressure_N * normal.lever * plate.chord.cross(plate.normal);
+    }
+    return result;
+}
+
+}  // namespace fulcrum

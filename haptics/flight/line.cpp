@@ -1,0 +1,173 @@
+// The step path of line.h.
+#include "haptics/flight/line.h"
+
+#include "haptics/dynamics/rigid_body.h"
+#include "haptics/math/length.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kShortest_m = 0.5;
+constexpr double kLongestShare = 4.0;       // of the length it was made with
+constexpr double kGround_rad_per_s = 60.0;  // how quickly the ground pushes a node out
+
+}  // namespace
+
+void Line::lay(const Vector3& hand_W, const Vector3& end_W) noexcept {
+    const double n = static_cast<double>(segments_.size());
+    for (std::size_t i = 0; i < nodes_W_.size(); ++i) {
+        nodes_W_[i] = hand_W + static_cast<double>(i) / n * (end_W - hand_W);
+        velocities_W_[i].setZero();
+    }
+    hand_force_W_.setZero();
+    end_force_W_.setZero();
+    snapped_ = false;
+}
+
+void Line::set_length_m(double length_m) noexcept {
+    length_m_ = std::clamp(length_m, kShortest_m, kLongestShare * settings_.length_m);
+}
+
+Line::Segment Line::compute_segment(std::size_t i, double dt_s) const noexcept {
+    const Vector3 way = nodes_W_[i + 1] - nodes_W_[i];
+    const double length_m = compute_length(way);
+    const double rest_m = length_m_ / static_cast<double>(segments_.size());
+    if (!(length_m > rest_m)) {
+        return {Vector3::Zero(), Matrix3::Zero()};
+    }
+    const Vector3 t = way / length_m;
+    const double stiffness_N_per_m = settings_.stretch_N / rest_m;
+    const Matrix3 along = t * t.transpose();
+    const double sideways_N_per_m = stiffness_N_per_m * (1.0 - rest_m / length_m);
+    return {stiffness_N_per_m * (length_m - rest_m) * t,
+            sideways_N_per_m * (Matrix3::Identity() - along) +
+                stiffness_N_per_m * (1.0 + settings_.damping_s / dt_s) * along};
+}
+
+// Weight, air and ground of `share` of a segment's line around node i.
+void Line::add_surroundings(std::size_t i, double dt_s, double share,
+                            const LineSurroundings& around, Vector3& force_W,
+                            Matrix3& matrix) const noexcept {
+    const double piece_m = share * length_m_ / static_cast<double>(segments_.size());
+    const double mass_kg = piece_m * settings_.mass_kg_per_m;
+    force_W += mass_kg * around.gravity_W;
+    // The air, across the line.
+    const Vector3 t = compute_direction(
+        Vector3(nodes_W_[std::min(i + 1, segments_.size())] - nodes_W_[i > 0 ? i - 1 : 0]));
+    const Matrix3 across = Matrix3::Identity() - t * t.transpose();
+    const Vector3 wind_W = compute_wind_W(around.wind, around.gusts, nodes_W_[i]);
+    const Vector3 flow_W = across * (wind_W - velocities_W_[i]);
+    const double drag_Ns_per_m = 0.5 * kAirDensity_kg_per_m3 * settings_.drag_coefficient *
+                                 settings_.diameter_m * piece_m * compute_length(flow_W);
+    force_W += drag_Ns_per_m * across * wind_W;
+    matrix += drag_Ns_per_m / dt_s * across;
+    // The ground, and its grass.
+    const double depth_m = around.wind.ground_m - nodes_W_[i].y();
+    if (depth_m > 0.0) {
+        const double stiffness_N_per_m = mass_kg * kGround_rad_per_s * kGround_rad_per_s;
+        const double damping_Ns_per_m = 2.0 * mass_kg * kGround_rad_per_s;
+        force_W.y() += stiffness_N_per_m * depth_m;
+        matrix(1, 1) += stiffness_N_per_m;
+        matrix.diagonal().array() += damping_Ns_per_m / dt_s;
+    }
+}
+
+LinePull Line::begin_step(const Vector3& hand_W, double dt_s,
+                          const LineSurroundings& around) noexcept {
+    dt_s_ = dt_s;
+    ways_W_[0] = hand_W - nodes_W_[0];
+    velocities_W_[0] = ways_W_[0] / dt_s;
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+        segments_[i] = compute_segment(i, dt_s);
+    }
+    sweep(dt_s, around);
+    // Half a segment hangs on each end.
+    Matrix3 hand_matrix = Matrix3::Zero();
+    hand_load_W_.setZero();
+    add_surroundings(0, dt_s, 0.5, around, hand_load_W_, hand_matrix);
+    hand_load_W_ -= hand_matrix * ways_W_[0];
+    const std::size_t end = segments_.size();
+    if (snapped_) {
+        return {Vector3::Zero(), Matrix3::Zero(), nodes_W_[end]};
+    }
+    LinePull pull;
+    pull.from_W = nodes_W_[end];
+    Matrix3 end_matrix = Matrix3::Zero();
+    add_surroundings(end, dt_s, 0.5, around, pull.force_W, end_matrix);
+    // The last segment with what the sweep knows of its first node.
+    const Segment& last = segments_[end - 1];
+    pull.force_W -= last.pull_W;
+    pull.slope_W = -last.slope_W - end_matrix;
+    if (end == 1) {
+        pull.force_W += last.slope_W * ways_W_[0];
+    } else {
+        pull.force_W += last.slope_W * solved_[end - 1];
+        pull.slope_W += last.slope_W * inverse_[end - 1] * last.slope_W;
+    }
+    return pull;
+}
+
+// From the hand outwards: D_i = A_i - S D_(i-1)^-1 S, and what is left over of the right-hand side.
+void Line::sweep(double dt_s, const LineSurroundings& around) noexcept {
+    const double n = static_cast<double>(segments_.size());
+    const double mass_kg = settings_.mass_kg_per_m * length_m_ / n;
+    const std::size_t end = segments_.size();
+    const std::size_t last = snapped_ ? end : end - 1;
+    for (std::size_t i = 1; i <= last; ++i) {
+        const double share = i == end ? 0.5 : 1.0;
+        const Segment& before = segments_[i - 1];
+        Matrix3 matrix = before.slope_W;
+        matrix.diagonal().array() += share * mass_kg / (dt_s * dt_s);
+        Vector3 right = share * mass_kg / dt_s * velocities_W_[i] - before.pull_W;
+        if (i < end) {
+            matrix += segments_[i].slope_W;
+            right += segments_[i].pull_W;
+        }
+        add_surroundings(i, dt_s, share, around, right, matrix);
+        if (i == 1) {
+            right += before.slope_W * ways_W_[0];
+        } else {
+            matrix -= before.slope_W * inverse_[i - 1] * before.slope_W;
+            right += before.slope_W * solved_[i - 1];
+        }
+        inverse_[i] = matrix.inverse();
+        solved_[i] = inverse_[i] * right;
+    }
+}
+
+// Back to the hand: d_i = D_i^-1 (r_i + S_i d_(i+1)).
+void Line::solve_back(std::size_t last) noexcept {
+    for (std::size_t i = last; i > 0; --i) {
+        ways_W_[i] = solved_[i];
+        if (i < segments_.size()) {
+            ways_W_[i] += inverse_[i] * (segments_[i].slope_W * ways_W_[i + 1]);
+        }
+    }
+}
+
+void Line::end_step(const Vector3& end_W) noexcept {
+    const std::size_t end = segments_.size();
+    if (snapped_) {
+        solve_back(end);
+        end_force_W_.setZero();
+    } else {
+        ways_W_[end] = end_W - nodes_W_[end];
+        solve_back(end - 1);
+    }
+    // What both ends feel, by the step's own forces.
+    const Segment& first = segments_[0];
+    hand_force_W_ = hand_load_W_ + first.pull_W + first.slope_W * (ways_W_[1] - ways_W_[0]);
+    if (!snapped_) {
+        const Segment& last = segments_[end - 1];
+        end_force_W_ = -last.pull_W - last.slope_W * (ways_W_[end] - ways_W_[end - 1]);
+    }
+    for (std::size_t i = 0; i < nodes_W_.size(); ++i) {
+        nodes_W_[i] += ways_W_[i];
+        velocities_W_[i] = ways_W_[i] / dt_s_;
+    }
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,202 @@
+#include "haptics/flight/line.h"
+
+#include "haptics/dynamics/rigid_body.h"
+#include "haptics/flight/catenary.h"
+#include "haptics/math/length.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kDt_s = 0.002;
+
+// What a line of its own hangs in.
+struct Scene {
+    WindSettings wind;
+    GustState gusts;
+    Vector3 gravity_W{0.0, -9.81, 0.0};
+    Scene() {
+        wind.speed_m_per_s = 0.0;
+        wind.ground_m = -1000.0;
+    }
+    [[nodiscard]] LineSurroundings around() const { return {gravity_W, wind, gusts}; }
+    // Both ends held there until it hangs still. Where it does is the same whatever the step; longer ones calm it sooner.
+    void settle(Line& line, const Vector3& hand_W, const Vector3& end_W, double seconds,
+                double dt_s = kDt_s) const {
+        line.lay(hand_W, end_W);
+        for (int i = 0; i < static_cast<int>(seconds / dt_s); ++i) {
+            (void)line.begin_step(hand_W, dt_s, around());
+            line.end_step(end_W);
+        }
+    }
+};
+
+// The pull at the far end of a line that hangs between two places, and half a segment's weight with it.
+Vector3 find_pull(int segments, const Vector3& end_W) {
+    LineSettings settings;
+    settings.segments = segments;
+    settings.mass_kg_per_m = 0.01;
+    settings.drag_coefficient = 0.0;
+    Line line(settings);
+    const Scene scene;
+    scene.settle(line, Vector3::Zero(), end_W, 200.0, 0.1);
+    return line.end_force_W() + 20.0 / segments * 0.5 * 0.01 * scene.gravity_W;
+}
+
+// Of motion, height above the ground at 0 and stretch.
+double compute_energy_J(const Line& line) {
+    const double n = line.settings().segments;
+    const double rest_m = line.length_m() / n;
+    double energy_J = 0.0;
+    for (std::size_t k = 1; k < line.nodes_W().size(); ++k) {
+        const double share = k + 1 == line.nodes_W().size() ? 0.5 : 1.0;
+        energy_J += share * line.settings().mass_kg_per_m * rest_m *
+                    (0.5 * line.velocities_W()[k].squaredNorm() +
+                     9.81 * std::max(line.nodes_W()[k].y(), 0.0));
+        const double stretch_m = (line.nodes_W()[k] - line.nodes_W()[k - 1]).norm() - rest_m;
+        energy_J +=
+            0.5 * line.settings().stretch_N / rest_m * std::pow(std::max(stretch_m, 0.0), 2);
+    }
+    return energy_J;
+}
+
+double catenary_error(int segments, const Vector3& end_W) {
+    const auto pull = compute_catenary({20.0, 0.01 * 9.81, 500.0}, end_W.x(), end_W.y());
+    return (find_pull(segments, end_W) - Vector3(-pull->level_N, -pull->up_top_N, 0.0)).norm() /
+           std::hypot(pull->level_N, pull->up_top_N);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "line: hangs as the catenary does, slack and taut, the error with the square of the segments") {
+    const Vector3 slack(15.0, 8.0, 0.0);
+    const double coarse = catenary_error(8, slack);
+    const double fine = catenary_error(32, slack);
+    CHECK(fine < 1.0e-3);
+    CHECK(coarse / fine > 10.0);
+    CHECK(catenary_error(16, {15.0, 14.0, 0.0}) < 1.0e-3);
+}
+
+TEST_CASE("line: taut, it pulls by its stretch at both ends; slack, it never pushes") {
+    Scene scene;
+    scene.gravity_W.setZero();
+    for (const int segments : {1, 2, 16}) {
+        LineSettings settings;
+        settings.segments = segments;
+        Line line(settings);
+        scene.settle(line, {1.0, 2.0, 3.0}, {21.2, 2.0, 3.0}, 1.0);
+        CHECK((line.end_force_W() - Vector3(-5.0, 0.0, 0.0)).norm() < 1.0e-6);
+        CHECK((line.hand_force_W() - Vector3(5.0, 0.0, 0.0)).norm() < 1.0e-6);
+        scene.settle(line, {1.0, 2.0, 3.0}, {15.0, 2.0, 3.0}, 1.0);
+        CHECK(line.end_force_W().norm() < 1.0e-9);
+        CHECK(line.hand_force_W().norm() < 1.0e-9);
+    }
+}
+
+TEST_CASE("line: the wind across it is carried by both ends, that along it by none") {
+    Scene scene;
+    scene.gravity_W.setZero();
+    scene.wind.speed_m_per_s = 10.0;
+    scene.wind.ground_m = 0.0;
+    LineSettings settings;
+    settings.stretch_N = 1.0e5;
+    Line line(settings);
+    // 10 m high everywhere, across the wind, just taut.
+    scene.settle(line, {0.0, 10.0, 0.0}, {0.0, 10.0, 20.02}, 10.0);
+    const double expected_N = 0.5 * kAirDensity_kg_per_m3 * 1.1 * 7.0e-4 * 20.0 * 100.0;
+    const double carried_N = line.end_force_W().x() + line.hand_force_W().x();
+    CHECK(carried_N + expected_N / 16 * 0.5 == Approx(expected_N).epsilon(0.01));
+    scene.settle(line, {0.0, 10.0, 0.0}, {20.02, 10.0, 0.0}, 1.0);
+    CHECK(line.end_force_W().x() + line.hand_force_W().x() == Approx(0.0).margin(1.0e-6));
+}
+
+TEST_CASE("line: the open end's pull is what the closed step gives") {
+    Scene scene;
+    scene.gravity_W.setZero();
+    Random random(5);
+    for (const int segments : {1, 2, 7}) {
+        LineSettings settings;
+        settings.segments = segments;
+        settings.drag_coefficient = 0.0;
+        Line line(settings);
+        line.lay(Vector3::Zero(), {19.0, 8.0, 3.0});
+        for (int i = 0; i < 50; ++i) {
+            const Vector3 hand_W = 0.02 * random.in_cube();
+            const Vector3 end_W = line.nodes_W().back() + 0.02 * random.in_cube();
+            const LinePull pull = line.begin_step(hand_W, kDt_s, scene.around());
+            const Vector3 told_N = pull.force_W + pull.slope_W * (end_W - pull.from_W);
+            line.end_step(end_W);
+            CHECK((told_N - line.end_force_W()).norm() < 1.0e-6 * (1.0 + told_N.norm()));
+            // It yields, never the other way.
+            CHECK(pull.slope_W.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff() < 1.0e-6);
+        }
+    }
+}
+
+TEST_CASE("line: a snapped one falls, gains no energy, and comes to lie on the ground") {
+    Scene scene;
+    scene.wind.ground_m = 0.0;
+    LineSettings settings;
+    Line line(settings);
+    const Vector3 hand_W(0.0, 1.0, 0.0);
+    line.lay(hand_W, {12.0, 17.0, 0.0});
+    line.snap();
+    double last_J = compute_energy_J(line);
+    for (int i = 0; i < 20000; ++i) {
+        CHECK(line.begin_step(hand_W, kDt_s, scene.around()).force_W == Vector3::Zero());
+        line.end_step(Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
+        // A step is linearised, so what turns quickly may gain a little in one; not over a tenth of a second.
+        if (i % 50 == 49) {
+            const double energy_J = compute_energy_J(line);
+            REQUIRE(energy_J <= last_J + 1.0e-9);
+            last_J = energy_J;
+        }
+    }
+    CHECK(line.is_snapped());
+    CHECK(line.end_force_W() == Vector3::Zero());
+    for (std::size_t k = 4; k < line.nodes_W().size(); ++k) {
+        CHECK(std::abs(line.nodes_W()[k].y()) < 0.02);
+        CHECK(line.velocities_W()[k].norm() < 0.02);
+    }
+}
+
+TEST_CASE("line: let out, it slackens; its length stays within bounds") {
+    Scene scene;
+    Line line(LineSettings{});
+    scene.settle(line, Vector3::Zero(), {16.0, 13.0, 0.0}, 1.0);
+    CHECK(line.end_force_W().norm() > 5.0);
+    line.set_length_m(22.0);
+    for (int i = 0; i < 3000; ++i) {
+        (void)line.begin_step(Vector3::Zero(), kDt_s, scene.around());
+        line.end_step({16.0, 13.0, 0.0});
+    }
+    CHECK(line.end_force_W().norm() < 0.5);
+    line.set_length_m(1000.0);
+    CHECK(line.length_m() == Approx(80.0));
+    line.set_length_m(0.0);
+    CHECK(line.length_m() == Approx(0.5));
+}
+
+TEST_CASE("line: refuses settings that no line has") {
+    CHECK(validate(LineSettings{}));
+    const auto refused = [](auto change) {
+        LineSettings line;
+        change(line);
+        return !validate(line);
+    };
+    CHECK(refused([](LineSettings& line) { line.length_m = 0.0; }));
+    CHECK(refused([](LineSettings& line) { line.segments = 0; }));
+    CHECK(refused([](LineSettings& line) { line.segments = kMostLineSegments + 1; }));
+    CHECK(refused([](LineSettings& line) { line.mass_kg_per_m = 0.0; }));
+    CHECK(refused([](LineSettings& line) { line.stretch_N = 0.0; }));
+    CHECK(refused([](LineSettings& line) { line.strength_N = std::nan(""); }));
+}
