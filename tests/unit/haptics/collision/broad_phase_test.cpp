@@ -1,0 +1,93 @@
+#include "haptics/collision/broad_phase.h"
+
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace fulcrum {
+namespace {
+
+std::vector<BodyPair> try_all(const std::vector<Box>& boxes,
+                              const std::vector<std::uint8_t>& moves) {
+    std::vector<BodyPair> pairs;
+    for (std::size_t a = 0; a < boxes.size(); ++a) {
+        for (std::size_t b = a + 1; b < boxes.size(); ++b) {
+            if (boxes[a].overlaps(boxes[b]) && (moves[a] != 0 || moves[b] != 0)) {
+                pairs.push_back({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)});
+            }
+        }
+    }
+    return pairs;
+}
+
+Box make_box_round(const Vector3& middle, const Vector3& half) {
+    return {middle - half, middle + half};
+}
+
+TEST_CASE("broad phase: exactly the pairs that overlap, while boxes wander, jump, come and go") {
+    Random random(1);
+    BroadPhase broad_phase(100, 5000);
+    std::vector<Vector3> places(100);
+    std::size_t n_found = 0;
+    for (int step = 0; step < 300; ++step) {
+        // Spread along one axis after another; now and then all jump.
+        const Vector3 spread = Vector3::Constant(0.3) + 4.0 * Vector3::Unit(step / 50 % 3);
+        std::vector<Box> boxes;
+        std::vector<std::uint8_t> moves;
+        const std::size_t n = step % 7 == 0 ? 60 : 100;
+        for (std::size_t i = 0; i < n; ++i) {
+            const bool jumps = step % 50 == 0;
+            places[i] = jumps ? Vector3(spread.cwiseProduct(random.in_cube()))
+                              : Vector3(places[i] + 0.02 * random.in_cube());
+            boxes.push_back(
+                make_box_round(places[i], Vector3::Constant(0.1 + 0.001 * static_cast<double>(i))));
+            moves.push_back(i % 5 == 0 ? 0 : 1);
+            if (step % 3 == 0 && i % 20 == 7) {
+                boxes.back().lower.setConstant(std::nan(""));
+            }
+        }
+        const auto pairs = broad_phase.find_pairs(boxes, moves);
+        const auto expected = try_all(boxes, moves);
+        REQUIRE(std::ranges::equal(pairs, expected));
+        REQUIRE(broad_phase.n_dropped() == 0);
+        n_found += pairs.size();
+    }
+    CHECK(n_found > 3000);
+}
+
+TEST_CASE(
+    "broad phase: boxes that only touch, equal ones, and one without end meet all they should") {
+    constexpr double kEndless = std::numeric_limits<double>::infinity();
+    const std::vector<Box> boxes{{Vector3::Constant(-kEndless), Vector3::Constant(kEndless)},
+                                 make_box_round({0.0, 0.5, 0.0}, Vector3::Constant(0.5)),
+                                 make_box_round({0.0, 1.5, 0.0}, Vector3::Constant(0.5)),
+                                 make_box_round({0.0, 1.5, 0.0}, Vector3::Constant(0.5))};
+    const std::vector<std::uint8_t> moves{0, 1, 1, 1};
+    BroadPhase broad_phase(4, 10);
+    CHECK(std::ranges::equal(broad_phase.find_pairs(boxes, moves), try_all(boxes, moves)));
+    CHECK(broad_phase.find_pairs(boxes, moves).size() == 6);
+}
+
+TEST_CASE("broad phase: what has no room is counted, and a box that is none meets nobody") {
+    std::vector<Box> boxes(5, make_box_round(Vector3::Zero(), Vector3::Ones()));
+    const std::vector<std::uint8_t> moves(5, 1);
+    BroadPhase few(5, 4);
+    CHECK(few.find_pairs(boxes, moves).size() == 4);
+    CHECK(few.n_dropped() == 6);
+    boxes[2].lower.setConstant(std::nan(""));
+    boxes[2].upper.setConstant(std::nan(""));
+    BroadPhase enough(5, 10);
+    CHECK(std::ranges::equal(enough.find_pairs(boxes, moves), try_all(boxes, moves)));
+    CHECK(enough.find_pairs(boxes, moves).size() == 6);
+    BroadPhase small(3, 10);
+    CHECK(small.find_pairs(boxes, moves).size() == 1);
+}
+
+}  // namespace
+}  // namespace fulcrum
