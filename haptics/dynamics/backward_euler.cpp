@@ -142,6 +142,13 @@ void forget_worse(bool is_best, int n_changes, Vector6& change) noexcept {
     }
 }
 
+// The last change of base counts only where nothing better than the first guess was found: that one has felt no load yet.
+void keep_best(bool is_first, Vector6& change) noexcept {
+    if (!is_first) {
+        change.setZero();
+    }
+}
+
 }  // namespace
 
 StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia& inertia,
@@ -153,6 +160,7 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
     Vector6 change = Vector6::Zero();
     double base_size = std::numeric_limits<double>::infinity();
     bool is_whole = false;  // the change is all of a step of Newton
+    bool is_first = true;   // base is the first guess
     int n_slow = 0;
     StepResult result{StepStatus::iterations_spent, 0};
     const int last = find_last_look(settings);
@@ -173,6 +181,7 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
         if (is_best) {
             base = velocity;
             base_size = guess.size;
+            is_first = i == 0;
         }
         if (is_end) {
             result.status = StepStatus::done;
@@ -181,6 +190,11 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
         }
         if (i == std::max(last, 1)) {
             change.setZero();
+            break;
+        }
+        if (i > 0 && !load.has_time()) {
+            result.status = StepStatus::out_of_time;
+            keep_best(is_first, change);
             break;
         }
         if (!is_best) {

@@ -71,6 +71,7 @@ struct IntegratorSettings {
 enum class StepStatus : std::uint8_t {
     done,  ///< explicit methods; backward Euler within its tolerances, or as near as the loads can tell
     iterations_spent,  ///< moved by the best guess; by the only one where newton_iterations is 1
+    out_of_time,       ///< the loads had no time for another look (load.h): likewise
     singular,          ///< the linear system has no solution
     not_finite         ///< NaN or infinity in the state, the loads or the result
 };
@@ -79,7 +80,8 @@ struct StepResult {
     StepStatus status = StepStatus::done;
     int n_solves = 0;  ///< linear solves; backward Euler makes at least one
     [[nodiscard]] bool moved() const noexcept {
-        return status == StepStatus::done || status == StepStatus::iterations_spent;
+        return status == StepStatus::done || status == StepStatus::iterations_spent ||
+               status == StepStatus::out_of_time;
     }
 };
 

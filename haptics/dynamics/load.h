@@ -1,8 +1,8 @@
 // What acts on a rigid body: the one interface between integrators and forces.
 //
 // A load answers two questions: its wrench at a state and a time, and the same with its derivatives by pose and velocity
-// (wrench_jacobian.h says which perturbation). Explicit integrators ask the first, backward Euler the second. Both *add*,
-// so that several loads act together. A load is set before a step and stays as it is while the step asks, as often as it
+// (wrench_jacobian.h says which perturbation). Explicit integrators ask the first, backward Euler the second, and that as often as
+// there is time. Both *add*, so that several loads act together. A load is set before a step and stays as it is while the step asks, as often as it
 // likes; `time_s` lies within the step.
 //
 // Thread: that of the step. Cost: one virtual call a load and question; `Loads` makes one of several at no further cost.
@@ -23,6 +23,8 @@ class Load {
     /// The same, and adds the derivatives at that state.
     virtual void add_linearised_wrench(const RigidState& state, double time_s, Wrench& wrench,
                                        WrenchJacobian& jacobian) const noexcept = 0;
+    /// Whether a solver may ask again; one that iterates ends with its best where it may not.
+    [[nodiscard]] virtual bool has_time() const noexcept { return true; }
 
   protected:
     // Never deleted through this interface, so a step's code holds no deleting destructor.
@@ -51,6 +53,9 @@ class Loads final : public Load {
                 (part.add_linearised_wrench(state, time_s, wrench, jacobian), ...);
             },
             parts_);
+    }
+    [[nodiscard]] bool has_time() const noexcept override {
+        return std::apply([](const auto&... part) { return (part.has_time() && ...); }, parts_);
     }
 
   private:

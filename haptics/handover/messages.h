@@ -69,6 +69,18 @@ struct PortEnergy {
     double braked_J = 0.0;  ///< taken back so far by the controller's brake
 };
 
+/// What a step of a tool took, and what it left out.
+struct ToolEffort {
+    std::int64_t n_looks = 0;   ///< of its solver, at all that is near
+    std::int64_t n_points = 0;  ///< looked at, in all looks together
+    double error_N = 0.0;  ///< how far the points' force may be off for those that were left out
+    bool in_time = true;   ///< false: the solver ended with the best it had, as its time was over
+    // So far:
+    double most_error_N = 0.0;
+    std::uint64_t n_inexact = 0;  ///< steps that left out points
+    std::uint64_t n_cut = 0;      ///< steps that were not in time
+};
+
 /// Haptic loop -> world, lesson and picture, newest value.
 struct HapticState {
     std::uint64_t tick = 0;
@@ -88,6 +100,7 @@ struct HapticState {
     std::uint32_t buttons = 0;            ///< one bit a button
     Fault faults = Fault::none;
     GatePhase gate = GatePhase::waiting;
+    ToolEffort tool{};  ///< of this round; nothing without a tool
 };
 
 /// Lesson -> world, ring.

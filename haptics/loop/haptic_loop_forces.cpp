@@ -32,6 +32,7 @@ void HapticLoop::move_tool() noexcept {
     if (tool_force_.failed) {
         state_.faults |= Fault::command_invalid;
     }
+    state_.tool = tool_->effort();
     state_.proxy_position_W = tool_->pose_W().position;
     state_.proxy_orientation_W = tool_->pose_W().orientation;
     state_.touched_body = solids_->body_of(tool_->solid());

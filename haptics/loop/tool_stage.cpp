@@ -71,6 +71,15 @@ void ToolStage::follow_hand(const ToolRound& round) noexcept {
     pose_W_ = round.hand.pose_W;
     solid_ = kNoBody;
     std::ranges::fill(pushes_, SolidPush{});
+    add_up({});
+}
+
+void ToolStage::add_up(const ToolEffort& step) noexcept {
+    const ToolEffort before = effort_;
+    effort_ = step;
+    effort_.most_error_N = std::max(before.most_error_N, step.error_N);
+    effort_.n_inexact = before.n_inexact + (step.error_N > 0.0 ? 1 : 0);
+    effort_.n_cut = before.n_cut + (step.in_time ? 0 : 1);
 }
 
 void ToolStage::tell_pushes(const Wrench& felt_W) noexcept {
@@ -134,6 +143,7 @@ ToolForce ToolStage::step(const ToolRound& round) noexcept {
         is_engaged_ = false;
         return force;
     }
+    add_up(felt.effort);
     pose_W_ = tool_->grip_W();
     tell_pushes(felt.felt_W);
     // What the hand feels of it.

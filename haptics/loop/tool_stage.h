@@ -59,6 +59,8 @@ class ToolStage {
     /// The hand has jumped, or a solid was put elsewhere: nothing is felt until the tool is free.
     void let_go() noexcept { is_engaged_ = false; }
 
+    /// Of the last step, and so far.
+    [[nodiscard]] const ToolEffort& effort() const noexcept { return effort_; }
     /// Where the tool's handle is.
     [[nodiscard]] const Pose& pose_W() const noexcept { return pose_W_; }
     /// Index in the plan of the solid that is pressed hardest; kNoBody where none is.
@@ -77,6 +79,7 @@ class ToolStage {
     void follow_solids(const ToolRound& round) noexcept;
     void follow_hand(const ToolRound& round) noexcept;
     void tell_pushes(const Wrench& felt_W) noexcept;
+    void add_up(const ToolEffort& step) noexcept;
 
     std::unique_ptr<ToolSolver> tool_;
     double scale_;
@@ -84,6 +87,7 @@ class ToolStage {
     std::vector<MovingFrame> frames_;  // of the solids, for the tool
     std::vector<SolidPush> pushes_;
     bool is_engaged_ = false;
+    ToolEffort effort_{};
     Pose pose_W_{};
     std::int32_t solid_ = kNoBody;
 };

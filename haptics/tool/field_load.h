@@ -4,7 +4,8 @@
 //   wrench      as field_sampling.h has it; continuous across voxels along `normals`, conservative along `slopes`
 //   derivative  by the tool's pose, exact within a cell; none by its velocity, for the field neither brakes nor damps
 // With a budget of time both are those of the points that were looked at, for all they stand for, and how far the wrench may be off is
-// told with it. What was found in the last step says where to look first, so that the same pose may give another wrench.
+// told with it. What was found in the last step says where to look first, so that the same pose may give another wrench in another
+// step; within one the first look chooses for all.
 // A motion that would take a point deeper than a voxel, or deeper than it was, can be stopped where it does (`find_first_touch`).
 // What counts as a touch: a point inside the object, F < 0. It lies in the layer that pushes until it is as deep as the band
 // (distance_field.h), from where on it is pushed out as well, but has penetrated. Nothing is felt before F = 0.
@@ -45,6 +46,10 @@ class FieldSampling {
         return sampler_.settings();
     }
     [[nodiscard]] std::size_t n_points() const noexcept { return sampler_.shell().n_points(); }
+    /// What is asked from now on is one step's: FieldSampler::begin_step.
+    void begin_step(StepTime* time, int n_near) const noexcept {
+        sampler_.begin_step(time, n_near);
+    }
     /// How far the farthest point lies from the tool's centre of mass.
     [[nodiscard]] double reach_m() const noexcept { return sampler_.shell().reach_m(); }
     /// Of field and points, and what is remembered.

@@ -14,6 +14,7 @@
 //                 by that is by where it was looked at, as long as it went along the surface or away from it (slope_boxes.h). At
 //                 rest almost nothing is asked, and when all moves far it is the tree
 // Object and tool may both move: all happens in the object's frame O.
+// Asked again at the pose it was asked at last, as solvers do, it knows: derivatives alone are taken anew.
 //
 // With a budget a step ends in time, on the machine's clock or a counted one, and says what it left out:
 //   all that may touch fits   it is exact
@@ -26,6 +27,9 @@
 //                             what reaches farthest for its size. A lone tip weighs what it weighs
 //   derivatives               of one leaf in n that touch, times n, the least n that fits in what the force leaves of the time,
 //                             half of it at least
+// Several looks may share the time of one step (step_time.h), as a solver's do. The first in which not all fits chooses: how many
+// points one stands for, and which of them are looked at. The others look there again, so that the solver sees one force that
+// follows the pose; what has come near since is told as left out.
 // What things cost is learned, and how long before the end to stop, so that one step in 200 is late. One that lost the processor for
 // longer than its budget is late whatever it does: it does what it had planned.
 // How far the result may be off:
@@ -41,7 +45,8 @@
 //
 // `find_first_touch` follows a motion by conservative advancement: the tool may go on by as much as is free around it. Points that
 // touch at the start stop only what takes them deeper; a motion along the surface or out of it is free. So a tool in contact moves,
-// and one that is fast does not tunnel through a wall that is more than twice the depth let to it.
+// and one that is fast does not tunnel through a wall that is more than twice the depth let to it. Where the step's time ends, so does
+// the motion: a tenth of a voxel at most beyond what was looked at.
 //
 // Thread: one at a time; build at load. Cost: a leaf 0.07 us in the cache and 0.17 beyond it, a group of 8 balls 0.03 us; memory 6 bytes a point, with a budget 8,
 // and 8 a brick of the field's block.
@@ -53,6 +58,7 @@
 
 #include "haptics/math/wrench_jacobian.h"
 #include "haptics/tool/seen_samples.h"
+#include "haptics/tool/step_time.h"
 #include "haptics/voxel/ball_slack.h"
 #include "haptics/voxel/slope_boxes.h"
 
@@ -64,9 +70,6 @@
 namespace fulcrum {
 
 enum class SamplingMode : std::uint8_t { brute_force, tree, coherent };
-/// How a budget is told: by the machine's clock, or by what leaves and groups are taken to cost, which is the same in each run.
-enum class BudgetClock : std::uint8_t { measured, counted };
-
 /// Fixed at load.
 struct FieldSamplingSettings {
     double stiffness_N_per_m = 100.0;  ///< k of one point, 0 to 1e6
@@ -128,6 +131,10 @@ class FieldSampler {
     /// budget exact within a cell of the field; jumps from cell to cell by the surface's bend.
     [[nodiscard]] FieldTouch step_linearised(const Pose& X_WO, const Pose& X_WT,
                                              Matrix6& by_pose_W) noexcept;
+
+    /// From now on looks, by whichever function, are those of one step: with a budget they share its time among `n_near` objects
+    /// and look where the first one chose. Null: each is a step of its own again. `time` must live until then.
+    void begin_step(StepTime* time, int n_near = 1) noexcept;
 
     /// Forgets what was known to be free.
     void reset() noexcept;
@@ -223,7 +230,7 @@ class FieldSampler {
     void add_all_slopes(const FieldPlace& place, const Pose& X_OT) noexcept;
     void empty_lanes(const Pose& X_OT) noexcept;
     void remember_groups() noexcept;
-    [[nodiscard]] FieldTouch finish(const Pose& X_WO) noexcept;
+    void finish(const Pose& X_WO) noexcept;
     // A motion, and what each point of it may not pass.
     struct Sweep;
     // How far the points of a leaf may go at `place` at least; below 0 where one is beyond its limit.
@@ -235,7 +242,32 @@ class FieldSampler {
     [[nodiscard]] double find_margin(const Sweep& sweep, double share, float slack_voxels) noexcept;
     [[nodiscard]] double find_end(const Sweep& sweep, double free, double not_free) noexcept;
 
+    // What was found at these poses may be told again.
+    [[nodiscard]] bool is_known(const Pose& X_WO, const Pose& X_WT) const noexcept;
+    void look(const Pose& X_WO, const Pose& X_OT) noexcept;
+
     // With a budget.
+    [[nodiscard]] bool has_budget() const noexcept { return settings_.budget_us > 0.0; }
+    [[nodiscard]] bool shares_time() const noexcept {
+        return step_time_ != nullptr && step_time_->has_end();
+    }
+    void begin_look() noexcept;
+    void end_look() noexcept;
+    // What the looks of a step have in common, from the first on in which not all fits.
+    struct Choice {
+        bool is_made = false;
+        bool is_listed = false;  // which units; else all that may touch
+        std::size_t thinning = 0;
+        double missed_points = 0.0;
+        double moved_m = 0.0, moved_m2 = 0.0;
+    };
+    void choose(std::size_t thinning, bool is_listed, const Nodes& units) noexcept;
+    void revisit(const FieldPlace& place, const Pose& X_OT) noexcept;
+    // The sweep's part of the step's time.
+    void count_sweep(std::int64_t n_groups_before) noexcept;
+    [[nodiscard]] bool has_time_to_sweep() const noexcept {
+        return step_time_ == nullptr || step_time_->has_time_for(1.0);
+    }
     void step_within_budget(const FieldPlace& place, const Pose& X_OT) noexcept;
     [[nodiscard]] double elapsed_us() const noexcept;
     // Until the step, or its part, must end.
@@ -276,6 +308,7 @@ class FieldSampler {
     [[nodiscard]] Finer choose_finer(std::size_t thinning) noexcept;
     void list_parts(std::size_t thinning, const Finer& finer) noexcept;
     void leave_out_others(std::size_t level) noexcept;
+    void leave_out_all(std::size_t level) noexcept;
     bool take_parts(std::size_t thinning, const FieldPlace& place, const Pose& X_OT) noexcept;
     // At parts of the units, as closely as there is time for; whether at each point of them.
     bool look_closer(std::size_t thinning, const FieldPlace& place, const Pose& X_OT) noexcept;
@@ -315,7 +348,13 @@ class FieldSampler {
     double leaf_us_, group_us_, slopes_us_;  // learned
     double reserve_us_ = 0.0;                // likewise, before the end
     double share_ = 1.0;                     // of the time, until what runs must end
-    Nodes touched_;                          // leaves of a thinning that were taken and touch
+    double look_us_ = 0.0;                   // of this look
+    double held_us_ = 0.0;                   // of it, for what was chosen before
+    StepTime* step_time_ = nullptr;
+    int n_near_ = 1;
+    Choice choice_;
+    Nodes chosen_;
+    Nodes touched_;  // leaves of a thinning that were taken and touch
     double clock_voxels_ = 0.0;
     float now_ = 0.0F;  // the clock, rounded up
     // Where a leaf was looked at last, and how F falls round there.
@@ -342,6 +381,11 @@ class FieldSampler {
     double moved_m_ = 0.0, moved_m2_ = 0.0;  // by closer looks, force and torque over the stiffness
     bool was_cut_short_ = false;
     FieldTouch touch_;
+    // What was asked last, and found.
+    Pose known_WO_, known_WT_;
+    FieldTouch known_;
+    bool is_known_ = false;
+    bool is_known_in_step_ = false;
     Matrix6* slopes_O_ = nullptr;  // where derivatives are asked for; over the stiffness
 };
 

@@ -25,7 +25,29 @@ double FieldSampler::elapsed_us() const noexcept {
 }
 
 double FieldSampler::find_left_us() const noexcept {
-    return std::max(share_ * settings_.budget_us - reserve_us_ - elapsed_us(), 0.0);
+    return std::max(share_ * look_us_ - reserve_us_ - held_us_ - elapsed_us(), 0.0);
+}
+
+void FieldSampler::begin_step(StepTime* time, int n_near) noexcept {
+    step_time_ = time;
+    n_near_ = std::max(n_near, 1);
+    choice_ = {};
+    is_known_in_step_ = false;
+}
+
+void FieldSampler::begin_look() noexcept {
+    look_us_ = shares_time() ? step_time_->find_look_us(n_near_) : settings_.budget_us;
+    began_s_ = has_budget() && settings_.clock == BudgetClock::measured ? monotonic_now_s() : 0.0;
+}
+
+void FieldSampler::end_look() noexcept {
+    if (step_time_ != nullptr) {
+        step_time_->count(static_cast<std::int64_t>(kLeafPoints) * touch_.n_leaves,
+                          settings_.clock == BudgetClock::counted ? elapsed_us() : 0.0);
+    }
+    if (has_budget() && !shares_time()) {
+        learn_reserve();
+    }
 }
 
 void FieldSampler::learn(double& cost_us, double took_us, std::size_t n) const noexcept {
@@ -64,7 +86,7 @@ std::size_t FieldSampler::find_room(double share) const noexcept {
 double FieldSampler::find_lap_us(double before_us, double expected_us) noexcept {
     constexpr double kUnlikely = 10.0;
     const double lap_us = elapsed_us() - before_us;
-    if (lap_us > settings_.budget_us && lap_us > kUnlikely * expected_us) {
+    if (lap_us > look_us_ && lap_us > kUnlikely * expected_us) {
         // Something else had the processor. The step is late whatever it does: what it had planned is done all the same.
         began_s_ += 1.0e-6 * lap_us;
     }
@@ -200,16 +222,58 @@ void FieldSampler::take_deepest(std::size_t level, const FieldPlace& place,
         search_level(level - 1, place, true, 0.0F);
     }
     choose_deepest(0, find_room(1.0));
+    choose(0, true, nodes_);
     take_leaves(place, X_OT);
+}
+
+void FieldSampler::choose(std::size_t thinning, bool is_listed, const Nodes& units) noexcept {
+    if (shares_time()) {
+        choice_ = {true, is_listed, thinning, missed_points_, moved_m_, moved_m2_};
+        chosen_.copy(units);
+    }
+}
+
+// What was chosen has its time before the search goes down; what the search finds tells what is left out.
+void FieldSampler::revisit(const FieldPlace& place, const Pose& X_OT) noexcept {
+    const std::size_t thinning = choice_.thinning;
+    held_us_ = leaf_us_ * static_cast<double>(chosen_.size());
+    const std::size_t level = search_in_time(place);
+    held_us_ = 0.0;
+    if (choice_.is_listed) {
+        const std::vector<float>& until = free_until(thinning);
+        parts_.clear();
+        for (const std::int32_t unit : chosen_) {
+            if (until[static_cast<std::size_t>(unit)] <= now_) {
+                parts_.add(unit);
+            }
+        }
+    } else {
+        list_units(level, thinning);
+    }
+    touch_.weight = std::int64_t{1} << thinning;
+    take_in_time(thinning, {parts_.begin(), parts_.size()}, place, X_OT);
+    missed_points_ = choice_.missed_points;
+    moved_m_ = choice_.moved_m;
+    moved_m2_ = choice_.moved_m2;
+    if (choice_.is_listed && thinning == 0 && !was_cut_short_) {
+        leaves_.copy(chosen_);
+        leave_out_others(level);
+    } else {
+        leave_out_all(level);
+    }
 }
 
 void FieldSampler::step_within_budget(const FieldPlace& place, const Pose& X_OT) noexcept {
     share_ = slopes_O_ != nullptr ? kForceFirst : 1.0;
-    const std::size_t level = search_in_time(place);
-    if (level == 0 && nodes_.size() <= find_room(1.0)) {
-        take_leaves(place, X_OT);
-    } else if (!take_samples(level, place, X_OT)) {
-        take_deepest(level, place, X_OT);
+    if (choice_.is_made) {
+        revisit(place, X_OT);
+    } else {
+        const std::size_t level = search_in_time(place);
+        if (level == 0 && nodes_.size() <= find_room(1.0)) {
+            take_leaves(place, X_OT);
+        } else if (!take_samples(level, place, X_OT)) {
+            take_deepest(level, place, X_OT);
+        }
     }
     last_touched_.clear();
     if (touch_.weight == 1) {

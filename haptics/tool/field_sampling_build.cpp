@@ -68,6 +68,7 @@ FieldSampler::FieldSampler(Field field, Shell shell, const FieldSamplingSettings
     nodes_.reserve(n_most);
     leaves_.reserve(n_most);
     parts_.reserve(n_most);
+    chosen_.reserve(n_most);
     more_parts_.reserve(n_most);
     for (std::size_t m = 1; m < shell_->n_thinnings(); ++m) {
         thinned_until_.emplace_back(shell_->n_leaves(m), kAlways);
@@ -89,10 +90,11 @@ FieldSampler::FieldSampler(Field field, Shell shell, const FieldSamplingSettings
 
 std::size_t FieldSampler::memory_bytes() const noexcept {
     std::size_t bytes = sizeof(*this) + nodes_.memory_bytes() + leaves_.memory_bytes() +
-                        parts_.memory_bytes() + more_parts_.memory_bytes() +
-                        touched_.memory_bytes() + last_touched_.memory_bytes() +
-                        2 * depths_.capacity() * sizeof(float) + seen_.capacity() * sizeof(Seen) +
-                        slope_boxes_.memory_bytes() + seen_samples_.memory_bytes();
+                        parts_.memory_bytes() + chosen_.memory_bytes() +
+                        more_parts_.memory_bytes() + touched_.memory_bytes() +
+                        last_touched_.memory_bytes() + 2 * depths_.capacity() * sizeof(float) +
+                        seen_.capacity() * sizeof(Seen) + slope_boxes_.memory_bytes() +
+                        seen_samples_.memory_bytes();
     for (const Level& level : levels_) {
         bytes += (level.free_until.capacity() + level.hopeless_until.capacity()) * sizeof(float) +
                  level.groups.memory_bytes();

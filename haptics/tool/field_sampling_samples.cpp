@@ -4,6 +4,7 @@
 #include "haptics/tool/rank_cut.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace fulcrum {
@@ -166,6 +167,12 @@ void FieldSampler::leave_out_others(std::size_t level) noexcept {
     }
 }
 
+void FieldSampler::leave_out_all(std::size_t level) noexcept {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        leave_out(level, i);
+    }
+}
+
 // Whether there was time for all that are wanted.
 bool FieldSampler::take_parts(std::size_t thinning, const FieldPlace& place,
                               const Pose& X_OT) noexcept {
@@ -249,15 +256,20 @@ bool FieldSampler::take_samples(std::size_t level, const FieldPlace& place,
         forget_sums();
         return false;
     }
-    if (is_whole) {
+    if (touch_.weight < std::int64_t{1} << thinning) {
         leaves_.unite(parts_, more_parts_);
+        choose(
+            static_cast<std::size_t>(std::countr_zero(static_cast<std::uint64_t>(touch_.weight))),
+            true, leaves_);
+    } else {
+        choose(thinning, false, parts_);
+    }
+    if (is_whole) {
         leave_out_others(level);
         // In the order of leaves, as for all that looks for what touched in the last step.
         touched_.sort();
-        return true;
-    }
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        leave_out(level, i);
+    } else {
+        leave_out_all(level);
     }
     return true;
 }

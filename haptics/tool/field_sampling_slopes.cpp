@@ -90,14 +90,13 @@ void FieldSampler::add_slopes(std::size_t thinning, std::size_t leaf, const Fiel
 void FieldSampler::add_all_slopes(const FieldPlace& place, const Pose& X_OT) noexcept {
     const auto thinning =
         static_cast<std::size_t>(std::countr_zero(static_cast<std::uint64_t>(touch_.weight)));
-    const bool has_budget = settings_.budget_us > 0.0;
-    const double before_us = has_budget ? elapsed_us() : 0.0;
+    const double before_us = has_budget() ? elapsed_us() : 0.0;
     const std::size_t stride = find_slopes_stride();
     for (std::size_t i = 0; i < touched_.size(); i += stride) {
         add_slopes(thinning, static_cast<std::size_t>(touched_.begin()[i]), place, X_OT);
         ++touch_.n_sloped;
     }
-    if (has_budget && touch_.n_sloped > 0) {
+    if (has_budget() && touch_.n_sloped > 0) {
         const auto n = static_cast<double>(touch_.n_sloped);
         learn(slopes_us_, find_lap_us(before_us, n * slopes_us_),
               static_cast<std::size_t>(touch_.n_sloped));

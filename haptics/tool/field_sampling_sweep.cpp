@@ -83,6 +83,7 @@ double FieldSampler::find_margin(const Sweep& sweep, double share, float slack_v
     constexpr float kLookCloser = 1.0F;  // voxels; balls with less slack are opened
     const Pose X_OT = compute_between(sweep.from_OT, sweep.to_OT, share);
     const FieldPlace place(*field_, X_OT);
+    const std::int64_t n_groups = touch_.n_groups;
     float least = HUGE_VALF;
     begin_at_top();
     for (std::size_t level = levels_.size() - 1;; --level) {
@@ -98,12 +99,28 @@ double FieldSampler::find_margin(const Sweep& sweep, double share, float slack_v
         least = std::min(least, find_leaf_margin(sweep, X_OT, place, static_cast<std::size_t>(node),
                                                  slack_voxels));
     }
+    count_sweep(n_groups);
     return static_cast<double>(least);
+}
+
+// Leaves that touch are looked at twice.
+void FieldSampler::count_sweep(std::int64_t n_groups_before) noexcept {
+    if (step_time_ == nullptr) {
+        return;
+    }
+    const auto n_leaves = 2 * static_cast<std::int64_t>(nodes_.size());
+    const auto n_groups = touch_.n_groups - n_groups_before;
+    const bool counts = settings_.clock == BudgetClock::counted;
+    step_time_->count(static_cast<std::int64_t>(kLeafPoints) * n_leaves,
+                      counts ? static_cast<double>(n_leaves) * settings_.leaf_us +
+                                   static_cast<double>(n_groups) * settings_.group_us
+                             : 0.0);
 }
 
 // Between a share that is free and one that is not; without slack, which would let a tool creep in with each call.
 double FieldSampler::find_end(const Sweep& sweep, double free, double not_free) noexcept {
-    for (int i = 0; i < kMostHalvings && (not_free - free) * sweep.way_voxels > kClosest_voxels;
+    for (int i = 0; i < kMostHalvings && has_time_to_sweep() &&
+                    (not_free - free) * sweep.way_voxels > kClosest_voxels;
          ++i) {
         const double middle = 0.5 * (free + not_free);
         (find_margin(sweep, middle, 0.0F) >= 0.0 ? free : not_free) = middle;
@@ -139,6 +156,9 @@ double FieldSampler::find_first_touch(const Pose& from_OT, const Pose& to_OT,
             return 1.0;
         }
         share = std::min(1.0, share + std::max(margin, kLeastAdvance_voxels) / sweep.way_voxels);
+        if (!has_time_to_sweep()) {
+            return share;
+        }
     }
     return free;
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "haptics/coupling/tool_coupling.h"
+#include "haptics/handover/messages.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,7 @@ struct ToolFelt {
         spring_W{};  ///< the part of the coupling's springs: what of it gives back the hand's work
     double spring_energy_J = 0.0;  ///< of the coupling's shift; 0 where nothing is felt
     bool moved = true;             ///< false: something was no number, and the tool stands still
+    ToolEffort effort{};
 };
 
 class ToolSolver {

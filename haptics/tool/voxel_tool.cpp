@@ -24,27 +24,33 @@ Vector3 limit_velocity(const Vector3& velocity, const Vector3& pull, double damp
                : velocity;
 }
 
-// All objects as one load; refers to theirs.
+// All objects as one load; refers to theirs. Its looks share the step's time.
 template <class Part>
 // NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): never deleted as a Load
 class AllOf final : public Load {
   public:
-    explicit AllOf(std::span<const Part> parts) noexcept : parts_(parts) {}
+    AllOf(std::span<const Part> parts, StepTime& time) noexcept : parts_(parts), time_(&time) {}
     void add_wrench(const RigidState& state, double time_s,
                     Wrench& wrench) const noexcept override {
+        time_->begin_look();
         for (const Part& part : parts_) {
             part.add_wrench(state, time_s, wrench);
         }
+        time_->end_look();
     }
     void add_linearised_wrench(const RigidState& state, double time_s, Wrench& wrench,
                                WrenchJacobian& jacobian) const noexcept override {
+        time_->begin_look();
         for (const Part& part : parts_) {
             part.add_linearised_wrench(state, time_s, wrench, jacobian);
         }
+        time_->end_look();
     }
+    [[nodiscard]] bool has_time() const noexcept override { return time_->has_time(); }
 
   private:
     std::span<const Part> parts_;
+    StepTime* time_;
 };
 
 // Brakes reckon with the step's length; a field has none.
@@ -52,6 +58,18 @@ void tell_cycle(VoxelSampling& sampling, double dt_s) noexcept {
     sampling.set_cycle(dt_s);
 }
 void tell_cycle(FieldSampling& /*sampling*/, double /*dt_s*/) noexcept {}
+
+// Voxels are asked at each point, whatever the time: a solver's looks end with it.
+void begin_step(const VoxelSampling& /*sampling*/, StepTime* /*time*/, int /*n_near*/) noexcept {}
+void begin_step(const FieldSampling& sampling, StepTime* time, int n_near) noexcept {
+    sampling.begin_step(time, n_near);
+}
+std::int64_t count_points(const VoxelSampling& sampling, std::int64_t n_looks) noexcept {
+    return n_looks * static_cast<std::int64_t>(sampling.n_points());
+}
+std::int64_t count_points(const FieldSampling& /*sampling*/, std::int64_t /*n_looks*/) noexcept {
+    return 0;  // the step's time knows
+}
 
 // Voxels brake what comes near; they know no way in between.
 bool stop_at_touch(const VoxelSampling& /*sampling*/, const MovingFrame& /*object*/,
@@ -155,13 +173,30 @@ bool SampledTool<Sampling, Plan>::is_free(std::span<const MovingFrame> objects) 
     if (objects.size() != samplings_.size() || !std::ranges::all_of(objects, is_number)) {
         return false;
     }
-    for (std::size_t i = 0; i < objects.size(); ++i) {
+    begin_time(1);
+    bool touches = false;
+    for (std::size_t i = 0; i < objects.size() && !touches; ++i) {
         const VoxelContact contact = samplings_[i].sample(state_, objects[i]);
-        if (contact.n_surface + contact.n_interior > 0) {
-            return false;
-        }
+        touches = contact.n_surface + contact.n_interior > 0;
     }
-    return true;
+    end_time();
+    return !touches;
+}
+
+template <class Sampling, class Plan>
+void SampledTool<Sampling, Plan>::begin_time(int n_looks) const noexcept {
+    const auto n_near = static_cast<int>(std::ranges::count(near_, std::uint8_t{1}));
+    time_.begin(n_looks);
+    for (const Sampling& sampling : samplings_) {
+        begin_step(sampling, &time_, n_near);
+    }
+}
+
+template <class Sampling, class Plan>
+void SampledTool<Sampling, Plan>::end_time() const noexcept {
+    for (const Sampling& sampling : samplings_) {
+        begin_step(sampling, nullptr, 1);
+    }
 }
 
 template <class Sampling, class Plan>
@@ -196,13 +231,15 @@ VoxelToolResult SampledTool<Sampling, Plan>::run(MovingFrame handle,
     ToolCouplingLoad coupling(coupling_, settings_.grip_T);
     coupling.set_handle(settings_.lead_clamped ? limit_lead(handle, objects) : handle, now_s);
     set_objects(objects, now_s, dt_s);
-    const AllOf<SamplingLoad<Sampling>> points(loads_);
+    begin_time(StepTime::kLooks);
+    const AllOf<SamplingLoad<Sampling>> points(loads_, time_);
     const Pose before_W = state_.pose_W;
     // Where that moves it.
     if (settings_.mass == ToolMass::massive) {
         result.step = advance(coupling, points, now_s, dt_s);
     } else {
-        settle(coupling, points, now_s);
+        result.step.status =
+            settle(coupling, points, now_s) ? StepStatus::done : StepStatus::out_of_time;
     }
     result.moved = result.step.moved();
     if (settings_.swept && result.moved) {
@@ -210,6 +247,8 @@ VoxelToolResult SampledTool<Sampling, Plan>::run(MovingFrame handle,
     }
     // What the hand feels of it.
     result.contact = look(now_s);
+    end_time();
+    result.effort = tell_effort(result);
     if (result.contact.deepest() != VoxelClass::free || !settings_.silent_in_free_space) {
         const Pose grip = held_W();
         const Wrench pull = compute_tool_coupling(coupling_, {handle.pose_W, {}}, {grip, {}});
@@ -219,6 +258,17 @@ VoxelToolResult SampledTool<Sampling, Plan>::run(MovingFrame handle,
             coupling_, compute_length(Vector3(handle.pose_W.position - grip.position)));
     }
     return result;
+}
+
+template <class Sampling, class Plan>
+ToolEffort SampledTool<Sampling, Plan>::tell_effort(const VoxelToolResult& result) const noexcept {
+    const std::int64_t n_looks = time_.n_looks() + 1;  // and the one that ended the step
+    ToolEffort effort{n_looks, time_.n_points(), result.contact.error_N,
+                      result.step.status != StepStatus::out_of_time};
+    for (const Sampling& sampling : samplings_) {
+        effort.n_points += count_points(sampling, n_looks);
+    }
+    return effort;
 }
 
 template <class Sampling, class Plan>
@@ -244,7 +294,7 @@ StepResult SampledTool<Sampling, Plan>::advance(const Load& coupling, const Load
 
 // Each step of Newton is cut to half a voxel at the grip's arm, for beyond it the voxels are others.
 template <class Sampling, class Plan>
-void SampledTool<Sampling, Plan>::settle(const Load& coupling, const Load& points,
+bool SampledTool<Sampling, Plan>::settle(const Load& coupling, const Load& points,
                                          double now_s) noexcept {
     constexpr double kSlack = 1.0e-3;  // of the coupling's stiffness: keeps the matrix regular
     const double most_m = 0.5 * least_voxel_m_;
@@ -253,6 +303,9 @@ void SampledTool<Sampling, Plan>::settle(const Load& coupling, const Load& point
         Vector3::Constant(kSlack * coupling_.turn.stiffness_Nm_per_rad);
     state_.velocity_W = {};
     for (int i = 0; i < settings_.static_iterations; ++i) {
+        if (i > 0 && !points.has_time()) {
+            return false;
+        }
         Wrench wrench;
         WrenchJacobian jacobian;
         coupling.add_linearised_wrench(state_, now_s, wrench, jacobian);
@@ -263,7 +316,7 @@ void SampledTool<Sampling, Plan>::settle(const Load& coupling, const Load& point
         matrix.diagonal() += slack;
         const Vector6 change = matrix.partialPivLu().solve(force);
         if (!change.allFinite()) {
-            return;
+            return true;
         }
         const double way_m =
             change.head<3>().norm() + samplings_.front().reach_m() * change.tail<3>().norm();
@@ -272,6 +325,7 @@ void SampledTool<Sampling, Plan>::settle(const Load& coupling, const Load& point
         state_.pose_W.orientation = compute_exp(cut.tail<3>()) * state_.pose_W.orientation;
         state_.pose_W.orientation.normalize();
     }
+    return true;
 }
 
 template class SampledTool<VoxelSampling, VoxelSamplingPlan>;

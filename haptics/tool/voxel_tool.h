@@ -17,6 +17,9 @@
 // Several objects, each with its map and its own motion, add up. Each of n that are near brakes by an n-th of what it would alone,
 // for together they must not take more motion than there is.
 //
+// A budget of time is one step's (step_time.h): the solver's looks share it, and Newton's method ends with the best it has found when it
+// is over. What was accepted for it is told: how far the force may be off, and whether the method came to its end.
+//
 // Thread: the haptic loop. Cost: that of the sampling, once an explicit step and once an iteration of the implicit ones, and
 // about 1 us; no allocation.
 // Source: W. McNeely, K. Puterbaugh, J. Troy 1999, Six degree-of-freedom haptic rendering using voxel sampling, sections 5.1
@@ -55,6 +58,9 @@ struct VoxelToolSettings {
     Quaternion handle_turn{
         Quaternion::Identity()};  ///< q_HT, unit: how the tool lies in the handle
     int static_iterations = 4;    ///< of the massless tool, a step; 1 to 100
+    double budget_us =
+        0.0;  ///< of a step, for looking at points; 0: as long as it takes; else 20 to 1e5
+    BudgetClock clock = BudgetClock::measured;
 };
 
 /// Refuses settings outside their ranges, NaN included.
@@ -63,8 +69,8 @@ struct VoxelToolSettings {
 /// What one step led to.
 struct VoxelToolResult : ToolFelt {
     VoxelContact contact{};  ///< at the tool's new pose, of all objects together
-    StepResult
-        step{};  ///< of the massive tool; where it could not be made the tool stands still where it was
+    /// Where it could not be made the tool stands still where it was; a massless one is done, or out of time.
+    StepResult step{};
 };
 
 /// `Sampling` is VoxelSampling or FieldSampling, `Plan` what it is built from.
@@ -118,11 +124,16 @@ class SampledTool final : public ToolSolver {
                        MovingFrame& handle) const noexcept;
     [[nodiscard]] StepResult advance(const Load& coupling, const Load& points, double now_s,
                                      double dt_s) noexcept;
-    void settle(const Load& coupling, const Load& points, double now_s) noexcept;
+    // Whether it came to its end in time.
+    bool settle(const Load& coupling, const Load& points, double now_s) noexcept;
     // Back from where the step led to what is touched on the way there.
     void stop_at_touch(const Pose& before_W, std::span<const MovingFrame> objects,
                        double dt_s) noexcept;
     [[nodiscard]] VoxelContact look(double now_s) noexcept;
+    // What is asked of the samplings shares the time of a step that begins now, until `end_time`.
+    void begin_time(int n_looks) const noexcept;
+    void end_time() const noexcept;
+    [[nodiscard]] ToolEffort tell_effort(const VoxelToolResult& result) const noexcept;
 
     std::vector<Sampling> samplings_;            // one an object
     std::vector<SamplingLoad<Sampling>> loads_;  // of the samplings, which stay where they are
@@ -133,6 +144,7 @@ class SampledTool final : public ToolSolver {
     ToolCouplingSettings coupling_;
     double least_voxel_m_ = 0.0;
     RigidState state_{};
+    mutable StepTime time_;
 };
 
 using VoxelTool = SampledTool<VoxelSampling, VoxelSamplingPlan>;

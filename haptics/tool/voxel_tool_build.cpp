@@ -9,7 +9,9 @@ namespace fulcrum {
 namespace {
 
 constexpr double kWidestClamp_rad = 1.0;  // of a tool smaller than its voxels
-constexpr double kSingle = 0x1p-24;       // of a length in single precision, half its last digit
+constexpr double kLeastBudget_us = 20.0;
+constexpr double kMostBudget_us = 1.0e5;
+constexpr double kSingle = 0x1p-24;  // of a length in single precision, half its last digit
 
 // What the sampling must know of the tool's motion.
 void fit_to_tool(const VoxelToolSettings& settings, VoxelSamplingPlan& plan) {
@@ -18,7 +20,12 @@ void fit_to_tool(const VoxelToolSettings& settings, VoxelSamplingPlan& plan) {
         plan.settings.braking = PreContactBraking::off;
     }
 }
-void fit_to_tool(const VoxelToolSettings& /*settings*/, FieldSamplingPlan& /*plan*/) {}
+void fit_to_tool(const VoxelToolSettings& settings, FieldSamplingPlan& plan) {
+    if (settings.budget_us > 0.0) {
+        plan.settings.budget_us = settings.budget_us;
+        plan.settings.clock = settings.clock;
+    }
+}
 
 // How far a point may lie from where it is taken to be: its place in single precision (voxel_lanes.h).
 template <class Sampling>
@@ -40,8 +47,10 @@ Expected<void> validate(const VoxelToolSettings& settings) {
     if (const auto checked = validate(settings.inertia); !checked) {
         return checked;
     }
-    const std::array<Range, 5> ranges{
-        {{"handle's turn: length of its quaternion", settings.handle_turn.coeffs().norm(),
+    const std::array<Range, 6> ranges{
+        {{"budget_us", settings.budget_us, settings.budget_us != 0.0 ? kLeastBudget_us : 0.0,
+          kMostBudget_us},
+         {"handle's turn: length of its quaternion", settings.handle_turn.coeffs().norm(),
           1.0 - 1.0e-6, 1.0 + 1.0e-6},
          {"static_iterations", static_cast<double>(settings.static_iterations), 1.0, 100.0},
          {"grip_T x", settings.grip_T.x(), -10.0, 10.0},
@@ -58,7 +67,8 @@ SampledTool<Sampling, Plan>::SampledTool(std::vector<Sampling> samplings,
       near_(samplings_.size()),
       depths_m_(samplings_.size()),
       settings_(settings),
-      coupling_(settings.coupling) {
+      coupling_(settings.coupling),
+      time_(settings.budget_us, settings.clock) {
     loads_.reserve(samplings_.size());
     least_voxel_m_ = samplings_.front().frame().voxel_m;
     for (const Sampling& sampling : samplings_) {

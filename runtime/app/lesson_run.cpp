@@ -7,6 +7,7 @@
 #include "runtime/text/progress_line.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace fulcrum::runtime {
@@ -309,6 +310,16 @@ std::vector<std::string> LessonRun::losses() const {
         tell(world_loop_->world().ignored_commands(),
              "commands to bodies were ignored: no such body, or no finite place.");
     }
+    const ToolEffort& tool = channels_.state_for_lesson.value().tool;
+    if (tool.n_inexact > 0) {
+        std::array<char, 160> text{};
+        std::snprintf(text.data(), text.size(),
+                      "steps of the tool looked at a part of its points, to end in time: their "
+                      "force may have been off by up to %.2g N.",
+                      tool.most_error_N);
+        tell(tool.n_inexact, text.data());
+    }
+    tell(tool.n_cut, "steps of the tool ended before its solver did, to end in time.");
     return sentences;
 }
 

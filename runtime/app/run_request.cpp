@@ -85,6 +85,7 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     request.plan.picture = in_window || !options.screenshot.empty();
     request.plan.sound = in_window && !options.mute;
     request.plan.record = !options.record.empty();
+    request.plan.live = in_window;
     request.plan.day = in_window ? today() : kTestDay;
     request.record_file = options.record;
     return choose_hand(options, in_window, request)

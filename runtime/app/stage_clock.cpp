@@ -1,9 +1,11 @@
 #include "runtime/app/stage_clock.h"
 
 #include "haptics/base/clock.h"
+#include "runtime/scene/check_tool.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace fulcrum::runtime {
 namespace {
@@ -41,7 +43,8 @@ StageClock::StageClock(const Plan& plan)
       calls_(plan.stages.size()),
       haptic_stages_(kHapticStages),
       world_stage_(find("world", {})),
-      lesson_stage_(find("lesson", {})) {
+      lesson_stage_(find("lesson", {})),
+      tool_time_us_(find_tool_time_us(plan.haptic.rate_hz)) {
     for (std::size_t i = 0; i < kHapticStages; ++i) {
         haptic_stages_[i] = find("haptic", name_of(static_cast<HapticStage>(i)));
     }
@@ -79,6 +82,8 @@ void StageClock::count(std::size_t stage, double ended_s) noexcept {
     if (stage != kNoStage) {
         Calls& calls = calls_[stage];
         calls.total_us += took_us;
+        const bool is_tool = stage == haptic_stages_[static_cast<std::size_t>(HapticStage::tool)];
+        n_longer_ += is_tool && took_us > tool_time_us_ ? 1 : 0;
         if (calls.count++ % calls.every == 0) {
             calls.us.push_back(static_cast<float>(took_us));
         }
@@ -105,6 +110,24 @@ void StageClock::compare(const HapticState& state,
     withheld_N_.add((state.commanded_W.force - state.applied_W.force).norm());
     force_energy_ = state.force_energy;
     torque_energy_ = state.torque_energy;
+    most_points_ = std::max(most_points_, state.tool.n_points);
+    most_looks_ = std::max(most_looks_, state.tool.n_looks);
+    tool_ = state.tool;
+}
+
+void StageClock::add_tool_errors(StageFigures& figures) const {
+    figures.errors.push_back(
+        {"force off by at most", tool_.most_error_N, "N", "all points looked at that may touch"});
+    figures.errors.push_back({"points looked at in a step at most",
+                              1e-3 * static_cast<double>(most_points_),
+                              "thousand",
+                              {}});
+    figures.errors.push_back(
+        {"looks in a step at most", static_cast<double>(most_looks_), "of its solver", {}});
+    figures.errors.push_back(
+        {"steps longer than a live run gives it",
+         100.0 * static_cast<double>(n_longer_) / static_cast<double>(figures.calls), "%",
+         std::to_string(std::lround(tool_time_us_)) + " us"});
 }
 
 void StageClock::add_errors(StageFigures& figures) const {
@@ -114,6 +137,9 @@ void StageClock::add_errors(StageFigures& figures) const {
     if (is(HapticStage::estimate) && velocity_error_m_per_s_.count > 0) {
         figures.errors.push_back({"velocity, rms", 1e3 * velocity_error_m_per_s_.rms(), "mm/s",
                                   "the simulated hand's own"});
+    }
+    if (is(HapticStage::tool)) {
+        add_tool_errors(figures);
     }
     if (is(HapticStage::passivity)) {
         const std::string ideal = "the scene felt without sampling";

@@ -60,6 +60,7 @@ class StageClock final : public StageListener {
     void count(std::size_t stage, double ended_s) noexcept;
     [[nodiscard]] std::size_t find(std::string_view loop, std::string_view name) const noexcept;
     void add_errors(StageFigures& figures) const;
+    void add_tool_errors(StageFigures& figures) const;
 
     const Plan& plan_;
     double clock_us_;
@@ -74,6 +75,12 @@ class StageClock final : public StageListener {
     bool hand_moved_ = false;
     PortEnergy force_energy_{};
     PortEnergy torque_energy_{};
+    // Of a tool.
+    double tool_time_us_;  // that a live run gives it
+    std::uint64_t n_longer_ = 0;
+    std::int64_t most_points_ = 0;
+    std::int64_t most_looks_ = 0;
+    ToolEffort tool_{};
 };
 
 }  // namespace fulcrum::runtime

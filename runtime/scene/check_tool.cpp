@@ -18,7 +18,8 @@ constexpr double kStiffest_N_per_m = 2000.0;
 constexpr double kSpringStep = 1.25;  // from one that is tried to the next
 constexpr double kVoxelPoint_ns =
     25.0;  // of a point lying flat among voxels, all looks of a step: measured
-constexpr double kShareOfStep = 0.5;  // that a tool may take
+constexpr double kFieldPoint_ns = 60.0;  // likewise against a field
+constexpr double kShareOfStep = 0.5;     // that a tool may take
 constexpr int kSprings = 16;  // on either side: 1.25^16 = 35, from the softest to near the stiffest
 
 // Two digits, upwards: what is said must do.
@@ -29,7 +30,7 @@ double round_up(double value) {
 
 template <class... Values>
 std::string print(const char* format, Values... values) {
-    std::array<char, 192> text{};
+    std::array<char, 256> text{};
     std::snprintf(text.data(), text.size(), format, values...);
     return text.data();
 }
@@ -115,6 +116,26 @@ Expected<void> check_integrator(const HandDescription& hand, const ToolPlan& pla
 }
 
 }  // namespace
+
+double find_tool_time_us(double rate_hz) {
+    return kShareOfStep * 1.0e6 / rate_hz;
+}
+
+std::optional<std::string> find_tool_notice(const HandDescription& hand, const ToolPlan& plan) {
+    const auto n = static_cast<double>(count_points(plan));
+    const double most_points = find_tool_time_us(hand.rate_hz) * 1.0e3 / kFieldPoint_ns;
+    if (hand.tool->method == ToolMethod::voxel_sampling || n <= most_points) {
+        return std::nullopt;
+    }
+    return to_sentence(
+        {print("the tool: where all of its %.0f points touch, looking at each takes about %.2g ms, "
+               "and a step has %.2g ms for them",
+               n, 1.0e-6 * kFieldPoint_ns * n, 1.0e-3 * find_tool_time_us(hand.rate_hz)),
+         at_line(hand.line),
+         print("give it at most %.0f points, or bear that a live run looks at fewer then and says "
+               "when it ends how far off the force may have been",
+               std::floor(most_points))});
+}
 
 Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,
                           const Pointshell& shell) {

@@ -6,13 +6,26 @@
 // Voxel sampling looks at every point in every step: more than fit in half a step, at 25 ns each, are too many. That is what a tool
 // takes that lies flat, where Newton's method looks several times; one that is pressed anew may take more for some steps.
 //
+// Field sampling looks only at what is near, and in a live run only at as much as there is time for. What it would take where all
+// points touch is told: 60 ns a point, measured for a tool that lies flat.
+//
 // Thread: load path. Cost: nothing where the integrator has no limit, else 20 ms, and a second where it refuses.
 #pragma once
 
 #include "haptics/tool/step_limit.h"
 #include "runtime/scene/description.h"
 
+#include <optional>
+#include <string>
+
 namespace fulcrum::runtime {
+
+/// What a tool may take of each step of a live run, microseconds: half of it.
+[[nodiscard]] double find_tool_time_us(double rate_hz);
+
+/// One sentence where looking at all points at once would take longer than that: what a live run does then, and what would do.
+[[nodiscard]] std::optional<std::string> find_tool_notice(const HandDescription& hand,
+                                                          const ToolPlan& plan);
 
 /// Refuses with one sentence and the line of the lesson. `shell` is that of the plan's order; `plan` has been validated.
 [[nodiscard]] Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,

@@ -58,6 +58,14 @@ std::string materials_table(const LessonDescription& lesson, const Plan& plan) {
     return "\nWhat a hand finds out, from 0 to 1, and what it is called:\n" + (head.data() + text);
 }
 
+std::string notices_text(const Plan& plan) {
+    std::string text;
+    for (const std::string& notice : plan.notices) {
+        text += "\n" + notice + "\n";
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string bytes_text(std::size_t bytes) {
@@ -100,7 +108,7 @@ std::string explain(const LessonDescription& lesson, const Plan& plan) {
                     stage.because);
     }
     text += "\nWhat is not in this list is not built.\n";
-    return text + tool_table(lesson, plan) + materials_table(lesson, plan);
+    return text + tool_table(lesson, plan) + materials_table(lesson, plan) + notices_text(plan);
 }
 
 }  // namespace fulcrum::runtime

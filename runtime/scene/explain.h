@@ -10,7 +10,7 @@
 namespace fulcrum::runtime {
 
 /// A table for people, 100 columns at most, one stage a line, in the order of the data; then how hard, rough and slippery each
-/// material of the lesson is, in the words that an answer may say.
+/// material of the lesson is, in the words that an answer may say, and what else a teacher should know.
 [[nodiscard]] std::string explain(const LessonDescription& lesson, const Plan& plan);
 
 /// The same width: calls, median and 99 % time, share and memory of each stage that was timed, then errors.

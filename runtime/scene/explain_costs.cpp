@@ -1,4 +1,5 @@
 // The half of explain.h that speaks of a run.
+#include "runtime/scene/check_tool.h"
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_tool.h"
 
@@ -93,6 +94,7 @@ nlohmann::ordered_json json_of_tool(const LessonDescription& lesson, const Plan&
             {"method", name_of(tool.method)},
             {"points", count_points(*plan.haptic.tool)},
             {"source", source_of(plan.tool_shapes.back())},
+            {"live_time_us", find_tool_time_us(plan.haptic.rate_hz)},
             {"bodies", std::move(bodies)}};
 }
 
@@ -141,6 +143,7 @@ std::string explain_json(const LessonDescription& lesson, const Plan& plan,
     if (plan.haptic.tool && lesson.hand.tool) {
         whole["tool"] = json_of_tool(lesson, plan);
     }
+    whole["notices"] = plan.notices;
     // A title may hold what is no UTF-8: it is replaced, never thrown at.
     return whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

@@ -47,9 +47,11 @@ struct PlanOptions {
     double force_limit_N = 5.0;  ///< of this site, 0.5 to 10
     /// What the device can give; infinite for one that renders no force
     double device_force_limit_N = std::numeric_limits<double>::infinity();
-    bool picture = true;    ///< a window or a screenshot is wanted
-    bool sound = true;      ///< false under --mute and --headless
-    bool record = false;    ///< --record was given
+    bool picture = true;  ///< a window or a screenshot is wanted
+    bool sound = true;    ///< false under --mute and --headless
+    bool record = false;  ///< --record was given
+    bool live =
+        false;  ///< a hand waits for each step; false: the clock is virtual, and all is exact
     double day = kTestDay;  ///< today, as the lesson is told: days since noon of 1 January 2000
     SpeechInput speech = SpeechInput::text;
     ShapeCache* shapes = nullptr;  ///< keeps what takes long to make; null: it is made each time

@@ -220,6 +220,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     const ShapeSource source =
         shapes.counts().n_made > n_made ? ShapeSource::made : ShapeSource::cache;
     order->most_force_N = plan.haptic.safety.max_force_N;
+    order->settings.budget_us = options.live ? find_tool_time_us(lesson.hand.rate_hz) : 0.0;
     if (auto good = check_tool_springs(lesson.hand, *order, compute_reach_m(*order->shell));
         !good) {
         return good;
@@ -237,6 +238,9 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     plan.tool_shapes = std::move(bodies->sources);
     plan.tool_shapes.push_back(source);
     plan.notices.insert(plan.notices.end(), bodies->notices.begin(), bodies->notices.end());
+    if (const auto sentence = find_tool_notice(lesson.hand, *plan.haptic.tool)) {
+        plan.notices.push_back(*sentence);
+    }
     return check_tool(lesson.hand, *plan.haptic.tool, *order->shell);
 }
 
@@ -283,6 +287,12 @@ std::string tool_table(const LessonDescription& lesson, const Plan& plan) {
                       bytes_text(facts[i].bytes).c_str(), name_of(plan.tool_shapes[i]));
         text += line.data();
     }
+    std::snprintf(
+        line.data(), line.size(),
+        "In a live run it has %.0f us of each step for them; without a window, as long as "
+        "it takes.\n",
+        find_tool_time_us(plan.haptic.rate_hz));
+    text += line.data();
     return "\nThe tool in the hand, and what it meets:\n" + text;
 }
 

@@ -2,6 +2,8 @@
 //
 //   hand    masses and springs are as the hand feels them: m = mass / scale, k = stiffness / scale, k_r = turn stiffness x scale
 //   points  as many as the lesson says, on the surface; among voxels a point a voxel of the tool, where that is no more
+//   time    in a live run half of each step (check_tool.h), so that the loop is never late for its tool; else as long as it takes,
+//           so that a run is the same each time
 //
 // What can be refused is refused before anything that takes long is made: bodies and voxels first, then the tool, then its springs.
 // What takes long comes from the cache of shapes where it has been made before.

@@ -116,6 +116,7 @@ std::vector<Pose> make_socket_way(const Scene& scene, double speed, int n, doubl
 struct Measured {
     Cost cost;
     double most_us = 0.0;
+    std::vector<Took> took;
     double n_touching = 0.0;
     std::vector<FieldTouch> touches;
 };
@@ -127,10 +128,11 @@ Measured measure(const Scene& scene, const FieldSamplingSettings& settings,
     std::vector<double> us;
     constexpr std::size_t kWarmUp = 50;
     for (std::size_t i = 0; i < way.size(); ++i) {
-        const auto begin = Clock::now();
-        const FieldTouch touch = sampler.step({}, way[i]);
+        FieldTouch touch;
+        const Took took = time_once([&] { touch = sampler.step({}, way[i]); });
         if (i >= kWarmUp) {
-            us.push_back(1.0e6 * seconds_since(begin));
+            us.push_back(took.clock_us);
+            measured.took.push_back(took);
             measured.touches.push_back(touch);
             measured.n_touching += static_cast<double>(touch.n_touching);
         }
@@ -222,6 +224,11 @@ BudgetErrors compare(const Measured& some, const std::vector<FieldTouch>& exact,
     return errors;
 }
 
+double count_late(const Measured& measured, double budget_us, double Took::*which) {
+    return static_cast<double>(std::ranges::count_if(
+        measured.took, [&](const Took& took) { return took.*which > budget_us; }));
+}
+
 class BudgetRows {
   public:
     BudgetRows(Sheet& sheet, int n) : sheet_(sheet), n_(n) {}
@@ -250,6 +257,8 @@ class BudgetRows {
         sheet_.rows.push_back({what, to_text(speed), to_text(settings.budget_us),
                                settings.clock == BudgetClock::measured ? "measured" : "counted",
                                to_text(m.cost.median_us), to_text(m.cost.p99_us),
+                               to_text(count_late(m, settings.budget_us, &Took::clock_us)),
+                               to_text(count_late(m, settings.budget_us, &Took::own_us)),
                                to_text(errors.weight), to_text(force.median_us),
                                to_text(force.p99_us),
                                to_text(summarise(errors.torque_percent).p99_us),
@@ -274,6 +283,8 @@ Sheet make_budget_sheet() {
                      "clock",
                      "median us",
                      "99 % us",
+                     "steps late",
+                     "late by their own work",
                      "most points for one",
                      "force error, median %",
                      "force error, 99 %, %",

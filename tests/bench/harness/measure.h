@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,33 @@ struct Timing {
 template <class T>
 inline void keep(const T& value) {
     asm volatile("" : : "g"(&value) : "memory");
+}
+
+/// Processor time of this thread: what others took of the processor is in the clock's, and not in it.
+[[nodiscard]] inline double thread_time_us() {
+    timespec now{};
+    (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1.0e6 * static_cast<double>(now.tv_sec) + 1.0e-3 * static_cast<double>(now.tv_nsec);
+}
+
+/// What a step took, by the clock and of the processor.
+struct Took {
+    double clock_us = 0.0;
+    double own_us = 0.0;
+};
+
+/// Runs `step` once.
+template <class Step>
+[[nodiscard]] Took time_once(Step step) {
+    using Clock = std::chrono::steady_clock;
+    const double own_before_us = thread_time_us();
+    const auto before = Clock::now();
+    step();
+    const std::chrono::duration<double, std::micro> took = Clock::now() - before;
+    const double asked_us = thread_time_us();
+    // What the question itself takes comes off.
+    const double again_us = thread_time_us();
+    return {took.count(), std::max(0.0, asked_us - own_before_us - (again_us - asked_us))};
 }
 
 /// Calls `step()` warm_up times, then samples x batch times; adds the mean of each batch, microseconds a step, to `us`.

@@ -112,6 +112,36 @@ TEST_CASE("stage clock: errors are what was compared, and stand with their stage
     CHECK(withheld[0].value == Approx(std::sqrt((9.0 + 16.0) / 2.0)));
 }
 
+TEST_CASE(
+    "stage clock: of a tool it tells what was looked at, what was off and what took too long") {
+    Plan plan = make_plan();
+    plan.haptic.rate_hz = 1000.0;
+    plan.stages.push_back(stage("haptic", "tool"));
+    StageClock clock(plan);
+    for (int i = 0; i < 4; ++i) {
+        clock.begin();
+        std::this_thread::sleep_for(std::chrono::microseconds(i == 0 ? 2000 : 0));
+        clock.passed(HapticStage::tool);
+        HapticState state;
+        state.tool = {.n_looks = 3 + i,
+                      .n_points = 9000 - 1000 * i,
+                      .error_N = 0.0,
+                      .most_error_N = 0.02 * i};
+        clock.compare(state, std::nullopt);
+    }
+    const Analysis analysis = clock.finish(1.0, 1.0);
+    const StageFigures* const tool = find(analysis, plan.stages.size() - 1);
+    REQUIRE(tool != nullptr);
+    CHECK(tool->calls == 4);
+    REQUIRE(tool->errors.size() == 4);
+    CHECK(tool->errors[0].value == Approx(0.06));
+    CHECK(tool->errors[0].unit == "N");
+    CHECK(tool->errors[1].value == Approx(9.0));
+    CHECK(tool->errors[2].value == 6.0);
+    CHECK(tool->errors[3].value >= 25.0);
+    CHECK(tool->errors[3].against == "500 us");
+}
+
 TEST_CASE("stage clock: it knows whether the hand moved at all") {
     const Plan plan = make_plan();
     StageClock clock(plan);

@@ -6,8 +6,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <memory>
 #include <regex>
 #include <string>
+#include <vector>
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
@@ -28,13 +30,15 @@ LessonDescription make_lesson(Integrator integrator) {
     return lesson;
 }
 
+Expected<std::shared_ptr<const CollisionMesh>> load_block(const BodyDescription& /*body*/) {
+    return make_box({0.1, 0.02, 0.1}).and_then([](const TriangleMesh& mesh) {
+        return CollisionMesh::create(mesh);
+    });
+}
+
 // What is said of it; empty where it is taken.
 std::string refusal(const LessonDescription& lesson) {
-    const auto plan = compile_plan(lesson, {}, [](const BodyDescription& /*body*/) {
-        return make_box({0.1, 0.02, 0.1}).and_then([](const TriangleMesh& mesh) {
-            return CollisionMesh::create(mesh);
-        });
-    });
+    const auto plan = compile_plan(lesson, {}, load_block);
     return plan ? "" : to_sentence(plan.error());
 }
 
@@ -137,4 +141,25 @@ TEST_CASE(
         lesson.hand.tool->method = ToolMethod::field_sampling;
         CHECK(refusal(lesson).empty());
     }
+}
+
+TEST_CASE(
+    "check tool: a tool in fields that may take longer than its time is told, with what would do") {
+    const auto notices = [](int n_points, double rate_hz, ToolMethod method) {
+        LessonDescription lesson = make_lesson(Integrator::backward_euler);
+        lesson.hand.tool->points = n_points;
+        lesson.hand.tool->method = method;
+        lesson.hand.rate_hz = rate_hz;
+        return compile_plan(lesson, {}, load_block).value().notices;
+    };
+    const std::vector<std::string> told = notices(20000, 1000.0, ToolMethod::field_sampling);
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].find("lesson.lua:7: the tool: where all of its 20000 points touch") == 0);
+    CHECK(told[0].find("a step has 0.5 ms") != std::string::npos);
+    const double n_most = number_after(told[0], "at most");
+    REQUIRE(n_most > 1000.0);
+    CHECK(notices(static_cast<int>(n_most), 1000.0, ToolMethod::field_sampling).empty());
+    CHECK(notices(static_cast<int>(n_most) + 100, 1000.0, ToolMethod::field_sampling).size() == 1);
+    CHECK(notices(static_cast<int>(n_most), 4000.0, ToolMethod::field_sampling).size() == 1);
+    CHECK(notices(2000, 1000.0, ToolMethod::voxel_sampling).empty());
 }

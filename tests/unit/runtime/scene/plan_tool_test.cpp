@@ -318,3 +318,23 @@ TEST_CASE("plan: mistakes with a tool get one sentence and a line") {
     CHECK(refused_first(lesson, load_block).find("give it a turn_stiffness of at most 10") !=
           std::string::npos);
 }
+
+TEST_CASE(
+    "plan: a tool has half of each step in a live run, and as long as it takes in any other") {
+    for (const double rate_hz : {1000.0, 4000.0}) {
+        for (const ToolMethod method : {ToolMethod::field_sampling, ToolMethod::voxel_sampling}) {
+            LessonDescription lesson = make_lesson();
+            lesson.hand.rate_hz = rate_hz;
+            lesson.hand.tool->method = method;
+            lesson.hand.tool->points = 1000;
+            const auto live = compile_plan(lesson, {.live = true}, load_block);
+            REQUIRE(live);
+            CHECK(live->haptic.tool->settings.budget_us == Approx(0.5e6 / rate_hz));
+            CHECK(live->haptic.tool->settings.clock == BudgetClock::measured);
+            CHECK(compile(lesson)->haptic.tool->settings.budget_us == 0.0);
+            CHECK(validate(live->haptic));
+            const auto json = nlohmann::json::parse(explain_json(lesson, *live, nullptr));
+            CHECK(json.at("tool").at("live_time_us") == 0.5e6 / rate_hz);
+        }
+    }
+}
