@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kGhostApart = 0.02;  // of the camera's distance: the ghost is fully seen
 constexpr double kWidestMarked =
-    0.35;  // half width, of the camera's distance: a floor or a shelf has none
+    0.15;  // half width, of the camera's distance: a floor, a shelf or a plank has none
 constexpr double kBelowFloor = 0.25;  // of its radius: deeper things have no mark
 
 std::optional<SceneItem> item_of(const ViewBody& body, const Camera& camera,

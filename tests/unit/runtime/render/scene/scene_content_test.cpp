@@ -1,5 +1,7 @@
 #include "runtime/render/scene/scene_content.h"
 
+#include "haptics/math/length.h"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -66,6 +68,17 @@ TEST_CASE("content: the mark lies straight below, with the height above the floo
     CHECK_FALSE(content.marks[0].dashed);
     view.bodies = {body_at(0.0, -1.0, 0.0)};
     CHECK(read(view).marks.empty());
+}
+
+TEST_CASE("content: what is wide beside the picture has no mark: a ring says where a thing lands") {
+    for (const double size : {0.9, 1.1, 2.0}) {
+        View view = without_tool();
+        view.bodies = {body_at(0.0, 0.5, 0.0)};
+        const double half_m = read(view).marks.at(0).radius_m;
+        const double distance_m = compute_length(Vector3(view.camera.eye_W - view.camera.target_W));
+        view.bodies[0].scale = Vector3::Constant(size * 0.15 * distance_m / half_m);
+        CHECK(read(view).marks.size() == (size < 1.0 ? 1 : 0));
+    }
 }
 
 TEST_CASE("content: the hand has a mark of its own kind") {
