@@ -17,6 +17,7 @@ set(load_path
     transient_stage_build.cpp.o surface_effects_build.cpp.o
     sha256.cpp.o shape_bytes.cpp.o distance_field_bytes.cpp.o distance_band.cpp.o brick_sides.cpp.o distance_field_build.cpp.o distance_field_settings.cpp.o shell_tree.cpp.o field_sampling_build.cpp.o field_load_build.cpp.o
     kite.cpp.o wind_settings.cpp.o line_build.cpp.o kite_flight_build.cpp.o
+    contact_solver_settings.cpp.o
     realtime_thread.cpp.o) # the thread itself waits between the steps
 # Behind "=": functions that only load and stand in a file with others.
 set(load_functions
@@ -28,6 +29,8 @@ set(load_functions
     "mesh_obstacle.cpp.o=MeshObstacle::~?MeshObstacle"
     "friction_cone.cpp.o=FrictionCone::~?FrictionCone"
     "virtual_proxy.cpp.o=VirtualProxy::~?VirtualProxy"
+    "contact_problem.cpp.o=ContactProblem::~?ContactProblem" "block_system.cpp.o=BlockSystem::~?BlockSystem"
+    "newton_solver.cpp.o=NewtonSolver::~?NewtonSolver|BlockSystem::~|BodyMotion::~?BodyMotion" "iterative_solver.cpp.o=IterativeSolver::~?IterativeSolver|BodyMotion::~?BodyMotion"
     "touch_motion.cpp.o=TouchMotion::TouchMotion" "touch_teller.cpp.o=TouchTeller::TouchTeller"
     "triangle_clusters.cpp.o=TriangleClusters::TriangleClusters|build_(leaves|parents)" "slope_boxes.cpp.o=SlopeBoxes::SlopeBoxes" "distance_field.cpp.o=memory_bytes"
     "bounding_tree.cpp.o=BoundingTree::BoundingTree|build_nodes|find_centres|put_in_order|memory_bytes")

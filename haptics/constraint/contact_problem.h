@@ -1,0 +1,141 @@
+// What touches and what is joined, as one problem: which impulses keep bodies apart, hold friction and joints?
+//
+//   M (v - v_free) = sum_c J_c^T p_c                 of each body: what its momentum changes by
+//   contact: u = J v - target, along (n, t1, t2)     how b moves over a at the point
+//     p_n >= 0,   u_n + R p_n >= 0,   one of them zero
+//     |p_t| <= mu p_n;   u_t + R p_t = 0 where it is less, else p_t = -mu p_n u_t / |u_t|
+//   row:     least <= p <= most;   u + R p = 0 between them, >= 0 at `least`, <= 0 at `most`
+// p acts on b along the axes and on a against them. mu is the static coefficient, and the dynamic one for what slips.
+//
+// Impacts and rest are one problem in velocities and impulses (Stewart & Trinkle; Anitescu & Potra): v_free is what the bodies
+// would have at the end of the step without constraints, v + h M^-1 (forces), and p / h are the forces of the step. target_n
+// is what the gap asks for: -gap/h while there is one (it may close, no more), depth times a rate to push apart what overlaps,
+// -e u_n before of an impact that bounces (impact.h). Baraff states rest in accelerations and forces: give accelerations where
+// the names say velocity, and impulses are forces; the algebra is the same. Velocities are the default, for in accelerations the
+// problem may have no answer with friction (Painleve's rod) where an impulse within the step is one, and because a step then
+// needs no other problem for what arrives, rests and leaves within it.
+//
+// Nobody owns memory but the problem: it is reserved at construction. A full one drops and counts. What the answer was last
+// time goes in with each contact and row (`impulse`, `slides`): whoever keeps manifolds keeps them.
+//
+// Thread: the world loop, or one of its pool for an island. Cost: of adding, a copy.
+// Source: D. Stewart, J. Trinkle 1996, An implicit time-stepping scheme for rigid body dynamics with inelastic collisions and
+// Coulomb friction, Int. J. Numer. Methods Eng. 39. M. Anitescu, F. Potra 1997, Nonlinear Dynamics 14. D. Baraff 1994, Fast
+// contact force computation for nonpenetrating rigid bodies, SIGGRAPH, sections 2 to 5.
+#pragma once
+
+#include "haptics/math/spatial.h"
+
+#include <span>
+#include <vector>
+
+namespace fulcrum {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;  ///< linear, then angular
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// What is not moved by any impulse; a surface of it that moves is a target.
+inline constexpr int kGround = -1;
+
+struct ConstrainedBody {
+    double mass_kg = 1.0;                            ///< more than 0, finite
+    Matrix3 inertia_W{Matrix3::Identity()};          ///< kg m^2 about the centre of mass
+    Matrix3 inverse_inertia_W{Matrix3::Identity()};  ///< filled in by `add_body`
+    Vector6 free_velocity_W{Vector6::Zero()};        ///< m/s of the centre of mass, rad/s
+    Vector6 velocity_W{Vector6::Zero()};             ///< the answer
+};
+
+/// One point. a and b differ; at most one is the ground.
+struct ContactConstraint {
+    int body_a = kGround;
+    int body_b = kGround;
+    Vector3 arm_a{Vector3::Zero()};       ///< metres, from a's centre of mass to the point, in W
+    Vector3 arm_b{Vector3::Zero()};       ///< the same of b
+    Matrix3 axes_W{Matrix3::Identity()};  ///< columns: unit normal from a to b, two tangents
+    double static_friction = 0.0;
+    double dynamic_friction = 0.0;            ///< at most the static coefficient
+    Vector3 target_m_per_s{Vector3::Zero()};  ///< least along the normal; that of the surface
+    double softness_per_kg = 0.0;             ///< R, 0 or more: rigid at 0
+    double restitution = 0.0;                 ///< 0 to 1, asked by impact.h alone
+    Vector3 impulse_Ns{Vector3::Zero()};      ///< in: of the last step; out: the answer
+    bool slides = false;                      ///< in: in the last step; out: in this one
+};
+
+/// One equation between two bodies, a joint's or a motor's.
+struct RowConstraint {
+    int body_a = kGround;
+    int body_b = kGround;
+    Vector6 jacobian_a{Vector6::Zero()};  ///< u = jacobian_a . v_a + jacobian_b . v_b
+    Vector6 jacobian_b{Vector6::Zero()};
+    double target = 0.0;    ///< in the unit of u
+    double least = 0.0;     ///< impulse; may be minus infinity
+    double most = 0.0;      ///< at least `least`; may be infinity
+    double softness = 0.0;  ///< R, 0 or more
+    double impulse = 0.0;   ///< in: of the last step; out: the answer
+};
+
+/// How many of each there may be.
+struct ContactCapacity {
+    int bodies = 64;
+    int contacts = 256;
+    int rows = 64;
+};
+
+class ContactProblem {
+  public:
+    explicit ContactProblem(const ContactCapacity& capacity);
+
+    /// Forgets all; capacity stays.
+    void clear() noexcept;
+    /// The body's number. `inertia_W` is symmetric and positive definite. kGround where there is no room or the body's numbers
+    /// are none; counted.
+    int add_body(double mass_kg, const Matrix3& inertia_W, const Vector6& free_velocity_W) noexcept;
+    /// False where there is no room, bodies are not there or the same, or a number is none; counted.
+    bool add_contact(const ContactConstraint& contact) noexcept;
+    bool add_row(const RowConstraint& row) noexcept;
+
+    [[nodiscard]] std::span<ConstrainedBody> bodies() noexcept {
+        return span_of(bodies_, n_bodies_);
+    }
+    [[nodiscard]] std::span<const ConstrainedBody> bodies() const noexcept {
+        return {bodies_.data(), n_bodies_};
+    }
+    [[nodiscard]] std::span<ContactConstraint> contacts() noexcept {
+        return span_of(contacts_, n_contacts_);
+    }
+    [[nodiscard]] std::span<const ContactConstraint> contacts() const noexcept {
+        return {contacts_.data(), n_contacts_};
+    }
+    [[nodiscard]] std::span<RowConstraint> rows() noexcept { return span_of(rows_, n_rows_); }
+    [[nodiscard]] std::span<const RowConstraint> rows() const noexcept {
+        return {rows_.data(), n_rows_};
+    }
+    /// What was refused since the last `clear`.
+    [[nodiscard]] int n_dropped() const noexcept { return n_dropped_; }
+    [[nodiscard]] const ContactCapacity& capacity() const noexcept { return capacity_; }
+
+  private:
+    template <class T>
+    static std::span<T> span_of(std::vector<T>& all, std::size_t n) noexcept {
+        return {all.data(), n};
+    }
+    [[nodiscard]] bool is_pair(int body_a, int body_b) const noexcept;
+    bool refuse() noexcept;
+
+    ContactCapacity capacity_;
+    std::vector<ConstrainedBody> bodies_;
+    std::vector<ContactConstraint> contacts_;
+    std::vector<RowConstraint> rows_;
+    std::size_t n_bodies_ = 0;
+    std::size_t n_contacts_ = 0;
+    std::size_t n_rows_ = 0;
+    int n_dropped_ = 0;
+};
+
+/// Unit normal and two tangents, right-handed; the tangents turn evenly with the normal almost everywhere.
+[[nodiscard]] Matrix3 make_contact_axes(const Vector3& normal_W) noexcept;
+
+/// (m v.v + w.I w) / 2 of all bodies with these velocities, joules.
+[[nodiscard]] double compute_kinetic_energy_J(const ContactProblem& problem) noexcept;
+
+}  // namespace fulcrum

@@ -1,0 +1,76 @@
+#include "haptics/constraint/contact_solver.h"
+
+#include "haptics/constraint/contact_motion.h"
+
+#include <algorithm>
+
+namespace fulcrum {
+namespace {
+
+// The tolerance grows with the largest velocity, for rounding does.
+double find_scale(const ContactProblem& problem) noexcept {
+    double most = 1.0;
+    for (const ConstrainedBody& body : problem.bodies()) {
+        most = std::max(most, body.free_velocity_W.cwiseAbs().maxCoeff());
+    }
+    for (const ContactConstraint& contact : problem.contacts()) {
+        most = std::max(most, contact.target_m_per_s.cwiseAbs().maxCoeff());
+    }
+    for (const RowConstraint& row : problem.rows()) {
+        most = std::max(most, std::abs(row.target));
+    }
+    return most;
+}
+
+// A contact slips where it moves over the surface by more than the answer is uncertain.
+constexpr double kSlipTolerances = 100.0;
+
+}  // namespace
+
+bool ContactSolver::note_sliding(ContactProblem& problem, double tolerance,
+                                 bool may_change) noexcept {
+    const std::span<const ConstrainedBody> bodies = problem.bodies();
+    const Vector6 still = Vector6::Zero();
+    const auto velocity = [&](int body) -> const Vector6& {
+        return body == kGround ? still : bodies[static_cast<std::size_t>(body)].velocity_W;
+    };
+    bool again = false;
+    std::size_t i = 0;
+    for (ContactConstraint& c : problem.contacts()) {
+        const Vector3 y = compute_relative_velocity(c, velocity(c.body_a), velocity(c.body_b)) -
+                          c.target_m_per_s + c.softness_per_kg * c.impulse_Ns;
+        c.slides = c.impulse_Ns.x() > 0.0 &&
+                   y.tail<2>().cwiseAbs().maxCoeff() > kSlipTolerances * tolerance;
+        if (c.slides && may_change && friction_[i] > c.dynamic_friction) {
+            friction_[i] = c.dynamic_friction;
+            again = true;
+        }
+        ++i;
+    }
+    return again;
+}
+
+SolveReport ContactSolver::solve(ContactProblem& problem) noexcept {
+    const std::span<ContactConstraint> contacts = problem.contacts();
+    if (problem.bodies().size() > static_cast<std::size_t>(capacity_.bodies) ||
+        contacts.size() > friction_.size() ||
+        problem.rows().size() > static_cast<std::size_t>(capacity_.rows)) {
+        return {.residual_m_per_s = HUGE_VAL, .converged = false};
+    }
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        friction_[i] =
+            contacts[i].slides ? contacts[i].dynamic_friction : contacts[i].static_friction;
+    }
+    const double tolerance = settings_.tolerance_m_per_s * find_scale(problem);
+    const std::span<const double> friction(friction_.data(), contacts.size());
+    SolveReport report = method_->solve(problem, friction, tolerance);
+    for (int round = 1; note_sliding(problem, tolerance, round < settings_.friction_rounds);
+         ++round) {
+        const SolveReport next = method_->solve(problem, friction, tolerance);
+        report = {next.residual_m_per_s, report.n_iterations + next.n_iterations,
+                  report.n_regularised + next.n_regularised, next.converged};
+    }
+    return report;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,95 @@
+// Solves a contact problem, by one of two methods chosen by name, behind one call.
+//
+//   newton     in velocities: minimises the energy that impulses cost by semismooth Newton steps with the bodies' sparse matrix,
+//              as exact as asked; at rest the last step's impulses are checked and found right (newton_solver.h)
+//   iterative  in impulses: contact after contact, many rounds (iterative_solver.h); as near as its rounds allow
+// mu of a contact is its static coefficient, or the dynamic one if it slid. Where the answer slips at the static bound, the
+// contact slides from now on: the problem is solved once more with the dynamic coefficient there. What stuck within the
+// dynamic bound is held by the static one from the next step on.
+//
+// Answers are finite whatever comes in. What has none, is redundant or would take too long is answered as nearly as it can be:
+// `converged` and `residual` say so, and what had to be regularised is counted.
+//
+// Thread: that of the island; each thread has its own solver. Cost: `fulcrum bench contact-solvers`; no allocation.
+// Source: A. Barrow, W. Harwin 2006, A dynamic virtual environment for haptic interaction, section 5; the methods' own headers.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/constraint/contact_problem.h"
+#include "haptics/constraint/friction_shape.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace fulcrum {
+
+enum class ContactMethod : std::uint8_t { newton, iterative };
+inline constexpr std::array<ContactMethod, 2> kContactMethods{ContactMethod::newton,
+                                                              ContactMethod::iterative};
+
+/// Fixed at load.
+struct ContactSolverSettings {
+    ContactMethod method = ContactMethod::newton;
+    FrictionShape friction_shape = FrictionShape::cone;
+    /// The residual (complementarity.h) at which the answer is taken, of a problem whose velocities are 1 m/s or less, and
+    /// in proportion above; 1e-12 to 1.
+    double tolerance_m_per_s = 1.0e-10;
+    /// Linear systems solved, or rounds through all contacts, at most; 1 to 10000.
+    int max_iterations = 60;
+    int friction_rounds = 4;  ///< solves at most where contacts begin to slide, 1 to 100
+    double relaxation = 1.0;  ///< iterative: how far each contact goes to its answer, 0.1 to 1.9
+    double stiffening =
+        1.0e-5;  ///< newton: compliance of a contact within a step, of its weight; 1e-9 to 1
+};
+
+struct SolveReport {
+    double residual_m_per_s = 0.0;  ///< of the answer
+    int n_iterations = 0;           ///< linear solves or rounds; 0: last step's impulses were right
+    int n_regularised = 0;          ///< pivots that were zero, sets that had no answer
+    bool converged = true;          ///< within the tolerance
+};
+
+/// "newton", "iterative".
+[[nodiscard]] std::string_view to_string(ContactMethod method) noexcept;
+/// The method of that name; an error that lists the names where there is none.
+[[nodiscard]] Expected<ContactMethod> find_contact_method(std::string_view name);
+/// Refuses settings outside the ranges named above, NaN included.
+[[nodiscard]] Expected<void> validate(const ContactSolverSettings& settings);
+
+/// What a method is to the solver: it sets impulses and velocities for given coefficients of friction.
+class ContactMethodSolver {
+  public:
+    ContactMethodSolver() = default;
+    ContactMethodSolver(const ContactMethodSolver&) = delete;
+    ContactMethodSolver& operator=(const ContactMethodSolver&) = delete;
+    virtual ~ContactMethodSolver() = default;
+    /// `friction`: the coefficient of each contact. `tolerance`: in m/s, of this problem.
+    virtual SolveReport solve(ContactProblem& problem, std::span<const double> friction,
+                              double tolerance) noexcept = 0;
+};
+
+class ContactSolver {
+  public:
+    /// Settings are those that `validate` accepted. Reserves what problems of that capacity need.
+    ContactSolver(const ContactSolverSettings& settings, const ContactCapacity& capacity);
+
+    /// Fills in impulses, sliding and velocities. A problem larger than the capacity is left as it is and not converged.
+    SolveReport solve(ContactProblem& problem) noexcept;
+
+    [[nodiscard]] const ContactSolverSettings& settings() const noexcept { return settings_; }
+    /// What `residual_m_per_s` was taken with: the coefficient of each contact of the last problem.
+    [[nodiscard]] std::span<const double> friction() const noexcept { return friction_; }
+
+  private:
+    bool note_sliding(ContactProblem& problem, double tolerance, bool may_change) noexcept;
+    ContactSolverSettings settings_;
+    ContactCapacity capacity_;
+    std::unique_ptr<ContactMethodSolver> method_;
+    std::vector<double> friction_;
+};
+
+}  // namespace fulcrum

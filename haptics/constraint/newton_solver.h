@@ -1,0 +1,113 @@
+// Contact problems in velocities: semismooth Newton on a convex energy, the bodies' matrix kept sparse.
+//
+// With c = eps w the compliance of a constraint within the step, D = 1 / (R + c), l its impulse so far and P the projection onto
+// what it may do (friction_shape.h; least..most of a row), the velocities minimise
+//   E(v) = (v - v_free)^T M (v - v_free) / 2 + sum |p|^2 / 2D,   p = P(D (c l - u - s n))
+// a convex function with one smallest place, whatever is redundant. Its slope is g = M (v - v_free) - J^T p, and Newton's matrix
+//   H = M + sum J^T D P' J                          one 6 x 6 block a body and one a pair: block_system.h
+// The step d = -H^-1 g is taken whole where it changes no set, else as far as E falls along it: the root of its slope, found by
+// Newton within a bracket. Where E is at its smallest, l becomes p (method of multipliers), which ends when the natural map does:
+// so eps costs no accuracy, only rounds. It is made smaller where rounds gain little.
+//
+// s makes of the convex law, where what slips also lifts by mu |u_t|, Coulomb's own: s = mu |u_t| (de Saxce). It starts from the
+// slip that last step's impulses leave and is corrected with l, by (1 + mu^2) (mu |u_t| - s): exact at once for one contact.
+//
+// First of all last step's impulses are tried as they are: at rest they are the answer, and nothing is solved.
+//
+// Thread: that of the solver. Cost: `fulcrum bench contact-solvers`; of a linear solve, in proportion to bodies of a stack.
+// Source: A. Castro, F. Permenter, X. Han 2022, An unconstrained convex formulation of compliant contact, IEEE Trans. Robotics 39
+// (primal Newton, supernodal); M. Hestenes 1969, R. T. Rockafellar 1976 (multipliers as proximal steps); L. Qi, J. Sun 1993
+// (semismooth Newton); G. de Saxce, Z.-Q. Feng 1998, The bipotential method, Math. Comput. Modelling 28; V. Acary, F. Cadoux,
+// C. Lemarechal, J. Malick 2011, A formulation of the linear discrete Coulomb friction problem via convex optimization, ZAMM 91.
+#pragma once
+
+#include "haptics/constraint/block_system.h"
+#include "haptics/constraint/contact_motion.h"
+#include "haptics/constraint/contact_solver.h"
+
+#include <span>
+#include <vector>
+
+namespace fulcrum {
+
+class NewtonSolver final : public ContactMethodSolver {
+  public:
+    NewtonSolver(const ContactSolverSettings& settings, const ContactCapacity& capacity);
+    SolveReport solve(ContactProblem& problem, std::span<const double> friction,
+                      double tolerance) noexcept override;
+
+  private:
+    struct Contact {
+        double weight = 0.0, compliance = 0.0, stiffness = 0.0;  // w, c, D
+        double friction = 0.0, shift = 0.0;                      // mu, s
+        double shift_before = 0.0;  // as it was before s began to follow
+        Vector3 l{Vector3::Zero()}, l_before{l}, u{l}, du{l}, q{l}, p{l};
+        ImpulseState state, built;  // where p lies, and where it lay when H was built
+    };
+    struct Row {
+        double weight = 0.0, compliance = 0.0, stiffness = 0.0;
+        double l = 0.0, l_before = 0.0, u = 0.0, du = 0.0, p = 0.0;
+        bool free = false, built = false;  // between its bounds
+    };
+    /// How impulses and velocities fit.
+    struct Fit {
+        double residual = 0.0;  // natural map
+        double defect = 0.0;    // of E's slope, as velocity
+        double shift = 0.0;     // largest error of s
+    };
+
+    bool prepare(const ContactProblem& problem, std::span<const double> friction) noexcept;
+    void set_stiffness(const ContactProblem& problem, double eps) noexcept;
+    [[nodiscard]] double iterate(ContactProblem& problem, double tolerance,
+                                 SolveReport& report) noexcept;
+    /// Velocities follow from p; returns the residual.
+    double move_to_impulses(ContactProblem& problem) noexcept;
+    double measure(const ContactProblem& problem) noexcept;
+    /// p follows from velocities.
+    Fit evaluate(const ContactProblem& problem) noexcept;
+    void project(Contact& contact, double along) const noexcept;
+    static void project(const RowConstraint& constraint, Row& row, double along) noexcept;
+    void start_multipliers(const ContactProblem& problem) noexcept;
+    void update_multipliers() noexcept;
+    void begin_attempt() noexcept;
+    void end_attempt() noexcept;
+    bool correct(const ContactProblem& problem, const Fit& fit, double tolerance) noexcept;
+    void keep(ContactProblem& problem) const noexcept;
+
+    // newton_step.cpp
+    /// The shift of what slips follows its velocity.
+    [[nodiscard]] bool follows(const Contact& contact) const noexcept {
+        return coulomb_ && contact.state.pressed && contact.state.slips && contact.friction > 0.0;
+    }
+    [[nodiscard]] Matrix3 compute_slope_of(const Contact& contact) const noexcept;
+    void step(const ContactProblem& problem, SolveReport& report) noexcept;
+    void build(const ContactProblem& problem) noexcept;
+    void add_contacts(const ContactProblem& problem) noexcept;
+    void add_rows(const ContactProblem& problem) noexcept;
+    [[nodiscard]] bool has_built_sets() const noexcept;
+    void find_changes(const ContactProblem& problem) noexcept;
+    double compute_slope(const ContactProblem& problem, double along, double& curvature) noexcept;
+    double search(const ContactProblem& problem) noexcept;
+
+    ContactSolverSettings settings_;
+    BodyMotion motion_;
+    BlockSystem matrix_;
+    std::vector<Contact> contact_room_;
+    std::vector<Row> row_room_;
+    std::span<Contact> contacts_;  // of this problem
+    std::span<Row> rows_;
+    std::vector<Vector6> slope_;  // g, a vector a body; becomes -d
+    BodyMotion step_;             // d as velocities
+    BodyMotion before_;           // velocities before s began to follow
+    std::size_t n_bodies_ = 0;
+    double eps_ = 0.0;
+    bool built_ = false;    // H fits the stiffness
+    bool coulomb_ = false;  // s follows the slip
+    int n_attempt_ = 0;     // steps without gain since it does
+    double attempt_fits_ = 0.0;
+    double residual_before_ = 0.0;  // when l was corrected last
+    double pull_ = 0.0;             // d . M (v - v_free)
+    double inertia_ = 0.0;          // d . M d
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,248 @@
+// One step of Newton's method: its matrix, its direction, and how far to go. See newton_solver.h.
+#include "haptics/constraint/newton_solver.h"
+#include "haptics/math/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+constexpr int kMaxProbes = 30;          // of the line search
+constexpr double kRoot = 1.0e-6;        // slope along the step that counts as none, of the first
+constexpr double kSameOffset = 1.0e-9;  // metres; contacts of one pair share the bodies' offset
+
+// What the contacts of one pair of bodies add up to, about b's centre of mass:
+//   K = sum [G, -G [r]; [r] G, -[r] G [r]],  [r] the matrix of the cross product with b's arm
+struct PairStiffness {
+    Matrix6 K = Matrix6::Zero();
+    void add(const Matrix3& G, const Vector3& arm) noexcept {
+        const Matrix3 skew = compute_skew(arm);
+        const Matrix3 turned = skew * G;
+        K.topLeftCorner<3, 3>() += G;
+        K.bottomLeftCorner<3, 3>() += turned;
+        K.topRightCorner<3, 3>() -= G * skew;
+        K.bottomRightCorner<3, 3>() -= turned * skew;
+    }
+    // The same for G = D 1, where the products are known.
+    void add(double D, const Vector3& arm) noexcept {
+        const double square = arm.squaredNorm();
+        for (int i = 0; i < 3; ++i) {
+            K(i, i) += D;
+            K(3 + i, 3 + i) += D * square;
+            for (int j = 0; j < 3; ++j) {
+                K(3 + i, 3 + j) -= D * arm[i] * arm[j];
+            }
+        }
+        const Matrix3 skew = D * compute_skew(arm);
+        K.bottomLeftCorner<3, 3>() += skew;
+        K.topRightCorner<3, 3>() -= skew;
+    }
+};
+
+// K X with X = [1, -[offset]; 0, 1]: what b's twist is when a's is given, offset = arm_a - arm_b.
+Matrix6 move_columns(const Matrix6& K, const Vector3& offset) noexcept {
+    const Matrix3 skew = compute_skew(offset);
+    Matrix6 moved = K;
+    moved.rightCols<3>().noalias() -= K.leftCols<3>() * skew;
+    return moved;
+}
+// X^T K.
+Matrix6 move_rows(const Matrix6& K, const Vector3& offset) noexcept {
+    const Matrix3 skew = compute_skew(offset);
+    Matrix6 moved = K;
+    moved.bottomRows<3>().noalias() += skew * K.topRows<3>();
+    return moved;
+}
+
+void add_pair(BlockSystem& matrix, int body_a, int body_b, const Vector3& offset,
+              const Matrix6& K) noexcept {
+    if (body_b != kGround) {
+        matrix.diagonal(body_b) += K;
+    }
+    if (body_a == kGround) {
+        return;
+    }
+    const Matrix6 across = move_columns(K, offset);
+    matrix.diagonal(body_a) += move_rows(across, offset);
+    if (body_b != kGround) {
+        matrix.add(body_b, body_a, -across, -move_rows(K, offset).transpose());
+    }
+}
+
+}  // namespace
+
+Matrix3 NewtonSolver::compute_slope_of(const Contact& contact) const noexcept {
+    const FrictionShape shape = settings_.friction_shape;
+    Matrix3 slope =
+        compute_projection_slope(shape, contact.friction, contact.state, contact.q, contact.p);
+    if (follows(contact)) {
+        // The shift turns with the slip: u + s n has the slope 1 + n (ds/du)^T.
+        slope += slope.col(0) *
+                 compute_lift_slope(shape, contact.friction, contact.state, contact.u).transpose();
+    }
+    return contact.stiffness * slope;
+}
+
+void NewtonSolver::add_contacts(const ContactProblem& problem) noexcept {
+    const std::span<const ContactConstraint> all = problem.contacts();
+    for (std::size_t i = 0; i < all.size();) {
+        const ContactConstraint& first = all[i];
+        // About b, or about the point itself where b is the ground and has no place.
+        const bool on_ground = first.body_b == kGround;
+        const Vector3 offset =
+            on_ground ? Vector3(Vector3::Zero()) : Vector3(first.arm_a - first.arm_b);
+        PairStiffness pair;
+        for (; i < all.size() && all[i].body_a == first.body_a && all[i].body_b == first.body_b;
+             ++i) {
+            const ContactConstraint& c = all[i];
+            const bool moved = !on_ground && first.body_a != kGround &&
+                               (c.arm_a - c.arm_b - offset).cwiseAbs().maxCoeff() > kSameOffset;
+            if (moved) {
+                break;
+            }
+            Contact& contact = contacts_[i];
+            contact.built = contact.state;
+            const Vector3& arm = on_ground ? c.arm_a : c.arm_b;
+            if (contact.state.pressed && !contact.state.slips) {
+                pair.add(contact.stiffness, arm);
+            } else if (contact.state.pressed) {
+                pair.add(c.axes_W * compute_slope_of(contact) * c.axes_W.transpose(), arm);
+            }
+        }
+        add_pair(matrix_, first.body_a, first.body_b, offset, pair.K);
+    }
+}
+
+void NewtonSolver::add_rows(const ContactProblem& problem) noexcept {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const RowConstraint& r = problem.rows()[i];
+        Row& row = rows_[i];
+        row.built = row.free;
+        if (!row.free) {
+            continue;
+        }
+        const Vector6 a = row.stiffness * r.jacobian_a;
+        const Vector6 b = row.stiffness * r.jacobian_b;
+        if (r.body_a != kGround) {
+            matrix_.diagonal(r.body_a).noalias() += a * r.jacobian_a.transpose();
+        }
+        if (r.body_b != kGround) {
+            matrix_.diagonal(r.body_b).noalias() += b * r.jacobian_b.transpose();
+        }
+        if (r.body_a != kGround && r.body_b != kGround) {
+            const Matrix6 across = b * r.jacobian_a.transpose();
+            matrix_.add(r.body_b, r.body_a, across, across);
+        }
+    }
+}
+
+void NewtonSolver::build(const ContactProblem& problem) noexcept {
+    const bool symmetric = std::none_of(contacts_.begin(), contacts_.end(),
+                                        [&](const Contact& contact) { return follows(contact); });
+    matrix_.clear(symmetric);
+    int i = 0;
+    for (const ConstrainedBody& body : problem.bodies()) {
+        Matrix6& block = matrix_.diagonal(i++);
+        block.topLeftCorner<3, 3>().diagonal().setConstant(body.mass_kg);
+        block.bottomRightCorner<3, 3>() = body.inertia_W;
+    }
+    add_contacts(problem);
+    add_rows(problem);
+    built_ = true;
+}
+
+bool NewtonSolver::has_built_sets() const noexcept {
+    const bool is_cone = settings_.friction_shape == FrictionShape::cone;
+    return std::all_of(contacts_.begin(), contacts_.end(),
+                       [&](const Contact& contact) {
+                           const bool turns =
+                               is_cone && contact.state.slips && contact.friction > 0.0;
+                           return contact.state == contact.built && !turns;
+                       }) &&
+           std::all_of(rows_.begin(), rows_.end(),
+                       [](const Row& row) { return row.free == row.built; });
+}
+
+void NewtonSolver::find_changes(const ContactProblem& problem) noexcept {
+    pull_ = inertia_ = 0.0;
+    int i = 0;
+    for (const ConstrainedBody& body : problem.bodies()) {
+        Vector6& d = step_.velocity(i);
+        d = -slope_[static_cast<std::size_t>(i)];
+        const Vector6 momentum = compute_momentum(body, d);
+        pull_ += momentum.dot(motion_.velocity(i) - body.free_velocity_W);
+        inertia_ += momentum.dot(d);
+        ++i;
+    }
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+        const ContactConstraint& c = problem.contacts()[k];
+        contacts_[k].du =
+            compute_relative_velocity(c, step_.velocity(c.body_a), step_.velocity(c.body_b));
+    }
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        const RowConstraint& r = problem.rows()[k];
+        rows_[k].du =
+            compute_relative_velocity(r, step_.velocity(r.body_a), step_.velocity(r.body_b));
+    }
+}
+
+double NewtonSolver::compute_slope(const ContactProblem& problem, double along,
+                                   double& curvature) noexcept {
+    double slope = pull_ + along * inertia_;
+    curvature = inertia_;
+    for (Contact& contact : contacts_) {
+        project(contact, along);
+        if (!contact.state.pressed) {
+            continue;
+        }
+        slope -= contact.p.dot(contact.du);
+        const Matrix3 turned = compute_projection_slope(settings_.friction_shape, contact.friction,
+                                                        contact.state, contact.q, contact.p);
+        curvature += contact.stiffness * contact.du.dot(turned * contact.du);
+    }
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        project(problem.rows()[k], rows_[k], along);
+        slope -= rows_[k].p * rows_[k].du;
+        curvature += rows_[k].free ? rows_[k].stiffness * rows_[k].du * rows_[k].du : 0.0;
+    }
+    return slope;
+}
+
+double NewtonSolver::search(const ContactProblem& problem) noexcept {
+    double curvature = 0.0;
+    const double first = compute_slope(problem, 0.0, curvature);
+    double low = 0.0;
+    double high = HUGE_VAL;
+    double along = 1.0;
+    for (int probe = 0; probe < kMaxProbes; ++probe) {
+        const double slope = compute_slope(problem, along, curvature);
+        // The whole step that changes no set is the answer of a quadratic; elsewhere the root is looked for.
+        if ((probe == 0 && has_built_sets()) || std::abs(slope) <= kRoot * std::abs(first)) {
+            break;
+        }
+        (slope < 0.0 ? low : high) = along;
+        along -= slope / curvature;
+        if (!(along > low && along < high)) {
+            along = high < HUGE_VAL ? 0.5 * (low + high) : 2.0 * low;
+        }
+    }
+    return along;
+}
+
+void NewtonSolver::step(const ContactProblem& problem, SolveReport& report) noexcept {
+    ++report.n_iterations;
+    if (!built_ || !has_built_sets()) {
+        build(problem);
+        report.n_regularised += matrix_.factor();
+    }
+    const std::size_t n = problem.bodies().size();
+    matrix_.solve({slope_.data(), n});
+    find_changes(problem);
+    const double along = coulomb_ ? 1.0 : search(problem);
+    for (int i = 0; i < static_cast<int>(n); ++i) {
+        motion_.velocity(i) += along * step_.velocity(i);
+    }
+}
+
+}  // namespace fulcrum
