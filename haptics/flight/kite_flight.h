@@ -5,7 +5,7 @@
 // line, stable at any wind and any step. The kite's corners push off the ground as springs (loads.h) that hold it up and nothing
 // sideways.
 //
-// Thread: that of the step. Cost: 20 us with 16 segments (`fulcrum bench kite`). No allocation after construction.
+// Thread: that of the step. Cost: 10 us with 16 segments (`fulcrum bench kite`). No allocation after construction.
 // Source: the parts' headers.
 #pragma once
 

@@ -168,7 +168,9 @@ CostCurve compute_air_curve(Run& run) {
         "the tension and the place of a diamond in a steady wind of 6 m/s, by each law and "
         "number of strips a half";
     curve.reference = "cross flow with 64 strips: how far apart the laws are, not which is true";
-    curve.advice = "6 strips of cross flow; NASA's thin plate is for angles below some 20 degrees";
+    curve.advice =
+        "6 strips of cross flow; NASA's thin plate, whose pressure stays at the quarter chord, "
+        "does not fly a kite whose knot is put there for another law";
     curve.knob = {"strips", "", true};
     curve.error = {"error of the tension", "of itself", true};
     curve.extras = {{"angle of attack", "degrees"}, {"tension", "N"}, {"height", "m"}};

@@ -42,7 +42,7 @@ double find_speed_m_per_s(const KiteFlight& flight) {
 // as snap; every shape, from the lowest knot to the highest.
 Finding fly_into_storm() {
     constexpr double kStorm_m_per_s = 30.0;
-    constexpr int kSteps = 6000;
+    constexpr int kSteps = 4000;
     Finding finding{0.0, 4.0, {}};
     for (const KiteShape shape : kKiteShapes) {
         for (const double knot_m : {0.55, 0.68, 0.8}) {
@@ -79,7 +79,7 @@ Finding fly_in_long_steps() {
 Finding fly_on_any_line() {
     Finding finding{0.0, 1.0e-3, {}};
     for (const double stretch_N : {10.0, 1.0e3, 1.0e6}) {
-        for (const double mass_kg_per_m : {1.0e-5, 1.0e-3, 5.0e-3}) {
+        for (const double mass_kg_per_m : {1.0e-5, 5.0e-3}) {
             for (const int segments : {1, 32}) {
                 KiteFlightSettings settings = make_settings(KiteShape::diamond);
                 settings.kite.knot_m = 0.7;
@@ -110,7 +110,7 @@ Finding snap_in_storm() {
         settings.wind.speed_m_per_s = 20.0;
         settings.wind.gustiness = 1.0;
         KiteFlight flight(settings);
-        for (int i = 0; i < 10000; ++i) {
+        for (int i = 0; i < 6000; ++i) {
             if (i == 2500) {
                 flight.snap_line();
             }
@@ -136,7 +136,7 @@ Finding jerk() {
         settings.line.strength_N = 1.0e6;
         KiteFlight flight(settings);
         int n_slack = 0;
-        for (int i = 0; i < 15000; ++i) {
+        for (int i = 0; i < 8000; ++i) {
             const double phase = 4.0 * std::numbers::pi * kDt_s * i;
             flight.step(kDt_s, kHand_W + Vector3(0.5 * std::sin(phase), 0.0, 0.0));
             const double felt_N = compute_length(flight.report().hand_force_W);

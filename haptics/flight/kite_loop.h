@@ -1,0 +1,78 @@
+// The kite's round: takes the lesson's orders and the hand, flies on, publishes what is seen and what is felt.
+//
+// Thread: `step` on one thread beside the haptic one (or a virtual clock). Cost: that of KiteFlight::step, and one copy of the
+// frame. No allocation after construction.
+#pragma once
+
+#include "haptics/base/periodic_task.h"
+#include "haptics/flight/kite_flight.h"
+#include "haptics/flight/line_feel.h"
+#include "haptics/handover/latest_value.h"
+
+#include <array>
+#include <cstdint>
+
+namespace fulcrum {
+
+/// What a lesson sets. A launch is made once each time its count grows; the rest holds on.
+struct KiteOrders {
+    std::uint32_t n_launches = 0;
+    double elevation_rad = 0.7;  ///< of the line at the launch
+    double lean_rad = 1.1;       ///< of the spine, into the wind
+    double line_m = 20.0;        ///< unstretched; let out or taken in at kReel_m_per_s
+    double wind_m_per_s = 6.0;   ///< mean at 10 metres
+};
+
+/// How it flies, for the picture and the lesson.
+struct KiteFrame {
+    double stamp_s = -1.0;
+    KiteReport report{};
+    std::int32_t n_nodes = 0;
+    std::array<Vector3, kMostLineSegments + 1> line_W{};  ///< n_nodes of them, the hand's first
+};
+
+/// The one writer and the one reader of each stand behind it.
+struct KiteChannels {
+    LatestValue<KiteOrders> orders;  ///< lesson loop; kite loop
+    LatestValue<Vector3> hand_W;     ///< haptic loop; kite loop: where the line leaves it
+    LatestValue<KiteFrame> frame;    ///< kite loop; lesson loop and picture
+    LatestValue<LineState> line;     ///< kite loop; haptic loop
+};
+
+/// How fast a reel turns.
+inline constexpr double kReel_m_per_s = 2.0;
+/// After a longer pause it flies on from where it was instead of leaping.
+inline constexpr double kLongestKiteStep_s = 0.05;
+
+class KiteLoop final : public PeriodicTask {
+  public:
+    /// Takes settings that `validate` accepted and a rate in hertz above 0. The channels outlive the loop. Until the haptic
+    /// loop has told of a hand nothing moves.
+    KiteLoop(const KiteFlightSettings& settings, double rate_hz, KiteChannels& channels);
+    ~KiteLoop() override;
+
+    /// One round at `now_s` of the run's clock; a time that is not finite is none.
+    void step(double now_s) noexcept override;
+    /// Nothing pulls any more: the haptic loop is told so.
+    void silence(double now_s) noexcept override;
+
+    /// For the loop's own thread.
+    [[nodiscard]] const KiteFlight& flight() const noexcept { return flight_; }
+
+  private:
+    void take_orders(double dt_s) noexcept;
+    void publish(double now_s) noexcept;
+
+    KiteFlight flight_;
+    KiteChannels& channels_;
+    double period_s_;
+    KiteOrders orders_{};
+    Vector3 hand_W_{Vector3::Zero()};
+    bool has_orders_ = false;
+    bool has_hand_ = false;
+    bool started_ = false;
+    double now_s_ = 0.0;
+    KiteFrame frame_{};
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,63 @@
+// The pull of a line in the hand at the haptic rate, from a line that is simulated at the world's.
+//
+//   F(x) = max(|F_w| + k (|a - x| - L), 0) (a - x) / |a - x|,   a = x_w + L F_w / |F_w|,  k = E / L
+//   felt = share F, at most `most_N` long, times a gain that opens and fades within `fade_s`
+//   torque = R r x felt                                                    r: where the line leaves what the hand holds
+// (F_w, x_w) is the world's newest state: its pull, and where the hand was. Around it the hand hangs on a spring as long and as
+// stiff as the whole line, towards a place a: along the pull by k, across it as a string by |F| / L. The whole line, not its first
+// segment: what stands behind that gives way within a step of the world, and a hand that hung on it alone would feel the world's
+// rate. A force towards a place that depends on the distance alone has a potential; so between two states the hand gains nothing
+// however it goes, and what power there is comes from the wind through F_w.
+// A state that is older than `timeout_s`, from the future or not finite closes the gain; a slack line pulls nothing.
+//
+// Thread: haptic loop. Cost: 30 ns. No allocation.
+// Source: linearised hand-over between a slow and a fast loop, as field/linearised_wrench.h.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/flight/line.h"
+#include "haptics/math/spatial.h"
+
+namespace fulcrum {
+
+/// World -> haptic loop, newest value.
+struct LineState {
+    double stamp_s = -1.0;  ///< when it was so, on the run's clock; before the first negative
+    Vector3 hand_W{Vector3::Zero()};   ///< where the hand was then, metres
+    Vector3 force_W{Vector3::Zero()};  ///< on the hand, newtons
+    double stiffness_N_per_m = 0.0;    ///< k
+    double length_m = 1.0;             ///< L, above 0
+};
+
+/// Fixed at load.
+struct LineFeelSettings {
+    double share = 1.0;              ///< felt newtons a newton of the line, 0 to 10
+    double most_N = 5.0;             ///< felt at most, 0 to 10
+    Vector3 arm_T{Vector3::Zero()};  ///< r, in the tool's frame, at most a metre
+    double timeout_s = 0.1;          ///< 0.01 to 1
+    double fade_s = 0.1;             ///< 0.01 to 1
+};
+
+/// Refuses settings outside the ranges above, NaN.
+[[nodiscard]] Expected<void> validate(const LineFeelSettings& settings);
+
+/// Of a line whose step has ended, with the hand there.
+[[nodiscard]] LineState make_line_state(const Line& line, const Vector3& hand_W,
+                                        double stamp_s) noexcept;
+
+class LineFeel {
+  public:
+    /// Takes settings that `validate` accepted.
+    explicit LineFeel(const LineFeelSettings& settings) noexcept : settings_(settings) {}
+
+    /// The wrench on the hand about the tool's middle, world frame.
+    [[nodiscard]] Wrench step(const LineState& state, const Pose& tool_W, double now_s,
+                              double dt_s) noexcept;
+
+  private:
+    LineFeelSettings settings_;
+    double gain_ = 0.0;                // 0 closed to 1 open
+    Vector3 last_W_{Vector3::Zero()};  // before the gain, of the last state that was good
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,102 @@
+#include "haptics/flight/kite_loop.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kRate_Hz = 500.0;
+const Vector3 kHand_W(0.0, 1.0, 0.0);
+
+struct Scene {
+    std::unique_ptr<KiteChannels> channels = std::make_unique<KiteChannels>();
+    KiteLoop loop{KiteFlightSettings{}, kRate_Hz, *channels};
+    double now_s = 0.0;
+    void run(double seconds) {
+        for (int i = 0; i < static_cast<int>(std::lround(seconds * kRate_Hz)); ++i) {
+            now_s += 1.0 / kRate_Hz;
+            loop.step(now_s);
+        }
+    }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "kite loop: nothing flies before there is a hand; then what is felt and seen is the flight's") {
+    Scene scene;
+    scene.run(1.0);
+    CHECK_FALSE(scene.channels->frame.take());
+    CHECK_FALSE(scene.channels->line.take());
+    scene.channels->hand_W.publish(kHand_W);
+    scene.run(20.0);
+    REQUIRE(scene.channels->frame.take());
+    REQUIRE(scene.channels->line.take());
+    const KiteFrame& frame = scene.channels->frame.value();
+    CHECK(frame.stamp_s == Approx(scene.now_s));
+    CHECK(frame.report.centre_W == scene.loop.flight().report().centre_W);
+    CHECK(frame.report.centre_W.y() > 10.0);
+    CHECK(frame.n_nodes == LineSettings{}.segments + 1);
+    CHECK(frame.line_W[0] == kHand_W);
+    CHECK((frame.line_W[16] - frame.report.knot_W).norm() < 1.0e-9);
+    const LineState& line = scene.channels->line.value();
+    CHECK(line.force_W == frame.report.hand_force_W);
+    CHECK(line.force_W.norm() > 1.0);
+    CHECK(line.hand_W == kHand_W);
+}
+
+TEST_CASE(
+    "kite loop: the reel turns at its speed, the wind is the lesson's, a launch is made once") {
+    Scene scene;
+    scene.channels->hand_W.publish(kHand_W);
+    KiteOrders orders;
+    orders.line_m = 25.0;
+    orders.wind_m_per_s = 7.0;
+    scene.channels->orders.publish(orders);
+    scene.run(1.0);
+    CHECK(scene.loop.flight().line().length_m() == Approx(22.0));
+    scene.run(4.0);
+    CHECK(scene.loop.flight().line().length_m() == Approx(25.0));
+    scene.run(10.0);
+    const double flown_m = scene.loop.flight().report().centre_W.y();
+    orders.n_launches = 1;
+    orders.elevation_rad = 0.2;
+    scene.channels->orders.publish(orders);
+    scene.run(0.002);
+    CHECK(scene.loop.flight().report().centre_W.y() < 0.5 * flown_m);
+    scene.channels->orders.publish(orders);
+    scene.run(10.0);
+    CHECK(scene.loop.flight().report().centre_W.y() > 0.8 * flown_m);
+}
+
+TEST_CASE("kite loop: a broken clock, hand or order leaves it flying; silence lets go") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Scene scene;
+    scene.channels->hand_W.publish(kHand_W);
+    scene.run(5.0);
+    scene.loop.step(nan);
+    scene.channels->hand_W.publish({nan, 0.0, 0.0});
+    KiteOrders orders;
+    orders.n_launches = 7;
+    orders.elevation_rad = nan;
+    orders.line_m = nan;
+    orders.wind_m_per_s = nan;
+    scene.channels->orders.publish(orders);
+    scene.run(5.0);
+    const KiteReport& report = scene.loop.flight().report();
+    CHECK(is_finite(report.pose_W));
+    CHECK(report.centre_W.y() > 10.0);
+    // Starved, it goes on in the longest step it takes.
+    scene.now_s += 10.0;
+    scene.loop.step(scene.now_s);
+    CHECK(is_finite(report.pose_W));
+    scene.loop.silence(scene.now_s);
+    REQUIRE(scene.channels->line.take());
+    CHECK(scene.channels->line.value().force_W == Vector3::Zero());
+    CHECK(scene.channels->line.value().stamp_s == scene.now_s);
+}

@@ -1,0 +1,162 @@
+#include "haptics/flight/line_feel.h"
+
+#include "haptics/math/rotation.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kDt_s = 0.001;
+
+// 3 N along x, from a line of 20 m and 25 N/m.
+LineState make_state(double stamp_s = 0.0) {
+    return {stamp_s, {1.0, 2.0, 3.0}, {3.0, 0.0, 0.0}, 25.0, 20.0};
+}
+
+// Open: states have come for long enough.
+LineFeel make_open(const LineFeelSettings& settings = {}) {
+    LineFeel feel(settings);
+    for (int i = 0; i < 200; ++i) {
+        (void)feel.step(make_state(), Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s);
+    }
+    return feel;
+}
+
+Vector3 feel_at(const Vector3& offset_m) {
+    LineFeel feel = make_open();
+    return feel.step(make_state(), Pose::at(Vector3(1.0, 2.0, 3.0) + offset_m), 0.0, kDt_s).force;
+}
+
+}  // namespace
+
+TEST_CASE("line feel: the world's pull where the hand was, a spring and a string around it") {
+    CHECK((feel_at({0.0, 0.0, 0.0}) - Vector3(3.0, 0.0, 0.0)).norm() < 1.0e-12);
+    CHECK((feel_at({-0.02, 0.0, 0.0}) - Vector3(3.5, 0.0, 0.0)).norm() < 1.0e-12);
+    const double aside_N = 3.0 + 25.0 * (std::hypot(20.0, 0.1) - 20.0);
+    CHECK((feel_at({0.0, 0.1, 0.0}) - aside_N * Vector3(20.0, -0.1, 0.0).normalized()).norm() <
+          1.0e-12);
+    // Brought nearer by more than it is stretched, it is slack.
+    CHECK(feel_at({0.119, 0.0, 0.0}).x() == Approx(0.025));
+    CHECK(feel_at({0.121, 0.0, 0.0}) == Vector3::Zero());
+}
+
+TEST_CASE("line feel: shared, bounded, and with the torque of the arm") {
+    LineFeelSettings settings;
+    settings.share = 0.5;
+    settings.most_N = 2.0;
+    settings.arm_T = {0.0, 0.1, 0.0};
+    LineFeel feel = make_open(settings);
+    const Quaternion turned = compute_exp(Vector3(0.0, 0.0, 0.5));
+    const Wrench felt = feel.step(make_state(), {{1.0, 2.0, 3.0}, turned}, 0.0, kDt_s);
+    CHECK((felt.force - Vector3(1.5, 0.0, 0.0)).norm() < 1.0e-12);
+    CHECK((felt.torque - (turned * settings.arm_T).cross(felt.force)).norm() < 1.0e-12);
+    const Wrench far = feel.step(make_state(), Pose::at({0.0, 2.0, 3.0}), 0.0, kDt_s);
+    CHECK(far.force.norm() == Approx(2.0));
+}
+
+TEST_CASE("line feel: opens softly, and fades when the world is silent or says nothing true") {
+    LineFeel feel(LineFeelSettings{});
+    double last_N = 0.0;
+    for (int i = 0; i < 99; ++i) {
+        const double felt_N =
+            feel.step(make_state(), Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s).force.norm();
+        CHECK(felt_N - last_N == Approx(3.0 * kDt_s / 0.1));
+        last_N = felt_N;
+    }
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    LineState broken = make_state();
+    broken.force_W.x() = nan;
+    for (const LineState& bad : {make_state(-1.0), make_state(0.3), make_state(nan), broken}) {
+        LineFeel open = make_open();
+        for (int i = 0; i < 101; ++i) {
+            const Wrench felt = open.step(bad, Pose::at({1.0, 2.0, 3.0}), 0.15, kDt_s);
+            CHECK(felt.force.norm() <= 3.0 * std::max(1.0 - 0.01 * (i + 1), 0.0) + 1.0e-9);
+        }
+        CHECK(open.step(bad, Pose::at({1.0, 2.0, 3.0}), 0.15, kDt_s).force == Vector3::Zero());
+    }
+    // One that is old enough likewise, and a hand that is nowhere feels nothing.
+    LineFeel late = make_open();
+    CHECK(late.step(make_state(), Pose::at({1.0, 2.0, 3.0}), 0.11, kDt_s).force.norm() < 3.0);
+    CHECK(is_finite(late.step(make_state(), {{nan, 0, 0}, {nan, 0, 0, 0}}, 0.0, kDt_s)));
+}
+
+TEST_CASE("line feel: while the world stands, a hand that goes round gains nothing from it") {
+    Random random(21);
+    for (int round = 0; round < 50; ++round) {
+        LineFeel feel = make_open();
+        const Vector3 a = 0.2 * random.in_cube();
+        const Vector3 b = 0.2 * random.in_cube();
+        double work_J = 0.0;
+        Vector3 at_W(1.0, 2.0, 3.0);
+        Vector3 force_W = feel.step(make_state(), Pose::at(at_W), 0.0, kDt_s).force;
+        constexpr int kSteps = 4000;
+        for (int i = 1; i <= kSteps; ++i) {
+            const double phase = 2.0 * std::numbers::pi * i / kSteps;
+            const Vector3 next_W =
+                Vector3(1.0, 2.0, 3.0) + std::sin(phase) * a + (1.0 - std::cos(phase)) * b;
+            const Vector3 next_force_W =
+                feel.step(make_state(), Pose::at(next_W), 0.0, kDt_s).force;
+            work_J += 0.5 * (force_W + next_force_W).dot(next_W - at_W);
+            at_W = next_W;
+            force_W = next_force_W;
+        }
+        constexpr double kSteps_J = 1.0e-5;  // of a round in 4000 straight steps
+        CHECK(std::abs(work_J) < kSteps_J);
+    }
+}
+
+TEST_CASE("line feel: a line's state is its pull, its stretch and its tension over its length") {
+    LineSettings settings;
+    Line line(settings);
+    WindSettings wind;
+    wind.speed_m_per_s = 0.0;
+    wind.ground_m = -100.0;
+    const GustState gusts;
+    line.lay(Vector3::Zero(), {20.2, 0.0, 0.0});
+    for (int i = 0; i < 500; ++i) {
+        (void)line.begin_step(Vector3::Zero(), 0.01, {Vector3::Zero(), wind, gusts});
+        line.end_step({20.2, 0.0, 0.0});
+    }
+    const LineState state = make_line_state(line, {0.0, 0.0, 0.0}, 1.5);
+    CHECK(state.stamp_s == 1.5);
+    CHECK((state.force_W - Vector3(5.0, 0.0, 0.0)).norm() < 1.0e-6);
+    CHECK(state.stiffness_N_per_m == Approx(500.0 / 20.0));
+    CHECK(state.length_m == Approx(20.0));
+    // Moved by a little, the true line pulls as its state foretells.
+    LineFeelSettings wide;
+    wide.most_N = 10.0;
+    LineFeel feel = make_open(wide);
+    const Vector3 moved_W(-0.05, 0.1, 0.0);
+    for (int i = 0; i < 500; ++i) {
+        (void)line.begin_step(moved_W, 0.01, {Vector3::Zero(), wind, gusts});
+        line.end_step({20.2, 0.0, 0.0});
+    }
+    LineState now = state;
+    now.stamp_s = 0.0;
+    const Vector3 told_W = feel.step(now, Pose::at(moved_W), 0.0, kDt_s).force;
+    CHECK((told_W - line.hand_force_W()).norm() < 1.0e-3 * told_W.norm());
+    line.snap();
+    CHECK(make_line_state(line, Vector3::Zero(), 2.0).stiffness_N_per_m == 0.0);
+}
+
+TEST_CASE("line feel: refuses settings outside their ranges") {
+    CHECK(validate(LineFeelSettings{}));
+    const auto refused = [](auto change) {
+        LineFeelSettings settings;
+        change(settings);
+        return !validate(settings);
+    };
+    CHECK(refused([](LineFeelSettings& feel) { feel.share = -1.0; }));
+    CHECK(refused([](LineFeelSettings& feel) { feel.most_N = 11.0; }));
+    CHECK(refused([](LineFeelSettings& feel) { feel.arm_T = {2.0, 0.0, 0.0}; }));
+    CHECK(refused([](LineFeelSettings& feel) { feel.timeout_s = 0.0; }));
+    CHECK(refused([](LineFeelSettings& feel) { feel.fade_s = std::nan(""); }));
+}
