@@ -142,9 +142,19 @@ void forget_worse(bool is_best, int n_changes, Vector6& change) noexcept {
     }
 }
 
-// The last change of base counts only where nothing better than the first guess was found: that one has felt no load yet.
-void keep_best(bool is_first, Vector6& change) noexcept {
-    if (!is_first) {
+// Whether the looks are spent, or the time.
+bool must_end(const Load& load, int i, int last, StepStatus& status) noexcept {
+    if (i == std::max(last, 1)) {
+        return true;
+    }
+    const bool is_late = i > 0 && !load.has_time();
+    status = is_late ? StepStatus::out_of_time : status;
+    return is_late;
+}
+
+// Out of time, the last change of base counts where nothing better than the first guess was found: that one has felt no load yet.
+void keep_best(bool is_first, StepStatus status, Vector6& change) noexcept {
+    if (!is_first || status != StepStatus::out_of_time) {
         change.setZero();
     }
 }
@@ -188,13 +198,8 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
             forget_worse(is_best, i, change);
             break;
         }
-        if (i == std::max(last, 1)) {
-            change.setZero();
-            break;
-        }
-        if (i > 0 && !load.has_time()) {
-            result.status = StepStatus::out_of_time;
-            keep_best(is_first, change);
+        if (must_end(load, i, last, result.status)) {
+            keep_best(is_first, result.status, change);
             break;
         }
         if (!is_best) {

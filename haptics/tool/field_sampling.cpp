@@ -24,6 +24,20 @@ double bound_motion_m(const Pose& from, const Pose& to, double reach_m) noexcept
     return (to.position - from.position).norm() + 2.0 * turn.vec().norm() * reach_m;
 }
 
+// Which of eight times are not later than `now`, a bit each.
+unsigned find_due(const float* times, float now) noexcept {
+    using Eight = float __attribute__((vector_size(32)));
+    using EightInts = std::int32_t __attribute__((vector_size(32)));
+    Eight each{};
+    __builtin_memcpy(&each, times, sizeof each);
+    constexpr EightInts kBits{1, 2, 4, 8, 16, 32, 64, 128};
+    EightInts due = (each <= now) & kBits;
+    due |= __builtin_shufflevector(due, due, 4, 5, 6, 7, 0, 1, 2, 3);
+    due |= __builtin_shufflevector(due, due, 2, 3, 0, 1, 6, 7, 4, 5);
+    due |= __builtin_shufflevector(due, due, 1, 0, 3, 2, 5, 4, 7, 6);
+    return static_cast<unsigned>(due[0]);
+}
+
 }  // namespace
 
 void FieldSampler::reset() noexcept {
@@ -181,6 +195,7 @@ float FieldSampler::search_level(std::size_t level, const FieldPlace& place, boo
     nodes_.clear();
     float least = HUGE_VALF;
     constexpr std::ptrdiff_t kAhead = 4;  // groups whose memory is asked for
+    constexpr unsigned kAll = (1U << ShellTree::kWidth) - 1U;
     const Nodes& groups = levels_[level].groups;
     for (const std::int32_t& node : groups) {
         const auto group = static_cast<std::size_t>(node);
@@ -190,10 +205,7 @@ float FieldSampler::search_level(std::size_t level, const FieldPlace& place, boo
             prefetch(&shell_->level(0)[next], sizeof(EightBalls));
         }
         const float* const until = levels_[level].free_until.data() + ShellTree::kWidth * group;
-        unsigned due = 0;
-        for (unsigned i = 0; i < ShellTree::kWidth; ++i) {
-            due |= (!remembers || until[i] <= now_ ? 1U : 0U) << i;
-        }
+        const unsigned due = remembers ? find_due(until, now_) : kAll;
         if (due != 0) {
             least = std::min(least, search_group(level, group, due, place, remembers, within));
         }

@@ -263,7 +263,11 @@ VoxelToolResult SampledTool<Sampling, Plan>::run(MovingFrame handle,
 template <class Sampling, class Plan>
 ToolEffort SampledTool<Sampling, Plan>::tell_effort(const VoxelToolResult& result) const noexcept {
     const std::int64_t n_looks = time_.n_looks() + 1;  // and the one that ended the step
-    ToolEffort effort{n_looks, time_.n_points(), result.contact.error_N,
+    // What is pulled with no more than the clamp is off by no more than twice that.
+    const double most_N = coupling_.clamp_m > 0.0
+                              ? 2.0 * coupling_.shift.stiffness_N_per_m * coupling_.clamp_m
+                              : result.contact.error_N;
+    ToolEffort effort{n_looks, time_.n_points(), std::min(result.contact.error_N, most_N),
                       result.step.status != StepStatus::out_of_time};
     for (const Sampling& sampling : samplings_) {
         effort.n_points += count_points(sampling, n_looks);

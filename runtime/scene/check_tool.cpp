@@ -18,8 +18,8 @@ constexpr double kStiffest_N_per_m = 2000.0;
 constexpr double kSpringStep = 1.25;  // from one that is tried to the next
 constexpr double kVoxelPoint_ns =
     25.0;  // of a point lying flat among voxels, all looks of a step: measured
-constexpr double kFieldPoint_ns = 60.0;  // likewise against a field
-constexpr double kShareOfStep = 0.5;     // that a tool may take
+constexpr double kFieldPoint_ns = 150.0;  // likewise against a field
+constexpr double kShareOfStep = 0.5;      // that a tool may take
 constexpr int kSprings = 16;  // on either side: 1.25^16 = 35, from the softest to near the stiffest
 
 // Two digits, upwards: what is said must do.
