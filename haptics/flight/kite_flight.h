@@ -72,7 +72,7 @@ class KiteFlight {
     [[nodiscard]] const KiteReport& report() const noexcept { return report_; }
     [[nodiscard]] const RigidState& state() const noexcept { return state_; }
     [[nodiscard]] const Kite& kite() const noexcept { return kite_; }
-    [[nodiscard]] const Line& line() const noexcept { return line_; }
+    [[nodiscard]] const KiteLine& line() const noexcept { return line_; }
 
   private:
     void move_kite(double dt_s, const LinePull& pull, const Vector3& wind_W) noexcept;
@@ -80,7 +80,7 @@ class KiteFlight {
 
     KiteFlightSettings settings_;
     Kite kite_;
-    Line line_;
+    KiteLine line_;
     IntegratorSettings integrator_{};
     std::vector<PlaneContact> corners_;
     GustState gusts_{};

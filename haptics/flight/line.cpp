@@ -16,7 +16,7 @@ constexpr double kGround_rad_per_s = 60.0;  // how quickly the ground pushes a n
 
 }  // namespace
 
-void Line::lay(const Vector3& hand_W, const Vector3& end_W) noexcept {
+void KiteLine::lay(const Vector3& hand_W, const Vector3& end_W) noexcept {
     const double n = static_cast<double>(segments_.size());
     for (std::size_t i = 0; i < nodes_W_.size(); ++i) {
         nodes_W_[i] = hand_W + static_cast<double>(i) / n * (end_W - hand_W);
@@ -27,11 +27,11 @@ void Line::lay(const Vector3& hand_W, const Vector3& end_W) noexcept {
     snapped_ = false;
 }
 
-void Line::set_length_m(double length_m) noexcept {
+void KiteLine::set_length_m(double length_m) noexcept {
     length_m_ = std::clamp(length_m, kShortest_m, kLongestShare * settings_.length_m);
 }
 
-Line::Segment Line::compute_segment(std::size_t i, double dt_s) const noexcept {
+KiteLine::Segment KiteLine::compute_segment(std::size_t i, double dt_s) const noexcept {
     const Vector3 way = nodes_W_[i + 1] - nodes_W_[i];
     const double length_m = compute_length(way);
     const double rest_m = length_m_ / static_cast<double>(segments_.size());
@@ -48,9 +48,9 @@ Line::Segment Line::compute_segment(std::size_t i, double dt_s) const noexcept {
 }
 
 // Weight, air and ground of `share` of a segment's line around node i.
-void Line::add_surroundings(std::size_t i, double dt_s, double share,
-                            const LineSurroundings& around, Vector3& force_W,
-                            Matrix3& matrix) const noexcept {
+void KiteLine::add_surroundings(std::size_t i, double dt_s, double share,
+                                const LineSurroundings& around, Vector3& force_W,
+                                Matrix3& matrix) const noexcept {
     const double piece_m = share * length_m_ / static_cast<double>(segments_.size());
     const double mass_kg = piece_m * settings_.mass_kg_per_m;
     force_W += mass_kg * around.gravity_W;
@@ -75,8 +75,8 @@ void Line::add_surroundings(std::size_t i, double dt_s, double share,
     }
 }
 
-LinePull Line::begin_step(const Vector3& hand_W, double dt_s,
-                          const LineSurroundings& around) noexcept {
+LinePull KiteLine::begin_step(const Vector3& hand_W, double dt_s,
+                              const LineSurroundings& around) noexcept {
     dt_s_ = dt_s;
     ways_W_[0] = hand_W - nodes_W_[0];
     velocities_W_[0] = ways_W_[0] / dt_s;
@@ -111,7 +111,7 @@ LinePull Line::begin_step(const Vector3& hand_W, double dt_s,
 }
 
 // From the hand outwards: D_i = A_i - S D_(i-1)^-1 S, and what is left over of the right-hand side.
-void Line::sweep(double dt_s, const LineSurroundings& around) noexcept {
+void KiteLine::sweep(double dt_s, const LineSurroundings& around) noexcept {
     const double n = static_cast<double>(segments_.size());
     const double mass_kg = settings_.mass_kg_per_m * length_m_ / n;
     const std::size_t end = segments_.size();
@@ -139,7 +139,7 @@ void Line::sweep(double dt_s, const LineSurroundings& around) noexcept {
 }
 
 // Back to the hand: d_i = D_i^-1 (r_i + S_i d_(i+1)).
-void Line::solve_back(std::size_t last) noexcept {
+void KiteLine::solve_back(std::size_t last) noexcept {
     for (std::size_t i = last; i > 0; --i) {
         ways_W_[i] = solved_[i];
         if (i < segments_.size()) {
@@ -148,7 +148,7 @@ void Line::solve_back(std::size_t last) noexcept {
     }
 }
 
-void Line::end_step(const Vector3& end_W) noexcept {
+void KiteLine::end_step(const Vector3& end_W) noexcept {
     const std::size_t end = segments_.size();
     if (snapped_) {
         solve_back(end);

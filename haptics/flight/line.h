@@ -60,10 +60,10 @@ struct LineSurroundings {
 /// Refuses settings outside the ranges above, NaN.
 [[nodiscard]] Expected<void> validate(const LineSettings& settings);
 
-class Line {
+class KiteLine {
   public:
     /// Takes settings that `validate` accepted. It lies at the origin until `lay`.
-    explicit Line(const LineSettings& settings);
+    explicit KiteLine(const LineSettings& settings);
 
     /// Straight from hand to end, at rest, whole.
     void lay(const Vector3& hand_W, const Vector3& end_W) noexcept;

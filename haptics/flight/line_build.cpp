@@ -18,7 +18,7 @@ Expected<void> validate(const LineSettings& settings) {
     return check_ranges("a line's", ranges);
 }
 
-Line::Line(const LineSettings& settings)
+KiteLine::KiteLine(const LineSettings& settings)
     : settings_(settings),
       length_m_(settings.length_m),
       nodes_W_(static_cast<std::size_t>(settings.segments) + 1, Vector3::Zero()),

@@ -32,7 +32,7 @@ Vector3 shorten(const Vector3& force_W, double most_N) noexcept {
 
 }  // namespace
 
-LineState make_line_state(const Line& line, const Vector3& hand_W, double stamp_s) noexcept {
+LineState make_line_state(const KiteLine& line, const Vector3& hand_W, double stamp_s) noexcept {
     const double stiffness_N_per_m =
         line.is_snapped() ? 0.0 : line.settings().stretch_N / line.length_m();
     return {stamp_s, hand_W, line.hand_force_W(), stiffness_N_per_m, line.length_m()};

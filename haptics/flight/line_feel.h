@@ -42,7 +42,7 @@ struct LineFeelSettings {
 [[nodiscard]] Expected<void> validate(const LineFeelSettings& settings);
 
 /// Of a line whose step has ended, with the hand there.
-[[nodiscard]] LineState make_line_state(const Line& line, const Vector3& hand_W,
+[[nodiscard]] LineState make_line_state(const KiteLine& line, const Vector3& hand_W,
                                         double stamp_s) noexcept;
 
 class LineFeel {

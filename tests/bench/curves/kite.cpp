@@ -48,7 +48,7 @@ KiteFlightSettings make_windy() {
 Vector3 find_line_pull(int segments) {
     LineSettings settings;
     settings.segments = segments;
-    fulcrum::Line line(settings);
+    KiteLine line(settings);
     line.lay(kHand_W, kHand_W + kFar_W);
     const WindSettings wind = make_windy().wind;
     const GustState gusts;

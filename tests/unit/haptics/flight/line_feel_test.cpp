@@ -115,7 +115,7 @@ TEST_CASE("line feel: while the world stands, a hand that goes round gains nothi
 
 TEST_CASE("line feel: a line's state is its pull, its stretch and its tension over its length") {
     LineSettings settings;
-    Line line(settings);
+    KiteLine line(settings);
     WindSettings wind;
     wind.speed_m_per_s = 0.0;
     wind.ground_m = -100.0;

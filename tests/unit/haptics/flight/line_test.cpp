@@ -29,7 +29,7 @@ struct Scene {
     }
     [[nodiscard]] LineSurroundings around() const { return {gravity_W, wind, gusts}; }
     // Both ends held there until it hangs still. Where it does is the same whatever the step; longer ones calm it sooner.
-    void settle(Line& line, const Vector3& hand_W, const Vector3& end_W, double seconds,
+    void settle(KiteLine& line, const Vector3& hand_W, const Vector3& end_W, double seconds,
                 double dt_s = kDt_s) const {
         line.lay(hand_W, end_W);
         for (int i = 0; i < static_cast<int>(seconds / dt_s); ++i) {
@@ -45,14 +45,14 @@ Vector3 find_pull(int segments, const Vector3& end_W) {
     settings.segments = segments;
     settings.mass_kg_per_m = 0.01;
     settings.drag_coefficient = 0.0;
-    Line line(settings);
+    KiteLine line(settings);
     const Scene scene;
     scene.settle(line, Vector3::Zero(), end_W, 200.0, 0.1);
     return line.end_force_W() + 20.0 / segments * 0.5 * 0.01 * scene.gravity_W;
 }
 
 // Of motion, height above the ground at 0 and stretch.
-double compute_energy_J(const Line& line) {
+double compute_energy_J(const KiteLine& line) {
     const double n = line.settings().segments;
     const double rest_m = line.length_m() / n;
     double energy_J = 0.0;
@@ -92,7 +92,7 @@ TEST_CASE("line: taut, it pulls by its stretch at both ends; slack, it never pus
     for (const int segments : {1, 2, 16}) {
         LineSettings settings;
         settings.segments = segments;
-        Line line(settings);
+        KiteLine line(settings);
         scene.settle(line, {1.0, 2.0, 3.0}, {21.2, 2.0, 3.0}, 1.0);
         CHECK((line.end_force_W() - Vector3(-5.0, 0.0, 0.0)).norm() < 1.0e-6);
         CHECK((line.hand_force_W() - Vector3(5.0, 0.0, 0.0)).norm() < 1.0e-6);
@@ -109,7 +109,7 @@ TEST_CASE("line: the wind across it is carried by both ends, that along it by no
     scene.wind.ground_m = 0.0;
     LineSettings settings;
     settings.stretch_N = 1.0e5;
-    Line line(settings);
+    KiteLine line(settings);
     // 10 m high everywhere, across the wind, just taut.
     scene.settle(line, {0.0, 10.0, 0.0}, {0.0, 10.0, 20.02}, 10.0);
     const double expected_N = 0.5 * kAirDensity_kg_per_m3 * 1.1 * 7.0e-4 * 20.0 * 100.0;
@@ -127,7 +127,7 @@ TEST_CASE("line: the open end's pull is what the closed step gives") {
         LineSettings settings;
         settings.segments = segments;
         settings.drag_coefficient = 0.0;
-        Line line(settings);
+        KiteLine line(settings);
         line.lay(Vector3::Zero(), {19.0, 8.0, 3.0});
         for (int i = 0; i < 50; ++i) {
             const Vector3 hand_W = 0.02 * random.in_cube();
@@ -146,7 +146,7 @@ TEST_CASE("line: a snapped one falls, gains no energy, and comes to lie on the g
     Scene scene;
     scene.wind.ground_m = 0.0;
     LineSettings settings;
-    Line line(settings);
+    KiteLine line(settings);
     const Vector3 hand_W(0.0, 1.0, 0.0);
     line.lay(hand_W, {12.0, 17.0, 0.0});
     line.snap();
@@ -171,7 +171,7 @@ TEST_CASE("line: a snapped one falls, gains no energy, and comes to lie on the g
 
 TEST_CASE("line: let out, it slackens; its length stays within bounds") {
     Scene scene;
-    Line line(LineSettings{});
+    KiteLine line(LineSettings{});
     scene.settle(line, Vector3::Zero(), {16.0, 13.0, 0.0}, 1.0);
     CHECK(line.end_force_W().norm() > 5.0);
     line.set_length_m(22.0);
