@@ -10,7 +10,8 @@ namespace fulcrum {
 /// Newtons (or newton metres) in world axes.
 struct ElasticForce {
     Vector3 now_W{Vector3::Zero()};  ///< at the hand's new place, in the scene as it is now
-    /// At the hand's new place, in the scene as it was one round before: no anchor moved, nothing switched, no new answer.
+    /// Where the scene changes at the rounds alone: at the hand's new place, in the scene as it was one round before, no anchor set
+    /// elsewhere, nothing switched, no new answer. Where it goes on between the rounds, as a contact and a tool do: `now_W`.
     Vector3 held_W{Vector3::Zero()};
 
     ElasticForce& operator+=(const ElasticForce& other) noexcept {

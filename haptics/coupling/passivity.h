@@ -3,10 +3,15 @@
 //
 // Observer. Round n reads the hand at x_n, asks C_n = S_n + D_n (S elastic, see elastic_force.h; D the dampers) and sends A_n,
 // which the device holds to the next round. With d_n = x_n - x_(n-1) the hand was given
-//   A_(n-1) . d_n                                    exactly, whatever way it took: the force was constant
-// and the ideal scene would have given, anchors, switches and answers changing only at the rounds themselves,
-//   g_(n-1) (S_(n-1) + H_n)/2 . d_n + kink           H_n: S at x_n in the scene of n-1;  g: what the gate let through
-// which is exact where S is affine along d (spring, weight, flat wall, a lesson's slopes) and wrong by |d|^3 |S''| / 12
+//   A_(n-1) . d_n                                    exactly, whatever way it took: the force was constant (Ryu, Kim and
+//                                                    Hannaford: E_n = sum of f_(k-1) . (x_k - x_(k-1)))
+// and the ideal scene would have given
+//   g_(n-1) ((S_(n-1) + H_n)/2 . d_n + kink)         g: what the gate let through
+//   H_n = S_n                      where the scene goes on between the rounds: a contact and a tool, whose anchors follow the hand
+//                                  and the solids; hand and anchor that move on together get just what was held
+//   H_n = S at x_n in the scene    where the scene changes at the rounds alone: an anchor that is set, a switch, an answer; what
+//         of round n-1             changed there is not the hand's doing, and gives no excess
+// which is exact where S is affine along the way (spring, weight, flat wall, a lesson's slopes) and wrong by |d|^3 |S''| / 12
 // elsewhere (magnet, round and moving solids). Dampers have no such claim: what they do must take. So the excess grows by
 //   e_n = A_(n-1).d_n - g_(n-1) ((S_(n-1) + H_n)/2 . d_n + kink) - b_device |d_n|^2 / T
 // (own friction takes at least that: Cauchy and Schwarz). A weight gives 0, lowered or not. A spring k with a damper b:

@@ -15,10 +15,9 @@ struct CurvePoint {
     double slope = 0.0;
 };
 
-// The turn's curve is the shift's with radians for metres and newton metres for newtons.
+// The turn's curve is the shift's with radians for metres and newton metres for newtons; its damper is apart.
 CouplingSettings curve_of(const TurnCouplingSettings& turn) noexcept {
     return {.stiffness_N_per_m = turn.stiffness_Nm_per_rad,
-            .damping_Ns_per_m = turn.damping_Nms_per_rad,
             .linear_range_m = turn.linear_range_rad,
             .saturation_range_m = turn.saturation_range_rad,
             .saturation_force_N = turn.saturation_torque_Nm};
@@ -61,13 +60,20 @@ Vector3 compute_plain_pull(const CouplingSettings& curve, double clamp,
                         : Vector3(Vector3::Zero());
 }
 
+// B_r s: the spin's slip along the tool's axes, each braked by its own value.
+Vector3 compute_turn_damping(const TurnCouplingSettings& turn, const MovingFrame& grip,
+                             const Vector3& spin_slip_W) noexcept {
+    const Quaternion& q_WT = grip.pose_W.orientation;
+    return q_WT * Vector3(turn.damping_Nms_per_rad.cwiseProduct(q_WT.conjugate() * spin_slip_W));
+}
+
 }  // namespace
 
 ToolCouplingSettings make_critically_damped(ToolCouplingSettings settings, double mass_kg,
-                                            double moment_kg_m2) noexcept {
+                                            const Vector3& moments_kg_m2) noexcept {
     settings.shift.damping_Ns_per_m = 2.0 * std::sqrt(mass_kg * settings.shift.stiffness_N_per_m);
     settings.turn.damping_Nms_per_rad =
-        2.0 * std::sqrt(moment_kg_m2 * settings.turn.stiffness_Nm_per_rad);
+        2.0 * (settings.turn.stiffness_Nm_per_rad * moments_kg_m2).cwiseSqrt();
     return settings;
 }
 
@@ -87,7 +93,7 @@ Wrench compute_tool_coupling(const ToolCouplingSettings& settings, const MovingF
                 settings.shift.damping_Ns_per_m * slip_W,
             compute_plain_pull(curve_of(settings.turn), settings.clamp_rad,
                                compute_turn(handle, grip)) -
-                settings.turn.damping_Nms_per_rad * spin_slip_W};
+                compute_turn_damping(settings.turn, grip, spin_slip_W)};
 }
 
 ToolCouplingWrench compute_linearised_tool_coupling(const ToolCouplingSettings& settings,
@@ -105,9 +111,15 @@ ToolCouplingWrench compute_linearised_tool_coupling(const ToolCouplingSettings& 
     // The turn: phi' = log(exp(phi) exp(-dtheta)) = phi - J_r(phi)^-1 dtheta.
     const Vector3 turn = compute_turn(handle, grip);
     const Pull pull = compute_pull(curve_of(settings.turn), settings.clamp_rad, turn);
-    out.torque = pull.pull - settings.turn.damping_Nms_per_rad * spin_slip_W;
-    out.torque_by_turn = -pull.by_stretch * compute_right_jacobian_inverse(turn);
-    out.torque_by_spin = -settings.turn.damping_Nms_per_rad * Matrix3::Identity();
+    const Matrix3 R_WT = grip.pose_W.orientation.toRotationMatrix();
+    const Matrix3 damping =
+        R_WT * settings.turn.damping_Nms_per_rad.asDiagonal() * R_WT.transpose();
+    const Vector3 damped = compute_turn_damping(settings.turn, grip, spin_slip_W);
+    out.torque = pull.pull - damped;
+    // The damper's axes turn with the tool: d(-B s) = ([B s] - B [s]) dtheta.
+    out.torque_by_turn = -pull.by_stretch * compute_right_jacobian_inverse(turn) +
+                         compute_skew(damped) - damping * compute_skew(spin_slip_W);
+    out.torque_by_spin = -damping;
     return out;
 }
 

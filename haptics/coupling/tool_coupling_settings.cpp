@@ -11,9 +11,11 @@ namespace fulcrum {
 namespace {
 
 Expected<void> validate_turn(const TurnCouplingSettings& turn) {
-    const std::array<Range, 2> ranges{
+    const std::array<Range, 4> ranges{
         {{"stiffness_Nm_per_rad", turn.stiffness_Nm_per_rad, 0.0, 1.0e3},
-         {"damping_Nms_per_rad", turn.damping_Nms_per_rad, 0.0, 100.0}}};
+         {"damping_Nms_per_rad.x", turn.damping_Nms_per_rad.x(), 0.0, 100.0},
+         {"damping_Nms_per_rad.y", turn.damping_Nms_per_rad.y(), 0.0, 100.0},
+         {"damping_Nms_per_rad.z", turn.damping_Nms_per_rad.z(), 0.0, 100.0}}};
     if (auto checked = check_ranges("the coupling's turn:", ranges); !checked) {
         return checked;
     }

@@ -16,8 +16,24 @@ namespace {
 
 constexpr int kProbesAlong =
     24;  // places along the mesh's longest side that tell whether it is whole
-constexpr int kSamplesAlong = 64;  // places that stand for it where it is not
+constexpr int kSamplesAlong = 64;     // places that stand for it where it is not
+constexpr int kFewestAlong = 12;      // of either, where each takes long
+constexpr double kMostTerms = 2.0e9;  // of their winding numbers, 10 ns each
 constexpr std::size_t kThreads = 2;
+
+// So many places along a mesh as may be asked: fewer where large triangles cross each other, for each of them counts everywhere.
+int choose_along(const TriangleMesh& mesh, const TriangleClusters& clusters, int most) {
+    constexpr int kTold = 5;  // places along a diagonal at which it is counted
+    double terms = 0.0;
+    for (int i = 0; i < kTold; ++i) {
+        const Vector3 place =
+            mesh.lower_B() + (i + 0.5) / kTold * (mesh.upper_B() - mesh.lower_B());
+        terms += count_winding_terms(clusters, place) / kTold;
+    }
+    const double along = std::cbrt(kMostTerms / std::max(terms, 1.0));
+    return static_cast<int>(
+        std::clamp(along, static_cast<double>(kFewestAlong), static_cast<double>(most)));
+}
 
 // One place in each cube of a block over the mesh's box, anywhere in it by chance, the same each time: so no plane of a model has
 // all places of a layer on one side of it, and each place stands for its cube without a bias.
@@ -65,10 +81,10 @@ class Places {
 std::optional<bool> winds_once(const TriangleMesh& mesh, const TriangleClusters& clusters,
                                const LoadProgress& progress) {
     constexpr double kUncertain = 0.1;  // far clusters count as dipoles, which are off by 0.02
-    const Places places(mesh, kProbesAlong);
+    const Places places(mesh, choose_along(mesh, clusters, kProbesAlong));
     std::vector<std::uint8_t> found(places.n_rows(), 0);  // 1: once, 2: the other way, 4: else
-    const auto probe = [&](std::size_t row) noexcept {
-        for (std::size_t i = 0; i < places.n_in_row(); ++i) {
+    const auto probe = [&](std::size_t row, WorkWatch& watch) noexcept {
+        for (std::size_t i = 0; i < places.n_in_row() && watch.goes_on(); ++i) {
             const double w = compute_winding_number(clusters, places.place_B(places.place(row, i)));
             const double whole = std::round(w);
             if (std::abs(w - whole) > kUncertain || std::abs(whole) > 1.0) {
@@ -92,16 +108,16 @@ std::optional<bool> winds_once(const TriangleMesh& mesh, const TriangleClusters&
 std::optional<SolidMoments> sample_moments(const TriangleMesh& mesh,
                                            const TriangleClusters& clusters,
                                            const LoadProgress& progress) {
-    const Places places(mesh, kSamplesAlong);
+    const Places places(mesh, choose_along(mesh, clusters, kSamplesAlong));
     struct Row {
         double n = 0.0;
         Vector3 first{Vector3::Zero()};
         Matrix3 second{Matrix3::Zero()};
     };
     std::vector<Row> rows(places.n_rows());
-    const auto sum_row = [&](std::size_t r) noexcept {
+    const auto sum_row = [&](std::size_t r, WorkWatch& watch) noexcept {
         Row& row = rows[r];
-        for (std::size_t i = 0; i < places.n_in_row(); ++i) {
+        for (std::size_t i = 0; i < places.n_in_row() && watch.goes_on(); ++i) {
             const Vector3 place = places.place(r, i);
             if (is_wound_round(clusters, places.place_B(place))) {
                 row.n += 1.0;
@@ -216,13 +232,6 @@ Expected<MeshInertia> compute_inertia(const TriangleMesh& mesh, double density_k
     }
     return measure_solid(mesh, where).and_then([&](const MeasuredSolid& solid) {
         return fill(solid, density_kg_per_m3, where);
-    });
-}
-
-Expected<MeshInertia> compute_inertia_of_mass(const TriangleMesh& mesh, double mass_kg,
-                                              const std::string& where) {
-    return measure_solid(mesh, where).and_then([&](const MeasuredSolid& solid) {
-        return fill_with_mass(solid, mass_kg, where);
     });
 }
 

@@ -8,7 +8,8 @@
 //               of up to 24^3 cubes
 //   samples     what the mesh winds round by at least a half (as the distance field has it), sampled at a place by chance in
 //               each of up to 64^3 cubes: open, cracked and overlapping meshes, solids within solids, parts turned inside out. Off by
-//               about 0.3 % for compact bodies, for thin ones by as much as few cubes tell; where there is a hole, by its bulge
+//               about 0.3 % for compact bodies, for thin ones by as much as few cubes tell; where there is a hole, by its bulge.
+//               Where thousands of large triangles cross each other all over the mesh the cubes are fewer, at least 12^3
 // What overlaps by less than a 24th of the mesh's length may pass as whole: it then counts twice.
 //
 // Thread: load. Cost: some ms and 1 us a triangle; by samples half a second.
@@ -48,7 +49,8 @@ struct MeshInertia {
                                                     const std::string& where = {},
                                                     const LoadProgress& progress = {});
 
-/// The same filled evenly, so that it has this mass. Refuses what `compute_inertia_of_mass` does.
+/// The same filled evenly, so that it has this mass. Refuses a mass that is not a number above 0, and masses and moments that
+/// `validate` of an inertia refuses; `where` names the mesh in the error.
 [[nodiscard]] Expected<MeshInertia> fill_with_mass(const MeasuredSolid& solid, double mass_kg,
                                                    const std::string& where = {});
 
@@ -57,10 +59,5 @@ struct MeshInertia {
 [[nodiscard]] Expected<MeshInertia> compute_inertia(const TriangleMesh& mesh,
                                                     double density_kg_per_m3,
                                                     const std::string& where = {});
-
-/// The same with the density that gives this mass.
-[[nodiscard]] Expected<MeshInertia> compute_inertia_of_mass(const TriangleMesh& mesh,
-                                                            double mass_kg,
-                                                            const std::string& where = {});
 
 }  // namespace fulcrum

@@ -107,7 +107,10 @@ Expected<MeshInertia> compute_shape_inertia_of_mass(const SolidShape& shape, dou
     }
     return fill_shape(
         shape, [&](const UnitInertia& unit) { return fill(unit, mass_kg / unit.volume_m3); },
-        [&](const TriangleMesh& mesh) { return compute_inertia_of_mass(mesh, mass_kg); });
+        [&](const TriangleMesh& mesh) {
+            return measure_solid(mesh).and_then(
+                [&](const MeasuredSolid& solid) { return fill_with_mass(solid, mass_kg); });
+        });
 }
 
 }  // namespace fulcrum

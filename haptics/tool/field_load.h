@@ -15,6 +15,7 @@
 #pragma once
 
 #include "haptics/tool/field_sampling.h"
+#include "haptics/tool/tool_motion.h"
 #include "haptics/tool/voxel_sampling.h"
 
 namespace fulcrum {
@@ -24,13 +25,6 @@ struct FieldSamplingPlan {
     FieldSampler::Field field;
     FieldSampler::Shell shell;  ///< from the tool's centre of mass, along its principal axes
     FieldSamplingSettings settings{};
-};
-
-/// Where the object of a step is at its end, and where it and the tool were at its start.
-struct ToolMotion {
-    Pose before_W;  ///< of the tool
-    Pose object_before_W;
-    MovingFrame object{};
 };
 
 class FieldSampling {
@@ -62,6 +56,12 @@ class FieldSampling {
     /// The same; adds the derivatives by the tool's pose.
     [[nodiscard]] VoxelContact sample_linearised(const RigidState& state, const MovingFrame& object,
                                                  WrenchJacobian& jacobian) const noexcept;
+    /// The same: nothing brakes.
+    [[nodiscard]] VoxelContact sample_linearised(const RigidState& state, const MovingFrame& object,
+                                                 WrenchJacobian& springs_by,
+                                                 WrenchJacobian& /*brakes_by*/) const noexcept {
+        return sample_linearised(state, object, springs_by);
+    }
 
     /// Puts `end`, where the motion leads, back to where its first point comes deeper than that, with as much of its velocity
     /// relative to the object; whether it did. `depth_m`: of the deepest point at the start. Asks nothing of a motion too short for

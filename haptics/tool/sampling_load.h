@@ -1,6 +1,7 @@
 // A tool's points against an object as a load on the tool, for every integrator: whatever samples them.
 //
-// `Sampling` has sample(state, object) and sample_linearised(state, object, jacobian), both noexcept, whose result has a wrench_W.
+// `Sampling` has sample(state, object) and sample_linearised(state, object, springs_by, brakes_by), both noexcept, whose result has a
+// wrench_W; the second adds the derivatives of what brakes and of all else, which may be the same two.
 // The object moves on along its twist while the step asks, so that explicit and implicit steps see it where it is.
 //
 // Thread: that of the step. Cost: that of the sampling.
@@ -28,6 +29,12 @@ class SamplingLoad final : public Load {
     [[nodiscard]] auto compute_contact(const RigidState& state, double time_s) const noexcept {
         return sampling_->sample(state, compute_object(time_s));
     }
+    /// The same; adds the derivatives of the brakes, and of all else.
+    [[nodiscard]] auto compute_linearised_contact(const RigidState& state, double time_s,
+                                                  WrenchJacobian& springs_by,
+                                                  WrenchJacobian& brakes_by) const noexcept {
+        return sampling_->sample_linearised(state, compute_object(time_s), springs_by, brakes_by);
+    }
 
     void add_wrench(const RigidState& state, double time_s,
                     Wrench& wrench) const noexcept override {
@@ -37,8 +44,7 @@ class SamplingLoad final : public Load {
     }
     void add_linearised_wrench(const RigidState& state, double time_s, Wrench& wrench,
                                WrenchJacobian& jacobian) const noexcept override {
-        const Wrench added =
-            sampling_->sample_linearised(state, compute_object(time_s), jacobian).wrench_W;
+        const Wrench added = compute_linearised_contact(state, time_s, jacobian, jacobian).wrench_W;
         wrench.force += added.force;
         wrench.torque += added.torque;
     }

@@ -82,11 +82,11 @@ std::vector<Vector3> list_axes(const Pointshell& shell) {
 }
 
 // Stiffness or damping of the coupling, about the centre of mass.
-Matrix6 put_at_grip(const Vector3& grip_T, double shift, double turn) {
+Matrix6 put_at_grip(const Vector3& grip_T, double shift, const Vector3& turn) {
     Eigen::Matrix<double, 3, 6> J;
     J << Matrix3::Identity(), -compute_skew(grip_T);
     Matrix6 matrix = shift * J.transpose() * J;
-    matrix.bottomRightCorner<3, 3>().diagonal().array() += turn;
+    matrix.bottomRightCorner<3, 3>().diagonal() += turn;
     return matrix;
 }
 
@@ -148,17 +148,18 @@ double StepLimit::compute_growth(const VoxelToolSettings& settings, double dt_s)
     }
     const Inertia& inertia = settings.inertia;
     const ToolCouplingSettings coupling =
-        settings.critically_damped ? make_critically_damped(settings.coupling, inertia.mass_kg,
-                                                            inertia.moments_kg_m2.minCoeff())
-                                   : settings.coupling;
+        settings.critically_damped
+            ? make_critically_damped(settings.coupling, inertia.mass_kg, inertia.moments_kg_m2)
+            : settings.coupling;
     Vector6 over_root;
     over_root << Vector3::Constant(1.0 / std::sqrt(inertia.mass_kg)),
         inertia.moments_kg_m2.cwiseSqrt().cwiseInverse();
     const auto over_masses = [&](const Matrix6& matrix) -> Matrix6 {
         return over_root.asDiagonal() * matrix * over_root.asDiagonal();
     };
-    const Matrix6 held = over_masses(put_at_grip(settings.grip_T, coupling.shift.stiffness_N_per_m,
-                                                 coupling.turn.stiffness_Nm_per_rad));
+    const Matrix6 held =
+        over_masses(put_at_grip(settings.grip_T, coupling.shift.stiffness_N_per_m,
+                                Vector3::Constant(coupling.turn.stiffness_Nm_per_rad)));
     const Matrix6 damped = over_masses(put_at_grip(settings.grip_T, coupling.shift.damping_Ns_per_m,
                                                    coupling.turn.damping_Nms_per_rad));
     const Matrix6 braked = damped + 0.5 / dt_s * Matrix6::Identity();

@@ -1,7 +1,7 @@
 // Whether an explicit integrator holds a tool on its coupling and against what it meets, or shakes it: known before it runs.
 //
 //   M x'' + C x' + K x = 0   about a tool at rest, x its shift and turn,  M = diag(m, I)
-//   coupling   k and b at the grip, k_r and b_r:  J = (1, -[g])  gives  J^T k J,  J^T b J
+//   coupling   k and b at the grip, k_r and B_r:  J = (1, -[g])  gives  J^T k J,  J^T b J
 //   contact    k_p sum J J^T,  J = (u, p x u),  over the points that touch where two planes across u hold the tool between them,
 //              each pressing with the most force F that a hand gives: those within the depth d with k_p sum of depths = F. Among
 //              voxels springs act along the points' normals instead of u. Tried across 13 axes and 32 of the points' own normals,

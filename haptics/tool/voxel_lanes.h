@@ -37,7 +37,8 @@ struct Motion {
     std::array<std::array<float, 3>, 3> turn{};  ///< R
     std::array<float, 3> shift{};                ///< t
     std::array<float, 3> last{};  ///< greatest place that counts, in the outermost voxel
-    std::array<float, 3> velocity_T{}, spin_T{};  ///< voxels/s, rad/s
+    std::array<float, 3> velocity_T{}, spin_T{};  ///< as the object sees it; voxels/s, rad/s
+    std::array<float, 3> object_spin_T{};         ///< in the world, rad/s; for derivatives alone
     float least_depth = 0.0F;
     bool brakes = false;
     float ahead_s = 0.0F;  ///< brakes act only where what pushes lies so far ahead; 0: everywhere

@@ -1,6 +1,7 @@
 #include "haptics/tool/voxel_sampling.h"
 
 #include "haptics/math/turned_slopes.h"
+#include "haptics/tool/field_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +9,15 @@
 namespace fulcrum {
 namespace voxel_lanes::details {
 
-// F = (n.u/|u|) u for b = 1, and its moment. With w = u/|u|:
+// F = (n.u/|u|) u for b = 1, and its moment. With w = u/|u|, w_T and w_O the spins of tool and object:
 //   dF = (w n^T (I - w w^T) + (n.w) I) du + u (n x w).dtheta        the second because n turns with the tool
+//   du = dv + dw_T x r + w_T x (dtheta x r) - w_O x (dx + dtheta x r)    the object's own velocity is another where the point comes
 void add_brake_slopes(const Motion& motion, const Eight& eight, Sums& sums) noexcept {
     const auto to_vector = [](const std::array<float, 3>& a) { return Vector3(a[0], a[1], a[2]); };
     const Vector3 velocity = to_vector(motion.velocity_T);
     const Vector3 spin = to_vector(motion.spin_T);
+    const Vector3 object_spin = to_vector(motion.object_spin_T);
+    const Matrix3 carried = compute_skew(object_spin);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const Vector3 p(eight.p[0][lane], eight.p[1][lane], eight.p[2][lane]);
         const Vector3 n(eight.n[0][lane], eight.n[1][lane], eight.n[2][lane]);
@@ -28,8 +32,9 @@ void add_brake_slopes(const Motion& motion, const Eight& eight, Sums& sums) noex
         PointForce force;
         force.force = towards / speed * u;
         force.by_velocity = w * (n - n.dot(w) * w).transpose() + n.dot(w) * Matrix3::Identity();
+        force.by_position = -force.by_velocity * carried;
         Wrench of_no_interest;
-        add_point_force(p, spin, force, of_no_interest, sums.brake_by);
+        add_point_force(p, spin + object_spin, force, of_no_interest, sums.brake_by);
         const Vector3 by_turn = n.cross(w);
         sums.brake_by.pose.topRightCorner<3, 3>() += u * by_turn.transpose();
         sums.brake_by.pose.bottomRightCorner<3, 3>() += p.cross(u) * by_turn.transpose();
@@ -138,12 +143,12 @@ voxel_lanes::Motion VoxelSampling::compute_motion(const RigidState& state,
     }
     motion.shift = to_floats(frame_.to_lattice(X_OT.position));
     // The tool's motion as the object sees it, at the tool's centre of mass, along the tool's axes.
-    const Vector3 arm_W = state.pose_W.position - object.pose_W.position;
-    const Vector3 object_W = object.velocity_W.linear + object.velocity_W.angular.cross(arm_W);
+    const Vector3 object_W = compute_velocity_at(object, state.pose_W.position);
     const Quaternion to_T = state.pose_W.orientation.conjugate();
     motion.velocity_T =
         to_floats(to_T * Vector3(state.velocity_W.linear - object_W) / frame_.voxel_m);
     motion.spin_T = to_floats(to_T * Vector3(state.velocity_W.angular - object.velocity_W.angular));
+    motion.object_spin_T = to_floats(to_T * object.velocity_W.angular);
     // No voxel is deeper than half its diagonal.
     motion.least_depth = settings_.plane == TangentPlane::one_side ? 0.0F : -1.0F;
     motion.brakes = settings_.braking != PreContactBraking::off;
@@ -161,7 +166,8 @@ bool VoxelSampling::is_far(const RigidState& state, const MovingFrame& object) c
 
 template <bool kLinear>
 VoxelContact VoxelSampling::sample_all(const RigidState& state, const MovingFrame& object,
-                                       WrenchJacobian* jacobian) const noexcept {
+                                       WrenchJacobian* springs_by,
+                                       WrenchJacobian* brakes_by) const noexcept {
     if (is_far(state, object)) {
         return {};
     }
@@ -185,26 +191,63 @@ VoxelContact VoxelSampling::sample_all(const RigidState& state, const MovingFram
         Matrix6 pushed = share.share * sums.push_by_pose;
         pushed += share.by_fullness * Eigen::Map<const Vector6>(sums.push.data()) *
                   sums.fullness_by_pose.transpose();
-        jacobian->pose += to_slopes(pushed, spring_N, s, R_WT);
-        add_turning(springs, jacobian->pose);  // everything but d turns with the tool
+        springs_by->pose += to_slopes(pushed, spring_N, s, R_WT);
+        add_turning(springs, springs_by->pose);  // everything but d turns with the tool
         const double slope_N = s * limit_for_slopes(braking_Ns_per_m, settings_, sums.n_proximity);
-        jacobian->pose += to_slopes(sums.brake_by.pose, slope_N, s, R_WT);
-        jacobian->velocity += to_slopes(sums.brake_by.velocity, slope_N, s, R_WT);
+        brakes_by->pose += to_slopes(sums.brake_by.pose, slope_N, s, R_WT);
+        brakes_by->velocity += to_slopes(sums.brake_by.velocity, slope_N, s, R_WT);
     }
-    return {{springs.force + brakes.force, springs.torque + brakes.torque},
-            sums.n_surface,
-            sums.n_interior,
-            sums.n_proximity};
+    VoxelContact contact;
+    contact.wrench_W = {springs.force + brakes.force, springs.torque + brakes.torque};
+    contact.brakes_W = brakes;
+    contact.n_surface = sums.n_surface;
+    contact.n_interior = sums.n_interior;
+    contact.n_proximity = sums.n_proximity;
+    return contact;
+}
+
+bool VoxelSampling::stop_at_touch(const ToolMotion& motion, RigidState& end) const noexcept {
+    constexpr double kMostPlaces = 32.0;
+    const ToolWay way = find_way(motion, end.pose_W, reach_m_);
+    constexpr double kSlow_voxels = 1.0;
+    if (!(way.longest_m > kSlow_voxels * frame_.voxel_m) || !std::isfinite(way.longest_m)) {
+        return false;
+    }
+    const double n_places = std::ceil(way.longest_m / (0.5 * frame_.voxel_m));
+    // At rest: brakes are not asked.
+    const auto count_inside = [&](double share) noexcept {
+        RigidState state;
+        state.pose_W = compute_between(way.from_OT, way.to_OT, share);
+        return sample(state, {}).n_interior;
+    };
+    const std::int64_t n_before = count_inside(0.0);
+    const int n = static_cast<int>(std::min(n_places, kMostPlaces));
+    double free_share = 0.0;
+    for (int i = 1; i <= n; ++i) {
+        const double share = static_cast<double>(i) / n;
+        if (count_inside(share) > n_before) {
+            put_back(motion, way, free_share, 0.0, end);
+            return true;
+        }
+        free_share = share;
+    }
+    return false;
 }
 
 VoxelContact VoxelSampling::sample(const RigidState& state,
                                    const MovingFrame& object) const noexcept {
-    return sample_all<false>(state, object, nullptr);
+    return sample_all<false>(state, object, nullptr, nullptr);
 }
 
 VoxelContact VoxelSampling::sample_linearised(const RigidState& state, const MovingFrame& object,
                                               WrenchJacobian& jacobian) const noexcept {
-    return sample_all<true>(state, object, &jacobian);
+    return sample_all<true>(state, object, &jacobian, &jacobian);
+}
+
+VoxelContact VoxelSampling::sample_linearised(const RigidState& state, const MovingFrame& object,
+                                              WrenchJacobian& springs_by,
+                                              WrenchJacobian& brakes_by) const noexcept {
+    return sample_all<true>(state, object, &springs_by, &brakes_by);
 }
 
 }  // namespace fulcrum

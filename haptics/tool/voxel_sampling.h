@@ -15,6 +15,8 @@
 // inertia,  b <= -f.V / (dt f.W^-1 f),  at which one step leaves the least motion along W^-1 f. More would throw the tool back,
 // harder at each step: a point far from the centre of mass is that much easier to turn.
 // In free space, with no point in surface or proximity, the wrench is exactly zero.
+// McNeely's limit of speed is half a voxel a step. What is faster may pass the layer that pushes: from a voxel a step on
+// `stop_at_touch` looks on the way.
 //
 // The force is continuous within a voxel and jumps by up to k s where a point crosses into the next. Between jumps the
 // derivatives are exact but for one_cycle's b and the averaging beyond N, which are held; derivatives take b to be at most
@@ -24,11 +26,12 @@
 // (`fulcrum bench voxel-speed`); no allocation. Places are single precision: voxel_lanes.h says how exact.
 // Source: W. McNeely, K. Puterbaugh, J. Troy 1999, Six degree-of-freedom haptic rendering using voxel sampling, sections 3
 // (tangent plane), 5.2 (averaging from N = 10), 5.3 (brakes, both forms); N = 70 as in the thesis of systems.md. The smooth
-// average, the brakes' bound and their look ahead are ours.
+// average, the brakes' bound, their look ahead and the look on the way are ours.
 #pragma once
 
 #include "haptics/base/error.h"
 #include "haptics/tool/sampling_load.h"
+#include "haptics/tool/tool_motion.h"
 #include "haptics/tool/voxel_lanes.h"
 #include "haptics/voxel/pointshell.h"
 #include "haptics/voxel/voxmap.h"
@@ -78,6 +81,7 @@ struct VoxelContact {
     double error_N = 0.0;   ///< how far the force may be off for points that were left out; 0: none
     double error_Nm = 0.0;  ///< likewise the torque
     double depth_m = 0.0;   ///< of the deepest point, where a field tells it; 0 by voxels
+    Wrench brakes_W{};      ///< the brakes' part of `wrench_W`
 
     /// The deepest kind that any point reached: interior, surface, proximity, free in that order.
     [[nodiscard]] VoxelClass deepest() const noexcept {
@@ -110,6 +114,15 @@ class VoxelSampling {
     /// The same; adds the derivatives by the tool's pose and velocity.
     [[nodiscard]] VoxelContact sample_linearised(const RigidState& state, const MovingFrame& object,
                                                  WrenchJacobian& jacobian) const noexcept;
+    /// The same, springs and brakes apart.
+    [[nodiscard]] VoxelContact sample_linearised(const RigidState& state, const MovingFrame& object,
+                                                 WrenchJacobian& springs_by,
+                                                 WrenchJacobian& brakes_by) const noexcept;
+
+    /// Puts `end`, where the motion leads, back to the last of some places on the way, half a voxel apart, at which no more points
+    /// had penetrated than at its start, where it rests in the object's eyes; whether it did. Of a way of more than 16 voxels the
+    /// places lie further apart. Asks nothing of a motion of a voxel or less, else a sampling for each place.
+    bool stop_at_touch(const ToolMotion& motion, RigidState& end) const noexcept;
 
   private:
     VoxelSampling() = default;
@@ -117,7 +130,8 @@ class VoxelSampling {
     [[nodiscard]] bool is_far(const RigidState& state, const MovingFrame& object) const noexcept;
     template <bool kLinear>
     [[nodiscard]] VoxelContact sample_all(const RigidState& state, const MovingFrame& object,
-                                          WrenchJacobian* jacobian) const noexcept;
+                                          WrenchJacobian* springs_by,
+                                          WrenchJacobian* brakes_by) const noexcept;
     [[nodiscard]] voxel_lanes::Motion compute_motion(const RigidState& state,
                                                      const MovingFrame& object) const noexcept;
 

@@ -40,30 +40,6 @@ bool is_sound(const Pointshell& shell) {
     });
 }
 
-// Asks a map for its outermost voxels: places outside are taken for them.
-template <class Map>
-bool is_free_outside(const Map& map) {
-    const VoxelFrame::Cell& n = map.frame().n_cells;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t second = (axis + 1) % 3;
-        const std::size_t third = (axis + 2) % 3;
-        for (std::int32_t i = 0; i < n[second]; ++i) {
-            for (std::int32_t k = 0; k < n[third]; ++k) {
-                VoxelFrame::Cell cell{};
-                cell[second] = i;
-                cell[third] = k;
-                VoxelFrame::Cell other = cell;
-                other[axis] = n[axis] - 1;
-                if (map.find_class(cell) != VoxelClass::free ||
-                    map.find_class(other) != VoxelClass::free) {
-                    return false;
-                }
-            }
-        }
-    }
-    return true;
-}
-
 // One face to either map.
 struct AnyMap {
     const VoxelGrid* grid;
@@ -104,7 +80,9 @@ Expected<VoxelSampling> VoxelSampling::build(VoxelSamplingPlan plan) {
                     "make it anew from the tool's mesh");
     }
     const AnyMap any{plan.grid.get(), plan.map.get()};
-    if (!is_free_outside(any)) {
+    // Places outside are taken for the outermost voxels.
+    if (!is_free_outside(any.frame(),
+                         [&](const VoxelFrame::Cell& cell) { return any.find_class(cell); })) {
         return fail("the outermost voxels are not all free", {},
                     "make the voxels by voxelise, which leaves a layer around the mesh");
     }

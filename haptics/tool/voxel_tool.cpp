@@ -2,6 +2,7 @@
 
 #include "haptics/math/length.h"
 #include "haptics/math/rotation.h"
+#include "haptics/tool/objects_load.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -14,44 +15,15 @@ bool is_number(const MovingFrame& frame) noexcept {
            frame.velocity_W.angular.allFinite();
 }
 
-// The velocity with which pull + damping velocity is at most `most`, along it; `most` 0: any.
-Vector3 limit_velocity(const Vector3& velocity, const Vector3& pull, double damping,
+// The velocity with which pull + damping velocity is at most `most`, along it; `most` 0: any. Along the damper's axes.
+Vector3 limit_velocity(const Vector3& velocity, const Vector3& pull, const Vector3& damping,
                        double most) noexcept {
-    const Vector3 lead = pull + damping * velocity;
+    const Vector3 lead = pull + damping.cwiseProduct(velocity);
     const double size = compute_length(lead);
-    return most > 0.0 && damping > 0.0 && size > most
-               ? Vector3((lead * (most / size) - pull) / damping)
+    return most > 0.0 && damping.minCoeff() > 0.0 && size > most
+               ? Vector3((lead * (most / size) - pull).cwiseQuotient(damping))
                : velocity;
 }
-
-// All objects as one load; refers to theirs. Its looks share the step's time.
-template <class Part>
-// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): never deleted as a Load
-class AllOf final : public Load {
-  public:
-    AllOf(std::span<const Part> parts, StepTime& time) noexcept : parts_(parts), time_(&time) {}
-    void add_wrench(const RigidState& state, double time_s,
-                    Wrench& wrench) const noexcept override {
-        time_->begin_look();
-        for (const Part& part : parts_) {
-            part.add_wrench(state, time_s, wrench);
-        }
-        time_->end_look();
-    }
-    void add_linearised_wrench(const RigidState& state, double time_s, Wrench& wrench,
-                               WrenchJacobian& jacobian) const noexcept override {
-        time_->begin_look();
-        for (const Part& part : parts_) {
-            part.add_linearised_wrench(state, time_s, wrench, jacobian);
-        }
-        time_->end_look();
-    }
-    [[nodiscard]] bool has_time() const noexcept override { return time_->has_time(); }
-
-  private:
-    std::span<const Part> parts_;
-    StepTime* time_;
-};
 
 // Brakes reckon with the step's length; a field has none.
 void tell_cycle(VoxelSampling& sampling, double dt_s) noexcept {
@@ -71,16 +43,21 @@ std::int64_t count_points(const FieldSampling& /*sampling*/, std::int64_t /*n_lo
     return 0;  // the step's time knows
 }
 
-// Voxels brake what comes near; they know no way in between.
-bool stop_at_touch(const VoxelSampling& /*sampling*/, const MovingFrame& /*object*/,
-                   const Pose& /*before_W*/, double /*dt_s*/, double /*depth_m*/,
-                   RigidState& /*end*/) noexcept {
-    return false;
+bool stop_at_touch(const VoxelSampling& sampling, const ToolMotion& motion, double /*depth_m*/,
+                   RigidState& end) noexcept {
+    return sampling.stop_at_touch(motion, end);
 }
-bool stop_at_touch(const FieldSampling& sampling, const MovingFrame& object, const Pose& before_W,
-                   double dt_s, double depth_m, RigidState& end) noexcept {
-    return sampling.stop_at_touch({before_W, move_evenly(object, -dt_s).pose_W, object}, depth_m,
-                                  end);
+bool stop_at_touch(const FieldSampling& sampling, const ToolMotion& motion, double depth_m,
+                   RigidState& end) noexcept {
+    return sampling.stop_at_touch(motion, depth_m, end);
+}
+
+// No longer than that; 0: as long as it is.
+void limit_length(double most, Vector3& v) noexcept {
+    const double length = compute_length(v);
+    if (most > 0.0 && length > most) {
+        v *= most / length;
+    }
 }
 
 }  // namespace
@@ -101,17 +78,19 @@ Pose SampledTool<Sampling, Plan>::grip_W() const noexcept {
 template <class Sampling, class Plan>
 void SampledTool<Sampling, Plan>::limit_lead_to(const MovingFrame& object, const Wrench& pull,
                                                 MovingFrame& handle) const noexcept {
-    const Vector3 arm_W = held_W().position - object.pose_W.position;
-    const Vector3 object_W = object.velocity_W.linear + object.velocity_W.angular.cross(arm_W);
+    const Vector3 object_W = compute_velocity_at(object, held_W().position);
     const Vector3& spin_W = object.velocity_W.angular;
     handle.velocity_W.linear =
         object_W + limit_velocity(handle.velocity_W.linear - object_W, pull.force,
-                                  coupling_.shift.damping_Ns_per_m,
+                                  Vector3::Constant(coupling_.shift.damping_Ns_per_m),
                                   coupling_.shift.stiffness_N_per_m * coupling_.clamp_m);
+    // The turn's damper lies along the tool's axes.
+    const Quaternion& q_WT = state_.pose_W.orientation;
+    const Quaternion q_TW = q_WT.conjugate();
     handle.velocity_W.angular =
-        spin_W + limit_velocity(handle.velocity_W.angular - spin_W, pull.torque,
-                                coupling_.turn.damping_Nms_per_rad,
-                                coupling_.turn.stiffness_Nm_per_rad * coupling_.clamp_rad);
+        spin_W + q_WT * limit_velocity(q_TW * Vector3(handle.velocity_W.angular - spin_W),
+                                       q_TW * pull.torque, coupling_.turn.damping_Nms_per_rad,
+                                       coupling_.turn.stiffness_Nm_per_rad * coupling_.clamp_rad);
 }
 
 template <class Sampling, class Plan>
@@ -140,10 +119,8 @@ void SampledTool<Sampling, Plan>::place(const Pose& handle_W) noexcept {
 template <class Sampling, class Plan>
 void SampledTool<Sampling, Plan>::set_objects(std::span<const MovingFrame> objects, double now_s,
                                               double dt_s) noexcept {
-    const auto n_near = std::ranges::count(near_, std::uint8_t{1});
-    const double sharing = static_cast<double>(std::max<std::ptrdiff_t>(n_near, 1));
     for (std::size_t i = 0; i < samplings_.size(); ++i) {
-        tell_cycle(samplings_[i], sharing * dt_s);
+        tell_cycle(samplings_[i], dt_s);
         loads_[i].set_object(objects[i], now_s);
     }
 }
@@ -152,18 +129,26 @@ void SampledTool<Sampling, Plan>::set_objects(std::span<const MovingFrame> objec
 template <class Sampling, class Plan>
 VoxelContact SampledTool<Sampling, Plan>::look(double now_s) noexcept {
     VoxelContact all;
+    SharedBrakes shared;
     for (std::size_t i = 0; i < loads_.size(); ++i) {
         const VoxelContact one = loads_[i].compute_contact(state_, now_s);
+        brakes_W_[i] = one.brakes_W;
+        shared.add(one.brakes_W);
         near_[i] = one.deepest() != VoxelClass::free ? 1 : 0;
         depths_m_[i] = one.depth_m;
         touches_[i] = {one.wrench_W, one.n_surface + one.n_interior > 0, one.error_N};
-        all.wrench_W.force += one.wrench_W.force;
-        all.wrench_W.torque += one.wrench_W.torque;
         all.n_surface += one.n_surface;
         all.n_interior += one.n_interior;
         all.n_proximity += one.n_proximity;
         all.error_N += one.error_N;
         all.error_Nm += one.error_Nm;
+    }
+    for (std::size_t i = 0; i < loads_.size(); ++i) {
+        shared.take_from(touches_[i].wrench_W, brakes_W_[i]);
+        all.wrench_W.force += touches_[i].wrench_W.force;
+        all.wrench_W.torque += touches_[i].wrench_W.torque;
+        all.brakes_W.force += shared.share() * brakes_W_[i].force;
+        all.brakes_W.torque += shared.share() * brakes_W_[i].torque;
     }
     return all;
 }
@@ -232,7 +217,7 @@ VoxelToolResult SampledTool<Sampling, Plan>::run(MovingFrame handle,
     coupling.set_handle(settings_.lead_clamped ? limit_lead(handle, objects) : handle, now_s);
     set_objects(objects, now_s, dt_s);
     begin_time(StepTime::kLooks);
-    const AllOf<SamplingLoad<Sampling>> points(loads_, time_);
+    const ObjectsLoad<Sampling> points(loads_, time_);
     const Pose before_W = state_.pose_W;
     // Where that moves it.
     if (settings_.mass == ToolMass::massive) {
@@ -253,6 +238,12 @@ VoxelToolResult SampledTool<Sampling, Plan>::run(MovingFrame handle,
         const Pose grip = held_W();
         const Wrench pull = compute_tool_coupling(coupling_, {handle.pose_W, {}}, {grip, {}});
         result.felt_W = coupling.compute_felt_wrench(state_, now_s);
+        if (settings_.lead_clamped) {
+            limit_length(coupling_.shift.stiffness_N_per_m * coupling_.clamp_m,
+                         result.felt_W.force);
+            limit_length(coupling_.turn.stiffness_Nm_per_rad * coupling_.clamp_rad,
+                         result.felt_W.torque);
+        }
         result.spring_W = {-pull.force, -pull.torque};
         result.spring_energy_J = compute_shift_energy_J(
             coupling_, compute_length(Vector3(handle.pose_W.position - grip.position)));
@@ -280,7 +271,9 @@ void SampledTool<Sampling, Plan>::stop_at_touch(const Pose& before_W,
                                                 std::span<const MovingFrame> objects,
                                                 double dt_s) noexcept {
     for (std::size_t i = 0; i < samplings_.size(); ++i) {
-        fulcrum::stop_at_touch(samplings_[i], objects[i], before_W, dt_s, depths_m_[i], state_);
+        fulcrum::stop_at_touch(samplings_[i],
+                               {before_W, move_evenly(objects[i], -dt_s).pose_W, objects[i]},
+                               depths_m_[i], state_);
     }
 }
 

@@ -7,15 +7,17 @@
 // Both steps see the handle and the object where they are at the step's end. The coupling's springs are clamped at half a voxel:
 // beyond, they would pull the tool through the layer that pushes, which is a voxel thick. Near the object the handle's motion is
 // clamped with them, |f(d) d/|d| + b (v_H - v_O)| <= f(s/2), for the damper would pull it through as well; what brakes the tool's own
-// motion is not. The massless tool has no dampers and no brakes: it has no motion of its own. In free space, where no point is near a
+// motion is not. What the hand feels is clamped likewise, |felt| <= f(s/2): a fast wall that carries the tool along would give it that
+// damper's force. The massless tool has no dampers and no brakes: it has no motion of its own. In free space, where no point is near a
 // voxel that pushes or brakes, the hand feels exactly nothing, whatever the coupling's stretch: what a tool's inertia would be
 // felt as there is left out, as McNeely does.
 //
-// In a field a step's motion is swept (field_load.h): however fast tool or object, no point passes more than a voxel into an object in
-// one step, so that no wall of two voxels is passed. Voxels have layers and brakes for that.
+// A step's motion is swept: however fast tool or object, in a field no point passes more than a voxel into an object in one step
+// (field_load.h); among voxels, from a voxel a step to 16, it is looked on the way for what would penetrate (voxel_sampling.h). So no
+// wall of two voxels is passed at once.
 //
-// Several objects, each with its map and its own motion, add up. Each of n that are near brakes by an n-th of what it would alone,
-// for together they must not take more motion than there is.
+// Several objects, each with its map and its own motion, add up. Each of n that brake at once brakes by an n-th of what it would
+// alone, for together they must not take more motion than there is; n is that of the very pose and motion that brakes.
 //
 // A budget of time is one step's (step_time.h): the solver's looks share it, and Newton's method ends with the best it has found when it
 // is over. What was accepted for it is told: how far the force may be off, and whether the method came to its end.
@@ -42,14 +44,15 @@ enum class ToolMass : std::uint8_t { massive, massless };
 /// Fixed at load.
 struct VoxelToolSettings {
     ToolCouplingSettings coupling{};
-    bool critically_damped = true;  ///< sets both dampers by the mass and the least moment
+    bool critically_damped =
+        true;  ///< sets both dampers: by the mass, and by the moments about the principal axes
     /// Sets the coupling's clamps by the map: half a voxel, and the turn that moves the farthest point as far.
     bool clamped_at_half_voxel = true;
-    /// Near the object the handle's motion is clamped with the springs; false leaves it to the dampers as they are.
+    /// Near the object the handle's motion is clamped with the springs, and what is felt; false leaves both to the dampers as they
+    /// are.
     bool lead_clamped = true;
     bool silent_in_free_space = true;
-    bool swept =
-        true;  ///< a tool in fields stops where a step's motion first touches; no matter by voxels
+    bool swept = true;  ///< the tool stops where a step's motion would take it into an object
     ToolMass mass = ToolMass::massive;
     IntegratorSettings integrator{.newton_iterations = 12};
     Inertia inertia{};  ///< of the massive tool; the brakes' too
@@ -115,7 +118,7 @@ class SampledTool final : public ToolSolver {
     SampledTool(std::vector<Sampling> samplings, const VoxelToolSettings& settings);
     [[nodiscard]] VoxelToolResult run(MovingFrame handle, std::span<const MovingFrame> objects,
                                       double now_s, double dt_s) noexcept;
-    // The objects are here now; brakes as for a step of that length.
+    // The objects are here now; brakes reckon with a step of that length.
     void set_objects(std::span<const MovingFrame> objects, double now_s, double dt_s) noexcept;
     // The handle with no more velocity than spring and damper together may use, as each near object sees it.
     [[nodiscard]] MovingFrame limit_lead(const MovingFrame& handle,
@@ -138,6 +141,7 @@ class SampledTool final : public ToolSolver {
     std::vector<Sampling> samplings_;            // one an object
     std::vector<SamplingLoad<Sampling>> loads_;  // of the samplings, which stay where they are
     std::vector<ToolTouch> touches_;
+    std::vector<Wrench> brakes_W_;    // of each object, were it alone
     std::vector<std::uint8_t> near_;  // something of the object was, at the end of the last step
     std::vector<double> depths_m_;    // of the deepest point in each object, likewise
     VoxelToolSettings settings_;

@@ -64,6 +64,7 @@ SampledTool<Sampling, Plan>::SampledTool(std::vector<Sampling> samplings,
                                          const VoxelToolSettings& settings)
     : samplings_(std::move(samplings)),
       touches_(samplings_.size()),
+      brakes_W_(samplings_.size()),
       near_(samplings_.size()),
       depths_m_(samplings_.size()),
       settings_(settings),
@@ -81,13 +82,12 @@ SampledTool<Sampling, Plan>::SampledTool(std::vector<Sampling> samplings,
             std::max(integrator.least_turn_rad, blur_m / sampling.reach_m());
     }
     if (settings.critically_damped) {
-        // The least moment's: for the others the damper is below critical, so no turn creeps.
         coupling_ = make_critically_damped(coupling_, settings.inertia.mass_kg,
-                                           settings.inertia.moments_kg_m2.minCoeff());
+                                           settings.inertia.moments_kg_m2);
     }
     if (settings.mass == ToolMass::massless) {
         coupling_.shift.damping_Ns_per_m = 0.0;
-        coupling_.turn.damping_Nms_per_rad = 0.0;
+        coupling_.turn.damping_Nms_per_rad.setZero();
     }
     if (settings.clamped_at_half_voxel) {
         coupling_.clamp_m = 0.5 * least_voxel_m_;
@@ -138,7 +138,8 @@ Expected<SampledTool<Sampling, Plan>> SampledTool<Sampling, Plan>::build(
 template <class Sampling, class Plan>
 std::size_t SampledTool<Sampling, Plan>::memory_bytes() const noexcept {
     std::size_t bytes = sizeof(*this) + loads_.capacity() * sizeof(loads_[0]) +
-                        touches_.capacity() * sizeof(ToolTouch) + near_.capacity() +
+                        touches_.capacity() * sizeof(ToolTouch) +
+                        brakes_W_.capacity() * sizeof(Wrench) + near_.capacity() +
                         depths_m_.capacity() * sizeof(double);
     for (const Sampling& sampling : samplings_) {
         bytes += sampling.memory_bytes();

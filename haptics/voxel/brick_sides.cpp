@@ -3,6 +3,7 @@
 #include "haptics/geometry/mesh_edges.h"
 #include "haptics/voxel/winding_number.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -93,22 +94,35 @@ std::size_t BrickSides::collect_part(std::size_t first, const BrickDistances& di
     return n;
 }
 
-void BrickSides::put_sign(std::span<const std::int16_t> part, std::int16_t n_steps, double slope,
-                          const Vector3& corner_B, BrickDistances& distances) const noexcept {
+double BrickSides::count_terms(const Vector3& middle_B, std::size_t n_triangles) const noexcept {
+    const double n_asked = open_edges_.size() > kMostOpenEdges
+                               ? static_cast<double>(kBrickCorners)
+                               : static_cast<double>(std::min(kBrickCorners, 1 + n_triangles));
+    return n_asked * count_winding_terms(clusters_, middle_B);
+}
+
+bool BrickSides::put_sign(std::span<const std::int16_t> part, std::int16_t n_steps, double slope,
+                          const Vector3& corner_B, BrickDistances& distances,
+                          WorkWatch* watch) const noexcept {
     const double w =
         std::abs(compute_winding_number(clusters_, corner_B + voxel_m_ * place_of(part.front())));
     const double change = n_steps == 0 ? 0.0 : slope * n_steps * voxel_m_;
     const bool is_one_side = std::abs(w - 0.5) > change + kDipoleError || n_steps == 0;
     for (const std::int16_t corner : part) {
+        if (!is_one_side && watch != nullptr && !watch->goes_on()) {
+            return false;
+        }
         const bool inside = is_one_side
                                 ? w >= 0.5
                                 : is_wound_round(clusters_, corner_B + voxel_m_ * place_of(corner));
         float& distance = distances[static_cast<std::size_t>(corner)];
         distance = inside ? -distance : distance;
     }
+    return watch == nullptr || watch->goes_on();
 }
 
-void BrickSides::put_signs(const Vector3& corner_B, BrickDistances& distances) const noexcept {
+void BrickSides::put_signs(const Vector3& corner_B, BrickDistances& distances,
+                           WorkWatch* watch) const noexcept {
     const double slope = bound_slope(corner_B);
     const BrickDistances unsigned_distances = distances;
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the queue is filled as it grows
@@ -118,7 +132,10 @@ void BrickSides::put_signs(const Vector3& corner_B, BrickDistances& distances) c
         if (search.steps[first] < 0) {
             const std::size_t n = collect_part(first, unsigned_distances, search);
             const auto last = static_cast<std::size_t>(search.queue[n - 1]);
-            put_sign({search.queue.data(), n}, search.steps[last], slope, corner_B, distances);
+            if (!put_sign({search.queue.data(), n}, search.steps[last], slope, corner_B, distances,
+                          watch)) {
+                return;
+            }
         }
     }
 }

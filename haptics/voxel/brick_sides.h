@@ -10,6 +10,7 @@
 // Thread: build at load; asked from any thread. Cost: 1 to 3 us a part of a brick, some three a brick; near holes, a corner.
 #pragma once
 
+#include "haptics/base/parallel_for.h"
 #include "haptics/voxel/distance_band.h"
 #include "haptics/voxel/voxel_frame.h"
 
@@ -26,7 +27,14 @@ class BrickSides {
 
     /// Gives the distances (voxels, 0 or more) of the brick with its least corner at `corner_B` the sign of their side, inside
     /// below 0. Distances may stop at a bound of at least 1.
-    void put_signs(const Vector3& corner_B, BrickDistances& distances) const noexcept;
+    /// Where `watch` says so it ends with some corners wrong.
+    void put_signs(const Vector3& corner_B, BrickDistances& distances,
+                   WorkWatch* watch = nullptr) const noexcept;
+
+    /// How many terms of winding numbers that takes at most, with as many at each place as at `middle_B`, for a brick near which so
+    /// many triangles lie: each may part it once more.
+    [[nodiscard]] double count_terms(const Vector3& middle_B,
+                                     std::size_t n_triangles) const noexcept;
 
     /// Edges that do not meet another of the opposite direction, each as often as that; none where the mesh is closed.
     [[nodiscard]] std::size_t n_open_edges() const noexcept { return open_edges_.size(); }
@@ -46,8 +54,10 @@ class BrickSides {
     // Collects the part that `first` is in; how many corners it has.
     static std::size_t collect_part(std::size_t first, const BrickDistances& distances,
                                     Search& search) noexcept;
-    void put_sign(std::span<const std::int16_t> part, std::int16_t n_steps, double slope,
-                  const Vector3& corner_B, BrickDistances& distances) const noexcept;
+    // False where it is to end.
+    bool put_sign(std::span<const std::int16_t> part, std::int16_t n_steps, double slope,
+                  const Vector3& corner_B, BrickDistances& distances,
+                  WorkWatch* watch) const noexcept;
 
     const TriangleClusters& clusters_;
     double voxel_m_;

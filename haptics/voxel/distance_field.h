@@ -112,7 +112,8 @@ class DistanceField {
     [[nodiscard]] static Expected<VoxelFrame> make_frame(const TriangleMesh& mesh, int n_along,
                                                          double band_voxels = 3.0);
 
-    /// Refuses frames and settings that `validate` refuses; an error too where `progress` stops it.
+    /// Refuses frames and settings that `validate` refuses, and a mesh whose inside would take minutes to find: triangles that cross
+    /// each other all over the block, or that are open everywhere. An error too where `progress` stops it.
     [[nodiscard]] static Expected<DistanceField> build(const TriangleMesh& mesh,
                                                        const VoxelFrame& frame,
                                                        const DistanceFieldSettings& settings = {},

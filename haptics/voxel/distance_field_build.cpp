@@ -1,12 +1,13 @@
 // The load-path half of distance_field.h.
 #include "haptics/voxel/brick_sides.h"
+#include "haptics/voxel/brick_triangles.h"
 #include "haptics/voxel/distance_field.h"
 #include "haptics/voxel/winding_number.h"
 
 #include <cmath>
-#include <numbers>
-#include <optional>
-#include <span>
+#include <cstdio>
+#include <string>
+#include <utility>
 
 namespace fulcrum {
 
@@ -16,7 +17,9 @@ using Cell = VoxelFrame::Cell;
 
 // Share of a distance: far away it costs much and helps little to know more.
 constexpr double kSlack = 0.03;
-constexpr double kHalfDiagonal = 0.5 * std::numbers::sqrt3 * kBrickCells;  // of a brick, voxels
+// What a build may take: a minute or two. Of a brick and a triangle each, 1 us; of a winding number's terms, 10 ns.
+constexpr double kMostPairs = 1.6e7;
+constexpr double kMostTerms = 1.2e10;
 
 // The brick that a share of a row-major list stands for.
 Cell to_brick(std::size_t index, const std::array<std::int32_t, 3>& n) {
@@ -27,13 +30,6 @@ Cell to_brick(std::size_t index, const std::array<std::int32_t, 3>& n) {
 Vector3 to_vector(const Cell& cell) {
     return Eigen::Vector3i(cell[0], cell[1], cell[2]).cast<double>();
 }
-
-// Which triangles may be within the band of which brick.
-struct BrickTriangles {
-    std::vector<std::int32_t> bricks;     // those that have any, ascending
-    std::vector<std::size_t> first;       // of each, and the end
-    std::vector<std::int32_t> triangles;  // ascending for each brick
-};
 
 // Largest |F| difference over a cell's four edges along each axis bounds the slope's components.
 double find_steepest(const std::array<std::int16_t, 736>& values) {
@@ -83,13 +79,24 @@ class DistanceFieldBuilder {
         n_ = field_.n_bricks();
     }
 
-    // False where it was stopped.
-    [[nodiscard]] bool build() {
-        if (!list_triangles() || !fill_near_bricks()) {
-            return false;
+    // Refuses what would take too long.
+    [[nodiscard]] Expected<void> build() {
+        auto near = list_brick_triangles(mesh_, field_.frame_, reach_voxels(), kMostPairs,
+                                         part_of_progress(0.0, kShareListed));
+        if (!near) {
+            return refuse_stopped();
+        }
+        near_ = std::move(*near);
+        const double too_much = std::max(near_.n_pairs / kMostPairs, count_terms() / kMostTerms);
+        if (too_much > 1.0) {
+            return refuse_work(too_much);
+        }
+        if (!tell(kShareListed) || !fill_near_bricks()) {
+            return refuse_stopped();
         }
         keep_near_bricks();
-        return tell(kShareFilled) && fill_table() && fill_depths() && tell(1.0);
+        return tell(kShareFilled) && fill_table() && fill_depths() && tell(1.0) ? Expected<void>{}
+                                                                                : refuse_stopped();
     }
     [[nodiscard]] DistanceField take() { return std::move(field_); }
 
@@ -126,21 +133,14 @@ class DistanceFieldBuilder {
         }
         return [this, from, to](double share) { return progress_(from + share * (to - from)); };
     }
-    // In voxels of the block.
-    [[nodiscard]] TriangleAt lattice_triangle(std::size_t index) const {
-        const TriangleCorners& corners = mesh_.triangles()[index];
-        const auto at = [&](std::size_t i) {
-            return field_.frame_.to_lattice(
-                mesh_.vertices_B()[static_cast<std::size_t>(corners[i])]);
-        };
-        return {at(0), at(1), at(2)};
+    [[nodiscard]] static Expected<void> refuse_stopped() {
+        return fail("the distance field was stopped before it was made", {}, "make it again");
     }
-
-    template <class Visit>
-    void for_each_brick_near(const TriangleAt& t, Visit&& visit) const;
-    [[nodiscard]] bool list_triangles();
+    [[nodiscard]] Expected<void> refuse_work(double too_much) const;
+    [[nodiscard]] double count_terms() const;
     [[nodiscard]] bool fill_near_bricks();
-    bool fill_brick(std::size_t listed, DistanceField::Brick& brick) const noexcept;
+    bool fill_brick(std::size_t listed, DistanceField::Brick& brick,
+                    WorkWatch& watch) const noexcept;
     void keep_near_bricks();
     [[nodiscard]] bool fill_table();
     [[nodiscard]] bool fill_depths();
@@ -164,66 +164,39 @@ class DistanceFieldBuilder {
     std::vector<char> is_kept_;
 };
 
-template <class Visit>
-void DistanceFieldBuilder::for_each_brick_near(const TriangleAt& t, Visit&& visit) const {
-    const double reach = reach_voxels();
-    const Vector3 lower = t.a.cwiseMin(t.b).cwiseMin(t.c).array() - reach;
-    const Vector3 upper = t.a.cwiseMax(t.b).cwiseMax(t.c).array() + reach;
-    Cell first{};
-    Cell last{};
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<std::size_t>(axis);
-        first[i] =
-            std::clamp(static_cast<int>(std::ceil(lower[axis] / kBrickCells)) - 1, 0, n_[i] - 1);
-        last[i] = std::clamp(static_cast<int>(upper[axis] / kBrickCells), 0, n_[i] - 1);
+// About what the sides of all bricks' corners take, at most: terms of winding numbers, counted at some bricks' middles.
+double DistanceFieldBuilder::count_terms() const {
+    constexpr std::size_t kCounted = 32;
+    const std::size_t n = near_.bricks.size();
+    if (is_sheet() || n == 0) {
+        return 0.0;
     }
-    const double to_centre = reach + kHalfDiagonal;
-    for (std::int32_t z = first[2]; z <= last[2]; ++z) {
-        for (std::int32_t y = first[1]; y <= last[1]; ++y) {
-            for (std::int32_t x = first[0]; x <= last[0]; ++x) {
-                if (compute_square_distance(centre_of({x, y, z}), t) <= to_centre * to_centre) {
-                    visit(static_cast<std::int32_t>(index_of({x, y, z})));
-                }
-            }
-        }
+    const std::size_t stride = std::max<std::size_t>(n / kCounted, 1);
+    double terms = 0.0;
+    double n_counted = 0.0;
+    for (std::size_t i = 0; i < n; i += stride) {
+        const Cell brick = to_brick(static_cast<std::size_t>(near_.bricks[i]), n_);
+        terms += sides_.count_terms(to_object(centre_of(brick)), near_.count(i));
+        n_counted += 1.0;
     }
+    return terms / n_counted * static_cast<double>(n);
 }
 
-bool DistanceFieldBuilder::list_triangles() {
-    constexpr std::size_t kBetween = 4096;  // from one question whether to go on to the next
-    struct Pair {
-        std::int32_t brick;
-        std::int32_t triangle;
-    };
-    std::vector<Pair> pairs;
-    std::vector<std::size_t> count(n_all() + 1, 0);
-    const auto n = static_cast<double>(mesh_.triangles().size());
-    for (std::size_t i = 0; i < mesh_.triangles().size(); ++i) {
-        if (i % kBetween == 0 && !tell(kShareListed * static_cast<double>(i) / n)) {
-            return false;
-        }
-        for_each_brick_near(lattice_triangle(i), [&](std::int32_t brick) {
-            pairs.push_back({brick, static_cast<std::int32_t>(i)});
-            ++count[static_cast<std::size_t>(brick) + 1];
-        });
-    }
-    for (std::size_t i = 0; i < n_all(); ++i) {
-        if (count[i + 1] > 0) {
-            near_.bricks.push_back(static_cast<std::int32_t>(i));
-            near_.first.push_back(count[i]);
-        }
-        count[i + 1] += count[i];
-    }
-    near_.first.push_back(pairs.size());
-    near_.triangles.resize(pairs.size());
-    for (const Pair& pair : pairs) {
-        near_.triangles[count[static_cast<std::size_t>(pair.brick)]++] = pair.triangle;
-    }
-    return tell(kShareListed);
+Expected<void> DistanceFieldBuilder::refuse_work(double too_much) const {
+    // Bricks become fewer with at least the square of the voxel.
+    std::array<char, 32> enough{};
+    std::snprintf(enough.data(), enough.size(), "%.2g",
+                  1.05 * std::sqrt(too_much) * field_.frame_.voxel_m);
+    return fail(
+        "its " + std::to_string(mesh_.triangles().size()) +
+            " triangles cross each other, or are open, so much that to find its inside would "
+            "take minutes",
+        {},
+        "make it one closed surface, or the voxels " + std::string(enough.data()) + " m or larger");
 }
 
-bool DistanceFieldBuilder::fill_brick(std::size_t listed,
-                                      DistanceField::Brick& brick) const noexcept {
+bool DistanceFieldBuilder::fill_brick(std::size_t listed, DistanceField::Brick& brick,
+                                      WorkWatch& watch) const noexcept {
     const Vector3 corner =
         kBrickCells * to_vector(to_brick(static_cast<std::size_t>(near_.bricks[listed]), n_));
     const auto band = static_cast<float>(settings_.band_voxels);
@@ -231,7 +204,8 @@ bool DistanceFieldBuilder::fill_brick(std::size_t listed,
     BrickDistances distances;
     distances.fill(reach * reach);
     for (std::size_t i = near_.first[listed]; i < near_.first[listed + 1]; ++i) {
-        const TriangleAt t = lattice_triangle(static_cast<std::size_t>(near_.triangles[i]));
+        const TriangleAt t = find_lattice_triangle(mesh_, field_.frame_,
+                                                   static_cast<std::size_t>(near_.triangles[i]));
         lower_squares(prepare_for_band({t.a - corner, t.b - corner, t.c - corner}), reach,
                       distances);
     }
@@ -247,7 +221,7 @@ bool DistanceFieldBuilder::fill_brick(std::size_t listed,
             distance -= static_cast<float>(settings_.sheet_voxels);
         }
     } else {
-        sides_.put_signs(to_object(corner), distances);
+        sides_.put_signs(to_object(corner), distances, &watch);
     }
     for (std::size_t i = 0; i < kBrickCorners; ++i) {
         brick.values[i] =
@@ -266,9 +240,9 @@ bool DistanceFieldBuilder::fill_near_bricks() {
     std::vector<float> steepest(near_.bricks.size(), 0.0F);
     const bool is_done = parallel_for(
         near_.bricks.size(), static_cast<std::size_t>(settings_.n_threads),
-        [&](std::size_t i) noexcept {
+        [&](std::size_t i, WorkWatch& watch) noexcept {
             DistanceField::Brick& brick = field_.bricks_[i + kConstant];
-            is_kept_[i] = fill_brick(i, brick) ? 1 : 0;
+            is_kept_[i] = fill_brick(i, brick, watch) ? 1 : 0;
             steepest[i] = is_kept_[i] != 0 ? static_cast<float>(find_steepest(brick.values)) : 0.0F;
         },
         part_of_progress(kShareListed, kShareFilled));
@@ -391,10 +365,7 @@ Expected<DistanceField> DistanceField::build(const TriangleMesh& mesh, const Vox
         return tl::unexpected(fits.error());
     }
     DistanceFieldBuilder builder(mesh, frame, settings, progress);
-    if (!builder.build()) {
-        return fail("the distance field was stopped before it was made", {}, "make it again");
-    }
-    return builder.take();
+    return builder.build().map([&] { return builder.take(); });
 }
 
 }  // namespace fulcrum

@@ -43,4 +43,26 @@ struct VoxelGrid {
     [[nodiscard]] std::size_t memory_bytes() const noexcept { return sizeof(*this) + cells.size(); }
 };
 
+/// Whether the outermost voxels of a block are all free, by what find_class(cell) says of each.
+template <class FindClass>
+[[nodiscard]] bool is_free_outside(const VoxelFrame& frame, FindClass&& find_class) {
+    const VoxelFrame::Cell& n = frame.n_cells;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t second = (axis + 1) % 3;
+        const std::size_t third = (axis + 2) % 3;
+        VoxelFrame::Cell cell{};
+        for (cell[second] = 0; cell[second] < n[second]; ++cell[second]) {
+            for (cell[third] = 0; cell[third] < n[third]; ++cell[third]) {
+                for (const std::int32_t end : {0, n[axis] - 1}) {
+                    cell[axis] = end;
+                    if (find_class(cell) != VoxelClass::free) {
+                        return false;
+                    }
+                }
+            }
+        }
+    }
+    return true;
+}
+
 }  // namespace fulcrum

@@ -5,11 +5,15 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace fulcrum {
 namespace {
 
 constexpr int kMostAcross = 512;  // along an axis: what a tree of three levels holds
+// About as much of the time as each step takes.
+constexpr double kShareMarked = 0.3;
+constexpr double kShareFlooded = 0.8;
 
 // Until it is reached from outside, what is not surface counts as interior.
 VoxelGrid make_grid(const VoxelFrame& frame) {
@@ -22,20 +26,82 @@ VoxelGrid make_grid(const VoxelFrame& frame) {
     return grid;
 }
 
-void mark_surface(const TriangleMesh& mesh, VoxelGrid& grid) {
+// Asks whether to go on after each few thousand of what is cheap.
+class Strides {
+  public:
+    Strides(LoadPulse& pulse, double share) : pulse_(pulse), share_(share) {}
+    [[nodiscard]] bool goes_on() {
+        constexpr int kStride = 4096;
+        return ++n_ % kStride != 0 || pulse_.goes_on(share_);
+    }
+
+  private:
+    LoadPulse& pulse_;
+    double share_;
+    int n_ = 0;
+};
+
+// How many voxels of each block are surface: those that are full need no look at another triangle.
+class Marks {
+  public:
+    explicit Marks(VoxelGrid& grid) : grid_(grid) {
+        std::size_t n_all = 1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            n_[axis] = grid.frame.n_cells[axis] / kRasterBlock + 1;
+            n_all *= static_cast<std::size_t>(n_[axis]);
+        }
+        count_.assign(n_all, 0);
+    }
+
+    [[nodiscard]] bool is_full(const VoxelFrame::Cell& block) const {
+        constexpr int kFull = kRasterBlock * kRasterBlock * kRasterBlock;
+        return count_[index_of(block)] == kFull;
+    }
+    [[nodiscard]] bool is_marked(const VoxelFrame::Cell& cell) const {
+        return grid_.cells[grid_.index_of(cell)] == VoxelClass::surface;
+    }
+    void mark(const VoxelFrame::Cell& cell) {
+        grid_.cells[grid_.index_of(cell)] = VoxelClass::surface;
+        ++count_[index_of(
+            {cell[0] / kRasterBlock, cell[1] / kRasterBlock, cell[2] / kRasterBlock})];
+    }
+
+  private:
+    [[nodiscard]] std::size_t index_of(const VoxelFrame::Cell& block) const {
+        const std::int32_t at = block[0] + n_[0] * (block[1] + n_[1] * block[2]);
+        return static_cast<std::size_t>(at);
+    }
+
+    VoxelGrid& grid_;
+    VoxelFrame::Cell n_{};
+    std::vector<std::int16_t> count_;
+};
+
+// False, here and below, where it was stopped.
+bool mark_surface(const TriangleMesh& mesh, LoadPulse& pulse, VoxelGrid& grid) {
+    Marks marks(grid);
     const std::vector<Vector3>& corners = mesh.vertices_B();
+    double n_done = 0.0;
     for (const auto& [a, b, c] : mesh.triangles()) {
         const TrianglePoints triangle{corners[static_cast<std::size_t>(a)],
                                       corners[static_cast<std::size_t>(b)],
                                       corners[static_cast<std::size_t>(c)]};
-        rasterise(grid.frame, triangle, [&grid](const VoxelFrame::Cell& cell) {
-            grid.cells[grid.index_of(cell)] = VoxelClass::surface;
-        });
+        rasterise_wanted(
+            grid.frame, triangle,
+            [&](const VoxelFrame::Cell& block) { return !marks.is_full(block); },
+            [&](const VoxelFrame::Cell& cell) { return !marks.is_marked(cell); },
+            [&](const VoxelFrame::Cell& cell) { marks.mark(cell); });
+        n_done += 1.0;
+        if (!pulse.goes_on(kShareMarked * n_done / static_cast<double>(mesh.triangles().size()))) {
+            return false;
+        }
     }
+    return true;
 }
 
 // Free space spreads from a corner; the margin joins all outermost voxels.
-void flood_free(VoxelGrid& grid) {
+bool flood_free(LoadPulse& pulse, VoxelGrid& grid) {
+    Strides strides(pulse, kShareMarked);
     std::vector<VoxelFrame::Cell> front{{0, 0, 0}};
     grid.cells[0] = VoxelClass::free;
     while (!front.empty()) {
@@ -51,12 +117,16 @@ void flood_free(VoxelGrid& grid) {
                 }
             }
         }
+        if (!strides.goes_on()) {
+            return false;
+        }
     }
+    return true;
 }
 
 // Free voxels with a neighbour in `front` become `kind`; returns them.
 std::vector<VoxelFrame::Cell> grow(VoxelGrid& grid, const std::vector<VoxelFrame::Cell>& front,
-                                   VoxelClass kind) {
+                                   VoxelClass kind, Strides& strides) {
     std::vector<VoxelFrame::Cell> next;
     for (const VoxelFrame::Cell& cell : front) {
         const CellRange around{{cell[0] - 1, cell[1] - 1, cell[2] - 1},
@@ -71,6 +141,9 @@ std::vector<VoxelFrame::Cell> grow(VoxelGrid& grid, const std::vector<VoxelFrame
                 next.push_back(neighbour);
             }
         });
+        if (!strides.goes_on()) {
+            return {};
+        }
     }
     return next;
 }
@@ -86,18 +159,20 @@ std::vector<VoxelFrame::Cell> collect_surface(const VoxelGrid& grid) {
     return found;
 }
 
-void add_layers(const VoxeliseSettings& settings, VoxelGrid& grid) {
+bool add_layers(const VoxeliseSettings& settings, LoadPulse& pulse, VoxelGrid& grid) {
+    Strides strides(pulse, kShareFlooded);
     std::vector<VoxelFrame::Cell> front = collect_surface(grid);
     for (int k = 0; k < settings.offset_layers; ++k) {
-        const std::vector<VoxelFrame::Cell> next = grow(grid, front, VoxelClass::surface);
+        const std::vector<VoxelFrame::Cell> next = grow(grid, front, VoxelClass::surface, strides);
         for (const VoxelFrame::Cell& cell : front) {
             grid.cells[grid.index_of(cell)] = VoxelClass::interior;
         }
         front = next;
     }
     for (int k = 0; k < settings.proximity_layers; ++k) {
-        front = grow(grid, front, VoxelClass::proximity);
+        front = grow(grid, front, VoxelClass::proximity, strides);
     }
+    return pulse.goes_on_now(1.0);
 }
 
 }  // namespace
@@ -149,18 +224,10 @@ Expected<VoxelGrid> voxelise(const TriangleMesh& mesh, const VoxeliseSettings& s
         return tl::unexpected(frame.error());
     }
     VoxelGrid grid = make_grid(*frame);
-    // About as much of the time as each step takes.
-    const auto goes_on = [&](double share) { return !progress || progress(share); };
-    mark_surface(mesh, grid);
-    bool is_done = goes_on(0.3);
-    if (is_done) {
-        flood_free(grid);
-        is_done = goes_on(0.8);
-    }
-    if (is_done) {
-        add_layers(settings, grid);
-        is_done = goes_on(1.0);
-    }
+    LoadPulse pulse(progress);
+    const bool is_done = mark_surface(mesh, pulse, grid) && pulse.goes_on_now(kShareMarked) &&
+                         flood_free(pulse, grid) && pulse.goes_on_now(kShareFlooded) &&
+                         add_layers(settings, pulse, grid);
     if (!is_done) {
         return fail("the voxels were stopped before they were made", {}, "make them again");
     }

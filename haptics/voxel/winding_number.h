@@ -8,7 +8,8 @@
 //   w_cluster(p) = N.(c - p) / (4 pi |c - p|^3)
 // Inside is where |w| >= 1/2: a mesh turned inside out encloses what it encloses.
 //
-// Thread: build at load; asked from any thread. Cost: a few hundred triangles near, one dipole a far cluster: 1 to 3 us.
+// Thread: build at load; asked from any thread. Cost: a few hundred triangles near, one dipole a far cluster: 1 to 3 us. Large
+// triangles near each other are in no far cluster: 40 ns each.
 // Source: A. Jacobson, L. Kavan, O. Sorkine-Hornung 2013, Robust inside-outside segmentation using generalized winding
 // numbers, ACM TOG 32(4), section 4; the solid angle: A. van Oosterom, J. Strackee 1983, The solid angle of a plane
 // triangle, IEEE Trans. Biomed. Eng. 30(2), equation 8; the dipoles: G. Barill, N. Dickson, R. Schmidt, D. Levin,
@@ -30,6 +31,10 @@ inline constexpr double kDipoleOpening = 2.5;
 /// w at `p_B`.
 [[nodiscard]] double compute_winding_number(const TriangleClusters& clusters, const Vector3& p_B,
                                             double opening = kDipoleOpening) noexcept;
+
+/// How much work `compute_winding_number` is there: dipoles and triangles, of which each counts as five.
+[[nodiscard]] double count_winding_terms(const TriangleClusters& clusters, const Vector3& p_B,
+                                         double opening = kDipoleOpening) noexcept;
 
 /// |w| >= 1/2.
 [[nodiscard]] bool is_wound_round(const TriangleClusters& clusters, const Vector3& p_B) noexcept;

@@ -348,6 +348,12 @@ void print_lines(const std::vector<std::string>& lines) {
     }
 }
 
+void say_notices(const LessonRun& run) {
+    for (const std::string& notice : run.plan().notices) {
+        std::fprintf(stderr, "%s\n", notice.c_str());
+    }
+}
+
 void say_losses(const LessonRun& run) {
     for (const std::string& sentence : run.losses()) {
         std::fprintf(stderr, "%s\n", sentence.c_str());

@@ -128,7 +128,9 @@ class LessonRun {
 /// What a lesson's print() said, on the terminal, at once.
 void print_lines(const std::vector<std::string>& lines);
 
-/// What got lost in a run, on the terminal.
+/// What a teacher should know of the scene before it is played, on the terminal.
+void say_notices(const LessonRun& run);
+/// What got lost in a run, likewise.
 void say_losses(const LessonRun& run);
 
 /// Writes into the plan's stages how much memory the loop that was built from it uses for each.

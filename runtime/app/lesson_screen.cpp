@@ -60,6 +60,7 @@ void LessonScreen::begin() {
     run_ = std::move(*run);
     has_begun_ = true;
     print_lines(run_->process().prints_while_loading());
+    say_notices(*run_);
     files_.watch_only(files_of_lesson(places_, request_.folder, run_->description(),
                                       run_->process().files_read()));
     for (const std::string& notice :

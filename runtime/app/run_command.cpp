@@ -76,6 +76,7 @@ int run_without_window(const Installation& installation, const Options& options,
     if (!run) {
         return complain_of_loading(run.error());
     }
+    say_notices(**run);
     ScreenshotTaker screenshot(installation, options, **run, request.folder);
     HeadlessSettings settings;
     settings.end_s = options.seconds;

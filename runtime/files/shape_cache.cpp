@@ -1,5 +1,6 @@
 #include "runtime/files/shape_cache.h"
 
+#include "haptics/voxel/shape_fit.h"
 #include "runtime/files/user_folder.h"
 
 #include <algorithm>
@@ -165,7 +166,8 @@ Expected<DistanceField> recall_distance_field(ShapeCache& cache, const TriangleM
             .and_then([&](DistanceField field) -> Expected<DistanceField> {
                 if (!are_alike(field.frame(), frame) ||
                     field.band_m() != settings.band_voxels * frame.voxel_m ||
-                    field.sheet_m() != settings.sheet_voxels * frame.voxel_m) {
+                    field.sheet_m() != settings.sheet_voxels * frame.voxel_m ||
+                    !can_be_of(field, mesh)) {
                     return refuse_other("distance field");
                 }
                 return field;
@@ -183,7 +185,7 @@ Expected<VoxelGrid> recall_voxels(ShapeCache& cache, const TriangleMesh& mesh,
     const auto decode = [&](const Bytes& bytes, const Digest& key) {
         return decode_voxel_grid(bytes, key).and_then([&](VoxelGrid grid) -> Expected<VoxelGrid> {
             const auto frame = make_voxel_frame(mesh, settings);
-            if (!frame || !are_alike(grid.frame, *frame)) {
+            if (!frame || !are_alike(grid.frame, *frame) || !can_be_of(grid, mesh)) {
                 return refuse_other("block of voxels");
             }
             return grid;
@@ -199,7 +201,7 @@ Expected<Pointshell> recall_surface_pointshell(ShapeCache& cache, const Triangle
     const auto decode = [&](const Bytes& bytes, const Digest& key) {
         return decode_pointshell(bytes, key)
             .and_then([&](Pointshell shell) -> Expected<Pointshell> {
-                if (shell.size() != static_cast<std::size_t>(n_points)) {
+                if (shell.size() != static_cast<std::size_t>(n_points) || !can_be_of(shell, mesh)) {
                     return refuse_other("pointshell");
                 }
                 return shell;
@@ -211,8 +213,17 @@ Expected<Pointshell> recall_surface_pointshell(ShapeCache& cache, const Triangle
 
 Expected<MeasuredSolid> recall_measured_solid(ShapeCache& cache, const TriangleMesh& mesh,
                                               const LoadProgress& progress) {
-    return recall(cache, compute_shape_key(ShapeKind::solid_moments, mesh, {}),
-                  decode_measured_solid, [&] { return measure_solid(mesh, {}, progress); });
+    const auto decode = [&](const Bytes& bytes, const Digest& key) {
+        return decode_measured_solid(bytes, key)
+            .and_then([&](const MeasuredSolid& solid) -> Expected<MeasuredSolid> {
+                if (!can_be_of(solid, mesh)) {
+                    return refuse_other("mass");
+                }
+                return solid;
+            });
+    };
+    return recall(cache, compute_shape_key(ShapeKind::solid_moments, mesh, {}), decode,
+                  [&] { return measure_solid(mesh, {}, progress); });
 }
 
 }  // namespace fulcrum::runtime

@@ -8,8 +8,8 @@
 //           The number of threads is not in it: whatever it is, the shape is the same to the bit
 //   name    the key (shape_bytes.h) in hex + ".shape", in a folder that is the user's alone
 //           (private_folder.h: how it is read and written, whenever a program or a computer stops)
-//   read    no longer than `most_file_bytes`; what is in it is judged by shape_bytes.h, and must be what was asked for. What is
-//           refused is told, removed and made again: a cache can cost time, never a lesson
+//   read    no longer than `most_file_bytes`; what is in it is judged by shape_bytes.h, and must be what was asked for, as far as
+//           that can be told (shape_fit.h). What is refused is told, removed and made again: a cache can cost time, never a lesson
 //   write   made into bytes only where they would be kept. On a full disk the shapes that have not been used for longest go, as
 //           many bytes as are missing, and it is tried once more; after that nothing more is kept
 //   size    above `most_bytes` the shapes that have not been used for longest go; of the cache's own files those that nobody

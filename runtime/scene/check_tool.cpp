@@ -1,6 +1,7 @@
 #include "runtime/scene/check_tool.h"
 
 #include "runtime/scene/plan_touch.h"
+#include "runtime/scene/round_up.h"
 
 #include <array>
 #include <cmath>
@@ -21,12 +22,6 @@ constexpr double kVoxelPoint_ns =
 constexpr double kFieldPoint_ns = 150.0;  // likewise against a field
 constexpr double kShareOfStep = 0.5;      // that a tool may take
 constexpr int kSprings = 16;  // on either side: 1.25^16 = 35, from the softest to near the stiffest
-
-// Two digits, upwards: what is said must do.
-double round_up(double value) {
-    const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-    return std::ceil(value / digit - 1.0e-9) * digit;
-}
 
 template <class... Values>
 std::string print(const char* format, Values... values) {
@@ -76,8 +71,10 @@ std::string find_what_would_do(const HandDescription& hand, const StepLimit& lim
     return {};
 }
 
+}  // namespace
+
 // Voxel sampling looks at every point in every step.
-Expected<void> check_time(const HandDescription& hand) {
+Expected<void> check_tool_time(const HandDescription& hand) {
     const ToolDescription& tool = *hand.tool;
     const double most_points = kShareOfStep * 1.0e9 / (hand.rate_hz * kVoxelPoint_ns);
     if (tool.method != ToolMethod::voxel_sampling || tool.points <= most_points) {
@@ -92,9 +89,8 @@ Expected<void> check_time(const HandDescription& hand) {
               std::floor(most_points)));
 }
 
-// An explicit integrator must hold it.
-Expected<void> check_integrator(const HandDescription& hand, const ToolPlan& plan,
-                                const Pointshell& shell) {
+Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,
+                          const Pointshell& shell) {
     const VoxelToolSettings& settings = plan.settings;
     if (settings.mass == ToolMass::massless ||
         settings.integrator.integrator == Integrator::backward_euler) {
@@ -115,8 +111,6 @@ Expected<void> check_integrator(const HandDescription& hand, const ToolPlan& pla
             "leave out integrator: backward_euler holds it");
 }
 
-}  // namespace
-
 double find_tool_time_us(double rate_hz) {
     return kShareOfStep * 1.0e6 / rate_hz;
 }
@@ -135,11 +129,6 @@ std::optional<std::string> find_tool_notice(const HandDescription& hand, const T
          print("give it at most %.0f points, or bear that a live run looks at fewer then and says "
                "when it ends how far off the force may have been",
                std::floor(most_points))});
-}
-
-Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,
-                          const Pointshell& shell) {
-    return check_time(hand).and_then([&] { return check_integrator(hand, plan, shell); });
 }
 
 }  // namespace fulcrum::runtime

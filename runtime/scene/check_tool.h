@@ -1,4 +1,5 @@
-// Whether the tool that a lesson asks for can be moved on as it asks: told before it runs, with what would do.
+// Whether the tool that a lesson asks for can be moved on as it asks: told before it runs, with what would do, in one sentence with
+// the line of the lesson.
 //
 // An explicit integrator shakes a tool that is too light for its spring and for what its points press against (step_limit.h). What
 // would do is sought within a lesson's ranges, first a mass, then a spring beside the largest mass; backward Euler always does.
@@ -9,7 +10,7 @@
 // Field sampling looks only at what is near, and in a live run only at as much as there is time for. What it would take where all
 // points touch is told: 150 ns a point, measured for a tool that lies flat.
 //
-// Thread: load path. Cost: nothing where the integrator has no limit, else 20 ms, and a second where it refuses.
+// Thread: load path. Cost: the integrator's nothing where it has no limit, else 20 ms, and a second where it refuses; the time's nothing.
 #pragma once
 
 #include "haptics/tool/step_limit.h"
@@ -27,7 +28,10 @@ namespace fulcrum::runtime {
 [[nodiscard]] std::optional<std::string> find_tool_notice(const HandDescription& hand,
                                                           const ToolPlan& plan);
 
-/// Refuses with one sentence and the line of the lesson. `shell` is that of the plan's order; `plan` has been validated.
+/// Refuses more points among voxels than a step has time for: the lesson alone tells, before anything is made.
+[[nodiscard]] Expected<void> check_tool_time(const HandDescription& hand);
+
+/// Refuses an integrator that shakes the tool. `shell` is that of the plan's order; `plan` has been validated.
 [[nodiscard]] Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,
                                         const Pointshell& shell);
 

@@ -9,6 +9,7 @@
 #include "runtime/scene/plan_touch.h"
 #include "runtime/scene/shape_models.h"
 #include "runtime/scene/tool_bodies.h"
+#include "runtime/scene/tool_notices.h"
 #include "runtime/scene/tool_springs.h"
 
 #include <algorithm>
@@ -64,7 +65,15 @@ Expected<MeshInertia> find_inertia(const ToolDescription& tool, double scale,
     if (!solid) {
         return fail(solid.error().message, {}, "close its holes, or give the tool a shape");
     }
-    return fill_with_mass(*solid, tool.mass_kg / scale).map_error([](const Error& /*error*/) {
+    const double mass_kg = tool.mass_kg / scale;
+    auto filled = fill_with_mass(*solid, mass_kg);
+    if (!filled) {
+        // That may be what was kept, and not the mesh's own.
+        filled = measure_solid(mesh, {}, progress).and_then([&](const MeasuredSolid& own) {
+            return fill_with_mass(own, mass_kg);
+        });
+    }
+    return filled.map_error([](const Error& /*error*/) {
         return Error{"it is so small or so large that how it turns cannot be computed",
                      {},
                      "give it another size or more mass"};
@@ -201,6 +210,9 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     ShapeCache none{{}};
     ShapeCache& shapes = options.shapes != nullptr ? *options.shapes : none;
     // What can be refused at once is, before anything that takes long is made.
+    if (auto good = check_tool_time(lesson.hand); !good) {
+        return good;
+    }
     const auto list = list_tool_bodies(lesson, plan.haptic.solids);
     if (!list) {
         return tl::unexpected(list.error());
@@ -240,6 +252,9 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     plan.notices.insert(plan.notices.end(), bodies->notices.begin(), bodies->notices.end());
     if (const auto sentence = find_tool_notice(lesson.hand, *plan.haptic.tool)) {
         plan.notices.push_back(*sentence);
+    }
+    for (std::string& inside : tell_start_inside(lesson, plan.haptic.solids, *plan.haptic.tool)) {
+        plan.notices.push_back(std::move(inside));
     }
     return check_tool(lesson.hand, *plan.haptic.tool, *order->shell);
 }

@@ -5,6 +5,8 @@
 #include "runtime/files/shape_cache.h"
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_touch.h"
+#include "runtime/scene/round_up.h"
+#include "runtime/scene/tool_notices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,9 +76,8 @@ std::string least_voxel_text(const ToolBodyList& list) {
     const double least_m = find_least_voxel_m(
         longest_m / (kMostAlong - kMarginCells), longest_m,
         [&](double voxel_m) { return sum_voxels(list, voxel_m) <= kMostVoxels; });
-    const double digit = std::pow(10.0, std::floor(std::log10(least_m)) - 1.0);
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.2g", std::ceil(least_m / digit) * digit);
+    std::snprintf(text.data(), text.size(), "%.2g", round_up(least_m));
     return text.data();
 }
 
@@ -89,7 +90,7 @@ Expected<void> check_voxels(const LessonDescription& lesson, const ToolBodyList&
             "leave out the tool's voxel, or make it " + least_voxel_text(list) + " or more");
     };
     for (const ToolBodyList::Mesh& each : list.meshes) {
-        if (size_of(each.mesh).maxCoeff() / voxel_m + kMarginCells > kMostAlong) {
+        if (!can_be_met_with(size_of(each.mesh).maxCoeff(), voxel_m)) {
             return refuse("small for the " + each.body->noun +
                           " that the tool meets: at most 480 lie along a body");
         }
@@ -141,6 +142,10 @@ std::vector<Each> deal_out(const std::vector<Each>& made, const std::vector<std:
 }
 
 }  // namespace
+
+bool can_be_met_with(double length_m, double voxel_m) {
+    return length_m / voxel_m + kMarginCells <= kMostAlong;
+}
 
 Expected<TriangleMesh> to_triangles(const CollisionMesh& mesh) {
     const auto vertices = mesh.vertices_B();
@@ -209,6 +214,11 @@ Expected<ToolBodies> make_tool_bodies(const LessonDescription& lesson, const Too
                 made.fields.empty() ? std::nullopt : made.fields.back()->tell_holes()) {
             made.notices.push_back(to_sentence({"the " + of.body->noun + ": " + holes->message,
                                                 at_line(of.body->line), "close them"}));
+        }
+        const VoxelFrame& frame =
+            made.fields.empty() ? made.grids.back()->frame : made.fields.back()->frame();
+        if (auto thin = tell_thin_wall(of, frame.voxel_m)) {
+            made.notices.push_back(std::move(*thin));
         }
     }
     made.grids = deal_out(made.grids, list.mesh_of);

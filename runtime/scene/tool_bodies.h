@@ -41,12 +41,15 @@ struct ToolBodyList {
 [[nodiscard]] Expected<ToolBodyList> list_tool_bodies(const LessonDescription& lesson,
                                                       const std::vector<SolidPlan>& solids);
 
+/// Whether a lesson may ask for voxels of that side of a body so long.
+[[nodiscard]] bool can_be_met_with(double length_m, double voxel_m);
+
 /// One of both kinds for each solid, in the plan's order, the same for bodies that share a mesh.
 struct ToolBodies {
     std::vector<std::shared_ptr<const VoxelGrid>> grids;
     std::vector<FieldSampler::Field> fields;
     std::vector<ShapeSource> sources;
-    std::vector<std::string> notices;  ///< of bodies with holes, if a field closes them
+    std::vector<std::string> notices;  ///< of holes, if a field closes them, and thin walls
 };
 
 /// Makes them, telling `progress` of each by its noun.

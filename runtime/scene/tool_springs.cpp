@@ -54,7 +54,7 @@ Expected<void> check_tool_springs(const HandDescription& hand, const ToolOrder& 
                     where, "move it there in the program that made it");
     }
     const ToolCouplingSettings damped = make_critically_damped(
-        coupling, order.settings.inertia.mass_kg, order.settings.inertia.moments_kg_m2.minCoeff());
+        coupling, order.settings.inertia.mass_kg, order.settings.inertia.moments_kg_m2);
     if (!tool.massless && !validate(damped)) {
         return fail("a tool of " + number(tool.mass_kg) + " kg on a spring of " +
                         number(tool.stiffness_N_per_m) +

@@ -77,6 +77,19 @@ Expected<TriangleMesh> make_messy(const TriangleMesh& mesh, double weld_relative
                                {.weld_relative = weld_relative});
 }
 
+Expected<TriangleMesh> make_heap(int n_triangles, unsigned seed) {
+    Random random(seed);
+    std::vector<Vector3> vertices;
+    std::vector<TriangleCorners> triangles;
+    for (std::int32_t i = 0; i < n_triangles; ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+            vertices.push_back(random.in_cube());
+        }
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return TriangleMesh::build(std::move(vertices), std::move(triangles), {.weld_relative = 0.0});
+}
+
 Expected<TriangleMesh> make_cracked(const TriangleMesh& mesh, double crack_m, unsigned seed,
                                     double weld_relative) {
     const auto is_upper = [&mesh](const TriangleCorners& t) {

@@ -25,6 +25,9 @@ namespace fulcrum {
 [[nodiscard]] Expected<TriangleMesh> make_cracked(const TriangleMesh& mesh, double crack_m,
                                                   unsigned seed, double weld_relative);
 
+/// So many loose triangles by chance in a cube of 2 m round the origin, each as large as it: they cross each other all over.
+[[nodiscard]] Expected<TriangleMesh> make_heap(int n_triangles, unsigned seed);
+
 /// The same surface with T-junctions: of every third triangle an edge is cut in its middle, which its neighbour over that edge knows
 /// nothing of; as the middle is rounded, neither surface need contain the other's edge. Nothing is welded.
 [[nodiscard]] Expected<TriangleMesh> make_t_junctions(const TriangleMesh& mesh);

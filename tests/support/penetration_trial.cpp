@@ -61,6 +61,7 @@ VoxelTool make_tool(const PenetrationTrial& trial) {
     settings.coupling.turn.stiffness_Nm_per_rad = 0.02;
     settings.integrator.integrator = Integrator::semi_implicit_euler;
     settings.lead_clamped = trial.lead_clamped;
+    settings.swept = false;  // the source looks at the ends of steps alone
     settings.inertia = make_ball_inertia(kMass_kg, 0.0375);
     return VoxelTool::build(
                {grid, nullptr, make_voxel_pointshell(ring, kVoxel_m).value(), sampling}, settings)

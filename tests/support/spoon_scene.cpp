@@ -78,8 +78,8 @@ std::vector<SpoonSample> run_spoon(const SpoonSettings& settings) {
     const Inertia inertia = make_box_inertia(settings.mass_kg, kSpoon_m);
     const std::vector<PlaneContact> contacts = make_cup(settings);
     const PlaneContactsLoad cup(contacts);
-    ToolCouplingLoad coupling(
-        make_critically_damped({}, settings.mass_kg, inertia.moments_kg_m2.minCoeff()), kGrip_B);
+    ToolCouplingLoad coupling(make_critically_damped({}, settings.mass_kg, inertia.moments_kg_m2),
+                              kGrip_B);
     const Loads all(coupling, cup);
     IntegratorSettings integrator;
     integrator.integrator = settings.integrator;

@@ -6,9 +6,9 @@
 //   hand    0-120 ms 20 mm along the stem, free; 120-300 ms sideways and up against the ring, and turned; 300-450 ms still;
 //           450-600 ms drawn along the ring, pressed
 // Contacts are viscoelastic with a damping that belongs to the surfaces, so it is the same for every mass; the coupling is
-// critically damped for the spoon's mass and its least moment, the one about the stem; about the other axes, whose moments
-// are 128 times that, it swings out slowly. A damper for the mean moment decays about the stem at h b / I = 12 at
-// 1 kHz and 100 g, where RK4 ends at 2.8: the paper's 100 g could not be had. The paper's own scene is two triangle meshes.
+// critically damped for the spoon's mass and about each of its axes, whose moments differ by 128. One damper for all, for the mean
+// moment, decays about the stem at h b / I = 12 at 1 kHz and 100 g, where RK4 ends at 2.8: the paper's 100 g could not be
+// had. The paper's own scene is two triangle meshes.
 //
 // Source: M. Otaduy, M. Lin 2005, Stable and responsive six-degree-of-freedom haptic manipulation using implicit
 // integration, World Haptics, section 7 and figures 3 and 4.

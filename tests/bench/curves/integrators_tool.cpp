@@ -10,7 +10,7 @@ constexpr double kReach_m = 0.03;  // from the centre to the tip, where a turn i
 const Inertia kTool = make_box_inertia(0.05, {0.03, 0.04, 0.05});
 
 ToolCouplingLoad make_load() {
-    ToolCouplingLoad load(make_critically_damped({}, kTool.mass_kg, kTool.moments_kg_m2.mean()),
+    ToolCouplingLoad load(make_critically_damped({}, kTool.mass_kg, kTool.moments_kg_m2),
                           {0.0, 0.01, -0.02});
     load.set_handle({Pose::at(Vector3::Zero()), {{0.1, 0.0, 0.05}, {0.0, 1.0, 2.0}}}, 0.0);
     return load;

@@ -123,8 +123,8 @@ Sheet make_sheet(const Run& run) {
         "Otaduy & Lin had to take 100 g for RK4; on these planes, whose contacts are found anew at "
         "every "
         "stage, RK4 needs less than that and far more than backward Euler. The coupling is "
-        "critically damped for the least moment, about the stem: for the mean moment, 86 times "
-        "it, no explicit method comes to rest even at 100 g.";
+        "critically damped about each axis: with one damper for the mean moment, 86 times the "
+        "least, no explicit method comes to rest even at 100 g.";
     sheet.columns = {"integrator", "at 2 kN/m, g", "at 10 kN/m, g"};
     int n_done = 0;
     for (const Integrator integrator : kIntegrators) {

@@ -52,8 +52,7 @@ class SweptTool {
         const Vector3 size_m = scene.tool.upper_B() - scene.tool.lower_B();
         inertia_ = make_box_inertia(0.05, size_m);
         settings_.turn.stiffness_Nm_per_rad = 0.1;
-        settings_ =
-            make_critically_damped(settings_, inertia_.mass_kg, inertia_.moments_kg_m2.minCoeff());
+        settings_ = make_critically_damped(settings_, inertia_.mass_kg, inertia_.moments_kg_m2);
         settings_.clamp_m = scene.clamp_N / settings_.shift.stiffness_N_per_m;
         settings_.clamp_rad = 0.2;
         voxel_m = scene.object.upper_B().x() * 2.0 / scene.n_along;

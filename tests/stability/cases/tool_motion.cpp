@@ -88,7 +88,7 @@ Finding drag_in_free_space() {
     stiff.shift.stiffness_N_per_m = 5.0e4;
     stiff.turn.stiffness_Nm_per_rad = 50.0;
     const Inertia tool{0.01, Vector3::Constant(2.4e-6)};
-    stiff = make_critically_damped(stiff, tool.mass_kg, tool.moments_kg_m2.x());
+    stiff = make_critically_damped(stiff, tool.mass_kg, tool.moments_kg_m2);
     const Twist even{{0.5, 0.0, 0.0}, {0.0, 3.0, 0.0}};
     double worst_N = 0.0;
     for (const double dt_s : kSteps_s) {

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 
 using namespace fulcrum;
 
@@ -43,4 +45,33 @@ TEST_CASE("parallel for: it stops where it is told to, and says so") {
     }
     CHECK(parallel_for(
         10, 1, [](std::size_t) noexcept {}, [](double) { return true; }));
+}
+
+TEST_CASE("parallel for: an end is heard between slow pieces, and within one that asks") {
+    using namespace std::chrono_literals;
+    for (const std::size_t n_threads : {1U, 3U}) {
+        // 300 pieces of 20 ms: more than 64 of them would be a second.
+        std::atomic<std::size_t> n_done{0};
+        CHECK_FALSE(parallel_for(
+            300, n_threads,
+            [&](std::size_t) noexcept {
+                std::this_thread::sleep_for(20ms);
+                ++n_done;
+            },
+            [](double) { return false; }));
+        CHECK(n_done < 60);
+    }
+    // One piece that would never end by itself.
+    double share = -1.0;
+    CHECK_FALSE(parallel_for(
+        1, 1,
+        [](std::size_t, WorkWatch& watch) noexcept {
+            while (watch.goes_on()) {
+            }
+        },
+        [&](double now) {
+            share = now;
+            return false;
+        }));
+    CHECK(share == 1.0);
 }

@@ -113,6 +113,23 @@ TEST_CASE("passivity: what the scene changes between two rounds is not the hand'
     CHECK(port.excess_J() == Approx(0.5 * 500.0 * 1e-6));
 }
 
+TEST_CASE("passivity: hand and anchor that go on together get what was held, and no excess") {
+    // A spring whose anchor moves evenly with the hand, or half as fast, or back: only the change of its stretch leaks.
+    constexpr double kStiffness = 500.0;
+    const Vector3 d(0.001, 0.0, 0.0);
+    for (const double anchor_share : {1.0, 0.5, -1.0}) {
+        Port port;
+        const auto spring = [&](int n) {
+            return Vector3(-kStiffness * (0.002 * Vector3::UnitX() + n * (1.0 - anchor_share) * d));
+        };
+        (void)port.move(Vector3::Zero(), spring(0));
+        (void)port.move(d, spring(1));
+        const double stretched = 1.0 - anchor_share;
+        CHECK(port.excess_J() ==
+              Approx(0.5 * kStiffness * stretched * d.squaredNorm()).margin(kRounding_J));
+    }
+}
+
 TEST_CASE("passivity: the brake opposes the motion, takes what will be due, and is bounded") {
     constexpr double kStiffness = 200.0;
     const Vector3 d(3e-5, -4e-5, 0.0);

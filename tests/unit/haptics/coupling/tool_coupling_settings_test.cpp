@@ -20,9 +20,9 @@ bool accepts(Change change) {
 TEST_CASE("tool coupling settings: defaults and bounds are accepted") {
     CHECK(validate(ToolCouplingSettings{}));
     CHECK(accepts([](auto& s) { s.turn.stiffness_Nm_per_rad = 1.0e3; }));
-    CHECK(accepts([](auto& s) { s.turn.damping_Nms_per_rad = 0.0; }));
+    CHECK(accepts([](auto& s) { s.turn.damping_Nms_per_rad.setZero(); }));
     CHECK(accepts([](auto& s) { s.clamp_m = 1.0; }));
-    CHECK(accepts([](auto& s) { s.turn = {0.5, 0.0, 0.1, 1.0, 0.3}; }));
+    CHECK(accepts([](auto& s) { s.turn = {0.5, Vector3::Zero(), 0.1, 1.0, 0.3}; }));
 }
 
 TEST_CASE("tool coupling settings: what is out of range is refused") {
@@ -31,18 +31,22 @@ TEST_CASE("tool coupling settings: what is out of range is refused") {
     CHECK_FALSE(accepts([&](auto& s) { s.shift.damping_Ns_per_m = nan; }));
     CHECK_FALSE(accepts([](auto& s) { s.turn.stiffness_Nm_per_rad = 1.1e3; }));
     CHECK_FALSE(accepts([&](auto& s) { s.turn.stiffness_Nm_per_rad = nan; }));
-    CHECK_FALSE(accepts([](auto& s) { s.turn.damping_Nms_per_rad = -1.0e-9; }));
+    for (const int axis : {0, 1, 2}) {
+        CHECK_FALSE(accepts([=](auto& s) { s.turn.damping_Nms_per_rad[axis] = -1.0e-9; }));
+        CHECK_FALSE(accepts([=](auto& s) { s.turn.damping_Nms_per_rad[axis] = 100.1; }));
+        CHECK_FALSE(accepts([=](auto& s) { s.turn.damping_Nms_per_rad[axis] = nan; }));
+    }
     CHECK_FALSE(accepts([](auto& s) { s.clamp_m = -0.001; }));
     CHECK_FALSE(accepts([&](auto& s) { s.clamp_m = nan; }));
 }
 
 TEST_CASE("tool coupling settings: a torque that would fall, or ranges out of order, are refused") {
     const double infinite = std::numeric_limits<double>::infinity();
-    CHECK_FALSE(accepts([](auto& s) { s.turn = {0.5, 0.0, 1.0, 0.5, 0.6}; }));
-    CHECK_FALSE(accepts([](auto& s) { s.turn = {0.5, 0.0, 0.1, 1.0, 0.19}; }));
-    CHECK_FALSE(accepts([&](auto& s) { s.turn = {0.5, 0.0, 0.1, infinite, 0.3}; }));
-    CHECK_FALSE(accepts([&](auto& s) { s.turn = {0.5, 0.0, 0.1, 1.0, infinite}; }));
-    CHECK_FALSE(accepts([](auto& s) { s.turn = {0.5, 0.0, -0.1, 1.0, 0.3}; }));
+    CHECK_FALSE(accepts([](auto& s) { s.turn = {0.5, Vector3::Zero(), 1.0, 0.5, 0.6}; }));
+    CHECK_FALSE(accepts([](auto& s) { s.turn = {0.5, Vector3::Zero(), 0.1, 1.0, 0.19}; }));
+    CHECK_FALSE(accepts([&](auto& s) { s.turn = {0.5, Vector3::Zero(), 0.1, infinite, 0.3}; }));
+    CHECK_FALSE(accepts([&](auto& s) { s.turn = {0.5, Vector3::Zero(), 0.1, 1.0, infinite}; }));
+    CHECK_FALSE(accepts([](auto& s) { s.turn = {0.5, Vector3::Zero(), -0.1, 1.0, 0.3}; }));
 }
 
 TEST_CASE("tool coupling settings: a clamp and saturation exclude each other") {
@@ -57,6 +61,6 @@ TEST_CASE("tool coupling settings: a clamp and saturation exclude each other") {
     CHECK_FALSE(accepts([](auto& s) { s.clamp_rad = 4.0; }));
     CHECK_FALSE(accepts([](auto& s) {
         s.clamp_rad = 0.05;
-        s.turn = {0.5, 0.0, 0.1, 1.0, 0.3};
+        s.turn = {0.5, Vector3::Zero(), 0.1, 1.0, 0.3};
     }));
 }

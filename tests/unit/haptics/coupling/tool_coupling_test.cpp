@@ -14,7 +14,7 @@ constexpr double kRounding = 1.0e-12;
 
 const ToolCouplingSettings kPlain{
     .shift = {.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 4.0},
-    .turn = {.stiffness_Nm_per_rad = 0.5, .damping_Nms_per_rad = 2e-3}};
+    .turn = {.stiffness_Nm_per_rad = 0.5, .damping_Nms_per_rad = {2e-3, 2e-3, 2e-3}}};
 
 ToolCouplingSettings saturating() {
     ToolCouplingSettings settings = kPlain;
@@ -62,6 +62,20 @@ TEST_CASE("tool coupling: dampers act against what the tool does beyond the hand
     const Wrench wrench = compute_tool_coupling(kPlain, handle, grip);
     CHECK((wrench.force - Vector3(-0.8, 0.0, 0.0)).norm() < kRounding);
     CHECK((wrench.torque - Vector3(0.0, 0.0, -8.0e-3)).norm() < kRounding);
+}
+
+TEST_CASE("tool coupling: the turn's damper lies along the tool's own axes and turns with it") {
+    ToolCouplingSettings settings = kPlain;
+    settings.turn.damping_Nms_per_rad = {1.0e-3, 2.0e-3, 5.0e-3};
+    const Quaternion q_WT = compute_exp({0.4, -1.1, 0.7});
+    for (const int axis : {0, 1, 2}) {
+        MovingFrame frame{{Vector3::Zero(), q_WT}, {}};
+        const MovingFrame handle = frame;
+        frame.velocity_W.angular = q_WT * Vector3(3.0 * Vector3::Unit(axis));
+        const Wrench wrench = compute_tool_coupling(settings, handle, frame);
+        const double expected_Nm = -3.0 * settings.turn.damping_Nms_per_rad[axis];
+        CHECK((wrench.torque - expected_Nm * (q_WT * Vector3::Unit(axis))).norm() < kRounding);
+    }
 }
 
 TEST_CASE("tool coupling: a tool that moves with its handle is not dragged") {
@@ -114,17 +128,19 @@ TEST_CASE("tool coupling: a turn is measured the shorter way, up to half a turn"
     CHECK(torque_at(kPlain, 2.0 * std::numbers::pi - 1.0) == Approx(-0.5).epsilon(1e-9));
 }
 
-TEST_CASE("tool coupling: critical damping is 2 sqrt(m k) and 2 sqrt(I k_r)") {
-    const ToolCouplingSettings settings = make_critically_damped(kPlain, 0.01, 2.0e-6);
+TEST_CASE("tool coupling: critical damping is 2 sqrt(m k) and 2 sqrt(I k_r), for each axis") {
+    const ToolCouplingSettings settings =
+        make_critically_damped(kPlain, 0.01, {2.0e-6, 8.0e-6, 1.8e-5});
     CHECK(settings.shift.damping_Ns_per_m == Approx(2.0 * std::sqrt(5.0)).epsilon(kRounding));
-    CHECK(settings.turn.damping_Nms_per_rad == Approx(2.0 * std::sqrt(1.0e-6)).epsilon(kRounding));
+    CHECK((settings.turn.damping_Nms_per_rad - Vector3(2.0e-3, 4.0e-3, 6.0e-3)).norm() < kRounding);
     CHECK(settings.shift.stiffness_N_per_m == 500.0);
     // The defaults are those of a tool of 10 g and 2.4e-6 kg m^2.
-    const ToolCouplingSettings defaults = make_critically_damped({}, 0.01, 2.4e-6);
+    const ToolCouplingSettings defaults =
+        make_critically_damped({}, 0.01, Vector3::Constant(2.4e-6));
     CHECK(defaults.shift.damping_Ns_per_m ==
           Approx(ToolCouplingSettings{}.shift.damping_Ns_per_m).epsilon(1e-3));
-    CHECK(defaults.turn.damping_Nms_per_rad ==
-          Approx(ToolCouplingSettings{}.turn.damping_Nms_per_rad).epsilon(1e-2));
+    CHECK(defaults.turn.damping_Nms_per_rad.isApprox(
+        ToolCouplingSettings{}.turn.damping_Nms_per_rad, 1e-2));
 }
 
 TEST_CASE("tool coupling: the linearised law is the law, also at no stretch") {

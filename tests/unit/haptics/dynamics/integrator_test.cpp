@@ -34,7 +34,7 @@ double oscillator_error(const IntegratorSettings& settings, int n) {
 
 // The block on a coupling with a grip off its centre; the handle moves and turns evenly.
 double coupling_error(const IntegratorSettings& settings, int n, const RigidState& converged) {
-    ToolCouplingLoad load(make_critically_damped({}, kBlock.mass_kg, kBlock.moments_kg_m2.y()),
+    ToolCouplingLoad load(make_critically_damped({}, kBlock.mass_kg, kBlock.moments_kg_m2),
                           {0.01, 0.0, 0.02});
     load.set_handle({Pose::at(Vector3::Zero()), {{0.1, 0.0, 0.05}, {0.0, 1.0, 2.0}}}, 0.0);
     const RigidState state = run(settings, kBlock, load, any_state(), 0.05, n);
@@ -42,7 +42,7 @@ double coupling_error(const IntegratorSettings& settings, int n, const RigidStat
 }
 
 RigidState converged_coupling() {
-    ToolCouplingLoad load(make_critically_damped({}, kBlock.mass_kg, kBlock.moments_kg_m2.y()),
+    ToolCouplingLoad load(make_critically_damped({}, kBlock.mass_kg, kBlock.moments_kg_m2),
                           {0.01, 0.0, 0.02});
     load.set_handle({Pose::at(Vector3::Zero()), {{0.1, 0.0, 0.05}, {0.0, 1.0, 2.0}}}, 0.0);
     return run(settings_of(Integrator::runge_kutta_4), kBlock, load, any_state(), 0.05, 20000);

@@ -153,6 +153,36 @@ TEST_CASE("loads: with a ramp the push is continuous at the touch, and the plain
           Approx(compute_push_N(kContact, touching(2.0e-4, 0.2))).epsilon(kRounding));
 }
 
+// x(t) of a critically damped spring that is let go at x0: x0 (1 + w t) e^(-w t), w^2 = k / m.
+TEST_CASE("loads: let go, a tool turns back about each axis as what is critically damped does") {
+    const Inertia inertia = make_box_inertia(0.05, {0.12, 0.04, 0.01});
+    const Vector3& moments = inertia.moments_kg_m2;
+    REQUIRE(moments.maxCoeff() > 8.0 * moments.minCoeff());
+    const ToolCouplingSettings settings = make_critically_damped({}, inertia.mass_kg, moments);
+    constexpr double kStart_rad = 0.3;
+    constexpr double kStep_s = 1.0e-4;
+    // RK4's fifth order in w h = 0.04.
+    constexpr double kAccuracy = 1.0e-6;
+    const Quaternion q_WH = compute_exp({0.5, -0.8, 1.1});
+    for (const int axis : {0, 1, 2}) {
+        ToolCouplingLoad coupling(settings);
+        coupling.set_handle({{Vector3::Zero(), q_WH}, {}}, 0.0);
+        RigidState state;
+        state.pose_W.orientation = q_WH * compute_exp(kStart_rad * Vector3::Unit(axis));
+        const double w = std::sqrt(settings.turn.stiffness_Nm_per_rad / moments[axis]);
+        for (int i = 1; i * kStep_s * w < 12.0; ++i) {
+            REQUIRE(step_rigid_body({.integrator = Integrator::runge_kutta_4}, inertia, coupling,
+                                    (i - 1) * kStep_s, kStep_s, state)
+                        .moved());
+            const Vector3 left = compute_log(q_WH.conjugate() * state.pose_W.orientation);
+            const double wt = w * i * kStep_s;
+            REQUIRE(left[axis] ==
+                    Approx(kStart_rad * (1.0 + wt) * std::exp(-wt)).margin(kAccuracy * kStart_rad));
+            REQUIRE(left[axis] > 0.0);  // it never swings past
+        }
+    }
+}
+
 TEST_CASE("loads: every analytic derivative is that of finite differences") {
     const PointSpring spring{.point_B = {0.01, 0.02, -0.03},
                              .anchor_W = {0.05, 0.0, 0.02},
@@ -166,7 +196,7 @@ TEST_CASE("loads: every analytic derivative is that of finite differences") {
                         .saturation_range_m = 0.1,
                         .saturation_force_N = 25.0};
     saturating.turn = {.stiffness_Nm_per_rad = 0.5,
-                       .damping_Nms_per_rad = 2e-3,
+                       .damping_Nms_per_rad = {2e-3, 5e-3, 1e-3},
                        .linear_range_rad = 0.2,
                        .saturation_range_rad = 3.0,
                        .saturation_torque_Nm = 0.8};

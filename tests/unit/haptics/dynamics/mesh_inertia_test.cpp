@@ -46,7 +46,7 @@ TEST_CASE("mesh inertia: a box has the inertia of a box, exactly, and its princi
     CHECK(found->X_BP.position.norm() < 1.0e-14);
     CHECK(found->X_BP.orientation.isApprox(Quaternion::Identity()));
     // The mass alone gives the same.
-    const auto by_mass = compute_inertia_of_mass(*make_box(edges), box.mass_kg);
+    const auto by_mass = fill_with_mass(*measure_solid(*make_box(edges)), box.mass_kg);
     REQUIRE(by_mass);
     CHECK(by_mass->inertia.mass_kg == Approx(box.mass_kg).epsilon(1.0e-12));
     CHECK(by_mass->inertia.moments_kg_m2.isApprox(box.moments_kg_m2, 1.0e-12));
@@ -63,7 +63,7 @@ TEST_CASE("mesh inertia: turned and moved, its principal frame turns and moves w
             vertex = X_WB * vertex;
         }
         const auto found =
-            compute_inertia_of_mass(*TriangleMesh::build(vertices, mesh.triangles()), 2.0);
+            fill_with_mass(*measure_solid(*TriangleMesh::build(vertices, mesh.triangles())), 2.0);
         REQUIRE(found);
         CHECK(found->inertia.moments_kg_m2.isApprox(box.moments_kg_m2, 1.0e-10));
         CHECK(found->X_BP.position.isApprox(X_WB.position, 1.0e-12));
@@ -145,7 +145,7 @@ TEST_CASE("mesh inertia: measured once a mesh has any mass; measuring tells, and
         CHECK(solid->by_samples == broken);
         for (const double mass_kg : {0.1, 3.0}) {
             const auto filled = fill_with_mass(*solid, mass_kg);
-            const auto found = compute_inertia_of_mass(mesh, mass_kg);
+            const auto found = compute_inertia(mesh, mass_kg / solid->moments.volume_m3);
             REQUIRE(filled);
             CHECK(filled->inertia.moments_kg_m2 == found->inertia.moments_kg_m2);
             CHECK(filled->X_BP.position == found->X_BP.position);
@@ -169,7 +169,7 @@ TEST_CASE("mesh inertia: what encloses nothing or weighs what no body weighs is 
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double bad : {0.0, -1.0, nan, infinity}) {
         CHECK_FALSE(compute_inertia(box, bad));
-        CHECK_FALSE(compute_inertia_of_mass(box, bad));
+        CHECK_FALSE(fill_with_mass(*measure_solid(box), bad));
     }
     const auto sheet = compute_inertia(*make_plate(0.1, 0.1, 4), 1000.0, "sheet.obj");
     REQUIRE_FALSE(sheet);

@@ -206,8 +206,7 @@ TEST_CASE(
         state.pose_W.position = {0.0, kRadius_m + 0.021, 0.0};
         ToolCouplingSettings coupling;
         coupling.shift.stiffness_N_per_m = 100.0;
-        coupling =
-            make_critically_damped(coupling, inertia.mass_kg, inertia.moments_kg_m2.minCoeff());
+        coupling = make_critically_damped(coupling, inertia.mass_kg, inertia.moments_kg_m2);
         ToolCouplingLoad hold(coupling, Vector3::Zero());
         hold.set_handle({Pose::at({0.0, kRadius_m + 0.010, 0.0}), {}}, 0.0);
         FieldSamplingLoad field(sampling);

@@ -44,7 +44,7 @@ Case make_oscillator(Integrator integrator, double mass_kg, double damping_Ns_pe
     // Its turn has the same: k_r / I = k / m.
     const double lever_m2 = settings.inertia.moments_kg_m2.x() / mass_kg;
     settings.coupling.turn.stiffness_Nm_per_rad = stiffness_N_per_m * lever_m2;
-    settings.coupling.turn.damping_Nms_per_rad = damping_Ns_per_m * lever_m2;
+    settings.coupling.turn.damping_Nms_per_rad.setConstant(damping_Ns_per_m * lever_m2);
     auto& object = std::get<std::vector<FieldSamplingPlan>>(one.plan.objects).front();
     object.settings.stiffness_N_per_m = 1.0e-9;
     return one;

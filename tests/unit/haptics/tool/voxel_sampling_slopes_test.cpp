@@ -42,8 +42,7 @@ RigidState change(const RigidState& state, int column, double by) {
 }
 
 // The largest difference from central differences, over the largest entry of its 6 x 6.
-double compare(const VoxelSamplingLoad& load) {
-    const RigidState state = make_state();
+double compare(const VoxelSamplingLoad& load, const RigidState& state = make_state()) {
     Wrench wrench;
     WrenchJacobian jacobian;
     load.add_linearised_wrench(state, 0.0, wrench, jacobian);
@@ -88,6 +87,45 @@ TEST_CASE(
         CHECK(compare(VoxelSamplingLoad(sampling)) < 3.0e-3);
         CHECK(find_adding_error(VoxelSamplingLoad(sampling), make_state()) < 1.0e-12);
     }
+}
+
+TEST_CASE("voxel sampling: derivatives of brakes hold where the object turns") {
+    VoxelSamplingSettings settings = plain();
+    settings.stiffness_N_per_m = 0.0;
+    settings.braking = PreContactBraking::viscous;
+    settings.braking_Ns_per_m = 0.4;
+    // In the object's eyes the tool moves as ever; in the world both go round besides.
+    MovingFrame object;
+    object.velocity_W = {{0.1, 0.2, -0.1}, {30.0, -20.0, 40.0}};
+    RigidState state = make_state();
+    state.velocity_W.linear += compute_velocity_at(object, state.pose_W.position);
+    state.velocity_W.angular += object.velocity_W.angular;
+    const VoxelSampling sampling = make_sampling(make_feet(), settings);
+    VoxelSamplingLoad load(sampling);
+    load.set_object(object, 0.0);
+    REQUIRE(load.compute_contact(state, 0.0).brakes_W.force.norm() > 0.01);
+    CHECK(compare(load, state) < 3.0e-3);
+}
+
+TEST_CASE("voxel sampling: springs and brakes apart are both together") {
+    VoxelSamplingSettings settings = plain();
+    settings.braking = PreContactBraking::one_cycle;
+    const VoxelSampling sampling = make_sampling(make_feet(), settings);
+    WrenchJacobian both;
+    WrenchJacobian springs;
+    WrenchJacobian brakes;
+    const VoxelContact together = sampling.sample_linearised(make_state(), {}, both);
+    const VoxelContact apart = sampling.sample_linearised(make_state(), {}, springs, brakes);
+    CHECK(apart.wrench_W.force == together.wrench_W.force);
+    CHECK((springs.pose + brakes.pose - both.pose).norm() < 1.0e-12 * both.pose.norm());
+    CHECK((springs.velocity + brakes.velocity).isApprox(both.velocity));
+    CHECK(springs.velocity.isZero());
+    CHECK_FALSE(brakes.velocity.isZero());
+    // Without brakes it is the springs that are left.
+    settings.braking = PreContactBraking::off;
+    const Wrench spring = make_sampling(make_feet(), settings).sample(make_state(), {}).wrench_W;
+    CHECK((apart.wrench_W.force - apart.brakes_W.force - spring.force).norm() < 1.0e-12);
+    CHECK((apart.wrench_W.torque - apart.brakes_W.torque - spring.torque).norm() < 1.0e-12);
 }
 
 TEST_CASE("voxel sampling: with derivatives the wrench is the same") {

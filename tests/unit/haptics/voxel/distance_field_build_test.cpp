@@ -61,6 +61,22 @@ TEST_CASE("distance field build: it stops at whatever share it is told to, and s
     }
 }
 
+TEST_CASE("distance field build: what would take minutes is refused, with voxels that do") {
+    const TriangleMesh heap = *make_heap(4000, 1);
+    const VoxelFrame frame = DistanceField::make_frame(heap, 256).value();
+    const auto refused = DistanceField::build(heap, frame);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message ==
+          "its 4000 triangles cross each other, or are open, so much that to find its inside would "
+          "take minutes");
+    // What is said is more than the voxel that was tried, and a few hundred of such triangles are made.
+    const std::string& advice = refused.error().what_to_do;
+    const double voxel_m = std::stod(advice.substr(advice.find("voxels") + 7));
+    CHECK(voxel_m > 2.0 * frame.voxel_m);
+    CHECK(voxel_m < 64.0 * frame.voxel_m);
+    CHECK(build(*make_heap(100, 1), 32).counts().n_open_edges == 300);
+}
+
 TEST_CASE("distance field build: memory is that of the surface, not of the block") {
     const DistanceField field = build(*make_sphere(1.0, 20), 128);
     CHECK(field.counts().n_open_edges == 0);

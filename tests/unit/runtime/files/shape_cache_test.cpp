@@ -265,9 +265,26 @@ TEST_CASE("shape cache: a whole shape that is not the one asked for is told, and
     CHECK(is_made_again(encode(voxelise(ball(), {.voxel_m = 0.11}).value(), none), ask_voxels));
     CHECK(is_made_again(
         encode(voxelise(ball(), {.voxel_m = 0.1, .offset_layers = 1}).value(), none), ask_voxels));
-    CHECK(is_made_again(encode(shell_of(99), none), [&](ShapeCache& cache) {
+    const auto ask_shell = [&](ShapeCache& cache) {
         return recall_surface_pointshell(cache, ball(), 100).has_value();
-    }));
+    };
+    CHECK(is_made_again(encode(shell_of(99), none), ask_shell));
+    // Of the right size and frame, with what no maker makes of that mesh.
+    Pointshell far = shell_of(100);
+    CHECK_FALSE(is_made_again(encode(far, none), ask_shell));
+    far.z_m[41] = 28.0F;
+    CHECK(is_made_again(encode(far, none), ask_shell));
+    VoxelGrid grid = voxelise(ball(), {.voxel_m = 0.1}).value();
+    CHECK_FALSE(is_made_again(encode(grid, none), ask_voxels));
+    grid.cells.front() = VoxelClass::surface;
+    CHECK(is_made_again(encode(grid, none), ask_voxels));
+    const TriangleMesh smaller = make_sphere(0.8, 3).value();
+    CHECK(is_made_again(encode(DistanceField::build(smaller, frame).value(), none), ask_field));
+    const auto ask_solid = [&](ShapeCache& cache) {
+        return recall_measured_solid(cache, ball()).has_value();
+    };
+    CHECK_FALSE(is_made_again(encode(measure_solid(ball()).value(), none), ask_solid));
+    CHECK(is_made_again(encode(measure_solid(smaller).value(), none), ask_solid));
 }
 
 TEST_CASE("shape cache: what will not be kept is not made into bytes") {

@@ -163,3 +163,19 @@ TEST_CASE(
     CHECK(notices(static_cast<int>(n_most), 4000.0, ToolMethod::field_sampling).size() == 1);
     CHECK(notices(2000, 1000.0, ToolMethod::voxel_sampling).empty());
 }
+
+TEST_CASE("check tool: that there are too many points is told before anything is made") {
+    LessonDescription lesson = make_lesson(Integrator::backward_euler);
+    lesson.hand.tool->method = ToolMethod::voxel_sampling;
+    lesson.hand.tool->points = 200'000;
+    bool is_begun = false;
+    PlanOptions options;
+    options.progress = [&](double /*share*/, std::string_view /*what*/) {
+        is_begun = true;
+        return true;
+    };
+    const auto refused = compile_plan(lesson, options, load_block);
+    REQUIRE_FALSE(refused);
+    CHECK(to_sentence(refused.error()).find("200000 points among voxels") != std::string::npos);
+    CHECK_FALSE(is_begun);
+}
