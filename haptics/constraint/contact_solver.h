@@ -1,11 +1,16 @@
-// Solves a contact problem, by one of two methods chosen by name, behind one call.
+// Solves a contact problem, by one of three methods chosen by name, behind one call.
 //
 //   newton     in velocities: minimises the energy that impulses cost by semismooth Newton steps with the bodies' sparse matrix,
 //              as exact as asked; at rest the last step's impulses are checked and found right (newton_solver.h)
+//   dantzig    in impulses: one row after the other is driven to where it fits, those before it kept so by pivoting
+//              (dantzig_solver.h); exact, friction by axes; cost grows fast where many contacts change
 //   iterative  in impulses: contact after contact, many rounds (iterative_solver.h); as near as its rounds allow
 // mu of a contact is its static coefficient, or the dynamic one if it slid. Where the answer slips at the static bound, the
 // contact slides from now on: the problem is solved once more with the dynamic coefficient there. What stuck within the
 // dynamic bound is held by the static one from the next step on.
+//
+// Where a method ends far from an answer (kPoor of its scale: an impact too hard for its iterations), rounds contact after contact
+// from the last step's impulses are tried instead, and what is nearer is taken; counted as regularised.
 //
 // Answers are finite whatever comes in. What has none, is redundant or would take too long is answered as nearly as it can be:
 // `converged` and `residual` say so, and what had to be regularised is counted.
@@ -27,17 +32,17 @@
 
 namespace fulcrum {
 
-enum class ContactMethod : std::uint8_t { newton, iterative };
-inline constexpr std::array<ContactMethod, 2> kContactMethods{ContactMethod::newton,
-                                                              ContactMethod::iterative};
+enum class ContactMethod : std::uint8_t { newton, dantzig, iterative };
+inline constexpr std::array<ContactMethod, 3> kContactMethods{
+    ContactMethod::newton, ContactMethod::dantzig, ContactMethod::iterative};
 
 /// Fixed at load.
 struct ContactSolverSettings {
     ContactMethod method = ContactMethod::newton;
-    FrictionShape friction_shape = FrictionShape::cone;
+    FrictionShape friction_shape = FrictionShape::cone;  ///< dantzig: always the pyramid
     /// The residual (complementarity.h) at which the answer is taken, of a problem whose velocities are 1 m/s or less, and
     /// in proportion above; 1e-12 to 1.
-    double tolerance_m_per_s = 1.0e-10;
+    double tolerance_m_per_s = 1.0e-8;
     /// Linear systems solved, or rounds through all contacts, at most; 1 to 10000.
     int max_iterations = 60;
     int friction_rounds = 4;  ///< solves at most where contacts begin to slide, 1 to 100
@@ -49,11 +54,12 @@ struct ContactSolverSettings {
 struct SolveReport {
     double residual_m_per_s = 0.0;  ///< of the answer
     int n_iterations = 0;           ///< linear solves or rounds; 0: last step's impulses were right
+    int n_pivots = 0;               ///< dantzig: rows that changed their set
     int n_regularised = 0;          ///< pivots that were zero, sets that had no answer
     bool converged = true;          ///< within the tolerance
 };
 
-/// "newton", "iterative".
+/// "newton", "dantzig", "iterative".
 [[nodiscard]] std::string_view to_string(ContactMethod method) noexcept;
 /// The method of that name; an error that lists the names where there is none.
 [[nodiscard]] Expected<ContactMethod> find_contact_method(std::string_view name);
@@ -85,10 +91,16 @@ class ContactSolver {
     [[nodiscard]] std::span<const double> friction() const noexcept { return friction_; }
 
   private:
+    SolveReport solve_once(ContactProblem& problem, std::span<const double> friction,
+                           double tolerance) noexcept;
+    void exchange_impulses(ContactProblem& problem) noexcept;
     bool note_sliding(ContactProblem& problem, double tolerance, bool may_change) noexcept;
     ContactSolverSettings settings_;
     ContactCapacity capacity_;
     std::unique_ptr<ContactMethodSolver> method_;
+    std::unique_ptr<ContactMethodSolver> rounds_;  // where that ends far from an answer
+    std::vector<Vector3> kept_contacts_;           // impulses put aside
+    std::vector<double> kept_rows_;
     std::vector<double> friction_;
 };
 

@@ -1,6 +1,7 @@
 // The load-path half of contact_solver.h.
 #include "haptics/base/range.h"
 #include "haptics/constraint/contact_solver.h"
+#include "haptics/constraint/dantzig_solver.h"
 #include "haptics/constraint/iterative_solver.h"
 #include "haptics/constraint/newton_solver.h"
 
@@ -15,13 +16,16 @@ std::unique_ptr<ContactMethodSolver> make_method(const ContactSolverSettings& se
     if (settings.method == ContactMethod::iterative) {
         return std::make_unique<IterativeSolver>(settings, capacity);
     }
+    if (settings.method == ContactMethod::dantzig) {
+        return std::make_unique<DantzigSolver>(settings, capacity);
+    }
     return std::make_unique<NewtonSolver>(settings, capacity);
 }
 
 }  // namespace
 
 std::string_view to_string(ContactMethod method) noexcept {
-    constexpr std::array<std::string_view, 2> kNames{"newton", "iterative"};
+    constexpr std::array<std::string_view, 3> kNames{"newton", "dantzig", "iterative"};
     return kNames[static_cast<std::size_t>(method)];
 }
 
@@ -52,6 +56,17 @@ ContactSolver::ContactSolver(const ContactSolverSettings& settings, const Contac
     : settings_(settings),
       capacity_(capacity),
       method_(make_method(settings, capacity)),
-      friction_(static_cast<std::size_t>(std::max(capacity.contacts, 0))) {}
+      kept_contacts_(static_cast<std::size_t>(std::max(capacity.contacts, 0)), Vector3::Zero()),
+      kept_rows_(static_cast<std::size_t>(std::max(capacity.rows, 0))),
+      friction_(kept_contacts_.size()) {
+    if (settings.method == ContactMethod::iterative) {
+        return;
+    }
+    constexpr int kRounds = 30;
+    ContactSolverSettings rounds = settings;
+    rounds.method = ContactMethod::iterative;
+    rounds.max_iterations = kRounds;
+    rounds_ = make_method(rounds, capacity);
+}
 
 }  // namespace fulcrum

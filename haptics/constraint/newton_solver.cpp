@@ -10,8 +10,10 @@ namespace {
 
 constexpr double kLeastStiffening = 1.0e-9;  // below it rounding of u is felt in p
 constexpr double kSlowRound = 0.1;           // a round that leaves more of the residual is slow
-constexpr int kMostAttempts = 3;  // steps with s following that gain nothing, before it is held
+constexpr int kMostIdle = 3;      // steps with s following that gain nothing, before it is held
+constexpr int kMostAttempts = 3;  // to let s follow, the first from last step's impulses
 constexpr double kGain = 0.5;
+constexpr int kMostHalvings = 4;
 // What is near is solved once more: impulses that last step's error is left in would be taken as right for the next steps, and
 // the error add up to the tolerance.
 constexpr double kPolished = 0.01;
@@ -179,7 +181,9 @@ NewtonSolver::Fit NewtonSolver::evaluate(const ContactProblem& problem) noexcept
         const Vector6 defect = motion_.velocity(i) - body.free_velocity_W -
                                compute_velocity_change(body, motion_.momentum(i));
         fit.defect = std::max(fit.defect, defect.cwiseAbs().maxCoeff());
-        slope_[static_cast<std::size_t>(i++)] = compute_momentum(body, defect);
+        Vector6& slope = slope_[static_cast<std::size_t>(i++)];
+        slope = compute_momentum(body, defect);
+        fit.energy += defect.dot(slope);
     }
     return fit;
 }
@@ -196,7 +200,8 @@ void NewtonSolver::update_multipliers() noexcept {
 
 void NewtonSolver::begin_attempt() noexcept {
     coulomb_ = true;
-    n_attempt_ = 0;
+    n_idle_ = 0;
+    ++n_attempts_;
     attempt_fits_ = HUGE_VAL;
     before_.copy_velocities(motion_, n_bodies_);
     for (Contact& contact : contacts_) {
@@ -226,9 +231,9 @@ bool NewtonSolver::correct(const ContactProblem& problem, const Fit& fit,
     if (coulomb_) {
         // It goes on while each few steps gain.
         const double fits = std::max(fit.residual, fit.defect);
-        n_attempt_ = fits < kGain * attempt_fits_ ? 0 : n_attempt_ + 1;
+        n_idle_ = fits < kGain * attempt_fits_ ? 0 : n_idle_ + 1;
         attempt_fits_ = std::min(attempt_fits_, fits);
-        if (n_attempt_ > kMostAttempts) {
+        if (n_idle_ > kMostIdle) {
             end_attempt();
             return true;
         }
@@ -236,8 +241,14 @@ bool NewtonSolver::correct(const ContactProblem& problem, const Fit& fit,
     if (fit.defect > kNearlySmallest * std::max(fit.residual, tolerance)) {
         return false;
     }
+    const bool lifts = !coulomb_ && fit.shift > kNearlySmallest * fit.residual;
+    if (lifts && n_attempts_ == kMostAttempts) {
+        // Impulses that fit the shift as it is are the answer when E is at its smallest.
+        given_up_ = fit.defect <= kNearlySmallest * tolerance;
+        return false;
+    }
     update_multipliers();
-    if (!coulomb_ && fit.shift > kNearlySmallest * fit.residual) {
+    if (lifts) {
         begin_attempt();
     } else if (fit.residual > kSlowRound * residual_before_ && eps_ > kLeastStiffening) {
         set_stiffness(problem, std::max(kSlowRound * eps_, kLeastStiffening));
@@ -251,8 +262,19 @@ double NewtonSolver::iterate(ContactProblem& problem, double tolerance,
     double best = HUGE_VAL;
     residual_before_ = HUGE_VAL;
     bool polished = false;
+    Fit fit;
+    double energy = 0.0;
+    double along = 0.0;
     while (true) {
-        const Fit fit = evaluate(problem);
+        fit = evaluate(problem);
+        // Where s follows, E is not what falls: the defect is, or the step is shortened.
+        for (int i = 0; coulomb_ && along > 0.0 && fit.energy > energy && i < kMostHalvings; ++i) {
+            along *= 0.5;
+            for (int body = 0; body < static_cast<int>(n_bodies_); ++body) {
+                motion_.velocity(body) -= along * step_.velocity(body);
+            }
+            fit = evaluate(problem);
+        }
         const double fits = std::max(fit.residual, fit.defect);
         if (fits < best) {
             best = fits;
@@ -265,9 +287,14 @@ double NewtonSolver::iterate(ContactProblem& problem, double tolerance,
         }
         polished = near;
         if (correct(problem, fit, tolerance)) {
-            evaluate(problem);
+            fit = evaluate(problem);
         }
-        step(problem, report);
+        if (given_up_) {
+            ++report.n_regularised;
+            return best;
+        }
+        energy = fit.energy;
+        along = step(problem, report);
     }
 }
 
@@ -280,6 +307,8 @@ SolveReport NewtonSolver::solve(ContactProblem& problem, std::span<const double>
     if (has_order && !(report.residual_m_per_s <= tolerance)) {
         set_stiffness(problem, settings_.stiffening);
         start_multipliers(problem);
+        n_attempts_ = 0;
+        given_up_ = false;
         begin_attempt();
         const double found = iterate(problem, tolerance, report);
         if (!(found < HUGE_VAL)) {

@@ -10,7 +10,10 @@
 // so eps costs no accuracy, only rounds. It is made smaller where rounds gain little.
 //
 // s makes of the convex law, where what slips also lifts by mu |u_t|, Coulomb's own: s = mu |u_t| (de Saxce). It starts from the
-// slip that last step's impulses leave and is corrected with l, by (1 + mu^2) (mu |u_t| - s): exact at once for one contact.
+// slip that last step's impulses leave, and follows the slip: then H has the slope of s too, is not symmetric, and a few
+// whole steps are exact. Where they gain nothing, as where many contacts begin to slip, s is held, E made smallest, and s let follow
+// from there; after a few attempts the answer for the last s held is taken, and counted as regularised: what slips lifts by
+// mu times what its slip changed by, for a step.
 //
 // First of all last step's impulses are tried as they are: at rest they are the answer, and nothing is solved.
 //
@@ -54,6 +57,7 @@ class NewtonSolver final : public ContactMethodSolver {
         double residual = 0.0;  // natural map
         double defect = 0.0;    // of E's slope, as velocity
         double shift = 0.0;     // largest error of s
+        double energy = 0.0;    // twice that of the defect
     };
 
     bool prepare(const ContactProblem& problem, std::span<const double> friction) noexcept;
@@ -80,7 +84,7 @@ class NewtonSolver final : public ContactMethodSolver {
         return coulomb_ && contact.state.pressed && contact.state.slips && contact.friction > 0.0;
     }
     [[nodiscard]] Matrix3 compute_slope_of(const Contact& contact) const noexcept;
-    void step(const ContactProblem& problem, SolveReport& report) noexcept;
+    double step(const ContactProblem& problem, SolveReport& report) noexcept;
     void build(const ContactProblem& problem) noexcept;
     void add_contacts(const ContactProblem& problem) noexcept;
     void add_rows(const ContactProblem& problem) noexcept;
@@ -101,9 +105,11 @@ class NewtonSolver final : public ContactMethodSolver {
     BodyMotion before_;           // velocities before s began to follow
     std::size_t n_bodies_ = 0;
     double eps_ = 0.0;
-    bool built_ = false;    // H fits the stiffness
-    bool coulomb_ = false;  // s follows the slip
-    int n_attempt_ = 0;     // steps without gain since it does
+    bool built_ = false;     // H fits the stiffness
+    bool coulomb_ = false;   // s follows the slip
+    bool given_up_ = false;  // s stays what it is
+    int n_attempts_ = 0;     // to let it follow
+    int n_idle_ = 0;         // steps without gain since it does
     double attempt_fits_ = 0.0;
     double residual_before_ = 0.0;  // when l was corrected last
     double pull_ = 0.0;             // d . M (v - v_free)

@@ -230,7 +230,7 @@ double NewtonSolver::search(const ContactProblem& problem) noexcept {
     return along;
 }
 
-void NewtonSolver::step(const ContactProblem& problem, SolveReport& report) noexcept {
+double NewtonSolver::step(const ContactProblem& problem, SolveReport& report) noexcept {
     ++report.n_iterations;
     if (!built_ || !has_built_sets()) {
         build(problem);
@@ -243,6 +243,7 @@ void NewtonSolver::step(const ContactProblem& problem, SolveReport& report) noex
     for (int i = 0; i < static_cast<int>(n); ++i) {
         motion_.velocity(i) += along * step_.velocity(i);
     }
+    return along;
 }
 
 }  // namespace fulcrum

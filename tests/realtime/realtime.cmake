@@ -30,6 +30,7 @@ set(load_functions
     "friction_cone.cpp.o=FrictionCone::~?FrictionCone"
     "virtual_proxy.cpp.o=VirtualProxy::~?VirtualProxy"
     "contact_problem.cpp.o=ContactProblem::~?ContactProblem" "block_system.cpp.o=BlockSystem::~?BlockSystem"
+    "dantzig_solver.cpp.o=DantzigSolver::~?DantzigSolver|BodyMotion::~?BodyMotion|IncrementalLdlt::~" "incremental_ldlt.cpp.o=IncrementalLdlt::IncrementalLdlt"
     "newton_solver.cpp.o=NewtonSolver::~?NewtonSolver|BlockSystem::~|BodyMotion::~?BodyMotion" "iterative_solver.cpp.o=IterativeSolver::~?IterativeSolver|BodyMotion::~?BodyMotion"
     "touch_motion.cpp.o=TouchMotion::TouchMotion" "touch_teller.cpp.o=TouchTeller::TouchTeller"
     "triangle_clusters.cpp.o=TriangleClusters::TriangleClusters|build_(leaves|parents)" "slope_boxes.cpp.o=SlopeBoxes::SlopeBoxes" "distance_field.cpp.o=memory_bytes"

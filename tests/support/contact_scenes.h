@@ -31,6 +31,7 @@ inline ContactSolverSettings settings_of(ContactMethod method,
     ContactSolverSettings settings;
     settings.method = method;
     settings.friction_shape = shape;
+    settings.tolerance_m_per_s = 1.0e-10;
     settings.max_iterations = method == ContactMethod::iterative ? 10000 : 60;
     return settings;
 }

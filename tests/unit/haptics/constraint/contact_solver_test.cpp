@@ -113,6 +113,9 @@ TEST_CASE("contact solver: the cone holds alike in all directions, the pyramid m
     const double across = std::sqrt(0.5);
     for (const ContactMethod method : kContactMethods) {
         for (const FrictionShape shape : {FrictionShape::cone, FrictionShape::pyramid}) {
+            if (method == ContactMethod::dantzig && shape == FrictionShape::cone) {
+                continue;  // it has the pyramid alone
+            }
             CAPTURE(to_string(method));
             ContactProblem problem({1, 4, 0});
             problem.add_body(1.0, cube_inertia(1.0, 0.001),  // so small that it cannot tilt
