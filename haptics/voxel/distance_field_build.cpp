@@ -17,9 +17,10 @@ using Cell = VoxelFrame::Cell;
 
 // Share of a distance: far away it costs much and helps little to know more.
 constexpr double kSlack = 0.03;
-// What a build may take: a minute or two. Of a brick and a triangle each, 1 us; of a winding number's terms, 10 ns.
+// What a build may take: a minute or two. Of a brick and a triangle each, 1 us; of a winding number's terms, counted as if each
+// corner's side had to be asked for, some 2 ns where meshes are whole.
 constexpr double kMostPairs = 1.6e7;
-constexpr double kMostTerms = 1.2e10;
+constexpr double kMostTerms = 5.0e10;
 
 // The brick that a share of a row-major list stands for.
 Cell to_brick(std::size_t index, const std::array<std::int32_t, 3>& n) {

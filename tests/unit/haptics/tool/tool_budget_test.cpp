@@ -218,8 +218,9 @@ TEST_CASE("tool budget: out of time, a sweep ends short of the wall and still ge
     double y_m = lie(-5.0e-3).position.y();
     for (int i = 1; i <= 40; ++i) {
         y_m -= 0.02;
-        const ToolFelt felt = tool.move({Pose::at({0.0, y_m, 0.0}), {{0.0, -20.0, 0.0}, {}}},
-                                        std::vector<MovingFrame>(1), i * kDt_s, kDt_s);
+        const ToolFelt felt =
+            tool.move({Pose::at({0.0, y_m, 0.0}), {{0.0, -20.0, 0.0}, Vector3::Zero()}},
+                      std::vector<MovingFrame>(1), i * kDt_s, kDt_s);
         REQUIRE(felt.moved);
     }
     CHECK(tool.state().pose_W.position.y() > kTop_m);

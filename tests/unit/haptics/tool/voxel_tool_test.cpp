@@ -283,8 +283,8 @@ TEST_CASE(
             const VoxelToolResult result =
                 tool.step(handle_at({0.0, 0.1, 0.0}), {Pose::at({0.0, height_m, 0.0}), moves},
                           i * kDt_s, kDt_s);
-            is_passed = is_passed || result.contact.n_interior > 0 ||
-                        tool.state().pose_W.position.y() < height_m - kVoxel_m;
+            // Some of its points may lie in the wall as it is carried; none of it stays behind.
+            is_passed = is_passed || tool.state().pose_W.position.y() < height_m - kVoxel_m;
             most_N = std::max(most_N, result.felt_W.force.norm());
         }
         // 400 N/m at half a voxel.
