@@ -5,7 +5,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kLeastPivot = 1.0e-11;  // of the diagonal
+constexpr double kLeastDiagonal = 1.0e-11;  // of the diagonal
 
 }  // namespace
 
@@ -41,7 +41,7 @@ bool IncrementalLdlt::append(std::span<const double> entries, double diagonal) n
         l[j] = y / D_[j];
         pivot -= y * l[j];
     }
-    const double least = kLeastPivot * diagonal;
+    const double least = kLeastDiagonal * diagonal;
     D_[n_++] = std::max(pivot, least);
     return pivot > least;
 }

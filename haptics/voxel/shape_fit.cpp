@@ -6,7 +6,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kRounding = 1.0e-9;
+constexpr double kFitRounding = 1.0e-9;
 constexpr double kSingle = 1.0e-6;  // of a coordinate in single precision
 
 bool is_in_box(const TriangleMesh& mesh, const Vector3& p, double beyond_m) noexcept {
@@ -29,16 +29,16 @@ bool holds_at_corners(const TriangleMesh& mesh, Holds&& holds) noexcept {
 }
 
 bool are_alike(const SolidMoments& a, const SolidMoments& b, double longest_m) noexcept {
-    return std::abs(a.volume_m3 - b.volume_m3) <= kRounding * b.volume_m3 &&
-           (a.centre_B - b.centre_B).cwiseAbs().maxCoeff() <= kRounding * longest_m &&
-           (a.second_m5 - b.second_m5).cwiseAbs().maxCoeff() <= kRounding * b.second_m5.trace();
+    return std::abs(a.volume_m3 - b.volume_m3) <= kFitRounding * b.volume_m3 &&
+           (a.centre_B - b.centre_B).cwiseAbs().maxCoeff() <= kFitRounding * longest_m &&
+           (a.second_m5 - b.second_m5).cwiseAbs().maxCoeff() <= kFitRounding * b.second_m5.trace();
 }
 
 }  // namespace
 
 bool can_be_of(const DistanceField& field, const TriangleMesh& mesh) noexcept {
     const double beyond_m = field.error_bound_m() + kSingle * mesh.diagonal_m();
-    const double radius_m = field.ball_radius_m() * (1.0 + kRounding);
+    const double radius_m = field.ball_radius_m() * (1.0 + kFitRounding);
     return holds_at_corners(mesh, [&](const Vector3& corner) {
         return (corner - field.ball_centre_O()).squaredNorm() <= radius_m * radius_m &&
                std::abs(field.sample(corner).value_m + field.sheet_m()) <= beyond_m;
