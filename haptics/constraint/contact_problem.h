@@ -24,15 +24,12 @@
 // contact force computation for nonpenetrating rigid bodies, SIGGRAPH, sections 2 to 5.
 #pragma once
 
-#include "haptics/math/spatial.h"
+#include "haptics/math/wrench_jacobian.h"
 
 #include <span>
 #include <vector>
 
 namespace fulcrum {
-
-using Vector6 = Eigen::Matrix<double, 6, 1>;  ///< linear, then angular
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// What is not moved by any impulse; a surface of it that moves is a target.
 inline constexpr int kGround = -1;

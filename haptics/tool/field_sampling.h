@@ -102,9 +102,6 @@ struct FieldTouch {
     std::int64_t n_sloped = 0;  ///< leaves whose derivatives were taken
 };
 
-/// Where a share, 0 to 1, of a motion leads: straight for the origin, about one axis.
-[[nodiscard]] Pose compute_between(const Pose& from, const Pose& to, double share) noexcept;
-
 class FieldSampler {
   public:
     using Field = std::shared_ptr<const DistanceField>;

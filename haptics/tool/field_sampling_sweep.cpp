@@ -7,6 +7,7 @@
 // the band F is told by the depth, -D, which goes on where F ends.
 #include "haptics/math/length.h"
 #include "haptics/tool/field_sampling.h"
+#include "haptics/tool/tool_motion.h"
 
 #include <algorithm>
 #include <array>
@@ -25,12 +26,6 @@ constexpr float kDeepestHeld_voxels = 0.05F;
 constexpr int kMostHalvings = 40;  // a million voxels are 26
 
 }  // namespace
-
-Pose compute_between(const Pose& from, const Pose& to, double share) noexcept {
-    return share > 0.0 ? Pose{from.position + share * (to.position - from.position),
-                              from.orientation.slerp(share, to.orientation)}
-                       : from;
-}
 
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): an aggregate that is given all at once
 struct FieldSampler::Sweep {

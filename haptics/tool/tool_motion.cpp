@@ -1,9 +1,14 @@
 #include "haptics/tool/tool_motion.h"
 
 #include "haptics/math/length.h"
-#include "haptics/tool/field_sampling.h"
 
 namespace fulcrum {
+
+Pose compute_between(const Pose& from, const Pose& to, double share) noexcept {
+    return share > 0.0 ? Pose{from.position + share * (to.position - from.position),
+                              from.orientation.slerp(share, to.orientation)}
+                       : from;
+}
 
 ToolWay find_way(const ToolMotion& motion, const Pose& end_W, double reach_m) noexcept {
     ToolWay way;

@@ -22,6 +22,9 @@ struct ToolWay {
     double longest_m = 0.0;  ///< of the way of a point, at most
 };
 
+/// Where a share, 0 to 1, of a motion leads: straight for the origin, about one axis.
+[[nodiscard]] Pose compute_between(const Pose& from, const Pose& to, double share) noexcept;
+
 /// `reach_m`: how far a point lies from the tool's frame at most.
 [[nodiscard]] ToolWay find_way(const ToolMotion& motion, const Pose& end_W,
                                double reach_m) noexcept;

@@ -1,7 +1,6 @@
 #include "haptics/tool/voxel_sampling.h"
 
 #include "haptics/math/turned_slopes.h"
-#include "haptics/tool/field_sampling.h"
 
 #include <algorithm>
 #include <cmath>

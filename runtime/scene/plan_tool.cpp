@@ -232,7 +232,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     const ShapeSource source =
         shapes.counts().n_made > n_made ? ShapeSource::made : ShapeSource::cache;
     order->most_force_N = plan.haptic.safety.max_force_N;
-    order->settings.budget_us = options.live ? find_tool_time_us(lesson.hand.rate_hz) : 0.0;
+    order->settings.budget_us = options.live ? find_tool_time_us(plan.haptic.rate_hz) : 0.0;
     if (auto good = check_tool_springs(lesson.hand, *order, compute_reach_m(*order->shell));
         !good) {
         return good;
