@@ -12,32 +12,34 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kLongestRatio = 50.0;  // beyond it a plate is as good as endless
 
-// The coefficient along the normal, and the same times the share of the chord by which it acts upstream of the middle.
-struct NormalForce {
-    double coefficient = 0.0;
+// The coefficient along the normal, the same times the share of the chord by which it acts upstream of the middle, and what the
+// law has along the plane.
+struct PlateCoefficients {
+    double normal = 0.0;
     double lever = 0.0;
+    double along = 0.0;
 };
 
-NormalForce compute_cross_flow(double aspect_ratio, double sine, double cosine) noexcept {
+PlateCoefficients compute_cross_flow(double aspect_ratio, double sine, double cosine) noexcept {
     const double attached = compute_lift_slope(aspect_ratio) * sine * cosine;
     return {attached + compute_broadside_drag(aspect_ratio) * sine * sine, 0.25 * attached};
 }
 
-NormalForce compute_separated(double aspect_ratio, double sine, double cosine) noexcept {
+PlateCoefficients compute_separated(double aspect_ratio, double sine, double cosine) noexcept {
     const double coefficient = compute_broadside_drag(aspect_ratio) * sine;
     return {coefficient, coefficient * 0.75 * cosine / (4.0 + kPi * sine)};
 }
 
-NormalForce compute_thin_plate(double aspect_ratio, double sine, double cosine) noexcept {
+PlateCoefficients compute_thin_plate(double aspect_ratio, double sine, double cosine) noexcept {
     const double angle_rad = std::atan2(sine, cosine);
     const double lift = 2.0 * kPi * angle_rad / (1.0 + 2.0 * angle_rad / aspect_ratio);
     const double drag = 1.28 * sine + lift * lift / (0.7 * kPi * aspect_ratio);
-    const double coefficient = lift * cosine + drag * sine;
-    return {coefficient, 0.25 * coefficient};
+    const double normal = lift * cosine + drag * sine;
+    return {normal, 0.25 * normal, drag * cosine - lift * sine};
 }
 
-NormalForce compute_normal_force(PlateLaw law, double aspect_ratio, double sine,
-                                 double cosine) noexcept {
+PlateCoefficients compute_coefficients(PlateLaw law, double aspect_ratio, double sine,
+                                       double cosine) noexcept {
     switch (law) {
         case PlateLaw::separated:
             return compute_separated(aspect_ratio, sine, cosine);
@@ -65,8 +67,7 @@ double compute_broadside_drag(double aspect_ratio) noexcept {
 }
 
 double compute_normal_coefficient(PlateLaw law, double aspect_ratio, double angle_rad) noexcept {
-    return compute_normal_force(law, aspect_ratio, std::sin(angle_rad), std::cos(angle_rad))
-        .coefficient;
+    return compute_coefficients(law, aspect_ratio, std::sin(angle_rad), std::cos(angle_rad)).normal;
 }
 
 PlateForce compute_plate_force(PlateLaw law, const FlatPlate& plate, double density_kg_per_m3,
@@ -79,19 +80,22 @@ PlateForce compute_plate_force(PlateLaw law, const FlatPlate& plate, double dens
     const double across_m_per_s = plate.normal.dot(flow);
     const Vector3 along = flow - across_m_per_s * plate.normal;
     const double along_m_per_s = compute_length(along);
-    const NormalForce normal =
-        compute_normal_force(law, plate.aspect_ratio, std::abs(across_m_per_s) / speed_m_per_s,
+    const PlateCoefficients coefficients =
+        compute_coefficients(law, plate.aspect_ratio, std::abs(across_m_per_s) / speed_m_per_s,
                              along_m_per_s / speed_m_per_s);
     const double scale_N = 0.5 * density_kg_per_m3 * plate.area_m2;
     const double pressure_N =
         std::copysign(scale_N * speed_m_per_s * speed_m_per_s, across_m_per_s);
     PlateForce result;
-    result.force = pressure_N * normal.coefficient * plate.normal +
+    result.force = pressure_N * coefficients.normal * plate.normal +
                    scale_N * kPlateFriction * along_m_per_s * along;
-    // Upstream of the middle, as far as the stream goes along the chord.
+    // What the law has along the plane; the normal force acts upstream of the middle, as far as the stream goes along the chord.
     if (along_m_per_s > 0.0) {
+        result.force +=
+            scale_N * coefficients.along * speed_m_per_s * speed_m_per_s / along_m_per_s * along;
         const double upstream_m = -plate.chord_m * plate.chord.dot(along) / along_m_per_s;
-        result.torque = upstream_m * pressure_N * normal.lever * plate.chord.cross(plate.normal);
+        result.torque =
+            upstream_m * pressure_N * coefficients.lever * plate.chord.cross(plate.normal);
     }
     return result;
 }

@@ -2,13 +2,15 @@
 //
 // The air passes the plate at u = s n + t: s along the normal n, t in the plate's plane; a is the angle between u and the
 // plane, sin a = |s| / |u|. The plate is pushed along its normal, the way the air blows, and rubbed along its plane:
-//   F = rho/2 A (C_N(a) |u|^2 sign(s) n + C_f |t| t)         from the middle of the chord upstream by l(a) chord cos(sweep)
-// Three laws for C_N and l, by name:
+//   F = rho/2 A (C_N(a) |u|^2 sign(s) n + C_A(a) |u|^2 t/|t| + C_f |t| t)      C_N from the middle of the chord upstream by
+//                                                                              l(a) chord cos(sweep), the rest in the middle
+// Three laws for C_N, C_A and l, by name; C_A = 0 but for the last:
 //   cross_flow   C_N = K sin a cos a + C_90 sin^2 a     potential flow, which acts at the quarter chord, and the drag of the
 //                l C_N = K/4 sin a cos a                cross flow, which acts in the middle. Good from 0 to 90 degrees
 //   separated    C_N = C_90 sin a,  l = 3 cos a / (16 + 4 pi sin a)      a plate with dead air behind it at every angle
-//   thin_plate   lift 2 pi a / (1 + 2 a / AR), drag 1.28 sin a + C_L^2 / (0.7 pi AR),  l = 1/4      NASA's KiteModeler: for
-//                small angles; above some 30 degrees it lifts far too much
+//   thin_plate   C_L = 2 pi a / (1 + 2 a / AR),  C_D = 1.28 sin a + C_L^2 / (0.7 pi AR)     NASA's KiteModeler: for small
+//                C_N = C_L cos a + C_D sin a,  C_A = C_D cos a - C_L sin a,  l = 1/4       angles; above some 30 degrees it
+//                                                                                          lifts far too much
 //   K = 2 pi AR / (2 + sqrt(AR^2 + 4)),  C_90 = 1.11 + 0.018 AR up to AR = 50
 // What air a plate drags along (its added mass), and what lies in another's lee, are left out.
 //
@@ -17,7 +19,7 @@
 // combinations; S. Hoerner, H. Borst 1975, Fluid-Dynamic Lift, chapter XVII. K: H. Helmbold 1942. C_90: L. Viterna, R.
 // Corrigan 1982, Fixed pitch rotor performance of large horizontal axis wind turbines (and with their C_L, C_D the law of
 // separated). l of separated: Lord Rayleigh 1876, On the resistance of fluids. thin_plate: NASA Glenn Research Center,
-// Beginner's Guide to Kites, "Downwash effects on a kite". That the force is normal to the plate but for friction: X. Ortiz,
+// Beginner's Guide to Kites, "Downwash effects on a kite". That the force of the first two is normal to the plate but for friction: X. Ortiz,
 // D. Rival, D. Wood 2015, Forces and moments on flat plates of small aspect ratio, Energies 8.
 #pragma once
 

@@ -11,7 +11,8 @@
 //
 // Knot, as NASA has it: a string of length B from the foot over the knot to the top, k of it below the knot:
 //   cos A = (k^2 + H^2 - (B - k)^2) / (2 k H),   knot = (0, k cos A, k sin A) in front of the spine
-// Inertia: skin by Simpson's rule along each strip's chord, spars by it along their length (exact for both); the tail as a point
+// Inertia: spars by Simpson's rule along their length, which is exact; skin by it along each strip's chord, as if a strip had no
+// width, so that the error falls with the square of the strips; the tail as a point
 // at the foot, where it hangs; the body frame B is the principal one about the centre of mass (rigid_state.h).
 // Tail: drags at the foot like a flag, F = rho/2 (C_D A) |u| u.
 //

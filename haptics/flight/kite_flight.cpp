@@ -25,6 +25,9 @@ Quaternion compute_attitude(const WindSettings& wind, double lean_rad) noexcept 
 }  // namespace
 
 void KiteFlight::launch(const Vector3& hand_W, double elevation_rad, double lean_rad) noexcept {
+    if (!is_finite(hand_W) || !std::isfinite(elevation_rad) || !std::isfinite(lean_rad)) {
+        return;
+    }
     const Vector3 along_W = std::cos(elevation_rad) * settings_.wind.downwind_W +
                             std::sin(elevation_rad) * Vector3::UnitY();
     const Vector3 knot_W = hand_W + line_.length_m() * along_W;

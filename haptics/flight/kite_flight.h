@@ -59,7 +59,7 @@ class KiteFlight {
     explicit KiteFlight(const KiteFlightSettings& settings);
 
     /// Begins anew: the hand there, the kite at the end of a straight line that rises by `elevation_rad` downwind, at rest,
-    /// its spine leaning into the wind by `lean_rad` from the upright. Gusts go on.
+    /// its spine leaning into the wind by `lean_rad` from the upright. Gusts go on. Numbers that are none launch nothing.
     void launch(const Vector3& hand_W, double elevation_rad, double lean_rad) noexcept;
     /// Moves all on by `dt_s` with the hand there now. A dt that is not above 0 and finite, or a hand that is nowhere, moves nothing.
     void step(double dt_s, const Vector3& hand_W) noexcept;

@@ -121,16 +121,16 @@ void LinePullLoad::add_wrench(const RigidState& state, double /*time_s*/,
                               Wrench& wrench) const noexcept {
     const Vector3 arm_W = state.pose_W.orientation * knot_B_;
     const Vector3 way_W = state.pose_W.position + arm_W - pull_.from_W;
-    add_point_force(arm_W, pull_.force_W + pull_.slope_W * way_W, wrench);
+    add_point_force(arm_W, pull_.compute_at(way_W).force_W, wrench);
 }
 
 void LinePullLoad::add_linearised_wrench(const RigidState& state, double /*time_s*/, Wrench& wrench,
                                          WrenchJacobian& jacobian) const noexcept {
     const Vector3 arm_W = state.pose_W.orientation * knot_B_;
     const Vector3 way_W = state.pose_W.position + arm_W - pull_.from_W;
-    add_point_force(arm_W, state.velocity_W.angular,
-                    {pull_.force_W + pull_.slope_W * way_W, pull_.slope_W, Matrix3::Zero()}, wrench,
-                    jacobian);
+    const LinePull::AtEnd at = pull_.compute_at(way_W);
+    add_point_force(arm_W, state.velocity_W.angular, {at.force_W, at.slope_W, Matrix3::Zero()},
+                    wrench, jacobian);
 }
 
 }  // namespace fulcrum

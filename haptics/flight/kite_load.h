@@ -8,7 +8,7 @@
 //   du = -dv + [a] dw,  and by a turn dtheta, along axes that turn with the body,  du = ([u] + [w][a]) dtheta
 // and the whole wrench turns with the body (turned_slopes.h). W is the same wherever the kite goes in one step.
 //
-// The line's pull is linear in the way of the knot (line.h).
+// The line's pull is linear in the way of the knot, and never a push (line.h).
 //
 // Thread: that of the step. Cost: 20 ns a plate, with derivatives 150 ns. No allocation.
 // Source: strip theory; derivatives as in wrench_jacobian.h.

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 namespace fulcrum {
 namespace {
@@ -13,8 +14,30 @@ namespace {
 constexpr double kShortest_m = 0.5;
 constexpr double kLongestShare = 4.0;       // of the length it was made with
 constexpr double kGround_rad_per_s = 60.0;  // how quickly the ground pushes a node out
+constexpr double kFarthest_m = 1000.0;      // that a hand goes in a step
+
+// The way to a place, or none where there is no such place.
+Vector3 compute_way_W(const Vector3& from_W, const Vector3& to_W) noexcept {
+    const Vector3 way_W = to_W - from_W;
+    return way_W.cwiseAbs().maxCoeff() < kFarthest_m && is_finite(way_W) ? way_W : Vector3::Zero();
+}
+
+// What a segment does that pulls along a unit vector: without what pushes against it.
+Vector3 take_off_push(const Vector3& force_W, const Vector3& along_W) noexcept {
+    return force_W - std::min(force_W.dot(along_W), 0.0) * along_W;
+}
 
 }  // namespace
+
+LinePull::AtEnd LinePull::compute_at(const Vector3& way_W) const noexcept {
+    const Vector3 segment_W = force_W + slope_W * way_W;
+    AtEnd at{load_W + load_slope_W * way_W + take_off_push(segment_W, along_W),
+             slope_W + load_slope_W};
+    if (segment_W.dot(along_W) < 0.0) {
+        at.slope_W -= along_W * (along_W.transpose() * slope_W);
+    }
+    return at;
+}
 
 void KiteLine::lay(const Vector3& hand_W, const Vector3& end_W) noexcept {
     const double n = static_cast<double>(segments_.size());
@@ -28,7 +51,9 @@ void KiteLine::lay(const Vector3& hand_W, const Vector3& end_W) noexcept {
 }
 
 void KiteLine::set_length_m(double length_m) noexcept {
-    length_m_ = std::clamp(length_m, kShortest_m, kLongestShare * settings_.length_m);
+    if (!std::isnan(length_m)) {
+        length_m_ = std::clamp(length_m, kShortest_m, kLongestShare * settings_.length_m);
+    }
 }
 
 KiteLine::Segment KiteLine::compute_segment(std::size_t i, double dt_s) const noexcept {
@@ -36,7 +61,7 @@ KiteLine::Segment KiteLine::compute_segment(std::size_t i, double dt_s) const no
     const double length_m = compute_length(way);
     const double rest_m = length_m_ / static_cast<double>(segments_.size());
     if (!(length_m > rest_m)) {
-        return {Vector3::Zero(), Matrix3::Zero()};
+        return {Vector3::Zero(), Matrix3::Zero(), Vector3::Zero()};
     }
     const Vector3 t = way / length_m;
     const double stiffness_N_per_m = settings_.stretch_N / rest_m;
@@ -44,7 +69,8 @@ KiteLine::Segment KiteLine::compute_segment(std::size_t i, double dt_s) const no
     const double sideways_N_per_m = stiffness_N_per_m * (1.0 - rest_m / length_m);
     return {stiffness_N_per_m * (length_m - rest_m) * t,
             sideways_N_per_m * (Matrix3::Identity() - along) +
-                stiffness_N_per_m * (1.0 + settings_.damping_s / dt_s) * along};
+                stiffness_N_per_m * (1.0 + settings_.damping_s / dt_s) * along,
+            t};
 }
 
 // Weight, air and ground of `share` of a segment's line around node i.
@@ -78,7 +104,7 @@ void KiteLine::add_surroundings(std::size_t i, double dt_s, double share,
 LinePull KiteLine::begin_step(const Vector3& hand_W, double dt_s,
                               const LineSurroundings& around) noexcept {
     dt_s_ = dt_s;
-    ways_W_[0] = hand_W - nodes_W_[0];
+    ways_W_[0] = compute_way_W(nodes_W_[0], hand_W);
     velocities_W_[0] = ways_W_[0] / dt_s;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
         segments_[i] = compute_segment(i, dt_s);
@@ -90,17 +116,19 @@ LinePull KiteLine::begin_step(const Vector3& hand_W, double dt_s,
     add_surroundings(0, dt_s, 0.5, around, hand_load_W_, hand_matrix);
     hand_load_W_ -= hand_matrix * ways_W_[0];
     const std::size_t end = segments_.size();
-    if (snapped_) {
-        return {Vector3::Zero(), Matrix3::Zero(), nodes_W_[end]};
-    }
     LinePull pull;
     pull.from_W = nodes_W_[end];
+    if (snapped_) {
+        return pull;
+    }
     Matrix3 end_matrix = Matrix3::Zero();
-    add_surroundings(end, dt_s, 0.5, around, pull.force_W, end_matrix);
+    add_surroundings(end, dt_s, 0.5, around, pull.load_W, end_matrix);
+    pull.load_slope_W = -end_matrix;
     // The last segment with what the sweep knows of its first node.
     const Segment& last = segments_[end - 1];
-    pull.force_W -= last.pull_W;
-    pull.slope_W = -last.slope_W - end_matrix;
+    pull.along_W = -last.along_W;
+    pull.force_W = -last.pull_W;
+    pull.slope_W = -last.slope_W;
     if (end == 1) {
         pull.force_W += last.slope_W * ways_W_[0];
     } else {
@@ -154,15 +182,18 @@ void KiteLine::end_step(const Vector3& end_W) noexcept {
         solve_back(end);
         end_force_W_.setZero();
     } else {
-        ways_W_[end] = end_W - nodes_W_[end];
+        ways_W_[end] = compute_way_W(nodes_W_[end], end_W);
         solve_back(end - 1);
     }
     // What both ends feel, by the step's own forces.
     const Segment& first = segments_[0];
-    hand_force_W_ = hand_load_W_ + first.pull_W + first.slope_W * (ways_W_[1] - ways_W_[0]);
+    hand_force_W_ =
+        hand_load_W_ +
+        take_off_push(first.pull_W + first.slope_W * (ways_W_[1] - ways_W_[0]), first.along_W);
     if (!snapped_) {
         const Segment& last = segments_[end - 1];
-        end_force_W_ = -last.pull_W - last.slope_W * (ways_W_[end] - ways_W_[end - 1]);
+        end_force_W_ = take_off_push(
+            -last.pull_W - last.slope_W * (ways_W_[end] - ways_W_[end - 1]), -last.along_W);
     }
     for (std::size_t i = 0; i < nodes_W_.size(); ++i) {
         nodes_W_[i] += ways_W_[i];

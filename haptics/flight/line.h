@@ -5,13 +5,15 @@
 //     damped while taut by E tau / r along t;  E: newtons that would double its length (EA)
 //   node:   m x'' = sum of pulls + m g + air + ground
 //   air     -rho/2 C d r |u_n| u_n, u_n the node's velocity through the air across the line (cross-flow principle)
-//   ground  m (omega^2 depth - 2 omega v_y) upwards, while below it
+//   ground  m (omega^2 depth up - 2 omega v) while below it: it pushes out, and grass holds what moves in it
 // A step is backward Euler, linearised once: with S = E/r ((1 - r/l) (1 - t t^T) + t t^T) + E tau / (r h) t t^T  of a taut
 // segment and d_i the way of node i in this step,
 //   (m/h^2 + S_(i-1) + S_i + air/h + ground) d_i - S_(i-1) d_(i-1) - S_i d_(i+1) = m v_i / h + forces
 // a block-tridiagonal system, solved along the line in one sweep (Thomas). The far end is not solved but left open: the sweep
 // gives the line's pull there as  F = F_0 + K d,  K <= 0,  which the body that hangs on it takes as a load in its own step;
 // its way then closes the system. So line and body move in one implicit step, however stiff and light the line is.
+// Linearised, a segment that is about to slacken would push at the end of that step. The ends never feel it: of the last
+// segment's force on the body, and of the first one's on the hand, the part that pushes along the segment is taken off.
 //
 // Thread: that of the step. Cost: 70 ns a segment. No allocation after construction.
 // Source: D. Baraff, A. Witkin 1998, Large steps in cloth simulation, sections 3 and 4.2 (implicit step, linearised once);
@@ -48,6 +50,18 @@ struct LinePull {
     Vector3 force_W{Vector3::Zero()};  ///< newtons on what hangs there, were the end to stay
     Matrix3 slope_W{Matrix3::Zero()};  ///< N/m by the end's way; never positive
     Vector3 from_W{Vector3::Zero()};   ///< where the end was
+    Vector3 along_W{Vector3::Zero()};  ///< unit, the way a pull goes; none when slack
+    Vector3 load_W{Vector3::Zero()};   ///< weight and air of the half segment that hangs there ...
+    Matrix3 load_slope_W{
+        Matrix3::Zero()};  ///< ... and its slope; both are there when nothing pulls
+
+    /// A force on the end, and its slope by the end's way.
+    struct AtEnd {
+        Vector3 force_W;
+        Matrix3 slope_W;
+    };
+    /// Once the end has gone that way; it never pushes.
+    [[nodiscard]] AtEnd compute_at(const Vector3& way_W) const noexcept;
 };
 
 /// What all nodes are in.
@@ -67,15 +81,20 @@ class KiteLine {
 
     /// Straight from hand to end, at rest, whole.
     void lay(const Vector3& hand_W, const Vector3& end_W) noexcept;
-    /// Changes the unstretched length, kept within 0.5 m and the length it was made with times four. What was laid stays.
+    /// Changes the unstretched length, kept within 0.5 m and the length it was made with times four. What was laid stays. A length
+    /// that is no number changes nothing.
     void set_length_m(double length_m) noexcept;
     /// From now on nothing hangs at its end.
-    void snap() noexcept { snapped_ = true; }
+    void snap() noexcept {
+        snapped_ = true;
+        end_force_W_.setZero();
+    }
 
-    /// First half of a step to where the hand is now; `dt_s` above 0.
+    /// First half of a step to where the hand is now; `dt_s` above 0. A hand that is nowhere, or a kilometre from where it was,
+    /// is taken to have stayed.
     [[nodiscard]] LinePull begin_step(const Vector3& hand_W, double dt_s,
                                       const LineSurroundings& around) noexcept;
-    /// Second half: the end has come there. Of a snapped line the place counts for nothing.
+    /// Second half: the end has come there; one that is nowhere has stayed. Of a snapped line the place counts for nothing.
     void end_step(const Vector3& end_W) noexcept;
 
     /// Newtons on the hand, of the step that has ended.
@@ -94,6 +113,7 @@ class KiteLine {
     struct Segment {
         Vector3 pull_W;   // on its first node
         Matrix3 slope_W;  // S
+        Vector3 along_W;  // t; none when slack
     };
     [[nodiscard]] Segment compute_segment(std::size_t i, double dt_s) const noexcept;
     void add_surroundings(std::size_t i, double dt_s, double share, const LineSurroundings& around,

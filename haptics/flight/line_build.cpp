@@ -23,7 +23,7 @@ KiteLine::KiteLine(const LineSettings& settings)
       length_m_(settings.length_m),
       nodes_W_(static_cast<std::size_t>(settings.segments) + 1, Vector3::Zero()),
       velocities_W_(nodes_W_.size(), Vector3::Zero()),
-      segments_(nodes_W_.size() - 1, Segment{Vector3::Zero(), Matrix3::Zero()}),
+      segments_(nodes_W_.size() - 1, Segment{Vector3::Zero(), Matrix3::Zero(), Vector3::Zero()}),
       inverse_(nodes_W_.size(), Matrix3::Zero()),
       solved_(nodes_W_.size(), Vector3::Zero()),
       ways_W_(nodes_W_.size(), Vector3::Zero()) {}

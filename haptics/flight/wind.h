@@ -13,7 +13,7 @@
 // Everywhere the same gust at one time: a kite is smaller than a gust is long.
 //
 // Thread: that of the step. Cost: 30 ns a place, 0.3 us a step of the gusts. No allocation. Same seed, same gusts.
-// Source: MIL-F-8785C 1980, Flying qualities of piloted airplanes, 3.7.2.2, 3.7.3.4 (spectra, low altitude), profile as in
+// Source: MIL-F-8785C 1980, Flying qualities of piloted airplanes, 3.7.1.2 (Dryden form), 3.7.3.4 (low altitude), profile as in
 // 3.7.3.2. Roughness: J. Wieringa 1992, Updating the Davenport roughness classification.
 #pragma once
 

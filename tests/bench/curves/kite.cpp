@@ -57,7 +57,7 @@ Vector3 find_line_pull(int segments) {
         pull = line.begin_step(kHand_W, 0.05, {{0.0, -9.81, 0.0}, wind, gusts});
         line.end_step(kHand_W + kFar_W);
     }
-    return pull.force_W;
+    return pull.compute_at(Vector3::Zero()).force_W;
 }
 
 CostCurve compute_line_curve(Run& run) {

@@ -234,7 +234,12 @@ TEST_CASE("kite flight: a line that is too weak snaps, and then nothing pulls") 
     KiteFlightSettings settings;
     settings.line.strength_N = 2.0;
     KiteFlight flight(settings);
-    fly(flight, 20.0);
+    double elapsed_s = 0.0;
+    for (; !flight.report().is_snapped && elapsed_s < 20.0; elapsed_s += kDt_s) {
+        fly(flight, kDt_s);
+    }
+    CHECK(flight.report().tension_W == Vector3::Zero());  // in the very step already
+    fly(flight, 20.0 - elapsed_s);
     const KiteReport& report = flight.report();
     CHECK(report.is_snapped);
     CHECK(report.tension_W == Vector3::Zero());
@@ -286,6 +291,9 @@ TEST_CASE("kite flight: a time or a hand that is none moves nothing") {
     flight.step(-1.0, kHand_W);
     flight.step(nan, kHand_W);
     flight.step(kDt_s, {nan, 0.0, 0.0});
+    flight.launch({nan, 0.0, 0.0}, 0.7, 1.1);
+    flight.launch(kHand_W, nan, 1.1);
+    flight.launch(kHand_W, 0.7, nan);
     CHECK(flight.report().centre_W == before_W);
 }
 

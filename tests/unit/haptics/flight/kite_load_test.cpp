@@ -84,8 +84,14 @@ TEST_CASE("kite load: the line's pull likewise, at the knot") {
     Matrix3 slope = -20.0 * Matrix3::Identity();
     slope(0, 1) = slope(1, 0) = 3.0;
     const LinePullLoad pull({0.1, 0.2, 0.3}, {{1.0, -4.0, 2.0}, slope, {0.3, 0.1, -0.2}});
+    LinePull slackening{{1.0, -4.0, 2.0}, slope, {0.3, 0.1, -0.2}};
+    slackening.along_W = Vector3(-1.0, 4.0, -2.0).normalized();
+    slackening.load_W = {0.0, -0.1, 0.02};
+    slackening.load_slope_W = -0.5 * Matrix3::Identity();
     for (int i = 0; i < 10; ++i) {
         CHECK(compute_slope_error(pull, make_state(random)) < 1.0e-6);
+        CHECK(compute_slope_error(LinePullLoad({0.1, 0.2, 0.3}, slackening), make_state(random)) <
+              1.0e-6);
     }
     // At its place it pulls as told, with the knot's arm.
     RigidState state;

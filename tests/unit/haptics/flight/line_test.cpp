@@ -133,13 +133,115 @@ TEST_CASE("line: the open end's pull is what the closed step gives") {
             const Vector3 hand_W = 0.02 * random.in_cube();
             const Vector3 end_W = line.nodes_W().back() + 0.02 * random.in_cube();
             const LinePull pull = line.begin_step(hand_W, kDt_s, scene.around());
-            const Vector3 told_N = pull.force_W + pull.slope_W * (end_W - pull.from_W);
+            const Vector3 told_N = pull.compute_at(end_W - pull.from_W).force_W;
             line.end_step(end_W);
             CHECK((told_N - line.end_force_W()).norm() < 1.0e-6 * (1.0 + told_N.norm()));
             // It yields, never the other way.
             CHECK(pull.slope_W.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff() < 1.0e-6);
         }
     }
+}
+
+TEST_CASE("line: in the step in which it slackens it does not push either") {
+    Scene scene;
+    scene.gravity_W.setZero();
+    const Vector3 along(0.8, 0.6, 0.0);
+    for (const int segments : {1, 2, 16}) {
+        LineSettings settings;
+        settings.segments = segments;
+        settings.drag_coefficient = 0.0;
+        KiteLine line(settings);
+        // Just taut, and let go by ten centimetres at one end or the other.
+        for (const bool hand_gives : {false, true}) {
+            scene.settle(line, Vector3::Zero(), 20.01 * along, 1.0);
+            CHECK(line.hand_force_W().dot(along) == Approx(0.25));
+            const Vector3 hand_W = (hand_gives ? 0.1 : 0.0) * along;
+            const Vector3 end_W = (hand_gives ? 20.01 : 19.91) * along;
+            const LinePull pull = line.begin_step(hand_W, kDt_s, scene.around());
+            const LinePull::AtEnd at = pull.compute_at(end_W - pull.from_W);
+            line.end_step(end_W);
+            CHECK(at.force_W.dot(along) < 1.0e-9);
+            CHECK(line.end_force_W().dot(along) < 1.0e-9);
+            CHECK(line.hand_force_W().dot(along) > -1.0e-9);
+            if (!hand_gives) {
+                // Slack there, it has no stiffness along itself.
+                CHECK(line.end_force_W().norm() < 1.0e-9);
+                CHECK((along.transpose() * at.slope_W).norm() < 1.0e-9);
+            } else {
+                CHECK(line.hand_force_W().norm() < 1.0e-9);
+            }
+        }
+    }
+}
+
+TEST_CASE("line: stretched at a steady rate, it pulls by its stretch and by its damping") {
+    Scene scene;
+    scene.gravity_W.setZero();
+    for (const int segments : {1, 4}) {
+        LineSettings settings;
+        settings.segments = segments;
+        settings.drag_coefficient = 0.0;
+        settings.damping_s = 0.2;
+        KiteLine line(settings);
+        scene.settle(line, Vector3::Zero(), {20.1, 0.0, 0.0}, 1.0);
+        constexpr double kRate_m_per_s = 0.25;
+        double end_m = 20.1;
+        for (int i = 0; i < 2000; ++i) {
+            end_m += kRate_m_per_s * kDt_s;
+            (void)line.begin_step(Vector3::Zero(), kDt_s, scene.around());
+            line.end_step({end_m, 0.0, 0.0});
+        }
+        const double expected_N = 500.0 / 20.0 * (end_m - 20.0 + 0.2 * kRate_m_per_s);
+        CHECK(-line.end_force_W().x() == Approx(expected_N).epsilon(1.0e-6));
+        CHECK(line.hand_force_W().x() == Approx(expected_N).epsilon(1.0e-6));
+    }
+}
+
+TEST_CASE("line: what counts is the air that passes it: none when it goes with the wind") {
+    Scene scene;
+    scene.gravity_W.setZero();
+    scene.wind.speed_m_per_s = 4.0;
+    scene.wind.ground_m = 0.0;
+    // 10 m high everywhere, just taut, carried along across itself.
+    const auto carry_N = [&scene](double speed_m_per_s) {
+        LineSettings settings;
+        settings.stretch_N = 1.0e5;
+        KiteLine line(settings);
+        scene.settle(line, {0.0, 10.0, 0.0}, {0.0, 10.0, 20.02}, 5.0);
+        for (int i = 1; i <= 2000; ++i) {
+            const double x_m = speed_m_per_s * kDt_s * i;
+            (void)line.begin_step({x_m, 10.0, 0.0}, kDt_s, scene.around());
+            line.end_step({x_m, 10.0, 20.02});
+        }
+        return (line.end_force_W().x() + line.hand_force_W().x()) / (1.0 - 0.5 / 16);
+    };
+    const double square = 0.5 * kAirDensity_kg_per_m3 * 1.1 * 7.0e-4 * 20.0;
+    CHECK(carry_N(0.0) == Approx(square * 16.0).epsilon(0.01));
+    CHECK(carry_N(4.0) == Approx(0.0).margin(1.0e-3));
+    CHECK(carry_N(-3.0) == Approx(square * 49.0).epsilon(0.01));
+    CHECK(carry_N(6.0) == Approx(-square * 4.0).epsilon(0.01));
+}
+
+TEST_CASE("line: a hand or an end that is nowhere, or a length that is none, leaves it as it was") {
+    const Scene scene;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinite = std::numeric_limits<double>::infinity();
+    KiteLine line(LineSettings{});
+    scene.settle(line, Vector3::Zero(), {16.0, 13.0, 0.0}, 1.0);
+    for (const double bad : {nan, infinite, -infinite, 1.0e300}) {
+        line.set_length_m(nan);
+        const LinePull pull = line.begin_step({0.0, bad, 0.0}, kDt_s, scene.around());
+        CHECK(is_finite(pull.force_W));
+        line.end_step({bad, 0.0, 0.0});
+        CHECK(line.nodes_W().front() == Vector3::Zero());
+        CHECK(line.nodes_W().back() == Vector3(16.0, 13.0, 0.0));
+        CHECK(is_finite(line.hand_force_W()));
+        CHECK(line.length_m() == 20.0);
+    }
+    (void)line.begin_step({0.0, 0.1, 0.0}, kDt_s, scene.around());
+    line.end_step({16.0, 13.0, 0.0});
+    CHECK(line.nodes_W().front() == Vector3(0.0, 0.1, 0.0));
+    CHECK(line.end_force_W().norm() > 1.0);
 }
 
 TEST_CASE("line: a snapped one falls, gains no energy, and comes to lie on the ground") {

@@ -16,29 +16,29 @@ WindSettings make_gusty() {
     return wind;
 }
 
-// Variances, and how the gust along the wind goes with itself one second later.
+// Variances, and how each gust goes with itself one second later.
 struct Statistics {
     Vector3 variance{Vector3::Zero()};
-    double covariance_along = 0.0;
+    Vector3 covariance{Vector3::Zero()};
 };
 
 Statistics gather(const WindSettings& wind, double height_m, double dt_s, int n) {
     GustState gusts;
     Statistics found;
     const int lag = static_cast<int>(std::lround(1.0 / dt_s));
-    double before = 0.0;
+    Vector3 before{Vector3::Zero()};
     int n_lags = 0;
     for (int i = 0; i < n; ++i) {
         step_gusts(wind, height_m, dt_s, gusts);
         // Downwind is x, up is y; across is up x downwind, -z.
         found.variance += gusts.velocity_W.cwiseAbs2() / n;
         if (i % lag == 0) {
-            found.covariance_along += before * gusts.velocity_W.x();
-            before = gusts.velocity_W.x();
+            found.covariance += before.cwiseProduct(gusts.velocity_W);
+            before = gusts.velocity_W;
             ++n_lags;
         }
     }
-    found.covariance_along /= n_lags;
+    found.covariance /= n_lags;
     return found;
 }
 
@@ -67,6 +67,8 @@ TEST_CASE("wind: gusts have the specification's strength and length") {
     CHECK(scale.strength_m_per_s.x() == Approx(up / std::pow(0.2593, 0.4)));
     CHECK(scale.length_m.z() == Approx(30.48));
     CHECK(scale.length_m.x() == Approx(30.48 / std::pow(0.2593, 1.2)));
+    CHECK(scale.length_m.y() == scale.length_m.x());
+    CHECK(scale.strength_m_per_s.y() == scale.strength_m_per_s.x());
     // And so have those that blow, however long the steps are.
     constexpr double kChance = 0.06;  // of some 20 000 independent gusts, three deviations and more
     for (const double dt_s : {0.05, 0.5}) {
@@ -78,9 +80,16 @@ TEST_CASE("wind: gusts have the specification's strength and length") {
         CHECK(found.variance.y() ==
               Approx(std::pow(scale.strength_m_per_s.z(), 2)).epsilon(kChance));
         // Dryden's u is exponentially correlated: exp(-U / L) after a second.
-        const double passed = compute_mean_wind_m_per_s(wind, height_m) / scale.length_m.x();
-        CHECK(found.covariance_along / found.variance.x() ==
-              Approx(std::exp(-passed)).epsilon(0.02));
+        const double speed_m_per_s = compute_mean_wind_m_per_s(wind, height_m);
+        const double passed = speed_m_per_s / scale.length_m.x();
+        CHECK(found.covariance.x() / found.variance.x() == Approx(std::exp(-passed)).epsilon(0.02));
+        // Those across and up dip in between: (1 - r/2) exp(-r), each with its own length.
+        const double across = speed_m_per_s / scale.length_m.y();
+        const double upwards = speed_m_per_s / scale.length_m.z();
+        CHECK(found.covariance.z() / found.variance.z() ==
+              Approx((1.0 - 0.5 * across) * std::exp(-across)).epsilon(0.02));
+        CHECK(found.covariance.y() / found.variance.y() ==
+              Approx((1.0 - 0.5 * upwards) * std::exp(-upwards)).epsilon(0.02));
     }
 }
 
