@@ -296,16 +296,6 @@ void FieldSampler::remember_groups() noexcept {
     }
 }
 
-bool FieldSampler::is_known(const Pose& X_WO, const Pose& X_WT) const noexcept {
-    const auto is_same = [](const Pose& a, const Pose& b) {
-        return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
-    };
-    // Where something was left out, the next step's time may tell more.
-    const bool is_whole = known_.weight == 1 && known_.n_left == 0;
-    return is_known_ && (is_whole || is_known_in_step_) && is_same(X_WO, known_WO_) &&
-           is_same(X_WT, known_WT_);
-}
-
 FieldTouch FieldSampler::step(const Pose& X_WO, const Pose& X_WT) noexcept {
     begin_look();
     const Pose X_OT = X_WO.inverse() * X_WT;
@@ -395,6 +385,7 @@ void FieldSampler::finish(const Pose& X_WO) noexcept {
         touch_.error_N = std::min(touch_.bound_N, far_N);
         touch_.error_Nm = std::min(touch_.bound_Nm, far_Nm);
     }
+    hold_last(X_WO);
 }
 
 }  // namespace fulcrum

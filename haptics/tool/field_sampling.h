@@ -30,8 +30,9 @@
 // Several looks may share the time of one step (step_time.h), as a solver's do. The first in which not all fits chooses: how many
 // points one stands for, and which of them are looked at. The others look there again, so that the solver sees one force that
 // follows the pose; what has come near since is told as left out.
-// What things cost is learned, and how long before the end to stop, so that one step in 200 is late. One that lost the processor for
-// longer than its budget is late whatever it does: it does what it had planned.
+// What things cost is learned, and how long before the end to stop: a twentieth of the budget, and more after a step that was late. One
+// that lost the processor for longer than its budget is late whatever it does: it does what it had planned. A look that was cut short
+// tells what the last one did, and so no more than a step long: a surface does not go for a moment because the processor did.
 // How far the result may be off:
 //   bound    k L_n sum over nodes left out of n D, and the samples' own sum. D = L min(-slack, m - m_free): how deep a node may be
 //            by its ball and by when it was free last; where that is beyond 3/4 of the band, a brick's diagonal more, and as deep as
@@ -250,6 +251,8 @@ class FieldSampler {
     }
     void begin_look() noexcept;
     void end_look() noexcept;
+    void begin_holding() noexcept;
+    void hold_last(const Pose& X_WO) noexcept;
     // What the looks of a step have in common, from the first on in which not all fits.
     struct Choice {
         bool is_made = false;
@@ -377,6 +380,8 @@ class FieldSampler {
     double missed_points_ = 0.0;             // by samples that said where to look
     double moved_m_ = 0.0, moved_m2_ = 0.0;  // by closer looks, force and torque over the stiffness
     bool was_cut_short_ = false;
+    bool held_ = false,
+         held_before_ = false;  // the last look's force, in this step, in the one before
     FieldTouch touch_;
     // What was asked last, and found.
     Pose known_WO_, known_WT_;

@@ -1,5 +1,6 @@
 // The half of field_sampling.h that works within a budget of time.
 #include "haptics/base/clock.h"
+#include "haptics/math/length.h"
 #include "haptics/tool/field_sampling.h"
 #include "haptics/tool/rank_cut.h"
 
@@ -30,12 +31,52 @@ double FieldSampler::find_left_us() const noexcept {
 
 void FieldSampler::begin_step(StepTime* time, int n_near) noexcept {
     step_time_ = time;
+    if (time != nullptr) {
+        begin_holding();
+    }
     n_near_ = std::max(n_near, 1);
     choice_ = {};
     is_known_in_step_ = false;
 }
 
+bool FieldSampler::is_known(const Pose& X_WO, const Pose& X_WT) const noexcept {
+    const auto is_same = [](const Pose& a, const Pose& b) {
+        return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+    };
+    // Where something was left out, the next step's time may tell more.
+    const bool is_whole = known_.weight == 1 && known_.n_left == 0;
+    return is_known_ && (is_whole || is_known_in_step_) && is_same(X_WO, known_WO_) &&
+           is_same(X_WT, known_WT_);
+}
+
+void FieldSampler::begin_holding() noexcept {
+    held_before_ = held_;
+    held_ = false;
+}
+
+// The tool's force in the object's frame, and its torque about the tool's origin, as the last look told them.
+void FieldSampler::hold_last(const Pose& X_WO) noexcept {
+    const bool has_more = touch_.n_left > 0 && (was_cut_short_ || touch_.n_leaves == 0) &&
+                          touch_.n_touching < known_.n_touching;
+    if (!has_more || !is_known_ || held_before_) {
+        return;
+    }
+    held_ = true;
+    const Quaternion turned = X_WO.orientation * known_WO_.orientation.conjugate();
+    const Wrench taken_W = touch_.wrench_W;
+    touch_.wrench_W = {turned * known_.wrench_W.force, turned * known_.wrench_W.torque};
+    touch_.n_touching = known_.n_touching;
+    touch_.deepest_m = known_.deepest_m;
+    touch_.bound_N += compute_length(Vector3(touch_.wrench_W.force - taken_W.force));
+    touch_.bound_Nm += compute_length(Vector3(touch_.wrench_W.torque - taken_W.torque));
+    touch_.error_N = touch_.bound_N;
+    touch_.error_Nm = touch_.bound_Nm;
+}
+
 void FieldSampler::begin_look() noexcept {
+    if (step_time_ == nullptr) {
+        begin_holding();
+    }
     look_us_ = shares_time() ? step_time_->find_look_us(n_near_) : settings_.budget_us;
     began_s_ = has_budget() && settings_.clock == BudgetClock::measured ? monotonic_now_s() : 0.0;
 }
@@ -65,16 +106,21 @@ void FieldSampler::learn(double& cost_us, double took_us, std::size_t n) const n
     cost_us = std::clamp(cost_us + share * (seen_us - cost_us), 0.01, 10.0);
 }
 
-// The least that all but one step in 200 keep the deadline with.
+// Up by what was too much at once, down slowly: a deadline that was missed once is not missed again by as much.
 void FieldSampler::learn_reserve() noexcept {
     if (settings_.clock == BudgetClock::counted) {
         return;
     }
-    constexpr double kMost = 0.3;  // of the budget
+    constexpr double kFirst = 0.05;  // of the budget, as all below
+    constexpr double kMost = 0.25;
     constexpr double kUp = 0.01;
-    constexpr double kDown = kUp / 199.0;
-    const bool is_late = elapsed_us() > settings_.budget_us;
-    reserve_us_ = std::clamp(reserve_us_ + settings_.budget_us * (is_late ? kUp : -kDown), 0.0,
+    constexpr double kDown = kUp / 2000.0;
+    const double late_us = elapsed_us() - settings_.budget_us;
+    // A step that lost the processor tells nothing of its own work.
+    const double more_us =
+        late_us > 0.0 ? std::min(late_us, kFirst * settings_.budget_us) + kUp * settings_.budget_us
+                      : -kDown * settings_.budget_us;
+    reserve_us_ = std::clamp(reserve_us_ + more_us, kFirst * settings_.budget_us,
                              kMost * settings_.budget_us);
 }
 

@@ -191,6 +191,41 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("tool budget: a look that was cut short tells the last force, a step long") {
+    FieldSampler sampler = FieldSampler::build(block(), plate(), make_sampling(1000.0)).value();
+    const auto look = [&](double budget_us, const Pose& X_WO) {
+        StepTime time(budget_us, BudgetClock::counted);
+        time.begin();
+        sampler.begin_step(&time);
+        const FieldTouch touch = sampler.step(X_WO, X_WO * lie(0.0006));
+        sampler.begin_step(nullptr);
+        return touch;
+    };
+    constexpr double kPlenty_us = 1.0e4;
+    constexpr double kNone_us = 1.0e-3;
+    const FieldTouch first = look(kPlenty_us, Pose{});
+    REQUIRE(first.n_left == 0);
+    REQUIRE(first.wrench_W.force.y() > 1.0);
+    // All has turned and moved since: the force turns along.
+    const Pose X_WO{{0.3, -0.1, 0.2},
+                    Quaternion(Eigen::AngleAxisd(0.8, Vector3(1.0, 2.0, -2.0) / 3.0))};
+    const FieldTouch all = look(kPlenty_us, X_WO);
+    (void)look(kPlenty_us, Pose{});
+    const FieldTouch held = look(kNone_us, X_WO);
+    CHECK(held.n_left > 0);
+    CHECK(held.n_touching == first.n_touching);
+    CHECK(off(held, all).norm() <= kRounding * all.wrench_W.force.norm());
+    CHECK((held.wrench_W.torque - all.wrench_W.torque).norm() <=
+          kRounding * all.wrench_W.force.norm() * plate()->reach_m());
+    CHECK(held.error_N >= all.wrench_W.force.norm());
+    // Twice in a row it says what it knows: nothing, and that it may be off.
+    const FieldTouch again = look(kNone_us, X_WO);
+    CHECK(again.n_touching == 0);
+    CHECK(again.error_N >= all.wrench_W.force.norm());
+    CHECK(look(kPlenty_us, X_WO).n_touching == all.n_touching);
+    CHECK(look(kNone_us, X_WO).n_touching == all.n_touching);
+}
+
 TEST_CASE("tool budget: several objects share one step's time") {
     VoxelToolSettings settings = make_settings(60.0);
     const FieldSamplingPlan plan{block(), plate(), make_sampling(0.0)};
