@@ -22,7 +22,8 @@ constexpr double kDefaultVoxels = 4.0e6;  // of a body at most
 constexpr double kFinestDefault_m = 5.0e-5;
 constexpr double kBrakes_m = 0.004;  // the braking layers' depth, in the hand's metres
 constexpr int kMostLayers = 8;
-constexpr double kBand_voxels = 4.0;  // of a field
+constexpr double kBand_voxels = 4.0;   // of a field
+constexpr double kSheet_voxels = 1.0;  // on either side of an open mesh: no thinner wall is held
 constexpr int kBrickCells = 8;
 constexpr double kMarginCells = 24.0;  // layers and bands on both sides, at most
 constexpr double kMostAlong = 504.0;   // voxels along a body, margins included
@@ -111,16 +112,57 @@ Expected<VoxelGrid> make_grid(const ToolBodyList::Mesh& of, double scale, ShapeC
     return recall_voxels(shapes, of.mesh, settings, progress);
 }
 
-Expected<DistanceField> make_field(const ToolBodyList::Mesh& of, ShapeCache& shapes,
-                                   const LoadProgress& progress) {
+Expected<DistanceField> make_field(const ToolBodyList::Mesh& of, double sheet_voxels,
+                                   ShapeCache& shapes, const LoadProgress& progress) {
     const double length_m = size_of(of.mesh).maxCoeff();
-    const double rows = std::ceil((length_m / of.voxel_m + 2.0 * kBand_voxels + 2.0) / kBrickCells);
+    const double margin = kBand_voxels + sheet_voxels;
+    const double rows = std::ceil((length_m / of.voxel_m + 2.0 * margin + 2.0) / kBrickCells);
     const int n_along = kBrickCells * std::max(2, static_cast<int>(rows));
-    return DistanceField::make_frame(of.mesh, n_along, kBand_voxels)
+    return DistanceField::make_frame(of.mesh, n_along, margin)
         .and_then([&](const VoxelFrame& frame) {
-            return recall_distance_field(shapes, of.mesh, frame, {.band_voxels = kBand_voxels},
-                                         progress);
+            return recall_distance_field(
+                shapes, of.mesh, frame, {.band_voxels = kBand_voxels, .sheet_voxels = sheet_voxels},
+                progress);
         });
+}
+
+// An open mesh with nothing in it that is a voxel deep.
+bool is_hollow(const DistanceField& field) {
+    const double deep_steps = field.frame().voxel_m / field.step_m();
+    const auto is_deep = [&](std::int16_t value) { return value <= -deep_steps; };
+    const auto& bricks = field.bricks();  // the first two are those that are alike throughout
+    return field.counts().n_open_edges > 0 &&
+           std::ranges::none_of(
+               field.table(),
+               [](const auto& entry) { return entry.brick == DistanceField::kInside; }) &&
+           std::none_of(bricks.begin() + DistanceField::kInside + 1, bricks.end(),
+                        [&](const DistanceField::Brick& brick) {
+                            return std::ranges::any_of(brick.values, is_deep);
+                        });
+}
+
+// A leaf or a flag has two outsides: it is felt as a sheet.
+Expected<DistanceField> make_field_or_sheet(const ToolBodyList::Mesh& of, ShapeCache& shapes,
+                                            const LoadProgress& progress) {
+    return make_field(of, 0.0, shapes, progress).and_then([&](DistanceField field) {
+        return is_hollow(field) ? make_field(of, kSheet_voxels, shapes, progress)
+                                : Expected<DistanceField>(std::move(field));
+    });
+}
+
+// What a teacher should know of a body that is met as a field.
+std::optional<Error> tell_field(const DistanceField& field) {
+    if (field.sheet_m() > 0.0) {
+        return Error{"its mesh is open and encloses nothing, so a tool feels it as a sheet " +
+                         metres_text(2.0 * field.sheet_m()) + " thick",
+                     {},
+                     "close the mesh where it should be solid"};
+    }
+    auto holes = field.tell_holes();
+    if (holes) {
+        holes->what_to_do = "close them";
+    }
+    return holes;
 }
 
 template <class Shape>
@@ -203,21 +245,22 @@ Expected<ToolBodies> make_tool_bodies(const LessonDescription& lesson, const Too
         const auto added =
             tool.method == ToolMethod::voxel_sampling
                 ? make_grid(of, lesson.hand.scale, shapes, part).map(keep_in(made.grids))
-                : make_field(of, shapes, part).map(keep_in(made.fields));
+                : make_field_or_sheet(of, shapes, part).map(keep_in(made.fields));
         if (!added) {
             return fail("the " + of.body->noun + ": " + added.error().message,
                         at_line(of.body->line), added.error().what_to_do);
         }
         made.sources.push_back(shapes.counts().n_made > n_made ? ShapeSource::made
                                                                : ShapeSource::cache);
-        if (const auto holes =
-                made.fields.empty() ? std::nullopt : made.fields.back()->tell_holes()) {
-            made.notices.push_back(to_sentence({"the " + of.body->noun + ": " + holes->message,
-                                                at_line(of.body->line), "close them"}));
+        const auto told = made.fields.empty() ? std::nullopt : tell_field(*made.fields.back());
+        if (told) {
+            made.notices.push_back(to_sentence({"the " + of.body->noun + ": " + told->message,
+                                                at_line(of.body->line), told->what_to_do}));
         }
         const VoxelFrame& frame =
             made.fields.empty() ? made.grids.back()->frame : made.fields.back()->frame();
-        if (auto thin = tell_thin_wall(of, frame.voxel_m)) {
+        const bool is_sheet = !made.fields.empty() && made.fields.back()->sheet_m() > 0.0;
+        if (auto thin = is_sheet ? std::nullopt : tell_thin_wall(of, frame.voxel_m)) {
             made.notices.push_back(std::move(*thin));
         }
     }

@@ -49,7 +49,7 @@ struct ToolBodies {
     std::vector<std::shared_ptr<const VoxelGrid>> grids;
     std::vector<FieldSampler::Field> fields;
     std::vector<ShapeSource> sources;
-    std::vector<std::string> notices;  ///< of holes, if a field closes them, and thin walls
+    std::vector<std::string> notices;  ///< of holes, sheets and thin walls
 };
 
 /// Makes them, telling `progress` of each by its noun.

@@ -268,6 +268,32 @@ TEST_CASE("plan: who has a body with holes met by a tool's field is told what th
     CHECK(compile_plan(voxels, {}, load_open)->notices.empty());
 }
 
+TEST_CASE("plan: a tool feels an open mesh with nothing in it as a sheet, from both sides") {
+    const auto load_leaf = [](const BodyDescription& /*body*/) {
+        return TriangleMesh::build(
+                   {{-0.2, 0.0, -0.1}, {0.2, 0.0, -0.1}, {0.2, 0.0, 0.1}, {-0.2, 0.0, 0.1}},
+                   {{0, 1, 2}, {0, 2, 3}})
+            .and_then([](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); });
+    };
+    const auto plan = compile_plan(make_lesson(), {}, load_leaf);
+    REQUIRE(plan);
+    REQUIRE(plan->notices.size() == 1);
+    CAPTURE(plan->notices.front());
+    CHECK(plan->notices.front().find("lesson.lua:4: the block: its mesh is open and encloses "
+                                     "nothing, so a tool feels it as a sheet") == 0);
+    REQUIRE(plan->haptic.tool);
+    const std::unique_ptr<ToolSolver> tool = make_tool(*plan->haptic.tool);
+    const auto is_free_at = [&](double y_m) {
+        tool->place(Pose::at({0.0, y_m, 0.0}));
+        return tool->is_free(std::vector<MovingFrame>(plan->haptic.solids.size()));
+    };
+    // The cylinder's ends are 5 cm from its middle.
+    for (const double side : {1.0, -1.0}) {
+        CHECK_FALSE(is_free_at(side * 0.05));
+        CHECK(is_free_at(side * 0.052));
+    }
+}
+
 TEST_CASE("plan: mistakes with a tool get one sentence and a line") {
     LessonDescription lesson = make_lesson();
     lesson.bodies[0].solid = false;
