@@ -137,7 +137,8 @@ void NewtonSolver::project(Contact& contact, double along) const noexcept {
 void NewtonSolver::project(const RowConstraint& constraint, Row& row, double along) noexcept {
     const double q = row.stiffness * (row.compliance * row.l - row.u - along * row.du);
     row.p = std::clamp(q, constraint.least, constraint.most);
-    row.free = q >= constraint.least && q <= constraint.most && row.stiffness > 0.0;
+    row.side = q > constraint.most ? 1 : (q < constraint.least ? -1 : 0);
+    row.free = row.side == 0 && row.stiffness > 0.0;
 }
 
 NewtonSolver::Fit NewtonSolver::evaluate(const ContactProblem& problem) noexcept {

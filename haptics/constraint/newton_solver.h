@@ -50,7 +50,8 @@ class NewtonSolver final : public ContactMethodSolver {
     struct Row {
         double weight = 0.0, compliance = 0.0, stiffness = 0.0;
         double l = 0.0, l_before = 0.0, u = 0.0, du = 0.0, p = 0.0;
-        bool free = false, built = false;  // between its bounds
+        bool free = false;        // between its bounds
+        int side = 0, built = 0;  // 0 there, else the sign of the bound; and when H was built
     };
     /// How impulses and velocities fit.
     struct Fit {

@@ -118,7 +118,7 @@ void NewtonSolver::add_rows(const ContactProblem& problem) noexcept {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const RowConstraint& r = problem.rows()[i];
         Row& row = rows_[i];
-        row.built = row.free;
+        row.built = row.side;
         if (!row.free) {
             continue;
         }
@@ -161,7 +161,7 @@ bool NewtonSolver::has_built_sets() const noexcept {
                            return contact.state == contact.built && !turns;
                        }) &&
            std::all_of(rows_.begin(), rows_.end(),
-                       [](const Row& row) { return row.free == row.built; });
+                       [](const Row& row) { return row.side == row.built; });
 }
 
 void NewtonSolver::find_changes(const ContactProblem& problem) noexcept {

@@ -44,35 +44,6 @@ void step_semi_implicit_euler(const Problem& problem, const RigidState& state,
     next.velocity_W.angular = compute_spin_W(problem.inertia, next.pose_W.orientation, momentum);
 }
 
-// Turns q freely for `dt_s`: about each principal axis in turn at the rate L_i / I_i, forth and back so that it is
-// reversible. L_W stays; seen from the body it turns back by the same angle.
-Quaternion compute_free_turn(const Inertia& inertia, const Quaternion& orientation,
-                             const Vector3& momentum_W, double dt_s) noexcept {
-    struct Turn {
-        int axis;
-        double share;
-    };
-    constexpr std::array<Turn, 5> kTurns{{{0, 0.5}, {1, 0.5}, {2, 1.0}, {1, 0.5}, {0, 0.5}}};
-    Quaternion q = orientation;
-    Vector3 momentum_B = q.conjugate() * momentum_W;
-    for (const auto& [axis, share] : kTurns) {
-        const double half_rad = 0.5 * share * dt_s * momentum_B[axis] / inertia.moments_kg_m2[axis];
-        const double c = std::cos(half_rad);
-        const double s = std::sin(half_rad);
-        q = q * Quaternion(c, axis == 0 ? s : 0.0, axis == 1 ? s : 0.0, axis == 2 ? s : 0.0);
-        // The other two components turn by twice the half angle, backwards.
-        double& next = momentum_B[(axis + 1) % 3];
-        double& last = momentum_B[(axis + 2) % 3];
-        const double cosine = c * c - s * s;
-        const double sine = 2.0 * s * c;
-        const double turned = cosine * next + sine * last;
-        last = cosine * last - sine * next;
-        next = turned;
-    }
-    q.normalize();
-    return q;
-}
-
 void step_verlet(VerletVelocity estimate, const Problem& problem, const RigidState& state,
                  RigidState& next) noexcept {
     const Inertia& inertia = problem.inertia;
@@ -125,6 +96,33 @@ StepResult step_by_name(const IntegratorSettings& settings, const Problem& probl
 }
 
 }  // namespace
+
+Quaternion compute_free_turn(const Inertia& inertia, const Quaternion& orientation,
+                             const Vector3& momentum_W, double dt_s) noexcept {
+    struct Turn {
+        int axis;
+        double share;
+    };
+    constexpr std::array<Turn, 5> kTurns{{{0, 0.5}, {1, 0.5}, {2, 1.0}, {1, 0.5}, {0, 0.5}}};
+    Quaternion q = orientation;
+    Vector3 momentum_B = q.conjugate() * momentum_W;
+    for (const auto& [axis, share] : kTurns) {
+        const double half_rad = 0.5 * share * dt_s * momentum_B[axis] / inertia.moments_kg_m2[axis];
+        const double c = std::cos(half_rad);
+        const double s = std::sin(half_rad);
+        q = q * Quaternion(c, axis == 0 ? s : 0.0, axis == 1 ? s : 0.0, axis == 2 ? s : 0.0);
+        // The other two components turn by twice the half angle, backwards.
+        double& next = momentum_B[(axis + 1) % 3];
+        double& last = momentum_B[(axis + 2) % 3];
+        const double cosine = c * c - s * s;
+        const double sine = 2.0 * s * c;
+        const double turned = cosine * next + sine * last;
+        last = cosine * last - sine * next;
+        next = turned;
+    }
+    q.normalize();
+    return q;
+}
 
 std::string_view to_string(Integrator integrator) noexcept {
     constexpr std::array<std::string_view, 5> kNames{"explicit Euler", "semi-implicit Euler",

@@ -1,4 +1,4 @@
-// The two longer steps behind integrator.h: each writes its result to `next` and leaves `state` alone.
+// What integrator.h is made of: a free turn, and the two longer steps, which write their result to `next` and leave `state` alone.
 //
 // Thread: that of the step. Cost: see integrator.h.
 #pragma once
@@ -6,6 +6,11 @@
 #include "haptics/dynamics/integrator.h"
 
 namespace fulcrum {
+
+/// Turns q freely for `dt_s`: about each principal axis in turn at the rate L_i / I_i, forth and back so that it is
+/// reversible. L_W stays; seen from the body it turns back by the same angle.
+[[nodiscard]] Quaternion compute_free_turn(const Inertia& inertia, const Quaternion& orientation,
+                                           const Vector3& momentum_W, double dt_s) noexcept;
 
 /// One Runge-Kutta-Munthe-Kaas step of order 4; four evaluations of the load.
 void step_runge_kutta_4(const Inertia& inertia, const Load& load, double time_s, double dt_s,

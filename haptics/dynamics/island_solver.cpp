@@ -1,0 +1,288 @@
+#include "haptics/dynamics/island_solver.h"
+
+#include "haptics/math/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+// Of the smaller body's size: overlap that is left as it is, so that what rests is not pushed to and fro.
+constexpr double kLeftOverlap = 1.0e-5;
+// Of a body's least moment: a pull that turns it by no more than this within a step is followed as it is.
+constexpr double kSlowTurn = 0.5;
+// Of the fastest body: an answer that is off by more is sought once more in rounds.
+constexpr double kBadAnswer = 1.0e-4;
+constexpr int kRounds = 200;
+// What a joint may be off its place, m or rad.
+constexpr double kLeftError = 1.0e-7;
+
+std::size_t index_of(std::int32_t i) noexcept {
+    return static_cast<std::size_t>(i);
+}
+
+Vector6 join(const Vector3& linear, const Vector3& angular) noexcept {
+    Vector6 both;
+    both << linear, angular;
+    return both;
+}
+
+Vector3 find_point_velocity(const RigidWorldBody& body, const Vector3& arm) noexcept {
+    return body.state.velocity_W.linear + body.state.velocity_W.angular.cross(arm);
+}
+
+double find_contact_size(const RigidWorldBody& a, const RigidWorldBody& b) noexcept {
+    const double size_a = a.shape.bounding_radius_m;
+    const double size_b = b.shape.bounding_radius_m;
+    return size_a > 0.0 && size_b > 0.0 ? std::min(size_a, size_b) : std::max(size_a, size_b);
+}
+
+// One of a joint's bodies: where it is, and where it would be at the end of the step without the joint.
+struct JointEnd {
+    Pose now_W{};
+    Pose ahead_W{};
+    Vector6 free = Vector6::Zero();
+    int in_problem = kGround;
+};
+
+JointEnd find_joint_end(std::int32_t i, double dt_s, const RigidScene& scene,
+                        std::span<const ConstrainedBody> solved) noexcept {
+    JointEnd end;
+    if (i < 0) {
+        return end;
+    }
+    const RigidWorldBody& body = scene.bodies[index_of(i)];
+    end.now_W = end.ahead_W = body.state.pose_W;
+    if (body.moves && body.in_problem != kGround) {
+        end.in_problem = body.in_problem;
+        end.free = solved[index_of(body.in_problem)].free_velocity_W;
+        end.ahead_W.position += dt_s * end.free.head<3>();
+        end.ahead_W.orientation = compute_exp(dt_s * end.free.tail<3>()) * end.now_W.orientation;
+    }
+    return end;
+}
+
+void add_pull(std::int32_t i, double pull_kg_m2, RigidScene& scene) noexcept {
+    if (i >= 0) {
+        scene.bodies[index_of(i)].pull_kg_m2 += pull_kg_m2;
+    }
+}
+
+ContactSolverSettings in_rounds(ContactSolverSettings settings) {
+    settings.method = ContactMethod::iterative;
+    settings.max_iterations = std::max(settings.max_iterations, kRounds);
+    return settings;
+}
+
+}  // namespace
+
+IslandSolver::IslandSolver(const RigidWorldSettings& settings, const ContactCapacity& capacity)
+    : settings_(settings),
+      problem_(capacity),
+      solver_(settings.solver, capacity),
+      rounds_(in_rounds(settings.solver), capacity),
+      contact_pushes_(capacity.contacts),
+      row_pushes_(capacity.rows) {}
+
+void IslandSolver::add_bodies(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept {
+    for (const std::int32_t i : parts.bodies) {
+        RigidWorldBody& body = scene.bodies[index_of(i)];
+        const Twist& velocity = body.state.velocity_W;
+        const Vector3 pull = settings_.gravity_W + body.load_W.force / body.inertia.mass_kg;
+        const Vector3 linear = velocity.linear + dt_s * pull;
+        const Vector3 momentum =
+            compute_angular_momentum_W(body.inertia, body.state) + dt_s * body.load_W.torque;
+        const Vector3 angular =
+            compute_spin_W(body.inertia, body.state.pose_W.orientation, momentum);
+        const double least_kg_m2 = kSlowTurn * body.inertia.moments_kg_m2.minCoeff();
+        const double stiff_kg_m2 = std::max(body.pull_kg_m2 - least_kg_m2, 0.0);
+        body.in_problem = problem_.add_body(body.inertia.mass_kg,
+                                            body.inertia_W + stiff_kg_m2 * Matrix3::Identity(),
+                                            join(linear, angular));
+    }
+}
+
+// The pair's normal goes from its second body to its first: the problem's a is the second, b the first.
+void IslandSolver::add_pair(const ContactPair& pair, double dt_s,
+                            const RigidScene& scene) noexcept {
+    const RigidWorldBody& first = scene.bodies[index_of(pair.bodies.first)];
+    const RigidWorldBody& second = scene.bodies[index_of(pair.bodies.second)];
+    ContactConstraint contact{
+        .body_a = second.moves ? second.in_problem : kGround,
+        .body_b = first.moves ? first.in_problem : kGround,
+        .axes_W = make_contact_axes(pair.manifold.normal_W),
+        .static_friction = std::sqrt(first.static_friction * second.static_friction),
+        .dynamic_friction = std::sqrt(first.dynamic_friction * second.dynamic_friction),
+        .restitution = std::max(first.restitution, second.restitution)};
+    const double left_m = kLeftOverlap * find_contact_size(first, second);
+    for (const ContactPoint& point : pair.manifold.points()) {
+        contact.arm_a = point.place_W - second.state.pose_W.position;
+        contact.arm_b = point.place_W - first.state.pose_W.position;
+        const Vector3 relative =
+            find_point_velocity(first, contact.arm_b) - find_point_velocity(second, contact.arm_a);
+        const double arrival_m_per_s = -relative.dot(pair.manifold.normal_W);
+        const bool bounces = arrival_m_per_s > settings_.least_bounce_m_per_s &&
+                             arrival_m_per_s * dt_s >= point.gap_m && contact.restitution > 0.0;
+        contact.target_m_per_s.x() =
+            bounces ? contact.restitution * arrival_m_per_s : -std::max(point.gap_m, 0.0) / dt_s;
+        const ContactMemory* memory = pair.recall(point.id);
+        contact.impulse_Ns.setZero();
+        contact.slides = memory != nullptr && memory->slides;
+        if (memory != nullptr) {
+            contact.impulse_Ns = contact.axes_W.transpose() * memory->impulse_W;
+        }
+        if (!problem_.add_contact(contact)) {
+            continue;
+        }
+        const double depth_m = -point.gap_m - left_m;
+        contact_pushes_.add(depth_m > 0.0 ? std::min(settings_.push_rate_per_s * depth_m,
+                                                     settings_.most_push_m_per_s)
+                                          : 0.0);
+        is_off_ = is_off_ || depth_m > 0.0;
+        report_.deepest_m = std::max(report_.deepest_m, -point.gap_m);
+        ++report_.n_contacts;
+    }
+}
+
+void IslandSolver::add_joint(const Joint& joint, double dt_s, const RigidScene& scene) noexcept {
+    const auto end_of = [&](std::int32_t i) noexcept {
+        return find_joint_end(i, dt_s, scene, problem_.bodies());
+    };
+    const JointEnd a = end_of(joint.body_a);
+    const JointEnd b = end_of(joint.body_b);
+    JointRows rows;
+    JointRows ahead;
+    make_joint_rows(joint, a.now_W, b.now_W, dt_s, rows);
+    make_joint_rows(joint, a.ahead_W, b.ahead_W, dt_s, ahead);
+    for (int i = 0; i < rows.count; ++i) {
+        RowConstraint& row = rows.rows[index_of(i)];
+        const double error = rows.errors[index_of(i)];
+        double push = std::abs(error) > kLeftError ? -error / dt_s : 0.0;
+        if (std::isinf(row.least) && std::isinf(row.most)) {
+            // What the way bends by within the step, and the little that is left of it.
+            const double straight = row.jacobian_a.dot(a.free) + row.jacobian_b.dot(b.free);
+            const double bent = (ahead.errors[index_of(i)] - error) / dt_s - straight;
+            row.target = -bent - std::clamp(error, -kLeftError, kLeftError) / dt_s;
+        } else if (row.least == 0.0 || row.most == 0.0) {
+            push = -error * settings_.push_rate_per_s;
+        }
+        row.body_a = a.in_problem;
+        row.body_b = b.in_problem;
+        if (!problem_.add_row(row)) {
+            continue;
+        }
+        row_pushes_.add(
+            std::clamp(push, -settings_.most_push_m_per_s, settings_.most_push_m_per_s));
+        is_off_ = is_off_ || push != 0.0;
+    }
+}
+
+void IslandSolver::take_velocities(const IslandParts& parts, RigidScene& scene) noexcept {
+    const auto solved = problem_.bodies();
+    for (const std::int32_t i : parts.bodies) {
+        RigidWorldBody& body = scene.bodies[index_of(i)];
+        if (body.in_problem != kGround) {
+            const Vector6& velocity = solved[index_of(body.in_problem)].velocity_W;
+            body.drift_W = {velocity.head<3>(), velocity.tail<3>()};
+        }
+    }
+}
+
+// In the order in which they were added.
+void IslandSolver::remember(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept {
+    const auto contacts = problem_.contacts();
+    std::size_t next = 0;
+    for (const std::int32_t i : parts.pairs) {
+        ContactPair& pair = scene.pairs.at(i);
+        pair.forget();
+        for (const ContactPoint& point : pair.manifold.points()) {
+            if (next < contacts.size()) {
+                const ContactConstraint& contact = contacts[next++];
+                pair.remember({point.id, contact.axes_W * contact.impulse_Ns, contact.slides});
+            }
+        }
+    }
+    const auto rows = problem_.rows();
+    next = 0;
+    for (const std::int32_t i : parts.bodies) {
+        scene.bodies[index_of(i)].pull_kg_m2 = 0.0;
+    }
+    for (const std::int32_t i : parts.joints) {
+        Joint& joint = scene.joints[index_of(i)];
+        Vector3 pull_Ns = Vector3::Zero();
+        for (std::size_t r = next; r < std::min(next + index_of(joint.n_rows), rows.size()); ++r) {
+            pull_Ns += rows[r].impulse * rows[r].jacobian_b.head<3>();
+        }
+        add_pull(joint.body_a, dt_s * pull_Ns.norm() * joint.frame_a.position.norm(), scene);
+        add_pull(joint.body_b, dt_s * pull_Ns.norm() * joint.frame_b.position.norm(), scene);
+        for (double& impulse : joint.impulses) {
+            const bool has_row =
+                next < rows.size() && (&impulse - joint.impulses.data()) < joint.n_rows;
+            impulse = has_row ? rows[next++].impulse : 0.0;
+        }
+    }
+}
+
+void IslandSolver::push(const IslandParts& parts, RigidScene& scene) noexcept {
+    const auto contacts = problem_.contacts();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        double& target = contacts[i].target_m_per_s.x();
+        target = std::max(target, contact_pushes_[i]);
+    }
+    const auto rows = problem_.rows();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].target += row_pushes_[i];
+    }
+    solve_problem();
+    take_velocities(parts, scene);
+}
+
+// An answer that is off can give bodies energy. Rounds from nothing, each contact to its own answer, cannot give much.
+SolveReport IslandSolver::solve_problem() noexcept {
+    SolveReport report = solver_.solve(problem_);
+    double fastest = 1.0;
+    for (const ConstrainedBody& body : problem_.bodies()) {
+        fastest = std::max(fastest, body.free_velocity_W.head<3>().norm());
+    }
+    if (!report.converged && !(report.residual_m_per_s <= kBadAnswer * fastest)) {
+        for (ContactConstraint& contact : problem_.contacts()) {
+            contact.impulse_Ns.setZero();
+        }
+        for (RowConstraint& row : problem_.rows()) {
+            row.impulse = 0.0;
+        }
+        report = rounds_.solve(problem_);
+    }
+    return report;
+}
+
+IslandReport IslandSolver::solve(const IslandParts& parts, double dt_s,
+                                 RigidScene& scene) noexcept {
+    problem_.clear();
+    contact_pushes_.clear();
+    row_pushes_.clear();
+    report_ = {};
+    is_off_ = false;
+    add_bodies(parts, dt_s, scene);
+    for (const std::int32_t i : parts.pairs) {
+        add_pair(scene.pairs.at(i), dt_s, scene);
+    }
+    for (const std::int32_t i : parts.joints) {
+        add_joint(scene.joints[index_of(i)], dt_s, scene);
+    }
+    report_.solve = solve_problem();
+    take_velocities(parts, scene);
+    remember(parts, dt_s, scene);
+    for (const std::int32_t i : parts.bodies) {
+        RigidWorldBody& body = scene.bodies[index_of(i)];
+        body.state.velocity_W = body.drift_W;
+    }
+    if (is_off_) {
+        push(parts, scene);
+    }
+    report_.n_dropped = problem_.n_dropped();
+    return report_;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,71 @@
+// One step of one island: what its bodies' velocities become under loads, contacts and joints, and where overlap goes.
+//
+//   v_free = v + h (g + F / m),   w_free = I^-1 (L + h torque)
+//   v      = the contact problem's answer: contacts that will have closed within the step may close, no more: u_n >= -gap / h; what overlaps
+//            may not go deeper: u_n >= 0; what arrives faster than `least_bounce_m_per_s` leaves with e times that; joints hold velocities
+//   drift  = v, or where anything overlaps or a joint is off its place, the answer of the same problem with targets that end this:
+//            u = min(rate * depth, most push). Bodies move by the drift and keep v: what pushes them apart gives them no speed and no
+//            energy, and nothing is pushed faster than stated, however deep it was
+// A joint's pull p on an arm r turns a light body back with the stiffness |p| |r| / h: where this swings faster than steps can follow,
+// the body's moments count as more by h |p| |r|, as an implicit step would have it. An answer that the solver does not find is
+// sought in rounds, contact after contact, which are less exact and give no energy.
+// Impulses start from those of the last step, contact by contact (contact_pairs.h).
+//
+// Thread: that of the island; each thread has its own. Cost: that of the contact solver, and some 50 ns a contact; no allocation.
+// Source: D. Stewart, J. Trinkle 1996 (contact_problem.h); velocities for the places alone: E. Guendelman, R. Bridson, R. Fedkiw 2003,
+// Nonconvex rigid bodies with stacking, SIGGRAPH; the pull: S. Andrews, M. Teichmann, P. Kry 2017, Geometric stiffness for real-time
+// constrained multibody dynamics, Comp. Graph. Forum 36(2).
+#pragma once
+
+#include "haptics/constraint/contact_solver.h"
+#include "haptics/dynamics/rigid_world_body.h"
+#include "haptics/dynamics/rigid_world_plan.h"
+
+#include <cstdint>
+#include <span>
+
+namespace fulcrum {
+
+/// By their numbers in the scene, ascending.
+struct IslandParts {
+    std::span<const std::int32_t> bodies;
+    std::span<const std::int32_t> pairs;
+    std::span<const std::int32_t> joints;
+};
+
+/// Of one island's step.
+struct IslandReport {
+    SolveReport solve{};
+    double deepest_m = 0.0;  ///< overlap, 0 or more
+    int n_contacts = 0;
+    int n_dropped = 0;  ///< for which there was no room
+};
+
+class IslandSolver {
+  public:
+    /// Settings are those that `validate` accepted.
+    IslandSolver(const RigidWorldSettings& settings, const ContactCapacity& capacity);
+
+    /// Writes velocities and drifts of the island's bodies, and the impulses of its pairs and joints.
+    IslandReport solve(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
+
+  private:
+    void add_bodies(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
+    void add_pair(const ContactPair& pair, double dt_s, const RigidScene& scene) noexcept;
+    void add_joint(const Joint& joint, double dt_s, const RigidScene& scene) noexcept;
+    void take_velocities(const IslandParts& parts, RigidScene& scene) noexcept;
+    void remember(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
+    SolveReport solve_problem() noexcept;
+    void push(const IslandParts& parts, RigidScene& scene) noexcept;
+
+    RigidWorldSettings settings_;
+    ContactProblem problem_;
+    ContactSolver solver_;
+    ContactSolver rounds_;                // for what the other does not find
+    BoundedList<double> contact_pushes_;  // m/s, 0 or more: of each contact in the second problem
+    BoundedList<double> row_pushes_;
+    bool is_off_ = false;  // anything has to be pushed
+    IslandReport report_{};
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,291 @@
+#include "haptics/dynamics/rigid_world.h"
+
+#include "haptics/dynamics/integrator_steps.h"
+#include "haptics/math/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fulcrum {
+namespace {
+
+// Of a body's size: bodies nearer than this are looked at, however slow.
+constexpr double kNearPart = 2.0e-3;
+
+std::size_t to_place_in(std::int32_t i) noexcept {
+    return static_cast<std::size_t>(i);
+}
+
+double find_speed(const RigidWorldBody& body) noexcept {
+    const Twist& velocity = body.state.velocity_W;
+    return velocity.linear.norm() + velocity.angular.norm() * body.shape.bounding_radius_m;
+}
+
+// How far it may come in the time, and what counts as near.
+double find_reach(const RigidWorldBody& body, double reach_s) noexcept {
+    return kNearPart * body.shape.bounding_radius_m + reach_s * find_speed(body);
+}
+
+// Half the extent of a shape along the world's axes, about its own origin.
+Vector3 find_extent(const RigidWorldBody& body) noexcept {
+    const ConvexCore& core = body.shape.core;
+    const Matrix3& turn = body.place.turn_WB;
+    const Vector3 round = Vector3::Constant(core.radius_m);
+    switch (core.kind) {
+        case ConvexCore::Kind::box:
+            return turn.cwiseAbs() * core.half_m;
+        case ConvexCore::Kind::segment:
+            return core.half_m.y() * turn.col(1).cwiseAbs() + round;
+        case ConvexCore::Kind::cylinder: {
+            const Vector3 across =
+                (Vector3::Ones() - turn.col(1).cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
+            return core.half_m.y() * turn.col(1).cwiseAbs() + core.half_m.x() * across;
+        }
+        case ConvexCore::Kind::cloud:
+            return Vector3::Constant(body.shape.bounding_radius_m);
+        default:
+            return round;
+    }
+}
+
+Box find_box(const RigidWorldBody& body, double reach_s) noexcept {
+    if (body.shape.kind == ContactShape::Kind::half_space) {
+        constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+        return {Vector3::Constant(-kNoEnd), Vector3::Constant(kNoEnd)};
+    }
+    const Vector3 half =
+        find_extent(body) + Vector3::Constant(find_reach(body, body.moves ? reach_s : 0.0));
+    return {body.place.position_W - half, body.place.position_W + half};
+}
+
+bool is_still(const RigidWorldBody& body) noexcept {
+    return (body.asleep || !body.moves) && !body.touched;
+}
+
+void wake(RigidWorldBody& body) noexcept {
+    body.asleep = false;
+    body.still_s = 0.0;
+}
+
+}  // namespace
+
+void RigidWorld::place_bodies(double reach_s) noexcept {
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+        RigidWorldBody& body = scene_.bodies[i];
+        if (is_still(body) && n_steps_ > 0) {
+            continue;
+        }
+        const Matrix3 R = body.state.pose_W.orientation.toRotationMatrix();
+        body.place.turn_WB = R * body.turn_PB;
+        body.place.position_W = body.state.pose_W.position + R * body.X_PB.position;
+        if (body.moves) {
+            body.inertia_W = R * body.inertia.moments_kg_m2.asDiagonal() * R.transpose();
+        }
+        boxes_[i] = find_box(body, reach_s);
+    }
+}
+
+bool RigidWorld::is_joined(const BodyPair& pair) const noexcept {
+    return !joined_.empty() && std::binary_search(joined_.begin(), joined_.end(), pair);
+}
+
+void RigidWorld::find_touching(double reach_s) noexcept {
+    near_.clear();
+    for (const BodyPair& pair : broad_phase_.find_pairs(boxes_.all(), moves_.all())) {
+        if (!is_joined(pair)) {
+            near_.add(pair);
+        }
+    }
+    report_.n_dropped += broad_phase_.n_dropped();
+    scene_.pairs.update(near_.all());
+    for (int i = 0; i < scene_.pairs.count(); ++i) {
+        ContactPair& pair = scene_.pairs.at(i);
+        RigidWorldBody& first = scene_.bodies[to_place_in(pair.bodies.first)];
+        RigidWorldBody& second = scene_.bodies[to_place_in(pair.bodies.second)];
+        // Those that sleep touch where they did.
+        if (!is_still(first) || !is_still(second)) {
+            const double margin_m = find_reach(first, reach_s) + find_reach(second, reach_s);
+            find_contacts(first.shape, first.place, second.shape, second.place, margin_m,
+                          pair.manifold);
+        }
+        // What was moved by a command wakes what it touches, though it makes no island with it.
+        if (pair.manifold.count > 0 && (first.touched || second.touched)) {
+            wake(first);
+            wake(second);
+        }
+    }
+    for (RigidWorldBody& body : scene_.bodies) {
+        body.touched = body.touched && body.moves;
+    }
+}
+
+void RigidWorld::find_islands() noexcept {
+    islands_.begin(moves_.all());
+    for (int i = 0; i < scene_.pairs.count(); ++i) {
+        const ContactPair& pair = scene_.pairs.at(i);
+        if (pair.manifold.count > 0) {
+            islands_.link(pair.bodies.first, pair.bodies.second);
+        }
+    }
+    for (const Joint& joint : scene_.joints) {
+        islands_.link(joint.body_a, joint.body_b);
+    }
+    islands_.finish();
+    const auto island_of = [&](std::int32_t a, std::int32_t b) noexcept {
+        return std::max(islands_.island_of(a), islands_.island_of(b));
+    };
+    island_of_pair_.clear();
+    for (int i = 0; i < scene_.pairs.count(); ++i) {
+        const ContactPair& pair = scene_.pairs.at(i);
+        island_of_pair_.add(
+            pair.manifold.count > 0 ? island_of(pair.bodies.first, pair.bodies.second) : -1);
+    }
+    pairs_.sort(island_of_pair_.all(), islands_.count());
+    island_of_joint_.clear();
+    for (const Joint& joint : scene_.joints) {
+        island_of_joint_.add(island_of(joint.body_a, joint.body_b));
+    }
+    joints_.sort(island_of_joint_.all(), islands_.count());
+    report_.n_islands = islands_.count();
+}
+
+// One that is awake wakes all.
+bool RigidWorld::wake_island(std::span<const std::int32_t> bodies) noexcept {
+    const bool is_awake = std::ranges::any_of(
+        bodies, [&](std::int32_t i) { return !scene_.bodies[to_place_in(i)].asleep; });
+    for (const std::int32_t i : bodies) {
+        RigidWorldBody& body = scene_.bodies[to_place_in(i)];
+        if (is_awake && body.asleep) {
+            wake(body);
+        }
+    }
+    return is_awake;
+}
+
+void RigidWorld::solve_island(std::int32_t island, double dt_s) noexcept {
+    const IslandParts parts{islands_.bodies(island), pairs_.group(island), joints_.group(island)};
+    const IslandReport solved = solver_.solve(parts, dt_s, scene_);
+    move_bodies(parts.bodies, dt_s);
+    rest_bodies(parts.bodies, dt_s);
+    ++report_.n_solved;
+    report_.n_contacts += solved.n_contacts;
+    report_.n_dropped += solved.n_dropped;
+    report_.n_unconverged += solved.solve.converged ? 0 : 1;
+    report_.deepest_m = std::max(report_.deepest_m, solved.deepest_m);
+    report_.residual_m_per_s = std::max(report_.residual_m_per_s, solved.solve.residual_m_per_s);
+}
+
+// The drift is the velocity and what pushes apart: that moves the body and is forgotten.
+void RigidWorld::move_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept {
+    for (const std::int32_t i : bodies) {
+        RigidWorldBody& body = scene_.bodies[to_place_in(i)];
+        RigidState& state = body.state;
+        RigidState next = state;
+        const Vector3 momentum = compute_angular_momentum_W(body.inertia, state);
+        const Vector3 pushed = body.drift_W.angular - state.velocity_W.angular;
+        next.pose_W.position += dt_s * body.drift_W.linear;
+        next.pose_W.orientation =
+            compute_exp(dt_s * pushed) *
+            compute_free_turn(body.inertia, state.pose_W.orientation, momentum, dt_s);
+        next.velocity_W.angular = compute_spin_W(body.inertia, next.pose_W.orientation, momentum);
+        body.load_W = {};
+        if (is_finite(next)) {
+            state = next;
+        } else {
+            // Where no numbers come out the body stands still: it is seen, and all others go on.
+            state.velocity_W = {};
+            ++report_.n_dropped;
+        }
+    }
+}
+
+void RigidWorld::rest_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept {
+    double least_s = std::numeric_limits<double>::infinity();
+    for (const std::int32_t i : bodies) {
+        RigidWorldBody& body = scene_.bodies[to_place_in(i)];
+        const bool is_slow = !body.touched && find_speed(body) <= settings_.sleep_speed_m_per_s;
+        body.still_s = is_slow ? body.still_s + dt_s : 0.0;
+        body.touched = false;
+        least_s = std::min(least_s, body.still_s);
+    }
+    if (settings_.sleep_after_s > 0.0 && least_s >= settings_.sleep_after_s) {
+        for (const std::int32_t i : bodies) {
+            scene_.bodies[to_place_in(i)].asleep = true;
+            scene_.bodies[to_place_in(i)].state.velocity_W = {};
+        }
+    }
+}
+
+void RigidWorld::step(double dt_s) noexcept {
+    if (!(dt_s > 0.0) || !std::isfinite(dt_s)) {
+        return;
+    }
+    report_ = {};
+    const auto slow_every =
+        static_cast<std::uint64_t>(std::max(std::lround(settings_.slow_period_s / dt_s), 1L));
+    const double slow_s = dt_s * static_cast<double>(slow_every);
+    const bool is_slow_due = n_steps_ % slow_every == 0;
+    place_bodies(slow_s);
+    find_touching(slow_s);
+    find_islands();
+    for (std::int32_t island = 0; island < islands_.count(); ++island) {
+        const auto bodies = islands_.bodies(island);
+        if (!wake_island(bodies)) {
+            report_.n_asleep += static_cast<int>(bodies.size());
+            continue;
+        }
+        const bool is_touched = std::ranges::any_of(
+            bodies, [&](std::int32_t i) { return scene_.bodies[to_place_in(i)].touched; });
+        if (is_touched || is_slow_due) {
+            solve_island(island, is_touched ? dt_s : slow_s);
+        }
+    }
+    ++n_steps_;
+}
+
+void RigidWorld::push(std::int32_t index, const Wrench& wrench_W) noexcept {
+    if (index < 0 || index >= n_bodies() || !is_finite(wrench_W) ||
+        !scene_.bodies[to_place_in(index)].moves) {
+        return;
+    }
+    RigidWorldBody& body = scene_.bodies[to_place_in(index)];
+    body.load_W.force += wrench_W.force;
+    body.load_W.torque += wrench_W.torque;
+    body.touched = true;
+    wake(body);
+}
+
+void RigidWorld::place(std::int32_t index, const Pose& shape_W, const Twist& velocity_W) noexcept {
+    const bool is_number =
+        is_finite(shape_W) && velocity_W.linear.allFinite() && velocity_W.angular.allFinite();
+    if (index < 0 || index >= n_bodies() || !is_number) {
+        return;
+    }
+    RigidWorldBody& body = scene_.bodies[to_place_in(index)];
+    body.state.pose_W = shape_W * body.X_PB.inverse();
+    body.state.velocity_W = body.moves ? velocity_W : Twist{};
+    body.touched = true;
+    wake(body);
+}
+
+double RigidWorld::joint_travel(std::int32_t index) const noexcept {
+    const Joint& joint = scene_.joints[to_place_in(index)];
+    const auto pose_of = [&](std::int32_t i) {
+        return i < 0 ? Pose{} : scene_.bodies[to_place_in(i)].state.pose_W;
+    };
+    return compute_joint_travel(joint, pose_of(joint.body_a), pose_of(joint.body_b));
+}
+
+double RigidWorld::compute_energy_J() const noexcept {
+    double energy_J = 0.0;
+    for (const RigidWorldBody& body : scene_.bodies) {
+        if (body.moves) {
+            energy_J += compute_kinetic_energy_J(body.inertia, body.state) -
+                        body.inertia.mass_kg * settings_.gravity_W.dot(body.state.pose_W.position);
+        }
+    }
+    return energy_J;
+}
+
+}  // namespace fulcrum

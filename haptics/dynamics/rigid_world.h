@@ -1,0 +1,109 @@
+// A world of rigid bodies that fall, rest on each other, are joined, and push back.
+//
+//   place     axes, inertia and boxes of all bodies
+//   touch     pairs whose boxes overlap (broad_phase.h), and where they touch (contact_manifold.h)
+//   islands   what hangs together by contacts and joints (islands.h): awake or asleep, touched by a hand or not
+//   solve     each island by itself (island_solver.h)
+//   move      x += h v_drift;  q turns freely with its angular momentum (integrator.h: the drift of verlet), and by what pushes it
+// Contacts are looked for as far ahead as bodies can come in the step, so what is fast meets what is thin. An island that has been slower
+// than the settings say for a while sleeps: it costs its boxes alone until something awake touches it or a load is put on it.
+// Islands that no hand has touched are stepped every `slow_period_s`, with that as h.
+//
+// The result is the same to the bit each time. Islands share nothing that a step changes, and no sum goes over more than one.
+//
+// Thread: the world loop. Cost: `fulcrum bench rigid-stacks`; no allocation after it is made.
+// Source: A. Barrow, W. Harwin 2006, A dynamic virtual environment for haptic interaction (chains of contact, hard constraints).
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/collision/broad_phase.h"
+#include "haptics/dynamics/island_solver.h"
+#include "haptics/dynamics/islands.h"
+#include "haptics/dynamics/rigid_world_body.h"
+#include "haptics/dynamics/rigid_world_plan.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace fulcrum {
+
+/// What the last step did.
+struct RigidWorldReport {
+    int n_islands = 0;
+    int n_solved = 0;  ///< of them; the others slept or waited for their turn
+    int n_asleep = 0;  ///< bodies
+    int n_contacts = 0;
+    int n_dropped =
+        0;  ///< pairs, contacts and bodies for which there was no room, or which held no numbers
+    int n_unconverged = 0;  ///< islands whose answer is not within the tolerance
+    double deepest_m = 0.0;
+    double residual_m_per_s = 0.0;  ///< the greatest of all islands
+};
+
+class RigidWorld {
+  public:
+    /// Refuses what `validate` of the plan does.
+    [[nodiscard]] static Expected<std::unique_ptr<RigidWorld>> create(const RigidWorldPlan& plan);
+
+    /// Moves all on by `dt_s`; nothing where it is not above 0 and finite.
+    void step(double dt_s) noexcept;
+
+    /// A load of the next step, about the centre of mass: it adds to what was told before, wakes the body and marks its island as
+    /// touched. A body that is not there or does not move, and loads that are not finite, are passed over.
+    void push(std::int32_t body, const Wrench& wrench_W) noexcept;
+    /// Puts a body elsewhere, its shape's frame so and with this velocity, and wakes it. The same is passed over.
+    void place(std::int32_t body, const Pose& shape_W, const Twist& velocity_W) noexcept;
+
+    [[nodiscard]] int n_bodies() const noexcept { return static_cast<int>(scene_.bodies.size()); }
+    /// Of the centre of mass and the principal axes.
+    [[nodiscard]] const RigidState& state(std::int32_t body) const noexcept {
+        return scene_.bodies[static_cast<std::size_t>(body)].state;
+    }
+    /// Of the shape's frame.
+    [[nodiscard]] Pose shape_pose_W(std::int32_t body) const noexcept {
+        const RigidWorldBody& of = scene_.bodies[static_cast<std::size_t>(body)];
+        return of.state.pose_W * of.X_PB;
+    }
+    [[nodiscard]] const Inertia& inertia(std::int32_t body) const noexcept {
+        return scene_.bodies[static_cast<std::size_t>(body)].inertia;
+    }
+    [[nodiscard]] bool is_asleep(std::int32_t body) const noexcept {
+        return scene_.bodies[static_cast<std::size_t>(body)].asleep;
+    }
+    /// Radians or metres from where a hinge or slider was at the start.
+    [[nodiscard]] double joint_travel(std::int32_t joint) const noexcept;
+    /// Kinetic, and potential above the world's origin, of all that moves; joules.
+    [[nodiscard]] double compute_energy_J() const noexcept;
+    [[nodiscard]] const RigidWorldReport& report() const noexcept { return report_; }
+
+  private:
+    explicit RigidWorld(const RigidWorldPlan& plan);
+    void place_bodies(double reach_s) noexcept;
+    void find_touching(double reach_s) noexcept;
+    void find_islands() noexcept;
+    void solve_island(std::int32_t island, double dt_s) noexcept;
+    void move_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept;
+    void rest_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept;
+    [[nodiscard]] bool wake_island(std::span<const std::int32_t> bodies) noexcept;
+    [[nodiscard]] bool is_joined(const BodyPair& pair) const noexcept;
+
+    RigidWorldSettings settings_;
+    RigidScene scene_;
+    BroadPhase broad_phase_;
+    BoundedList<Box> boxes_;
+    BoundedList<std::uint8_t> moves_;
+    BoundedList<BodyPair> near_;    // but for what joints keep from touching
+    std::vector<BodyPair> joined_;  // ascending
+    Islands islands_;
+    BoundedList<std::int32_t> island_of_pair_;
+    BoundedList<std::int32_t> island_of_joint_;
+    Groups pairs_;
+    Groups joints_;
+    IslandSolver solver_;
+    std::uint64_t n_steps_ = 0;
+    RigidWorldReport report_{};
+};
+
+}  // namespace fulcrum

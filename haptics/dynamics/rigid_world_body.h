@@ -1,0 +1,48 @@
+// A body of the world of rigid bodies, and what is known of all of them together.
+//
+// Thread: that of the step; during the solving of islands, that of the island's own.
+#pragma once
+
+#include "haptics/collision/contact_manifold.h"
+#include "haptics/collision/contact_pairs.h"
+#include "haptics/dynamics/joint.h"
+#include "haptics/dynamics/rigid_state.h"
+#include "haptics/geometry/step_box.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace fulcrum {
+
+struct RigidWorldBody {
+    // Fixed by the plan.
+    ContactShape shape{};
+    Pose X_PB{};  ///< the shape's frame in that of the state: centre of mass, principal axes
+    Matrix3 turn_PB{Matrix3::Identity()};
+    Inertia inertia{};
+    double static_friction = 0.0;
+    double dynamic_friction = 0.0;
+    double restitution = 0.0;
+    bool moves = false;
+    // What a step changes.
+    RigidState state{};
+    Wrench load_W{};          ///< of hands and lessons, about the centre of mass; for one step
+    double pull_kg_m2 = 0.0;  ///< of its joints: h |p| |r|, which resists turning (island_solver.h)
+    bool touched = false;     ///< by a hand, since the last step
+    bool asleep = false;
+    double still_s = 0.0;  ///< for how long
+    // What a step works out.
+    ContactPlace place{};  ///< of the shape
+    Matrix3 inertia_W{Matrix3::Identity()};
+    Twist drift_W{};     ///< what moves it: its velocity, and what pushes overlap apart
+    int in_problem = 0;  ///< its number there
+};
+
+/// What an island's solver works on: its own bodies, pairs and joints of it.
+struct RigidScene {
+    std::vector<RigidWorldBody> bodies;
+    ContactPairs pairs;
+    std::vector<Joint> joints;
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,178 @@
+#include "haptics/base/range.h"
+#include "haptics/dynamics/rigid_world.h"
+#include "haptics/dynamics/shape_inertia.h"
+
+#include <algorithm>
+#include <string>
+
+namespace fulcrum {
+namespace {
+
+constexpr std::size_t kMostBodies = 10000;
+
+std::string name_of(const char* what, std::size_t i) {
+    return std::string(what) + " " + std::to_string(i);
+}
+
+Expected<MeshInertia> find_inertia(const RigidBodyPlan& body) {
+    return body.mass_kg > 0.0 ? compute_shape_inertia_of_mass(body.shape, body.mass_kg)
+                              : compute_shape_inertia(body.shape, body.density_kg_per_m3);
+}
+
+Expected<void> check_settings(const RigidWorldSettings& settings) {
+    const Range ranges[] = {
+        {"gravity along x in metres per second squared", settings.gravity_W.x(), -1000.0, 1000.0},
+        {"gravity along y in metres per second squared", settings.gravity_W.y(), -1000.0, 1000.0},
+        {"gravity along z in metres per second squared", settings.gravity_W.z(), -1000.0, 1000.0},
+        {"push rate in 1/s", settings.push_rate_per_s, 0.0, 1000.0},
+        {"greatest push in metres per second", settings.most_push_m_per_s, 0.0, 100.0},
+        {"least bounce in metres per second", settings.least_bounce_m_per_s, 0.0, 100.0},
+        {"time before sleep in seconds", settings.sleep_after_s, 0.0, 3600.0},
+        {"speed of sleep in metres per second", settings.sleep_speed_m_per_s, 0.0, 1.0},
+        {"slow period in seconds", settings.slow_period_s, 0.0, 0.02},
+        {"most pairs", static_cast<double>(settings.most_pairs), 1.0, 1.0e6},
+    };
+    if (auto checked = check_ranges("the world's", ranges); !checked) {
+        return checked;
+    }
+    return validate(settings.solver);
+}
+
+Expected<void> check_body(const RigidBodyPlan& body, const std::string& name) {
+    const Range ranges[] = {
+        {"static friction", body.static_friction, 0.0, 10.0},
+        {"dynamic friction", body.dynamic_friction, 0.0, body.static_friction},
+        {"restitution", body.restitution, 0.0, 1.0},
+    };
+    if (auto checked = check_ranges(name + "'s", ranges); !checked) {
+        return checked;
+    }
+    const bool is_number = is_finite(body.pose_W) && body.velocity_W.linear.allFinite() &&
+                           body.velocity_W.angular.allFinite() && body.mass_kg >= 0.0;
+    if (!is_number) {
+        return fail(name + " has a pose, velocity or mass that is no number", {},
+                    "give it finite ones");
+    }
+    const auto named = [&](Error error) {
+        error.message = name + ": " + error.message;
+        return error;
+    };
+    if (body.role == BodyRole::ground) {
+        return {};
+    }
+    if (const auto shape = make_contact_shape(body.shape); !shape) {
+        return tl::make_unexpected(named(shape.error()));
+    }
+    if (body.role == BodyRole::moves) {
+        if (const auto inertia = find_inertia(body); !inertia) {
+            return tl::make_unexpected(named(inertia.error()));
+        }
+    }
+    return {};
+}
+
+RigidWorldBody make_body(const RigidBodyPlan& plan) {
+    RigidWorldBody body{.shape = plan.role == BodyRole::ground
+                                     ? make_half_space()
+                                     : make_contact_shape(plan.shape).value(),
+                        .static_friction = plan.static_friction,
+                        .dynamic_friction = plan.dynamic_friction,
+                        .restitution = plan.restitution,
+                        .moves = plan.role == BodyRole::moves};
+    if (body.moves) {
+        const MeshInertia inertia = find_inertia(plan).value();
+        body.inertia = inertia.inertia;
+        body.X_PB = inertia.X_BP.inverse();
+        body.state.velocity_W = plan.velocity_W;
+    }
+    body.turn_PB = body.X_PB.orientation.toRotationMatrix();
+    body.state.pose_W = plan.pose_W * body.X_PB.inverse();
+    body.state.pose_W.orientation.normalize();
+    return body;
+}
+
+RigidScene make_scene(const RigidWorldPlan& plan) {
+    RigidScene scene{{}, ContactPairs(plan.settings.most_pairs), {}};
+    for (const RigidBodyPlan& body : plan.bodies) {
+        scene.bodies.push_back(make_body(body));
+    }
+    const auto pose_of = [&](std::int32_t i) {
+        return i < 0 ? Pose{} : scene.bodies[static_cast<std::size_t>(i)].state.pose_W;
+    };
+    for (const JointPlan& joint : plan.joints) {
+        scene.joints.push_back(make_joint(joint, pose_of(joint.body_a), pose_of(joint.body_b)));
+    }
+    return scene;
+}
+
+ContactCapacity find_capacity(const RigidWorldPlan& plan) {
+    return {.bodies = static_cast<int>(plan.bodies.size()),
+            .contacts = kMostContacts * plan.settings.most_pairs,
+            .rows = kMostJointRows * static_cast<int>(plan.joints.size())};
+}
+
+}  // namespace
+
+Expected<void> validate(const RigidWorldPlan& plan) {
+    if (auto checked = check_settings(plan.settings); !checked) {
+        return checked;
+    }
+    if (plan.bodies.size() > kMostBodies || plan.joints.size() > kMostBodies) {
+        return fail("a world has more than 10000 bodies or joints", {}, "make it smaller");
+    }
+    for (std::size_t i = 0; i < plan.bodies.size(); ++i) {
+        if (auto checked = check_body(plan.bodies[i], name_of("body", i)); !checked) {
+            return checked;
+        }
+    }
+    const auto moves = [&](std::int32_t i) {
+        return i >= 0 && plan.bodies[static_cast<std::size_t>(i)].role == BodyRole::moves;
+    };
+    for (std::size_t i = 0; i < plan.joints.size(); ++i) {
+        const JointPlan& joint = plan.joints[i];
+        const std::string name = name_of("joint", i);
+        const auto n_bodies = static_cast<std::int32_t>(plan.bodies.size());
+        if (auto checked = validate(joint, n_bodies, name); !checked) {
+            return checked;
+        }
+        if (!moves(joint.body_a) && !moves(joint.body_b)) {
+            return fail(name + " joins nothing that moves", {}, "join it to a body that moves");
+        }
+    }
+    return {};
+}
+
+Expected<std::unique_ptr<RigidWorld>> RigidWorld::create(const RigidWorldPlan& plan) {
+    if (const auto valid = validate(plan); !valid) {
+        return tl::make_unexpected(valid.error());
+    }
+    return std::unique_ptr<RigidWorld>(new RigidWorld(plan));
+}
+
+RigidWorld::RigidWorld(const RigidWorldPlan& plan)
+    : settings_(plan.settings),
+      scene_(make_scene(plan)),
+      broad_phase_(n_bodies(), plan.settings.most_pairs),
+      boxes_(n_bodies()),
+      moves_(n_bodies()),
+      near_(plan.settings.most_pairs),
+      islands_(n_bodies()),
+      island_of_pair_(plan.settings.most_pairs),
+      island_of_joint_(static_cast<int>(plan.joints.size())),
+      pairs_(plan.settings.most_pairs, n_bodies()),
+      joints_(static_cast<int>(plan.joints.size()), n_bodies()),
+      solver_(plan.settings, find_capacity(plan)) {
+    for (const RigidWorldBody& body : scene_.bodies) {
+        boxes_.add({});
+        moves_.add(body.moves ? 1 : 0);
+    }
+    for (const Joint& joint : scene_.joints) {
+        const auto [low, high] = std::minmax(joint.body_a, joint.body_b);
+        if (!joint.bodies_touch && low >= 0) {
+            joined_.push_back({low, high});
+        }
+    }
+    std::sort(joined_.begin(), joined_.end());
+}
+
+}  // namespace fulcrum

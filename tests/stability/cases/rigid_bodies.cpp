@@ -1,0 +1,259 @@
+// Bodies that rest on each other, hang in chains, begin in each other or are flung: what makes simulated worlds fall over.
+#include "haptics/dynamics/rigid_world.h"
+#include "tests/stability/cases/stability_case.h"
+#include "tests/support/wander.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace fulcrum::stability {
+namespace {
+
+constexpr double kStep_s = 1.0e-3;
+constexpr double kHalf_m = 0.05;
+
+RigidWorldPlan make_ground_plan() {
+    RigidWorldPlan plan;
+    plan.settings.sleep_after_s = 0.0;  // what only stands because it sleeps does not stand
+    plan.bodies.push_back({.role = BodyRole::ground});
+    return plan;
+}
+
+RigidBodyPlan make_brick(const Vector3& half_m, const Pose& pose, double mass_kg) {
+    return {.shape = BoxShape{half_m}, .mass_kg = mass_kg, .pose_W = pose};
+}
+
+std::unique_ptr<RigidWorld> make_world(const RigidWorldPlan& plan) {
+    auto world = RigidWorld::create(plan);
+    if (!world) {
+        throw std::runtime_error(to_sentence(world.error()));
+    }
+    return std::move(*world);
+}
+
+// How far any body gets from where it began, and how deep anything overlaps, whichever is more.
+Finding stand(const RigidWorldPlan& plan, double time_s, double limit_m) {
+    const auto world = make_world(plan);
+    double worst_m = 0.0;
+    double deepest_m = 0.0;
+    for (int i = 0; i < static_cast<int>(time_s / kStep_s); ++i) {
+        world->step(kStep_s);
+        deepest_m = worse(deepest_m, world->report().deepest_m);
+    }
+    for (int i = 0; i < world->n_bodies(); ++i) {
+        const Vector3& began = plan.bodies[static_cast<std::size_t>(i)].pose_W.position;
+        worst_m = worse(worst_m, (world->shape_pose_W(i).position - began).norm());
+    }
+    return {worse(worst_m, deepest_m), limit_m, {}};
+}
+
+RigidWorldPlan make_stack(int n, double top_kg, double noise_m = 0.0) {
+    RigidWorldPlan plan = make_ground_plan();
+    Random random(3);
+    double height_m = 0.0;
+    for (int i = 0; i < n; ++i) {
+        const Vector3 half_m = Vector3::Constant(kHalf_m) + noise_m * random.in_cube();
+        plan.bodies.push_back(make_brick(half_m, Pose::at({0.0, height_m + half_m.y(), 0.0}),
+                                         i + 1 == n ? top_kg : 1.0));
+        height_m += 2.0 * half_m.y();
+    }
+    return plan;
+}
+
+Finding stand_stacks() {
+    Finding worst{0.0, 5.0e-5, {}};
+    for (const int n : {6, 10, 20}) {
+        worst.worst = worse(worst.worst, stand(make_stack(n, 1.0), 3.0, 0.0).worst);
+    }
+    return worst;
+}
+
+Finding stand_heavy_top() {
+    return stand(make_stack(20, 100.0), 2.0, 5.0e-5);
+}
+
+Finding stand_ratios() {
+    Finding worst{0.0, 5.0e-5, {}};
+    for (const double ratio : {1.0e-3, 1.0e3}) {
+        worst.worst = worse(worst.worst, stand(make_stack(4, ratio), 2.0, 0.0).worst);
+    }
+    return worst;
+}
+
+Finding stand_noisy() {
+    return stand(make_stack(10, 1.0, 1.0e-6), 3.0, 5.0e-5);
+}
+
+// Two cards lean on each other at 65 degrees, their lower ends on rough ground.
+Finding stand_cards() {
+    RigidWorldPlan plan = make_ground_plan();
+    constexpr double kLean_rad = 25.0 * M_PI / 180.0;
+    const Vector3 half_m(0.002, 0.05, 0.03);
+    for (const double side : {-1.0, 1.0}) {
+        const Quaternion turn(Eigen::AngleAxisd(side * kLean_rad, Vector3::UnitZ()));
+        // The upper inner edges meet over the middle, the lower outer ones stand on the ground.
+        const double across_m = half_m.x() * std::cos(kLean_rad) + half_m.y() * std::sin(kLean_rad);
+        const double up_m = half_m.y() * std::cos(kLean_rad) + half_m.x() * std::sin(kLean_rad);
+        plan.bodies.push_back(
+            make_brick(half_m, {Vector3(side * across_m, up_m, 0.0), turn}, 0.01));
+        plan.bodies.back().static_friction = plan.bodies.back().dynamic_friction = 1.0;
+    }
+    plan.bodies[0].static_friction = plan.bodies[0].dynamic_friction = 1.0;
+    return stand(plan, 3.0, 2.0e-4);
+}
+
+// An arch of eleven wedges between walls of friction: each a hull, no mortar.
+Finding stand_arch() {
+    RigidWorldPlan plan = make_ground_plan();
+    constexpr int kStones = 11;
+    constexpr double kInner_m = 0.4;
+    constexpr double kOuter_m = 0.55;
+    const double turn_rad = M_PI / kStones;
+    for (int i = 0; i < kStones; ++i) {
+        const double middle_rad = (i + 0.5) * turn_rad;
+        const Vector3 centre(0.475 * std::cos(middle_rad), 0.475 * std::sin(middle_rad), 0.0);
+        std::vector<Vector3> corners;
+        for (const double radius_m : {kInner_m, kOuter_m}) {
+            for (const double edge : {-0.5, 0.5}) {
+                for (const double z_m : {-0.1, 0.1}) {
+                    const double angle_rad = middle_rad + edge * turn_rad;
+                    corners.push_back(Vector3(radius_m * std::cos(angle_rad),
+                                              radius_m * std::sin(angle_rad), z_m) -
+                                      centre);
+                }
+            }
+        }
+        RigidBodyPlan stone{.shape = make_hull_shape(corners).value(),
+                            .density_kg_per_m3 = 2000.0,
+                            .pose_W = Pose::at(centre)};
+        plan.bodies.push_back(stone);
+    }
+    for (RigidBodyPlan& body : plan.bodies) {
+        body.static_friction = body.dynamic_friction = 0.8;
+    }
+    return stand(plan, 2.0, 1.0e-3);
+}
+
+// Thirty links of 10 g with 10 kg at the end, let go level: how far links part.
+Finding swing_chain() {
+    RigidWorldPlan plan;
+    plan.settings.sleep_after_s = 0.0;
+    constexpr int kLinks = 30;
+    for (int i = 0; i < kLinks; ++i) {
+        plan.bodies.push_back(
+            {.shape = CapsuleShape{0.005, 0.02},
+             .mass_kg = i + 1 == kLinks ? 10.0 : 0.01,
+             .pose_W = {Vector3(0.05 * i + 0.025, 0.0, 0.0),
+                        Quaternion(Eigen::AngleAxisd(M_PI / 2, Vector3::UnitZ()))}});
+        plan.joints.push_back({.kind = JointKind::ball,
+                               .body_a = i - 1,
+                               .body_b = i,
+                               .anchor_W = {0.05 * i, 0.0, 0.0}});
+    }
+    const auto world = make_world(plan);
+    const double energy_J = world->compute_energy_J();
+    double worst_m = 0.0;
+    double gained_J = 0.0;
+    for (int i = 0; i < 3000; ++i) {
+        world->step(kStep_s);
+        gained_J = worse(gained_J, world->compute_energy_J() - energy_J);
+        for (int link = 0; link + 1 < kLinks; ++link) {
+            const Vector3 end = world->shape_pose_W(link) * Vector3(0.0, -0.025, 0.0);
+            const Vector3 begin = world->shape_pose_W(link + 1) * Vector3(0.0, 0.025, 0.0);
+            worst_m = worse(worst_m, (end - begin).norm());
+        }
+    }
+    const bool gains = !(gained_J < 3.0);  // 2 % of what the fall gives
+    return {gains ? std::nan("") : worst_m, 1.0e-3, gains ? "energy is gained" : ""};
+}
+
+// Ten cubes begin in one place: nobody leaves faster than what pushes apart, and no overlap stays.
+Finding part_deep_overlap() {
+    RigidWorldPlan plan;
+    plan.settings.gravity_W.setZero();
+    plan.settings.sleep_after_s = 0.0;
+    Random random(5);
+    for (int i = 0; i < 10; ++i) {
+        plan.bodies.push_back(make_brick(Vector3::Constant(kHalf_m),
+                                         {0.01 * random.in_cube(), random.turn(1.0)}, 1.0));
+    }
+    const auto world = make_world(plan);
+    for (int i = 0; i < 3000; ++i) {
+        world->step(kStep_s);
+    }
+    return {worse(world->report().deepest_m, world->compute_energy_J()), 1.0e-4, {}};
+}
+
+// A cube flung at 100 m/s into a wall of ten.
+Finding hit_wall() {
+    RigidWorldPlan plan = make_ground_plan();
+    for (int i = 0; i < 10; ++i) {
+        plan.bodies.push_back(make_brick(
+            Vector3::Constant(kHalf_m),
+            Pose::at({0.1001 * (i % 5), kHalf_m + 0.1 * std::floor(i / 5.0), 0.0}), 1.0));
+    }
+    RigidBodyPlan flung = make_brick(Vector3::Constant(kHalf_m), Pose::at({-5.0, 0.1, 0.02}), 1.0);
+    flung.velocity_W.linear = {100.0, 0.0, 0.0};
+    plan.bodies.push_back(flung);
+    const auto world = make_world(plan);
+    double energy_J = world->compute_energy_J();
+    double gained_J = 0.0;
+    double deepest_m = 0.0;
+    for (int i = 0; i < 500; ++i) {
+        world->step(kStep_s);
+        gained_J = worse(gained_J, world->compute_energy_J() - energy_J);
+        energy_J = world->compute_energy_J();
+        deepest_m = worse(deepest_m, world->report().deepest_m);
+    }
+    // A hundred thousandth of what it brought: what lies deep is lifted as it is pushed apart.
+    return {worse(deepest_m, gained_J), 0.05, {}};
+}
+
+// A brick with three different moments spins freely for 100 s about its middle axis, which is unstable: it tumbles, and energy stays.
+Finding spin_freely() {
+    RigidWorldPlan plan;
+    plan.settings.gravity_W.setZero();
+    plan.settings.sleep_after_s = 0.0;
+    RigidBodyPlan brick = make_brick({0.03, 0.05, 0.1}, Pose{}, 1.0);
+    brick.velocity_W.angular = {1.0e-3, 10.0, 0.0};
+    plan.bodies.push_back(brick);
+    const auto world = make_world(plan);
+    const double energy_J = world->compute_energy_J();
+    double worst = 0.0;
+    for (int i = 0; i < 100000; ++i) {
+        world->step(kStep_s);
+        worst = worse(worst, std::abs(world->compute_energy_J() / energy_J - 1.0));
+    }
+    return {worst, 1.0e-2, {}};
+}
+
+const HardCase kStacks{{"rigid stacks",
+                        "6, 10 and 20 equal cubes stand on each other for 3 s at 1 kHz",
+                        "how far any gets or overlaps", "m", stand_stacks}};
+const HardCase kHeavyTop{{"rigid stack under 100 kg", "20 cubes of 1 kg, the top one of 100 kg",
+                          "how far any gets or overlaps", "m", stand_heavy_top}};
+const HardCase kRatios{{"rigid mass ratios",
+                        "a cube 1000 times heavier or lighter than the three below it",
+                        "how far any gets or overlaps", "m", stand_ratios}};
+const HardCase kNoisy{{"rigid stack with noise",
+                       "10 boxes whose sizes differ by a millionth of a metre",
+                       "how far any gets or overlaps", "m", stand_noisy}};
+const HardCase kCards{{"house of cards", "two cards of 4 mm lean on each other",
+                       "how far any gets or overlaps", "m", stand_cards}};
+const HardCase kArch{{"arch", "eleven wedges without mortar stand by friction",
+                      "how far any gets or overlaps", "m", stand_arch}};
+const HardCase kChain{{"chain with a heavy end", "30 links of 10 g swing 10 kg",
+                       "how far links part", "m", swing_chain}};
+const HardCase kDeep{{"deep overlap", "ten cubes begin in one place",
+                      "overlap in m or energy in J, the greater", "m", part_deep_overlap}};
+const HardCase kFlung{{"body at 100 m/s", "a cube is flung at ten others",
+                       "overlap in m or energy gained in J, the greater", "m", hit_wall}};
+const HardCase kSpin{{"spinning brick", "a brick tumbles freely for 100 s",
+                      "energy won or lost, of all", "", spin_freely}};
+
+}  // namespace
+}  // namespace fulcrum::stability
