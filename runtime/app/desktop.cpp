@@ -17,7 +17,7 @@ constexpr double kLongestFrame_s = 0.1;  // as sound is told
 
 }  // namespace
 
-Expected<Desktop> Desktop::open(const Places& places, bool with_sound) {
+Expected<Desktop> Desktop::open(const Places& places, bool with_sound, const VoiceSettings& voice) {
     Desktop desktop;
     auto window = Window::create("Fulcrum", 1280, 720);
     if (!window) {
@@ -40,6 +40,9 @@ Expected<Desktop> Desktop::open(const Places& places, bool with_sound) {
         std::fprintf(stderr, "%s\n", sound->notice.c_str());
     }
     desktop.sound = std::move(sound->player);
+    if (voice.kind != VoiceKind::none && desktop.sound->audible()) {
+        desktop.voice = std::make_unique<SpokenVoice>(voice, *desktop.sound);
+    }
     return desktop;
 }
 
@@ -61,6 +64,12 @@ void Desktop::finish_frame() {
     if (sound) {
         sound->update(std::min(now_s - shown_s_, kLongestFrame_s));
     }
+    if (voice) {
+        voice->step(now_s - shown_s_);
+        if (const std::string trouble = voice->take_trouble(); !trouble.empty()) {
+            std::fprintf(stderr, "Nothing is said aloud: %s\n", trouble.c_str());
+        }
+    }
     shown_s_ = now_s;
 }
 
@@ -72,6 +81,33 @@ void Desktop::play(const std::vector<std::string>& names) {
         if (!sound->play(name) && name.rfind("catch_", 0) == 0) {
             (void)sound->play("pop");
         }
+    }
+}
+
+void Desktop::say(const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+        if (voice) {
+            voice->say(text);
+        }
+    }
+}
+
+void Desktop::repeat() {
+    if (voice) {
+        voice->repeat();
+    }
+}
+
+void Desktop::hush() {
+    if (voice) {
+        voice->stop();
+    }
+}
+
+void Desktop::fall_silent() {
+    hush();
+    if (sound) {
+        sound->stop();
     }
 }
 

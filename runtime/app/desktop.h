@@ -4,6 +4,7 @@
 #include "runtime/app/picture.h"
 #include "runtime/app/places.h"
 #include "runtime/audio/sound_player.h"
+#include "runtime/audio/voice/spoken_voice.h"
 #include "runtime/render/glfw/window.h"
 
 #include <memory>
@@ -15,10 +16,12 @@ struct Desktop {
     std::unique_ptr<Window> window;
     std::unique_ptr<Picture> picture;    ///< needs the window's context
     std::unique_ptr<SoundPlayer> sound;  ///< null when the plan has no sound: nothing is opened
+    std::unique_ptr<SpokenVoice> voice;  ///< null when nothing is said aloud, or could be heard
     double shown_s_ = 0.0;               // when the last frame was, monotonic clock
 
     /// Opens the window, and the sound card when it is wanted. A missing sound card is a sentence on the terminal.
-    [[nodiscard]] static Expected<Desktop> open(const Places& places, bool with_sound);
+    [[nodiscard]] static Expected<Desktop> open(const Places& places, bool with_sound,
+                                                const VoiceSettings& voice);
 
     /// Draws a view; it is seen after `finish_frame`.
     void draw(const View& view);
@@ -28,6 +31,14 @@ struct Desktop {
     void finish_frame();
     /// Plays what a frame asked for; a body without a sound of its own makes the common one.
     void play(const std::vector<std::string>& names);
+    /// Says texts aloud, one after the other, after what is still to be said.
+    void say(const std::vector<std::string>& texts);
+    /// Says the last one again.
+    void repeat();
+    /// Nothing more is said.
+    void hush();
+    /// Nor heard.
+    void fall_silent();
 };
 
 }  // namespace fulcrum::runtime

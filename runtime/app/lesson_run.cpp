@@ -259,7 +259,7 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
         output->printed.emplace_back("(this frame printed more)");
     }
     return FrameReport{std::move(output->sounds), std::move(output->printed),
-                       std::move(output->said)};
+                       std::move(output->said), std::move(output->spoken)};
 }
 
 // A command that got lost would leave the lesson waiting for ever for what it asked.

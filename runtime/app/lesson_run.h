@@ -42,6 +42,7 @@ struct FrameReport {
     std::vector<std::string> sounds;
     std::vector<std::string> printed;
     std::vector<std::string> said;
+    std::vector<std::string> spoken;  ///< aloud, by who has a voice
 };
 
 class LessonRun {

@@ -109,6 +109,7 @@ void LessonScreen::stop() {
 // The force fades first, on the haptic thread; only then is anything said.
 void LessonScreen::fail_with(const Error& error) {
     error_ = to_sentence(error);
+    desktop_.hush();
     if (run_) {
         run_->fail_softly(error_);
     }
@@ -139,9 +140,7 @@ Left LessonScreen::play() {
             left_ = Left::time_is_up;
         }
     }
-    if (desktop_.sound) {
-        desktop_.sound->stop();
-    }
+    desktop_.fall_silent();
     return *left_;
 }
 
@@ -182,6 +181,8 @@ void LessonScreen::take_playing_key(const KeyPress& press) {
     const bool question_open = run_->session().hud().question_open;
     if (press.key == "f11") {
         desktop_.window->set_fullscreen(!desktop_.window->fullscreen());
+    } else if (press.key == "f2") {
+        desktop_.repeat();
     } else if (press.key == "backspace") {
         typing_.backspace();
     } else if (question_open && press.key == "return") {
@@ -242,6 +243,7 @@ void LessonScreen::exchange() {
         return;
     }
     desktop_.play((*report)->sounds);
+    desktop_.say((*report)->spoken);
     print_lines((*report)->printed);
     if (const int level = run_->session().hud().level; level != level_) {
         level_ = level;

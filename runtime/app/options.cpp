@@ -20,7 +20,7 @@ struct CommandWord {
 constexpr std::array<CommandWord, 11> kCommands{{
     {"run", Command::run, true,
      " --headless --seconds --hand --say --learner --db --record --screenshot --screenshot-at "
-     "--speech --watch"
+     "--speech --voice --voice-speed --watch"
      " --mute --force-limit "},
     {"list", Command::list, false, " "},
     {"check", Command::check, true, " --force-limit "},
@@ -32,7 +32,8 @@ constexpr std::array<CommandWord, 11> kCommands{{
     {"--help", Command::help, false, " "},
     {"-h", Command::help, false, " "},
     {"--version", Command::version, false, " "},
-    {"menu", Command::menu, false, " --learner --db --force-limit --mute --speech --watch "},
+    {"menu", Command::menu, false,
+     " --learner --db --force-limit --mute --speech --voice --voice-speed --watch "},
 }};
 
 Expected<double> number_in(const std::string& flag, const std::string& text, double low,
@@ -70,6 +71,17 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
     }
     if (flag == "--force-limit") {
         return into_number(options.force_limit_N, 0.5, 10.0);
+    }
+    if (flag == "--voice-speed") {
+        return into_number(options.voice.speed, kSlowestVoice, kFastestVoice);
+    }
+    if (flag == "--voice") {
+        const auto voice = find_voice(value);
+        if (!voice) {
+            return tl::unexpected(voice.error());
+        }
+        options.voice.kind = *voice;
+        return {};
     }
     if (flag == "--speech") {
         constexpr std::array<SpeechInput, 1> kInputs{SpeechInput::text};
@@ -256,6 +268,8 @@ std::string usage() {
       --mute                 without sound
       --watch                runs again whenever a file of the lesson is saved, not only after a mistake
       --speech text          answers are typed (the only way yet)
+      --voice NAME           who says aloud what stands there: flite, espeak-ng or none (flite)
+      --voice-speed N        0.5 to 2, 1 is as a teacher speaks (0.9)
   fulcrum list               the lessons
   fulcrum check LESSON       look for mistakes without playing
   fulcrum test LESSON        play the lesson's own tests

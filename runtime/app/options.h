@@ -2,6 +2,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "runtime/audio/voice/voice_program.h"
 #include "runtime/scene/plan.h"
 
 #include <optional>
@@ -26,7 +27,8 @@ struct Options {
     std::string screenshot;  ///< PNG to write when the run ends
     double screenshot_at_s = -1.0;  ///< or at this time of the run; negative: at its end
     SpeechInput speech = SpeechInput::text;
-    bool watch = false;  ///< start again whenever the lesson's files change
+    VoiceSettings voice{};  ///< in a window
+    bool watch = false;     ///< start again whenever the lesson's files change
     bool mute = false;
     bool analyze = false;         ///< explain: play it too, and tell what each stage cost
     bool json = false;            ///< explain: for programs

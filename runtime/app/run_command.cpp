@@ -16,7 +16,7 @@ namespace fulcrum::runtime {
 namespace {
 
 int run_in_window(const Installation& installation, const Options& options, RunRequest request) {
-    auto desktop = Desktop::open(installation.places, request.plan.sound);
+    auto desktop = Desktop::open(installation.places, request.plan.sound, options.voice);
     if (!desktop) {
         return complain(desktop.error(), 2);
     }
@@ -135,7 +135,7 @@ int menu_command(const Installation& installation, const Options& options) {
                      "--headless\n");
         return list_command(installation);
     }
-    auto desktop = Desktop::open(installation.places, !options.mute);
+    auto desktop = Desktop::open(installation.places, !options.mute, options.voice);
     if (!desktop) {
         return complain(desktop.error(), 2);
     }

@@ -65,10 +65,17 @@ class SoundPlayer {
     /// with it and goes with it.
     virtual void set_stream(SoundStream* stream) = 0;
 
+    /// Says what somebody speaks: mono, kSampleRate_Hz, -1 to 1. What is being said ends at once.
+    virtual void speak(std::span<const float> samples) = 0;
+    /// What is being said fades out (20 ms of updates).
+    virtual void hush() = 0;
+    /// Until all of it has been heard.
+    [[nodiscard]] virtual bool is_speaking() const = 0;
+
     /// Advances ramps by `dt_s` seconds; call it 60 to 100 times a second.
     virtual void update(double dt_s) = 0;
 
-    /// Lets everything fade out (20 ms of updates) and sets the force sound to silence.
+    /// Lets everything fade out (20 ms of updates), what is said too, and sets the force sound to silence.
     virtual void stop() = 0;
 
     /// False when nothing can be heard: the null player.

@@ -1,10 +1,17 @@
-// Writes samples as a WAV file, to listen to what a test heard.
+// WAV files: what a test heard is written, what a voice or a microphone gave is read.
+//
+// Read are 8, 16, 24 and 32 bits of PCM and 32 bits of IEEE float, 1 to 8 channels, 4 to 192 kHz, behind any chunks. A length that a
+// program left open because it wrote into a pipe (2 GB and more) means: to the end.
+//
+// Source: IBM and Microsoft 1991, Multimedia Programming Interface and Data Specifications 1.0, chapter 3, "Waveform Audio File Format".
 #pragma once
 
 #include "haptics/base/error.h"
 
 #include <filesystem>
 #include <span>
+#include <string_view>
+#include <vector>
 
 namespace fulcrum::runtime {
 
@@ -12,5 +19,14 @@ namespace fulcrum::runtime {
 [[nodiscard]] Expected<void> write_wav(const std::filesystem::path& path,
                                        std::span<const float> samples, int channels,
                                        int sample_rate_Hz);
+
+/// One channel.
+struct WavSound {
+    std::vector<float> samples;  ///< -1 to 1, of several channels the mean
+    int rate_Hz = 0;
+};
+
+/// The sound in a file's bytes; an error says what is wrong with them, without place.
+[[nodiscard]] Expected<WavSound> read_wav(std::string_view bytes);
 
 }  // namespace fulcrum::runtime

@@ -208,6 +208,7 @@ Expected<SessionOutput> LessonSession::finish_frame(const LessonReply& reply) {
     force_.lesson_alive = true;
     output.force = force_;
     output.axles = axles_;
+    output.spoken = speech_.take_spoken();
     output.said = transcript_.take();
     output.sounds = std::move(sounds_);
     sounds_.clear();

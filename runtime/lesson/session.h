@@ -52,7 +52,8 @@ struct SessionOutput {
     Pose hand_target_W{};
     std::uint32_t hand_buttons = 0;
     std::vector<std::string> printed;
-    std::vector<std::string> said;  ///< what was shown, asked and answered, see transcript.h
+    std::vector<std::string> spoken;  ///< what is to be said aloud
+    std::vector<std::string> said;    ///< what was shown, asked and answered, see transcript.h
 };
 
 /// What a learner sees of the lesson, apart from the bodies.

@@ -55,12 +55,18 @@ std::optional<dialogue::Hypothesis> Speech::poll() {
 }
 
 void Speech::instruct(std::string_view text) {
+    if (!text.empty() && text != instruction()) {
+        spoken_.emplace_back(text);
+    }
     say_anew(*instruction_, text);
     reply_is_past_ = true;
     end_past_reply();
 }
 
 void Speech::reply(std::string_view text) {
+    if (!text.empty()) {
+        spoken_.emplace_back(text);
+    }
     say_anew(*reply_, text);
     reply_is_past_ = false;
 }

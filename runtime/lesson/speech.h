@@ -2,6 +2,7 @@
 //
 //   typed, scripted --type--> recogniser --poll--> heard        listens only while the learner may speak
 //   instruct, reply --> captions --> what the picture shows      an instruction ends a reply once it could be read
+//                   --> take_spoken --> whoever says it aloud    what stands there already is not said again
 //
 // Another way to hear or to speak is another implementation of dialogue/speech's interfaces, chosen in `build`.
 //
@@ -18,6 +19,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace fulcrum::runtime {
 
@@ -42,6 +45,8 @@ class Speech {
     /// To the learner's answer; *asterisks* are emphasis.
     void reply(std::string_view text);
     void step(double dt_s);
+    /// What is to be said aloud since the last time, in order.
+    [[nodiscard]] std::vector<std::string> take_spoken() { return std::exchange(spoken_, {}); }
     /// As they stand in the picture, with their asterisks.
     [[nodiscard]] const std::string& instruction() const { return instruction_->caption().said; }
     [[nodiscard]] const std::string& last_reply() const { return reply_->caption().said; }
@@ -55,6 +60,7 @@ class Speech {
     std::unique_ptr<dialogue::CaptionVoice> instruction_ =
         std::make_unique<dialogue::CaptionVoice>();
     std::unique_ptr<dialogue::CaptionVoice> reply_ = std::make_unique<dialogue::CaptionVoice>();
+    std::vector<std::string> spoken_;
     bool reply_is_past_ = false;  // an instruction came after it
 };
 

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -68,6 +69,10 @@ class OpenalVoices {
             alSourceStop(force_source_);
             alDeleteSources(1, &force_source_);
         }
+        end_speech();
+        if (speech_.source != 0) {
+            alDeleteSources(1, &speech_.source);
+        }
         for (const auto& [name, buffer] : buffers_) {
             alDeleteBuffers(1, &buffer);
         }
@@ -85,6 +90,8 @@ class OpenalVoices {
             alGenSources(1, &voice.source);
             alSourcei(voice.source, AL_SOURCE_RELATIVE, AL_TRUE);
         }
+        alGenSources(1, &speech_.source);
+        alSourcei(speech_.source, AL_SOURCE_RELATIVE, AL_TRUE);
         if (settings.force_sound) {
             buffers_[""] = upload(synthesise_force_loop());
             alGenSources(1, &force_source_);
@@ -126,6 +133,29 @@ class OpenalVoices {
         }
     }
 
+    void speak(std::span<const float> samples) {
+        use();
+        end_speech();
+        if (samples.empty()) {
+            return;
+        }
+        speech_buffer_ = upload(samples);
+        speech_.gain = 1.0;
+        speech_.fade_left_s = -1.0;
+        alSourcei(speech_.source, AL_BUFFER, static_cast<ALint>(speech_buffer_));
+        alSourcef(speech_.source, AL_GAIN, 1.0F);
+        alSourcePlay(speech_.source);
+    }
+
+    void hush() { speech_.fade_left_s = is_speaking() ? kStopFade_s : -1.0; }
+
+    [[nodiscard]] bool is_speaking() const {
+        use();
+        ALint state = 0;
+        alGetSourcei(speech_.source, AL_SOURCE_STATE, &state);
+        return state == AL_PLAYING;
+    }
+
     void update(double dt_s) {
         use();
         update_force(dt_s);
@@ -136,6 +166,7 @@ class OpenalVoices {
         for (Voice& voice : voices_) {
             fade(voice, dt);
         }
+        fade(speech_, dt);
     }
 
     void stop() {
@@ -143,6 +174,7 @@ class OpenalVoices {
         for (Voice& voice : voices_) {
             voice.fade_left_s = kStopFade_s;
         }
+        hush();
     }
 
     void render(float* to, std::size_t n_frames) {
@@ -156,7 +188,17 @@ class OpenalVoices {
         }
     }
 
-    static ALuint upload(const std::vector<float>& samples) {
+    // Its source keeps no sound that nobody wants.
+    void end_speech() {
+        if (speech_buffer_ != 0) {
+            alSourceStop(speech_.source);
+            alSourcei(speech_.source, AL_BUFFER, 0);
+            alDeleteBuffers(1, &speech_buffer_);
+            speech_buffer_ = 0;
+        }
+    }
+
+    static ALuint upload(std::span<const float> samples) {
         std::vector<std::int16_t> pcm(samples.size());
         std::transform(samples.begin(), samples.end(), pcm.begin(), [](float x) {
             return static_cast<std::int16_t>(std::lround(std::clamp(x, -1.0F, 1.0F) * 32767.0F));
@@ -218,6 +260,8 @@ class OpenalVoices {
     std::map<std::string, ALuint, std::less<>> buffers_;  ///< "" is the force sound
     std::array<Voice, kVoices> voices_{};
     std::uint64_t plays_ = 0;
+    Voice speech_;
+    ALuint speech_buffer_ = 0;
     StreamQueue queue_;
     std::optional<OpenalStream> stream_;
     ALuint force_source_ = 0;
@@ -237,6 +281,9 @@ class OpenalPlayer : public Base {
     }
     void set_force_sound(double force_N) override { voices.set_force(force_N); }
     void set_stream(SoundStream* stream) override { voices.set_stream(stream); }
+    void speak(std::span<const float> samples) override { voices.speak(samples); }
+    void hush() override { voices.hush(); }
+    [[nodiscard]] bool is_speaking() const override { return voices.is_speaking(); }
     void update(double dt_s) override { voices.update(dt_s); }
     void stop() override { voices.stop(); }
     [[nodiscard]] bool audible() const override { return true; }

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -38,4 +39,97 @@ TEST_CASE("wav: a written file has the header and the samples that were given") 
     CHECK(sample(3) == 32767);
     CHECK_FALSE(write_wav("/no/such/folder/x.wav", samples, 2, 48'000));
     CHECK_FALSE(write_wav(path, samples, 3, 48'000));
+}
+
+namespace {
+
+std::string little(std::uint32_t value, int n) {
+    std::string bytes;
+    for (int i = 0; i < n; ++i) {
+        bytes += static_cast<char>(value >> (8 * i) & 0xFFU);
+    }
+    return bytes;
+}
+
+std::string chunk(const std::string& name, const std::string& bytes) {
+    return name + little(static_cast<std::uint32_t>(bytes.size()), 4) + bytes +
+           (bytes.size() % 2 == 1 ? std::string(1, '\0') : "");
+}
+
+std::string format(std::uint32_t kind, std::uint32_t channels, std::uint32_t rate_Hz,
+                   std::uint32_t bits) {
+    return chunk("fmt ", little(kind, 2) + little(channels, 2) + little(rate_Hz, 4) +
+                             little(rate_Hz * channels * bits / 8, 4) +
+                             little(channels * bits / 8, 2) + little(bits, 2));
+}
+
+std::string wav(const std::string& chunks) {
+    return "RIFF" + little(static_cast<std::uint32_t>(4 + chunks.size()), 4) + "WAVE" + chunks;
+}
+
+std::string refusal(const std::string& bytes) {
+    const auto sound = read_wav(bytes);
+    return sound ? "" : to_sentence(sound.error());
+}
+
+}  // namespace
+
+TEST_CASE("wav: every kind of sample is read alike") {
+    const std::vector<float> expected{0.5F, -0.5F, 0.0F, -1.0F};
+    const auto all = [](std::initializer_list<std::uint32_t> samples, int n) {
+        std::string bytes;
+        for (const std::uint32_t sample : samples) {
+            bytes += little(sample, n);
+        }
+        return chunk("data", bytes);
+    };
+    const std::vector<std::string> files{
+        format(1, 1, 16000, 8) + all({192, 64, 128, 0}, 1),
+        format(1, 1, 16000, 16) + all({0x4000, 0xC000, 0, 0x8000}, 2),
+        format(1, 1, 16000, 24) + all({0x400000, 0xC00000, 0, 0x800000}, 3),
+        format(1, 1, 16000, 32) + all({0x40000000, 0xC0000000, 0, 0x80000000}, 4),
+        format(3, 1, 16000, 32) + all({0x3F000000, 0xBF000000, 0, 0xBF800000}, 4),
+    };
+    for (const std::string& file : files) {
+        const auto sound = read_wav(wav(file));
+        REQUIRE(sound);
+        CHECK(sound->rate_Hz == 16000);
+        CHECK(sound->samples == expected);
+    }
+    // No number, and one beyond all bounds.
+    const auto odd = read_wav(wav(format(3, 1, 8000, 32) + all({0x7FC00000, 0x7F000000}, 4)));
+    REQUIRE(odd);
+    CHECK(odd->samples == std::vector<float>{0.0F, 1.0F});
+}
+
+TEST_CASE("wav: channels are averaged, other chunks passed over, an open length is to the end") {
+    const std::string samples =
+        little(0x4000, 2) + little(0, 2) + little(0xC000, 2) + little(0xC000, 2);
+    const auto stereo =
+        read_wav(wav(chunk("LIST", "odd") + format(1, 2, 44100, 16) + chunk("data", samples)));
+    REQUIRE(stereo);
+    CHECK(stereo->samples == std::vector<float>{0.25F, -0.5F});
+    const auto piped =
+        read_wav(wav(format(1, 1, 22050, 16)) + "data" + little(0x7FFFF000, 4) + samples);
+    REQUIRE(piped);
+    CHECK(piped->samples == std::vector<float>{0.5F, 0.0F, -0.5F, -0.5F});
+    CHECK(read_wav(wav(format(1, 1, 22050, 16) + chunk("data", "")))->samples.empty());
+}
+
+TEST_CASE("wav: what cannot be heard is refused in one sentence") {
+    const std::string good = wav(format(1, 1, 16000, 16) + chunk("data", std::string(8, '\0')));
+    REQUIRE(refusal(good).empty());
+    CHECK(refusal("").find("it does not begin as one") != std::string::npos);
+    CHECK(refusal("RIFF\x10\0\0\0WAXE").find("it does not begin as one") != std::string::npos);
+    CHECK(refusal(wav(chunk("data", "abcd"))).find("samples before a format") != std::string::npos);
+    CHECK(refusal(wav(format(1, 1, 16000, 16))).find("no samples") != std::string::npos);
+    CHECK(refusal(wav(format(2, 1, 16000, 4))).find("another kind (2, 4 bits)") !=
+          std::string::npos);
+    CHECK(refusal(wav(format(1, 9, 16000, 16))).find("9 channels") != std::string::npos);
+    CHECK(refusal(wav(format(1, 1, 3999, 16))).find("at 3999 Hz") != std::string::npos);
+    CHECK(refusal(wav(chunk("fmt ", "short"))).find("cut short") != std::string::npos);
+    // Wherever it is cut off, it is refused, or what is there is heard.
+    for (std::size_t n = 0; n < good.size(); ++n) {
+        CHECK_FALSE(refusal(good.substr(0, n)).empty());
+    }
 }

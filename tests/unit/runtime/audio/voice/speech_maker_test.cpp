@@ -1,0 +1,104 @@
+#include "runtime/audio/voice/speech_maker.h"
+
+#include "haptics/base/clock.h"
+#include "runtime/audio/wav.h"
+#include "tests/support/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kPatience_s = 20.0;
+
+// A program called flite that comes first on the search path, while this lives.
+class OwnProgram {
+  public:
+    explicit OwnProgram(const std::string& script) {
+        const fs::path file = folder_.path() / "flite";
+        std::ofstream(file) << "#!/bin/sh\n" << script << "\n";
+        fs::permissions(file, fs::perms::owner_all);
+        setenv("PATH", (folder_.path().string() + ":" + before_).c_str(), 1);
+    }
+    OwnProgram(const OwnProgram&) = delete;
+    OwnProgram& operator=(const OwnProgram&) = delete;
+    ~OwnProgram() { setenv("PATH", before_.c_str(), 1); }
+    [[nodiscard]] const fs::path& folder() const { return folder_.path(); }
+
+  private:
+    ScratchFolder folder_;
+    std::string before_ = std::getenv("PATH");
+};
+
+std::optional<MadeSpeech> wait_for(SpeechMaker& maker) {
+    const double end_s = monotonic_now_s() + kPatience_s;
+    auto made = maker.take();
+    while (!made && monotonic_now_s() < end_s) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        made = maker.take();
+    }
+    return made;
+}
+
+}  // namespace
+
+TEST_CASE("speech maker: texts are made in order, at the player's rate, and once each") {
+    OwnProgram program("echo . >>\"${0%/*}/calls\"; cat \"${0%/*}/sound.wav\"");
+    const std::array<float, 4> sound{0.0F, 0.5F, 0.5F, 0.0F};
+    REQUIRE(write_wav(program.folder() / "sound.wav", sound, 1, 16'000));
+    SpeechMaker maker(VoiceSettings{});
+    maker.ask("one");
+    maker.ask("two");
+    for (const char* text : {"one", "two"}) {
+        const auto made = wait_for(maker);
+        REQUIRE(made);
+        CHECK(made->text == text);
+        CHECK(made->samples.size() == 12);  // 16 to 48 kHz
+    }
+    maker.ask("one");
+    CHECK(wait_for(maker)->samples.size() == 12);
+    CHECK(fs::file_size(program.folder() / "calls") == 4);  // two lines
+    CHECK(maker.n_waiting() == 0);
+    CHECK(maker.take_trouble().empty());
+}
+
+TEST_CASE(
+    "speech maker: a program that fails says so once, and what follows is made all the same") {
+    OwnProgram program("for last; do :; done; [ \"$last\" = good ] && cat \"${0%/*}/sound.wav\"");
+    REQUIRE(write_wav(program.folder() / "sound.wav", std::array<float, 1>{0.5F}, 1, 48'000));
+    SpeechMaker maker(VoiceSettings{});
+    for (const char* text : {"bad", "worse", "good"}) {
+        maker.ask(text);
+        const auto made = wait_for(maker);
+        REQUIRE(made);
+        CHECK(made->samples.empty() == (std::string_view(text) != "good"));
+    }
+    CHECK(maker.take_trouble().find("the program flite failed") == 0);
+    CHECK(maker.take_trouble().empty());
+}
+
+TEST_CASE("speech maker: forgets what nobody wants, and ends in the midst of it") {
+    OwnProgram program("sleep 100");
+    const double begun_s = monotonic_now_s();
+    {
+        SpeechMaker maker(VoiceSettings{});
+        maker.ask("one");
+        maker.ask("two");
+        CHECK(maker.n_waiting() == 2);
+        maker.forget();
+        maker.ask("three");
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        CHECK_FALSE(maker.take());
+    }
+    CHECK(monotonic_now_s() - begun_s < kPatience_s);
+}
