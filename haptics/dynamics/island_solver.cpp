@@ -32,6 +32,31 @@ Vector3 find_point_velocity(const RigidWorldBody& body, const Vector3& arm) noex
     return body.state.velocity_W.linear + body.state.velocity_W.angular.cross(arm);
 }
 
+// What a body that is held has besides its own (rigid_world.h).
+struct VirtualInertia {
+    double mass_kg = 0.0;
+    double moment_kg_m2 = 0.0;
+};
+
+VirtualInertia find_virtual_inertia(const HeldSlopes& slopes, double dt_s) noexcept {
+    constexpr double kUnlinked = 2.0;
+    const double mass_kg = dt_s * (dt_s * slopes.stiffness_N_per_m + slopes.damping_Ns_per_m);
+    const double moment_kg_m2 =
+        dt_s * (dt_s * slopes.turn_stiffness_Nm_per_rad + slopes.turn_damping_Nms_per_rad);
+    return {kUnlinked * mass_kg + slopes.late_mass_kg,
+            kUnlinked * moment_kg_m2 + slopes.late_moment_kg_m2};
+}
+
+// w = I^-1 (L + h torque); of a body that is held w + (I + G)^-1 h torque.
+Vector3 find_free_spin(const RigidWorldBody& body, double held_kg_m2, double dt_s) noexcept {
+    const RigidState& state = body.state;
+    Inertia heavier = body.inertia;
+    heavier.moments_kg_m2.array() += held_kg_m2;
+    const Quaternion& turn = state.pose_W.orientation;
+    return state.velocity_W.angular +
+           compute_spin_W(heavier, turn, Vector3(dt_s * body.load_W.torque));
+}
+
 double find_contact_size(const RigidWorldBody& a, const RigidWorldBody& b) noexcept {
     const double size_a = a.shape.bounding_radius_m;
     const double size_b = b.shape.bounding_radius_m;
@@ -63,8 +88,9 @@ JointEnd find_joint_end(std::int32_t i, double dt_s, const RigidScene& scene,
     return end;
 }
 
+// What does not move is shared by islands, and asks for nothing.
 void add_pull(std::int32_t i, double pull_kg_m2, RigidScene& scene) noexcept {
-    if (i >= 0) {
+    if (i >= 0 && scene.bodies[index_of(i)].moves) {
         scene.bodies[index_of(i)].pull_kg_m2 += pull_kg_m2;
     }
 }
@@ -89,17 +115,15 @@ void IslandSolver::add_bodies(const IslandParts& parts, double dt_s, RigidScene&
     for (const std::int32_t i : parts.bodies) {
         RigidWorldBody& body = scene.bodies[index_of(i)];
         const Twist& velocity = body.state.velocity_W;
-        const Vector3 pull = settings_.gravity_W + body.load_W.force / body.inertia.mass_kg;
-        const Vector3 linear = velocity.linear + dt_s * pull;
-        const Vector3 momentum =
-            compute_angular_momentum_W(body.inertia, body.state) + dt_s * body.load_W.torque;
-        const Vector3 angular =
-            compute_spin_W(body.inertia, body.state.pose_W.orientation, momentum);
+        const VirtualInertia held = find_virtual_inertia(body.slopes, dt_s);
+        const double mass_kg = body.inertia.mass_kg + held.mass_kg;
+        const Vector3 load_N = body.inertia.mass_kg * settings_.gravity_W + body.load_W.force;
+        const Vector3 linear = velocity.linear + dt_s / mass_kg * load_N;
         const double least_kg_m2 = kSlowTurn * body.inertia.moments_kg_m2.minCoeff();
         const double stiff_kg_m2 = std::max(body.pull_kg_m2 - least_kg_m2, 0.0);
-        body.in_problem = problem_.add_body(body.inertia.mass_kg,
-                                            body.inertia_W + stiff_kg_m2 * Matrix3::Identity(),
-                                            join(linear, angular));
+        body.in_problem = problem_.add_body(
+            mass_kg, body.inertia_W + (stiff_kg_m2 + held.moment_kg_m2) * Matrix3::Identity(),
+            join(linear, find_free_spin(body, held.moment_kg_m2, dt_s)));
     }
 }
 

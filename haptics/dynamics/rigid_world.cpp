@@ -50,6 +50,10 @@ Vector3 find_extent(const RigidWorldBody& body) noexcept {
 }
 
 Box find_box(const RigidWorldBody& body, double reach_s) noexcept {
+    if (!body.is_present) {
+        constexpr double kNowhere = std::numeric_limits<double>::max();
+        return {Vector3::Constant(kNowhere), Vector3::Constant(kNowhere)};
+    }
     if (body.shape.kind == ContactShape::Kind::half_space) {
         constexpr double kNoEnd = std::numeric_limits<double>::infinity();
         return {Vector3::Constant(-kNoEnd), Vector3::Constant(kNoEnd)};
@@ -128,8 +132,16 @@ void RigidWorld::find_islands() noexcept {
             islands_.link(pair.bodies.first, pair.bodies.second);
         }
     }
+    const auto holds = [&](const Joint& joint) noexcept {
+        const auto is_there = [&](std::int32_t i) noexcept {
+            return i < 0 || scene_.bodies[to_place_in(i)].is_present;
+        };
+        return is_there(joint.body_a) && is_there(joint.body_b);
+    };
     for (const Joint& joint : scene_.joints) {
-        islands_.link(joint.body_a, joint.body_b);
+        if (holds(joint)) {
+            islands_.link(joint.body_a, joint.body_b);
+        }
     }
     islands_.finish();
     const auto island_of = [&](std::int32_t a, std::int32_t b) noexcept {
@@ -144,7 +156,7 @@ void RigidWorld::find_islands() noexcept {
     pairs_.sort(island_of_pair_.all(), islands_.count());
     island_of_joint_.clear();
     for (const Joint& joint : scene_.joints) {
-        island_of_joint_.add(island_of(joint.body_a, joint.body_b));
+        island_of_joint_.add(holds(joint) ? island_of(joint.body_a, joint.body_b) : -1);
     }
     joints_.sort(island_of_joint_.all(), islands_.count());
     report_.n_islands = islands_.count();
@@ -163,21 +175,19 @@ bool RigidWorld::wake_island(std::span<const std::int32_t> bodies) noexcept {
     return is_awake;
 }
 
-void RigidWorld::solve_island(std::int32_t island, double dt_s) noexcept {
-    const IslandParts parts{islands_.bodies(island), pairs_.group(island), joints_.group(island)};
-    const IslandReport solved = solver_.solve(parts, dt_s, scene_);
-    move_bodies(parts.bodies, dt_s);
-    rest_bodies(parts.bodies, dt_s);
-    ++report_.n_solved;
-    report_.n_contacts += solved.n_contacts;
-    report_.n_dropped += solved.n_dropped;
-    report_.n_unconverged += solved.solve.converged ? 0 : 1;
-    report_.deepest_m = std::max(report_.deepest_m, solved.deepest_m);
-    report_.residual_m_per_s = std::max(report_.residual_m_per_s, solved.solve.residual_m_per_s);
+RigidWorld::SolvedIsland RigidWorld::solve_island(const DueIsland& due,
+                                                  IslandSolver& solver) noexcept {
+    const IslandParts parts{islands_.bodies(due.island), pairs_.group(due.island),
+                            joints_.group(due.island)};
+    SolvedIsland solved{solver.solve(parts, due.dt_s, scene_), 0};
+    solved.n_dropped = move_bodies(parts.bodies, due.dt_s);
+    rest_bodies(parts.bodies, due.dt_s);
+    return solved;
 }
 
 // The drift is the velocity and what pushes apart: that moves the body and is forgotten.
-void RigidWorld::move_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept {
+int RigidWorld::move_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept {
+    int n_dropped = 0;
     for (const std::int32_t i : bodies) {
         RigidWorldBody& body = scene_.bodies[to_place_in(i)];
         RigidState& state = body.state;
@@ -190,14 +200,17 @@ void RigidWorld::move_bodies(std::span<const std::int32_t> bodies, double dt_s) 
             compute_free_turn(body.inertia, state.pose_W.orientation, momentum, dt_s);
         next.velocity_W.angular = compute_spin_W(body.inertia, next.pose_W.orientation, momentum);
         body.load_W = {};
+        body.slopes = {};
+        body.behind_s = 0.0;
         if (is_finite(next)) {
             state = next;
         } else {
             // Where no numbers come out the body stands still: it is seen, and all others go on.
             state.velocity_W = {};
-            ++report_.n_dropped;
+            ++n_dropped;
         }
     }
+    return n_dropped;
 }
 
 void RigidWorld::rest_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept {
@@ -222,26 +235,50 @@ void RigidWorld::step(double dt_s) noexcept {
         return;
     }
     report_ = {};
-    const auto slow_every =
-        static_cast<std::uint64_t>(std::max(std::lround(settings_.slow_period_s / dt_s), 1L));
-    const double slow_s = dt_s * static_cast<double>(slow_every);
-    const bool is_slow_due = n_steps_ % slow_every == 0;
+    const double slow_s = std::max(settings_.slow_period_s, dt_s) + dt_s;
     place_bodies(slow_s);
     find_touching(slow_s);
     find_islands();
+    find_due(dt_s);
+    solved_.set_count(due_.count());
+    pool_.run(static_cast<int>(due_.count()), [this](int i, int worker) noexcept {
+        solved_[to_place_in(i)] = solve_island(due_[to_place_in(i)], solvers_[to_place_in(worker)]);
+    });
+    report_.n_solved = static_cast<int>(due_.count());
+    for (const SolvedIsland& one : solved_.all()) {
+        report_.n_contacts += one.report.n_contacts;
+        report_.n_dropped += one.report.n_dropped + one.n_dropped;
+        report_.n_unconverged += one.report.solve.converged ? 0 : 1;
+        report_.deepest_m = std::max(report_.deepest_m, one.report.deepest_m);
+        report_.residual_m_per_s =
+            std::max(report_.residual_m_per_s, one.report.solve.residual_m_per_s);
+    }
+    ++n_steps_;
+}
+
+// Which islands are stepped now, and by how much: what a hand touches at once, the others when enough time has come together. Those that
+// have just met have not waited equally long: the least counts, and the rest is dropped.
+void RigidWorld::find_due(double dt_s) noexcept {
+    due_.clear();
     for (std::int32_t island = 0; island < islands_.count(); ++island) {
         const auto bodies = islands_.bodies(island);
         if (!wake_island(bodies)) {
             report_.n_asleep += static_cast<int>(bodies.size());
             continue;
         }
-        const bool is_touched = std::ranges::any_of(
-            bodies, [&](std::int32_t i) { return scene_.bodies[to_place_in(i)].touched; });
-        if (is_touched || is_slow_due) {
-            solve_island(island, is_touched ? dt_s : slow_s);
+        bool is_touched = false;
+        double behind_s = std::numeric_limits<double>::infinity();
+        for (const std::int32_t i : bodies) {
+            RigidWorldBody& body = scene_.bodies[to_place_in(i)];
+            body.behind_s += dt_s;
+            behind_s = std::min(behind_s, body.behind_s);
+            is_touched = is_touched || body.touched;
+        }
+        // Half a step for rounding.
+        if (is_touched || behind_s + 0.5 * dt_s >= settings_.slow_period_s) {
+            due_.add({island, behind_s});
         }
     }
-    ++n_steps_;
 }
 
 void RigidWorld::push(std::int32_t index, const Wrench& wrench_W) noexcept {
@@ -256,6 +293,54 @@ void RigidWorld::push(std::int32_t index, const Wrench& wrench_W) noexcept {
     wake(body);
 }
 
+void RigidWorld::hold(std::int32_t index, const Vector3& at_W, const Wrench& push_W,
+                      const PushSlopes& slopes) noexcept {
+    const double values[] = {slopes.stiffness_N_per_m, slopes.damping_Ns_per_m,
+                             slopes.turn_stiffness_Nm_per_rad, slopes.turn_damping_Nms_per_rad,
+                             slopes.late_mass_kg};
+    const bool is_usable = std::ranges::all_of(
+        values, [](double value) { return value >= 0.0 && std::isfinite(value); });
+    if (index < 0 || index >= n_bodies() || !is_usable || !at_W.allFinite()) {
+        return;
+    }
+    RigidWorldBody& body = scene_.bodies[to_place_in(index)];
+    const Vector3 arm = at_W - body.state.pose_W.position;
+    const double squared_m2 = arm.squaredNorm();
+    push(index, {push_W.force, push_W.torque + arm.cross(push_W.force)});
+    body.slopes.stiffness_N_per_m += slopes.stiffness_N_per_m;
+    body.slopes.damping_Ns_per_m += slopes.damping_Ns_per_m;
+    body.slopes.late_mass_kg += slopes.late_mass_kg;
+    body.slopes.late_moment_kg_m2 += squared_m2 * slopes.late_mass_kg;
+    body.slopes.turn_stiffness_Nm_per_rad +=
+        slopes.turn_stiffness_Nm_per_rad + squared_m2 * slopes.stiffness_N_per_m;
+    body.slopes.turn_damping_Nms_per_rad +=
+        slopes.turn_damping_Nms_per_rad + squared_m2 * slopes.damping_Ns_per_m;
+}
+
+// What lay on it falls.
+void RigidWorld::wake_neighbours(std::int32_t index) noexcept {
+    for (int i = 0; i < scene_.pairs.count(); ++i) {
+        const ContactPair& pair = scene_.pairs.at(i);
+        if (pair.manifold.count > 0 &&
+            (pair.bodies.first == index || pair.bodies.second == index)) {
+            wake(scene_.bodies[to_place_in(pair.bodies.first)]);
+            wake(scene_.bodies[to_place_in(pair.bodies.second)]);
+        }
+    }
+}
+
+void RigidWorld::set_present(std::int32_t index, bool is_present) noexcept {
+    if (index < 0 || index >= n_bodies()) {
+        return;
+    }
+    RigidWorldBody& body = scene_.bodies[to_place_in(index)];
+    body.is_present = is_present;
+    wake_neighbours(index);
+    body.touched = true;  // its box is made anew, and what it comes to touch wakes
+    moves_[to_place_in(index)] = body.moves && is_present ? 1 : 0;
+    wake(body);
+}
+
 void RigidWorld::place(std::int32_t index, const Pose& shape_W, const Twist& velocity_W) noexcept {
     const bool is_number =
         is_finite(shape_W) && velocity_W.linear.allFinite() && velocity_W.angular.allFinite();
@@ -263,6 +348,7 @@ void RigidWorld::place(std::int32_t index, const Pose& shape_W, const Twist& vel
         return;
     }
     RigidWorldBody& body = scene_.bodies[to_place_in(index)];
+    wake_neighbours(index);
     body.state.pose_W = shape_W * body.X_PB.inverse();
     body.state.velocity_W = body.moves ? velocity_W : Twist{};
     body.touched = true;

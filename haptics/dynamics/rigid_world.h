@@ -7,15 +7,25 @@
 //   move      x += h v_drift;  q turns freely with its angular momentum (integrator.h: the drift of verlet), and by what pushes it
 // Contacts are looked for as far ahead as bodies can come in the step, so what is fast meets what is thin. An island that has been slower
 // than the settings say for a while sleeps: it costs its boxes alone until something awake touches it or a load is put on it.
-// Islands that no hand has touched are stepped every `slow_period_s`, with that as h.
+// Islands that no hand has touched are stepped every `slow_period_s`, by all the time that has passed since; until then they stand
+// that far behind the world.
 //
-// The result is the same to the bit each time. Islands share nothing that a step changes, and no sum goes over more than one.
+// A hand holds a body by a spring k and a damper b at an arm r. Its force is taken where the step begins, and what it will have
+// become at the end follows from its slopes: the body has the virtual mass g = h^2 k + h b besides its own while it is held,
+//   (M + G) (v - v_before) = h (weight + load),   G = (2 g + m, 2 (g |r|^2 + h^2 k_turn + h b_turn) + m |r|^2)
+// which is at least what an implicit step has (2, for what links moving and turning is left out; m is the hand's, where its damper
+// knows the velocity late). So a world that is starved makes
+// bodies heavy in the hand, and never shakes them; at rest the weight is what it is.
+//
+// The result is the same to the bit each time, whatever the number of threads. Islands share nothing that a step changes, and no
+// sum goes over more than one.
 //
 // Thread: the world loop. Cost: `fulcrum bench rigid-stacks`; no allocation after it is made.
 // Source: A. Barrow, W. Harwin 2006, A dynamic virtual environment for haptic interaction (chains of contact, hard constraints).
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/base/worker_pool.h"
 #include "haptics/collision/broad_phase.h"
 #include "haptics/dynamics/island_solver.h"
 #include "haptics/dynamics/islands.h"
@@ -53,6 +63,11 @@ class RigidWorld {
     /// A load of the next step, about the centre of mass: it adds to what was told before, wakes the body and marks its island as
     /// touched. A body that is not there or does not move, and loads that are not finite, are passed over.
     void push(std::int32_t body, const Wrench& wrench_W) noexcept;
+    /// The same of a hand whose force, given at `at_W`, has these slopes; `couple_W` comes to it. Slopes below 0 are passed over as well.
+    void hold(std::int32_t body, const Vector3& at_W, const Wrench& push_W,
+              const PushSlopes& slopes) noexcept;
+    /// Takes a body out of the world, or back into it where it is. Joints of one that is not there hold nothing.
+    void set_present(std::int32_t body, bool is_present) noexcept;
     /// Puts a body elsewhere, its shape's frame so and with this velocity, and wakes it. The same is passed over.
     void place(std::int32_t body, const Pose& shape_W, const Twist& velocity_W) noexcept;
 
@@ -72,6 +87,12 @@ class RigidWorld {
     [[nodiscard]] bool is_asleep(std::int32_t body) const noexcept {
         return scene_.bodies[static_cast<std::size_t>(body)].asleep;
     }
+    /// How far a body's state is behind the world's time: 0 but between the steps of what no hand touches.
+    [[nodiscard]] double behind_s(std::int32_t body) const noexcept {
+        return scene_.bodies[static_cast<std::size_t>(body)].behind_s;
+    }
+    /// Of the last step: pairs of bodies that are near each other, and where they touch.
+    [[nodiscard]] const ContactPairs& contacts() const noexcept { return scene_.pairs; }
     /// Radians or metres from where a hinge or slider was at the start.
     [[nodiscard]] double joint_travel(std::int32_t joint) const noexcept;
     /// Kinetic, and potential above the world's origin, of all that moves; joules.
@@ -79,13 +100,23 @@ class RigidWorld {
     [[nodiscard]] const RigidWorldReport& report() const noexcept { return report_; }
 
   private:
+    struct DueIsland {
+        std::int32_t island = 0;
+        double dt_s = 0.0;
+    };
+    struct SolvedIsland {
+        IslandReport report{};
+        int n_dropped = 0;
+    };
     explicit RigidWorld(const RigidWorldPlan& plan);
     void place_bodies(double reach_s) noexcept;
     void find_touching(double reach_s) noexcept;
     void find_islands() noexcept;
-    void solve_island(std::int32_t island, double dt_s) noexcept;
-    void move_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept;
+    void find_due(double dt_s) noexcept;
+    [[nodiscard]] SolvedIsland solve_island(const DueIsland& due, IslandSolver& solver) noexcept;
+    [[nodiscard]] int move_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept;
     void rest_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept;
+    void wake_neighbours(std::int32_t body) noexcept;
     [[nodiscard]] bool wake_island(std::span<const std::int32_t> bodies) noexcept;
     [[nodiscard]] bool is_joined(const BodyPair& pair) const noexcept;
 
@@ -101,7 +132,10 @@ class RigidWorld {
     BoundedList<std::int32_t> island_of_joint_;
     Groups pairs_;
     Groups joints_;
-    IslandSolver solver_;
+    BoundedList<DueIsland> due_;
+    BoundedList<SolvedIsland> solved_;
+    WorkerPool pool_;
+    std::vector<IslandSolver> solvers_;  // one a worker
     std::uint64_t n_steps_ = 0;
     RigidWorldReport report_{};
 };

@@ -8,11 +8,17 @@
 #include "haptics/dynamics/joint.h"
 #include "haptics/dynamics/rigid_state.h"
 #include "haptics/geometry/step_box.h"
+#include "haptics/handover/rigid_messages.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace fulcrum {
+
+/// Of all hands on a body together, about its centre of mass: their arms are in what turns.
+struct HeldSlopes : PushSlopes {
+    double late_moment_kg_m2 = 0.0;
+};
 
 struct RigidWorldBody {
     // Fixed by the plan.
@@ -27,10 +33,13 @@ struct RigidWorldBody {
     // What a step changes.
     RigidState state{};
     Wrench load_W{};          ///< of hands and lessons, about the centre of mass; for one step
+    HeldSlopes slopes{};      ///< of those loads together
     double pull_kg_m2 = 0.0;  ///< of its joints: h |p| |r|, which resists turning (island_solver.h)
     bool touched = false;     ///< by a hand, since the last step
     bool asleep = false;
-    double still_s = 0.0;  ///< for how long
+    double still_s = 0.0;    ///< for how long
+    double behind_s = 0.0;   ///< time that its island has not been stepped by yet
+    bool is_present = true;  ///< else nothing meets it, and it stays where it is
     // What a step works out.
     ContactPlace place{};  ///< of the shape
     Matrix3 inertia_W{Matrix3::Identity()};

@@ -31,6 +31,7 @@ Expected<void> check_settings(const RigidWorldSettings& settings) {
         {"speed of sleep in metres per second", settings.sleep_speed_m_per_s, 0.0, 1.0},
         {"slow period in seconds", settings.slow_period_s, 0.0, 0.02},
         {"most pairs", static_cast<double>(settings.most_pairs), 1.0, 1.0e6},
+        {"threads", static_cast<double>(settings.n_threads), 1.0, WorkerPool::kMostWorkers},
     };
     if (auto checked = check_ranges("the world's", ranges); !checked) {
         return checked;
@@ -161,7 +162,13 @@ RigidWorld::RigidWorld(const RigidWorldPlan& plan)
       island_of_joint_(static_cast<int>(plan.joints.size())),
       pairs_(plan.settings.most_pairs, n_bodies()),
       joints_(static_cast<int>(plan.joints.size()), n_bodies()),
-      solver_(plan.settings, find_capacity(plan)) {
+      due_(n_bodies()),
+      solved_(n_bodies()),
+      pool_(plan.settings.n_threads) {
+    // One a thread: an island's answer does not depend on which.
+    for (int i = 0; i < pool_.n_workers(); ++i) {
+        solvers_.emplace_back(plan.settings, find_capacity(plan));
+    }
     for (const RigidWorldBody& body : scene_.bodies) {
         boxes_.add({});
         moves_.add(body.moves ? 1 : 0);

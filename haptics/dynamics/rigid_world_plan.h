@@ -44,6 +44,8 @@ struct RigidWorldSettings {
     double slow_period_s =
         0.0;  ///< islands that no hand touches are stepped this seldom, 0 to 0.02; 0: each step
     int most_pairs = 1024;  ///< of bodies near each other, 1 to 1e6
+    int n_threads =
+        1;  ///< that solve islands, the caller's among them, 1 to 16; the result is the same
     ContactSolverSettings solver{};
 };
 

@@ -7,6 +7,7 @@
 #include "haptics/handover/latest_value.h"
 #include "haptics/handover/messages.h"
 #include "haptics/handover/record_sample.h"
+#include "haptics/handover/rigid_messages.h"
 #include "haptics/handover/touch_sample.h"
 
 #include <atomic>
@@ -55,6 +56,8 @@ struct HapticChannels {
     TouchRing* touches = nullptr;
     /// Both ways between haptic loop and lesson loop; null where nothing turns.
     AxleChannels* axles = nullptr;
+    /// Both ways between haptic loop and the world of rigid bodies; null where there is none.
+    RigidChannels* rigid = nullptr;
 
     /// Pressed by anybody: the force fades at once and stays zero until `rearm`. Released by whoever
     /// pressed it.

@@ -13,70 +13,6 @@ namespace {
 constexpr double kLongestAxleStep_s = 0.01;  // after a pause it goes on instead of leaping
 constexpr double kFastest_rad_per_s = 1.0e3;
 
-// What planes hold of the coupling's stretch.
-struct Hold {
-    bool touches = false;
-    Vector3 push_W = Vector3::Zero();  // along the planes' normals
-    Vector3 drag_W = Vector3::Zero();
-
-    void add(const SolidTouch& touch) noexcept {
-        touches = true;
-        push_W += touch.push_m * touch.normal_W;
-        drag_W += touch.drag_W;
-    }
-};
-
-// No more than the hand may feel: a couple is drawn together with the force that comes with it, and by itself.
-void limit_push(const MostFelt& most, SolidPush& push) noexcept {
-    const auto find_share = [](double asked, double allowed) {
-        return asked > allowed ? allowed / asked : 1.0;
-    };
-    const double share = find_share(compute_length(push.force_W), most.force_N);
-    push.force_W *= share;
-    push.couple_W *= std::min(share, find_share(compute_length(push.couple_W), most.torque_Nm));
-}
-
-// The share of the hand's force that one solid takes, all of it where it alone is touched.
-SolidPush compute_push(const ProxyContact& contact, std::int32_t solid, const Vector3& force_W,
-                       double cursor_m) noexcept {
-    Hold here;
-    Hold all;
-    bool alone = contact.solid == solid;
-    for (const SolidTouch& touch : contact.active()) {
-        all.add(touch);
-        if (touch.solid == solid) {
-            here.add(touch);
-        }
-        alone = alone && touch.solid == solid;
-    }
-    SolidPush push;
-    push.touches = here.touches || contact.solid == solid;
-    push.at_W = contact.position_W;
-    if (!push.touches) {
-        return push;
-    }
-    // Along that solid's planes together.
-    push.at_W -= cursor_m * (alone ? contact.normal_W : compute_direction(here.push_W));
-    if (alone) {
-        push.force_W = -force_W;
-    } else if (const double stretch_m = compute_length(Vector3(all.push_W + all.drag_W));
-               stretch_m > 0.0) {
-        push.force_W = -compute_length(force_W) / stretch_m * (here.push_W + here.drag_W);
-    }
-    return push;
-}
-
-// The coupling's force without what its damper drags along a surface without friction.
-Vector3 compute_held_force(const ProxyContact& contact, const Vector3& force_W,
-                           const Vector3& spring_W) noexcept {
-    for (const SolidTouch& touch : contact.active()) {
-        if (touch.drag_W.squaredNorm() > 0.0) {
-            return force_W;
-        }
-    }
-    return spring_W + contact.normal_W.dot(force_W - spring_W) * contact.normal_W;
-}
-
 // The planned axle elsewhere. No place of the body is farther from the new pivot than from the planned one and that from it.
 AxleSettings put_on_pivot(const AxlePlan& plan, const Vector3& pivot_B) noexcept {
     AxleSettings moved = move_pivot(plan.axle, pivot_B);
@@ -143,7 +79,8 @@ void AxleStage::push(const ProxyContact& contact, const HandPush& hand, double d
     const Vector3 held_W = compute_held_force(contact, hand.force_W, hand.spring_W);
     for (std::size_t i = 0; i < axles_.size(); ++i) {
         const auto solid = static_cast<std::int32_t>(axles_[i].solid);
-        move_on(i, compute_push(contact, solid, held_W, cursor_m_), {.force_N = hand.most_N}, dt_s);
+        move_on(i, compute_solid_push(contact, solid, held_W, cursor_m_), {.force_N = hand.most_N},
+                dt_s);
     }
     tell();
 }
@@ -159,7 +96,7 @@ void AxleStage::push_by_tool(std::span<const SolidPush> pushes, const MostFelt& 
 void AxleStage::move_on(std::size_t i, SolidPush push, const MostFelt& most, double dt_s) noexcept {
     Axle& axle = axles_[i];
     AxleReport& report = frame_.axles[i];
-    limit_push(most, push);
+    (void)limit_push(most, push);
     report.pivot_W = axle.rest_W.position + axle.settings.pivot_B;
     report.touched = push.touches;
     report.at_W = push.at_W;

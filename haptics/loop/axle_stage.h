@@ -1,11 +1,8 @@
 // Turns the plan's solids about their axles by what the hand presses.
 //
-//   r = contact - pivot,  tau = axis . (r x F),  F = minus the share of the coupling's force that this solid holds
-// The share of a solid is that of its planes: sum(push n + drag) over its touches against the same of all. No solid is given more than
-// the gate may let through to the hand in this round: what the hand does not feel turns nothing, two solids that wedge it in included.
-// It presses where the cursor touches that solid, along that solid's own planes. Of the coupling's damper only the part along the
-// normal turns a body that has no friction: nothing drags along a surface that nothing holds on to. The solid's pose for this
-// round's proxy is that at the end of the last round; so the surface under the proxy moves with the body, and its friction takes it along.
+//   r = contact - pivot,  tau = axis . (r x F),  F that of the hand on this solid (solid_push.h)
+// The solid's pose for this round's proxy is that at the end of the last round; so the surface under the proxy moves with the body,
+// and its friction takes it along.
 //
 // A tool in six degrees of freedom presses with a force at a place and a couple (tool_stage.h): tau = axis . (r x F + M), limited alike.
 //
@@ -26,13 +23,6 @@
 #include <vector>
 
 namespace fulcrum {
-
-/// What the coupling does in this round.
-struct HandPush {
-    Vector3 force_W{Vector3::Zero()};   ///< on the hand
-    Vector3 spring_W{Vector3::Zero()};  ///< its spring's part of it
-    double most_N = 0.0;                ///< that the hand may feel (SafetyGate::find_most_N)
-};
 
 class AxleStage {
   public:

@@ -194,12 +194,20 @@ bool HapticLoop::find_solids() noexcept {
     solid_poses_W_ = !axles_  ? poses_W
                      : touch_ ? axles_->turn(poses_W, *touch_->proxy)
                               : axles_->turn(poses_W);
+    std::uint32_t put = solids_->put();
+    if (bodies_) {
+        solid_poses_W_ = bodies_->place(solid_poses_W_, now_s_);
+        put |= bodies_->put();
+        if (!(bodies_->age_s(now_s_) <= plan_.safety.command_timeout_s)) {
+            state_.faults |= Fault::command_stale;
+        }
+    }
     for (std::size_t i = 0; touch_ && i < poses_W.size(); ++i) {
-        if ((solids_->put() >> i & 1U) != 0) {
+        if ((put >> i & 1U) != 0) {
             touch_->proxy->put_solid(i, solid_poses_W_[i]);
         }
     }
-    if (tool_ && (solids_->put() != 0 || (axles_ && axles_->put() != 0))) {
+    if (tool_ && (put != 0 || (axles_ && axles_->put() != 0))) {
         tool_->let_go();
     }
     return true;
@@ -236,6 +244,10 @@ void HapticLoop::compute_forces(const Passed& passed) noexcept {
     if (axles_) {
         turn_axles();
         passed(HapticStage::turning);
+    }
+    if (bodies_) {
+        push_bodies();
+        passed(HapticStage::pushing);
     }
     if (touch_ && touch_->effects) {
         add_surface(passed);

@@ -19,6 +19,7 @@
 #include "haptics/field/weight.h"
 #include "haptics/handover/channels.h"
 #include "haptics/loop/axle_stage.h"
+#include "haptics/loop/body_stage.h"
 #include "haptics/loop/contact_stage.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/loop/passivity_stage.h"
@@ -101,6 +102,7 @@ class HapticLoop final : public PeriodicTask {
     void add_contact() noexcept;
     void add_tool() noexcept;
     void turn_axles() noexcept;
+    void push_bodies() noexcept;
     template <class Passed>
     void add_surface(const Passed& passed) noexcept;
     void add_surface_force(const SurfaceForce& felt) noexcept;
@@ -126,6 +128,7 @@ class HapticLoop final : public PeriodicTask {
     AngularVelocityEstimator angular_velocity_;
     std::unique_ptr<SolidPlaces> solids_;  // where something touches them
     std::unique_ptr<AxleStage> axles_;     // where some turn
+    std::unique_ptr<BodyStage> bodies_;    // where some are rigid bodies
     std::unique_ptr<TouchStage> touch_;
     std::unique_ptr<ToolStage> tool_;
     std::unique_ptr<WeightRamp> weight_;

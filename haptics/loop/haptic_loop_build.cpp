@@ -117,6 +117,7 @@ Expected<void> validate(const HapticPlan& plan) {
         validate(plan.proxy, plan.solids),
         check_ringing(plan),
         validate_axles(plan),
+        validate_rigid(plan),
         validate_tool(plan),
         validate(VelocitySettings{.method = plan.velocity_method,
                                   .cutoff_Hz = plan.velocity_cutoff_hz,
@@ -178,6 +179,7 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
     if (touch_ || tool_) {
         solids_ = std::make_unique<SolidPlaces>(plan);
         axles_ = make_axle_stage(plan, channels.axles);
+        bodies_ = make_body_stage(plan, channels.rigid);
     }
     if (plan.carries_weight) {
         weight_ = std::make_unique<WeightRamp>(plan.weight_onset_s);
@@ -214,6 +216,9 @@ std::vector<StageInfo> HapticLoop::stages() const {
     }
     if (axles_) {
         add(HapticStage::turning, axles_->memory_bytes());
+    }
+    if (bodies_) {
+        add(HapticStage::pushing, bodies_->memory_bytes());
     }
     if (touch_) {
         add_surface_stages(touch_->effects.get(), add);

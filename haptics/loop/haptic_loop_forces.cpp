@@ -59,6 +59,25 @@ void HapticLoop::turn_axles() noexcept {
                  {demand_.wrench_W.force, demand_.contact.force, gate_.find_most_N(dt_s_)}, dt_s_);
 }
 
+// Bodies are pushed by what the hand feels of them: the contact, the grip, the tool.
+void HapticLoop::push_bodies() noexcept {
+    if (tool_) {
+        bodies_->push_by_tool(
+            tool_->pushes(),
+            {gate_.find_most_N(dt_s_), gate_.find_most_Nm(dt_s_) * plan_.workspace.scale}, now_s_);
+        return;
+    }
+    const HandPush touch{demand_.wrench_W.force, demand_.contact.force, gate_.find_most_N(dt_s_)};
+    const GripForce grip =
+        bodies_->grip(touch_->contact, {state_.tool_pose_W, state_.tool_twist_W, state_.buttons});
+    demand_.wrench_W.force += grip.force_W;
+    demand_.force += {grip.spring_W, grip.spring_W};
+    if (bodies_->gripped() >= 0) {
+        state_.touched_body = solids_->body_of(bodies_->gripped());
+    }
+    bodies_->push(touch_->contact, touch, now_s_);
+}
+
 void HapticLoop::add_weight() noexcept {
     const Vector3& carried_W = channels_.world.value().carried_force_W;
     if (!is_finite(carried_W)) {

@@ -7,6 +7,7 @@
 #include "haptics/field/field_plan.h"
 #include "haptics/handover/messages.h"
 #include "haptics/loop/axle_plan.h"
+#include "haptics/loop/rigid_solid_plan.h"
 #include "haptics/math/spatial.h"
 #include "haptics/point/proxy_plan.h"
 #include "haptics/point/solid_plan.h"
@@ -30,6 +31,7 @@ enum class HapticStage : std::uint8_t {
     tool,
     coupling,
     turning,
+    pushing,
     texture,
     transient,
     weight,
@@ -55,6 +57,7 @@ inline constexpr std::size_t kHapticStages = static_cast<std::size_t>(HapticStag
                                       "tool",
                                       "forces: coupling",
                                       "turning",
+                                      "pushing",
                                       "forces: texture",
                                       "forces: transient",
                                       "forces: weight",
@@ -119,8 +122,9 @@ struct HapticPlan {
     std::vector<SolidPlan> solids;  ///< at most kMaxSolids; empty means no proxy stage
     /// Touches them instead of a proxy, where it is there; it feels their shape alone.
     std::shared_ptr<const ToolPlan> tool;
-    std::vector<AxlePlan> axles;    ///< of solids that turn, at most one each
-    std::vector<FieldPlan> fields;  ///< at most kMaxFields
+    std::vector<AxlePlan> axles;        ///< of solids that turn, at most one each
+    std::vector<RigidSolidPlan> rigid;  ///< solids that a world of rigid bodies moves, each once
+    std::vector<FieldPlan> fields;      ///< at most kMaxFields
 };
 
 /// Whether anything in the plan gives a torque. A stage that does has its place here, or nobody watches its energy.

@@ -1,0 +1,170 @@
+// The step path of rigid_loop.h.
+#include "haptics/dynamics/rigid_loop.h"
+
+#include "haptics/math/length.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+// Contacts are known ahead of time; nearer than this is touching.
+constexpr double kTouching_m = 5.0e-4;
+
+}  // namespace
+
+void RigidLoop::step(double now_s) noexcept {
+    if (!std::isfinite(now_s)) {
+        return;
+    }
+    const double since_s = started_ ? now_s - now_s_ : period_s_;
+    started_ = true;
+    now_s_ = now_s;
+    const double dt_s = std::clamp(since_s, 0.0, kLongestRigidStep_s);
+    take_commands();
+    take_pushes(now_s);
+    world_->step(dt_s);
+    find_touching();
+    notice_landings(now_s, dt_s);
+    tell_hands(now_s);
+    tell_lesson(now_s);
+}
+
+void RigidLoop::silence(double) noexcept {}
+
+void RigidLoop::take_commands() noexcept {
+    // As many as a ring holds: a lesson that never stops asking does not keep the world from moving.
+    constexpr int kMostCommands = 256;
+    WorldCommand command;
+    for (int i = 0; i < kMostCommands && lesson_ != nullptr && lesson_->commands.pop(command);
+         ++i) {
+        apply(command);
+    }
+}
+
+// What it does not know of is passed over.
+void RigidLoop::apply(const WorldCommand& command) noexcept {
+    if (command.body < 0 || command.body >= kMaxBodies || !is_finite(command.position_W) ||
+        !is_finite(command.velocity_W)) {
+        return;
+    }
+    const std::int32_t body = body_of_scene_[static_cast<std::size_t>(command.body)];
+    const bool is_place = command.kind == WorldCommand::Kind::place;
+    const bool is_drop = command.kind == WorldCommand::Kind::drop;
+    const bool is_hide = command.kind == WorldCommand::Kind::hide;
+    if (body < 0 || !(is_place || is_drop || is_hide)) {
+        return;
+    }
+    Told& told = told_[static_cast<std::size_t>(body)];
+    told.is_present = !is_hide;
+    world_->set_present(body, told.is_present);
+    if (!is_hide) {
+        world_->place(body, Pose::at(command.position_W),
+                      {is_drop ? command.velocity_W : Vector3::Zero(), Vector3::Zero()});
+        ++told.n_placements;
+        told.in_air_s = 0.0;
+    }
+}
+
+void RigidLoop::take_pushes(double now_s) noexcept {
+    for (Told& told : told_) {
+        told.is_held = false;
+    }
+    for (RigidChannels* hand : hands_) {
+        (void)hand->pushes.take();
+        const HandPushes& pushes = hand->pushes.value();
+        if (!(now_s - pushes.stamp_s <= kStalePush_s) || pushes.stamp_s < 0.0) {
+            continue;
+        }
+        const std::int32_t count = std::clamp(pushes.count, 0, kMaxSolids);
+        for (std::int32_t i = 0; i < count; ++i) {
+            const RigidPush& push = pushes.pushes[static_cast<std::size_t>(i)];
+            const auto solid = static_cast<std::size_t>(push.solid);
+            if (push.solid >= 0 && solid < solids_.size() && solids_[solid] >= 0) {
+                world_->hold(solids_[solid], push.at_W, push.push_W, push.slopes);
+                told_[static_cast<std::size_t>(solids_[solid])].is_held |= push.holds;
+            }
+        }
+    }
+}
+
+void RigidLoop::find_touching() noexcept {
+    for (Told& told : told_) {
+        told.touches = false;
+    }
+    const ContactPairs& pairs = world_->contacts();
+    for (int i = 0; i < pairs.count(); ++i) {
+        const ContactPair& pair = pairs.at(i);
+        if (std::ranges::any_of(pair.manifold.points(), [](const ContactPoint& point) {
+                return point.gap_m <= kTouching_m;
+            })) {
+            told_[static_cast<std::size_t>(pair.bodies.first)].touches = true;
+            told_[static_cast<std::size_t>(pair.bodies.second)].touches = true;
+        }
+    }
+}
+
+void RigidLoop::notice_landings(double now_s, double dt_s) noexcept {
+    for (std::size_t i = 0; i < told_.size(); ++i) {
+        Told& told = told_[i];
+        const bool is_carried = told.touches || told.is_held || !told.is_present;
+        if (told.touches && told.in_air_s >= kLeastFlight_s && told.scene_body >= 0 &&
+            lesson_ != nullptr) {
+            (void)lesson_->events.push({WorldEvent::Kind::landed, told.scene_body, now_s,
+                                        std::max(told.speed_m_per_s, told.earlier_speed_m_per_s)});
+        }
+        told.in_air_s = is_carried ? 0.0 : told.in_air_s + dt_s;
+        told.earlier_speed_m_per_s = told.speed_m_per_s;
+        told.speed_m_per_s =
+            compute_length(world_->state(static_cast<std::int32_t>(i)).velocity_W.linear);
+    }
+}
+
+// Of the shape's origin.
+Twist RigidLoop::velocity_W(std::int32_t body) const noexcept {
+    const RigidState& state = world_->state(body);
+    const Vector3 arm = world_->shape_pose_W(body).position - state.pose_W.position;
+    return {state.velocity_W.linear + state.velocity_W.angular.cross(arm),
+            state.velocity_W.angular};
+}
+
+void RigidLoop::tell_hands(double now_s) noexcept {
+    frame_.stamp_s = now_s;
+    for (std::size_t i = 0; i < solids_.size(); ++i) {
+        const std::int32_t body = solids_[i];
+        if (body >= 0) {
+            const Told& told = told_[static_cast<std::size_t>(body)];
+            frame_.solids[i] = {world_->shape_pose_W(body), velocity_W(body),
+                                world_->behind_s(body), told.is_present, told.n_placements};
+        }
+    }
+    for (RigidChannels* hand : hands_) {
+        hand->frame.publish(frame_);
+    }
+}
+
+void RigidLoop::tell_lesson(double now_s) noexcept {
+    if (lesson_ == nullptr) {
+        return;
+    }
+    snapshot_.time_s = now_s;
+    for (std::size_t i = 0; i < told_.size(); ++i) {
+        const Told& told = told_[i];
+        if (told.scene_body < 0) {
+            continue;
+        }
+        const auto body = static_cast<std::int32_t>(i);
+        BodyState& state = snapshot_.bodies[static_cast<std::size_t>(told.scene_body)];
+        state.pose_W = world_->shape_pose_W(body);
+        state.velocity_W = velocity_W(body).linear;
+        state.where = !told.is_present          ? BodyWhere::hidden
+                      : told.is_held            ? BodyWhere::held
+                      : world_->is_asleep(body) ? BodyWhere::landed
+                      : told.touches            ? BodyWhere::placed
+                                                : BodyWhere::falling;
+    }
+    lesson_->snapshot.publish(snapshot_);
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,95 @@
+// The round of a world of rigid bodies: takes the lesson's commands and the hands' pushes, steps the world, tells all how bodies are.
+//
+// It runs beside the haptic loops, of which there may be several, and none waits for it: each reads the newest frame and moves it on
+// (body_stage.h). A body has landed when it touches something after it touched nothing for a while.
+//
+// Thread: `step` on one thread beside the haptic ones (or a virtual clock). Cost: that of RigidWorld::step, and one copy of the snapshot and
+// of each hand's frame. No allocation after construction.
+#pragma once
+
+#include "haptics/base/periodic_task.h"
+#include "haptics/dynamics/rigid_world.h"
+#include "haptics/handover/channels.h"
+#include "haptics/handover/rigid_messages.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace fulcrum {
+
+struct RigidLoopPlan {
+    RigidWorldPlan world{};
+    double rate_hz = 1000.0;  ///< 50 to 5000
+    /// The scene's index of each of the world's bodies, kNoBody of what the scene has not: as many, each index below kMaxBodies and once.
+    std::vector<std::int32_t> scene_bodies;
+    /// The world's body that each solid of the hands' plans is, kNoBody of others; at most kMaxSolids.
+    std::vector<std::int32_t> solids;
+    std::vector<std::int32_t> hidden;  ///< bodies of the world that are not there at the start
+};
+
+/// Refuses what `validate` of the world does, a rate out of range, and lists that do not fit.
+[[nodiscard]] Expected<void> validate(const RigidLoopPlan& plan);
+
+/// After a longer pause the world goes on from where it was instead of leaping.
+inline constexpr double kLongestRigidStep_s = 0.05;
+/// A hand that has said nothing for so long pushes nothing.
+inline constexpr double kStalePush_s = 0.1;
+/// A body that touches after it touched nothing for so long has landed.
+inline constexpr double kLeastFlight_s = 0.08;
+
+class RigidLoop final : public PeriodicTask {
+  public:
+    /// Refuses what `validate` does. Of `lesson` commands are taken, place, drop and hide, the snapshot and events are told: null where nobody
+    /// listens. One channel a hand. All outlive the loop.
+    [[nodiscard]] static Expected<std::unique_ptr<RigidLoop>> create(
+        const RigidLoopPlan& plan, WorldChannels* lesson, std::span<RigidChannels* const> hands);
+    ~RigidLoop() override;
+
+    /// One round at `now_s` of the run's clock. The world moves by the time since the last one, at most kLongestRigidStep_s; when the clock
+    /// goes backwards it stands still. A time that is not finite is no round.
+    void step(double now_s) noexcept override;
+    /// Bodies have no force of their own: nothing is left to silence.
+    void silence(double now_s) noexcept override;
+
+    /// For the loop's own thread.
+    [[nodiscard]] const RigidWorld& world() const noexcept { return *world_; }
+
+  private:
+    struct Told {
+        std::int32_t scene_body = kNoBody;
+        std::uint32_t n_placements = 0;
+        bool is_present = true;
+        bool is_held = false;        // gripped by a hand
+        bool touches = false;        // anything, in this step
+        double in_air_s = 0.0;       // for how long it has touched nothing
+        double speed_m_per_s = 0.0;  // before this step
+        double earlier_speed_m_per_s =
+            0.0;  // before the last one, which may have ended at the touch
+    };
+    RigidLoop(const RigidLoopPlan& plan, std::unique_ptr<RigidWorld> world, WorldChannels* lesson,
+              std::span<RigidChannels* const> hands);
+    void take_commands() noexcept;
+    void apply(const WorldCommand& command) noexcept;
+    void take_pushes(double now_s) noexcept;
+    void find_touching() noexcept;
+    void notice_landings(double now_s, double dt_s) noexcept;
+    void tell_hands(double now_s) noexcept;
+    void tell_lesson(double now_s) noexcept;
+    [[nodiscard]] Twist velocity_W(std::int32_t body) const noexcept;
+
+    std::unique_ptr<RigidWorld> world_;
+    double period_s_;
+    std::vector<Told> told_;                   // one a body of the world
+    std::vector<std::int32_t> body_of_scene_;  // kMaxBodies
+    std::vector<std::int32_t> solids_;
+    WorldChannels* lesson_;
+    std::vector<RigidChannels*> hands_;
+    RigidFrame frame_{};
+    WorldSnapshot snapshot_{};
+    bool started_ = false;
+    double now_s_ = 0.0;
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,209 @@
+// The step path of body_stage.h.
+#include "haptics/loop/body_stage.h"
+
+#include "haptics/coupling/virtual_coupling.h"
+#include "haptics/math/length.h"
+#include "haptics/math/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fulcrum {
+namespace {
+
+// Longer than this nothing is moved on: the world is taken to stand.
+constexpr double kLongestAhead_s = 0.1;
+const Vector3 kGone_W(0.0, -2.0e4, 0.0);  // out of every hand's reach
+
+}  // namespace
+
+Pose BodyStage::predict(const RigidSolid& told, double now_s) const noexcept {
+    const double ahead_s = std::clamp(now_s - stamp_s_ + told.behind_s, 0.0, kLongestAhead_s);
+    return {told.pose_W.position + ahead_s * told.velocity_W.linear,
+            compute_exp(ahead_s * told.velocity_W.angular) * told.pose_W.orientation};
+}
+
+Pose BodyStage::find_pose(const Body& body, double now_s) const noexcept {
+    Pose pose_W = predict(body.told, now_s);
+    const double left = 1.0 - (now_s - heard_s_ + period_s_) / blend_s_;
+    if (blend_s_ > 0.0 && left > 0.0) {
+        pose_W.position += left * body.shift_W;
+        pose_W.orientation = compute_exp(left * body.turn_W) * pose_W.orientation;
+    }
+    return pose_W;
+}
+
+// A frame with anything in it that is no number is passed over: an old one ages, and that is noticed.
+void BodyStage::take_frame(double now_s) noexcept {
+    const RigidFrame& frame = channels_->frame.value();
+    for (const Body& body : bodies_) {
+        const RigidSolid& told = frame.solids[body.plan.solid];
+        if (!is_finite(told.pose_W) || !is_finite(told.velocity_W.linear) ||
+            !is_finite(told.velocity_W.angular)) {
+            return;
+        }
+    }
+    std::array<Pose, kMaxSolids> before_W{};
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        before_W[i] = find_pose(bodies_[i], now_s);
+    }
+    blend_s_ = std::clamp(frame.stamp_s - stamp_s_, 0.0, kLongestAhead_s);
+    stamp_s_ = frame.stamp_s;
+    heard_s_ = now_s;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        Body& body = bodies_[i];
+        const RigidSolid& told = frame.solids[body.plan.solid];
+        const bool is_put = !body.is_known || told.n_placements != body.told.n_placements ||
+                            told.is_present != body.told.is_present;
+        body.is_known = true;
+        body.told = told;
+        const Pose ahead_W = predict(told, now_s);
+        body.shift_W = before_W[i].position - ahead_W.position;
+        body.turn_W = compute_log(before_W[i].orientation * ahead_W.orientation.conjugate());
+        if (is_put) {
+            body.shift_W.setZero();
+            body.turn_W.setZero();
+            put_ |= 1U << body.plan.solid;
+        }
+    }
+}
+
+std::span<const Pose> BodyStage::place(std::span<const Pose> poses_W, double now_s) noexcept {
+    put_ = 0;
+    std::copy(poses_W.begin(), poses_W.end(), poses_W_.begin());
+    if (channels_ != nullptr && channels_->frame.take()) {
+        take_frame(now_s);
+    }
+    for (const Body& body : bodies_) {
+        if (body.is_known) {
+            Pose& pose_W = poses_W_[body.plan.solid];
+            pose_W = find_pose(body, now_s);
+            pose_W.position = body.told.is_present ? pose_W.position : kGone_W;
+        }
+    }
+    if (grip_.solid >= 0) {
+        put_ |= 1U << grip_.solid;
+    }
+    return {poses_W_.data(), poses_W.size()};
+}
+
+double BodyStage::age_s(double now_s) const noexcept {
+    if (channels_ == nullptr) {
+        return 0.0;
+    }
+    return stamp_s_ < 0.0 ? std::numeric_limits<double>::infinity() : now_s - stamp_s_;
+}
+
+void BodyStage::begin_grip(const ProxyContact& contact, const GrippingHand& hand) noexcept {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const RigidSolidPlan& plan = bodies_[i].plan;
+        if (contact.solid != static_cast<std::int32_t>(plan.solid) ||
+            (plan.grip_buttons & hand.buttons) == 0) {
+            continue;
+        }
+        const Pose& pose_W = poses_W_[plan.solid];
+        grip_.solid = contact.solid;
+        grip_.body = i;
+        grip_.place_B = pose_W.inverse() * contact.position_W;
+        grip_.turn_TB = hand.pose_W.orientation.conjugate() * pose_W.orientation;
+    }
+}
+
+GripForce BodyStage::grip(const ProxyContact& contact, const GrippingHand& hand) noexcept {
+    const bool was_gripped = grip_.solid >= 0;
+    if (!was_gripped) {
+        begin_grip(contact, hand);
+    } else if (const Body& body = bodies_[grip_.body];
+               (body.plan.grip_buttons & hand.buttons) == 0 || !body.told.is_present) {
+        grip_.solid = kNoBody;
+    }
+    grip_.force = {};
+    if (grip_.solid < 0 || !was_gripped) {
+        // In its first round it is still the touch that is felt.
+        return grip_.force;
+    }
+    const Body& body = bodies_[grip_.body];
+    const Pose& pose_W = poses_W_[body.plan.solid];
+    const Vector3 at_W = pose_W * grip_.place_B;
+    const Twist& moves = body.told.velocity_W;
+    const Vector3 velocity_W = moves.linear + moves.angular.cross(at_W - pose_W.position);
+    const double k = body.slopes.stiffness_N_per_m;
+    grip_.force.spring_W = k * (at_W - hand.pose_W.position);
+    grip_.force.force_W =
+        grip_.force.spring_W + body.slopes.damping_Ns_per_m * (velocity_W - hand.twist_W.linear);
+    // Turned as it was in the hand.
+    const double moment = body.plan.moment_kg_m2;
+    PushSlopes slopes = body.slopes;
+    slopes.turn_stiffness_Nm_per_rad = k * moment / body.plan.mass_kg;
+    slopes.turn_damping_Nms_per_rad = 2.0 * std::sqrt(slopes.turn_stiffness_Nm_per_rad * moment);
+    const Vector3 turn_W =
+        compute_log(hand.pose_W.orientation * grip_.turn_TB * pose_W.orientation.conjugate());
+    grip_.push = {grip_.solid,
+                  at_W,
+                  {-grip_.force.force_W,
+                   slopes.turn_stiffness_Nm_per_rad * turn_W +
+                       slopes.turn_damping_Nms_per_rad * (hand.twist_W.angular - moves.angular)},
+                  slopes,
+                  true};
+    return grip_.force;
+}
+
+void BodyStage::begin_pushes(double now_s) noexcept {
+    pushes_.stamp_s = now_s;
+    pushes_.count = 0;
+}
+
+void BodyStage::add_push(const Body& body, const MostFelt& most, SolidPush push) noexcept {
+    if (!push.touches || !body.told.is_present) {
+        return;
+    }
+    // A force that is cut off has no slope; that of its secant is enough to hold it.
+    const double share = limit_push(most, push);
+    RigidPush& told = pushes_.pushes[static_cast<std::size_t>(pushes_.count++)];
+    told = {static_cast<std::int32_t>(body.plan.solid),
+            push.at_W,
+            {push.force_W, push.couple_W},
+            body.slopes,
+            false};
+    told.slopes.stiffness_N_per_m *= share;
+    told.slopes.damping_Ns_per_m *= share;
+    told.slopes.late_mass_kg *= share;
+}
+
+void BodyStage::publish() noexcept {
+    if (channels_ != nullptr) {
+        channels_->pushes.publish(pushes_);
+    }
+}
+
+void BodyStage::push(const ProxyContact& contact, const HandPush& hand, double now_s) noexcept {
+    begin_pushes(now_s);
+    const Vector3 held_W = compute_held_force(contact, hand.force_W, hand.spring_W);
+    for (const Body& body : bodies_) {
+        const auto solid = static_cast<std::int32_t>(body.plan.solid);
+        add_push(body, {.force_N = hand.most_N},
+                 compute_solid_push(contact, solid, held_W, cursor_m_));
+    }
+    if (grip_.solid >= 0 && grip_.push.holds) {
+        RigidPush told = grip_.push;
+        SolidPush push{true, told.at_W, told.push_W.force, Vector3::Zero()};
+        const double share = limit_push({.force_N = hand.most_N}, push);
+        told.push_W.force = push.force_W;
+        told.push_W.torque *= share;
+        pushes_.pushes[static_cast<std::size_t>(pushes_.count++)] = told;
+    }
+    grip_.push.holds = false;
+    publish();
+}
+
+void BodyStage::push_by_tool(std::span<const SolidPush> pushes, const MostFelt& most,
+                             double now_s) noexcept {
+    begin_pushes(now_s);
+    for (const Body& body : bodies_) {
+        add_push(body, most, pushes[body.plan.solid]);
+    }
+    publish();
+}
+
+}  // namespace fulcrum

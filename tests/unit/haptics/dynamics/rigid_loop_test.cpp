@@ -1,0 +1,188 @@
+#include "haptics/dynamics/rigid_loop.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace fulcrum {
+namespace {
+
+// A ground and two cubes: the scene's bodies 3 and 5, the hand's solids 0 and 2; solid 1 is none of them.
+RigidLoopPlan make_two_cubes() {
+    RigidLoopPlan plan;
+    plan.world.bodies = {{.role = BodyRole::ground},
+                         {.shape = BoxShape{{0.05, 0.05, 0.05}},
+                          .mass_kg = 0.5,
+                          .pose_W = Pose::at({0.0, 0.05, 0.0})},
+                         {.shape = BoxShape{{0.05, 0.05, 0.05}},
+                          .mass_kg = 0.5,
+                          .pose_W = Pose::at({0.5, 0.05, 0.0})}};
+    plan.scene_bodies = {kNoBody, 3, 5};
+    plan.solids = {1, kNoBody, 2};
+    return plan;
+}
+
+struct CubesLoop {
+    explicit CubesLoop(const RigidLoopPlan& plan = make_two_cubes()) {
+        RigidChannels* const hands[] = {hand.get()};
+        loop = std::move(RigidLoop::create(plan, lesson.get(), hands)).value();
+    }
+    void run(double seconds, double dt_s = 1.0e-3) {
+        for (const double until_s = now_s + seconds; now_s < until_s - 0.5 * dt_s;) {
+            now_s += dt_s;
+            loop->step(now_s);
+        }
+    }
+    void order(WorldCommand::Kind kind, std::int32_t body, const Vector3& at_W,
+               const Vector3& velocity_W = Vector3::Zero()) {
+        REQUIRE(lesson->commands.push({kind, body, at_W, velocity_W}));
+    }
+    const BodyState& seen(std::size_t body) {
+        lesson->snapshot.take();
+        return lesson->snapshot.value().bodies[body];
+    }
+    const RigidSolid& felt(std::size_t solid) {
+        hand->frame.take();
+        return hand->frame.value().solids[solid];
+    }
+    std::vector<WorldEvent> events() {
+        std::vector<WorldEvent> all;
+        for (WorldEvent event; lesson->events.pop(event);) {
+            all.push_back(event);
+        }
+        return all;
+    }
+    std::unique_ptr<WorldChannels> lesson = std::make_unique<WorldChannels>();
+    std::unique_ptr<RigidChannels> hand = std::make_unique<RigidChannels>();
+    std::unique_ptr<RigidLoop> loop;
+    double now_s = 0.0;
+};
+
+TEST_CASE("rigid loop: tells the lesson and the hands of each body by their own numbers") {
+    CubesLoop cubes;
+    cubes.run(1.0);
+    CHECK(cubes.seen(5).pose_W.position.x() == Approx(0.5));
+    CHECK(cubes.seen(5).where == BodyWhere::landed);
+    CHECK(cubes.lesson->snapshot.value().n_bodies == 6);
+    CHECK(cubes.lesson->snapshot.value().time_s == Approx(1.0));
+    CHECK(cubes.felt(2).pose_W.position.x() == Approx(0.5));
+    CHECK(cubes.felt(2).is_present);
+    CHECK_FALSE(cubes.felt(1).is_present);
+    CHECK(cubes.hand->frame.value().stamp_s == Approx(1.0));
+}
+
+TEST_CASE("rigid loop: what is dropped falls, lands with its speed, and comes to rest") {
+    CubesLoop cubes;
+    cubes.run(0.1);
+    cubes.order(WorldCommand::Kind::drop, 3, {0.0, 0.55, 0.0}, {0.0, -1.0, 0.0});
+    cubes.run(0.1);
+    CHECK(cubes.seen(3).where == BodyWhere::falling);
+    CHECK(cubes.seen(3).velocity_W.y() == Approx(-1.0 - 9.81 * 0.1).epsilon(1.0e-3));
+    CHECK(cubes.felt(0).n_placements == 1);
+    CHECK(cubes.events().empty());
+    cubes.run(1.9);
+    const auto landed = cubes.events();
+    REQUIRE(landed.size() == 1);
+    CHECK(landed[0].kind == WorldEvent::Kind::landed);
+    CHECK(landed[0].body == 3);
+    // v^2 = 1 + 2 g 0.5.
+    CHECK(landed[0].speed_m_per_s == Approx(std::sqrt(1.0 + 9.81)).epsilon(0.01));
+    CHECK(cubes.seen(3).where == BodyWhere::landed);
+    CHECK(cubes.seen(3).pose_W.position.y() == Approx(0.05).margin(1.0e-4));
+}
+
+TEST_CASE("rigid loop: what is placed stands where it was put, at rest and upright") {
+    CubesLoop cubes;
+    cubes.run(0.1);
+    cubes.order(WorldCommand::Kind::place, 3, {0.5, 0.15, 0.0}, {9.0, 9.0, 9.0});
+    cubes.run(1.0);
+    CHECK((cubes.seen(3).pose_W.position - Vector3(0.5, 0.15, 0.0)).norm() < 1.0e-4);
+    CHECK(cubes.events().empty());
+}
+
+TEST_CASE("rigid loop: what is hidden is nowhere, from the start or by the lesson's order") {
+    RigidLoopPlan plan = make_two_cubes();
+    plan.hidden = {1};
+    CubesLoop cubes(plan);
+    cubes.order(WorldCommand::Kind::hide, 5, Vector3::Zero());
+    cubes.run(0.1);
+    CHECK(cubes.seen(3).where == BodyWhere::hidden);
+    CHECK(cubes.seen(5).where == BodyWhere::hidden);
+    CHECK_FALSE(cubes.felt(0).is_present);
+    cubes.order(WorldCommand::Kind::place, 3, {0.0, 0.05, 0.0});
+    cubes.run(0.1);
+    CHECK(cubes.seen(3).where == BodyWhere::placed);
+    CHECK(cubes.felt(0).is_present);
+}
+
+TEST_CASE("rigid loop: orders that name no rigid body or no place are passed over") {
+    CubesLoop cubes;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const std::int32_t body : {-1, 0, 4, 64, 1000}) {
+        cubes.order(WorldCommand::Kind::place, body, {0.0, 3.0, 0.0});
+    }
+    cubes.order(WorldCommand::Kind::place, 3, Vector3::Constant(nan));
+    cubes.order(WorldCommand::Kind::drop, 3, Vector3::Zero(), Vector3::Constant(nan));
+    cubes.order(WorldCommand::Kind::hold, 3, Vector3::Zero());
+    cubes.run(0.1);
+    CHECK((cubes.seen(3).pose_W.position - Vector3(0.0, 0.05, 0.0)).norm() < 1.0e-4);
+    CHECK(cubes.felt(0).n_placements == 0);
+}
+
+TEST_CASE("rigid loop: a hand pushes until it has been silent for too long") {
+    CubesLoop cubes;
+    cubes.run(0.01);
+    HandPushes pushes;
+    pushes.stamp_s = cubes.now_s;
+    pushes.count = 2;
+    // 8 N against 0.6 m g = 2.9 N of friction; the second push is on what is no rigid body.
+    pushes.pushes[0] = {2, {0.45, 0.05, 0.0}, {{8.0, 0.0, 0.0}, Vector3::Zero()}, {}, true};
+    pushes.pushes[1] = {1, {0.45, 0.05, 0.0}, {{8.0, 0.0, 0.0}, Vector3::Zero()}, {}, true};
+    cubes.hand->pushes.publish(pushes);
+    cubes.run(0.05);
+    const double speed = cubes.seen(5).velocity_W.x();
+    CHECK(speed == Approx(0.05 * (8.0 / 0.5 - 0.6 * 9.81)).epsilon(0.02));
+    CHECK(cubes.seen(5).where == BodyWhere::held);
+    cubes.run(0.1);
+    CHECK(cubes.seen(5).where != BodyWhere::held);
+    CHECK(cubes.seen(5).velocity_W.x() < 2.1 * speed);
+    cubes.run(0.3);
+    CHECK(cubes.seen(5).velocity_W.norm() < 1.0e-3);
+}
+
+TEST_CASE("rigid loop: a clock that stands, leaps or is no number moves nothing too far") {
+    RigidLoopPlan plan = make_two_cubes();
+    plan.world.bodies[1].pose_W.position.y() = 50.0;
+    CubesLoop cubes(plan);
+    cubes.run(0.01);
+    const double height_m = cubes.seen(3).pose_W.position.y();
+    cubes.loop->step(cubes.now_s);
+    cubes.loop->step(cubes.now_s - 1.0);
+    cubes.loop->step(std::numeric_limits<double>::quiet_NaN());
+    CHECK(cubes.seen(3).pose_W.position.y() == height_m);
+    cubes.loop->step(cubes.now_s + 1000.0);
+    CHECK(cubes.seen(3).pose_W.position.y() > height_m - 9.81 * 0.06 * 0.06);
+}
+
+TEST_CASE("rigid loop: a plan whose lists do not fit its world is refused") {
+    const auto refuses = [](auto spoil) {
+        RigidLoopPlan plan = make_two_cubes();
+        spoil(plan);
+        return !validate(plan).has_value();
+    };
+    CHECK(validate(make_two_cubes()));
+    CHECK(refuses([](RigidLoopPlan& plan) { plan.rate_hz = 10.0; }));
+    CHECK(refuses([](RigidLoopPlan& plan) { plan.scene_bodies.pop_back(); }));
+    CHECK(refuses([](RigidLoopPlan& plan) { plan.scene_bodies[1] = 5; }));
+    CHECK(refuses([](RigidLoopPlan& plan) { plan.scene_bodies[1] = kMaxBodies; }));
+    CHECK(refuses([](RigidLoopPlan& plan) { plan.solids[0] = 3; }));
+    CHECK(refuses([](RigidLoopPlan& plan) { plan.solids.resize(kMaxSolids + 1, kNoBody); }));
+    CHECK(refuses([](RigidLoopPlan& plan) { plan.hidden = {-1}; }));
+    CHECK(refuses([](RigidLoopPlan& plan) { plan.world.bodies[1].mass_kg = -1.0; }));
+}
+
+}  // namespace
+}  // namespace fulcrum

@@ -1,0 +1,193 @@
+#include "haptics/loop/body_stage.h"
+
+#include "haptics/math/rotation.h"
+#include "tests/unit/haptics/loop/axle_stage_fixture.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+using namespace fulcrum;
+
+namespace {
+
+HapticPlan make_body_plan(std::uint32_t grip_buttons = 0) {
+    HapticPlan plan;
+    plan.coupling = {.stiffness_N_per_m = 600.0, .damping_Ns_per_m = 5.0};
+    plan.solids = {{.body = 0, .shape = BoxShape{{0.1, 0.1, 0.1}}},
+                   {.body = 1, .shape = BoxShape{{0.1, 0.1, 0.1}}}};
+    plan.rigid = {{1, 0.5, 2.0e-3, grip_buttons}};
+    return plan;
+}
+
+// The second of two solids is a rigid body.
+struct StagedBody {
+    explicit StagedBody(const HapticPlan& plan = make_body_plan()) : stage(plan, channels.get()) {}
+    void tell(double stamp_s, const Vector3& at_W, const Vector3& velocity_W,
+              std::uint32_t n_placements = 0, double behind_s = 0.0) {
+        RigidFrame frame;
+        frame.stamp_s = stamp_s;
+        frame.solids[1] = {
+            Pose::at(at_W), {velocity_W, Vector3::Zero()}, behind_s, true, n_placements};
+        channels->frame.publish(frame);
+    }
+    Pose felt(double now_s) {
+        const Pose rest[] = {Pose::at({7.0, 0.0, 0.0}), Pose::at({9.0, 0.0, 0.0})};
+        const auto poses_W = stage.place(rest, now_s);
+        REQUIRE(poses_W.size() == 2);
+        CHECK(poses_W[0].position.x() == 7.0);
+        return poses_W[1];
+    }
+    const HandPushes& told() {
+        REQUIRE(channels->pushes.take());
+        return channels->pushes.value();
+    }
+    std::unique_ptr<RigidChannels> channels = std::make_unique<RigidChannels>();
+    BodyStage stage;
+};
+
+}  // namespace
+
+TEST_CASE("body stage: a body is where its newest frame says, moved on by its velocity") {
+    StagedBody body;
+    CHECK(body.felt(0.0).position.x() == 9.0);
+    CHECK(body.stage.age_s(0.0) == std::numeric_limits<double>::infinity());
+    body.tell(1.0, {0.3, 0.0, 0.0}, {2.0, 0.0, 0.0}, 0, 0.004);
+    CHECK(body.felt(1.01).position.x() == Approx(0.3 + 2.0 * 0.014));
+    CHECK(body.felt(1.03).position.x() == Approx(0.3 + 2.0 * 0.034));
+    CHECK(body.stage.age_s(1.03) == Approx(0.03));
+    // Not for ever.
+    CHECK(body.felt(9.0).position.x() == Approx(0.3 + 2.0 * 0.1));
+}
+
+TEST_CASE("body stage: it turns on as well") {
+    StagedBody body;
+    RigidFrame frame;
+    frame.stamp_s = 1.0;
+    frame.solids[1] = {Pose{}, {Vector3::Zero(), {0.0, 3.0, 0.0}}, 0.0, true, 0};
+    body.channels->frame.publish(frame);
+    const Quaternion turn = body.felt(1.05).orientation;
+    CHECK(turn.angularDistance(compute_exp(Vector3(0.0, 0.15, 0.0))) < 1.0e-9);
+}
+
+TEST_CASE("body stage: what a frame corrects is felt little by little until the next is due") {
+    StagedBody body;
+    body.tell(1.00, Vector3::Zero(), {1.0, 0.0, 0.0});
+    (void)body.felt(1.001);
+    body.tell(1.02, {0.02, 0.0, 0.0}, {1.0, 0.0, 0.0});
+    (void)body.felt(1.021);
+    // It has stopped meanwhile: what was foretold is 0.06, what is told 0.04.
+    body.tell(1.06, {0.04, 0.0, 0.0}, Vector3::Zero());
+    double before_m = body.felt(1.06).position.x();
+    CHECK(before_m == Approx(0.06).margin(0.6e-3));
+    for (int i = 1; i <= 40; ++i) {
+        const double now_m = body.felt(1.06 + 1.0e-3 * i).position.x();
+        CHECK(std::abs(now_m - before_m) < 0.6e-3);
+        before_m = now_m;
+    }
+    CHECK(before_m == Approx(0.04));
+}
+
+TEST_CASE("body stage: what was put elsewhere is there at once, and the proxy is told") {
+    StagedBody body;
+    body.tell(1.00, Vector3::Zero(), Vector3::Zero());
+    (void)body.felt(1.0);
+    CHECK(body.stage.put() == 2U);
+    (void)body.felt(1.001);
+    CHECK(body.stage.put() == 0U);
+    body.tell(1.02, {0.5, 0.0, 0.0}, Vector3::Zero(), 1);
+    CHECK(body.felt(1.02).position.x() == 0.5);
+    CHECK(body.stage.put() == 2U);
+    RigidFrame gone = body.channels->frame.value();
+    gone.solids[1].is_present = false;
+    body.channels->frame.publish(gone);
+    CHECK(body.felt(1.03).position.y() < -1.0e3);
+    CHECK(body.stage.put() == 2U);
+}
+
+TEST_CASE("body stage: a frame with what is no number in it is passed over") {
+    StagedBody body;
+    body.tell(1.0, {0.1, 0.0, 0.0}, Vector3::Zero());
+    (void)body.felt(1.0);
+    body.tell(1.1, Vector3::Constant(std::nan("")), Vector3::Zero());
+    CHECK(body.felt(1.1).position.x() == 0.1);
+    CHECK(body.stage.age_s(1.1) == Approx(0.1));
+}
+
+TEST_CASE("body stage: the world hears of a push with its place and its slopes, cut off with it") {
+    StagedBody body;
+    body.tell(1.0, Vector3::Zero(), Vector3::Zero());
+    (void)body.felt(1.0);
+    body.stage.push(make_contact({0.1, 0.0, 0.0}, Vector3::UnitX(), 1),
+                    {Vector3(8.0, 0.0, 0.0), Vector3(8.0, 0.0, 0.0), 4.0}, 1.0);
+    const HandPushes& told = body.told();
+    REQUIRE(told.count == 1);
+    CHECK(told.stamp_s == 1.0);
+    const RigidPush& push = told.pushes[0];
+    CHECK(push.solid == 1);
+    CHECK((push.push_W.force - Vector3(-4.0, 0.0, 0.0)).norm() < kRounding);
+    CHECK(push.at_W.x() == Approx(0.1));
+    CHECK(push.slopes.stiffness_N_per_m == Approx(300.0));
+    CHECK(push.slopes.damping_Ns_per_m == Approx(2.5));
+    CHECK(push.slopes.late_mass_kg == Approx(0.5 * 0.008 * 5.0));
+    CHECK_FALSE(push.holds);
+    // What is no rigid body is not the world's.
+    body.stage.push(make_contact({0.1, 0.0, 0.0}, Vector3::UnitX(), 0),
+                    {Vector3(8.0, 0.0, 0.0), Vector3(8.0, 0.0, 0.0), 4.0}, 1.001);
+    CHECK(body.told().count == 0);
+}
+
+TEST_CASE("body stage: a grip holds the place that was touched, as long as the button is down") {
+    StagedBody body(make_body_plan(2U));
+    body.tell(1.0, Vector3::Zero(), Vector3::Zero());
+    (void)body.felt(1.0);
+    const ProxyContact touch = make_contact({0.0, 0.1, 0.0}, Vector3::UnitY(), 1);
+    GrippingHand hand{Pose::at({0.0, 0.099, 0.0}), {}, 1U};
+    // Another button grips nothing; in the round in which it is pressed the touch is still felt.
+    CHECK(body.stage.grip(touch, hand).force_W.norm() == 0.0);
+    CHECK(body.stage.gripped() == kNoBody);
+    hand.buttons = 3U;
+    CHECK(body.stage.grip(touch, hand).force_W.norm() == 0.0);
+    CHECK(body.stage.gripped() == 1);
+    (void)body.felt(1.001);
+    CHECK(body.stage.put() == 2U);
+    // It goes on with the force of the touch, and pulls as well as pushes.
+    CHECK((body.stage.grip({}, hand).force_W - Vector3(0.0, 0.6, 0.0)).norm() < kRounding);
+    hand.pose_W.position.y() = 0.11;
+    hand.twist_W.linear = {0.1, 0.0, 0.0};
+    const GripForce pull = body.stage.grip({}, hand);
+    CHECK((pull.spring_W - Vector3(0.0, -6.0, 0.0)).norm() < kRounding);
+    CHECK((pull.force_W - Vector3(-0.5, -6.0, 0.0)).norm() < kRounding);
+    // The body is turned with the hand: k_r = k I / m.
+    hand.twist_W = {};
+    hand.pose_W.orientation = compute_exp(Vector3(0.0, 0.0, 0.01));
+    (void)body.stage.grip({}, hand);
+    body.stage.push({}, {Vector3::Zero(), Vector3::Zero(), 4.0}, 1.002);
+    const HandPushes& told = body.told();
+    REQUIRE(told.count == 1);
+    CHECK(told.pushes[0].holds);
+    CHECK(told.pushes[0].push_W.force.y() == Approx(4.0));
+    CHECK(told.pushes[0].push_W.torque.z() ==
+          Approx(4.0 / 6.0 * 600.0 * 2.0e-3 / 0.5 * 0.01).epsilon(1.0e-6));
+    hand.buttons = 0U;
+    CHECK(body.stage.grip({}, hand).force_W.norm() == 0.0);
+    CHECK(body.stage.gripped() == kNoBody);
+}
+
+TEST_CASE("body stage: a plan with rigid bodies that cannot be is refused") {
+    const auto refuses = [](auto spoil) {
+        HapticPlan plan = make_body_plan();
+        spoil(plan);
+        return !validate_rigid(plan).has_value();
+    };
+    CHECK(validate_rigid(make_body_plan()));
+    CHECK(refuses([](HapticPlan& plan) { plan.rigid[0].solid = 2; }));
+    CHECK(refuses([](HapticPlan& plan) { plan.rigid.push_back(plan.rigid[0]); }));
+    CHECK(refuses([](HapticPlan& plan) { plan.rigid[0].mass_kg = 0.0; }));
+    CHECK(refuses([](HapticPlan& plan) { plan.rigid[0].moment_kg_m2 = std::nan(""); }));
+    CHECK(refuses([](HapticPlan& plan) { plan.axles.push_back({.solid = 1}); }));
+    CHECK(make_body_stage(HapticPlan{}, nullptr) == nullptr);
+    CHECK(make_body_stage(make_body_plan(), nullptr)->memory_bytes() > 0);
+}
