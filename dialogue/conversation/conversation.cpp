@@ -53,15 +53,16 @@ Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
     if (state_ != State::heard) {
         return {};
     }
-    ++attempt_;
-    if (repeating_) {
-        return respond_to_repeat(mark, meaning_right);
-    }
-    if (mark.confidence < settings_.least_confidence) {
+    // What was not heard well is no attempt.
+    if (!repeating_ && mark.confidence < settings_.least_confidence) {
         Feedback feedback = say(FeedbackKind::heard_badly, "feedback.heard_badly");
         feedback.ask_again = true;
         state_ = State::asked;
         return feedback;
+    }
+    ++attempt_;
+    if (repeating_) {
+        return respond_to_repeat(mark, meaning_right);
     }
     if (!mark.understood) {
         return not_understood(mark);

@@ -144,7 +144,8 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
     if (!learner) {
         return tl::unexpected(learner.error());
     }
-    const bool plays_own_test = request.own_test && !description.tests.empty();
+    const bool plays_own_test =
+        request.own_test && !description.tests.empty() && request.plan.hearing.recordings.empty();
     if (plays_own_test || !request.say.empty()) {
         const bool says_own = plays_own_test && request.say.empty();
         pupil_.emplace(says_own ? description.tests.front().say : request.say);

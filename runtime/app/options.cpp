@@ -20,13 +20,14 @@ struct CommandWord {
 constexpr std::array<CommandWord, 11> kCommands{{
     {"run", Command::run, true,
      " --headless --seconds --hand --say --learner --db --record --screenshot --screenshot-at "
-     "--speech --voice --voice-speed --watch"
+     "--speech --hear --voice --voice-speed --watch"
      " --mute --force-limit "},
     {"list", Command::list, false, " "},
     {"check", Command::check, true, " --force-limit "},
     {"test", Command::test, true, " --force-limit "},
     {"explain", Command::explain, true,
-     " --mute --headless --speech --record --force-limit --analyze --json --hand --say --seconds "},
+     " --mute --headless --speech --hear --record --force-limit --analyze --json --hand --say "
+     "--seconds "},
     {"report", Command::report, false, " --learner --lesson --db --format --out "},
     {"help", Command::help, false, " "},
     {"--help", Command::help, false, " "},
@@ -51,6 +52,22 @@ Expected<double> number_in(const std::string& flag, const std::string& text, dou
                     "give a number from " + shown(low) + " to " + shown(high));
     }
     return value;
+}
+
+Expected<void> set_speech(Options& options, const std::string& value) {
+    constexpr std::string_view kExec = "exec:";
+    if (value.starts_with(kExec) && value.size() > kExec.size()) {
+        options.speech = SpeechInput::external;
+        options.hearing = value.substr(kExec.size());
+        return {};
+    }
+    for (const SpeechInput input : {SpeechInput::text, SpeechInput::sphinx}) {
+        if (name_of(input) == value) {
+            options.speech = input;
+            return {};
+        }
+    }
+    return fail("--speech " + value + " is not known", "", "use text, sphinx or exec:COMMAND");
 }
 
 // Each flag that takes a value, and where the value goes.
@@ -84,14 +101,7 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
         return {};
     }
     if (flag == "--speech") {
-        constexpr std::array<SpeechInput, 1> kInputs{SpeechInput::text};
-        const auto input = std::find_if(kInputs.begin(), kInputs.end(),
-                                        [&](SpeechInput i) { return name_of(i) == value; });
-        if (input == kInputs.end()) {
-            return fail("--speech " + value + " is not known", "", "use --speech text");
-        }
-        options.speech = *input;
-        return {};
+        return set_speech(options, value);
     }
     if (flag == "--format") {
         if (value != "text" && value != "csv") {
@@ -104,7 +114,8 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
         std::string_view flag;
         std::string Options::*member;
     };
-    static constexpr std::array<Target, 8> kTargets{{{"--hand", &Options::hand},
+    static constexpr std::array<Target, 9> kTargets{{{"--hand", &Options::hand},
+                                                     {"--hear", &Options::hear},
                                                      {"--say", &Options::say},
                                                      {"--learner", &Options::learner},
                                                      {"--db", &Options::database},
@@ -267,7 +278,9 @@ std::string usage() {
       --force-limit N        newtons this site allows, 0.5 to 10 (5)
       --mute                 without sound
       --watch                runs again whenever a file of the lesson is saved, not only after a mistake
-      --speech text          answers are typed (the only way yet)
+      --speech NAME          how answers come beside typing: text, not at all (text); sphinx, spoken, heard by PocketSphinx;
+                             exec:COMMAND, heard by a program of your own (dialogue/README.md)
+      --hear FILE            one recording (WAV) a line, heard for the questions in turn instead of a microphone
       --voice NAME           who says aloud what stands there: flite, espeak-ng or none (flite)
       --voice-speed N        0.5 to 2, 1 is as a teacher speaks (0.9)
   fulcrum list               the lessons

@@ -27,6 +27,8 @@ struct Options {
     std::string screenshot;  ///< PNG to write when the run ends
     double screenshot_at_s = -1.0;  ///< or at this time of the run; negative: at its end
     SpeechInput speech = SpeechInput::text;
+    std::string hearing;    ///< with --speech exec: the command
+    std::string hear;       ///< file with the name of one recording a line
     VoiceSettings voice{};  ///< in a window
     bool watch = false;     ///< start again whenever the lesson's files change
     bool mute = false;

@@ -63,6 +63,38 @@ Expected<void> choose_answers(const Options& options, bool in_window, RunRequest
     return {};
 }
 
+// Which program hears, and what.
+Expected<void> choose_hearing(const Options& options, RunRequest& request) {
+    request.plan.speech = options.speech;
+    if (options.speech == SpeechInput::text) {
+        return options.hear.empty()
+                   ? Expected<void>{}
+                   : Expected<void>(fail("--hear without somebody who hears", "",
+                                         "add --speech sphinx, or --speech exec:COMMAND"));
+    }
+    HearingOrder& hearing = request.plan.hearing;
+    if (options.speech == SpeechInput::external) {
+        hearing.words = {"/bin/sh", "-c", options.hearing};
+    } else {
+        std::error_code error;
+        const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
+        hearing.words = {(own.parent_path() / "fulcrum-sphinx").string()};
+    }
+    if (options.hear.empty()) {
+        return {};
+    }
+    const auto lines = SimulatedPupil::read_lines(options.hear);
+    if (!lines) {
+        return tl::unexpected(lines.error());
+    }
+    // Names are from where the list lies.
+    const auto folder = std::filesystem::path(options.hear).parent_path();
+    for (const std::string& line : *lines) {
+        hearing.recordings.push_back((folder / line).string());
+    }
+    return {};
+}
+
 // Days since noon of 1 January 2000, of Greenwich.
 double today() {
     constexpr std::chrono::sys_days kFirst{std::chrono::year{2000} / 1 / 1};
@@ -81,7 +113,6 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     }
     request.folder = *folder;
     request.plan.force_limit_N = options.force_limit_N;
-    request.plan.speech = options.speech;
     request.plan.picture = in_window || !options.screenshot.empty();
     request.plan.sound = in_window && !options.mute;
     request.plan.record = !options.record.empty();
@@ -90,6 +121,7 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     request.record_file = options.record;
     return choose_hand(options, in_window, request)
         .and_then([&] { return choose_answers(options, in_window, request); })
+        .and_then([&] { return choose_hearing(options, request); })
         .map([&] { return std::move(request); });
 }
 

@@ -158,6 +158,10 @@ void LessonSession::take(QuestionTurn turn) {
         const MarkedAnswer& answer = *turn.answer;
         speech_.reply(answer.feedback.text);
         transcript_.answer(time_s_, answer);
+    }
+    // What was not heard well is no attempt.
+    if (turn.answer && turn.answer->feedback.kind != dialogue::FeedbackKind::heard_badly) {
+        const MarkedAnswer& answer = *turn.answer;
         sounds_.push_back(answer.right ? "right" : "try_again");
         ++result_.attempts;
         result_.form_errors += static_cast<int>(answer.mark.form_errors.size());
@@ -209,6 +213,9 @@ Expected<SessionOutput> LessonSession::finish_frame(const LessonReply& reply) {
     output.force = force_;
     output.axles = axles_;
     output.spoken = speech_.take_spoken();
+    for (std::string& trouble : speech_.take_troubles()) {
+        output.printed.push_back(std::move(trouble));
+    }
     output.said = transcript_.take();
     output.sounds = std::move(sounds_);
     sounds_.clear();

@@ -1,7 +1,5 @@
 #include "runtime/lesson/speech.h"
 
-#include "dialogue/speech/null/null_recogniser.h"
-
 #include <utility>
 #include <vector>
 
@@ -18,30 +16,34 @@ void say_anew(dialogue::Voice& voice, std::string_view text) {
 
 Speech Speech::build(const Plan& plan) {
     Speech speech;
-    if (!plan.dialogue) {
-        speech.recogniser_ = std::make_unique<dialogue::NullRecogniser>();
-        return speech;
-    }
-    switch (plan.speech) {
-        case SpeechInput::text: {
-            auto text = std::make_unique<dialogue::TextRecogniser>();
-            speech.typed_ = text.get();
-            speech.recogniser_ = std::move(text);
-            break;
+    speech.asks_ = plan.dialogue;
+    if (plan.recogniser) {
+        auto hearing = ExternalRecogniser::create(
+            {plan.hearing.words, plan.hearing.recordings, plan.waits_for_hearing});
+        if (hearing) {
+            speech.hearing_ = std::move(*hearing);
+        } else {
+            speech.troubles_.push_back("Nobody hears: " + to_sentence(hearing.error()));
         }
     }
     return speech;
 }
 
 void Speech::type(std::string words) {
-    if (typed_ != nullptr && typed_->listening()) {
+    if (typed_->listening()) {
         typed_->type(std::move(words));
     }
 }
 
 Expected<void> Speech::listen(std::shared_ptr<const dialogue::TemplateSet> templates) {
-    recogniser_->stop();
-    const auto listening = recogniser_->listen(std::move(templates));
+    stop_listening();
+    if (!asks_) {
+        return {};
+    }
+    auto listening = typed_->listen(templates);
+    if (listening && hearing_) {
+        listening = hearing_->listen(std::move(templates));
+    }
     if (!listening) {
         return fail("nobody can listen for the answers: " + listening.error().message, "lesson.lua",
                     "mend the question's answers");
@@ -49,9 +51,41 @@ Expected<void> Speech::listen(std::shared_ptr<const dialogue::TemplateSet> templ
     return {};
 }
 
+void Speech::stop_listening() {
+    typed_->stop();
+    if (hearing_) {
+        hearing_->stop();
+    }
+}
+
 std::optional<dialogue::Hypothesis> Speech::poll() {
-    std::vector<dialogue::Hypothesis> heard = recogniser_->poll();
-    return heard.empty() ? std::nullopt : std::optional(std::move(heard.front()));
+    std::vector<dialogue::Hypothesis> heard = typed_->poll();
+    if (heard.empty() && hearing_) {
+        heard = hearing_->poll();
+    }
+    if (heard.empty()) {
+        return {};
+    }
+    stop_listening();  // whichever it was, the other one's turn is over too
+    return std::move(heard.front());
+}
+
+std::string_view Speech::recogniser_name() const {
+    if (!asks_) {
+        return "null";
+    }
+    return hearing_ ? hearing_->name() : typed_->name();
+}
+
+std::vector<std::string> Speech::take_troubles() {
+    while (hearing_) {
+        std::string trouble = hearing_->take_trouble();
+        if (trouble.empty()) {
+            break;
+        }
+        troubles_.push_back(std::move(trouble));
+    }
+    return std::exchange(troubles_, {});
 }
 
 void Speech::instruct(std::string_view text) {

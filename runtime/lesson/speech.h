@@ -1,6 +1,7 @@
 // What listens to the learner and what speaks to them in one play: exactly what the plan has.
 //
 //   typed, scripted --type--> recogniser --poll--> heard        listens only while the learner may speak
+//   spoken ------------------> the plan's recogniser, if it has one; typing goes on beside it
 //   instruct, reply --> captions --> what the picture shows      an instruction ends a reply once it could be read
 //                   --> take_spoken --> whoever says it aloud    what stands there already is not said again
 //
@@ -10,9 +11,9 @@
 #pragma once
 
 #include "dialogue/speech/captions/caption_voice.h"
-#include "dialogue/speech/recogniser.h"
 #include "dialogue/speech/text/text_recogniser.h"
 #include "haptics/base/error.h"
+#include "runtime/hearing/external_recogniser.h"
 #include "runtime/scene/plan.h"
 
 #include <memory>
@@ -26,19 +27,21 @@ namespace fulcrum::runtime {
 
 class Speech {
   public:
-    /// The recogniser of the plan's choice; for a lesson without questions one that never listens.
+    /// Typing, and the recogniser of the plan's choice beside it; for a lesson without questions nobody ever listens.
     [[nodiscard]] static Speech build(const Plan& plan);
 
     /// Words that were typed, or that a script says. Nothing comes of them unless somebody listens.
     void type(std::string words);
     /// Listens for one answer; what was half said before is forgotten. The error says why it cannot.
     [[nodiscard]] Expected<void> listen(std::shared_ptr<const dialogue::TemplateSet> templates);
-    void stop_listening() { recogniser_->stop(); }
-    [[nodiscard]] bool listening() const { return recogniser_->listening(); }
+    void stop_listening();
+    [[nodiscard]] bool listening() const { return typed_->listening(); }
     /// The answer, once, as far as the recogniser is sure of it.
     [[nodiscard]] std::optional<dialogue::Hypothesis> poll();
-    /// "text" or "null", as the command line names it.
-    [[nodiscard]] std::string_view recogniser_name() const { return recogniser_->name(); }
+    /// "text" or "null", or as the program that hears calls itself.
+    [[nodiscard]] std::string_view recogniser_name() const;
+    /// What somebody should know of who hears, a sentence each, once.
+    [[nodiscard]] std::vector<std::string> take_troubles();
 
     /// What to do now, or a question; empty: nothing. A reply stands on below it until it has stood its reading time.
     void instruct(std::string_view text);
@@ -55,8 +58,10 @@ class Speech {
     Speech() = default;
     void end_past_reply();
 
-    std::unique_ptr<dialogue::Recogniser> recogniser_;
-    dialogue::TextRecogniser* typed_ = nullptr;  // the same one, when it is words that it takes
+    bool asks_ = false;  // the lesson has questions
+    std::unique_ptr<dialogue::TextRecogniser> typed_ = std::make_unique<dialogue::TextRecogniser>();
+    std::unique_ptr<ExternalRecogniser> hearing_;  // null where answers are typed alone
+    std::vector<std::string> troubles_;
     std::unique_ptr<dialogue::CaptionVoice> instruction_ =
         std::make_unique<dialogue::CaptionVoice>();
     std::unique_ptr<dialogue::CaptionVoice> reply_ = std::make_unique<dialogue::CaptionVoice>();

@@ -39,6 +39,9 @@ void Transcript::add(double time_s, const char* who, std::string_view text) {
 }
 
 std::string verdict_text(const MarkedAnswer& answer) {
+    if (answer.feedback.kind == dialogue::FeedbackKind::heard_badly) {
+        return "not heard well";
+    }
     if (!answer.mark.understood) {
         return "not understood";
     }

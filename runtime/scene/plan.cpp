@@ -324,6 +324,10 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
     plan.dialogue = !lesson.questions.empty();
     plan.speech = options.speech;
     plan.recogniser = plan.dialogue && options.speech != SpeechInput::text;
+    if (plan.recogniser) {
+        plan.hearing = options.hearing;
+        plan.waits_for_hearing = !options.live;
+    }
     list_haptic_stages(lesson, plan);
     list_other_loops(lesson, plan);
     return plan;
@@ -333,6 +337,10 @@ std::string_view name_of(SpeechInput speech) {
     switch (speech) {
         case SpeechInput::text:
             return "text";
+        case SpeechInput::sphinx:
+            return "sphinx";
+        case SpeechInput::external:
+            return "exec";
     }
     return "";
 }

@@ -31,10 +31,17 @@ inline constexpr double kWeightShareOfLimit = 0.9;
 inline constexpr double kTestDay = 9669.0;
 
 /// How a learner's words arrive.
-enum class SpeechInput : std::uint8_t { text };
+enum class SpeechInput : std::uint8_t { text, sphinx, external };
 
-/// As the command line, the plan and the recogniser name it: "text".
+/// As the command line and the plan name it: "text", "sphinx", "exec".
 [[nodiscard]] std::string_view name_of(SpeechInput speech);
+
+/// What hears spoken answers.
+struct HearingOrder {
+    std::vector<std::string> words;  ///< the program and its arguments
+    std::vector<std::string>
+        recordings;  ///< WAV files that are heard instead of a microphone, one a question
+};
 
 /// Told how much of what takes long to load is done, 0 to 1, and what it is; false stops the loading. May be empty.
 using PlanProgress = std::function<bool(double share, std::string_view what)>;
@@ -54,6 +61,7 @@ struct PlanOptions {
         false;  ///< a hand waits for each step; false: the clock is virtual, and all is exact
     double day = kTestDay;  ///< today, as the lesson is told: days since noon of 1 January 2000
     SpeechInput speech = SpeechInput::text;
+    HearingOrder hearing{};
     ShapeCache* shapes = nullptr;  ///< keeps what takes long to make; null: it is made each time
     PlanProgress progress{};
 };
@@ -79,7 +87,9 @@ struct Plan {
     double day = 0.0;                        ///< today: days since noon of 1 January 2000
     bool dialogue = false;                   ///< the lesson asks questions
     SpeechInput speech = SpeechInput::text;  ///< how answers arrive, when there are any
-    bool recogniser = false;  ///< a speech recogniser listens; never with SpeechInput::text
+    bool recogniser = false;         ///< a speech recogniser listens; never with SpeechInput::text
+    HearingOrder hearing{};          ///< what that is
+    bool waits_for_hearing = false;  ///< until it answers: no hand waits
     std::vector<double> felt_weight_N;          ///< one a body, 0 when it can't be carried
     std::vector<MaterialFacts> material_facts;  ///< one a material of the lesson, as it is felt
     double felt_scale =

@@ -1,6 +1,5 @@
 #include "dialogue/speech/text/text_recogniser.h"
 
-#include "dialogue/speech/null/null_recogniser.h"
 #include "tests/unit/dialogue/questions.h"
 
 #include <catch2/catch.hpp>
@@ -52,13 +51,4 @@ TEST_CASE(
     }
     CHECK(typed.dropped() == 3);
     CHECK_FALSE(typed.listen(nullptr));
-}
-
-TEST_CASE("null recogniser: listens and hears nothing") {
-    NullRecogniser null;
-    REQUIRE(null.listen(heaviest().templates));
-    CHECK(null.listening());
-    CHECK(null.poll().empty());
-    null.stop();
-    CHECK_FALSE(null.listening());
 }

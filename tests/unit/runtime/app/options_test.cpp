@@ -79,7 +79,7 @@ TEST_CASE(
     const auto microphone = parse({"run", "gravity", "--speech", "microphone"});
     REQUIRE_FALSE(microphone);
     CHECK(to_sentence(microphone.error()) ==
-          "--speech microphone is not known; use --speech text.");
+          "--speech microphone is not known; use text, sphinx or exec:COMMAND.");
 }
 
 TEST_CASE("options: edit distance counts letters") {

@@ -1,0 +1,120 @@
+// fulcrum-sphinx: hears by PocketSphinx, in a process of its own (hearing_lines.h). Ends with its input.
+//
+//   --middle N --width N   how sure of its ear it is (decoder.h)      --models FOLDER   where the acoustic model and dictionary are
+#include "dialogue/speech/external/hearing_lines.h"
+#include "dialogue/speech/sphinx/decoder.h"
+
+#include <charconv>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace {
+
+using namespace fulcrum::dialogue;
+
+constexpr std::size_t kLongestUtterance = 60 * static_cast<std::size_t>(kHeardRate_Hz);
+
+void say(const HearingAnswer& answer) {
+    std::cout << write_line(answer) << std::endl;  // at once: somebody waits for it
+}
+
+bool take_number(std::string_view text, double& number) {
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    return read.ec == std::errc{} && read.ptr == text.data() + text.size();
+}
+
+Expected<DecoderSettings> read_settings(std::span<char*> words) {
+    DecoderSettings settings;
+    for (std::size_t i = 1; i < words.size(); i += 2) {
+        const std::string_view name = words[i];
+        const std::string_view value = i + 1 < words.size() ? words[i + 1] : "";
+        const bool good = name == "--models"   ? !(settings.models = value).empty()
+                          : name == "--middle" ? take_number(value, settings.middle)
+                          : name == "--width"  ? take_number(value, settings.width)
+                                               : false;
+        if (!good) {
+            return fail(concat({"fulcrum-sphinx does not understand ", name, " ", value,
+                                "; it takes --middle N, --width N and --models FOLDER"}));
+        }
+    }
+    return settings;
+}
+
+// One question at a time.
+class Listener {
+  public:
+    explicit Listener(Decoder& decoder) : decoder_(decoder) {}
+
+    void operator()(const ListenLine& line) {
+        question_ = -1;
+        heard_.clear();
+        const auto unknown = decoder_.listen(line.graph);
+        if (!unknown) {
+            say(TroubleLine{unknown.error().message});
+            return;
+        }
+        question_ = line.question;
+        say(ListeningLine{line.question, *unknown});
+    }
+    void operator()(const AudioLine& line) {
+        if (line.question == question_ && heard_.size() < kLongestUtterance) {
+            heard_.insert(heard_.end(), line.samples.begin(), line.samples.end());
+        }
+    }
+    void operator()(const EndLine& line) {
+        if (line.question == question_) {
+            const Decoded decoded = decoder_.decode(heard_);
+            heard_.clear();
+            say(HeardLine{line.question, decoded.text, decoded.confidence});
+        }
+    }
+    void operator()(const StopLine& line) {
+        if (line.question == question_) {
+            question_ = -1;
+            heard_.clear();
+        }
+    }
+
+  private:
+    Decoder& decoder_;
+    int question_ = -1;
+    std::vector<std::int16_t> heard_;
+};
+
+int run(std::span<char*> words) {
+    const auto settings = read_settings(words);
+    if (!settings) {
+        std::fprintf(stderr, "%s.\n", settings.error().message.c_str());
+        return 2;
+    }
+    const auto decoder = Decoder::create(*settings);
+    if (!decoder) {
+        say(TroubleLine{decoder.error().message});
+        return 1;
+    }
+    say(ReadyLine{"pocketsphinx"});
+    Listener listener(**decoder);
+    for (std::string line; std::getline(std::cin, line);) {
+        if (const auto order = read_order(line)) {
+            std::visit(listener, *order);
+        } else {
+            say(TroubleLine{order.error().message});
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run({argv, static_cast<std::size_t>(argc)});
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "fulcrum-sphinx: %s\n", error.what());
+        return 1;
+    }
+}

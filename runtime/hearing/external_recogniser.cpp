@@ -1,0 +1,166 @@
+#include "runtime/hearing/external_recogniser.h"
+
+#include "runtime/audio/resample.h"
+#include "runtime/audio/wav.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <utility>
+#include <variant>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr int kHeardRate_Hz = 16'000;
+constexpr std::size_t kPiece = 3200;  // samples a line: 0.2 s
+constexpr double kPatience_s = 20.0;  // of a run that waits
+constexpr std::size_t kMostFile_bytes = 50'000'000;
+constexpr std::size_t kMostTroubles = 16;
+
+fulcrum::Expected<std::vector<std::int16_t>> read_recording(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(in)), {});
+    if (!in || bytes.size() > kMostFile_bytes) {
+        return fulcrum::fail("a recording cannot be read, or is too long", file,
+                             "give a WAV file of less than five minutes");
+    }
+    const auto sound = read_wav(bytes);
+    if (!sound) {
+        return fulcrum::fail(sound.error().message, file, sound.error().what_to_do);
+    }
+    const std::vector<float> heard = resample(sound->samples, sound->rate_Hz, kHeardRate_Hz);
+    std::vector<std::int16_t> samples(heard.size());
+    std::ranges::transform(heard, samples.begin(), [](float x) {
+        return static_cast<std::int16_t>(std::lround(std::clamp(x, -1.0F, 1.0F) * 32767.0F));
+    });
+    return samples;
+}
+
+}  // namespace
+
+fulcrum::Expected<std::unique_ptr<ExternalRecogniser>> ExternalRecogniser::create(
+    HearingSettings settings) {
+    auto program = LineProgram::start(settings.words);
+    if (!program) {
+        return tl::unexpected(program.error());
+    }
+    return std::unique_ptr<ExternalRecogniser>(
+        new ExternalRecogniser(std::move(settings), std::move(*program)));
+}
+
+ExternalRecogniser::ExternalRecogniser(HearingSettings settings,
+                                       std::unique_ptr<LineProgram> program)
+    : settings_(std::move(settings)), program_(std::move(program)) {}
+
+dialogue::Expected<bool> ExternalRecogniser::listen(
+    std::shared_ptr<const dialogue::TemplateSet> templates) {
+    if (templates == nullptr) {
+        return dialogue::fail("there is nothing to listen for; compile a question first");
+    }
+    stop();
+    ++question_;
+    listening_ = true;
+    program_->send(write_line(dialogue::HearingOrder(
+        dialogue::ListenLine{question_, dialogue::make_word_graph(*templates)})));
+    speak_recording();
+    return true;
+}
+
+void ExternalRecogniser::speak_recording() {
+    if (next_recording_ >= settings_.recordings.size()) {
+        return;
+    }
+    const auto samples = read_recording(settings_.recordings[next_recording_++]);
+    if (!samples) {
+        tell(to_sentence(samples.error()));
+        return;
+    }
+    const std::span<const std::int16_t> all(*samples);
+    for (std::size_t i = 0; i < all.size(); i += kPiece) {
+        const auto piece = all.subspan(i, std::min(kPiece, all.size() - i));
+        program_->send(write_line(
+            dialogue::HearingOrder(dialogue::AudioLine{question_, {piece.begin(), piece.end()}})));
+    }
+    program_->send(write_line(dialogue::HearingOrder(dialogue::EndLine{question_})));
+    awaits_ = true;
+}
+
+std::vector<dialogue::Hypothesis> ExternalRecogniser::poll() {
+    take_lines();
+    if (!listening_ || heard_.empty()) {
+        return {};
+    }
+    listening_ = false;
+    return std::exchange(heard_, {});
+}
+
+void ExternalRecogniser::take_lines() {
+    while (true) {
+        const bool waits = settings_.waits && awaits_;
+        const auto line = waits ? program_->wait(kPatience_s) : program_->take();
+        if (!line) {
+            break;
+        }
+        const auto answer = dialogue::read_answer(*line);
+        if (answer) {
+            take(*answer);
+        } else {
+            tell("The program that hears said what it should not: " + answer.error().message + ".");
+        }
+    }
+    if (!program_->trouble().empty()) {
+        if (name_ != "none") {
+            tell("Nobody hears any more: " + program_->trouble() + "; type the answers.");
+        }
+        name_ = "none";
+        awaits_ = false;
+    }
+}
+
+void ExternalRecogniser::take(const dialogue::HearingAnswer& answer) {
+    if (const auto* const ready = std::get_if<dialogue::ReadyLine>(&answer)) {
+        name_ = ready->name;
+    } else if (const auto* const listening = std::get_if<dialogue::ListeningLine>(&answer)) {
+        for (const std::string& word : listening->unknown) {
+            tell("Nobody knows how \"" + word + "\" sounds, so it is never heard.");
+        }
+    } else if (const auto* const heard = std::get_if<dialogue::HeardLine>(&answer)) {
+        if (heard->question == question_) {
+            awaits_ = false;
+            // What fits nothing is asked for again, as what is not sure is.
+            heard_ = {{heard->text, heard->text.empty() ? 0.0 : heard->confidence}};
+        }
+    } else {
+        awaits_ = false;
+        tell("The program that hears: " + std::get<dialogue::TroubleLine>(answer).sentence + ".");
+    }
+}
+
+void ExternalRecogniser::stop() {
+    if (listening_) {
+        program_->send(write_line(dialogue::HearingOrder(dialogue::StopLine{question_})));
+    }
+    listening_ = false;
+    awaits_ = false;
+    heard_.clear();
+}
+
+std::string ExternalRecogniser::take_trouble() {
+    if (troubles_.empty()) {
+        return {};
+    }
+    std::string trouble = std::move(troubles_.front());
+    troubles_.pop_front();
+    return trouble;
+}
+
+void ExternalRecogniser::tell(const std::string& sentence) {
+    if (troubles_.size() < kMostTroubles) {
+        troubles_.push_back(sentence);
+    }
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,68 @@
+// A lesson played by voice: what a synthetic voice says is heard, marked and answered as what is typed is.
+#include "runtime/audio/voice/voice_program.h"
+#include "runtime/files/run_program.h"
+#include "tests/lessons/program.h"
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+// A list of recordings of these sentences, as --hear takes it.
+std::string record(const Sandbox& sandbox, const std::vector<std::string>& sentences) {
+    const std::atomic<bool> never{false};
+    std::string list;
+    for (const std::string& sentence : sentences) {
+        const auto wav = runtime::run_program(
+            {runtime::make_voice_words({.speed = 1.0}, sentence), 10'000'000, 20.0}, never);
+        REQUIRE(wav);
+        const std::string name = "said" + std::to_string(list.size()) + ".wav";
+        sandbox.write(name, *wav);
+        list += name + "\n";
+    }
+    return sandbox.write("said.txt", list);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "spoken: the gravity game is played to its end by voice, and what is no answer is asked for "
+    "again") {
+    const Sandbox sandbox;
+    const std::string list =
+        record(sandbox, {"the apple is heavier than the egg", "I want to go home now",
+                         "an apple is the heaviest", "the watermelon is the heaviest",
+                         "the egg is the lightest"});
+    const ProgramRun run =
+        sandbox.run("run gravity --headless --speech sphinx --seconds 300 --hear " + list);
+    CAPTURE(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(run.output.find("the apple is heavier than the egg (right)") != std::string::npos);
+    CHECK(run.output.find("(not heard well)") != std::string::npos);
+    CHECK(run.output.find("Please say it again.") != std::string::npos);
+    CHECK(run.output.find("the egg is the lightest (right)") != std::string::npos);
+    // What was not heard well is no attempt, and no mistake.
+    CHECK(run.output.find("gravity: finished after") != std::string::npos);
+    CHECK(run.output.find("3 of 3 stars, 4 answers") != std::string::npos);
+    CHECK(run.output.find("(wrong") == std::string::npos);
+}
+
+TEST_CASE("spoken: without what hears there is one sentence, and the lesson goes on by typing") {
+    const Sandbox sandbox;
+    const ProgramRun run = sandbox.run("run gravity --headless --speech exec:no_such_program_5");
+    CAPTURE(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(run.output.find(
+              "Nobody hears any more: the program /bin/sh has ended; type the answers.") !=
+          std::string::npos);
+    CHECK(run.output.find("gravity: finished after") != std::string::npos);
+    const ProgramRun refused = sandbox.run("run gravity --headless --hear said.txt");
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.output.find("--hear without somebody who hears") != std::string::npos);
+}

@@ -1,0 +1,144 @@
+#include "runtime/hearing/external_recogniser.h"
+
+#include "dialogue/marking/mark.h"
+#include "runtime/audio/voice/voice_program.h"
+#include "runtime/files/run_program.h"
+#include "tests/support/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <fstream>
+#include <string>
+#include <vector>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+
+dialogue::Question make_question() {
+    dialogue::QuestionSource source;
+    source.id = "heaviest";
+    source.prompt = "Which one is the heaviest?";
+    source.answers = {"[the|a|an] {thing} is the <superlative:heavy>"};
+    source.lists = {{"thing", {"watermelon", "apple", "banana", "egg"}}};
+    return dialogue::compile_question(source).value();
+}
+
+// A recording of a sentence, said by flite.
+std::string record(const ScratchFolder& folder, const std::string& name, const std::string& text) {
+    const std::atomic<bool> never{false};
+    const auto wav = run_program({make_voice_words({.speed = 1.0}, text), 10'000'000, 20.0}, never);
+    REQUIRE(wav);
+    folder.write(name, *wav);
+    return folder.file(name);
+}
+
+std::unique_ptr<ExternalRecogniser> start(std::vector<std::string> words,
+                                          std::vector<std::string> recordings = {}) {
+    return ExternalRecogniser::create({std::move(words), std::move(recordings), true}).value();
+}
+
+std::vector<std::string> shell(const std::string& script) {
+    return {"sh", "-c", script};
+}
+
+std::string only(const std::vector<dialogue::Hypothesis>& heard) {
+    return heard.size() == 1 ? heard.front().text : "(" + std::to_string(heard.size()) + ")";
+}
+
+}  // namespace
+
+TEST_CASE(
+    "hearing: PocketSphinx hears what is right, the learner's errors as they are said, and nothing "
+    "else") {
+    const ScratchFolder folder;
+    const dialogue::Question question = make_question();
+    struct Said {
+        std::string text, heard, code;
+    };
+    const std::vector<Said> kSaid{
+        {"The watermelon is the heaviest.", "the watermelon is the heaviest", ""},
+        {"The apple is the heaviest.", "the apple is the heaviest", ""},
+        {"Watermelon is the heaviest.", "watermelon is the heaviest", "M:DET"},
+        {"The banana are the heaviest.", "the banana are the heaviest", "R:VERB:SVA"},
+        {"The banana is the most heavy.", "the banana is the most heavy", "R:ADJ:FORM"},
+        {"I like to eat ice cream.", "", ""},
+        {"The weather is nice today.", "", ""},
+        {"My brother plays football in the park.", "", ""},
+    };
+    std::vector<std::string> recordings;
+    for (std::size_t i = 0; i < kSaid.size(); ++i) {
+        recordings.push_back(record(folder, std::to_string(i) + ".wav", kSaid[i].text));
+    }
+    const auto recogniser = start({FULCRUM_SPHINX}, recordings);
+    constexpr double kLeast = 0.4;  // below it a lesson asks again
+    for (const Said& said : kSaid) {
+        CAPTURE(said.text);
+        REQUIRE(recogniser->listen(question.templates));
+        const auto heard = recogniser->poll();
+        REQUIRE(heard.size() == 1);
+        if (said.heard.empty()) {
+            CHECK(heard.front().confidence < kLeast);
+            continue;
+        }
+        CHECK(heard.front().text == said.heard);
+        CHECK(heard.front().confidence > kLeast);
+        const dialogue::Mark mark = mark_answer(question, heard.front().text);
+        CHECK(mark.understood);
+        CHECK((mark.form_errors.empty() ? "" : mark.form_errors.front().errant()) == said.code);
+    }
+    CHECK(recogniser->name() == "pocketsphinx");
+    CHECK(recogniser->take_trouble().empty());
+}
+
+TEST_CASE("hearing: any program that keeps to the lines will do") {
+    const auto recogniser =
+        start(shell("echo '{\"ready\":1,\"name\":\"ear\"}'; read line; "
+                    "echo '{\"listening\":1,\"unknown\":[\"egg\"]}'; "
+                    "echo '{\"heard\":9,\"text\":\"of another question\",\"confidence\":1}'; "
+                    "echo '{\"heard\":1,\"text\":\"the apple\",\"confidence\":0.5}'; read line"));
+    REQUIRE(recogniser->listen(make_question().templates));
+    CHECK(recogniser->listening());
+    std::vector<dialogue::Hypothesis> heard;
+    while (heard.empty() && recogniser->name() != "none") {
+        heard = recogniser->poll();
+    }
+    CHECK(only(heard) == "the apple");
+    CHECK(heard.front().confidence == 0.5);
+    CHECK_FALSE(recogniser->listening());
+    CHECK(recogniser->name() == "ear");
+    CHECK(recogniser->take_trouble() == "Nobody knows how \"egg\" sounds, so it is never heard.");
+    CHECK(recogniser->take_trouble().empty());
+}
+
+TEST_CASE("hearing: a program that talks nonsense or ends is told once, and nothing is heard") {
+    const auto recogniser =
+        start(shell("read line; echo nonsense; echo '{\"trouble\":\"no ears\"}'"));
+    REQUIRE(recogniser->listen(make_question().templates));
+    while (recogniser->name() != "none") {
+        CHECK(recogniser->poll().empty());
+    }
+    CHECK(recogniser->take_trouble().find("said what it should not") != std::string::npos);
+    CHECK(recogniser->take_trouble() == "The program that hears: no ears.");
+    CHECK(recogniser->take_trouble() ==
+          "Nobody hears any more: the program sh has ended; type the answers.");
+    CHECK(recogniser->listen(make_question().templates));
+    CHECK(recogniser->poll().empty());
+    CHECK(recogniser->take_trouble().empty());
+}
+
+TEST_CASE("hearing: a recording that is none, and a program that is not there, are one sentence") {
+    const ScratchFolder folder;
+    folder.write("none.wav", "RIFFnonsense");
+    const auto recogniser =
+        start(shell("sleep 100"), {folder.file("none.wav"), folder.file("missing.wav")});
+    for (const char* file : {"none.wav", "missing.wav"}) {
+        REQUIRE(recogniser->listen(make_question().templates));
+        CHECK(recogniser->take_trouble().find(folder.file(file)) == 0);
+        CHECK(recogniser->poll().empty());
+    }
+    CHECK_FALSE(ExternalRecogniser::create({{"no_such_program_4"}, {}, true}));
+    CHECK_FALSE(recogniser->listen(nullptr));
+}
