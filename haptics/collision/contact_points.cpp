@@ -1,5 +1,7 @@
 #include "haptics/collision/contact_points.h"
 
+#include "haptics/math/length.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -89,10 +91,13 @@ class Chooser {
             find_most([&](const Vector3& place) noexcept { return across.dot(place - from); });
         const int right =
             find_most([&](const Vector3& place) noexcept { return -across.dot(place - from); });
-        for (const int side : {left, right}) {
-            if (side != first && side != second) {
-                choice.add(side);
-            }
+        // Of places on one line none lies on a side.
+        const double least = kOnePlace * size_m_ * compute_length(across);
+        if (across.dot(candidate(left).place - from) > least) {
+            choice.add(left);
+        }
+        if (-across.dot(candidate(right).place - from) > least) {
+            choice.add(right);
         }
         return choice;
     }

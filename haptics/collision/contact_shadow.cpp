@@ -99,8 +99,9 @@ void cut_by_edge(const Cut& cut, const Place& from, const Place& to, std::uint8_
             result.add(cut.corners[nth(i)], cut.edges[nth(i)]);
         }
         if (is_in != (there >= least)) {
-            const Place crossing =
-                between(cut.corners[nth(i)], cut.corners[nth(next)], part_to_edge(here, there));
+            // Along an edge that nearly coincides the other may be crossed far beyond its ends.
+            const double part = std::clamp(part_to_edge(here, there), 0.0, 1.0);
+            const Place crossing = between(cut.corners[nth(i)], cut.corners[nth(next)], part);
             // Where the border is left the cutting edge goes on, where it is met the polygon's own.
             result.add(crossing, is_in ? edge : cut.edges[nth(i)]);
         }

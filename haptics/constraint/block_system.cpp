@@ -116,10 +116,10 @@ void solve_upper(const Matrix6& F, const Vector6& inverse, bool symmetric, Vecto
 
 BlockSystem::BlockSystem(int max_bodies)
     : max_bodies_(static_cast<std::size_t>(std::max(max_bodies, 1))),
-      n_words_((max_bodies_ + kBits - 1) / kBits),
-      told_(max_bodies_ * n_words_),
+      told_(max_bodies_ * ((max_bodies_ + kBits - 1) / kBits)),
+      ordered_(told_),
       neighbours_(told_),
-      left_(n_words_),
+      left_((max_bodies_ + kBits - 1) / kBits),
       block_of_(max_bodies_ * max_bodies_, -1),
       order_(max_bodies_),
       place_(max_bodies_),
@@ -133,9 +133,8 @@ BlockSystem::BlockSystem(int max_bodies)
 }
 
 void BlockSystem::begin(int n_bodies) noexcept {
-    const std::size_t n = std::min(static_cast<std::size_t>(std::max(n_bodies, 0)), max_bodies_);
-    missing_ = n != n_;
-    n_ = n;
+    n_ = std::min(static_cast<std::size_t>(std::max(n_bodies, 0)), max_bodies_);
+    n_words_ = (n_ + kBits - 1) / kBits;
     std::fill_n(told_.begin(), n_ * n_words_, 0);
 }
 
@@ -147,7 +146,6 @@ void BlockSystem::add_pair(int body_a, int body_b) noexcept {
     const auto b = static_cast<std::size_t>(body_b);
     set_bit(&told_[a * n_words_], b);
     set_bit(&told_[b * n_words_], a);
-    missing_ = missing_ || block_of_[cell(a, b)] < 0;
 }
 
 std::size_t BlockSystem::pick_next() const noexcept {
@@ -194,25 +192,27 @@ bool BlockSystem::eliminate(std::size_t body, std::size_t place) noexcept {
 }
 
 bool BlockSystem::find_order() noexcept {
-    if (!missing_) {
+    const auto told_end = told_.begin() + static_cast<std::ptrdiff_t>(n_ * n_words_);
+    if (n_ == n_ordered_ && std::equal(told_.begin(), told_end, ordered_.begin())) {
         return true;
     }
     ++n_orders_;
     n_blocks_ = 0;
+    n_ordered_ = 0;
     column_begin_[0] = 0;
-    std::copy_n(told_.begin(), n_ * n_words_, neighbours_.begin());
-    std::fill(block_of_.begin(), block_of_.end(), -1);
-    std::fill(left_.begin(), left_.end(), 0);
+    std::copy(told_.begin(), told_end, ordered_.begin());
+    std::copy(told_.begin(), told_end, neighbours_.begin());
+    std::fill_n(block_of_.begin(), n_ * n_, -1);
+    std::fill_n(left_.begin(), n_words_, 0);
     for (std::size_t body = 0; body < n_; ++body) {
         set_bit(left_.data(), body);
     }
     for (std::size_t place = 0; place < n_; ++place) {
         if (!eliminate(pick_next(), place)) {
-            n_ = 0;  // nothing is kept of it
             return false;
         }
     }
-    missing_ = false;
+    n_ordered_ = n_;
     return true;
 }
 

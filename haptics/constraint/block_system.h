@@ -3,8 +3,8 @@
 //   symmetric and positive definite: H = L L^T;   else H = L U, without exchanging rows
 // by blocks, bodies in an order of elimination chosen for little fill: next is always the body with the fewest neighbours left
 // (least number first where they are equal), and its neighbours become neighbours of each other. A stack, a chain or a tree gets no
-// fill at all, and costs in proportion to its bodies. The order is found when a pair comes that has no block yet, and kept while
-// there are blocks for all pairs.
+// fill at all, and costs in proportion to its bodies. The order follows from the pairs alone, so an answer is the same to the bit
+// whatever was solved before; it is kept while the pairs are the same.
 //
 // A pivot lost to rounding is replaced by what stood there before, and counted: the answer is finite and damped there.
 //
@@ -26,11 +26,11 @@ class BlockSystem {
   public:
     explicit BlockSystem(int max_bodies);
 
-    /// Bodies without pairs; keeps an order that has as many.
+    /// Bodies without pairs.
     void begin(int n_bodies) noexcept;
     /// Tells of a pair; after all are told `has_order` is asked.
     void add_pair(int body_a, int body_b) noexcept;
-    /// True when all pairs have blocks; finds an order where they have none. False: more fill than was reserved.
+    /// True when all pairs have blocks; finds an order where the pairs are others than last time. False: more fill than was reserved.
     bool find_order() noexcept;
 
     /// All blocks become zero. Of a symmetric H the blocks given by `add` stand for those opposite as well.
@@ -54,7 +54,7 @@ class BlockSystem {
 
   private:
     [[nodiscard]] std::size_t cell(std::size_t row, std::size_t column) const noexcept {
-        return row * max_bodies_ + column;
+        return row * n_ + column;
     }
     [[nodiscard]] std::size_t pick_next() const noexcept;
     bool eliminate(std::size_t body, std::size_t place) noexcept;
@@ -67,15 +67,15 @@ class BlockSystem {
                           std::size_t j) noexcept;
 
     std::size_t max_bodies_;
-    std::size_t n_words_;
+    std::size_t n_words_ = 0;  // a row of the graph
     std::size_t n_ = 0;
+    std::size_t n_ordered_ = 0;  // bodies of the order that is there; 0: none
     std::size_t n_blocks_ = 0;
     int n_orders_ = 0;
-    bool missing_ = false;  // a pair has no block
     bool symmetric_ = true;
 
-    // The graph while an order is found: bit b of row a says that a and b are neighbours.
-    std::vector<std::uint64_t> told_, neighbours_, left_;
+    // The graph while an order is found: bit b of row a says that a and b are neighbours. `ordered_`: of the order that is there.
+    std::vector<std::uint64_t> told_, ordered_, neighbours_, left_;
 
     std::vector<std::int32_t> block_of_;        // a pair of bodies, either way round; -1: none
     std::vector<std::uint32_t> order_, place_;  // body at a place, place of a body

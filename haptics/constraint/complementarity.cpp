@@ -30,17 +30,16 @@ double compute_residual(const ContactProblem& problem, FrictionShape shape,
     for (const ContactConstraint& c : problem.contacts()) {
         const Vector3 y = compute_relative_velocity(c, velocity(c.body_a), velocity(c.body_b)) -
                           c.target_m_per_s + c.softness_per_kg * c.impulse_Ns;
-        worst = std::max(worst, compute_residual(shape, friction[i++], compute_weight(bodies, c), y,
-                                                 c.impulse_Ns));
+        worst = take_worse(
+            worst, compute_residual(shape, friction[i++], c.weight_per_kg, y, c.impulse_Ns));
     }
     for (const RowConstraint& row : problem.rows()) {
-        const double weight = compute_weight(bodies, row);
-        if (weight > 0.0) {
+        if (row.weight > 0.0) {
             const double u =
                 compute_relative_velocity(row, velocity(row.body_a), velocity(row.body_b));
-            worst = std::max(
-                worst, compute_residual(row, weight, u - row.target + row.softness * row.impulse,
-                                        row.impulse));
+            worst = take_worse(
+                worst, compute_residual(row, row.weight,
+                                        u - row.target + row.softness * row.impulse, row.impulse));
         }
     }
     return worst;

@@ -12,9 +12,15 @@
 #include "haptics/constraint/contact_motion.h"
 #include "haptics/constraint/friction_shape.h"
 
+#include <cmath>
 #include <span>
 
 namespace fulcrum {
+
+/// The greater; no number where either is none.
+inline double take_worse(double a, double b) noexcept {
+    return std::isnan(a) || b <= a ? a : b;
+}
 
 /// `y` along the axes, less the target; `impulse_Ns` as it is.
 inline double compute_residual(FrictionShape shape, double friction, double weight,
@@ -24,7 +30,9 @@ inline double compute_residual(FrictionShape shape, double friction, double weig
     nearest.x() = std::max(impulse_Ns.x(), 0.0);
     clamp_friction(shape, friction, nearest);
     nearest.x() = std::max(impulse_Ns.x() - y.x() / weight, 0.0);
-    return weight * (impulse_Ns - nearest).cwiseAbs().maxCoeff();
+    const Vector3 away = impulse_Ns - nearest;
+    return weight *
+           take_worse(std::abs(away.x()), take_worse(std::abs(away.y()), std::abs(away.z())));
 }
 /// `y` less the target.
 inline double compute_residual(const RowConstraint& row, double weight, double y,
@@ -36,7 +44,7 @@ inline double compute_residual(const RowConstraint& row, double weight, double y
 /// Sets every body's velocity to what the problem's impulses make of it, exactly: no momentum is lost.
 void apply_impulses(ContactProblem& problem, BodyMotion& motion) noexcept;
 
-/// The largest of all constraints, for the problem's impulses and velocities. `friction`: the coefficient of each contact.
+/// The largest of all constraints, for the problem's impulses and velocities; no number where one of them is none. `friction`: the coefficient of each contact.
 [[nodiscard]] double compute_residual(const ContactProblem& problem, FrictionShape shape,
                                       std::span<const double> friction) noexcept;
 

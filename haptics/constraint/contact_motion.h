@@ -29,8 +29,9 @@ class BodyMotion {
     }
     [[nodiscard]] Vector6& momentum(int body) noexcept { return momenta_[slot_of(body)]; }
 
-    /// Momenta of the first `n_bodies` bodies and of the ground become zero.
+    /// Momenta of the first `n_bodies` bodies and of the ground become zero, and the ground stands.
     void clear_momenta(std::size_t n_bodies) noexcept {
+        velocities_.front().setZero();
         std::fill_n(momenta_.begin(), n_bodies + 1, Vector6::Zero());
     }
 

@@ -1,5 +1,7 @@
 #include "haptics/constraint/contact_problem.h"
 
+#include "haptics/constraint/contact_motion.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +21,16 @@ bool is_finite_contact(const ContactConstraint& c) noexcept {
            std::isfinite(c.softness_per_kg) && c.softness_per_kg >= 0.0;
 }
 
+// Of the trace: how far from symmetric rounding may leave an inertia.
+constexpr double kSymmetric = 1.0e-9;
+
+bool is_inertia(const Matrix3& I) noexcept {
+    // Sylvester: positive definite where all leading minors are positive.
+    const double second = I(0, 0) * I(1, 1) - I(0, 1) * I(1, 0);
+    return I.allFinite() && I(0, 0) > 0.0 && second > 0.0 && I.determinant() > 0.0 &&
+           (I - I.transpose()).cwiseAbs().maxCoeff() <= kSymmetric * I.trace();
+}
+
 bool is_finite_row(const RowConstraint& row) noexcept {
     return row.jacobian_a.allFinite() && row.jacobian_b.allFinite() && std::isfinite(row.target) &&
            row.least <= row.most && row.least < HUGE_VAL && row.most > -HUGE_VAL &&
@@ -36,6 +48,7 @@ ContactProblem::ContactProblem(const ContactCapacity& capacity)
 void ContactProblem::clear() noexcept {
     n_bodies_ = n_contacts_ = n_rows_ = 0;
     n_dropped_ = 0;
+    settled_ = false;
 }
 
 bool ContactProblem::refuse() noexcept {
@@ -51,8 +64,8 @@ bool ContactProblem::is_pair(int body_a, int body_b) const noexcept {
 int ContactProblem::add_body(double mass_kg, const Matrix3& inertia_W,
                              const Vector6& free_velocity_W) noexcept {
     const Matrix3 inverse = inertia_W.inverse();
-    const bool is_body = mass_kg > 0.0 && std::isfinite(mass_kg) && inertia_W.allFinite() &&
-                         inertia_W.determinant() > 0.0 && inverse.allFinite() &&
+    const bool is_body = mass_kg > 0.0 && std::isnormal(mass_kg) && std::isnormal(1.0 / mass_kg) &&
+                         is_inertia(inertia_W) && inverse.allFinite() &&
                          free_velocity_W.allFinite();
     if (n_bodies_ == bodies_.size() || !is_body) {
         refuse();
@@ -68,7 +81,12 @@ bool ContactProblem::add_contact(const ContactConstraint& contact) noexcept {
         !is_finite_contact(contact)) {
         return refuse();
     }
+    const double weight_per_kg = compute_weight(bodies(), contact);
+    if (!std::isnormal(weight_per_kg)) {
+        return refuse();
+    }
     ContactConstraint& added = contacts_[n_contacts_++] = contact;
+    added.weight_per_kg = weight_per_kg;
     added.static_friction = std::min(contact.static_friction, kMostFriction);
     added.dynamic_friction = std::min(contact.dynamic_friction, added.static_friction);
     // What is remembered is a guess: a wrong one costs time alone.
@@ -82,7 +100,12 @@ bool ContactProblem::add_row(const RowConstraint& row) noexcept {
     if (n_rows_ == rows_.size() || !is_pair(row.body_a, row.body_b) || !is_finite_row(row)) {
         return refuse();
     }
+    const double weight = compute_weight(bodies(), row);
+    if (weight != 0.0 && !std::isnormal(weight)) {
+        return refuse();
+    }
     RowConstraint& added = rows_[n_rows_++] = row;
+    added.weight = weight;
     added.impulse = std::isfinite(row.impulse) ? row.impulse : 0.0;
     return true;
 }

@@ -10,10 +10,10 @@
 // Impacts and rest are one problem in velocities and impulses (Stewart & Trinkle; Anitescu & Potra): v_free is what the bodies
 // would have at the end of the step without constraints, v + h M^-1 (forces), and p / h are the forces of the step. target_n
 // is what the gap asks for: -gap/h while there is one (it may close, no more), depth times a rate to push apart what overlaps,
-// -e u_n before of an impact that bounces (impact.h). Baraff states rest in accelerations and forces: give accelerations where
-// the names say velocity, and impulses are forces; the algebra is the same. Velocities are the default, for in accelerations the
-// problem may have no answer with friction (Painleve's rod) where an impulse within the step is one, and because a step then
-// needs no other problem for what arrives, rests and leaves within it.
+// -e u_n before in a round of impacts that bounce (impact.h). Baraff states rest in accelerations and forces: where nothing
+// slides, give accelerations where the names say velocity, and impulses are forces. What slides drags against its velocity, not
+// its acceleration, so there this form has to be stated in velocities. In accelerations the problem may also have no answer with
+// friction (Painleve's rod) where an impulse within the step is one.
 //
 // Nobody owns memory but the problem: it is reserved at construction. A full one drops and counts. What the answer was last
 // time goes in with each contact and row (`impulse`, `slides`): whoever keeps manifolds keeps them.
@@ -54,6 +54,7 @@ struct ContactConstraint {
     Vector3 target_m_per_s{Vector3::Zero()};  ///< least along the normal; that of the surface
     double softness_per_kg = 0.0;             ///< R, 0 or more: rigid at 0
     double restitution = 0.0;                 ///< 0 to 1, asked by impact.h alone
+    double weight_per_kg = 0.0;               ///< contact_motion.h; filled in by `add_contact`
     Vector3 impulse_Ns{Vector3::Zero()};      ///< in: of the last step; out: the answer
     bool slides = false;                      ///< in: in the last step; out: in this one
 };
@@ -68,6 +69,7 @@ struct RowConstraint {
     double least = 0.0;     ///< impulse; may be minus infinity
     double most = 0.0;      ///< at least `least`; may be infinity
     double softness = 0.0;  ///< R, 0 or more
+    double weight = 0.0;    ///< contact_motion.h; filled in by `add_row`
     double impulse = 0.0;   ///< in: of the last step; out: the answer
 };
 
@@ -84,10 +86,15 @@ class ContactProblem {
 
     /// Forgets all; capacity stays.
     void clear() noexcept;
-    /// The body's number. `inertia_W` is symmetric and positive definite. kGround where there is no room or the body's numbers
-    /// are none; counted.
+    /// Whether last step's impulses were, in that step, those of the step before: then they hold nothing that was meant for that
+    /// step alone, and may be taken again where they are within the tolerance. Not so after `clear`.
+    void set_settled(bool settled) noexcept { settled_ = settled; }
+    [[nodiscard]] bool is_settled() const noexcept { return settled_; }
+    /// The body's number. kGround where there is no room, where the body's numbers or their inverses are none, or `inertia_W` is
+    /// not symmetric and positive definite; counted.
     int add_body(double mass_kg, const Matrix3& inertia_W, const Vector6& free_velocity_W) noexcept;
-    /// False where there is no room, bodies are not there or the same, or a number is none; counted.
+    /// False where there is no room, bodies are not there or the same, a number is none, or what a unit impulse moves is too
+    /// little or too much for one; counted.
     bool add_contact(const ContactConstraint& contact) noexcept;
     bool add_row(const RowConstraint& row) noexcept;
 
@@ -127,6 +134,7 @@ class ContactProblem {
     std::size_t n_contacts_ = 0;
     std::size_t n_rows_ = 0;
     int n_dropped_ = 0;
+    bool settled_ = false;
 };
 
 /// Unit normal and two tangents, right-handed; the tangents turn evenly with the normal almost everywhere.

@@ -23,14 +23,14 @@ double find_scale(const ContactProblem& problem) noexcept {
     return most;
 }
 
-// A contact slips where it moves over the surface by more than the answer is uncertain.
+// A contact slips where it moves over the surface by more than the answer is uncertain, its residual.
 constexpr double kSlipTolerances = 100.0;
 // Bodies that are left approaching this fast, m/s at velocities of 1 m/s, were not solved.
 constexpr double kPoor = 1.0e-3;
 
 }  // namespace
 
-bool ContactSolver::note_sliding(ContactProblem& problem, double tolerance,
+bool ContactSolver::note_sliding(ContactProblem& problem, double uncertain_m_per_s,
                                  bool may_change) noexcept {
     const std::span<const ConstrainedBody> bodies = problem.bodies();
     const Vector6 still = Vector6::Zero();
@@ -43,7 +43,7 @@ bool ContactSolver::note_sliding(ContactProblem& problem, double tolerance,
         const Vector3 y = compute_relative_velocity(c, velocity(c.body_a), velocity(c.body_b)) -
                           c.target_m_per_s + c.softness_per_kg * c.impulse_Ns;
         c.slides = c.impulse_Ns.x() > 0.0 &&
-                   y.tail<2>().cwiseAbs().maxCoeff() > kSlipTolerances * tolerance;
+                   y.tail<2>().cwiseAbs().maxCoeff() > kSlipTolerances * uncertain_m_per_s;
         if (c.slides && may_change && friction_[i] > c.dynamic_friction) {
             friction_[i] = c.dynamic_friction;
             again = true;
@@ -76,7 +76,11 @@ SolveReport ContactSolver::solve_once(ContactProblem& problem, std::span<const d
     }
     SolveReport report = method_->solve(problem, friction, tolerance);
     const double poor = kPoor * tolerance / settings_.tolerance_m_per_s;
-    if (!rounds_ || report.converged || report.residual_m_per_s <= poor) {
+    if (report.converged || report.residual_m_per_s <= poor) {
+        return report;
+    }
+    ++report.n_regularised;
+    if (!rounds_) {
         return report;
     }
     // Twice, the second time from what was nearer: it sets the bodies' velocities too.
@@ -89,7 +93,6 @@ SolveReport ContactSolver::solve_once(ContactProblem& problem, std::span<const d
     report.residual_m_per_s = rounds.residual_m_per_s;
     report.converged = rounds.converged;
     report.n_iterations += rounds.n_iterations;
-    ++report.n_regularised;
     return report;
 }
 
@@ -107,7 +110,8 @@ SolveReport ContactSolver::solve(ContactProblem& problem) noexcept {
     const double tolerance = settings_.tolerance_m_per_s * find_scale(problem);
     const std::span<const double> friction(friction_.data(), contacts.size());
     SolveReport report = solve_once(problem, friction, tolerance);
-    for (int round = 1; note_sliding(problem, tolerance, round < settings_.friction_rounds);
+    const auto uncertain = [&] { return std::max(tolerance, report.residual_m_per_s); };
+    for (int round = 1; note_sliding(problem, uncertain(), round < settings_.friction_rounds);
          ++round) {
         const SolveReport next = solve_once(problem, friction, tolerance);
         report = {next.residual_m_per_s, report.n_iterations + next.n_iterations,

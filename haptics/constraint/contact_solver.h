@@ -9,8 +9,9 @@
 // contact slides from now on: the problem is solved once more with the dynamic coefficient there. What stuck within the
 // dynamic bound is held by the static one from the next step on.
 //
-// Where a method ends far from an answer (kPoor of its scale: an impact too hard for its iterations), rounds contact after contact
-// from the last step's impulses are tried instead, and what is nearer is taken; counted as regularised.
+// Where a method ends far from an answer (kPoor of its scale: an impact too hard for its iterations, a body squeezed from both
+// sides), that is counted as regularised, and rounds contact after contact from the last step's impulses are tried instead; what
+// is nearer is taken.
 //
 // Answers are finite whatever comes in. What has none, is redundant or would take too long is answered as nearly as it can be:
 // `converged` and `residual` say so, and what had to be regularised is counted.
@@ -94,7 +95,7 @@ class ContactSolver {
     SolveReport solve_once(ContactProblem& problem, std::span<const double> friction,
                            double tolerance) noexcept;
     void exchange_impulses(ContactProblem& problem) noexcept;
-    bool note_sliding(ContactProblem& problem, double tolerance, bool may_change) noexcept;
+    bool note_sliding(ContactProblem& problem, double uncertain_m_per_s, bool may_change) noexcept;
     ContactSolverSettings settings_;
     ContactCapacity capacity_;
     std::unique_ptr<ContactMethodSolver> method_;

@@ -315,10 +315,14 @@ void DantzigSolver::keep(ContactProblem& problem) const noexcept {
     for (ContactConstraint& c : problem.contacts()) {
         c.impulse_Ns = {rows_[i].f, rows_[i + 1].f, rows_[i + 2].f};
         c.impulse_Ns.x() = std::max(c.impulse_Ns.x(), 0.0);
+        if (!c.impulse_Ns.allFinite()) {
+            c.impulse_Ns.setZero();
+        }
         i += 3;
     }
     for (RowConstraint& row : problem.rows()) {
-        row.impulse = std::clamp(rows_[i++].f, row.least, row.most);
+        const double f = rows_[i++].f;
+        row.impulse = std::clamp(std::isfinite(f) ? f : 0.0, row.least, row.most);
     }
 }
 

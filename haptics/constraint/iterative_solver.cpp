@@ -152,6 +152,10 @@ SolveReport IterativeSolver::solve(ContactProblem& problem, std::span<const doub
         change = sweep(problem, friction, report.n_iterations % 2 != 0);
         ++report.n_iterations;
     }
+    // A contact whose normal came after its tangents, or after another's normal, may hold too much.
+    for (std::size_t i = 0; i < friction.size(); ++i) {
+        clamp_friction(settings_.friction_shape, friction[i], problem.contacts()[i].impulse_Ns);
+    }
     apply_impulses(problem, motion_);
     report.residual_m_per_s = compute_residual(problem, settings_.friction_shape, friction);
     report.converged = report.residual_m_per_s <= tolerance;

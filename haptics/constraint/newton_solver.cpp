@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fulcrum {
 namespace {
@@ -17,7 +18,15 @@ constexpr int kMostHalvings = 4;
 // What is near is solved once more: impulses that last step's error is left in would be taken as right for the next steps, and
 // the error add up to the tolerance.
 constexpr double kPolished = 0.01;
+// After a step that was solved, last step's impulses are taken as they are only where they are nearer than the tolerance by this:
+// they hold what took back the error of the velocities before, as much as the tolerance.
+constexpr double kUnsettled = 0.1;
 constexpr double kNearlySmallest = 0.1;  // E's slope against the residual when l is corrected
+// Of the problem's velocities: what impulses would make of the bodies they push, where those had nothing to push back. A billion
+// times is more than any stack of masses asks for, so they grow without end.
+constexpr double kMostPush = 1.0e9;
+constexpr int kMostLiftRounds = 50;
+constexpr double kSameLift = 1.0e-12;
 
 }  // namespace
 
@@ -31,27 +40,33 @@ NewtonSolver::NewtonSolver(const ContactSolverSettings& settings, const ContactC
       step_(capacity.bodies),
       before_(capacity.bodies) {}
 
-bool NewtonSolver::prepare(const ContactProblem& problem,
+void NewtonSolver::prepare(const ContactProblem& problem,
                            std::span<const double> friction) noexcept {
-    const std::span<const ConstrainedBody> bodies = problem.bodies();
     contacts_ = {contact_room_.data(), problem.contacts().size()};
     rows_ = {row_room_.data(), problem.rows().size()};
-    n_bodies_ = bodies.size();
-    matrix_.begin(static_cast<int>(bodies.size()));
+    n_bodies_ = problem.bodies().size();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const ContactConstraint& c = problem.contacts()[i];
-        matrix_.add_pair(c.body_a, c.body_b);
         Contact& contact = contacts_[i];
-        contact.weight = compute_weight(bodies, c);
         contact.friction = friction[i];
+        contact.softness = c.softness_per_kg;
         contact.p = c.impulse_Ns;
         contact.state = project_impulse(settings_.friction_shape, friction[i], contact.p);
+        contact.started = contact.p;
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const RowConstraint& r = problem.rows()[i];
+        rows_[i].started = rows_[i].p = std::clamp(r.impulse, r.least, r.most);
+    }
+}
+
+bool NewtonSolver::find_order(const ContactProblem& problem) noexcept {
+    matrix_.begin(static_cast<int>(n_bodies_));
+    for (const ContactConstraint& c : problem.contacts()) {
+        matrix_.add_pair(c.body_a, c.body_b);
+    }
+    for (const RowConstraint& r : problem.rows()) {
         matrix_.add_pair(r.body_a, r.body_b);
-        rows_[i].weight = compute_weight(bodies, r);
-        rows_[i].p = std::clamp(r.impulse, r.least, r.most);
     }
     return matrix_.find_order();
 }
@@ -61,15 +76,15 @@ void NewtonSolver::set_stiffness(const ContactProblem& problem, double eps) noex
     built_ = false;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         Contact& contact = contacts_[i];
-        contact.compliance = eps * contact.weight;
-        contact.stiffness = 1.0 / (problem.contacts()[i].softness_per_kg + contact.compliance);
+        contact.compliance = eps * problem.contacts()[i].weight_per_kg;
+        contact.stiffness = 1.0 / (contact.softness + contact.compliance);
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Row& row = rows_[i];
-        row.compliance = eps * row.weight;
+        const RowConstraint& r = problem.rows()[i];
+        row.compliance = eps * r.weight;
         // A row that moves nothing pushes nothing.
-        row.stiffness =
-            row.weight > 0.0 ? 1.0 / (problem.rows()[i].softness + row.compliance) : 0.0;
+        row.stiffness = r.weight > 0.0 ? 1.0 / (r.softness + row.compliance) : 0.0;
     }
 }
 
@@ -91,8 +106,8 @@ double NewtonSolver::measure(const ContactProblem& problem) noexcept {
             compute_relative_velocity(c, motion_.velocity(c.body_a), motion_.velocity(c.body_b)) -
             c.target_m_per_s;
         const Vector3 y = contact.u + c.softness_per_kg * c.impulse_Ns;
-        worst = std::max(worst, compute_residual(settings_.friction_shape, contact.friction,
-                                                 contact.weight, y, c.impulse_Ns));
+        worst = take_worse(worst, compute_residual(settings_.friction_shape, contact.friction,
+                                                   c.weight_per_kg, y, c.impulse_Ns));
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const RowConstraint& r = problem.rows()[i];
@@ -100,9 +115,9 @@ double NewtonSolver::measure(const ContactProblem& problem) noexcept {
         row.u =
             compute_relative_velocity(r, motion_.velocity(r.body_a), motion_.velocity(r.body_b)) -
             r.target;
-        if (row.weight > 0.0) {
-            worst = std::max(
-                worst, compute_residual(r, row.weight, row.u + r.softness * r.impulse, r.impulse));
+        if (r.weight > 0.0) {
+            worst = take_worse(
+                worst, compute_residual(r, r.weight, row.u + r.softness * r.impulse, r.impulse));
         }
     }
     return worst;
@@ -116,10 +131,7 @@ double NewtonSolver::move_to_impulses(ContactProblem& problem) noexcept {
 void NewtonSolver::start_multipliers(const ContactProblem& problem) noexcept {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         Contact& contact = contacts_[i];
-        contact.l = contact.p;
-        contact.shift = problem.contacts()[i].slides
-                            ? compute_lift(settings_.friction_shape, contact.friction, contact.u)
-                            : 0.0;
+        contact.now = {contact.p, problem.contacts()[i].slides ? find_lift(contact) : 0.0};
     }
     for (Row& row : rows_) {
         row.l = row.p;
@@ -128,8 +140,8 @@ void NewtonSolver::start_multipliers(const ContactProblem& problem) noexcept {
 
 void NewtonSolver::project(Contact& contact, double along) const noexcept {
     Vector3 velocity = contact.u + along * contact.du;
-    velocity.x() += contact.shift;
-    contact.q = contact.stiffness * (contact.compliance * contact.l - velocity);
+    velocity.x() += contact.now.shift;
+    contact.q = contact.stiffness * (contact.compliance * contact.now.l - velocity);
     contact.p = contact.q;
     contact.state = project_impulse(settings_.friction_shape, contact.friction, contact.p);
 }
@@ -141,28 +153,47 @@ void NewtonSolver::project(const RowConstraint& constraint, Row& row, double alo
     row.free = row.side == 0 && row.stiffness > 0.0;
 }
 
+// s and p that fit each other. Where R > 0, p changes y and so s, by less than s changed: rounds meet.
+void NewtonSolver::follow_slip(Contact& contact) const noexcept {
+    contact.now.shift = compute_lift(settings_.friction_shape, contact.friction, contact.u);
+    project(contact, 0.0);
+    for (int i = 0; contact.softness > 0.0 && i < kMostLiftRounds; ++i) {
+        const double lift = find_lift(contact);
+        const double change = std::abs(lift - contact.now.shift);
+        contact.now.shift = lift;
+        project(contact, 0.0);
+        if (!(change > kSameLift * lift)) {
+            return;
+        }
+    }
+}
+
+void NewtonSolver::evaluate_contact(const ContactConstraint& c, Contact& contact,
+                                    Fit& fit) noexcept {
+    contact.u =
+        compute_relative_velocity(c, motion_.velocity(c.body_a), motion_.velocity(c.body_b)) -
+        c.target_m_per_s;
+    if (coulomb_) {
+        follow_slip(contact);
+    } else {
+        project(contact, 0.0);
+    }
+    const Vector3 y = contact.u + c.softness_per_kg * contact.p;
+    fit.residual =
+        take_worse(fit.residual, compute_residual(settings_.friction_shape, contact.friction,
+                                                  c.weight_per_kg, y, contact.p));
+    if (contact.state.pressed) {
+        fit.shift = take_worse(fit.shift, std::abs(find_lift(contact) - contact.now.shift));
+        fit.push = take_worse(fit.push, c.weight_per_kg * contact.p.x());
+    }
+    add_impulse(c, contact.p, motion_.momentum(c.body_a), motion_.momentum(c.body_b));
+}
+
 NewtonSolver::Fit NewtonSolver::evaluate(const ContactProblem& problem) noexcept {
     Fit fit;
-    const FrictionShape shape = settings_.friction_shape;
     motion_.clear_momenta(problem.bodies().size());
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const ContactConstraint& c = problem.contacts()[i];
-        Contact& contact = contacts_[i];
-        contact.u =
-            compute_relative_velocity(c, motion_.velocity(c.body_a), motion_.velocity(c.body_b)) -
-            c.target_m_per_s;
-        const double lift = compute_lift(shape, contact.friction, contact.u);
-        if (coulomb_) {
-            contact.shift = lift;
-        }
-        project(contact, 0.0);
-        const Vector3 y = contact.u + c.softness_per_kg * contact.p;
-        fit.residual = std::max(
-            fit.residual, compute_residual(shape, contact.friction, contact.weight, y, contact.p));
-        if (contact.state.pressed) {
-            fit.shift = std::max(fit.shift, std::abs(lift - contact.shift));
-        }
-        add_impulse(c, contact.p, motion_.momentum(c.body_a), motion_.momentum(c.body_b));
+        evaluate_contact(problem.contacts()[i], contacts_[i], fit);
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const RowConstraint& r = problem.rows()[i];
@@ -171,9 +202,10 @@ NewtonSolver::Fit NewtonSolver::evaluate(const ContactProblem& problem) noexcept
             compute_relative_velocity(r, motion_.velocity(r.body_a), motion_.velocity(r.body_b)) -
             r.target;
         project(r, row, 0.0);
-        if (row.weight > 0.0) {
-            fit.residual = std::max(
-                fit.residual, compute_residual(r, row.weight, row.u + r.softness * row.p, row.p));
+        if (r.weight > 0.0) {
+            fit.residual = take_worse(
+                fit.residual, compute_residual(r, r.weight, row.u + r.softness * row.p, row.p));
+            fit.push = take_worse(fit.push, r.weight * std::abs(row.p));
         }
         add_impulse(r, row.p, motion_.momentum(r.body_a), motion_.momentum(r.body_b));
     }
@@ -186,13 +218,13 @@ NewtonSolver::Fit NewtonSolver::evaluate(const ContactProblem& problem) noexcept
         slope = compute_momentum(body, defect);
         fit.energy += defect.dot(slope);
     }
+    fit.defect = std::isfinite(fit.energy) ? fit.defect : fit.energy;
     return fit;
 }
 
 void NewtonSolver::update_multipliers() noexcept {
     for (Contact& contact : contacts_) {
-        contact.l = contact.p;
-        contact.shift = compute_lift(settings_.friction_shape, contact.friction, contact.u);
+        contact.now = {contact.p, find_lift(contact)};
     }
     for (Row& row : rows_) {
         row.l = row.p;
@@ -206,8 +238,7 @@ void NewtonSolver::begin_attempt() noexcept {
     attempt_fits_ = HUGE_VAL;
     before_.copy_velocities(motion_, n_bodies_);
     for (Contact& contact : contacts_) {
-        contact.l_before = contact.l;
-        contact.shift_before = contact.shift;
+        contact.before = contact.now;
     }
     for (Row& row : rows_) {
         row.l_before = row.l;
@@ -219,8 +250,7 @@ void NewtonSolver::end_attempt() noexcept {
     built_ = false;
     motion_.copy_velocities(before_, n_bodies_);
     for (Contact& contact : contacts_) {
-        contact.l = contact.l_before;
-        contact.shift = contact.shift_before;
+        contact.now = contact.before;
     }
     for (Row& row : rows_) {
         row.l = row.l_before;
@@ -258,8 +288,8 @@ bool NewtonSolver::correct(const ContactProblem& problem, const Fit& fit,
     return true;
 }
 
-double NewtonSolver::iterate(ContactProblem& problem, double tolerance,
-                             SolveReport& report) noexcept {
+void NewtonSolver::iterate(ContactProblem& problem, double tolerance,
+                           SolveReport& report) noexcept {
     double best = HUGE_VAL;
     residual_before_ = HUGE_VAL;
     bool polished = false;
@@ -276,54 +306,74 @@ double NewtonSolver::iterate(ContactProblem& problem, double tolerance,
             }
             fit = evaluate(problem);
         }
-        const double fits = std::max(fit.residual, fit.defect);
-        if (fits < best) {
+        const double fits = take_worse(fit.residual, fit.defect);
+        given_up_ = fit.push > kMostPush * tolerance / settings_.tolerance_m_per_s;
+        if (fits < best && !given_up_) {
             best = fits;
             keep(problem);
         }
         const bool near = fits <= tolerance;
         if ((near && (polished || fits <= kPolished * tolerance)) ||
             report.n_iterations == settings_.max_iterations || !std::isfinite(fits)) {
-            return best;
+            return;
         }
         polished = near;
-        if (correct(problem, fit, tolerance)) {
+        if (!given_up_ && correct(problem, fit, tolerance)) {
             fit = evaluate(problem);
         }
         if (given_up_) {
             ++report.n_regularised;
-            return best;
+            return;
         }
         energy = fit.energy;
         along = step(problem, report);
     }
 }
 
+// What was found, what it started from or no impulses: that which is nearest to an answer.
+double NewtonSolver::take_least(ContactProblem& problem, double started, double found) noexcept {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        contacts_[i].q = std::exchange(problem.contacts()[i].impulse_Ns, Vector3(Vector3::Zero()));
+    }
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        RowConstraint& r = problem.rows()[i];
+        rows_[i].p = std::exchange(r.impulse, std::clamp(0.0, r.least, r.most));
+    }
+    const double none = move_to_impulses(problem);
+    if (none < found && none < started) {
+        return none;
+    }
+    const bool takes_found = found < HUGE_VAL && !(started <= found);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        contacts_[i].p = takes_found ? contacts_[i].q : contacts_[i].started;
+    }
+    for (Row& row : rows_) {
+        row.p = takes_found ? row.p : row.started;
+    }
+    keep(problem);
+    return move_to_impulses(problem);
+}
+
 SolveReport NewtonSolver::solve(ContactProblem& problem, std::span<const double> friction,
                                 double tolerance) noexcept {
     SolveReport report;
-    const bool has_order = prepare(problem, friction);
+    prepare(problem, friction);
     keep(problem);
-    report.residual_m_per_s = move_to_impulses(problem);
-    if (has_order && !(report.residual_m_per_s <= tolerance)) {
+    const double started = move_to_impulses(problem);
+    report.residual_m_per_s = started;
+    const double taken = problem.is_settled() ? tolerance : kUnsettled * tolerance;
+    if (!(started <= taken) && find_order(problem)) {
         set_stiffness(problem, settings_.stiffening);
         start_multipliers(problem);
         n_attempts_ = 0;
         given_up_ = false;
         begin_attempt();
-        const double found = iterate(problem, tolerance, report);
-        if (!(found < HUGE_VAL)) {
-            // Nothing that came out is a number: what the bodies would do by themselves is.
-            for (Contact& contact : contacts_) {
-                contact.p.setZero();
-            }
-            for (std::size_t i = 0; i < rows_.size(); ++i) {
-                rows_[i].p = std::clamp(0.0, problem.rows()[i].least, problem.rows()[i].most);
-            }
-            keep(problem);
-            ++report.n_regularised;
-        }
+        iterate(problem, tolerance, report);
         report.residual_m_per_s = move_to_impulses(problem);
+        report.n_regularised += std::isfinite(report.residual_m_per_s) ? 0 : 1;
+        if (!(report.residual_m_per_s <= tolerance)) {
+            report.residual_m_per_s = take_least(problem, started, report.residual_m_per_s);
+        }
     }
     report.converged = report.residual_m_per_s <= tolerance;
     return report;

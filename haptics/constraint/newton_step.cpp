@@ -77,9 +77,12 @@ Matrix3 NewtonSolver::compute_slope_of(const Contact& contact) const noexcept {
     Matrix3 slope =
         compute_projection_slope(shape, contact.friction, contact.state, contact.q, contact.p);
     if (follows(contact)) {
-        // The shift turns with the slip: u + s n has the slope 1 + n (ds/du)^T.
-        slope += slope.col(0) *
-                 compute_lift_slope(shape, contact.friction, contact.state, contact.u).transpose();
+        // The shift turns with the slip: u + s n has the slope 1 + n s'.
+        const double given = contact.softness * contact.stiffness;
+        const Vector3 g = compute_lift_slope(shape, contact.friction, contact.state,
+                                             contact.u + contact.softness * contact.p);
+        const Vector3 turns = (g - given * slope * g) / (1.0 + given * g.dot(slope.col(0)));
+        slope += Matrix3(slope.col(0) * turns.transpose());
     }
     return contact.stiffness * slope;
 }

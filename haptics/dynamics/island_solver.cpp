@@ -10,6 +10,8 @@ namespace {
 
 // Of the smaller body's size: overlap that is left as it is, so that what rests is not pushed to and fro.
 constexpr double kLeftOverlap = 1.0e-5;
+// The same: a gap that is left as it is, for one that closes within the step would have to be stopped in the next.
+constexpr double kLeftGap = 1.0e-7;
 // Of a body's least moment: a pull that turns it by no more than this within a step is followed as it is.
 constexpr double kSlowTurn = 0.5;
 // Of the fastest body: an answer that is off by more is sought once more in rounds.
@@ -108,6 +110,8 @@ IslandSolver::IslandSolver(const RigidWorldSettings& settings, const ContactCapa
       problem_(capacity),
       solver_(settings.solver, capacity),
       rounds_(in_rounds(settings.solver), capacity),
+      impacts_(capacity),
+      met_(static_cast<std::size_t>(std::max(capacity.bodies, 0)), Vector6::Zero()),
       contact_pushes_(capacity.contacts),
       row_pushes_(capacity.rows) {}
 
@@ -139,17 +143,19 @@ void IslandSolver::add_pair(const ContactPair& pair, double dt_s,
         .static_friction = std::sqrt(first.static_friction * second.static_friction),
         .dynamic_friction = std::sqrt(first.dynamic_friction * second.dynamic_friction),
         .restitution = std::max(first.restitution, second.restitution)};
-    const double left_m = kLeftOverlap * find_contact_size(first, second);
+    const double size_m = find_contact_size(first, second);
+    const double left_m = kLeftOverlap * size_m;
+    const double left_gap_m = kLeftGap * size_m;
     for (const ContactPoint& point : pair.manifold.points()) {
         contact.arm_a = point.place_W - second.state.pose_W.position;
         contact.arm_b = point.place_W - first.state.pose_W.position;
         const Vector3 relative =
             find_point_velocity(first, contact.arm_b) - find_point_velocity(second, contact.arm_a);
         const double arrival_m_per_s = -relative.dot(pair.manifold.normal_W);
-        const bool bounces = arrival_m_per_s > settings_.least_bounce_m_per_s &&
-                             arrival_m_per_s * dt_s >= point.gap_m && contact.restitution > 0.0;
-        contact.target_m_per_s.x() =
-            bounces ? contact.restitution * arrival_m_per_s : -std::max(point.gap_m, 0.0) / dt_s;
+        bounces_ = bounces_ ||
+                   (contact.restitution > 0.0 && arrival_m_per_s > settings_.least_bounce_m_per_s &&
+                    arrival_m_per_s * dt_s >= point.gap_m);
+        contact.target_m_per_s.x() = point.gap_m > left_gap_m ? -point.gap_m / dt_s : 0.0;
         const ContactMemory* memory = pair.recall(point.id);
         contact.impulse_Ns.setZero();
         contact.slides = memory != nullptr && memory->slides;
@@ -160,9 +166,9 @@ void IslandSolver::add_pair(const ContactPair& pair, double dt_s,
             continue;
         }
         const double depth_m = -point.gap_m - left_m;
-        contact_pushes_.add(depth_m > 0.0 ? std::min(settings_.push_rate_per_s * depth_m,
-                                                     settings_.most_push_m_per_s)
-                                          : 0.0);
+        contact_pushes_.add(
+            depth_m > 0.0 ? std::min(find_push_rate(dt_s) * depth_m, settings_.most_push_m_per_s)
+                          : 0.0);
         is_off_ = is_off_ || depth_m > 0.0;
         report_.deepest_m = std::max(report_.deepest_m, -point.gap_m);
         ++report_.n_contacts;
@@ -189,7 +195,7 @@ void IslandSolver::add_joint(const Joint& joint, double dt_s, const RigidScene& 
             const double bent = (ahead.errors[index_of(i)] - error) / dt_s - straight;
             row.target = -bent - std::clamp(error, -kLeftError, kLeftError) / dt_s;
         } else if (row.least == 0.0 || row.most == 0.0) {
-            push = -error * settings_.push_rate_per_s;
+            push = -error * find_push_rate(dt_s);
         }
         row.body_a = a.in_problem;
         row.body_b = b.in_problem;
@@ -281,13 +287,30 @@ SolveReport IslandSolver::solve_problem() noexcept {
     return report;
 }
 
-IslandReport IslandSolver::solve(const IslandParts& parts, double dt_s,
-                                 RigidScene& scene) noexcept {
+void IslandSolver::bounce(const IslandParts& parts, RigidScene& scene) noexcept {
+    for (const std::int32_t i : parts.bodies) {
+        const RigidWorldBody& body = scene.bodies[index_of(i)];
+        if (body.in_problem != kGround) {
+            met_[index_of(body.in_problem)] =
+                join(body.state.velocity_W.linear, body.state.velocity_W.angular);
+        }
+    }
+    (void)impacts_.solve(problem_, settings_.least_bounce_m_per_s, solver_, met_);
+    for (const std::int32_t i : parts.bodies) {
+        RigidWorldBody& body = scene.bodies[index_of(i)];
+        if (body.in_problem != kGround) {
+            const Vector6& velocity = met_[index_of(body.in_problem)];
+            body.state.velocity_W = {velocity.head<3>(), velocity.tail<3>()};
+        }
+    }
+}
+
+void IslandSolver::build(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept {
     problem_.clear();
     contact_pushes_.clear();
     row_pushes_.clear();
     report_ = {};
-    is_off_ = false;
+    is_off_ = bounces_ = false;
     add_bodies(parts, dt_s, scene);
     for (const std::int32_t i : parts.pairs) {
         add_pair(scene.pairs.at(i), dt_s, scene);
@@ -295,12 +318,24 @@ IslandReport IslandSolver::solve(const IslandParts& parts, double dt_s,
     for (const std::int32_t i : parts.joints) {
         add_joint(scene.joints[index_of(i)], dt_s, scene);
     }
+}
+
+IslandReport IslandSolver::solve(const IslandParts& parts, double dt_s,
+                                 RigidScene& scene) noexcept {
+    build(parts, dt_s, scene);
+    if (bounces_) {
+        bounce(parts, scene);
+        build(parts, dt_s, scene);
+    }
+    problem_.set_settled(std::ranges::all_of(
+        parts.bodies, [&](std::int32_t i) { return scene.bodies[index_of(i)].settled; }));
     report_.solve = solve_problem();
     take_velocities(parts, scene);
     remember(parts, dt_s, scene);
     for (const std::int32_t i : parts.bodies) {
         RigidWorldBody& body = scene.bodies[index_of(i)];
         body.state.velocity_W = body.drift_W;
+        body.settled = report_.solve.n_iterations == 0;
     }
     if (is_off_) {
         push(parts, scene);

@@ -1,10 +1,11 @@
 // One step of one island: what its bodies' velocities become under loads, contacts and joints, and where overlap goes.
 //
 //   v_free = v + h (g + F / m),   w_free = I^-1 (L + h torque)
+//            where what closes within the step arrives faster than `least_bounce_m_per_s`, v is what impacts make of it (impact.h)
 //   v      = the contact problem's answer: contacts that will have closed within the step may close, no more: u_n >= -gap / h; what overlaps
-//            may not go deeper: u_n >= 0; what arrives faster than `least_bounce_m_per_s` leaves with e times that; joints hold velocities
+//            may not go deeper: u_n >= 0; joints hold velocities
 //   drift  = v, or where anything overlaps or a joint is off its place, the answer of the same problem with targets that end this:
-//            u = min(rate * depth, most push). Bodies move by the drift and keep v: what pushes them apart gives them no speed and no
+//            u = min(rate * depth, most push), rate at most 1 / h. Bodies move by the drift and keep v: what pushes them apart gives them no speed and no
 //            energy, and nothing is pushed faster than stated, however deep it was
 // A joint's pull p on an arm r turns a light body back with the stiffness |p| |r| / h: where this swings faster than steps can follow,
 // the body's moments count as more by h |p| |r|, as an implicit step would have it. An answer that the solver does not find is
@@ -18,11 +19,14 @@
 #pragma once
 
 #include "haptics/constraint/contact_solver.h"
+#include "haptics/constraint/impact.h"
 #include "haptics/dynamics/rigid_world_body.h"
 #include "haptics/dynamics/rigid_world_plan.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace fulcrum {
 
@@ -50,6 +54,12 @@ class IslandSolver {
     IslandReport solve(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
 
   private:
+    /// 1/s; what is pushed for a long step must not come out on the other side.
+    [[nodiscard]] double find_push_rate(double dt_s) const noexcept {
+        return std::min(settings_.push_rate_per_s, 1.0 / dt_s);
+    }
+    void build(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
+    void bounce(const IslandParts& parts, RigidScene& scene) noexcept;
     void add_bodies(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
     void add_pair(const ContactPair& pair, double dt_s, const RigidScene& scene) noexcept;
     void add_joint(const Joint& joint, double dt_s, const RigidScene& scene) noexcept;
@@ -61,10 +71,13 @@ class IslandSolver {
     RigidWorldSettings settings_;
     ContactProblem problem_;
     ContactSolver solver_;
-    ContactSolver rounds_;                // for what the other does not find
+    ContactSolver rounds_;  // for what the other does not find
+    ImpactSolver impacts_;
+    std::vector<Vector6> met_;  // velocities of the problem's bodies, before and after impacts
     BoundedList<double> contact_pushes_;  // m/s, 0 or more: of each contact in the second problem
     BoundedList<double> row_pushes_;
-    bool is_off_ = false;  // anything has to be pushed
+    bool is_off_ = false;   // anything has to be pushed
+    bool bounces_ = false;  // anything arrives that does
     IslandReport report_{};
 };
 

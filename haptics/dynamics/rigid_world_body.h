@@ -37,6 +37,7 @@ struct RigidWorldBody {
     double pull_kg_m2 = 0.0;  ///< of its joints: h |p| |r|, which resists turning (island_solver.h)
     bool touched = false;     ///< by a hand, since the last step
     bool asleep = false;
+    bool settled = false;    ///< its island's impulses were those of the step before
     double still_s = 0.0;    ///< for how long
     double behind_s = 0.0;   ///< time that its island has not been stepped by yet
     bool is_present = true;  ///< else nothing meets it, and it stays where it is

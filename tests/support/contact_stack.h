@@ -59,7 +59,12 @@ class ContactStack {
             add_contacts(static_cast<int>(i));
         }
     }
-    SolveReport solve() noexcept { return solver_.solve(problem_); }
+    SolveReport solve() noexcept {
+        problem_.set_settled(settled_);
+        const SolveReport report = solver_.solve(problem_);
+        settled_ = report.n_iterations == 0;
+        return report;
+    }
     void finish() noexcept {
         for (const ContactConstraint& contact : problem_.contacts()) {
             memory(contact.body_b, corner_[index_of(contact)]) = {contact.impulse_Ns,
@@ -167,6 +172,7 @@ class ContactStack {
     ContactSolver solver_;
     std::vector<Cube> cubes_;
     std::array<std::size_t, 4096> corner_{};
+    bool settled_ = false;
 };
 
 }  // namespace fulcrum

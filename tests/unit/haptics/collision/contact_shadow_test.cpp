@@ -163,5 +163,38 @@ TEST_CASE(
     CHECK(shadow.height == Approx(1.0));
 }
 
+TEST_CASE("contact shadow: edges that coincide to rounding share no corner outside both") {
+    // Equal squares moved by as little as counts for the edge: each edge of one lies along one of the other.
+    Random random(6);
+    for (int i = 0; i < 20000; ++i) {
+        const double part = 1.0e-9 * (1.0 + 1.0e-6 * random.uniform());
+        const SharedCorners shared = share(
+            make_rectangle(part * random.uniform(), part * (i % 2 == 0 ? 1.0 : -1.0), 0.5, 0.5),
+            make_rectangle(0.0, 0.0, 0.5, 0.5));
+        REQUIRE(find_area(shared) == Approx(1.0).margin(1.0e-6));
+        for (int k = 0; k < shared.count; ++k) {
+            const Shadow::Place& at = shared.corners[static_cast<std::size_t>(k)].at;
+            REQUIRE(std::max(std::abs(at.x), std::abs(at.y)) <= 0.5 + 1.0e-8);
+        }
+    }
+    // Turned a little against each other, about a corner that lies just outside.
+    for (int i = 0; i < 20000; ++i) {
+        const double turn = 2.0e-9 * random.uniform();
+        const double away = 1.0e-9 * random.uniform();
+        const SharedCorners shared =
+            share(make_polygon({{-0.5 + turn * 0.5, -0.5 - turn * 0.5 - away},
+                                {0.5 + turn * 0.5, -0.5 + turn * 0.5 - away},
+                                {0.5 - turn * 0.5, 0.5 + turn * 0.5 - away},
+                                {-0.5 - turn * 0.5, 0.5 - turn * 0.5 - away}},
+                               0.0),
+                  make_rectangle(0.0, 0.0, 0.5, 0.5));
+        for (int k = 0; k < shared.count; ++k) {
+            const Shadow::Place& at = shared.corners[static_cast<std::size_t>(k)].at;
+            REQUIRE(std::max(std::abs(at.x), std::abs(at.y)) <= 0.5 + 1.0e-7);
+        }
+        REQUIRE(find_area(shared) == Approx(1.0).margin(1.0e-6));
+    }
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -95,7 +95,8 @@ TEST_CASE("block system: chains, trees and stars get no fill") {
     }
 }
 
-TEST_CASE("block system: an order is kept while it has blocks for all pairs") {
+TEST_CASE(
+    "block system: an order is kept while the pairs are the same, and follows from them alone") {
     BlockSystem system(4);
     const auto tell = [&](const std::vector<Pair>& pairs) {
         system.begin(4);
@@ -105,10 +106,14 @@ TEST_CASE("block system: an order is kept while it has blocks for all pairs") {
         return system.find_order();
     };
     CHECK(tell({{0, 1}, {1, 2}, {2, 3}}));
-    CHECK(tell({{2, 1}, {kGround, 3}}));
+    CHECK(tell({{3, 2}, {kGround, 3}, {0, 1}, {2, 1}}));
     CHECK(system.n_orders() == 1);
-    CHECK(tell({{0, 3}}));
+    // Fewer pairs would fit the blocks that are there, but have another order where they come first.
+    CHECK(tell({{2, 1}}));
     CHECK(system.n_orders() == 2);
+    CHECK(system.n_blocks() == 1);
+    CHECK(tell({{0, 3}}));
+    CHECK(system.n_orders() == 3);
 }
 
 TEST_CASE("block system: more fill than there is room for is told, and less fits again") {

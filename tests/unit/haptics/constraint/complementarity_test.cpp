@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <limits>
 
 namespace fulcrum {
 namespace {
@@ -59,6 +60,42 @@ TEST_CASE("complementarity: impulses keep the momentum of bodies that touch only
     CHECK((problem.bodies()[1].velocity_W - problem.bodies()[1].free_velocity_W).norm() > 0.1);
     const std::array<double, 1> friction{0.4};
     CHECK(compute_residual(problem, FrictionShape::cone, friction) > 0.1);
+}
+
+TEST_CASE("complementarity: what is no number does not read as an answer, wherever it stands") {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    CHECK(take_worse(1.0, 2.0) == 2.0);
+    CHECK(take_worse(2.0, 1.0) == 2.0);
+    CHECK(std::isnan(take_worse(kNone, 1.0)));
+    CHECK(std::isnan(take_worse(1.0, kNone)));
+    for (int k = 0; k < 3; ++k) {
+        Vector3 y = Vector3::Zero();
+        y[k] = kNone;
+        CHECK(
+            std::isnan(compute_residual(FrictionShape::cone, 0.5, 2.0, y, Vector3(1.0, 0.0, 0.0))));
+    }
+    // A bad contact before a good one, and after it.
+    for (const std::size_t bad : {std::size_t{0}, std::size_t{1}}) {
+        ContactProblem problem({1, 2, 0});
+        problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero());
+        for (int i = 0; i < 2; ++i) {
+            ContactConstraint contact;
+            contact.body_b = 0;
+            problem.add_contact(contact);
+        }
+        problem.contacts()[bad].impulse_Ns.setConstant(kNone);
+        const std::array<double, 2> friction{0.5, 0.5};
+        CHECK_FALSE(compute_residual(problem, FrictionShape::cone, friction) <= 1.0);
+    }
+}
+
+TEST_CASE("complementarity: the ground stands in the next problem, whatever was pushed into it") {
+    ContactProblem problem({1, 0, 0});
+    problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero());
+    BodyMotion motion(1);
+    motion.velocity(kGround).setConstant(std::numeric_limits<double>::quiet_NaN());
+    apply_impulses(problem, motion);
+    CHECK(motion.velocity(kGround) == Vector6(Vector6::Zero()));
 }
 
 }  // namespace

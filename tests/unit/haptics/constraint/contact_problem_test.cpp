@@ -117,5 +117,33 @@ TEST_CASE("contact problem: the energy is that of motion and of turning") {
     CHECK(compute_kinetic_energy_J(problem) == 0.5 * (2.0 * 9.0 + 1.0 + 2.0 + 12.0));
 }
 
+TEST_CASE(
+    "contact problem: an inertia that is not positive definite is refused, and so are weights "
+    "beyond numbers") {
+    ContactProblem problem({8, 8, 8});
+    // Two moments below zero: the determinant is above it.
+    CHECK(problem.add_body(1.0, Vector3(-1.0, -1.0, 1.0).asDiagonal(), Vector6::Zero()) == kGround);
+    CHECK(problem.add_body(1.0, Vector3(1.0, -1.0, -1.0).asDiagonal(), Vector6::Zero()) == kGround);
+    Matrix3 skewed = Matrix3::Identity();
+    skewed(0, 1) = 0.5;
+    CHECK(problem.add_body(1.0, skewed, Vector6::Zero()) == kGround);
+    constexpr double kDenormal = 1.0e-310;
+    CHECK(problem.add_body(kDenormal, Matrix3::Identity(), Vector6::Zero()) == kGround);
+    REQUIRE(problem.add_body(1.0, Matrix3::Identity(), Vector6::Zero()) == 0);
+    ContactConstraint contact;
+    contact.body_b = 0;
+    CHECK(problem.add_contact(contact));
+    CHECK(problem.contacts()[0].weight_per_kg == 3.0);
+    contact.arm_b.setConstant(1.0e200);
+    CHECK_FALSE(problem.add_contact(contact));
+    RowConstraint row;
+    row.body_b = 0;
+    row.jacobian_b.setConstant(1.0e200);
+    CHECK_FALSE(problem.add_row(row));
+    row.jacobian_b.setConstant(1.0e-160);
+    CHECK_FALSE(problem.add_row(row));
+    CHECK(problem.n_dropped() == 7);
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -196,5 +196,74 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "contact solver: what is squeezed from two sides is pushed by bounded impulses, and counted") {
+    constexpr double kMostImpulse_Ns = 1.0e9;
+    for (const ContactMethod method : kContactMethods) {
+        CAPTURE(to_string(method));
+        ContactProblem problem({1, 2, 0});
+        problem.add_body(1.0, ball_inertia(1.0, 0.1), Vector6::Zero());
+        for (const double side : {-1.0, 1.0}) {
+            ContactConstraint c;
+            c.body_b = 0;
+            c.axes_W = make_contact_axes(side * Vector3::UnitX());
+            c.arm_b = -0.1 * side * Vector3::UnitX();
+            c.target_m_per_s.x() = 0.5;
+            problem.add_contact(c);
+        }
+        for (int k = 0; k < 20; ++k) {
+            ContactSolverSettings settings;
+            settings.method = method;
+            const SolveReport report = solve(problem, settings);
+            CHECK_FALSE(report.converged);
+            CHECK(report.n_regularised > 0);
+            for (const ContactConstraint& c : problem.contacts()) {
+                CHECK(c.impulse_Ns.x() <= kMostImpulse_Ns);
+            }
+            CHECK(problem.bodies()[0].velocity_W.cwiseAbs().maxCoeff() <= 1.0);
+        }
+    }
+}
+
+TEST_CASE("contact solver: an answer is the same to the bit whatever was solved before") {
+    const auto chain = [](int n, int skip, ContactSolver& solver) {
+        // Balls tied in a row, and a few across.
+        ContactProblem problem({16, 8, 64});
+        for (int i = 0; i < n; ++i) {
+            problem.add_body(1.0 + i, ball_inertia(1.0, 0.1 + 0.01 * i),
+                             moving({1.0 * i, 2.0, -0.3 * i}));
+        }
+        for (int i = 0; i < n; ++i) {
+            for (const int far : {1, skip}) {
+                RowConstraint row;
+                row.body_a = i;
+                row.body_b = (i + far) % n;
+                row.jacobian_a << -Vector3::UnitX(), 0.1 * Vector3::UnitY();
+                row.jacobian_b << Vector3::UnitX(), 0.2 * Vector3::UnitZ();
+                row.least = -HUGE_VAL;
+                row.most = HUGE_VAL;
+                problem.add_row(row);
+            }
+        }
+        (void)solver.solve(problem);
+        std::vector<Vector6> velocities;
+        for (const ConstrainedBody& body : problem.bodies()) {
+            velocities.push_back(body.velocity_W);
+        }
+        return velocities;
+    };
+    for (const ContactMethod method : kContactMethods) {
+        CAPTURE(to_string(method));
+        const ContactCapacity capacity{16, 8, 64};
+        ContactSolver fresh(settings_of(method), capacity);
+        const std::vector<Vector6> expected = chain(9, 2, fresh);
+        ContactSolver used(settings_of(method), capacity);
+        (void)chain(9, 4, used);
+        CHECK(chain(9, 2, used) == expected);
+        (void)chain(5, 2, used);
+        CHECK(chain(9, 2, used) == expected);
+    }
+}
+
 }  // namespace
 }  // namespace fulcrum

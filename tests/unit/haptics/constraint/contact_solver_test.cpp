@@ -302,5 +302,49 @@ TEST_CASE("contact solver: methods are found by name, and settings outside their
     CHECK(refused([](ContactSolverSettings& s) { s.stiffening = 0.0; }));
 }
 
+TEST_CASE("contact solver: a soft contact that slides gives way by R p along its tangents too") {
+    constexpr double kSoftness = 0.4;
+    constexpr double kMass_kg = 2.0;
+    for (const ContactMethod method : kContactMethods) {
+        CAPTURE(to_string(method));
+        ContactProblem problem({1, 1, 0});
+        problem.add_body(kMass_kg, ball_inertia(kMass_kg, 0.1), moving({3.0, -1.0, 0.0}));
+        ContactConstraint c;
+        c.body_b = 0;
+        c.axes_W.col(0) = Vector3::UnitY();
+        c.axes_W.col(1) = Vector3::UnitX();
+        c.axes_W.col(2) = -Vector3::UnitZ();
+        c.static_friction = c.dynamic_friction = kFriction;
+        c.softness_per_kg = kSoftness;
+        problem.add_contact(c);
+        const SolveReport report = solve(problem, settings_of(method));
+        CHECK(report.converged);
+        CHECK(report.n_regularised == 0);
+        // u_n + R p_n = 0, p_t = -mu p_n: no lift by the slip.
+        const double impulse = 1.0 / (1.0 / kMass_kg + kSoftness);
+        CHECK(std::abs(problem.contacts()[0].impulse_Ns.x() - impulse) <= kSolved);
+        CHECK(std::abs(problem.bodies()[0].velocity_W.x() -
+                       (3.0 - kFriction * impulse / kMass_kg)) <= kSolved);
+    }
+}
+
+TEST_CASE("contact solver: a soft row gives way by R p") {
+    for (const ContactMethod method : kContactMethods) {
+        CAPTURE(to_string(method));
+        ContactProblem problem({1, 0, 1});
+        problem.add_body(2.0, ball_inertia(2.0, 0.1), moving({1.0, 0.0, 0.0}));
+        RowConstraint row;
+        row.body_b = 0;
+        row.jacobian_b << Vector3::UnitX(), Vector3::Zero();
+        row.least = -HUGE_VAL;
+        row.most = HUGE_VAL;
+        row.softness = 0.25;
+        problem.add_row(row);
+        CHECK(solve(problem, settings_of(method)).converged);
+        CHECK(std::abs(problem.rows()[0].impulse + 1.0 / 0.75) <= kSolved);
+        CHECK(std::abs(problem.bodies()[0].velocity_W.x() - 0.25 / 0.75) <= kSolved);
+    }
+}
+
 }  // namespace
 }  // namespace fulcrum

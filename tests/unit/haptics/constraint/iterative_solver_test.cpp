@@ -48,5 +48,35 @@ TEST_CASE("iterative solver: a row that moves nothing is left alone") {
     }
 }
 
+TEST_CASE("iterative solver: however few its rounds, no contact holds more than friction does") {
+    for (const int n_rounds : {1, 2, 5}) {
+        ContactSolverSettings settings = settings_of(ContactMethod::iterative);
+        settings.max_iterations = n_rounds;
+        ContactStack stack({.n_cubes = 6, .friction = 0.2, .start_gap_m = 0.0005}, settings);
+        for (int i = 0; i < 6; ++i) {
+            stack.velocity(i) = moving({0.3 * i, -1.0, 0.1}, {0.5, 0.2, -0.4 * i});
+        }
+        for (int k = 0; k < 20; ++k) {
+            stack.step();
+            for (const ContactConstraint& c : stack.problem().contacts()) {
+                CHECK(c.impulse_Ns.tail<2>().norm() <= 0.2 * c.impulse_Ns.x() * (1.0 + 1.0e-12));
+            }
+        }
+    }
+}
+
+TEST_CASE("iterative solver: what is not yet solved is not called sliding") {
+    ContactSolverSettings settings = settings_of(ContactMethod::iterative);
+    settings.max_iterations = 3;
+    ContactStack stack({.n_cubes = 6}, settings);
+    // A stack at rest: what moves is what three rounds leave.
+    for (int k = 0; k < 5; ++k) {
+        CHECK_FALSE(stack.step().converged);
+        for (const ContactConstraint& c : stack.problem().contacts()) {
+            CHECK_FALSE(c.slides);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace fulcrum

@@ -155,6 +155,17 @@ TEST_CASE(
     CHECK(world->report().deepest_m < 1.0e-5);
 }
 
+TEST_CASE("rigid world: what lies deep is lifted to the ground and no higher, in long steps too") {
+    RigidWorldPlan plan;
+    plan.bodies = {make_ground(), make_cube({0.0, 0.045, 0.0})};
+    auto world = make_world(plan);
+    for (int i = 0; i < 40; ++i) {
+        world->step(0.05);
+        REQUIRE(world->state(1).pose_W.position.y() <= 0.05 + 1.0e-9);
+    }
+    CHECK(world->state(1).pose_W.position.y() >= 0.05 - 1.0e-5);
+}
+
 TEST_CASE("rigid world: a stack of ten stands, sleeps, and wakes when it is pushed") {
     RigidWorldPlan plan;
     plan.bodies = {make_ground()};
@@ -345,6 +356,42 @@ TEST_CASE("rigid world: what is no number or not there is passed over or refused
     const auto refused = RigidWorld::create(plan);
     REQUIRE_FALSE(refused);
     CHECK(to_sentence(refused.error()).find("body 1") != std::string::npos);
+}
+
+TEST_CASE(
+    "rigid world: of balls that hang in a row the last one leaves, and energy is never gained") {
+    for (const double restitution : {1.0, 0.8}) {
+        RigidWorldPlan plan;
+        plan.settings.gravity_W.setZero();
+        plan.settings.sleep_after_s = 0.0;
+        for (int i = 0; i < 5; ++i) {
+            plan.bodies.push_back({.shape = SphereShape{0.05},
+                                   .mass_kg = 1.0,
+                                   .pose_W = Pose::at({0.1 * i - (i == 0 ? 0.05 : 0.0), 0.0, 0.0}),
+                                   .restitution = restitution});
+        }
+        plan.bodies[0].velocity_W.linear.x() = 1.0;
+        auto world = make_world(plan);
+        double energy_J = world->compute_energy_J();
+        for (int i = 0; i < 200; ++i) {
+            world->step(kStep_s);
+            REQUIRE(world->compute_energy_J() <= energy_J * (1.0 + 1.0e-9));
+            energy_J = world->compute_energy_J();
+        }
+        const auto speed = [&](int i) { return world->state(i).velocity_W.linear.x(); };
+        double momentum_Ns = 0.0;
+        for (int i = 0; i < 5; ++i) {
+            momentum_Ns += speed(i);
+        }
+        CHECK(momentum_Ns == Approx(1.0));
+        if (restitution == 1.0) {
+            CHECK(speed(4) == Approx(1.0));
+            CHECK(std::abs(speed(0)) < 1.0e-6);
+        } else {
+            // Passed on from ball to ball: ((1 + e) / 2)^4.
+            CHECK(speed(4) == Approx(std::pow(0.9, 4)).epsilon(0.02));
+        }
+    }
 }
 
 }  // namespace

@@ -1,0 +1,199 @@
+#include "haptics/constraint/impact.h"
+
+#include "tests/support/contact_scenes.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <vector>
+
+namespace fulcrum {
+namespace {
+
+using namespace contact_scenes;
+
+constexpr double kLeast_m_per_s = 0.01;
+
+// Balls of 1 kg and 0.1 m in a row along x, each touching the next.
+struct Row {
+    ContactProblem problem;
+    std::vector<Vector6> velocities;
+
+    explicit Row(int n_balls, double restitution) : problem({n_balls, n_balls, 0}) {
+        for (int i = 0; i < n_balls; ++i) {
+            problem.add_body(1.0, ball_inertia(1.0, 0.1), Vector6::Zero());
+            velocities.push_back(moving({i == 0 ? 1.0 : 0.0, 0.0, 0.0}));
+        }
+        for (int i = 0; i + 1 < n_balls; ++i) {
+            const Vector3 at(0.2 * i, 0.0, 0.0);
+            ContactConstraint contact = contact_at(i, at, i + 1, at + Vector3(0.2, 0.0, 0.0),
+                                                   at + Vector3(0.1, 0.0, 0.0), Vector3::UnitX());
+            contact.restitution = restitution;
+            problem.add_contact(contact);
+        }
+    }
+    ImpactReport meet() {
+        ContactSolver solver(settings_of(ContactMethod::newton), problem.capacity());
+        return ImpactSolver(problem.capacity()).solve(problem, kLeast_m_per_s, solver, velocities);
+    }
+};
+
+double energy_of(const ContactProblem& problem, std::span<const Vector6> velocities) {
+    double twice_J = 0.0;
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+        twice_J += velocities[i].dot(compute_momentum(problem.bodies()[i], velocities[i]));
+    }
+    return 0.5 * twice_J;
+}
+
+TEST_CASE("impact: in a row of balls that keep all energy the last leaves and the others stand") {
+    Row row(5, 1.0);
+    const ImpactReport report = row.meet();
+    CHECK(report.done);
+    CHECK(report.n_rounds == 4);
+    for (std::size_t i = 0; i < 5; ++i) {
+        CHECK(row.velocities[i].x() == Approx(i == 4 ? 1.0 : 0.0).margin(kSolved));
+    }
+}
+
+TEST_CASE("impact: two balls part with e times the speed of their meeting") {
+    for (const double restitution : {0.2, 0.5, 1.0}) {
+        Row row(2, restitution);
+        CHECK(row.meet().n_rounds == 1);
+        CHECK(row.velocities[0].x() == Approx(0.5 * (1.0 - restitution)).margin(kSolved));
+        CHECK(row.velocities[1].x() == Approx(0.5 * (1.0 + restitution)).margin(kSolved));
+    }
+}
+
+TEST_CASE("impact: what arrives slowly, leaves, or has no restitution does not bounce") {
+    for (const double speed : {0.5 * kLeast_m_per_s, -1.0}) {
+        Row row(2, 1.0);
+        row.velocities[0].x() = speed;
+        CHECK(row.meet().n_rounds == 0);
+        CHECK(row.velocities[0].x() == speed);
+    }
+    Row dull(3, 0.0);
+    CHECK(dull.meet().n_rounds == 0);
+    Row far(2, 1.0);
+    far.problem.contacts()[0].target_m_per_s.x() = -2.0;  // the gap takes two such steps
+    CHECK(far.meet().n_rounds == 0);
+}
+
+TEST_CASE("impact: what lies under a ball without restitution of its own stays under it") {
+    // A ball bounces off the upper of two cubes on the ground; the cubes stay.
+    ContactProblem problem({3, 9, 0});
+    for (int i = 0; i < 2; ++i) {
+        problem.add_body(1.0, cube_inertia(1.0, 0.1), Vector6::Zero());
+    }
+    problem.add_body(1.0, ball_inertia(1.0, 0.05), Vector6::Zero());
+    add_corners(problem, 0, 0.1, 0.6, make_contact_axes(Vector3::UnitY()));
+    for (const ContactConstraint& below :
+         std::vector<ContactConstraint>(problem.contacts().begin(), problem.contacts().end())) {
+        ContactConstraint contact = below;
+        contact.body_a = 0;
+        contact.body_b = 1;
+        contact.arm_a = below.arm_b + Vector3(0.0, 0.1, 0.0);
+        problem.add_contact(contact);
+    }
+    ContactConstraint top =
+        contact_at(1, {0.0, 0.15, 0.0}, 2, {0.0, 0.25, 0.0}, {0.0, 0.2, 0.0}, Vector3::UnitY());
+    top.restitution = 0.5;
+    problem.add_contact(top);
+    std::vector<Vector6> velocities{Vector6::Zero(), Vector6::Zero(), moving({0.0, -2.0, 0.0})};
+    ContactSolver solver(settings_of(ContactMethod::newton), problem.capacity());
+    const ImpactReport report =
+        ImpactSolver(problem.capacity()).solve(problem, kLeast_m_per_s, solver, velocities);
+    CHECK(report.n_rounds == 1);
+    CHECK(velocities[0].cwiseAbs().maxCoeff() <= kSolved);
+    CHECK(velocities[1].cwiseAbs().maxCoeff() <= kSolved);
+    CHECK((velocities[2] - moving({0.0, 1.0, 0.0})).cwiseAbs().maxCoeff() <= kSolved);
+}
+
+TEST_CASE("impact: with friction too no energy is gained, and bodies alone keep their momentum") {
+    // Rods that lean meet the ground or each other on their ends: where slip would turn round, Newton's law alone gains energy.
+    Random random(11);
+    int n_with_ground = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        CAPTURE(trial);
+        const bool on_ground = trial % 2 == 0;
+        n_with_ground += on_ground ? 1 : 0;
+        ContactProblem problem({2, 2, 0});
+        std::vector<Vector6> velocities;
+        const std::array<Vector3, 2> places{Vector3(0.0, 0.4, 0.0), Vector3(0.1, 1.1, 0.0)};
+        for (int i = 0; i < 2; ++i) {
+            problem.add_body(1.0, Vector3(1.0 / 12.0, 1.0 / 12.0, 1.0 / 1200.0).asDiagonal(),
+                             Vector6::Zero());
+            velocities.push_back(moving(random.in_cube(), 3.0 * random.in_cube()));
+        }
+        const double friction = 0.75 * (1.0 + random.uniform());
+        const double restitution = 0.5 * (1.0 + random.uniform());
+        for (int k = 0; k < (on_ground ? 2 : 1); ++k) {
+            const int a = k == 0 ? 0 : kGround;
+            const int b = k == 0 ? 1 : 0;
+            const Vector3 from = k == 0 ? places[0] : Vector3(0.0, -1.0, 0.0);
+            const Vector3& to = places[static_cast<std::size_t>(b)];
+            ContactConstraint contact =
+                contact_at(a, from, b, to, to + 0.4 * random.in_cube(), Vector3::UnitY(), friction);
+            contact.restitution = restitution;
+            problem.add_contact(contact);
+        }
+        const double before_J = energy_of(problem, velocities);
+        const Vector6 sum = velocities[0] + velocities[1];
+        ContactSolver solver(settings_of(ContactMethod::newton), problem.capacity());
+        const ImpactReport report =
+            ImpactSolver(problem.capacity()).solve(problem, kLeast_m_per_s, solver, velocities);
+        REQUIRE(report.done);
+        REQUIRE(energy_of(problem, velocities) <= before_J * (1.0 + 1.0e-9));
+        if (!on_ground) {
+            const Vector6 change = velocities[0] + velocities[1] - sum;
+            REQUIRE(change.head<3>().cwiseAbs().maxCoeff() <= 1.0e-12);
+        }
+    }
+    CHECK(n_with_ground == 200);
+}
+
+TEST_CASE("impact: a joint passes a blow on, a motor does not") {
+    // Two balls are tied; the first is hit by a third.
+    ContactProblem problem({3, 1, 2});
+    std::vector<Vector6> velocities;
+    for (int i = 0; i < 3; ++i) {
+        problem.add_body(1.0, ball_inertia(1.0, 0.1), Vector6::Zero());
+        velocities.push_back(moving({i == 0 ? 1.0 : 0.0, 0.0, 0.0}));
+    }
+    ContactConstraint contact =
+        contact_at(0, Vector3::Zero(), 1, {0.2, 0.0, 0.0}, {0.1, 0.0, 0.0}, Vector3::UnitX());
+    contact.restitution = 1.0;
+    problem.add_contact(contact);
+    RowConstraint tie;
+    tie.body_a = 1;
+    tie.body_b = 2;
+    tie.jacobian_a << -Vector3::UnitX(), Vector3::Zero();
+    tie.jacobian_b << Vector3::UnitX(), Vector3::Zero();
+    tie.least = -HUGE_VAL;
+    tie.most = HUGE_VAL;
+    problem.add_row(tie);
+    RowConstraint motor = tie;
+    motor.target = 5.0;
+    motor.least = -1.0;
+    motor.most = 1.0;
+    problem.add_row(motor);
+    ContactSolver solver(settings_of(ContactMethod::newton), problem.capacity());
+    (void)ImpactSolver(problem.capacity()).solve(problem, kLeast_m_per_s, solver, velocities);
+    // 1 kg against 2 kg: -1/3 and 2/3.
+    CHECK(velocities[0].x() == Approx(-1.0 / 3.0));
+    CHECK(velocities[1].x() == Approx(2.0 / 3.0));
+    CHECK(velocities[2].x() == Approx(2.0 / 3.0));
+}
+
+TEST_CASE("impact: a problem beyond its capacity is left as it is") {
+    Row row(3, 1.0);
+    ContactSolver solver(settings_of(ContactMethod::newton), row.problem.capacity());
+    CHECK(ImpactSolver({2, 3, 0})
+              .solve(row.problem, kLeast_m_per_s, solver, row.velocities)
+              .n_rounds == 0);
+    CHECK(row.velocities[0].x() == 1.0);
+}
+
+}  // namespace
+}  // namespace fulcrum
