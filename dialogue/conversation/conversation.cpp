@@ -13,6 +13,20 @@ bool asks(std::string_view sentence) {
     return sentence.ends_with('?');
 }
 
+/// "a watermelon, an apple or an egg".
+std::string listed(const Catalogue& catalogue, const std::vector<std::string>& words) {
+    std::string list;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) {
+            list += i + 1 == words.size() ? " " + catalogue.say("list.or")
+                                          : catalogue.say("list.comma");
+            list += " ";
+        }
+        list += words[i];
+    }
+    return list;
+}
+
 }  // namespace
 
 Conversation::Conversation(const Catalogue& catalogue, ConversationSettings settings)
@@ -67,7 +81,8 @@ Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
     if (!mark.understood) {
         return not_understood(mark);
     }
-    return meaning_right ? respond_to_form(mark) : wrong_meaning(mark);
+    const bool right = meaning_right && mark.other_number.empty();
+    return right ? respond_to_form(mark) : wrong_meaning(mark);
 }
 
 Feedback Conversation::respond_to_form(const Mark& mark) {
@@ -136,11 +151,13 @@ Feedback Conversation::not_understood(const Mark& mark) {
     // Who asks for help needs no second try.
     wanted_help_ = wanted_help_ || wants_help(mark.said);
     const int rung = wanted_help_ ? unheard_ + 1 : unheard_;
-    // An opposite is named; else first only again, then how the sentence goes, then what can be said.
+    // An opposite is named, and a name asked for; else first only again, then how the sentence goes, then what can be said.
     Feedback feedback;
     if (!mark.opposite_said.empty()) {
         feedback = say(FeedbackKind::not_understood, "feedback.opposite",
                        {{"said", mark.opposite_said}, {"asked", "*" + mark.opposite_of + "*"}});
+    } else if (!mark.pointed_with.empty() && rung < 3) {
+        feedback = say(FeedbackKind::not_understood, "feedback.which_one");
     } else if (rung == 1) {
         feedback = say(FeedbackKind::not_understood, "feedback.not_understood.1");
     } else if (const std::string frame = sentence_frame(*question_); rung == 2 && !frame.empty()) {
@@ -151,18 +168,8 @@ Feedback Conversation::not_understood(const Mark& mark) {
         feedback = say(FeedbackKind::not_understood, "feedback.not_understood.example",
                        {{"sentence", example}});
     } else {
-        std::string list;
-        const std::vector<std::string> words = choices(*question_);
-        for (std::size_t i = 0; i < words.size(); ++i) {
-            if (i > 0) {
-                list += i + 1 == words.size() ? " " + catalogue_->say("list.or")
-                                              : catalogue_->say("list.comma");
-                list += " ";
-            }
-            list += words[i];
-        }
-        feedback =
-            say(FeedbackKind::not_understood, "feedback.not_understood.3", {{"choices", list}});
+        feedback = say(FeedbackKind::not_understood, "feedback.not_understood.3",
+                       {{"choices", listed(*catalogue_, choices(*question_))}});
     }
     feedback.ask_again = true;
     return feedback;
@@ -188,10 +195,11 @@ Feedback Conversation::wrong_meaning(const Mark& mark) {
         feedback.ask_again = true;
         return feedback;
     }
-    Feedback feedback = question_->again.empty()
-                            ? say(FeedbackKind::wrong_meaning, "feedback.wrong_meaning")
-                            : say(FeedbackKind::wrong_meaning, "feedback.wrong_meaning.again",
-                                  {{"again", question_->again}});
+    const std::string key =
+        mark.other_number.empty() ? "feedback.wrong_meaning" : "feedback.other_number";
+    Feedback feedback =
+        say(FeedbackKind::wrong_meaning, question_->again.empty() ? key : key + ".again",
+            {{"again", question_->again}, {"said", mark.other_number}});
     feedback.ask_again = true;
     feedback.replay = true;
     return feedback;

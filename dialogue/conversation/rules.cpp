@@ -57,6 +57,13 @@ bool is_of_material(const FormError& error) {
     return (of_noun || error.code == ErrorCode::extra_determiner) && is_mass_noun(error.phrase);
 }
 
+/// "These rock": this and that point at one thing.
+bool is_of_pointing(const FormError& error) {
+    return error.code == ErrorCode::wrong_determiner &&
+           (error.right == "this" || error.right == "that" || error.right == "these" ||
+            error.right == "those");
+}
+
 /// Rules that hold for one code, whatever the word.
 constexpr std::array<std::pair<ErrorCode, std::string_view>, 20> kRules = {{
     {ErrorCode::wording, "rule.wording"},
@@ -96,8 +103,11 @@ std::vector<CatalogueNeed> make_needs() {
                                      {"feedback.rule", {"sentence", "rule"}},
                                      {"feedback.wrong_meaning", {}},
                                      {"feedback.wrong_meaning.again", {"again"}},
+                                     {"feedback.other_number", {"said"}},
+                                     {"feedback.other_number.again", {"said", "again"}},
                                      {"feedback.turned_round", {}},
                                      {"feedback.opposite", {"said", "asked"}},
+                                     {"feedback.which_one", {}},
                                      {"feedback.not_understood.1", {}},
                                      {"feedback.not_understood.2", {"frame"}},
                                      {"feedback.not_understood.3", {"choices"}},
@@ -115,7 +125,7 @@ std::vector<CatalogueNeed> make_needs() {
           "rule.superlative.the", "rule.comparative.ending", "rule.comparative.more_most",
           "rule.comparative.irregular", "rule.than", "rule.preposition", "rule.passive.be",
           "rule.passive.of", "rule.passive.from", "rule.adjective.degree", "rule.article.adjective",
-          "rule.article.material", "rule.noun.material"}) {
+          "rule.article.material", "rule.noun.material", "rule.this"}) {
         needs.push_back({key, words});
     }
     return needs;
@@ -129,6 +139,9 @@ std::string rule_key(const FormError& error) {
     }
     if (error.role == Role::adjective) {
         return error.degree == Degree::positive ? positive_rule(error) : degree_rule(error);
+    }
+    if (is_of_pointing(error)) {
+        return "rule.this";
     }
     if (is_of_material(error)) {
         return error.role == Role::noun ? "rule.noun.material" : "rule.article.material";

@@ -1,7 +1,7 @@
 #include "dialogue/marking/mark.h"
 
 #include "dialogue/english/letters.h"
-#include "dialogue/english/opposite.h"
+#include "dialogue/marking/near_miss.h"
 #include "dialogue/template/matcher.h"
 #include "dialogue/template/sentences.h"
 
@@ -113,39 +113,16 @@ void mark_wording(const TemplateSet& set, const Parse& parse, std::string_view t
     mark.form_errors.push_back(std::move(error));
 }
 
-/// The form of this adjective's opposite in `said` with which the answer would fit if it were turned round; or empty.
-std::string opposite_in(const TemplateSet& set, const std::string& said, const Element& adjective,
-                        const std::string& asked) {
-    for (const std::string_view opposite : opposites_of(adjective.base)) {
-        for (const std::string& form : degree_forms(opposite, adjective.degree)) {
-            const std::size_t at = said.find(form);
-            if (at != std::string::npos &&
-                match(set, std::string(said).replace(at, form.size(), asked))) {
-                return form;
-            }
+/// The last word of each slot that the first answer needs.
+std::vector<std::pair<std::string, std::string>> last_words(const TemplateSet& set) {
+    std::vector<std::pair<std::string, std::string>> words;
+    for (std::size_t slot = 0; slot < set.slots.size(); ++slot) {
+        if ((set.graphs[0].required & (1U << slot)) != 0) {
+            const WordList& list = set.lists[static_cast<std::size_t>(set.slot_lists[slot])];
+            words.emplace_back(set.slots[slot], list.items.back().value);
         }
     }
-    return {};
-}
-
-/// Looks whether the answer fits once an opposite is turned round: "the egg is lighter" where "heavier" is asked. Whether
-/// that is true isn't known here, and it says nothing about what was asked.
-void find_opposite(const TemplateSet& set, std::string_view text, Mark& mark) {
-    const std::string said = lower_case(text.substr(0, kLongestUtterance_bytes));
-    for (const Graph& graph : set.graphs) {
-        for (const Element& element : graph.elements) {
-            if (element.role != Role::adjective || element.slot != kNone) {
-                continue;  // a list's adjectives are the learner's choice
-            }
-            const std::string asked = degree_forms(element.base, element.degree).front();
-            if (const std::string form = opposite_in(set, said, element, asked); !form.empty()) {
-                const char* the = element.degree == Degree::superlative ? "the " : "";
-                mark.opposite_said = the + form;
-                mark.opposite_of = the + asked;
-                return;
-            }
-        }
-    }
+    return words;
 }
 
 }  // namespace
@@ -185,7 +162,7 @@ Mark mark_answer(const Question& question, std::string_view text, double confide
     const TemplateSet& set = *question.templates;
     const auto parse = match(set, text);
     if (!parse) {
-        find_opposite(set, text, mark);
+        find_near_miss(set, text, mark);
         return mark;
     }
     mark.understood = true;
@@ -217,7 +194,14 @@ std::string example_sentence(const Question& question) {
 }
 
 std::string sentence_frame(const Question& question) {
-    std::vector<Piece> pieces = canonical_pieces(*question.templates, 0, {});
+    const TemplateSet& set = *question.templates;
+    std::vector<Piece> pieces = canonical_pieces(set, 0, {});
+    const bool counts = std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
+        return piece.element.role == Role::noun && !piece.element.base.empty();
+    });
+    if (counts) {  // "… eggs", though the list of numbers begins with one
+        pieces = canonical_pieces(set, 0, last_words(set));
+    }
     const bool says_words = std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
         return piece.element.slot == kNone && piece.element.role != Role::determiner;
     });

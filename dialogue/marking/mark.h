@@ -41,10 +41,14 @@ struct FormError {
 /// An answer, marked.
 struct Mark {
     std::string said;
-    bool understood = false;  ///< false: no template fits; all below but the opposite is empty
+    bool understood = false;  ///< false: no template fits; what was meant and its form are empty
     std::string
         opposite_said;  ///< not understood, for "lighter" was said where "heavier" is asked; else empty
-    std::string opposite_of;    ///< what is asked: "heavier", "the heaviest"
+    std::string opposite_of;  ///< what is asked: "heavier", "the heaviest"
+    std::string
+        pointed_with;  ///< not understood, for a thing was pointed at and not named: "this one"
+    std::string
+        other_number;  ///< understood, but a number that no list has: it can't be right, and fills no slot
     int answer = kNone;         ///< which of the question's answers it is, from 0
     bool short_answer = false;  ///< "The watermelon.": fine
     bool turned_round =

@@ -35,11 +35,11 @@ tl::unexpected<Error> no_such_form(const SyntaxNode& part) {
     if (nearest == part.text) {
         return fail(concat({name, " needs a word: <", nearest, ":word>"}), part.column);
     }
-    const std::string meant =
-        nearest.empty() ? std::string{} : concat({"did you mean <", nearest, ":word>? "});
-    return fail(concat({"there is no ", with_word ? "form " : "rule ", name, "; ", meant,
-                        "forms are ", kForms}),
-                part.column);
+    if (!nearest.empty()) {
+        return fail(concat({"there is no form ", name, "; did you mean <", nearest, ":word>?"}),
+                    part.column);
+    }
+    return fail(concat({"there is no form ", name, "; forms are ", kForms}), part.column);
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ Expected<Built> GraphBuilder::form(const Syntax& syntax, const SyntaxNode& part,
     if (name == "plural" && !with_list) {
         add_plural(writer_, part.argument, from, built.to);
     } else if (name == "article") {
-        add_article(writer_, {}, from, built.to);
+        add_article(writer_, {}, neighbours.noun, from, built.to);
     } else if (name == "it") {
         add_it(writer_, from, built.to);
     } else {

@@ -78,6 +78,13 @@ bool is_adjective(const SyntaxNode& part) {
            (part.text == "adjective" || part.text == "comparative" || part.text == "superlative");
 }
 
+/// A plain word that is neither verb, preposition nor determiner.
+bool may_be_noun(const SyntaxNode& part) {
+    VerbForms forms;
+    return part.kind == Kind::word && !is_article(part.text) && !is_demonstrative(part.text) &&
+           !is_preposition(part.text) && !understand_verb(part.text, forms);
+}
+
 /// The number of a subject that is a plain word.
 SubjectNumber subject_number(const SyntaxNode& part) {
     if (part.kind != Kind::word) {
@@ -89,6 +96,34 @@ SubjectNumber subject_number(const SyntaxNode& part) {
         }
     }
     return looks_plural(part.text) ? SubjectNumber::plural : SubjectNumber::singular;
+}
+
+/// What stands before the part behind `done`; in a noun phrase that is the list, and its article went before.
+Neighbours behind(const SyntaxNode& done, bool has_article, bool noun_phrase) {
+    Neighbours neighbours;
+    neighbours.after_article = has_article && !noun_phrase;
+    neighbours.after_list = noun_phrase || done.kind == Kind::list;
+    neighbours.after_adjective = is_adjective(done);
+    neighbours.subject = subject_number(done);
+    neighbours.begins_phrase = done.kind == Kind::word && is_preposition(done.text);
+    return neighbours;
+}
+
+/// The number of the plain noun that follows the part `at_part` of a sequence: "the big *egg* is"; `beyond` behind its end.
+SubjectNumber noun_number_after(const Syntax& syntax, const SyntaxNode& sequence,
+                                std::size_t at_part, SubjectNumber beyond) {
+    if (at_part + 1 == sequence.children.size()) {
+        return beyond;
+    }
+    SubjectNumber number = SubjectNumber::unknown;
+    for (std::size_t i = at_part + 1; i < sequence.children.size(); ++i) {
+        const SyntaxNode& next = unwrapped(syntax, sequence.children[i]);
+        if (!may_be_noun(next)) {
+            break;
+        }
+        number = subject_number(next);
+    }
+    return number;
 }
 
 }  // namespace
@@ -138,12 +173,15 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
                                        Neighbours neighbours) {
     Built built{from};
     const bool adjective_follows = neighbours.before_adjective;
+    const SubjectNumber noun_follows = neighbours.noun;
     for (std::size_t i = 0; i < part.children.size(); ++i) {
         const int child = part.children[i];
         const auto policy = article_policy(syntax, child);
         const SyntaxNode* next =
             i + 1 < part.children.size() ? &unwrapped(syntax, part.children[i + 1]) : nullptr;
         neighbours.before_adjective = next != nullptr ? is_adjective(*next) : adjective_follows;
+        neighbours.noun =
+            policy ? noun_number_after(syntax, part, i, noun_follows) : SubjectNumber::unknown;
         const bool noun_phrase = policy && next != nullptr && next->kind == Kind::list;
         const auto made = noun_phrase ? list(*next, *policy, built.to)
                                       : node(syntax, child, built.to, neighbours);
@@ -160,10 +198,7 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
         built = {made->to, built.slots | made->slots, built.required | made->required,
                  built.definite | made->definite};
         const SyntaxNode& done = unwrapped(syntax, child);
-        neighbours.after_article = policy.has_value() && !noun_phrase;
-        neighbours.after_list = noun_phrase || done.kind == Kind::list;
-        neighbours.after_adjective = is_adjective(done);
-        neighbours.subject = subject_number(done);
+        neighbours = behind(done, policy.has_value(), noun_phrase);
     }
     return built;
 }

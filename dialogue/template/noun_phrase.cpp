@@ -43,9 +43,9 @@ class ArticleWriter {
             case Branch::with_both:
                 return count_noun("a", "");
             case Branch::bare_or_the:
-                return without({"some", "this", "that"});
+                return without({"some", "this", "that"}, {"these", "those"});
             case Branch::bare_plural:
-                return without({"some", "these", "those"});
+                return without({"some", "these", "those"}, {"this", "that"});
             case Branch::made_plural:
                 return plurals_in_general();
             case Branch::plural_of_one:
@@ -87,6 +87,8 @@ class ArticleWriter {
         for (const std::string_view said : {"this", "that", "my", "your", "our"}) {
             right(said, false);
         }
+        wrong("these", "this", ErrorCode::wrong_determiner);
+        wrong("those", "that", ErrorCode::wrong_determiner);
         if (other.empty()) {
             passes("an", definite ? "the" : "an");
         } else {
@@ -102,22 +104,32 @@ class ArticleWriter {
         }
     }
 
-    void without(const std::array<std::string_view, 3>& determiners) {
+    /// `others` point at what has the other number: "these metal", "this scissors".
+    void without(const std::array<std::string_view, 3>& determiners,
+                 const std::array<std::string_view, 2>& others) {
         const bool definite = policy_ == ArticlePolicy::definite;
         right("", !definite);
         right("the", definite);
         for (const std::string_view said : determiners) {
             right(said, false);
         }
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            wrong(others[i], determiners[i + 1], ErrorCode::wrong_determiner);
+        }
         wrong("a", "", ErrorCode::extra_determiner);
         wrong("an", "", ErrorCode::extra_determiner);
     }
 
-    /// "Apples are heavier": right where any will do; what is there is one thing, see below.
+    /// "Apples are heavier": right where any will do; what is there is one thing, see below. Where the template speaks of no
+    /// one thing, "these rocks" are pieces of it.
     void plurals_in_general() {
         if (policy_ != ArticlePolicy::definite) {
             right("", false);
             right("some", false);
+        }
+        if (policy_ == ArticlePolicy::bare) {
+            right("these", false);
+            right("those", false);
         }
     }
 
@@ -126,6 +138,8 @@ class ArticleWriter {
         right("the", false);
         passes("these", "this");
         passes("those", "that");
+        right("this", false);
+        right("that", false);
         if (policy_ == ArticlePolicy::definite) {
             passes("some", "the");
             wrong("", "the", ErrorCode::missing_determiner);
@@ -134,7 +148,7 @@ class ArticleWriter {
 
     void only_name() {
         right("", true);
-        for (const std::string_view said : {"a", "an", "the"}) {
+        for (const std::string_view said : {"a", "an", "the", "this", "that"}) {
             wrong(said, "", ErrorCode::extra_determiner);
         }
     }

@@ -26,6 +26,40 @@ constexpr std::array kConfusions = {
     Confusion{"as", {"than", "like", "so", "", "", ""}},
 };
 
+const Confusion* find_confusion(std::string_view word) {
+    const auto* const found =
+        std::find_if(kConfusions.begin(), kConfusions.end(),
+                     [&](const Confusion& entry) { return entry.right == word; });
+    return found == kConfusions.end() ? nullptr : found;
+}
+
+/// "This spaceship" where the template has "the spaceship"; "these spaceship" is wrong.
+void add_demonstratives(ArcWriter& writer, SubjectNumber noun, int determiner, int from, int to) {
+    if (noun == SubjectNumber::unknown) {
+        return;
+    }
+    constexpr std::array<std::string_view, 2> kOne = {"this", "that"};
+    constexpr std::array<std::string_view, 2> kMany = {"these", "those"};
+    const bool one = noun == SubjectNumber::singular;
+    for (std::size_t i = 0; i < kOne.size(); ++i) {
+        const std::string_view right = one ? kOne[i] : kMany[i];
+        const std::string_view wrong = one ? kMany[i] : kOne[i];
+        writer.add_arc(from, to, determiner, {right, right});
+        writer.add_arc(from, to, determiner,
+                       {wrong, right, ErrorCode::wrong_determiner, kSlipCost});
+    }
+}
+
+/// "Metal is hard": a material may have "the" or "this" before it; the node behind that.
+int add_free_determiner(ArcWriter& writer, int from) {
+    const int to = writer.add_node();
+    writer.join(from, to);
+    const int determiner = writer.add_element({Role::determiner});
+    writer.add_arc(from, to, determiner, {"the", "the"});
+    add_demonstratives(writer, SubjectNumber::singular, determiner, from, to);
+    return to;
+}
+
 /// Feel with an adjective takes no preposition; and what felt hard may be told so.
 void add_feel(ArcWriter& writer, int verb, int from, int to) {
     const int past = writer.add_element({Role::word});
@@ -98,7 +132,7 @@ bool is_article(std::string_view word) {
 void add_word(ArcWriter& writer, std::string_view word, std::string_view shown, Neighbours near,
               int from, int to) {
     if (is_article(word)) {
-        add_article(writer, word, from, to);
+        add_article(writer, word, near.noun, from, to);
         return;
     }
     if (VerbForms forms; understand_verb(word, forms)) {
@@ -109,10 +143,9 @@ void add_word(ArcWriter& writer, std::string_view word, std::string_view shown, 
         add_and(writer, from, to);
         return;
     }
-    const auto* confusion =
-        std::find_if(kConfusions.begin(), kConfusions.end(),
-                     [&](const Confusion& entry) { return entry.right == word; });
-    if (confusion == kConfusions.end()) {
+    const Confusion* confusion = find_confusion(word);
+    if (confusion == nullptr) {
+        from = near.begins_phrase && is_mass_noun(word) ? add_free_determiner(writer, from) : from;
         const int place = writer.add_element({Role::word});
         writer.add_arc(from, to, place, {word, shown, ErrorCode::none, 0, true});
         if (const std::string other = other_spelling(word); !other.empty()) {
@@ -134,8 +167,17 @@ void add_word(ArcWriter& writer, std::string_view word, std::string_view shown, 
                    {"", shown, ErrorCode::missing_preposition, kPatternCost});
 }
 
-void add_article(ArcWriter& writer, std::string_view word, int from, int to) {
+bool is_demonstrative(std::string_view word) {
+    return word == "this" || word == "that" || word == "these" || word == "those";
+}
+
+bool is_preposition(std::string_view word) {
+    return find_confusion(word) != nullptr;
+}
+
+void add_article(ArcWriter& writer, std::string_view word, SubjectNumber noun, int from, int to) {
     const int determiner = writer.add_element({Role::determiner});
+    add_demonstratives(writer, noun, determiner, from, to);
     if (word.empty()) {
         for (const std::string_view said : {"a", "an", "the", ""}) {
             writer.add_arc(from, to, determiner, {said, said, ErrorCode::none, 0, said.empty()});

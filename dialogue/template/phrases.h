@@ -36,6 +36,10 @@ struct Neighbours {
     bool after_adjective = false;   ///< after <adjective:…> in any degree
     bool before_adjective = false;  ///< before one: "and" joins two, "feels like hard" is wrong
     SubjectNumber subject = SubjectNumber::unknown;  ///< of the word before
+    SubjectNumber noun =
+        SubjectNumber::unknown;  ///< of the plain noun that an article stands before
+    bool begins_phrase =
+        true;  ///< at the start or behind a preposition: a noun here has no article before it
 };
 
 /// "a watermelon": the article by the noun's class and sound, then the noun, in singular or plural.
@@ -62,8 +66,9 @@ int add_repeated_subject(ArcWriter& writer, int from);
 /// <plural:moon>.
 void add_plural(ArcWriter& writer, std::string_view noun, int from, int to);
 
-/// <article> or a literal article before plain words; `word` is empty for <article>.
-void add_article(ArcWriter& writer, std::string_view word, int from, int to);
+/// <article> or a literal article before plain words; `word` is empty for <article>. Before a plain noun of number `noun`
+/// "this" or "these" may stand there as well.
+void add_article(ArcWriter& writer, std::string_view word, SubjectNumber noun, int from, int to);
 
 /// A literal word: a verb that agrees, a preposition, "and" between adjectives, or any other; `shown` is how a recast
 /// writes it. After a list a pronoun that repeats the subject is looked for ("a watermelon it is").
@@ -72,5 +77,11 @@ void add_word(ArcWriter& writer, std::string_view word, std::string_view shown, 
 
 /// True for a, an, the.
 [[nodiscard]] bool is_article(std::string_view word);
+
+/// True for this, that, these, those.
+[[nodiscard]] bool is_demonstrative(std::string_view word);
+
+/// True for the prepositions whose confusions are looked for, and "than".
+[[nodiscard]] bool is_preposition(std::string_view word);
 
 }  // namespace fulcrum::dialogue

@@ -85,6 +85,14 @@ std::optional<Number> asked_number(const std::vector<Piece>& pieces, int verb) {
                    : std::nullopt;
 }
 
+/// "These rock are": what points at the noun has the wrong number, and its verb went along.
+bool points_in_other_number(const std::vector<Piece>& pieces, int noun) {
+    const int determiner = before(pieces, noun);
+    return determiner != kNone &&
+           is_demonstrative(pieces[static_cast<std::size_t>(determiner)].right) &&
+           pieces[static_cast<std::size_t>(determiner)].code == ErrorCode::wrong_determiner;
+}
+
 /// The verb goes with `number`; `excused` when its noun was said in another number, which is one error and not two.
 void agree(Piece& verb, Number number, bool excused) {
     // An arc without an error says the template's own form, one of agreement the other; "'s" has its arc too.
@@ -196,8 +204,10 @@ void resolve(std::vector<Piece>& pieces) {
             if (const auto asked = asked_number(pieces, i)) {
                 agree(piece, *asked, false);
             } else if (const auto number = subject_number(pieces, i)) {
-                const Piece& noun = pieces[static_cast<std::size_t>(before(pieces, i))];
-                agree(piece, *number, noun.code == ErrorCode::noun_number);
+                const int noun = before(pieces, i);
+                agree(piece, *number,
+                      pieces[static_cast<std::size_t>(noun)].code == ErrorCode::noun_number ||
+                          points_in_other_number(pieces, noun));
             }
         } else if (piece.element.role == Role::adjective &&
                    piece.element.degree == Degree::comparative) {

@@ -284,7 +284,7 @@ std::string usage() {
       --voice NAME           who says aloud what stands there: flite, espeak-ng or none (flite)
       --voice-speed N        0.5 to 2, 1 is as a teacher speaks (0.9)
   fulcrum list               the lessons
-  fulcrum check LESSON       look for mistakes without playing
+  fulcrum check LESSON       look for mistakes, and play the first ten seconds
   fulcrum test LESSON        play the lesson's own tests
   fulcrum explain LESSON     what runs for it, how often, and which line asked for it
       --analyze              plays it without a window and says what each stage cost  (--hand --say --seconds)

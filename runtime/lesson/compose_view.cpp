@@ -65,6 +65,11 @@ Pose turned_pose(const LessonDescription& lesson, const BodyDescription& body,
     return axle < axles.n_axles ? axles.axles[static_cast<std::size_t>(axle)].pose_W : otherwise_W;
 }
 
+// What a lesson speaks of: things that move, and solid ones that it gives a noun. A shelf or a lever has none.
+bool is_named(const BodyDescription& body) {
+    return body.movable || (body.solid && body.noun != body.name);
+}
+
 ViewBody show_body(const LessonDescription& lesson, const BodyDescription& body,
                    const BodyState* state, const Scenery& scenery) {
     const BodyWhere where = where_of(body, state);
@@ -81,7 +86,7 @@ ViewBody show_body(const LessonDescription& lesson, const BodyDescription& body,
         shown.pose_W = turned_pose(lesson, body, *scenery.axles, shown.pose_W);
     }
     if (where == BodyWhere::held || where == BodyWhere::placed) {
-        shown.label = body.movable ? body.noun : "";
+        shown.label = is_named(body) ? body.noun : "";
     }
     if (body.material != kNoMaterial) {
         shown.look = lesson.materials[static_cast<std::size_t>(body.material)].look;

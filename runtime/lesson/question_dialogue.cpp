@@ -61,7 +61,8 @@ QuestionTurn QuestionDialogue::hear(std::string_view words, double confidence, d
     heard_ = conversation_.hear(words, confidence);
     state_ =
         state_ == QuestionState::invited ? QuestionState::judging_again : QuestionState::judging;
-    if (!heard_->understood) {
+    // What a slot would hold is no word of its list: it can't be right, and the lesson is not asked.
+    if (!heard_->understood || !heard_->other_number.empty()) {
         return answer(false, time_s);
     }
     // The words are understood; the simulated physics says whether their meaning is right.

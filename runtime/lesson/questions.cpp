@@ -34,6 +34,33 @@ dialogue::NamedLists lists_of(const QuestionDescription& question,
     return lists;
 }
 
+/// "question "heavier", answer 1, letter 9: there is no list …".
+std::string with_letter(const dialogue::Error& error) {
+    std::string message = error.message;
+    if (const std::size_t colon = message.find(": ");
+        error.column > 0 && colon != std::string::npos) {
+        message.insert(colon, ", letter " + std::to_string(error.column));
+    }
+    return message;
+}
+
+bool uses_list(const std::vector<std::string>& sentences, const std::string& list) {
+    return std::any_of(sentences.begin(), sentences.end(), [&](const std::string& sentence) {
+        return sentence.find('{' + list + '}') != std::string::npos ||
+               sentence.find('{' + list + ':') != std::string::npos;
+    });
+}
+
+/// A list of the teacher's own that no sentence has: its slot was forgotten.
+std::string unused_list(const QuestionDescription& question) {
+    for (const auto& [name, words] : question.lists) {
+        if (!uses_list(question.answers, name)) {
+            return name;
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 Expected<std::map<std::string, dialogue::Question>> compile_questions(
@@ -58,12 +85,12 @@ Expected<std::map<std::string, dialogue::Question>> compile_questions(
         auto result = dialogue::compile_question(source);
         const std::string where = "lesson.lua:" + std::to_string(question.line);
         if (!result) {
-            const std::string column =
-                result.error().column > 0
-                    ? " (column " + std::to_string(result.error().column) + ")"
-                    : "";
-            return fail(result.error().message + column, where,
-                        "mend the question \"" + question.id + "\"");
+            return fail(with_letter(result.error()), where, {});
+        }
+        if (const std::string unused = unused_list(question); !unused.empty()) {
+            return fail(
+                "question \"" + question.id + "\": no sentence has the list \"" + unused + "\"",
+                where, "write {" + unused + "} where its words belong, or take it out");
         }
         if (!compiled.emplace(question.id, std::move(*result)).second) {
             return fail("two questions are called \"" + question.id + "\"", where,

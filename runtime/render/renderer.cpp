@@ -68,6 +68,7 @@ struct Renderer::Parts {
     gl::FrameTarget target;
     Font font;
     DrawList list;
+    FeedbackPlace feedback_place;
     std::vector<std::string> notices;
 
     /// Composes flat shapes and words; once more when the letters' atlas ran full meanwhile.
@@ -139,7 +140,10 @@ void Renderer::draw(const View& view, int width, int height) {
     // Words decide how much room is left for cards and labels.
     const Measure measure(width, height);
     const Camera camera(view.camera, width, height);
-    const PanelLayout panels = lay_out_panels(view, parts_->font, measure);
+    const Box hand = view.menu.empty() ? parts_->painter.hand_seen(view, camera) : Box{};
+    const PanelLayout panels =
+        lay_out_panels(view, parts_->font, measure, hand, parts_->feedback_place);
+    parts_->feedback_place = panels.feedback_place;
     const MenuLayout menu = lay_out_menu(view, measure, panels.shown());
     std::vector<SceneLabel> labels;
 

@@ -128,7 +128,7 @@ for _, name in ipairs(names) do
     prompt = "What is " .. name .. " like?",
     again = "Let's feel it again.",
     answers = { "{material} is <adjective:{feel}> [and <adjective:{feel:also}>]",
-                "[(the|this)] {material} (is|feels) <adjective:{feel}> [and <adjective:{feel:also}>]",
+                "{material} (is|feels) <adjective:{feel}> [and <adjective:{feel:also}>]",
                 "(it|this|this one) feels <adjective:{feel}> [and <adjective:{feel:also}>]" },
     lists = { material = called, feel = adjectives },
     right = function(a)   -- "It is hard" says no material: then it is the one that was asked for

@@ -7,9 +7,9 @@
 ---@class Answer
 ---@field question string the name of the question
 ---@field said string the learner's words
----@field understood boolean false: no template fitted
+---@field understood boolean false: none of the sentences fitted
 ---@field right boolean the meaning is right, by the question's own `right`
----@field form_right boolean no error of form was found
+---@field form_right boolean the English was right: no error of form was found
 ---@field turned_round boolean thing and material changed places, "Metal is made of a spaceship.": nothing to feel again, only to say
 ---@field over boolean the question is done: right, or left after many tries
 ---@field attempt integer 1 for the first try
@@ -99,8 +99,8 @@ local Force = {}
 
 ---@class LessonOptions
 ---@field id string short name, used in reports
----@field title string what the list of lessons shows; of at most 200 bytes
----@field level? string level of English: A1, A2, B1, B2, C1 or C2; of at most 16 bytes; default A1
+---@field title string what the list of lessons shows; of at most 200 letters
+---@field level? string level of English: A1, A2, B1, B2, C1 or C2; of at most 16 letters; default A1
 ---@field minutes? number how long it takes; in minutes, 0 to 1000; default 10
 
 ---Begins a lesson. The file ends with `return` of what this gives.
@@ -109,20 +109,20 @@ local Force = {}
 function lesson(options) end
 
 ---@class QuestionOptions
----@field prompt string what the learner is asked; of at most 1000 bytes
+---@field prompt string what the learner is asked; of at most 1000 letters
 ---@field answers string[] templates of the sentences that answer it; the first of several articles is the one that is said back: "[a|an|the] {thing}" gives "An apple is …", "[the|a|an] {thing}" gives "The apple is …"
 ---@field nearly? string[] templates of what learners say for them that is no good English: understood, and said back as the first answer with the same {slots}
----@field lists? table<string, string[]> words that {name} in a template may stand for; {thing} and {other} are the bodies' nouns by default
----@field again? string what is said after "Not yet." when the meaning is wrong, such as "Let's weigh both again."; "Try again." by default; of at most 200 bytes
+---@field lists? table<string, string[]> words that {name} in a template may stand for; {thing} and {other} are by default the nouns of all bodies of the scene, whether they move, are solid or neither
+---@field again? string what is said after "Not yet." when the meaning is wrong, such as "Let's weigh both again."; "Try again." by default; of at most 200 letters
 ---@field right function function(answer): is the meaning right? see answer
 
 ---Declares a question.
----@param id string what world:ask calls it
+---@param name string what world:ask and game.ask call it
 ---@return fun(options: QuestionOptions)
-function Lesson:question(id) end
+function Lesson:question(name) end
 
 ---@class TestOptions
----@field hand? string simulated hand: a Lua file beside the lesson, see motion; of at most 48 bytes
+---@field hand? string simulated hand: a Lua file beside the lesson, see motion; of at most 48 letters
 ---@field say? string[] what the simulated learner answers, in turn
 ---@field expect? table<string, string|number|boolean> how the lesson must end, see Tests
 
@@ -166,7 +166,7 @@ function World:camera(options) end
 
 ---@class BodyOptions
 ---@field name string unique; how the lesson calls it, never the learner
----@field noun? string English noun, as answers give it; the name by default; of at most 64 bytes
+---@field noun? string English noun, as answers give it; the name by default; seen beside a movable body, and beside a solid one where it is not just its name; of at most 64 letters
 ---@field model? string model to draw, see Models; the name by default
 ---@field radius? number in metres, 0.001 to 10; default 0.05
 ---@field mass? number the true mass; in kilograms, 0 to 10000; default 1
@@ -258,7 +258,7 @@ function World:hand(options) end
 function Hand:force(compute) end
 
 ---@class MaterialTexture
----@field image? string PNG or JPEG beside the lesson, such as "felt.jpg": dark is low, light is high; of at most 48 bytes
+---@field image? string PNG or JPEG beside the lesson, such as "felt.jpg": dark is low, light is high; of at most 48 letters
 ---@field grooves? number straight grooves instead, so far apart; in metres, 0.0001 to 1
 ---@field bumps? number random bumps instead, at most so wide; in metres, 0.0001 to 1
 ---@field size? number width of the whole picture on the surface; in metres, 0.0001 to 100; default 0.05
@@ -290,11 +290,11 @@ function World:material(options) end
 function World:release() end
 
 ---Shows an instruction.
----@param text string one instruction; "" clears it; of at most 1000 bytes
+---@param text string one instruction; "" clears it; of at most 1000 letters
 function World:caption(text) end
 
 ---Asks a question that L:question declared; L:answered tells the answer.
----@param question string the name of a question; of at most 1000 bytes
+---@param question string the name of a question; of at most 1000 letters
 function World:ask(question) end
 
 ---Sets the score that is shown.
@@ -303,7 +303,7 @@ function World:score(score) end
 
 ---Begins a level.
 ---@param level integer 0 to 99
----@param title? string what the level is called; of at most 200 bytes
+---@param title? string what the level is called; of at most 200 letters
 function World:level(level, title) end
 
 ---Plays a sound.
@@ -322,7 +322,7 @@ function World:finish(options) end
 function World:bodies() end
 
 ---The body of that name or noun.
----@param name string the body's name, or its noun when no other body has it; of at most 1000 bytes
+---@param name string the body's name, or its noun when no other body has it; of at most 1000 letters
 ---@return Body
 function World:find(name) end
 

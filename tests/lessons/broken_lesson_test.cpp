@@ -106,6 +106,28 @@ TEST_CASE("broken lessons: check finds models, sounds, expectations and hands th
     }
 }
 
+TEST_CASE("broken lessons: check plays the first seconds, so that a slip in a story is found") {
+    const std::string story = kHead +
+                              "local story = require \"story\"\nfunction L:start(world)\n"
+                              "  story(L, function()\n    story.wait(3)\n    ";
+    const std::string end = "\n  end)\nend\nreturn L\n";
+    const struct {
+        const char *line, *sentence;
+    } rows[] = {
+        {"world:capton \"Hello\"",
+         "lesson.lua:6: world has no \"capton\"; did you mean \"caption\"?\n"},
+        {"world:ask \"where\"", "lesson.lua:6: there is no question \"where\".\n"},
+        {"world:caption \"Hello\"", "x: no mistakes found.\n"},
+    };
+    for (const auto& row : rows) {
+        const Sandbox sandbox;
+        sandbox.write("told/lesson.lua", story + row.line + end);
+        const ProgramRun run = sandbox.run("check told");
+        CHECK(run.output == row.sentence);
+        CHECK(run.exit_code == (run.output.starts_with("x:") ? 0 : 1));
+    }
+}
+
 TEST_CASE(
     "broken lessons: a lesson that fails in the middle fades its force to zero before the run "
     "ends") {

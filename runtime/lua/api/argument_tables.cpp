@@ -57,7 +57,7 @@ std::string check_text(lua_State* lua, const Place& place, int index, std::size_
     std::size_t n = 0;
     const char* text = lua_tolstring(lua, index, &n);
     if (n > max_bytes) {
-        refuse(lua, place, std::to_string(n) + " bytes");
+        refuse(lua, place, std::to_string(n) + " letters");
     }
     if (!is_clean_utf8({text, n})) {
         raise_in_lesson(lua, place.label + " is no clean UTF-8 text; save the file as UTF-8");
@@ -69,7 +69,7 @@ namespace {
 
 std::vector<std::string> check_texts(lua_State* lua, const Place& place, int index) {
     if (!lua_istable(lua, index)) {
-        refuse(lua, place, given_text(lua, index));
+        refuse(lua, place, given_text(lua, index) + "; put braces around it, { \"…\", \"…\" }");
     }
     index = lua_absindex(lua, index);
     const std::size_t n = lua_rawlen(lua, index);
@@ -94,7 +94,14 @@ void for_each_name(lua_State* lua, const Place& place, Each each) {
     }
     std::vector<std::string> names;
     for (lua_pushnil(lua); lua_next(lua, place.index) != 0; lua_pop(lua, 1)) {
-        if (lua_type(lua, -2) != LUA_TSTRING || names.size() >= kMaxListItems) {
+        if (lua_type(lua, -2) != LUA_TSTRING) {
+            raise_in_lesson(lua, place.label + " has " + given_text(lua, -1) +
+                                     " without a name; write { name = … }" +
+                                     (place.parameter.type == ParameterType::lists
+                                          ? ", such as { colour = { \"red\", \"blue\" } }"
+                                          : ""));
+        }
+        if (names.size() >= kMaxListItems) {
             raise_in_lesson(lua, place.label + " is a table with at most " +
                                      std::to_string(kMaxListItems) + " named items");
         }
@@ -134,7 +141,11 @@ void check_tables(lua_State* lua, const Place& place, PlainArgument& argument) {
                                          clean_text(name, kMaxShownBytes) +
                                          "\"; a list's name is plain (a to z, 0 to 9, _ and -)");
             }
-            argument.lists.emplace_back(name, check_texts(lua, place, -1));
+            Parameter words = place.parameter;
+            words.type = ParameterType::texts;
+            argument.lists.emplace_back(
+                name, check_texts(lua, {words, place.label + '.' + name, lua_gettop(lua)},
+                                  lua_gettop(lua)));
         });
     } else {
         for_each_name(lua, place, [&](const std::string& name) {

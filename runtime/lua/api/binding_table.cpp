@@ -124,7 +124,7 @@ std::string range_text(const Parameter& parameter) {
         text += (text.empty() ? "" : ", ") + number_text(parameter.low) + " to " +
                 number_text(parameter.high);
     } else if (parameter.type == ParameterType::text) {
-        text = "of at most " + number_text(parameter.high) + " bytes";
+        text = "of at most " + number_text(parameter.high) + " letters";
     } else if (parameter.type == ParameterType::choice) {
         const std::vector<std::string> names = choices_of(parameter);
         for (std::size_t i = 0; i < names.size(); ++i) {

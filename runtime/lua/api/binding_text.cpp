@@ -39,7 +39,7 @@ constexpr const char* kAnnotationsHead = R"(---@meta fulcrum
 
 constexpr const char* kReferenceHead = R"(# What a lesson can call
 
-Generated from the binding table in `runtime/lua` and the comments in `scripts/lib`; do not edit. All numbers are in SI units; +Y is up. A place is `{x, y, z}`, or a body or the tool.
+Generated from the binding table in `runtime/lua` and the comments in `scripts/lib`; do not edit. Each line names its units: metres, kilograms, newtons, seconds. A place is `{x, y, z}`: to the right, up, towards you; or a body or the tool. A letter with an accent counts as two.
 
 ## Functions you may define
 
@@ -260,7 +260,11 @@ void refer_to_function(std::string& out, const Binding& binding, const Owner& ow
     out += "\n### `" + called + form + "`\n\n" + binding.text + " Called " +
            time_text(binding.time) + ".\n";
     for (const Parameter& parameter : binding.parameters) {
-        const char* required = parameter.fallback == kRequired ? "(must be given) " : "";
+        const bool stands_before =
+            binding.shape == CallShape::named_record && &parameter == binding.parameters.data();
+        const char* required = stands_before                     ? "(stands before the braces) "
+                               : parameter.fallback == kRequired ? "(must be given) "
+                                                                 : "";
         out += std::string("- `") + parameter.name + "` " + required + explained(parameter) + '\n';
         for (std::size_t i = 0; i < parameter.n_fields; ++i) {
             const Parameter& field = parameter.fields[i];

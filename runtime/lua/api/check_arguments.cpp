@@ -145,6 +145,41 @@ void take_default(const Parameter& parameter, PlainArgument& argument) {
     }
 }
 
+/// A value on top of the stack that stands in a record without a name.
+[[noreturn]] void refuse_nameless(lua_State* lua, const std::string& called,
+                                  const std::string& such_as) {
+    const char* advice = lua_type(lua, -1) == LUA_TNUMBER
+                             ? "; a fraction has a point, 1.5, and a place has braces, {0, 1, 0}"
+                             : "";
+    raise_in_lesson(lua, called + " takes fields with names, such as { " + such_as + " = … }; " +
+                             given_text(lua, -1) + " has none" + advice);
+}
+
+/// "a, b and c".
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const char* before = i == 0 ? "" : i + 1 == words.size() ? " and " : ", ";
+        text += before + words[i];
+    }
+    return text;
+}
+
+/// A field that the record hasn't.
+[[noreturn]] void refuse_field(lua_State* lua, const std::string& called, const std::string& name,
+                               const std::vector<std::string>& known) {
+    std::string problem = called + " has no field \"" + name + "\"; ";
+    if (const std::string near = nearest_word(name, known); near.empty()) {
+        problem += "it has ";
+        problem += listed(known);
+    } else {
+        problem += "did you mean \"";
+        problem += near;
+        problem += "\"?";
+    }
+    raise_in_lesson(lua, problem);
+}
+
 /// Every field of the record at `index` is one of those.
 void check_field_names(lua_State* lua, int index, const std::string& called,
                        std::span<const Parameter> known_fields) {
@@ -154,22 +189,11 @@ void check_field_names(lua_State* lua, int index, const std::string& called,
     }
     for (lua_pushnil(lua); lua_next(lua, index) != 0; lua_pop(lua, 1)) {
         if (lua_type(lua, -2) != LUA_TSTRING) {
-            raise_in_lesson(
-                lua, called + " takes fields with names, such as { " + known.front() + " = … }");
+            refuse_nameless(lua, called, known.front());
         }
         const std::string name = clean_text(lua_tostring(lua, -2), kMaxShownBytes);
         if (std::find(known.begin(), known.end(), name) == known.end()) {
-            const std::string near = nearest_word(name, known);
-            std::string problem = called;
-            problem += " has no field \"";
-            problem += name;
-            problem += '"';
-            if (!near.empty()) {
-                problem += "; did you mean \"";
-                problem += near;
-                problem += "\"?";
-            }
-            raise_in_lesson(lua, problem);
+            refuse_field(lua, called, name, known);
         }
     }
 }

@@ -14,9 +14,9 @@ namespace {
 constexpr std::array kAnswerFields = {
     FieldText{"question", "string", "the name of the question"},
     FieldText{"said", "string", "the learner's words"},
-    FieldText{"understood", "boolean", "false: no template fitted"},
+    FieldText{"understood", "boolean", "false: none of the sentences fitted"},
     FieldText{"right", "boolean", "the meaning is right, by the question's own `right`"},
-    FieldText{"form_right", "boolean", "no error of form was found"},
+    FieldText{"form_right", "boolean", "the English was right: no error of form was found"},
     FieldText{
         "turned_round", "boolean",
         "thing and material changed places, \"Metal is made of a spaceship.\": nothing to feel "
@@ -54,7 +54,7 @@ degrees, plurals, agreement) are understood and corrected.
 | `[a\|b]` | one of them or none |
 | `(a\|b)` | one of them |
 | `(a;b)` | both, in any order; at most 4 parts |
-| `{thing}`, `{other}` | the noun of a body of the scene, which becomes `answer.thing` and `answer.other` |
+| `{thing}`, `{other}` | the noun of any body of the scene, movable, solid or neither, which becomes `answer.thing` and `answer.other` |
 | `{colour}` | a word of `lists = { colour = { "red", "blue" } }`, which becomes `answer.colour` |
 | `{thing:first}` | a word of the list `thing` that becomes `answer.first` |
 | `[a\|an\|the] {thing}`, `<article> {thing}` | the noun with the article that it needs; the wrong one is an error of form. The first article is the one that is said back: `[the\|a\|an] {thing}` gives "The apple is …" |
@@ -67,6 +67,10 @@ degrees, plurals, agreement) are understood and corrected.
 | `<it>` | it, this, that, they, these, those; a verb after it agrees |
 | `<plural:moon>` | "moons"; after a {number} that is "one", "a" or "an": "moon". "there are {number} <plural:moon>" gives "There is one moon." |
 | `\[` | the character itself |
+
+A learner may point at what is named: "this metal", "these rocks", "that apple" are understood wherever the noun is;
+"these metal", "this rocks" are errors of form. Who only points, "this one is heavier", is asked "Which one? Say its name."
+A number that is in none of the lists ("fifteen" where they end at ten) is a wrong answer, told so without asking `right`.
 
 A list's word may be said in several ways, `"bike|bicycle"`; the answer has the first. British and American spelling of a
 word ("tyre", "tire") need not be listed. A number ("two"), a place ("far") and what begins with a preposition ("to the left")

@@ -110,6 +110,10 @@ int call_binding(lua_State* lua) {
     check_receiver(lua, binding);
     check_time(lua, binding);
     if (binding.shape == CallShape::named_record && lua_gettop(lua) == 2) {
+        if (lua_istable(lua, 2)) {
+            raise_in_lesson(lua, called_as(binding) + " takes its name before the braces: " +
+                                     called_as(binding) + " \"name\" { … }");
+        }
         lua_pushvalue(lua, lua_upvalueindex(1));
         lua_pushvalue(lua, 1);
         lua_pushvalue(lua, 2);

@@ -72,6 +72,33 @@ std::vector<std::string> candidates_for(lua_State* lua) {
     return names;
 }
 
+/// What a name means that belongs behind another: "question" is L:question, "wait" is story.wait; empty for other names.
+std::string owner_of_missing(std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kElsewhere{{
+        {"L", "begin the file with local L = lesson { … }"},
+        {"world", "it is given to functions such as function L:start(world)"},
+        {"wait", "write story.wait, after local story = require \"story\""},
+        {"wait_for", "write story.wait_for, after local story = require \"story\""},
+        {"wait_until", "write story.wait_until, after local story = require \"story\""},
+        {"story", "write local story = require \"story\" at the top"},
+        {"game", "write local game = require \"game\" at the top"},
+        {"motion", "write local motion = require \"motion\" at the top"},
+        {"numbers", "write local numbers = require \"numbers\" at the top"},
+    }};
+    const auto* const found = std::find_if(kElsewhere.begin(), kElsewhere.end(),
+                                           [&](const auto& row) { return row.first == name; });
+    if (found != kElsewhere.end()) {
+        return std::string(found->second);
+    }
+    for (const Binding& binding : api_table().functions) {
+        const std::string_view owner = binding.owner;
+        if (name == binding.name && !owner.empty()) {
+            return "write " + std::string(owner == "lesson" ? "L" : owner) + ':' + binding.name;
+        }
+    }
+    return {};
+}
+
 /// __index of the globals. Upvalue 1: the names that were ever assigned.
 int read_missing(lua_State* lua) {
     lua_pushvalue(lua, 2);
@@ -87,14 +114,26 @@ int read_missing(lua_State* lua) {
     }
     const std::vector<std::string> candidates = candidates_for(lua);
     ScriptState::of(lua).charge(lua, 100 + kWorkACandidate * candidates.size());
+    const std::string elsewhere = owner_of_missing(name);
     const std::string near = nearest_word(name, candidates, 2);
     raise_in_lesson(lua, name + " has no value; " +
-                             (near.empty() ? "is it spelt right?" : "did you mean " + near + "?"));
+                             (!elsewhere.empty() ? elsewhere
+                              : near.empty() ? "is it spelt right, or a text without its \"…\"?"
+                                             : "did you mean " + near + "?"));
 }
 
 /// __newindex of the globals: the name is known from now on.
 int assign_new(lua_State* lua) {
     ScriptState::of(lua).charge(lua, 5);
+    if (lua_isfunction(lua, 3) && lua_type(lua, 2) == LUA_TSTRING) {
+        const std::string_view name = lua_tostring(lua, 2);
+        for (const Callback& callback : api_table().callbacks) {
+            if (name == callback.name) {
+                raise_in_lesson(lua, std::string("nothing calls ") + callback.name +
+                                         "; write function L:" + callback.name + "(…)");
+            }
+        }
+    }
     lua_pushvalue(lua, 2);
     lua_pushboolean(lua, 1);
     lua_rawset(lua, lua_upvalueindex(1));

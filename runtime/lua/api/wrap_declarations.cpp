@@ -254,7 +254,9 @@ void add_scene_rows(ApiTable& table) {
          CallShape::record,
          CallTime::declaring,
          {{"name", name, "", 0, 0, kRequired, "unique; how the lesson calls it, never the learner"},
-          {"noun", text, "", 0, 64, "nil", "English noun, as answers give it; the name by default"},
+          {"noun", text, "", 0, 64, "nil",
+           "English noun, as answers give it; the name by default; seen beside a movable body, and "
+           "beside a solid one where it is not just its name"},
           {"model", name, "", 0, 0, "nil", "model to draw, see Models; the name by default"},
           {"radius", number, "metres", 0.001, 10, "0.05", ""},
           {"mass", number, "kilograms", 0, 10000, "1", "the true mass"},

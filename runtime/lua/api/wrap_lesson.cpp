@@ -64,7 +64,7 @@ int make_lesson(lua_State* lua, LessonContext& context, const Arguments& argumen
 
 int add_question(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     QuestionDescription question;
-    question.id = arguments["id"].text;
+    question.id = arguments["name"].text;
     question.prompt = arguments["prompt"].text;
     question.answers = arguments["answers"].texts;
     question.nearly = arguments["nearly"].texts;
@@ -141,7 +141,7 @@ void add_lesson_api(ApiTable& table) {
          "question",
          CallShape::named_record,
          CallTime::loading,
-         {{"id", name, "", 0, 0, kRequired, "what world:ask calls it"},
+         {{"name", name, "", 0, 0, kRequired, "what world:ask and game.ask call it"},
           {"prompt", text, "", 0, 1000, kRequired, "what the learner is asked"},
           {"answers", texts, "", 0, 0, kRequired,
            "templates of the sentences that answer it; the first of several articles is the one "
@@ -153,9 +153,9 @@ void add_lesson_api(ApiTable& table) {
            "templates of what learners say for them that is no good English: understood, and said "
            "back as the first answer with the same {slots}"},
           {"lists", lists, "", 0, 0, "nil",
-           "words that {name} in a template may stand for; {thing} and {other} are the bodies' "
+           "words that {name} in a template may stand for; {thing} and {other} are by default the "
            "nouns "
-           "by default"},
+           "of all bodies of the scene, whether they move, are solid or neither"},
           {"again", text, "", 0, 200, "",
            "what is said after \"Not yet.\" when the meaning is wrong, such as \"Let's weigh both "
            "again.\"; \"Try again.\" by default"},

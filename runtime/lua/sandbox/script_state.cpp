@@ -1,6 +1,7 @@
 #include "runtime/lua/sandbox/script_state.h"
 
 #include "runtime/lua/sandbox/lua_seed.h"
+#include "runtime/lua/sandbox/plain_words.h"
 #include "runtime/lua/sandbox/safe_library.h"
 
 #include <algorithm>
@@ -47,17 +48,6 @@ bool split_place(std::string_view text, ScriptError& error) {
     error.line = std::max(line, 0);
     error.message = text.substr(second + (text[second + 1] == ' ' ? 2 : 1));
     return true;
-}
-
-constexpr const char* kTooDeep =
-    "this calls itself too deeply (a function that never stops calling itself?)";
-
-/// The last errors' words, as a teacher would say them.
-std::string in_plain_words(const std::string& message) {
-    if (message.find("stack overflow") != std::string::npos) {
-        return kTooDeep;
-    }
-    return message;
 }
 
 }  // namespace
@@ -138,7 +128,7 @@ void ScriptState::note_memory_error() {
     }
     lua_Debug activation{};
     memory_error_.message = lua_getstack(running, kDeep, &activation) != 0
-                                ? kTooDeep
+                                ? in_plain_words("stack overflow")
                                 : "this needs more memory than the " +
                                       std::to_string(arena_.capacity_bytes() >> 20U) +
                                       " MB that a lesson may have";

@@ -82,8 +82,8 @@ void lay_out_score(const View& view, const Font& font, const Measure& m, float t
                  panel.words.height_px + 2.0F * m.px(7.0F)};
 }
 
-/// The panels at the bottom, stacked upwards from the screen's lower edge.
-void lay_out_bottom(const View& view, const Font& font, const Measure& m, PanelLayout& layout) {
+/// The panels at the bottom, stacked upwards from the screen's lower edge; the height above which is room.
+float lay_out_bottom(const View& view, const Font& font, const Measure& m, PanelLayout& layout) {
     float bottom = m.height_px - m.px(kMargin);
     const auto stack = [&](Panel& panel, float width) {
         const float height = panel.words.height_px + 2.0F * m.px(kPadY);
@@ -114,16 +114,29 @@ void lay_out_bottom(const View& view, const Font& font, const Measure& m, PanelL
             set_words(font, m, read_emphasis(view.caption), {kSpokenText, word_width(m, 0.0F)});
         stack(layout.caption, layout.caption.words.width_px + 2.0F * m.px(kPadX));
     }
+    return bottom;
 }
 
-/// What was said to the learner, below the top row.
-void lay_out_feedback(const View& view, const Font& font, const Measure& m, float top,
-                      Panel& panel) {
+bool meet(const Box& a, const Box& b) {
+    return a.width > 0.0F && b.width > 0.0F && a.x < b.right() && b.x < a.right() &&
+           a.y < b.bottom() && b.y < a.bottom();
+}
+
+/// What was said to the learner: below the top row, or above what is at the bottom when it would hide the hand.
+void lay_out_feedback(const View& view, const Font& font, const Measure& m, float top, float bottom,
+                      const Box& hand, PanelLayout& layout) {
+    Panel& panel = layout.feedback;
     panel.words =
         set_words(font, m, read_emphasis(view.feedback), {kSpokenText, word_width(m, kIconRoom)});
     const float width = panel.words.width_px + 2.0F * m.px(kPadX) + m.px(kIconRoom);
-    panel.box = {0.5F * (m.width_px - width), top, width,
-                 panel.words.height_px + 2.0F * m.px(kPadY)};
+    const float height = panel.words.height_px + 2.0F * m.px(kPadY);
+    const Box high{0.5F * (m.width_px - width), top, width, height};
+    const Box low{high.x, std::max(bottom - height, top), width, height};
+    bool& is_low = layout.feedback_place.is_low;
+    if (meet(hand, is_low ? low : high) && !meet(hand, is_low ? high : low)) {
+        is_low = !is_low;
+    }
+    panel.box = is_low ? low : high;
 }
 
 void lay_out_stars(const Measure& m, Panel& panel) {
@@ -234,19 +247,21 @@ std::vector<Box> PanelLayout::shown() const {
     return boxes;
 }
 
-PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure) {
+PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure, const Box& hand,
+                           const FeedbackPlace& place) {
     PanelLayout layout;
+    layout.feedback_place = {view.feedback, place.is_low && place.said == view.feedback};
     float top = measure.px(kMargin);
     if (!view.banner.empty()) {
         lay_out_banner(view, font, measure, layout.banner);
         top = layout.banner.box.bottom() + measure.px(kGap);
     }
-    lay_out_bottom(view, font, measure, layout);
+    const float bottom = lay_out_bottom(view, font, measure, layout);
     if (view.menu.empty()) {
         top = lay_out_top_row(view, font, measure, top, layout);
     }
     if (!view.feedback.empty()) {
-        lay_out_feedback(view, font, measure, top, layout.feedback);
+        lay_out_feedback(view, font, measure, top, bottom, hand, layout);
     }
     if (view.menu.empty() && view.stars >= 0) {
         lay_out_stars(measure, layout.stars);

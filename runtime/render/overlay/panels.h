@@ -4,6 +4,7 @@
 //           [level, title]                         [star, score]
 //                     [feedback]
 //   middle            [stars at the end]
+//                     [feedback, when it would hide the hand above]
 //   bottom            [caption] / [input]
 //
 // Thread: one (it asks the font). Cost: setting the words, each frame.
@@ -13,6 +14,7 @@
 #include "runtime/render/overlay/measure.h"
 #include "runtime/scene/view.h"
 
+#include <string>
 #include <vector>
 
 namespace fulcrum::runtime {
@@ -24,6 +26,12 @@ struct Panel {
     Paragraph second;  ///< a line below, may be empty
 };
 
+/// Where the last words to the learner are, from frame to frame: they move away from the hand, and stay where they are otherwise.
+struct FeedbackPlace {
+    std::string said;
+    bool is_low = false;  ///< above the bottom's panels instead of below the top row
+};
+
 /// Where the panels are; those that are not shown have no width.
 struct PanelLayout {
     Panel banner;
@@ -33,14 +41,16 @@ struct PanelLayout {
     Panel caption;
     Panel input;
     Panel stars;
+    FeedbackPlace feedback_place;  ///< for the next frame
 
     /// The boxes of all that are shown.
     [[nodiscard]] std::vector<Box> shown() const;
 };
 
 /// Sets all words and finds room for each panel. In the menu there are only banner, caption and
-/// feedback.
-[[nodiscard]] PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure);
+/// feedback. `hand` is where the hand is seen, empty when it is not, and `place` the last frame's.
+[[nodiscard]] PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure,
+                                         const Box& hand = {}, const FeedbackPlace& place = {});
 
 /// Draws what was laid out.
 void draw_panels(const View& view, const PanelLayout& layout, const Measure& measure,

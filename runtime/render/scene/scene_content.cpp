@@ -190,4 +190,15 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
     return content;
 }
 
+Box hand_seen(const View& view, const Camera& camera, const FindMesh& find_mesh) {
+    const auto hand = view.tool_visible ? item_of(view.tool, camera, find_mesh) : std::nullopt;
+    const auto seen = hand ? camera.project(hand->bounds.centre_W) : std::nullopt;
+    if (!seen) {
+        return {};
+    }
+    const Box middle{static_cast<float>(seen->position_px.x()),
+                     static_cast<float>(seen->position_px.y()), 0.0F, 0.0F};
+    return middle.grown(static_cast<float>(hand->bounds.radius_m * camera.px_per_m(seen->depth_m)));
+}
+
 }  // namespace fulcrum::runtime

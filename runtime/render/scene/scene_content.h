@@ -57,4 +57,7 @@ inline constexpr std::size_t kMostBodies = 10'000;
 [[nodiscard]] SceneContent content_of(const View& view, const Camera& camera,
                                       const FindMesh& find_mesh);
 
+/// Where in the picture the hand is seen; empty when it is not.
+[[nodiscard]] Box hand_seen(const View& view, const Camera& camera, const FindMesh& find_mesh);
+
 }  // namespace fulcrum::runtime

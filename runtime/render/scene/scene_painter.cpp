@@ -117,6 +117,11 @@ void ScenePainter::draw_shadows(const SceneContent& content, const Light& light)
     shadows_.end();
 }
 
+Box ScenePainter::hand_seen(const View& view, const Camera& camera) const {
+    return runtime::hand_seen(
+        view, camera, [this](const std::string& name) -> const gl::Mesh& { return find(name); });
+}
+
 std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera& camera,
                                                  const gl::FrameTarget& target, int width_px,
                                                  int height_px) const {

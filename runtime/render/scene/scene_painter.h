@@ -33,6 +33,9 @@ class ScenePainter {
                                                      const gl::FrameTarget& target, int width_px,
                                                      int height_px) const;
 
+    /// Where in the picture the hand is seen; empty when it is not.
+    [[nodiscard]] Box hand_seen(const View& view, const Camera& camera) const;
+
     /// Paints the wall alone.
     void draw_wall(const Camera& camera, const gl::FrameTarget& target) const;
 

@@ -201,6 +201,35 @@ TEST_CASE("conversation: thing and material that changed places are a wrong mean
     CHECK(talk.respond(talk.hear("Metal is made of a key"), false).kind == FeedbackKind::moved_on);
 }
 
+TEST_CASE(
+    "conversation: a number off the list is a wrong answer, not one that was not understood") {
+    Conversation talk(words());
+    const Feedback other = answer(talk, moons(), "Mars has fifteen moons", true);
+    CHECK(other.kind == FeedbackKind::wrong_meaning);
+    CHECK(other.text == "It is not fifteen. Try again.");
+    CHECK(other.ask_again);
+    Question counted = moons();
+    counted.again = "Let's count again.";
+    CHECK(answer(talk, counted, "Mars has 15 moons", false).text ==
+          "It is not 15. Let's count again.");
+    // Such answers count among the tries.
+    for (int i = 0; i < 2; ++i) {
+        CHECK(talk.respond(talk.hear("Mars has fifteen moons"), false).ask_again);
+    }
+    CHECK(talk.respond(talk.hear("Mars has fifteen moons"), false).kind == FeedbackKind::moved_on);
+}
+
+TEST_CASE("conversation: who only points is asked for a name, and helped when that goes on") {
+    Conversation talk(words());
+    const Feedback first = answer(talk, heavier(), "this one is heavier", false);
+    CHECK(first.kind == FeedbackKind::not_understood);
+    CHECK(first.text == "Which one? Say its name.");
+    CHECK(first.ask_again);
+    CHECK(talk.respond(talk.hear("this is heavier"), false).text == "Which one? Say its name.");
+    CHECK(talk.respond(talk.hear("this is heavier"), false).keys ==
+          std::vector<std::string>{"feedback.not_understood.3"});
+}
+
 TEST_CASE("conversation: the passive climbs the ladder from recast to rule") {
     Conversation talk(words());
     const Question question = made_of_what();

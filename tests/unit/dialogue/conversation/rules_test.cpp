@@ -29,6 +29,8 @@ TEST_CASE("rules: each error has the rule that helps with it") {
     CHECK(rule_for(made_of(), "the ball is made by wood") == "rule.preposition");
     CHECK(rule_for(heaviest(), "watermelon is the heaviest") == "rule.article.missing");
     CHECK(rule_for(heaviest(), "a apple is the heaviest") == "rule.article.sound");
+    CHECK(rule_for(heaviest(), "these watermelon is the heaviest") == "rule.this");
+    CHECK(rule_for(feels_how(), "those metal is hard") == "rule.this");
     CHECK(rule_for(heaviest(), "a watermelon the heaviest") == "rule.verb.missing");
     CHECK(rule_for(heaviest(), "watermelons is the heaviest") == "rule.verb.agreement");
     CHECK(rule_for(heaviest(), "a watermelons is the heaviest") == "rule.noun.number");

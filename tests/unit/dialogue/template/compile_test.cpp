@@ -37,7 +37,7 @@ TEST_CASE("compile: rules are put in their place, lists may be said in several w
 TEST_CASE("compile: mistakes name their place") {
     CHECK_THAT(error_of({{}, {}, {}}), Catch::Contains("between 1 and 64 answers"));
     CHECK_THAT(error_of({{"a", "b ["}, {}, {}}), Catch::Contains("answer 2"));
-    CHECK_THAT(error_of({{"<nothing>"}, {}, {}}), Catch::Contains("there is no rule <nothing>"));
+    CHECK_THAT(error_of({{"<nothing>"}, {}, {}}), Catch::Contains("there is no form <nothing>"));
     CHECK_THAT(error_of({{"<biggest:heavy>"}, {}, {}}),
                Catch::Contains("there is no form <biggest:"));
     CHECK_THAT(error_of({{"<superlative>"}, {}, {}}),

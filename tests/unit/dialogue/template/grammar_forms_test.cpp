@@ -28,7 +28,7 @@ TEST_CASE("grammar forms: mistakes say what is meant, and where") {
         {"it <made_off:metal>", "there is no form <made_off:…>; did you mean <made_of:word>?", 4},
         {"it is <adjectives:{feel}>", "did you mean <adjective:word>?", 7},
         {"it is <biggest:heavy>", "there is no form <biggest:…>; forms are <adjective:word>", 7},
-        {"it is <biggest>", "there is no rule <biggest>", 7},
+        {"it is <biggest>", "there is no form <biggest>", 7},
         {"<it:thing> is red", "<it> takes no word; take it out", 1},
         {"<article:a> ball", "<article> takes no word", 1},
         {"two <plural:{thing}>", "takes a word, not a list", 5},

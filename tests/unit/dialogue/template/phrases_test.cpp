@@ -60,8 +60,9 @@ TEST_CASE("phrases: a literal article may be wrong or missing, <article> may not
     CHECK(the.at("the") == ErrorCode::none);
     CHECK(the.at("a") == ErrorCode::wrong_determiner);
     CHECK(the.at("") == ErrorCode::missing_determiner);
-    for (const auto& [said, code] :
-         codes([](ArcWriter&writer, int a, int b) { add_article(writer, "", a, b); })) {
+    for (const auto& [said, code] : codes([](ArcWriter&writer, int a, int b) {
+             add_article(writer, "", SubjectNumber::unknown, a, b);
+         })) {
         CHECK(code == ErrorCode::none);
     }
     CHECK(is_article("an"));

@@ -40,6 +40,11 @@ TEST_CASE("resolve: a noun in the wrong number takes its verb along: one error, 
     CHECK(put_right(is, "the apples is here") == "The apple is here. 10");
     CHECK(put_right(is, "these apples are here") == "This apple is here. 10");
     CHECK(put_right(is, "the apples here") == "The apple is here. 30");
+    CHECK(put_right(is, "this apples are here") == "This apple is here. 10");
+    CHECK(put_right(is, "these apple are here") == "This apple is here. 10");
+    CHECK(put_right(is, "these apple is here") == "This apple is here. 10");
+    CHECK(put_right(is, "this scissors is here") == "These scissors are here. 10");
+    CHECK(put_right(is, "this apple are here") == "This apple is here. 10");
     const TemplateSource were{{"the {thing} are here"}, things(), {}};
     CHECK(put_right(were, "the apples are here") == "The apple is here. 10");
 }

@@ -40,6 +40,18 @@ TEST_CASE("view: hidden bodies are not shown, falling ones are, held ones are na
     CHECK(shown.view().bodies[0].label == "apple");
 }
 
+TEST_CASE("view: a solid body is named where it has a noun of its own") {
+    Shown shown;
+    shown.lesson.bodies[0].movable = false;
+    shown.world.bodies[0].where = BodyWhere::placed;
+    shown.lesson.bodies[0].noun = "green apple";
+    CHECK(shown.view().bodies.at(0).label.empty());
+    shown.lesson.bodies[0].solid = true;
+    CHECK(shown.view().bodies.at(0).label == "green apple");
+    shown.lesson.bodies[0].noun = shown.lesson.bodies[0].name;
+    CHECK(shown.view().bodies.at(0).label.empty());
+}
+
 TEST_CASE("view: a material gives its look, and under a cloth nothing is given away") {
     Shown shown;
     MaterialDescription felt;

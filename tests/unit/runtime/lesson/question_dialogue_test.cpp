@@ -284,3 +284,22 @@ TEST_CASE(
         }
     });
 }
+
+TEST_CASE("question dialogue: a number that no list has is wrong without asking the lesson") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].answers = {"{number} <plural:egg>"};
+    lesson.questions[0].lists = {{"number", {"one", "two"}}};
+    QuestionDialogue dialogue{compile_questions(lesson).value(), words()};
+    (void)dialogue.ask("heaviest", 0.0);
+    const QuestionTurn turn = dialogue.hear("fifteen eggs", 1.0, 1.0);
+    CHECK(dialogue.state() == State::set_aside);
+    REQUIRE(turn.answer);
+    CHECK(turn.answer->feedback.keys == std::vector<std::string>{"feedback.other_number"});
+    const std::vector<AnsweredEvent> answers = told(turn);
+    REQUIRE(answers.size() == 1);
+    CHECK(turn.events.size() == 1);
+    CHECK(answers[0].understood);
+    CHECK_FALSE(answers[0].right);
+    CHECK_FALSE(answers[0].over);
+    CHECK(answers[0].slots.empty());
+}

@@ -33,7 +33,7 @@ TEST_CASE("bindings: ranges as people say them") {
     CHECK(range_text({"mass", ParameterType::number, "kilograms", 0, 10000}) ==
           "in kilograms, 0 to 10000");
     CHECK(range_text({"stars", ParameterType::integer, "", 0, 3}) == "0 to 3");
-    CHECK(range_text({"text", ParameterType::text, "", 0, 1000}) == "of at most 1000 bytes");
+    CHECK(range_text({"text", ParameterType::text, "", 0, 1000}) == "of at most 1000 letters");
     CHECK(range_text({"solid", ParameterType::flag, "", 0, 0}).empty());
 }
 

@@ -51,14 +51,20 @@ TEST_CASE("arguments: too many, too few and wrong kinds are told") {
           "lesson.lua:2: world:body takes a table of fields { … }; got 3.");
     CHECK(sentence("world:body({}, {})") == "lesson.lua:2: world:body takes 1 value; got 2.");
     CHECK(sentence("world:body { 'a' }") ==
-          "lesson.lua:2: body takes fields with names, such as { name = … }.");
+          "lesson.lua:2: body takes fields with names, such as { name = … }; the text \"a\" has "
+          "none.");
+    CHECK(sentence("world:body { name = 'a', mass = 1,5 }") ==
+          "lesson.lua:2: body takes fields with names, such as { name = … }; 5 has none; a "
+          "fraction has a point, 1.5, and a place has braces, {0, 1, 0}.");
+    CHECK(sentence("world:bucket { weight = 3 }") ==
+          "lesson.lua:2: bucket has no field \"weight\"; it has model, radius, depth and holds.");
     CHECK(sentence("world:body { name = 'a', movable = 'yes' }") ==
           "lesson.lua:2: body.movable is true or false; got the text \"yes\".");
     CHECK(sentence("world:hand():force(3)") == "lesson.lua:2: hand:force is a function; got 3.");
     CHECK(sentence("world:level(1.5)") ==
           "lesson.lua:2: world:level's level is a whole number, 0 to 99; got 1.5.");
     CHECK(sentence("world:caption(('x'):rep(1001))") ==
-          "lesson.lua:2: world:caption is a text of at most 1000 bytes; got 1001 bytes.");
+          "lesson.lua:2: world:caption is a text of at most 1000 letters; got 1001 letters.");
 }
 
 TEST_CASE("arguments: lists and tables are checked item by item, and come sorted by name") {
@@ -81,7 +87,8 @@ TEST_CASE("arguments: lists and tables are checked item by item, and come sorted
     };
     CHECK(wrong("answers = { 3 }") == "lesson.lua:2: question.answers is a list of texts; got 3.");
     CHECK(wrong("answers = 'a'") ==
-          "lesson.lua:2: question.answers is a list of texts; got the text \"a\".");
+          "lesson.lua:2: question.answers is a list of texts; got the text \"a\"; put braces "
+          "around it, { \"…\", \"…\" }.");
     CHECK(wrong("answers = {}") ==
           "lesson.lua:2: question.answers is empty; give at least one sentence that a learner may "
           "answer with.");
@@ -89,7 +96,13 @@ TEST_CASE("arguments: lists and tables are checked item by item, and come sorted
           "lesson.lua:2: question.lists has a list \"a b\"; a list's name is plain (a to z, 0 to "
           "9, _ and -).");
     CHECK(wrong("answers = { 'a' }, lists = { a = 3 }") ==
-          "lesson.lua:2: question.lists is a table of lists of texts; got 3.");
+          "lesson.lua:2: question.lists.a is a list of texts; got 3; put braces around it, { "
+          "\"…\", \"…\" }.");
+    CHECK(wrong("answers = { 'a' }, lists = { 'red', 'blue' }") ==
+          "lesson.lua:2: question.lists has the text \"red\" without a name; write { name = … }, "
+          "such as { colour = { \"red\", \"blue\" } }.");
+    CHECK(HostedLesson().load("L:question { prompt = 'p', answers = { 'a' }, right = print }") ==
+          "lesson.lua:2: L:question takes its name before the braces: L:question \"name\" { … }.");
 }
 
 TEST_CASE("arguments: what is left out is as the table says") {

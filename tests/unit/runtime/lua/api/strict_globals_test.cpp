@@ -14,9 +14,9 @@ std::string sentence_of(const std::string& body) {
 
 TEST_CASE("strict globals: a name that nobody gave a value is told where it is read") {
     CHECK(sentence_of("\nlocal t = { xyzzy }") ==
-          "lesson.lua:3: xyzzy has no value; is it spelt right?");
+          "lesson.lua:3: xyzzy has no value; is it spelt right, or a text without its \"…\"?");
     CHECK(sentence_of("local all = {} for _, b in ipairs { all, plugh } do end") ==
-          "lesson.lua:2: plugh has no value; is it spelt right?");
+          "lesson.lua:2: plugh has no value; is it spelt right, or a text without its \"…\"?");
     CHECK(sentence_of("function L:start(world) wrold:gravity(1) end") ==
           "lesson.lua:2: wrold has no value; did you mean world?");
 }
@@ -27,6 +27,26 @@ TEST_CASE("strict globals: locals, captured names and globals are thought of") {
     CHECK(sentence_of("local stones = 1 function L:start() print(stones, stonse) end") ==
           "lesson.lua:2: stonse has no value; did you mean stones?");
     CHECK(sentence_of("prnit 'x'") == "lesson.lua:2: prnit has no value; did you mean print?");
+}
+
+TEST_CASE("strict globals: a name that belongs behind another is told where it belongs") {
+    CHECK(sentence_of("question 'a' {}") ==
+          "lesson.lua:2: question has no value; write L:question.");
+    CHECK(sentence_of("function L:start() caption 'a' end") ==
+          "lesson.lua:2: caption has no value; write world:caption.");
+    CHECK(sentence_of("wait(3)") ==
+          "lesson.lua:2: wait has no value; write story.wait, after local story = require "
+          "\"story\".");
+    CHECK(sentence_of("world:ground(0)") ==
+          "lesson.lua:2: world has no value; it is given to functions such as function "
+          "L:start(world).");
+    CHECK(sentence_of("local caption = print caption 'a'") == "");
+}
+
+TEST_CASE("strict globals: a lesson's function that is not the lesson's is called by nobody") {
+    CHECK(sentence_of("function start(world) end") ==
+          "lesson.lua:2: nothing calls start; write function L:start(…).");
+    CHECK(sentence_of("local function start() end start() touched = 3") == "");
 }
 
 TEST_CASE("strict globals: what was assigned may be read, even nil") {
@@ -54,7 +74,8 @@ TEST_CASE("strict globals: the rule can't be taken off") {
     CHECK(sentence_of("setmetatable(_G, {})") ==
           "lesson.lua:2: this table's metatable is protected.");
     CHECK(sentence_of("print(getmetatable(_G)) local t = setmetatable({}, { __index = _G }) "
-                      "print(t.xyzzy)") == "lesson.lua:2: xyzzy has no value; is it spelt right?");
+                      "print(t.xyzzy)") ==
+          "lesson.lua:2: xyzzy has no value; is it spelt right, or a text without its \"…\"?");
 }
 
 TEST_CASE("strict globals: a simulated hand's are strict too") {

@@ -189,7 +189,8 @@ TEST_CASE("lesson process: one sentence with file and line for each mistake of a
     CHECK(in_start("world:ask 'x'") == "lesson.lua:3: there is no question \"x\".");
     CHECK(in_start("local b = world:body { name = 'b' } b:drop()") ==
           "lesson.lua:3: b can't fall or be held; declare it with movable = true.");
-    CHECK(in_start("x.y = 3") == "lesson.lua:3: x has no value; is it spelt right?");
+    CHECK(in_start("x.y = 3") ==
+          "lesson.lua:3: x has no value; is it spelt right, or a text without its \"…\"?");
     CHECK(sentence_of(folder,
                       "local L = lesson { id = 't', title = 'T' }\nlocal x = = 3\nreturn L") ==
           "lesson.lua:2: unexpected symbol near '='.");

@@ -123,7 +123,7 @@ TEST_CASE("story: a mistake in the story has file and line") {
     CHECK(sentence("local x = nil + 1") ==
           "lesson.lua:11: attempt to perform arithmetic on a nil value.");
     CHECK(sentence("world:caption(3)") ==
-          "lesson.lua:11: world:caption is a text of at most 1000 bytes; got 3.");
+          "lesson.lua:11: world:caption is a text of at most 1000 letters; got 3.");
 }
 
 TEST_CASE("story: what it is given wrong is told at the lesson's line, not the library's") {

@@ -216,3 +216,21 @@ TEST_CASE(
         CHECK(seen.y() < label.covers.bottom());
     }
 }
+
+TEST_CASE("content: the hand is seen where it is projected, as large as it is there") {
+    const auto seen = [](const View& view) {
+        const Camera camera(view.camera, 1280, 720);
+        return hand_seen(view, camera, [](const std::string&) -> const gl::Mesh& { return box(); });
+    };
+    View view;
+    view.tool = body_at(0.1, 0.4, 0.0);
+    const Camera camera(view.camera, 1280, 720);
+    const auto middle = camera.project(Vector3(0.1, 0.4, 0.0));
+    REQUIRE(middle);
+    CHECK(seen(view).middle_x() == Approx(middle->position_px.x()));
+    CHECK(seen(view).middle_y() == Approx(middle->position_px.y()));
+    CHECK(seen(view).width == Approx(2.0 * 0.1 * camera.px_per_m(middle->depth_m)));
+    view.tool.pose_W.position.x() = kNan;
+    CHECK(seen(view).width == 0.0F);
+    CHECK(seen(without_tool()).width == 0.0F);
+}

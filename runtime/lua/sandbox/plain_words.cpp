@@ -1,0 +1,98 @@
+#include "runtime/lua/sandbox/plain_words.h"
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr std::string_view kTooDeep =
+    "this calls itself too deeply (a function that never stops calling itself?)";
+
+/// The word between `before` and the next ' or blank of `message`; empty when it isn't there.
+std::string_view word_behind(std::string_view message, std::string_view before) {
+    const std::size_t at = message.find(before);
+    if (at == std::string_view::npos) {
+        return {};
+    }
+    const std::string_view rest = message.substr(at + before.size());
+    return rest.substr(0, rest.find_first_of("')"));
+}
+
+/// "'end' expected (to close 'function' at line 26) near <eof>".
+std::string close_what(std::string_view message) {
+    const std::string_view opened = word_behind(message, "(to close '");
+    const std::string_view line = word_behind(message, "' at line ");
+    const std::string_view closes = message.substr(1, message.find('\'', 1) - 1);
+    return "write the " + std::string(closes) + " that belongs to the " + std::string(opened) +
+           " of line " + std::string(line);
+}
+
+/// "attempt to index a nil value (local 'apple')", and the like of fields, functions and texts.
+std::string advice_for_nil(std::string_view message) {
+    if (const std::string_view name = word_behind(message, "(method '"); !name.empty()) {
+        return "there is no function " + std::string(name) +
+               " here; is it spelt right, and is the function around it written with a colon, as "
+               "function L:start(world)?";
+    }
+    for (const std::string_view kind :
+         {"(local '", "(field '", "(upvalue '", "(global '", "(constant '"}) {
+        if (const std::string_view name = word_behind(message, kind); !name.empty()) {
+            return std::string(name) + " has no value here";
+        }
+    }
+    return {};
+}
+
+/// Part of a message of Lua's, and what helps.
+struct Advice {
+    std::string_view part, advice;
+};
+constexpr std::array kAdvice = {
+    Advice{"near '<\\", "only plain signs belong there; write straight quotation marks, \"…\""},
+    Advice{"near '!'", "\"is not\" is written ~="},
+    Advice{"' expected near '='", "two values are compared with =="},
+    Advice{"malformed number", "write a number without its unit, and with a point: 0.5"},
+    Advice{"unfinished string",
+           "a text ends on its own line, with the quotation mark that it began with"},
+    Advice{"<eof> expected near 'end'", "take out this end, or one before it"},
+    Advice{"'}' expected", "put a comma between two fields"},
+    Advice{"')' expected", "put a comma between two values, and a ) behind the last"},
+    Advice{"'then' expected", "write if … then"},
+    Advice{"'do' expected", "write for … do, while … do"},
+    Advice{"'=' expected", "write name = value, or name(…)"},
+    Advice{"syntax error near", "look at the end of the line before, too"},
+    Advice{"for iterator", "write for i, thing in ipairs(…), or for name, thing in pairs(…)"},
+    Advice{"attempt to compare", "only two numbers can be compared, or two texts"},
+};
+
+std::string advice_for(std::string_view message) {
+    // Where the end of the file or another end is met, what is open is the mistake; else it is more likely a comma.
+    const bool unclosed = message.find("(to close '") != std::string_view::npos &&
+                          (message.ends_with("near <eof>") || message.ends_with("near 'end'"));
+    if (unclosed) {
+        return close_what(message);
+    }
+    for (const Advice& known : kAdvice) {
+        if (message.find(known.part) != std::string_view::npos) {
+            return std::string(known.advice);
+        }
+    }
+    return message.find(" a nil value (") != std::string_view::npos ? advice_for_nil(message)
+                                                                    : std::string{};
+}
+
+}  // namespace
+
+std::string in_plain_words(std::string message) {
+    if (message.find("stack overflow") != std::string::npos) {
+        return std::string(kTooDeep);
+    }
+    if (const std::string advice = advice_for(message); !advice.empty()) {
+        message += "; " + advice;
+    }
+    return message;
+}
+
+}  // namespace fulcrum::runtime
