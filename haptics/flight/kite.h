@@ -65,6 +65,8 @@ struct KiteSettings {
     double tail_drag_m2_per_m = 0.009;  ///< C_D A a metre: 0.12 of a ribbon of 7.5 cm; 0 to 1
     PlateLaw law = PlateLaw::cross_flow;
     int strips = 6;  ///< of each half or sheet, 1 to 64
+
+    friend bool operator==(const KiteSettings&, const KiteSettings&) = default;
 };
 
 struct Kite {

@@ -50,6 +50,7 @@ void KiteFlight::step(double dt_s, const Vector3& hand_W) noexcept {
     }
     step_gusts(settings_.wind, state_.pose_W.position.y() - settings_.wind.ground_m, dt_s, gusts_);
     const Vector3 wind_W = compute_wind_W(settings_.wind, gusts_, state_.pose_W.position);
+    report_.air_way_m += settings_.wind.speed_m_per_s * dt_s;
     const Vector3 gravity_W(0.0, -settings_.gravity_m_per_s2, 0.0);
     const LinePull pull = line_.begin_step(hand_W, dt_s, {gravity_W, settings_.wind, gusts_});
     move_kite(dt_s, pull, wind_W);
@@ -84,6 +85,7 @@ void KiteFlight::describe(const Vector3& wind_W) noexcept {
     report_.line_m = line_.length_m();
     report_.is_snapped = line_.is_snapped();
     report_.wind_W = wind_W;
+    report_.velocity_W = state_.velocity_W.linear;
     // The air's force along and across its stream, and the height on the spine at which it acts.
     Wrench air_W;
     KiteAirLoad(kite_, wind_W, kAirDensity_kg_per_m3).add_wrench(state_, 0.0, air_W);

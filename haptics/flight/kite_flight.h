@@ -44,6 +44,8 @@ struct KiteReport {
     Vector3 tension_W{Vector3::Zero()};     ///< of the line on the kite
     Vector3 hand_force_W{Vector3::Zero()};  ///< of the line on the hand
     Vector3 wind_W{Vector3::Zero()};        ///< at the kite, m/s
+    Vector3 velocity_W{Vector3::Zero()};    ///< of the centre of mass, m/s
+    double air_way_m = 0.0;                 ///< how far the mean wind at 10 metres has gone by
     double angle_of_attack_rad = 0.0;       ///< between stream and spine, 0 to pi
     double line_m = 0.0;                    ///< unstretched
     bool is_snapped = false;

@@ -15,17 +15,35 @@ void KiteLoop::step(double now_s) noexcept {
     now_s_ = now_s;
     const double dt_s = std::clamp(since_s, 0.0, kLongestKiteStep_s);
     // A hand that is nowhere leaves the line where it was.
+    const bool had_hand = has_hand_;
     if (channels_.hand_W.take() && is_finite(channels_.hand_W.value())) {
         hand_W_ = channels_.hand_W.value();
-        if (!has_hand_) {
-            flight_.launch(hand_W_, orders_.elevation_rad, orders_.lean_rad);
-        }
         has_hand_ = true;
     }
+    take_kite();
     take_orders(dt_s);
+    if (has_hand_ && !had_hand) {
+        flight_->launch(hand_W_, orders_.elevation_rad, orders_.lean_rad);
+    }
     if (has_hand_) {
-        flight_.step(dt_s, hand_W_);
+        flight_->step(dt_s, hand_W_);
         publish(now_s);
+    }
+}
+
+// Another kite on as much line, in the same wind.
+void KiteLoop::take_kite() noexcept {
+    KiteFlight* built = channels_.built.take(flight_);
+    if (built == nullptr) {
+        return;
+    }
+    built->set_line_length_m(flight_->line().length_m());
+    flight_ = built;
+    if (has_orders_) {
+        flight_->set_wind_speed_m_per_s(orders_.wind_m_per_s);
+    }
+    if (has_hand_) {
+        flight_->launch(hand_W_, orders_.elevation_rad, orders_.lean_rad);
     }
 }
 
@@ -33,30 +51,33 @@ void KiteLoop::take_orders(double dt_s) noexcept {
     if (channels_.orders.take()) {
         const KiteOrders& newest = channels_.orders.value();
         const bool is_launch = newest.n_launches != orders_.n_launches;
+        const bool is_cut = newest.n_cuts != orders_.n_cuts;
         orders_ = newest;
         has_orders_ = true;
-        flight_.set_wind_speed_m_per_s(orders_.wind_m_per_s);
-        if (is_launch && has_hand_ && std::isfinite(orders_.elevation_rad) &&
-            std::isfinite(orders_.lean_rad)) {
-            flight_.launch(hand_W_, orders_.elevation_rad, orders_.lean_rad);
+        flight_->set_wind_speed_m_per_s(orders_.wind_m_per_s);
+        if (is_launch && has_hand_) {
+            flight_->launch(hand_W_, orders_.elevation_rad, orders_.lean_rad);
+        }
+        if (is_cut) {
+            flight_->snap_line();
         }
     }
     if (has_orders_ && std::isfinite(orders_.line_m)) {
-        const double length_m = flight_.line().length_m();
+        const double length_m = flight_->line().length_m();
         const double most_m = kReel_m_per_s * dt_s;
-        flight_.set_line_length_m(length_m +
-                                  std::clamp(orders_.line_m - length_m, -most_m, most_m));
+        flight_->set_line_length_m(length_m +
+                                   std::clamp(orders_.line_m - length_m, -most_m, most_m));
     }
 }
 
 void KiteLoop::publish(double now_s) noexcept {
     frame_.stamp_s = now_s;
-    frame_.report = flight_.report();
-    const auto nodes_W = flight_.line().nodes_W();
+    frame_.report = flight_->report();
+    const auto nodes_W = flight_->line().nodes_W();
     frame_.n_nodes = static_cast<std::int32_t>(nodes_W.size());
     std::copy(nodes_W.begin(), nodes_W.end(), frame_.line_W.begin());
     channels_.frame.publish(frame_);
-    channels_.line.publish(make_line_state(flight_.line(), hand_W_, now_s));
+    channels_.line.publish(make_line_state(flight_->line(), hand_W_, now_s));
 }
 
 void KiteLoop::silence(double now_s) noexcept {

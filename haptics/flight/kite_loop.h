@@ -6,6 +6,7 @@
 
 #include "haptics/base/periodic_task.h"
 #include "haptics/flight/kite_flight.h"
+#include "haptics/flight/kite_swap.h"
 #include "haptics/flight/line_feel.h"
 #include "haptics/handover/latest_value.h"
 
@@ -14,13 +15,14 @@
 
 namespace fulcrum {
 
-/// What a lesson sets. A launch is made once each time its count grows; the rest holds on.
+/// What a lesson sets. A launch and a cut are made once each time their counts grow; the rest holds on.
 struct KiteOrders {
     std::uint32_t n_launches = 0;
     double elevation_rad = 0.7;  ///< of the line at the launch
     double lean_rad = 1.1;       ///< of the spine, into the wind
     double line_m = 20.0;        ///< unstretched; let out or taken in at kReel_m_per_s
     double wind_m_per_s = 6.0;   ///< mean at 10 metres
+    std::uint32_t n_cuts = 0;    ///< the line is cut once each time it grows
 };
 
 /// How it flies, for the picture and the lesson.
@@ -34,9 +36,10 @@ struct KiteFrame {
 /// The one writer and the one reader of each stand behind it.
 struct KiteChannels {
     LatestValue<KiteOrders> orders;  ///< lesson loop; kite loop
-    LatestValue<Vector3> hand_W;     ///< haptic loop; kite loop: where the line leaves it
-    LatestValue<KiteFrame> frame;    ///< kite loop; lesson loop and picture
-    LatestValue<LineState> line;     ///< kite loop; haptic loop
+    KiteSwap built;  ///< lesson loop; kite loop: another kite, launched when it is taken
+    LatestValue<Vector3> hand_W;   ///< haptic loop; kite loop: where the line leaves it
+    LatestValue<KiteFrame> frame;  ///< kite loop; lesson loop and picture
+    LatestValue<LineState> line;   ///< kite loop; haptic loop
 };
 
 /// How fast a reel turns.
@@ -49,6 +52,8 @@ class KiteLoop final : public PeriodicTask {
     /// Takes settings that `validate` accepted and a rate in hertz above 0. The channels outlive the loop. Until the haptic
     /// loop has told of a hand nothing moves.
     KiteLoop(const KiteFlightSettings& settings, double rate_hz, KiteChannels& channels);
+    KiteLoop(const KiteLoop&) = delete;
+    KiteLoop& operator=(const KiteLoop&) = delete;
     ~KiteLoop() override;
 
     /// One round at `now_s` of the run's clock; a time that is not finite is none.
@@ -57,13 +62,14 @@ class KiteLoop final : public PeriodicTask {
     void silence(double now_s) noexcept override;
 
     /// For the loop's own thread.
-    [[nodiscard]] const KiteFlight& flight() const noexcept { return flight_; }
+    [[nodiscard]] const KiteFlight& flight() const noexcept { return *flight_; }
 
   private:
+    void take_kite() noexcept;
     void take_orders(double dt_s) noexcept;
     void publish(double now_s) noexcept;
 
-    KiteFlight flight_;
+    KiteFlight* flight_;  // its own; raw, for nothing is freed in a step
     KiteChannels& channels_;
     double period_s_;
     KiteOrders orders_{};

@@ -53,11 +53,19 @@ class LineFeel {
     /// The wrench on the hand about the tool's middle, world frame.
     [[nodiscard]] Wrench step(const LineState& state, const Pose& tool_W, double now_s,
                               double dt_s) noexcept;
+    /// What the state and the gain of the step before would have given at the place of the last step: what changed since is not
+    /// the hand's doing (coupling/elastic_force.h).
+    [[nodiscard]] const Wrench& held_W() const noexcept { return held_W_; }
 
   private:
+    [[nodiscard]] Vector3 compute_share(const LineState& state,
+                                        const Vector3& hand_W) const noexcept;
+
     LineFeelSettings settings_;
     double gain_ = 0.0;                // 0 closed to 1 open
     Vector3 last_W_{Vector3::Zero()};  // before the gain, of the last state that was good
+    LineState before_{};               // of the last step; an old stamp where it was not good
+    Wrench held_W_{};
 };
 
 }  // namespace fulcrum

@@ -14,6 +14,8 @@
 
 namespace fulcrum {
 
+struct KiteChannels;  // haptics/flight/kite_loop.h
+
 using RecordRing = EventRing<RecordSample, kRecordRingCapacity>;
 
 /// A switch whose every press is seen, however short: one that is pressed and released between two
@@ -58,6 +60,8 @@ struct HapticChannels {
     AxleChannels* axles = nullptr;
     /// Both ways between haptic loop and the world of rigid bodies; null where there is none.
     RigidChannels* rigid = nullptr;
+    /// Between haptic loop and kite loop; null where no kite's line is held.
+    KiteChannels* kite = nullptr;
 
     /// Pressed by anybody: the force fades at once and stays zero until `rearm`. Released by whoever
     /// pressed it.

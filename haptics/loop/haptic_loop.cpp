@@ -260,6 +260,10 @@ void HapticLoop::compute_forces(const Passed& passed) noexcept {
         add_field(i);
         passed(stage_of(plan_.fields[i].kind));
     }
+    if (line_) {
+        add_line();
+        passed(HapticStage::line);
+    }
     if (lesson_force_) {
         add_lesson_force();
         passed(HapticStage::lesson);

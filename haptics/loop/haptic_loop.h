@@ -22,6 +22,7 @@
 #include "haptics/loop/body_stage.h"
 #include "haptics/loop/contact_stage.h"
 #include "haptics/loop/haptic_plan.h"
+#include "haptics/loop/line_stage.h"
 #include "haptics/loop/passivity_stage.h"
 #include "haptics/loop/safety.h"
 #include "haptics/loop/solid_places.h"
@@ -108,6 +109,7 @@ class HapticLoop final : public PeriodicTask {
     void add_surface_force(const SurfaceForce& felt) noexcept;
     void add_weight() noexcept;
     void add_field(std::size_t index) noexcept;
+    void add_line() noexcept;
     void add_lesson_force() noexcept;
     void keep_passive() noexcept;
     void limit_forces() noexcept;
@@ -133,6 +135,7 @@ class HapticLoop final : public PeriodicTask {
     std::unique_ptr<ToolStage> tool_;
     std::unique_ptr<WeightRamp> weight_;
     std::vector<FieldStage> fields_;
+    std::unique_ptr<LineStage> line_;
     std::unique_ptr<LinearisedWrenchStage> lesson_force_;
     std::unique_ptr<PassivityStage> passivity_;
     SafetyGate gate_;

@@ -119,6 +119,7 @@ Expected<void> validate(const HapticPlan& plan) {
         validate_axles(plan),
         validate_rigid(plan),
         validate_tool(plan),
+        plan.line ? validate(*plan.line) : Expected<void>{},
         validate(VelocitySettings{.method = plan.velocity_method,
                                   .cutoff_Hz = plan.velocity_cutoff_hz,
                                   .noise_bound_m = kFineResolution_m}),
@@ -188,6 +189,9 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
     for (const FieldPlan& field : plan.fields) {
         fields_.emplace_back(field);
     }
+    if (plan.line) {
+        line_ = std::make_unique<LineStage>(*plan.line, channels.kite);
+    }
     if (plan.lesson_force) {
         lesson_force_ = std::make_unique<LinearisedWrenchStage>(
             choose_lesson_settings(plan, choose_safety_settings(plan, device.traits())));
@@ -228,6 +232,9 @@ std::vector<StageInfo> HapticLoop::stages() const {
     }
     for (const FieldPlan& field : plan_.fields) {
         add(stage_of(field.kind), sizeof(FieldStage));
+    }
+    if (line_) {
+        add(HapticStage::line, sizeof(LineStage) + sizeof(KiteChannels::line));
     }
     if (lesson_force_) {
         add(HapticStage::lesson, sizeof(LinearisedWrenchStage));

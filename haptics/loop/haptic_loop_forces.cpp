@@ -1,6 +1,8 @@
 // What each effect of the plan adds to the force, and what of it gives the hand's work back. See haptic_loop.h.
 #include "haptics/loop/haptic_loop.h"
 
+#include <limits>
+
 namespace fulcrum {
 
 void HapticLoop::add_contact() noexcept {
@@ -95,6 +97,21 @@ void HapticLoop::add_field(std::size_t index) noexcept {
         field.step(channels_.command.value().fields[index], state_.tool_pose_W.position,
                    state_.tool_twist_W.linear, dt_s_);
     demand_.force += field.elastic();
+}
+
+void HapticLoop::add_line() noexcept {
+    if (!has_pose_) {
+        return;
+    }
+    // While the gate is shut the line lets go as if its world were silent: a pull that stays would keep it from engaging for ever.
+    const GatePhase phase = gate_.phase();
+    const bool is_open = phase == GatePhase::rising || phase == GatePhase::open;
+    constexpr double kSilent_s = std::numeric_limits<double>::infinity();
+    const LineForce felt = line_->step(state_.tool_pose_W, is_open ? now_s_ : kSilent_s, dt_s_);
+    demand_.wrench_W.force += felt.wrench_W.force;
+    demand_.wrench_W.torque += felt.wrench_W.torque;
+    demand_.force += felt.force;
+    demand_.torque += felt.torque;
 }
 
 void HapticLoop::add_lesson_force() noexcept {

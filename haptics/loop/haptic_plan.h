@@ -5,6 +5,7 @@
 #include "haptics/coupling/passivity.h"
 #include "haptics/coupling/velocity_estimator.h"
 #include "haptics/field/field_plan.h"
+#include "haptics/flight/line_feel.h"
 #include "haptics/handover/messages.h"
 #include "haptics/loop/axle_plan.h"
 #include "haptics/loop/rigid_solid_plan.h"
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace fulcrum {
@@ -38,6 +40,7 @@ enum class HapticStage : std::uint8_t {
     spring,
     viscosity,
     magnet,
+    line,
     lesson,
     passivity,
     limits,
@@ -64,6 +67,7 @@ inline constexpr std::size_t kHapticStages = static_cast<std::size_t>(HapticStag
                                       "forces: spring",
                                       "forces: viscosity",
                                       "forces: magnet",
+                                      "forces: line",
                                       "forces: lesson",
                                       "passivity",
                                       "limits",
@@ -125,16 +129,18 @@ struct HapticPlan {
     std::vector<AxlePlan> axles;        ///< of solids that turn, at most one each
     std::vector<RigidSolidPlan> rigid;  ///< solids that a world of rigid bodies moves, each once
     std::vector<FieldPlan> fields;      ///< at most kMaxFields
+    std::optional<LineFeelSettings> line{};  ///< the hand holds a kite's line
 };
 
 /// Whether anything in the plan gives a torque. A stage that does has its place here, or nobody watches its energy.
 [[nodiscard]] inline bool has_torques(const HapticPlan& plan) noexcept {
-    return plan.lesson_force || plan.tool != nullptr;
+    return plan.lesson_force || plan.tool != nullptr || plan.line.has_value();
 }
 
 /// Whether anything in the plan gives a force; where nothing does there is no energy to watch.
 [[nodiscard]] inline bool has_forces(const HapticPlan& plan) noexcept {
-    return !plan.solids.empty() || plan.carries_weight || !plan.fields.empty() || plan.lesson_force;
+    return !plan.solids.empty() || plan.carries_weight || !plan.fields.empty() ||
+           plan.lesson_force || plan.line.has_value();
 }
 
 }  // namespace fulcrum

@@ -20,6 +20,7 @@ class VirtualClock {
           stages_(stages),
           rate_hz_(run.plan().haptic.rate_hz),
           world_every_(run.plan().world ? std::lround(rate_hz_ / run.plan().world->rate_hz) : 0),
+          kite_every_(run.plan().kite ? std::lround(rate_hz_ / run.plan().kite->rate_hz) : 0),
           frame_rate_hz_(run.plan().lesson_rate_hz) {}
 
     [[nodiscard]] double now_s() const { return static_cast<double>(tick_) / rate_hz_; }
@@ -30,12 +31,16 @@ class VirtualClock {
 
     void tick() {
         const bool world_is_due = run_.world_loop() != nullptr && tick_ % world_every_ == 0;
+        const bool kite_is_due = run_.kite_loop() != nullptr && tick_ % kite_every_ == 0;
         if (stages_ != nullptr) {
-            observe_tick(world_is_due);
+            observe_tick(world_is_due, kite_is_due);
         } else {
             run_.haptic_loop().step(now_s());
             if (world_is_due) {
                 run_.world_loop()->step(now_s());
+            }
+            if (kite_is_due) {
+                run_.kite_loop()->step(now_s());
             }
         }
         ++tick_;
@@ -55,7 +60,7 @@ class VirtualClock {
     }
 
   private:
-    void observe_tick(bool world_is_due) {
+    void observe_tick(bool world_is_due, bool kite_is_due) {
         stages_->begin();
         run_.haptic_loop().step_observed(now_s(), *stages_);
         stages_->compare(run_.haptic_loop().state(), run_.hand().true_velocity_W());
@@ -64,12 +69,18 @@ class VirtualClock {
             run_.world_loop()->step(now_s());
             stages_->passed_world();
         }
+        if (kite_is_due) {
+            stages_->begin();
+            run_.kite_loop()->step(now_s());
+            stages_->passed_kite();
+        }
     }
 
     LessonRun& run_;
     StageClock* stages_;
     double rate_hz_;
     long world_every_;
+    long kite_every_;
     double frame_rate_hz_;
     long tick_ = 0;
     long frame_ = 0;

@@ -105,6 +105,11 @@ Expected<void> LessonRun::build_loops(const RunRequest& request) {
         axles_ = std::make_unique<AxleChannels>();
         channels_.axles = axles_.get();
     }
+    if (plan_.kite) {
+        kite_ = std::make_unique<KiteChannels>();
+        channels_.kite = kite_.get();
+        kite_loop_ = std::make_unique<KiteLoop>(plan_.kite->flight, plan_.kite->rate_hz, *kite_);
+    }
     haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, hand_->device(), channels_);
     if (plan_.world) {
         std::vector<std::int32_t> solid_bodies;
@@ -195,6 +200,11 @@ SessionInput LessonRun::gather(const FrameInput& input) {
         axles_->frame.take();
         gathered.axles = newest_axles();
     }
+    if (kite_) {
+        kite_->frame.take();
+        gathered.kite = newest_kite();
+    }
+    gathered.wheel = input.wheel;
     gathered.keys = input.keys;
     gathered.heard = input.typed;
     const SessionHud& hud = session_->hud();
@@ -248,6 +258,9 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
     channels_.command.publish(output->force);
     if (axles_) {
         axles_->orders.publish(output->axles);
+    }
+    if (kite_) {
+        order_kite(*output);
     }
     if (auto commanded = command_world(output->world); !commanded) {
         return tl::unexpected(commanded.error());
@@ -334,6 +347,7 @@ View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     scenery.hand = channels_.state_for_lesson.value();
     scenery.world = newest_world();
     scenery.axles = newest_axles();
+    scenery.kite = newest_kite();
     scenery.renders_force = device().traits().renders_force;
     scenery.ghost = !scenery.renders_force || plan_.haptic.tool != nullptr;
     scenery.ghost_pose_W = scenery.renders_force ? scenery.hand.tool_pose_W : hand_->pointer_W();

@@ -9,6 +9,7 @@
 #include "dialogue/catalogue.h"
 #include "haptics/base/error.h"
 #include "haptics/dynamics/world_loop.h"
+#include "haptics/flight/kite_loop.h"
 #include "haptics/handover/channels.h"
 #include "haptics/loop/haptic_loop.h"
 #include "runtime/app/hand_device.h"
@@ -35,6 +36,7 @@ struct FrameInput {
     double time_s = 0.0;
     std::vector<std::string> keys;
     std::optional<std::string> typed;
+    double wheel = 0.0;  ///< notches, away from the user is +
 };
 
 /// What a frame asks of the driver.
@@ -61,6 +63,8 @@ class LessonRun {
     [[nodiscard]] HapticLoop& haptic_loop() { return *haptic_loop_; }
     /// Null when the plan has none.
     [[nodiscard]] WorldLoop* world_loop() { return world_loop_.get(); }
+    /// Likewise.
+    [[nodiscard]] KiteLoop* kite_loop() { return kite_loop_.get(); }
     [[nodiscard]] HapticChannels& channels() { return channels_; }
     [[nodiscard]] const LessonProcess& process() const { return *process_; }
     [[nodiscard]] const Device& device() const { return hand_->device(); }
@@ -108,15 +112,19 @@ class LessonRun {
     [[nodiscard]] Expected<void> command_world(const std::vector<WorldCommand>& commands);
     [[nodiscard]] const WorldSnapshot* newest_world() const;
     [[nodiscard]] const AxleFrame* newest_axles() const;
+    [[nodiscard]] const KiteFrame* newest_kite() const;
+    void order_kite(const SessionOutput& output);
 
     std::unique_ptr<LessonProcess> process_;
     Plan plan_{};
     HapticChannels channels_{};
     std::unique_ptr<WorldChannels> world_channels_;
     std::unique_ptr<AxleChannels> axles_;  // null when nothing turns
+    std::unique_ptr<KiteChannels> kite_;   // null when nothing flies
     std::unique_ptr<HandDevice> hand_;
     std::unique_ptr<HapticLoop> haptic_loop_;
     std::unique_ptr<WorldLoop> world_loop_;
+    std::unique_ptr<KiteLoop> kite_loop_;
     std::unique_ptr<TouchRing> touches_;  // null when touch is not heard, like the next
     std::unique_ptr<TouchSound> touch_sound_;
     std::unique_ptr<RunRecorder> recorder_;  // null when nothing is recorded

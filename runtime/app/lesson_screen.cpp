@@ -196,7 +196,13 @@ void LessonScreen::take_playing_key(const KeyPress& press) {
 }
 
 void LessonScreen::move_pointer(const WindowEvents& events) {
-    wheel_m_ = std::clamp(wheel_m_ + kWheelStep_m * events.wheel, -kWheelReach_m, kWheelReach_m);
+    // The wheel is the reel of a kite, where there is one.
+    if (run_ && run_->plan().kite) {
+        input_.wheel += events.wheel;
+    } else {
+        wheel_m_ =
+            std::clamp(wheel_m_ + kWheelStep_m * events.wheel, -kWheelReach_m, kWheelReach_m);
+    }
     if (!run_ || request_.hand != HandKind::mouse) {
         return;
     }
@@ -289,7 +295,7 @@ View LessonScreen::compose() const {
             view.caption = catalogue_.say("hud.leave", {{"key", "Escape"}});
         }
         if (view.banner.empty() && says_how_to_move()) {
-            view.banner = catalogue_.say("hud.mouse_help");
+            view.banner = catalogue_.say(run_->plan().kite ? "hud.reel_help" : "hud.mouse_help");
         }
     }
     return view;

@@ -10,12 +10,18 @@ Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
     if (auto started = haptic_.start(run.haptic_loop(), settings); !started) {
         return started;
     }
+    settings.spin_s = 0.0;  // a late world is felt as a held force; it needs no spinning
+    settings.fifo_priority = 0;
+    settings.lock_memory = false;
     if (run.world_loop() != nullptr) {
         settings.rate_Hz = run.plan().world->rate_hz;
-        settings.spin_s = 0.0;  // a late world is felt as a held force; it needs no spinning
-        settings.fifo_priority = 0;
-        settings.lock_memory = false;
-        return world_.start(*run.world_loop(), settings);
+        if (auto started = world_.start(*run.world_loop(), settings); !started) {
+            return started;
+        }
+    }
+    if (run.kite_loop() != nullptr) {
+        settings.rate_Hz = run.plan().kite->rate_hz;
+        return kite_.start(*run.kite_loop(), settings);
     }
     return {};
 }
@@ -23,6 +29,7 @@ Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
 void LiveLoops::stop() noexcept {
     haptic_.stop();
     world_.stop();
+    kite_.stop();
 }
 
 }  // namespace fulcrum::runtime

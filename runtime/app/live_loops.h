@@ -1,4 +1,4 @@
-// The threads of a lesson that is played in real time: hand and world. The lesson loop is the caller's own.
+// The threads of a lesson that is played in real time: hand, world and kite, as far as it has them. The lesson loop is the caller's own.
 #pragma once
 
 #include "haptics/loop/realtime_thread.h"
@@ -18,7 +18,7 @@ class LiveLoops {
 
     /// Starts the loops that the run's plan has; time zero is `epoch_s` of the monotonic clock. The run outlives them.
     [[nodiscard]] Expected<void> start(LessonRun& run, double epoch_s);
-    /// Ends both threads; the device is left without force.
+    /// Ends all threads; the device is left without force.
     void stop() noexcept;
 
     [[nodiscard]] RealtimeStatus haptic_status() const { return haptic_.status(); }
@@ -28,6 +28,7 @@ class LiveLoops {
   private:
     RealtimeThread haptic_;
     RealtimeThread world_;
+    RealtimeThread kite_;
 };
 
 }  // namespace fulcrum::runtime

@@ -43,6 +43,7 @@ StageClock::StageClock(const Plan& plan)
       calls_(plan.stages.size()),
       haptic_stages_(kHapticStages),
       world_stage_(find("world", {})),
+      kite_stage_(find("kite", {})),
       lesson_stage_(find("lesson", {})),
       tool_time_us_(find_tool_time_us(plan.haptic.rate_hz)) {
     for (std::size_t i = 0; i < kHapticStages; ++i) {
@@ -70,6 +71,11 @@ void StageClock::passed(HapticStage stage) noexcept {
 void StageClock::passed_world() noexcept {
     const double ended_s = monotonic_now_s();
     count(world_stage_, ended_s);
+}
+
+void StageClock::passed_kite() noexcept {
+    const double ended_s = monotonic_now_s();
+    count(kite_stage_, ended_s);
 }
 
 void StageClock::passed_lesson() noexcept {

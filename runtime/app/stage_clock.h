@@ -30,6 +30,7 @@ class StageClock final : public StageListener {
     void passed(HapticStage stage) noexcept override;
     /// What began last was a round of the world; it stands with the first of the world's stages.
     void passed_world() noexcept;
+    void passed_kite() noexcept;
     /// What began last was a frame of the lesson.
     void passed_lesson() noexcept;
     /// After a haptic round: what came of it, and how fast the hand really was, where that is known (world, m/s).
@@ -68,6 +69,7 @@ class StageClock final : public StageListener {
     std::vector<Calls> calls_;                // one a stage of the plan
     std::vector<std::size_t> haptic_stages_;  // place in the plan of each HapticStage
     std::size_t world_stage_;
+    std::size_t kite_stage_;
     std::size_t lesson_stage_;
     Sum velocity_error_m_per_s_;
     Sum withheld_N_;

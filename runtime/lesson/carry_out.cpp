@@ -71,6 +71,35 @@ Expected<void> LessonSession::carry_out(const TurnCommand& command, SessionOutpu
     return {};
 }
 
+Expected<void> LessonSession::carry_out(const KiteCommand& command, SessionOutput& output) {
+    if (!description_.kite) {
+        return undeclared();
+    }
+    if (command.design) {
+        if (auto fits = validate(*command.design); !fits) {
+            return fits;
+        }
+        output.kite_design = hud_.kite_design = command.design;
+    }
+    if (command.launch_elevation_rad) {
+        kite_.elevation_rad = *command.launch_elevation_rad;
+        ++kite_.n_launches;
+    }
+    kite_.line_m =
+        std::clamp(command.line_m.value_or(kite_.line_m), kShortestReel_m, kLongestReel_m);
+    kite_.n_cuts += command.cut ? 1U : 0U;
+    hud_.shows_kite_forces = command.shows_forces.value_or(hud_.shows_kite_forces);
+    return {};
+}
+
+Expected<void> LessonSession::carry_out(const WindCommand& command, SessionOutput&) {
+    if (!description_.kite) {
+        return undeclared();
+    }
+    kite_.wind_m_per_s = command.speed_m_per_s;
+    return {};
+}
+
 Expected<void> LessonSession::carry_out(const FieldChangeCommand& command, SessionOutput&) {
     if (!is_index(command.force, description_.forces.size())) {
         return undeclared();

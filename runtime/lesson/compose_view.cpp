@@ -1,6 +1,7 @@
 #include "runtime/lesson/compose_view.h"
 
 #include "haptics/math/length.h"
+#include "runtime/lesson/show_kite.h"
 #include "runtime/lesson/tool_extent.h"
 #include "runtime/scene/shape_models.h"
 
@@ -195,13 +196,22 @@ void add_torques(const LessonDescription& lesson, const Scenery& scenery,
             view.torques.push_back(show_torque(*body.hinge, report.pivot_W, report.load_W,
                                                Vector3(0.0, -report.load_N, 0.0),
                                                report.load_torque_Nm, catalogue));
-            view.torques.back().force.is_load = true;
+            view.torques.back().force.look = ForceLook::load;
         }
     }
 }
 
+// What holds a kite's line, where it is nothing else.
+bool has_reel(const LessonDescription& lesson) {
+    return lesson.kite && !lesson.hand.tool && !lesson.bucket.present &&
+           !has_shaped_cursor(lesson.hand);
+}
+
 // A model of size 1 is drawn as large as its shape is felt.
 Vector3 tool_scale(const LessonDescription& lesson) {
+    if (has_reel(lesson)) {
+        return Vector3::Constant(lesson.kite->seen_scale);
+    }
     if (lesson.hand.tool && is_shape_model(lesson.hand.tool->model)) {
         if (const auto* ball = std::get_if<SphereShape>(&lesson.hand.tool->shape)) {
             return Vector3::Constant(ball->radius_m);
@@ -220,6 +230,9 @@ std::string tool_model(const LessonDescription& lesson) {
     }
     if (lesson.bucket.present) {
         return lesson.bucket.model;
+    }
+    if (has_reel(lesson)) {
+        return std::string(kReelModel);
     }
     return has_shaped_cursor(lesson.hand) ? std::string(kToolModel) : "cursor";
 }
@@ -273,6 +286,7 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
     // Where a torque is shown its arrow is the hand's push; the push back is the same, the other way round.
     add_torques(lesson, scenery, catalogue, view);
     view.force.visible = view.force.visible && view.torques.empty();
+    add_kite(lesson, hud, scenery, catalogue, view);
 
     view.title = lesson.title;
     view.caption = hud.caption;

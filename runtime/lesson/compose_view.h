@@ -22,6 +22,7 @@ struct Scenery {
     HapticState hand{};
     const WorldSnapshot* world = nullptr;  ///< null when the plan has none
     const AxleFrame* axles = nullptr;      ///< null when nothing turns
+    const KiteFrame* kite = nullptr;       ///< null when nothing flies
     bool renders_force = true;  ///< false for a mouse: what can't be felt is shown more strongly
     bool ghost = false;         ///< show where the hand itself is
     Pose ghost_pose_W{};

@@ -26,6 +26,12 @@ LessonSession::LessonSession(LessonDescription description, const Plan& plan,
         force_.fields[i].anchor_W = description_.forces[i].field.anchor_W;
     }
     hud_.covered.resize(description_.bodies.size(), false);
+    if (description_.kite) {
+        kite_.elevation_rad = description_.kite->elevation_rad;
+        kite_.line_m = description_.kite->flight.line.length_m;
+        kite_.wind_m_per_s = description_.wind.speed_m_per_s;
+        hud_.kite_design = description_.kite->flight.kite;
+    }
     ReadyEvent ready{plan.felt_weight_N, plan.felt_scale, {}, plan.day};
     for (const MaterialFacts& facts : plan.material_facts) {
         ready.materials.push_back({facts.hardness, facts.roughness, facts.slipperiness});
@@ -76,6 +82,10 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
         take_hinges(*input.axles);
     }
 
+    if (description_.kite) {
+        take_kite(input);
+    }
+
     log_.look_for_trouble();
     speech_.step(input.dt_s);
     take(dialogue_.step(time_s_));
@@ -112,6 +122,25 @@ void LessonSession::take_hinges(const AxleFrame& axles) {
             frame_.bodies[i].pose_W = report.pose_W;
         }
     }
+}
+
+// How the kite flies, and how the hand turns its reel: by the wheel, by the first button out and by the second one in.
+void LessonSession::take_kite(const SessionInput& input) {
+    constexpr std::uint32_t kOut = 1U;
+    constexpr std::uint32_t kIn = 2U;
+    const double turning = ((input.hand.buttons & kOut) != 0 ? 1.0 : 0.0) -
+                           ((input.hand.buttons & kIn) != 0 ? 1.0 : 0.0);
+    kite_.line_m = std::clamp(
+        kite_.line_m + kReelByNotch_m * input.wheel + kReelByButton_m_per_s * turning * input.dt_s,
+        kShortestReel_m, kLongestReel_m);
+    if (input.kite == nullptr) {
+        return;
+    }
+    const KiteReport& report = input.kite->report;
+    frame_.kite = KiteState{report.centre_W,     report.velocity_W, report.weight_W,
+                            report.lift_W,       report.drag_W,     report.tension_W,
+                            report.hand_force_W, report.wind_W,     report.angle_of_attack_rad,
+                            report.line_m,       report.is_snapped};
 }
 
 void LessonSession::queue_world_events(const std::vector<WorldEvent>& events) {
@@ -212,6 +241,7 @@ Expected<SessionOutput> LessonSession::finish_frame(const LessonReply& reply) {
     force_.lesson_alive = true;
     output.force = force_;
     output.axles = axles_;
+    output.kite = kite_;
     output.spoken = speech_.take_spoken();
     for (std::string& trouble : speech_.take_troubles()) {
         output.printed.push_back(std::move(trouble));

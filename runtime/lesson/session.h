@@ -11,6 +11,7 @@
 
 #include "dialogue/catalogue.h"
 #include "haptics/base/error.h"
+#include "haptics/flight/kite_loop.h"
 #include "haptics/handover/axle_messages.h"
 #include "haptics/handover/messages.h"
 #include "runtime/lesson/question_dialogue.h"
@@ -36,6 +37,8 @@ struct SessionInput {
     HapticState hand{};
     const WorldSnapshot* world = nullptr;  ///< null when the plan has no world
     const AxleFrame* axles = nullptr;      ///< null when nothing turns
+    const KiteFrame* kite = nullptr;       ///< null when nothing flies
+    double wheel = 0.0;  ///< notches since the last frame, away from the user is +
     std::vector<WorldEvent> world_events;
     std::vector<std::string> keys;
     std::optional<std::string>
@@ -46,7 +49,9 @@ struct SessionInput {
 struct SessionOutput {
     std::vector<WorldCommand> world;
     ForceCommand force{};
-    AxleOrders axles{};  ///< as the lesson has ordered so far
+    AxleOrders axles{};                         ///< as the lesson has ordered so far
+    KiteOrders kite{};                          ///< likewise
+    std::optional<KiteSettings> kite_design{};  ///< another kite, to be flown from now on
     std::vector<std::string> sounds;
     bool has_hand_target = false;  ///< the simulated hand's Lua gave one
     Pose hand_target_W{};
@@ -68,6 +73,8 @@ struct SessionHud {
     int stars = -1;        ///< 0 to 3 once the lesson is over
     bool invited = false;  ///< the answer was right; it may be said once more, and need not be
     std::vector<bool> covered{};  ///< by body: under a cloth
+    bool shows_kite_forces = false;
+    std::optional<KiteSettings> kite_design{};  ///< the one that flies now, where one does
 };
 
 /// How one play went; what `fulcrum test` compares with what the lesson expects.
@@ -109,6 +116,7 @@ class LessonSession {
                   SessionLog log);
 
     void take_hinges(const AxleFrame& axles);
+    void take_kite(const SessionInput& input);
     void queue_world_events(const std::vector<WorldEvent>& events);
     void queue_touch_events(std::int32_t touched_body);
     [[nodiscard]] std::string catch_sound(std::int32_t body) const;
@@ -121,6 +129,8 @@ class LessonSession {
     Expected<void> carry_out(const MoveCommand& command, SessionOutput& output);
     Expected<void> carry_out(const CoverCommand& command, SessionOutput& output);
     Expected<void> carry_out(const TurnCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const KiteCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const WindCommand& command, SessionOutput& output);
     Expected<void> carry_out(const FieldChangeCommand& command, SessionOutput& output);
     Expected<void> carry_out(const LessonForceCommand& command, SessionOutput& output);
     Expected<void> carry_out(const CaptionCommand& command, SessionOutput& output);
@@ -142,6 +152,7 @@ class LessonSession {
     // What the lesson has asked for so far.
     ForceCommand force_{};
     AxleOrders axles_{};
+    KiteOrders kite_{};
     SessionHud hud_{};
     SessionResult result_{};
 

@@ -7,11 +7,13 @@
 #include "runtime/render/overlay/overlay_pass.h"
 #include "runtime/render/overlay/panels.h"
 #include "runtime/render/scene/arrow.h"
+#include "runtime/render/scene/kite_models.h"
 #include "runtime/render/scene/scene_content.h"
 #include "runtime/render/scene/scene_painter.h"
 #include "runtime/render/text/font.h"
 
 #include <epoxy/gl.h>
+#include <optional>
 #include <utility>
 
 namespace fulcrum::runtime {
@@ -70,6 +72,20 @@ struct Renderer::Parts {
     DrawList list;
     FeedbackPlace feedback_place;
     std::vector<std::string> notices;
+    std::optional<KiteSettings> kite;  ///< as it was drawn last
+
+    /// A kite looks as it is built; made again when it is built anew.
+    void make_kite_ready(const View& view) {
+        if (!view.kite_design || view.kite_design == kite) {
+            return;
+        }
+        kite = view.kite_design;
+        for (const LoadedModel& model : make_kite_models(*kite)) {
+            if (auto added = painter.add_model(model); !added) {
+                notices.push_back(to_sentence(added.error()));
+            }
+        }
+    }
 
     /// Composes flat shapes and words; once more when the letters' atlas ran full meanwhile.
     template <class Compose>
@@ -137,6 +153,7 @@ void Renderer::draw(const View& view, int width, int height) {
         return;
     }
 
+    parts_->make_kite_ready(view);
     // Words decide how much room is left for cards and labels.
     const Measure measure(width, height);
     const Camera camera(view.camera, width, height);

@@ -20,6 +20,7 @@ inline constexpr Colour kSkyBlue = from_hex(0x56B4E9);
 inline constexpr Colour kGreen = from_hex(0x009E73);
 inline constexpr Colour kBlue = from_hex(0x0072B2);
 inline constexpr Colour kVermillion = from_hex(0xD55E00);
+inline constexpr Colour kPurple = from_hex(0xCC79A7);
 
 // Papers, and the inks on them.
 inline constexpr Colour kInk = from_hex(0x1D2733);
@@ -49,6 +50,8 @@ inline constexpr Colour kShadow = from_hex(0xA9B2BE);
 inline constexpr Colour kStar = from_hex(0xF7C948);
 inline constexpr Colour kForceArrow = kVermillion;
 inline constexpr Colour kLoadArrow = kGreen;  ///< of what hangs on a lever, beside the hand's own
+inline constexpr Colour kLiftArrow = kBlue;
+inline constexpr Colour kDragArrow = kPurple;
 inline constexpr Colour kLeverArm = kBlue;
 inline constexpr Colour kForceOutline = from_hex(0xFFFFFF);
 inline constexpr Colour kHighlight = kOrange;

@@ -10,6 +10,7 @@
 #include "haptics/point/proxy_plan.h"
 #include "haptics/surface/material.h"
 #include "haptics/tool/tool_solver.h"
+#include "runtime/scene/kite_description.h"
 
 #include <array>
 #include <cstdint>
@@ -148,6 +149,8 @@ struct LessonDescription {
     bool in_space = false;  ///< a dark sky with stars instead of a meadow
     CameraDescription camera{};
     HandDescription hand{};
+    std::optional<KiteDescription> kite{};  ///< on a line that the hand holds
+    WindDescription wind{};                 ///< for it
     std::vector<QuestionDescription> questions;
     std::vector<LessonTestDescription> tests;
 };

@@ -6,6 +6,7 @@
 // The lesson's process is not trusted: the program checks every number, name and length of a reply.
 #pragma once
 
+#include "haptics/flight/kite.h"
 #include "haptics/handover/messages.h"
 
 #include <cstdint>
@@ -80,6 +81,21 @@ struct HingeState {
     double inertia_kg_m2 = 0.0;   ///< about its axis where that lies now
 };
 
+/// How the kite flies: newtons, world frame (haptics/flight/kite_flight.h).
+struct KiteState {
+    Vector3 centre_W{Vector3::Zero()};
+    Vector3 velocity_W{Vector3::Zero()};
+    Vector3 weight_W{Vector3::Zero()};
+    Vector3 lift_W{Vector3::Zero()};
+    Vector3 drag_W{Vector3::Zero()};
+    Vector3 tension_W{Vector3::Zero()};
+    Vector3 hand_force_W{Vector3::Zero()};
+    Vector3 wind_W{Vector3::Zero()};  ///< at the kite
+    double angle_of_attack_rad = 0.0;
+    double line_m = 0.0;
+    bool is_snapped = false;
+};
+
 /// Everything the lesson needs to know for one frame.
 struct LessonFrame {
     double time_s = 0.0;
@@ -89,6 +105,7 @@ struct LessonFrame {
     Wrench applied_W{};              ///< what the hand is given
     std::vector<BodyState> bodies;   ///< in the order of the scene
     std::vector<HingeState> hinges;  ///< of the bodies that have one, in their order
+    std::optional<KiteState> kite;   ///< once it flies
     std::vector<LessonEvent> events;
 };
 
@@ -110,6 +127,18 @@ struct TurnCommand {
     std::optional<double> spin_rad_per_s;
     std::optional<Vector3> pivot_W;
     std::optional<double> load_N;
+};
+/// Sets what is given of the kite. In this order: another design, which is launched; a launch; line; cut.
+struct KiteCommand {
+    std::optional<KiteSettings> design;
+    std::optional<double> launch_elevation_rad;
+    std::optional<double> line_m;
+    bool cut = false;
+    std::optional<bool> shows_forces;
+};
+/// Sets the wind's mean at 10 metres.
+struct WindCommand {
+    double speed_m_per_s = 0.0;
 };
 /// Switches or moves a declared force.
 struct FieldChangeCommand {
@@ -153,7 +182,7 @@ struct PrintCommand {
 using LessonCommand =
     std::variant<MoveCommand, FieldChangeCommand, LessonForceCommand, CaptionCommand, AskCommand,
                  VerdictCommand, ScoreCommand, LevelCommand, SoundCommand, FinishCommand,
-                 PrintCommand, CoverCommand, TurnCommand>;
+                 PrintCommand, CoverCommand, TurnCommand, KiteCommand, WindCommand>;
 
 struct LessonReply {
     std::vector<LessonCommand> commands;

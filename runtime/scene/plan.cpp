@@ -1,6 +1,7 @@
 #include "runtime/scene/plan.h"
 
 #include "haptics/field/field.h"
+#include "runtime/scene/plan_kite.h"
 #include "runtime/scene/plan_tool.h"
 #include "runtime/scene/plan_touch.h"
 
@@ -141,6 +142,11 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
             add("world", "bucket", plan.world->rate_hz, "the tool catches", lesson.bucket.line);
         }
     }
+    if (plan.kite) {
+        add("kite", "flight", plan.kite->rate_hz, "a kite flies on the hand's line",
+            lesson.kite->line);
+        plan.stages.back().memory_bytes = count_kite_bytes(plan.kite->flight);
+    }
     add("lesson", "lua", plan.lesson_rate_hz, "every lesson is a Lua file", 0);
     if (plan.dialogue) {
         add("lesson", "dialogue", 0.0,
@@ -224,6 +230,9 @@ void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
     for (const ForceDescription& force : lesson.forces) {
         add(stage_of(force.field.kind), "the lesson declares \"" + force.name + "\"", force.line);
     }
+    if (plan.haptic.line) {
+        add(HapticStage::line, "the hand holds a kite's line", lesson.kite->line);
+    }
     if (plan.haptic.lesson_force) {
         add(HapticStage::lesson, "the lesson computes a force", lesson.hand.force_line);
     }
@@ -300,6 +309,9 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
     }
     if (auto tool = add_tool(lesson, load_solid, options, plan); !tool) {
         return tl::unexpected(tool.error());
+    }
+    if (auto kite = add_kite(lesson, options, plan); !kite) {
+        return tl::unexpected(kite.error());
     }
     plan.touch_sound = std::ranges::any_of(
         plan.haptic.solids, [](const SolidPlan& solid) { return solid.surface.audible; });

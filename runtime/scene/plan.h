@@ -68,7 +68,7 @@ struct PlanOptions {
 
 /// One line of `fulcrum explain`: a stage that will run, and who asked for it.
 struct PlanStage {
-    std::string loop;      ///< "haptic", "world", "lesson", "picture", "sound" or "record"
+    std::string loop;      ///< "haptic", "world", "kite", "lesson", "picture", "sound" or "record"
     std::string name;      ///< e.g. "weight"
     double rate_hz = 0.0;  ///< 0: only when something happens
     std::size_t memory_bytes = 0;
@@ -76,9 +76,19 @@ struct PlanStage {
     SourceLine line = 0;  ///< line of the lesson that asked; 0 when every lesson has it
 };
 
+inline constexpr double kKiteRate_Hz = 500.0;
+
+/// A kite's flight, which runs beside the haptic loop.
+struct KitePlan {
+    KiteFlightSettings flight{};
+    double rate_hz = kKiteRate_Hz;
+    double elevation_rad = 0.7;  ///< of the line at a launch
+};
+
 struct Plan {
     HapticPlan haptic{};
     std::optional<WorldPlan> world;  ///< absent when nothing moves by itself
+    std::optional<KitePlan> kite;    ///< absent when nothing flies
     double lesson_rate_hz = 60.0;
     bool picture = false;
     bool sound = false;

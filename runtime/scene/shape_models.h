@@ -23,6 +23,14 @@ inline constexpr std::string_view kToolModel = "the tool in the hand";
 /// A cloth over a body of that radius: what a covered body is drawn as.
 inline constexpr std::string_view kClothModel = "cloth";
 
+/// A kite as it is built, a bar of its line, a piece of its tail, a wisp of the wind, and the reel in the hand; made for each kite,
+/// and no file has such a name.
+inline constexpr std::string_view kKiteModel = "the kite";
+inline constexpr std::string_view kLineModel = "a kite's line";
+inline constexpr std::string_view kTailModel = "a kite's tail";
+inline constexpr std::string_view kWispModel = "a wisp of wind";
+inline constexpr std::string_view kReelModel = "a kite's reel";
+
 /// Balls as well, each with its own looks.
 inline constexpr std::array<std::string_view, 9> kPlanetModels{
     "sun", "mercury", "venus", "earth", "mars", "jupiter", "saturn", "uranus", "neptune"};

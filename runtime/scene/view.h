@@ -4,6 +4,8 @@
 #include "haptics/math/spatial.h"
 #include "runtime/scene/description.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,15 +19,20 @@ struct ViewBody {
     double highlight = 0.0;          ///< 0 to 1: a calm outline
     std::string look;                ///< what it is made of, "wood"; empty: as the model is painted
     std::string label;               ///< small text beside it, e.g. "apple"; empty for none
+    bool marked = true;  ///< the floor below it says where it is, by a mark and a shadow
 };
+
+/// Whose force it is: of the hand or felt by it, of what hangs there or weighs, of the air across its stream and along it.
+enum class ForceLook : std::uint8_t { hand, load, lift, drag };
+inline constexpr std::size_t kForceLooks = 4;
 
 /// A force drawn as an arrow with its newtons; every lesson draws it alike.
 struct ViewForce {
     bool visible = false;
     Vector3 at_W{Vector3::Zero()};
     Vector3 force_W{Vector3::Zero()};
-    std::string text;      ///< e.g. "felt 2.8 N · true 2.0 N"
-    bool is_load = false;  ///< of what hangs there, not of the hand: has a colour of its own
+    std::string text;                  ///< e.g. "felt 2.8 N · true 2.0 N"
+    ForceLook look = ForceLook::hand;  ///< each has a colour of its own
 };
 
 /// A force that turns a body about an axis: the lever arm as a bar from the axis, the force as an arrow at its end.
@@ -53,6 +60,8 @@ struct View {
     Pose ghost_pose_W{};  ///< where the arm really is
     ViewForce force{};
     std::vector<ViewTorque> torques;  ///< of bodies on hinges, where something presses or hangs
+    std::vector<ViewForce> forces;    ///< that are compared: drawn to one scale
+    std::optional<KiteSettings> kite_design{};  ///< what kKiteModel is like
     std::string title;
     std::string caption;  ///< the one instruction
     std::string

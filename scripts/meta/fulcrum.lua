@@ -92,6 +92,33 @@ local Material = {}
 ---@field torque number newton metres; how strongly the hand is turned, with a tool in it; at most 0.3
 local Tool = {}
 
+---A kite on the line that the hand holds: what world:kite { … } gives.
+---@class Kite
+---@field shape string as it is now, like all that follows up to tail
+---@field cloth string
+---@field spar string
+---@field height number metres; of the kite itself
+---@field width number metres
+---@field bridle number metres
+---@field knot number metres
+---@field tail number metres
+---@field altitude number metres; how high it is above the ground
+---@field position Vector metres; {x, y, z}
+---@field x number metres; to the right
+---@field y number metres; up
+---@field z number metres; towards the viewer
+---@field speed number metres per second; how fast it goes
+---@field wind number metres per second; at the kite
+---@field angle number degrees; between the wind and the kite: its angle of attack
+---@field lift number newtons; the air's force across the wind
+---@field drag number newtons; the air's force along the wind
+---@field weight number newtons; of kite and tail
+---@field tension number newtons; of the line, at the kite
+---@field pull number newtons; of the line on the hand, before it is made milder
+---@field line number metres; how much line is let out
+---@field snapped boolean the line broke or was cut; kite:fly ties it again
+local Kite = {}
+
 ---A force on the hand.
 ---@class Force
 ---@field name string
@@ -383,4 +410,71 @@ function Force:move(options) end
 ---Weakens it.
 ---@param factor number 1 as declared, 0 nothing; 0 to 1
 function Force:strength(factor) end
+
+---@class KiteOptions
+---@field shape? string a diamond at first; "diamond", "delta", "sled" or "box"
+---@field height? number from foot to top, 0.8 at first; bridle and knot are made for it; in metres, 0.1 to 5
+---@field width? number unfolded, 0.75 at first, of a box 0.4; in metres, 0.1 to 5
+---@field fold? number how far each half is bent back, 14 at first; a sled's keels outwards; in degrees, 0 to 57
+---@field cloth? string ripstop at first; paper is the heaviest, silk the lightest; "plastic", "tissue", "ripstop", "paper", "silk" or "cellophane"
+---@field spar? string balsa at first; birch and tube are heavier; "balsa", "birch", "tube" or "skewer"
+---@field bridle? number the string from the foot over the knot to the top; 1.25 times the height at first; in metres, 0.1 to 50
+---@field knot? number where on the bridle the line is tied, from the foot; 0.85 times the height at first. Lower, the kite stands steeper in the wind; in metres, 0 to 50
+---@field tail? number how long it is; 2 at first, 0 for none; in metres, 0 to 50
+---@field line? number let out at first; in metres, 5 to 200; default 20
+---@field strength? number the line breaks above it; in newtons, 1 to 1000000; default 150
+---@field stretch? number what would make the line twice as long; in newtons, 10 to 1000000; default 500
+---@field segments? integer pieces that the line is computed in; 1 to 64; default 16
+---@field felt? number newtons in the hand for a newton of the line; 0.01 to 10; default 1
+---@field seen? number drawn so many times larger than it is, for it is far away; 1 to 10; default 1
+---@field elevation? number how steeply the line rises when it is launched; in degrees, 0 to 85; default 40
+
+---Declares a kite on a line that the hand holds. It flies from the start. The reel is the mouse's wheel, or the hand's buttons: the first lets line out, the second takes it in.
+---@param options KiteOptions
+---@return Kite
+function World:kite(options) end
+
+---@class WindOptions
+---@field speed? number 10 metres above the ground; less below; in metres per second, 0 to 60; default 6
+---@field gusts? number 0 is a steady wind, 1 as it usually is, 4 wild; 0 to 4; default 0
+---@field towards? Vector|Body|Tool the direction it blows to, along the ground; -1 to 1; default {1, 0, 0}
+---@field over? string what it comes over: the rougher, the less near the ground; "water", "grass", "bushes" or "town"; default grass
+
+---Declares the wind for the kite.
+---@param options WindOptions
+function World:wind(options) end
+
+---Changes how fast the wind blows.
+---@param speed number 10 metres above the ground; in metres per second, 0 to 60
+function World:wind_speed(speed) end
+
+---@class BuildOptions
+---@field shape? string a diamond at first; "diamond", "delta", "sled" or "box"
+---@field height? number from foot to top, 0.8 at first; bridle and knot are made for it; in metres, 0.1 to 5
+---@field width? number unfolded, 0.75 at first, of a box 0.4; in metres, 0.1 to 5
+---@field fold? number how far each half is bent back, 14 at first; a sled's keels outwards; in degrees, 0 to 57
+---@field cloth? string ripstop at first; paper is the heaviest, silk the lightest; "plastic", "tissue", "ripstop", "paper", "silk" or "cellophane"
+---@field spar? string balsa at first; birch and tube are heavier; "balsa", "birch", "tube" or "skewer"
+---@field bridle? number the string from the foot over the knot to the top; 1.25 times the height at first; in metres, 0.1 to 50
+---@field knot? number where on the bridle the line is tied, from the foot; 0.85 times the height at first. Lower, the kite stands steeper in the wind; in metres, 0 to 50
+---@field tail? number how long it is; 2 at first, 0 for none; in metres, 0 to 50
+
+---Makes it anew with what is given changed, and launches it.
+---@param options BuildOptions
+function Kite:build(options) end
+
+---Launches it again, on the whole line that is let out.
+---@param elevation? number how steeply the line rises at first; as declared by default; in degrees, 0 to 85
+function Kite:fly(elevation) end
+
+---Lets line out or takes it in, at 2 metres a second.
+---@param length number of line, at most four times what was let out at first; in metres, 5 to 200
+function Kite:reel(length) end
+
+---Cuts the line.
+function Kite:cut() end
+
+---Shows lift, drag, weight and tension as arrows, or hides them.
+---@param shown? boolean default true
+function Kite:show_forces(shown) end
 

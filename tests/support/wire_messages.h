@@ -59,6 +59,16 @@ inline LessonDescription full_description() {
                                      .highest_rad = 2.0,
                                      .load_N = 3.0,
                                      .load_B = Vector3(-0.4, 0, 0)};
+    d.kite = KiteDescription{};
+    d.kite->flight.kite.shape = KiteShape::sled;
+    d.kite->flight.kite.tail_m = 3.5;
+    d.kite->flight.line.strength_N = 40.0;
+    d.kite->cloth = "silk";
+    d.kite->spar = "birch";
+    d.kite->share = 0.5;
+    d.kite->seen_scale = 3.0;
+    d.kite->line = 21;
+    d.wind = {7.5, 1.5, 0.25, Vector3(0, 0, -1), 22};
     d.questions = {{"heaviest",
                     "Which?",
                     {"the {thing}", "{thing}"},
@@ -96,7 +106,9 @@ inline LessonReply full_reply() {
                   FinishCommand{3},
                   PrintCommand{"hi\tthere"},
                   CoverCommand{1, true},
-                  TurnCommand{0, 0.5, std::nullopt, Vector3(0.1, 0, 0), 4.0}};
+                  TurnCommand{0, 0.5, std::nullopt, Vector3(0.1, 0, 0), 4.0},
+                  KiteCommand{KiteSettings{.tail_m = 4.0}, 0.5, 25.0, true, true},
+                  WindCommand{8.5}};
     r.has_hand_target = true;
     r.hand_target_W.position = Vector3(0.1, 0.2, 0.3);
     r.hand_buttons = 5;
@@ -113,6 +125,12 @@ inline LessonFrame full_frame() {
     f.bodies = {{Pose{}, Vector3(0, -3, 0), BodyWhere::falling},
                 {Pose{}, Vector3::Zero(), BodyWhere::held}};
     f.hinges = {{0.5, -2.0, 0.25, 0.125, -0.75, 1.5}};
+    f.kite = KiteState{};
+    f.kite->centre_W = Vector3(10, 18, -1);
+    f.kite->tension_W = Vector3(-2, -4, 0.5);
+    f.kite->angle_of_attack_rad = 0.25;
+    f.kite->line_m = 20.5;
+    f.kite->is_snapped = true;
     f.events = {
         BodyEvent{BodyEvent::Kind::landed, 1, 3.5}, KeyEvent{"space"},
         JudgeEvent{"heaviest", {{"thing", "egg"}}},

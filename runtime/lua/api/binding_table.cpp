@@ -106,6 +106,7 @@ const ApiTable& api_table() {
         add_action_api(table);
         add_body_api(table);
         add_force_api(table);
+        add_kite_api(table);
         add_callbacks(table);
         return table;
     }();

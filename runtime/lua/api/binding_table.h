@@ -151,6 +151,7 @@ void add_action_api(ApiTable& table);
 void add_material_api(ApiTable& table);
 void add_body_api(ApiTable& table);
 void add_force_api(ApiTable& table);
+void add_kite_api(ApiTable& table);
 
 /// The LuaLS annotations (scripts/meta/fulcrum.lua).
 [[nodiscard]] std::string make_annotations(const ApiTable& table);

@@ -26,6 +26,8 @@ constexpr std::array kOwners = {
           "are those of "
           "the surface that the hand feels."},
     Owner{"tool", "Tool", "tool", "What the hand holds."},
+    Owner{"kite", "Kite", "kite",
+          "A kite on the line that the hand holds: what world:kite { … } gives."},
     Owner{"force", "Force", "force", "A force on the hand."},
 };
 

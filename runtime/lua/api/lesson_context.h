@@ -22,7 +22,7 @@ enum class LessonPhase : std::uint8_t { loading, starting, running };
 
 /// A thing in Lua: full userdata holding one of these. An old handle is refused by its generation.
 struct Handle {
-    enum class Kind : std::uint8_t { world, tool, body, force, hand, material };
+    enum class Kind : std::uint8_t { world, tool, body, force, hand, material, kite };
     Kind kind = Kind::world;
     std::int32_t index = 0;
     std::uint32_t generation = 0;
@@ -32,6 +32,7 @@ struct Handle {
 enum class Need : std::uint8_t {
     bucket,   ///< world:bucket
     movable,  ///< a body that is movable, so that there is a world that moves bodies
+    kite,     ///< world:kite
 };
 
 struct LessonContext {
@@ -42,13 +43,14 @@ struct LessonContext {
     LessonFrame frame{};                ///< the newest; its bodies are as many as the description's
     std::vector<double> felt_weight_N;  ///< empty before ReadyEvent
     std::optional<double> day;          ///< nothing before ReadyEvent
-    std::vector<MaterialGrades> grades;  ///< one a material; empty before ReadyEvent
-    LessonReply reply{};                 ///< being filled
-    int n_prints = 0;                    ///< in this frame
-    std::vector<FieldCommand> fields;    ///< how each declared force stands
-    std::vector<bool> covered;           ///< by body, as far as any was covered
-    int lesson_ref = LUA_NOREF;          ///< the table that lesson{} gave
-    bool has_hand = false;               ///< world:hand was called
+    std::vector<MaterialGrades> grades;   ///< one a material; empty before ReadyEvent
+    LessonReply reply{};                  ///< being filled
+    int n_prints = 0;                     ///< in this frame
+    std::vector<FieldCommand> fields;     ///< how each declared force stands
+    std::vector<bool> covered;            ///< by body, as far as any was covered
+    std::optional<KiteDescription> kite;  ///< as it was built last
+    int lesson_ref = LUA_NOREF;           ///< the table that lesson{} gave
+    bool has_hand = false;                ///< world:hand was called
     int force_function_ref = LUA_NOREF;
     std::vector<std::pair<std::string, int>> judges;  ///< question -> its `right`
     std::vector<int> listeners;                       ///< L:listen

@@ -15,6 +15,9 @@ bool is_met(const LessonDescription& description, Need need) {
     if (need == Need::bucket) {
         return description.bucket.present;
     }
+    if (need == Need::kite) {
+        return description.kite.has_value();
+    }
     return std::any_of(description.bodies.begin(), description.bodies.end(),
                        [](const BodyDescription& body) { return body.movable; });
 }

@@ -16,12 +16,12 @@ constexpr const char* kLessonMetatable = "fulcrum.lesson";
 constexpr int kHandlesAKind = 1000;
 constexpr std::uint64_t kCallWork = 30;  // what a call counts as, in instructions
 
-constexpr Handle::Kind kHandleKinds[] = {Handle::Kind::world, Handle::Kind::tool,
-                                         Handle::Kind::body,  Handle::Kind::force,
-                                         Handle::Kind::hand,  Handle::Kind::material};
+constexpr Handle::Kind kHandleKinds[] = {
+    Handle::Kind::world, Handle::Kind::tool,     Handle::Kind::body, Handle::Kind::force,
+    Handle::Kind::hand,  Handle::Kind::material, Handle::Kind::kite};
 
 const char* owner_name(Handle::Kind kind) {
-    constexpr const char* kNames[] = {"world", "tool", "body", "force", "hand", "material"};
+    constexpr const char* kNames[] = {"world", "tool", "body", "force", "hand", "material", "kite"};
     return kNames[static_cast<int>(kind)];
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "runtime/lua/wire/wire_archive.h"
+#include "runtime/lua/wire/wire_kite.h"
 #include "runtime/lua/wire/wire_surface.h"
 
 #include <algorithm>
@@ -116,6 +117,8 @@ void description(Archive& a, Description& d) {
     a.flag("a lesson force", d.hand.lesson_force);
     a.integer("a line", d.hand.force_line, 0, kMaxLine);
     proxy(a, d.hand);
+    optional(a, "a kite", d.kite, [](auto& each, auto& k) { kite(each, k); });
+    wind(a, d.wind);
     a.list("questions", d.questions, kMaxQuestions, [](auto& each, auto& q) { question(each, q); });
     a.list("tests", d.tests, kMaxListItems, [](auto& each, auto& t) { test(each, t); });
 }
@@ -220,6 +223,7 @@ void frame(Archive& a, Frame& f) {
         each.number("a load's torque", h.load_torque_Nm, -kAny, kAny);
         each.number("an inertia", h.inertia_kg_m2, 0.0, kAny);
     });
+    optional(a, "a kite", f.kite, [](auto& each, auto& k) { kite_state(each, k); });
     a.list("events", f.events, kMaxEvents, [](auto& each, auto& e) {
         each.one_of("an event", e,
                     [](auto& archive, auto& alternative) { event(archive, alternative); });
@@ -244,6 +248,16 @@ void known_question(Archive& a, Text& id, const ReplyBounds& bounds) {
         const auto& known = bounds.description->questions;
         if (std::none_of(known.begin(), known.end(), [&](const auto& q) { return q.id == id; })) {
             a.refuse("a question", "was never declared");
+        }
+    }
+}
+
+/// Only where there is one.
+template <class Archive>
+void known_kite(Archive& a, const ReplyBounds& bounds) {
+    if constexpr (Archive::kReads) {
+        if (!bounds.description->kite) {
+            a.refuse("a kite", "was never declared");
         }
     }
 }
@@ -326,6 +340,12 @@ void command(Archive& a, Command& c, const ReplyBounds& bounds) {
         a.flag("covered", c.covered);
     } else if constexpr (std::is_same_v<Kind, TurnCommand>) {
         turn_command(a, c, bounds);
+    } else if constexpr (std::is_same_v<Kind, KiteCommand>) {
+        kite_command(a, c);
+        known_kite(a, bounds);
+    } else if constexpr (std::is_same_v<Kind, WindCommand>) {
+        a.number("the wind", c.speed_m_per_s, 0.0, kFastestWind_m_per_s);
+        known_kite(a, bounds);
     } else {
         static_assert(std::is_same_v<Kind, FinishCommand>);
         a.integer("stars", c.stars, 0, 3);

@@ -1,5 +1,6 @@
 #include "runtime/render/overlay/labels.h"
 
+#include "runtime/render/force_colour.h"
 #include "runtime/render/overlay/icons.h"
 #include "runtime/render/overlay/panels.h"
 #include "runtime/render/theme.h"
@@ -136,7 +137,7 @@ void draw_labels(const std::vector<PlacedLabel>& labels, const Measure& measure,
         if (placed.label.is_force) {
             draw_arrow_icon(list, {x + measure.px(kLabelIcon - 4.0F), box.middle_y()},
                             measure.px(kLabelIcon), placed.label.direction,
-                            placed.label.is_load ? theme::kLoadArrow : theme::kForceArrow);
+                            colour_of(placed.label.look));
             x += measure.px(kLabelIconRoom);
         }
         list.text(placed.words, x, box.middle_y() - 0.5F * placed.words.height_px, 0.0F, 0.0F,

@@ -5,6 +5,7 @@
 
 #include "runtime/render/overlay/draw_list.h"
 #include "runtime/render/overlay/measure.h"
+#include "runtime/scene/view.h"
 
 #include <string>
 #include <vector>
@@ -16,10 +17,10 @@ struct SceneLabel {
     Point2 middle_px{};
     float radius_px = 0.0F;
     std::string text;
-    bool is_force = false;   ///< gets the sign of an arrow
-    bool is_load = false;    ///< in the colour of a load
-    Box covers{};            ///< the arrow itself: no label may hide it; empty for things
-    Point2 direction{0, 1};  ///< of that arrow in the picture, unit length
+    bool is_force = false;             ///< gets the sign of an arrow
+    ForceLook look = ForceLook::hand;  ///< the colour of that sign
+    Box covers{};                      ///< the arrow itself: no label may hide it; empty for things
+    Point2 direction{0, 1};            ///< of that arrow in the picture, unit length
 };
 
 inline constexpr std::size_t kMostLabels = 64;

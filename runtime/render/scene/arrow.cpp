@@ -14,14 +14,22 @@ constexpr double kHeadRadius = 0.023;
 constexpr double kHeadLength = 0.040;
 }  // namespace
 
-double common_scale(const std::vector<ViewTorque>& torques) {
+double common_scale(const std::vector<ViewForce>& forces) {
     double largest_N = kLongestForce_N;
-    for (const ViewTorque& torque : torques) {
-        if (torque.force.force_W.allFinite()) {
-            largest_N = std::max(largest_N, compute_length(torque.force.force_W));
+    for (const ViewForce& force : forces) {
+        if (force.force_W.allFinite()) {
+            largest_N = std::max(largest_N, compute_length(force.force_W));
         }
     }
     return kLongestForce_N / largest_N;
+}
+
+double common_scale(const std::vector<ViewTorque>& torques) {
+    std::vector<ViewForce> forces;
+    for (const ViewTorque& torque : torques) {
+        forces.push_back(torque.force);
+    }
+    return common_scale(forces);
 }
 
 std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera, double scale) {
@@ -54,7 +62,7 @@ std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera, dou
     arrow.tail_W = force.at_W;
     arrow.tip_W = force.at_W + length_m * way;
     arrow.radius_m = kHeadRadius * distance_m;
-    arrow.is_load = force.is_load;
+    arrow.look = force.look;
     return arrow;
 }
 

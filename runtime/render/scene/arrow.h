@@ -31,7 +31,7 @@ struct Arrow {
     Vector3 tail_W{Vector3::Zero()};
     Vector3 tip_W{Vector3::Zero()};
     double radius_m = 0.0;  ///< of the head
-    bool is_load = false;
+    ForceLook look = ForceLook::hand;
 };
 
 /// The arrow of a force, its length `scale` times as long as it would be alone. Nothing when it is not visible, too small, or
@@ -41,6 +41,7 @@ struct Arrow {
 
 /// The scale to which forces are drawn that are compared: 1, or less when the largest would be too long.
 [[nodiscard]] double common_scale(const std::vector<ViewTorque>& torques);
+[[nodiscard]] double common_scale(const std::vector<ViewForce>& forces);
 
 /// The lever arm of a torque: a bar from the axis to where the force acts, for make_arrow_shaft. Nothing when it has no length
 /// or is not finite.

@@ -34,6 +34,7 @@ std::optional<SceneItem> item_of(const ViewBody& body, const Camera& camera,
     const double aside_m = Vector3(from_target.x(), 0.0, from_target.z()).norm();
     const double reach_m = kLightReach * camera.distance_m();
     item.near = aside_m < reach_m && item.bounds.radius_m < reach_m;
+    item.casts_shadow = item.near && body.marked;
     const double depth_m = camera.forward_W().dot(item.bounds.centre_W - camera.eye_W());
     item.level =
         depth_m > 0.0 ? gl::level_for(2.0 * item.bounds.radius_m * camera.px_per_m(depth_m)) : 0;
@@ -103,7 +104,7 @@ void add_force_label(SceneContent& content, const Camera& camera, const ViewForc
     SceneLabel label;
     label.is_force = true;
     label.text = force.text;
-    label.is_load = force.is_load;
+    label.look = force.look;
     label.middle_px = {static_cast<float>(middle->position_px.x()),
                        static_cast<float>(middle->position_px.y())};
     label.radius_px = static_cast<float>(1.3 * arrow.radius_m * camera.px_per_m(middle->depth_m));
@@ -129,10 +130,10 @@ void add_force_label(SceneContent& content, const Camera& camera, const ViewForc
 void add_torque(SceneContent& content, const Camera& camera, const ViewTorque& torque,
                 double scale) {
     const auto arrow = arrow_for(torque.force, camera, scale);
-    if (!arrow || content.torque_arrows.size() >= kMostTorques) {
+    if (!arrow || content.arrows.size() >= kMostForces) {
         return;
     }
-    content.torque_arrows.push_back(*arrow);
+    content.arrows.push_back(*arrow);
     add_force_label(content, camera, torque.force, *arrow);
     if (const auto arm = arm_for(torque, camera)) {
         content.arms.push_back(*arm);
@@ -151,7 +152,7 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
         } else if (auto item = item_of(view.bodies[i], camera, find_mesh)) {
             item->sunk_m = std::max(floor_m - item->bounds.lowest_m, 0.0);
             content.items.push_back(*item);
-            if (!hand || !lies_in(*item, *hand)) {
+            if (view.bodies[i].marked && (!hand || !lies_in(*item, *hand))) {
                 add_mark(content, *item, camera, floor_m, false);
             }
             add_label(content, camera, view.bodies[i], *item);
@@ -182,6 +183,13 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
     content.arrow = arrow_for(view.force, camera);
     if (content.arrow) {
         add_force_label(content, camera, view.force, *content.arrow);
+    }
+    const double forces_scale = common_scale(view.forces);
+    for (std::size_t i = 0; i < std::min(view.forces.size(), kMostForces); ++i) {
+        if (const auto arrow = arrow_for(view.forces[i], camera, forces_scale)) {
+            content.arrows.push_back(*arrow);
+            add_force_label(content, camera, view.forces[i], *arrow);
+        }
     }
     const double scale = common_scale(view.torques);
     for (const ViewTorque& torque : view.torques) {

@@ -28,7 +28,8 @@ struct SceneItem {
     int look = 0;            ///< of a material, looks.h; 0: as it is painted
     std::size_t level = 0;   ///< of detail
     bool near = true;        ///< where the lamp's shadows reach
-    double sunk_m = 0.0;     ///< how deep its lowest point is below the floor
+    bool casts_shadow = true;
+    double sunk_m = 0.0;  ///< how deep its lowest point is below the floor
 };
 
 /// Everything in one frame's scene.
@@ -37,7 +38,7 @@ struct SceneContent {
     std::optional<SceneItem> ghost;
     float ghost_strength = 1.0F;  ///< 0 where tool and ghost are the same, 1 where they are apart
     std::optional<Arrow> arrow;
-    std::vector<Arrow> torque_arrows;
+    std::vector<Arrow> arrows;    ///< of all other forces
     std::vector<Placement> arms;  ///< lever arms, to be drawn with make_arrow_shaft
     std::vector<FloorMark> marks;
     std::vector<Orbit> orbits;
@@ -47,8 +48,8 @@ struct SceneContent {
 /// Finds a model by name; never fails, a plain ball stands for what is missing.
 using FindMesh = std::function<const gl::Mesh&(const std::string&)>;
 
-/// More torques than this are left out.
-inline constexpr std::size_t kMostTorques = 8;
+/// More forces and torques than this are left out.
+inline constexpr std::size_t kMostForces = 8;
 
 /// More bodies than this are left out.
 inline constexpr std::size_t kMostBodies = 10'000;

@@ -1,5 +1,6 @@
 #include "runtime/render/scene/scene_painter.h"
 
+#include "runtime/render/force_colour.h"
 #include "runtime/render/overlay/measure.h"
 #include "runtime/render/scene/shapes.h"
 #include "runtime/render/theme.h"
@@ -37,6 +38,17 @@ SceneFrame frame_for(const Camera& camera, double floor_m, int map_size, int wid
     return frame;
 }
 
+// Its backs are never seen.
+Expected<void> close(Expected<gl::Mesh>& mesh) {
+    if (!mesh) {
+        return tl::make_unexpected(mesh.error());
+    }
+    for (gl::MeshPart& part : mesh->levels.front()) {
+        part.closed = true;
+    }
+    return {};
+}
+
 void start_picture(const gl::FrameTarget& target) {
     target.bind();
     glEnable(GL_DEPTH_TEST);
@@ -63,28 +75,28 @@ Expected<ScenePainter> ScenePainter::create(int shadow_map_size) {
         return tl::make_unexpected(room.error());
     }
     auto ball = gl::upload(make_ball(kBallRadius_m, kBallColour));
-    auto shaft = gl::upload(make_arrow_shaft(linear_of(theme::kForceArrow)));
-    auto head = gl::upload(make_arrow_head(linear_of(theme::kForceArrow)));
-    auto load_shaft = gl::upload(make_arrow_shaft(linear_of(theme::kLoadArrow)));
-    auto load_head = gl::upload(make_arrow_head(linear_of(theme::kLoadArrow)));
     auto arm = gl::upload(make_arrow_shaft(linear_of(theme::kLeverArm)));
-    for (auto* mesh : {&ball, &shaft, &head, &load_shaft, &load_head, &arm}) {
-        if (!*mesh) {
-            return tl::make_unexpected(mesh->error());
-        }
-        for (gl::MeshPart& part : (*mesh)->levels.front()) {
-            part.closed = true;
+    for (auto* mesh : {&ball, &arm}) {
+        if (auto closed = close(*mesh); !closed) {
+            return tl::make_unexpected(closed.error());
         }
     }
     ScenePainter painter;
+    for (std::size_t look = 0; look < kForceLooks; ++look) {
+        const auto colour = linear_of(colour_of(static_cast<ForceLook>(look)));
+        auto shaft = gl::upload(make_arrow_shaft(colour));
+        auto head = gl::upload(make_arrow_head(colour));
+        for (auto* mesh : {&shaft, &head}) {
+            if (auto closed = close(*mesh); !closed) {
+                return tl::make_unexpected(closed.error());
+            }
+        }
+        painter.arrows_[look] = {std::move(*shaft), std::move(*head)};
+    }
     painter.shadows_ = std::move(*shadows);
     painter.objects_ = std::move(*objects);
     painter.room_ = std::move(*room);
     painter.ball_ = std::move(*ball);
-    painter.arrow_shaft_ = std::move(*shaft);
-    painter.arrow_head_ = std::move(*head);
-    painter.load_shaft_ = std::move(*load_shaft);
-    painter.load_head_ = std::move(*load_head);
     painter.arm_ = std::move(*arm);
     return painter;
 }
@@ -110,7 +122,7 @@ const gl::Mesh& ScenePainter::find(const std::string& model) const {
 void ScenePainter::draw_shadows(const SceneContent& content, const Light& light) const {
     shadows_.begin(light);
     for (const SceneItem& item : content.items) {
-        if (item.near) {
+        if (item.casts_shadow) {
             shadows_.draw(*item.mesh, item.placement);
         }
     }
@@ -139,7 +151,9 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
             item.look > 0
                 ? objects_.draw_of_material(*item.mesh, item.placement, item.level, item.look)
                 : objects_.draw_lit(*item.mesh, item.placement, item.level);
-            casters.push_back(item.bounds);
+            if (item.casts_shadow) {
+                casters.push_back(item.bounds);
+            }
         } else {
             objects_.draw_far(*item.mesh, item.placement, item.level, item.sunk_m);
         }
@@ -158,7 +172,7 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
                             with_alpha(theme::kGhost, kGhostAlpha * content.ghost_strength));
     }
     draw_arms(content.arms, scale);
-    for (const Arrow& arrow : content.torque_arrows) {
+    for (const Arrow& arrow : content.arrows) {
         draw_arrow(arrow, camera, scale);
     }
     if (content.arrow) {
@@ -199,9 +213,9 @@ void ScenePainter::draw_arms(const std::vector<Placement>& arms, float scale) co
 void ScenePainter::draw_arrow(const Arrow& arrow, const Camera& camera, float scale) const {
     // The force is never hidden: it is drawn over all else, with a light rim around. Both parts are
     // convex, so that the further one first and no back sides make depths needless.
+    const ArrowModel& model = arrows_[static_cast<std::size_t>(arrow.look)];
     std::array<std::pair<const gl::Mesh*, const Placement*>, 2> parts{
-        {{arrow.is_load ? &load_shaft_ : &arrow_shaft_, &arrow.shaft},
-         {arrow.is_load ? &load_head_ : &arrow_head_, &arrow.head}}};
+        {{&model.shaft, &arrow.shaft}, {&model.head, &arrow.head}}};
     if ((arrow.tip_W - arrow.tail_W).dot(arrow.tip_W - camera.eye_W()) > 0.0) {
         std::swap(parts[0], parts[1]);
     }

@@ -14,6 +14,7 @@
 #include "runtime/render/scene/scene_content.h"
 #include "runtime/render/scene/shadow_pass.h"
 
+#include <array>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -43,6 +44,10 @@ class ScenePainter {
     void draw_icon(const std::string& model, const Box& box, int width_px, int height_px) const;
 
   private:
+    struct ArrowModel {
+        gl::Mesh shaft;
+        gl::Mesh head;
+    };
     ScenePainter() = default;
     [[nodiscard]] const gl::Mesh& find(const std::string& model) const;
     void draw_shadows(const SceneContent& content, const Light& light) const;
@@ -55,10 +60,7 @@ class ScenePainter {
     Room room_;
     std::unordered_map<std::string, gl::Mesh> meshes_;
     gl::Mesh ball_;
-    gl::Mesh arrow_shaft_;
-    gl::Mesh arrow_head_;
-    gl::Mesh load_shaft_;
-    gl::Mesh load_head_;
+    std::array<ArrowModel, kForceLooks> arrows_;
     gl::Mesh arm_;
 };
 

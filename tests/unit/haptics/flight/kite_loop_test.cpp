@@ -74,6 +74,38 @@ TEST_CASE(
     CHECK(scene.loop.flight().report().centre_W.y() > 0.8 * flown_m);
 }
 
+TEST_CASE(
+    "kite loop: a cut is made once, and another kite flies on as much line in the same wind") {
+    Scene scene;
+    scene.channels->hand_W.publish(kHand_W);
+    KiteOrders orders;
+    orders.line_m = 25.0;
+    orders.wind_m_per_s = 7.0;
+    scene.channels->orders.publish(orders);
+    scene.run(5.0);
+    CHECK(scene.loop.flight().line().length_m() == Approx(25.0));
+    KiteFlightSettings other;
+    other.kite.shape = KiteShape::sled;
+    scene.channels->built.put(std::make_unique<KiteFlight>(other));
+    scene.run(0.002);
+    CHECK(scene.loop.flight().kite().plates.size() == make_kite(other.kite).plates.size());
+    CHECK(scene.loop.flight().line().length_m() == Approx(25.0));
+    KiteFlight same(other);
+    same.set_line_length_m(25.0);
+    same.set_wind_speed_m_per_s(7.0);
+    same.launch(kHand_W, orders.elevation_rad, orders.lean_rad);
+    same.step(0.002, kHand_W);
+    CHECK((scene.loop.flight().report().centre_W - same.report().centre_W).norm() < 1.0e-9);
+    orders.n_cuts = 1;
+    scene.channels->orders.publish(orders);
+    scene.run(0.002);
+    CHECK(scene.loop.flight().report().is_snapped);
+    orders.n_launches = 1;
+    scene.channels->orders.publish(orders);
+    scene.run(0.01);
+    CHECK_FALSE(scene.loop.flight().report().is_snapped);
+}
+
 TEST_CASE("kite loop: a broken clock, hand or order leaves it flying; silence lets go") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     Scene scene;

@@ -32,13 +32,14 @@ TEST_CASE("haptic loop: what is not in the plan is not built") {
           "take inputs, read, estimate, forces: weight, limits, write, publish, ");
     HapticPlan full = make_weight_plan();
     full.lesson_force = true;
+    full.line = LineFeelSettings{};
     full.fields = {FieldPlan{FieldKind::magnet}, FieldPlan{FieldKind::viscosity}};
     full.solids.push_back({0, CollisionMesh::create(*make_box(Vector3(1, 1, 1))).value(), {}});
     RecordRing ring;
     channels->record = &ring;
     CHECK(names(full) ==
           "take inputs, read, estimate, proxy, forces: coupling, forces: weight, forces: magnet, "
-          "forces: viscosity, "
+          "forces: viscosity, forces: line, "
           "forces: lesson, passivity, limits, write, publish, record, ");
 }
 

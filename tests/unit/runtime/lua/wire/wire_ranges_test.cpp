@@ -100,13 +100,15 @@ std::string lesson_with(const Binding& binding, const std::string& arguments) {
     const bool acts = binding.time == CallTime::acting;
     // A body that turns, or one that falls.
     const bool turns = std::string_view(binding.name) == "turn";
-    return "local L = lesson { id = 't', title = 'T' } local world, body, force, hand\n"
+    const bool declares_kite = std::string_view(binding.name) == "kite";
+    return "local L = lesson { id = 't', title = 'T' } local world, body, force, hand, kite\n"
            "function L:start(w) world = w "
            "world:body { name = 'egg', movable = true } "
            "body = world:body { name = 'thing', " +
            std::string(turns ? "solid = true, hinge = { axis = { 0, 1, 0 }, inertia = 1 }"
                              : "movable = true") +
-           " } force = world:spring { at = { 0, 0, 0 }, stiffness = 1 } " + (acts ? "" : call) +
+           " } force = world:spring { at = { 0, 0, 0 }, stiffness = 1 } " +
+           (declares_kite ? "" : "kite = world:kite {} ") + (acts ? "" : call) +
            " end\nfunction L:update() " + (acts ? call : "") + " end\nreturn L";
 }
 
@@ -190,10 +192,13 @@ TEST_CASE("wire: what a row of the table allows is carried, or refused in the le
     }
     // A place may be anywhere, but not far from the body that turns about it; angles begin at 0.
     CHECK(trial.refused ==
-          std::set<std::string>{"body.hinge.at least", "body.hinge.at most",
-                                "body.hinge.highest least", "body.hinge.load_at least",
-                                "body.hinge.load_at most", "body.hinge.lowest most",
-                                "turn.at least", "turn.at most"});
+          std::set<std::string>{
+              "body.hinge.at least", "body.hinge.at most", "body.hinge.highest least",
+              "body.hinge.load_at least", "body.hinge.load_at most", "body.hinge.lowest most",
+              "turn.at least", "turn.at most",
+              // A bridle makes a triangle with this height and this knot, or none.
+              "kite.bridle least", "kite.bridle most", "kite.knot least", "kite.knot most",
+              "build.bridle least", "build.bridle most", "build.knot least", "build.knot most"});
     // Far more than these few are tried.
     CHECK(trial.carried.size() > 50);
 }

@@ -152,7 +152,7 @@ TEST_CASE("arrow: forces that are compared are drawn to one scale") {
     CHECK(length_m(torques[1]) == Approx(2.0 * length_m(torques[0])));
     torques[1].force.force_W.x() = std::numeric_limits<double>::quiet_NaN();
     CHECK(common_scale(torques) == Approx(kLongestForce_N / 10.0));
-    torques[1].force.is_load = true;
+    torques[1].force.look = ForceLook::load;
     torques[1].force.force_W = Vector3(0, -1, 0);
-    CHECK(arrow_for(torques[1].force, camera)->is_load);
+    CHECK(arrow_for(torques[1].force, camera)->look == ForceLook::load);
 }

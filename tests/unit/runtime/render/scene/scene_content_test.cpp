@@ -205,10 +205,9 @@ TEST_CASE(
     const SceneContent content = read(view);
     REQUIRE(content.labels.size() == 1);
     const SceneLabel& label = content.labels[0];
-    CHECK(label.is_load);
+    CHECK(label.look == ForceLook::load);
     const Camera camera(view.camera, 1280, 720);
-    for (const Vector3& point_W :
-         {content.torque_arrows[0].tail_W, content.torque_arrows[0].tip_W}) {
+    for (const Vector3& point_W : {content.arrows[0].tail_W, content.arrows[0].tip_W}) {
         const auto seen = camera.project(point_W)->position_px.cast<float>().eval();
         CHECK(seen.x() > label.covers.x);
         CHECK(seen.x() < label.covers.right());

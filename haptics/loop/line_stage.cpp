@@ -1,0 +1,16 @@
+#include "haptics/loop/line_stage.h"
+
+namespace fulcrum {
+
+LineForce LineStage::step(const Pose& tool_W, double now_s, double dt_s) noexcept {
+    if (channels_ == nullptr) {
+        return {};
+    }
+    channels_->hand_W.publish(tool_W.position);
+    (void)channels_->line.take();
+    const Wrench felt_W = feel_.step(channels_->line.value(), tool_W, now_s, dt_s);
+    const Wrench& held_W = feel_.held_W();
+    return {felt_W, {felt_W.force, held_W.force}, {felt_W.torque, held_W.torque}};
+}
+
+}  // namespace fulcrum

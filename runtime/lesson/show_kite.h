@@ -1,0 +1,17 @@
+// A kite in the picture: itself, bridle, tail, the line as it sags, wisps that the wind carries along, and its four forces.
+//
+// A kite is far away and small: it, its tail and the hand's reel are drawn `seen_scale` times larger about the knot, so that the line
+// ends where it does. The tail streams along the air's drag and its own weight, and waves.
+//
+// Thread: lesson loop; values. Cost: some microseconds.
+#pragma once
+
+#include "runtime/lesson/compose_view.h"
+
+namespace fulcrum::runtime {
+
+/// Adds it where the lesson has one and it flies.
+void add_kite(const LessonDescription& lesson, const SessionHud& hud, const Scenery& scenery,
+              const dialogue::Catalogue& catalogue, View& view);
+
+}  // namespace fulcrum::runtime

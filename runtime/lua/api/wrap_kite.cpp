@@ -1,0 +1,386 @@
+// A kite on a line that the hand holds, and the wind that it flies in.
+#include "haptics/math/length.h"
+#include "runtime/lua/api/binding_table.h"
+#include "runtime/lua/api/lesson_context.h"
+#include "runtime/lua/api/needs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr double kBridleOfHeight =
+    1.25;  // where the lesson gives none: as NASA's own kite has them
+constexpr double kKnotOfHeight = 0.85;
+constexpr double kBoxWidth_m = 0.4;
+
+std::string metres_text(double metres) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", metres);
+    return text;
+}
+
+// A kite and a bridle without a triangle, told as a teacher would look for it.
+void check_bridle(lua_State* lua, const KiteSettings& design) {
+    const double slack_m = design.bridle_m - design.height_m;
+    if (slack_m < 0.01 * design.height_m) {
+        raise_in_lesson(
+            lua, "a bridle of " + metres_text(design.bridle_m) + " m is too short for a kite of " +
+                     metres_text(design.height_m) +
+                     " m: it goes from the foot over the knot to the top; make it longer "
+                     "than " +
+                     metres_text(1.01 * design.height_m) + " m");
+    }
+    const double least_m = 0.501 * slack_m;
+    if (design.knot_m < least_m || design.knot_m > design.bridle_m - least_m) {
+        raise_in_lesson(lua, "a knot at " + metres_text(design.knot_m) +
+                                 " m makes no triangle on this bridle; put it between " +
+                                 metres_text(least_m) + " and " +
+                                 metres_text(design.bridle_m - least_m) + " m from the foot");
+    }
+}
+
+void check_design(lua_State* lua, const KiteSettings& design) {
+    check_bridle(lua, design);
+    if (auto fits = validate(design); !fits) {
+        raise_in_lesson(lua, fits.error().message + "; " + fits.error().what_to_do);
+    }
+}
+
+// What is given changes the kite; what is not stays, but for a bridle that was made for another height.
+void take_design(const Arguments& arguments, KiteDescription& kite) {
+    KiteSettings& design = kite.flight.kite;
+    const auto take = [&](const char* name, double& value) {
+        value = arguments[name].given ? arguments[name].number : value;
+    };
+    if (arguments["shape"].given) {
+        design.shape = find_kite_shape(arguments["shape"].text).value_or(design.shape);
+        design.width_m = design.shape == KiteShape::box ? kBoxWidth_m : KiteSettings{}.width_m;
+    }
+    if (arguments["cloth"].given) {
+        kite.cloth = arguments["cloth"].text;
+        design.cloth_kg_per_m2 = find_kite_cloth(kite.cloth).value().weight;
+    }
+    if (arguments["spar"].given) {
+        kite.spar = arguments["spar"].text;
+        design.spar_kg_per_m = find_kite_spar(kite.spar).value().weight;
+    }
+    if (arguments["height"].given) {
+        design.height_m = arguments["height"].number;
+        design.bridle_m = kBridleOfHeight * design.height_m;
+        design.knot_m = kKnotOfHeight * design.height_m;
+    }
+    take("width", design.width_m);
+    take("bridle", design.bridle_m);
+    take("knot", design.knot_m);
+    take("tail", design.tail_m);
+    if (arguments["fold"].given) {
+        design.fold_rad = arguments["fold"].number / kDegrees;
+    }
+}
+
+int add_kite(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    if (context.description.kite) {
+        raise_in_lesson(lua,
+                        "a lesson has one kite; this is the second world:kite { … }; change the "
+                        "first one with kite:build { … }");
+    }
+    KiteDescription kite;
+    take_design(arguments, kite);
+    check_design(lua, kite.flight.kite);
+    kite.flight.line.length_m = arguments["line"].number;
+    kite.flight.line.strength_N = arguments["strength"].number;
+    kite.flight.line.stretch_N = arguments["stretch"].number;
+    kite.flight.line.segments = static_cast<int>(arguments["segments"].number);
+    kite.share = arguments["felt"].number;
+    kite.seen_scale = arguments["seen"].number;
+    kite.elevation_rad = arguments["elevation"].number / kDegrees;
+    kite.line = place_in_lesson(lua).line;
+    context.description.kite = kite;
+    context.kite = kite;
+    push_handle(lua, Handle::Kind::kite, 0);
+    return 1;
+}
+
+int set_wind(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    WindDescription& wind = context.description.wind;
+    wind.speed_m_per_s = arguments["speed"].number;
+    wind.gustiness = arguments["gusts"].number;
+    const Vector3 towards = arguments["towards"].vector;
+    const Vector3 level(towards.x(), 0.0, towards.z());
+    if (compute_length(level) < 0.01) {
+        raise_in_lesson(lua,
+                        "the wind blows along the ground; {1, 0, 0} blows to the right, {0, 0, -1} "
+                        "away from the viewer");
+    }
+    wind.downwind_W = compute_direction(level);
+    constexpr std::pair<std::string_view, double> kGrounds[] = {
+        {"water", 0.0002}, {"grass", 0.03}, {"bushes", 0.25}, {"town", 1.0}};
+    for (const auto& [name, roughness_m] : kGrounds) {
+        wind.roughness_m = arguments["over"].text == name ? roughness_m : wind.roughness_m;
+    }
+    wind.line = place_in_lesson(lua).line;
+    return 0;
+}
+
+int set_wind_speed(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    require_need(lua, context, Need::kite,
+                 "nothing flies in this wind; declare a world:kite { … } in L:start");
+    add_command(lua, WindCommand{arguments["speed"].number});
+    return 0;
+}
+
+int build_kite(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    KiteDescription changed = *context.kite;
+    take_design(arguments, changed);
+    check_design(lua, changed.flight.kite);
+    context.kite = changed;
+    KiteCommand command;
+    command.design = changed.flight.kite;
+    add_command(lua, command);
+    return 0;
+}
+
+int launch_kite(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    KiteCommand command;
+    command.launch_elevation_rad = arguments["elevation"].given
+                                       ? arguments["elevation"].number / kDegrees
+                                       : context.description.kite->elevation_rad;
+    add_command(lua, command);
+    return 0;
+}
+
+int turn_reel(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    KiteCommand command;
+    command.line_m = arguments["length"].number;
+    add_command(lua, command);
+    return 0;
+}
+
+int cut_line(lua_State* lua, LessonContext& /*context*/, const Arguments& /*arguments*/) {
+    KiteCommand command;
+    command.cut = true;
+    add_command(lua, command);
+    return 0;
+}
+
+int show_forces(lua_State* lua, LessonContext& /*context*/, const Arguments& arguments) {
+    KiteCommand command;
+    command.shows_forces = arguments["shown"].flag;
+    add_command(lua, command);
+    return 0;
+}
+
+// ---- what a kite tells ------------------------------------------------------------------------------------------
+
+KiteState kite_state_of(const LessonContext& context) {
+    return context.frame.kite.value_or(KiteState{});
+}
+
+template <double KiteSettings::*kNumber>
+int get_of_design(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, context.kite->flight.kite.*kNumber);
+    return 1;
+}
+template <Vector3 KiteState::*kForce>
+int get_newtons(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, compute_length(Vector3(kite_state_of(context).*kForce)));
+    return 1;
+}
+template <int kAxis>
+int get_kite_axis(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, kite_state_of(context).centre_W[kAxis]);
+    return 1;
+}
+
+int get_shape(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    return push_text(lua, std::string(to_string(context.kite->flight.kite.shape)));
+}
+int get_cloth(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    return push_text(lua, context.kite->cloth);
+}
+int get_spar(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    return push_text(lua, context.kite->spar);
+}
+int get_altitude(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, context.frame.kite
+                            ? context.frame.kite->centre_W.y() - context.description.ground_height_m
+                            : 0.0);
+    return 1;
+}
+int get_kite_position(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    push_vector(lua, kite_state_of(context).centre_W);
+    return 1;
+}
+int get_angle(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(lua, kite_state_of(context).angle_of_attack_rad * kDegrees);
+    return 1;
+}
+int get_line(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushnumber(
+        lua, context.frame.kite ? context.frame.kite->line_m : context.kite->flight.line.length_m);
+    return 1;
+}
+int get_snapped(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    lua_pushboolean(lua, kite_state_of(context).is_snapped ? 1 : 0);
+    return 1;
+}
+
+// The same of a kite that is declared and of one that is changed.
+std::vector<Parameter> design_parameters() {
+    using enum ParameterType;
+    return {{"shape", choice, "", 0, 0, "nil", "a diamond at first", "diamond delta sled box"},
+            {"height", number, "metres", 0.1, 5, "nil",
+             "from foot to top, 0.8 at first; bridle and knot are made for it"},
+            {"width", number, "metres", 0.1, 5, "nil", "unfolded, 0.75 at first, of a box 0.4"},
+            {"fold", number, "degrees", 0, 57, "nil",
+             "how far each half is bent back, 14 at first; a sled's keels outwards"},
+            {"cloth", choice, "", 0, 0, "nil",
+             "ripstop at first; paper is the heaviest, silk the lightest",
+             "plastic tissue ripstop paper silk cellophane"},
+            {"spar", choice, "", 0, 0, "nil", "balsa at first; birch and tube are heavier",
+             "balsa birch tube skewer"},
+            {"bridle", number, "metres", 0.1, 50, "nil",
+             "the string from the foot over the knot to the top; 1.25 times the height at first"},
+            {"knot", number, "metres", 0, 50, "nil",
+             "where on the bridle the line is tied, from the foot; 0.85 times the height at first. "
+             "Lower, "
+             "the kite stands steeper in the wind"},
+            {"tail", number, "metres", 0, 50, "nil", "how long it is; 2 at first, 0 for none"}};
+}
+
+void add_kite_properties(ApiTable& table) {
+    const auto add = [&table](const char* name, const char* type, const char* unit,
+                              const char* text,
+                              int (*get)(lua_State*, LessonContext&, std::int32_t)) {
+        table.properties.push_back({"kite", name, type, unit, text, get});
+    };
+    add("shape", "string", "", "as it is now, like all that follows up to tail", &get_shape);
+    add("cloth", "string", "", "", &get_cloth);
+    add("spar", "string", "", "", &get_spar);
+    add("height", "number", "metres", "of the kite itself",
+        &get_of_design<&KiteSettings::height_m>);
+    add("width", "number", "metres", "", &get_of_design<&KiteSettings::width_m>);
+    add("bridle", "number", "metres", "", &get_of_design<&KiteSettings::bridle_m>);
+    add("knot", "number", "metres", "", &get_of_design<&KiteSettings::knot_m>);
+    add("tail", "number", "metres", "", &get_of_design<&KiteSettings::tail_m>);
+    add("altitude", "number", "metres", "how high it is above the ground", &get_altitude);
+    add("position", "Vector", "metres", "{x, y, z}", &get_kite_position);
+    add("x", "number", "metres", "to the right", &get_kite_axis<0>);
+    add("y", "number", "metres", "up", &get_kite_axis<1>);
+    add("z", "number", "metres", "towards the viewer", &get_kite_axis<2>);
+    add("speed", "number", "metres per second", "how fast it goes",
+        &get_newtons<&KiteState::velocity_W>);
+    add("wind", "number", "metres per second", "at the kite", &get_newtons<&KiteState::wind_W>);
+    add("angle", "number", "degrees", "between the wind and the kite: its angle of attack",
+        &get_angle);
+    add("lift", "number", "newtons", "the air's force across the wind",
+        &get_newtons<&KiteState::lift_W>);
+    add("drag", "number", "newtons", "the air's force along the wind",
+        &get_newtons<&KiteState::drag_W>);
+    add("weight", "number", "newtons", "of kite and tail", &get_newtons<&KiteState::weight_W>);
+    add("tension", "number", "newtons", "of the line, at the kite",
+        &get_newtons<&KiteState::tension_W>);
+    add("pull", "number", "newtons", "of the line on the hand, before it is made milder",
+        &get_newtons<&KiteState::hand_force_W>);
+    add("line", "number", "metres", "how much line is let out", &get_line);
+    add("snapped", "boolean", "", "the line broke or was cut; kite:fly ties it again",
+        &get_snapped);
+}
+
+}  // namespace
+
+void add_kite_api(ApiTable& table) {
+    using enum ParameterType;
+    std::vector<Parameter> declared = design_parameters();
+    for (const Parameter& parameter :
+         {Parameter{"line", number, "metres", kShortestReel_m, kLongestReel_m, "20",
+                    "let out at first"},
+          Parameter{"strength", number, "newtons", 1, 1e6, "150", "the line breaks above it"},
+          Parameter{"stretch", number, "newtons", 10, 1e6, "500",
+                    "what would make the line twice as long"},
+          Parameter{"segments", integer, "", 1, kMostLineSegments, "16",
+                    "pieces that the line is computed in"},
+          Parameter{"felt", number, "", 0.01, 10, "1",
+                    "newtons in the hand for a newton of the line"},
+          Parameter{"seen", number, "", 1, kMostKiteScale, "1",
+                    "drawn so many times larger than it is, for it is far away"},
+          Parameter{"elevation", number, "degrees", 0, 85, "40",
+                    "how steeply the line rises when it is launched"}}) {
+        declared.push_back(parameter);
+    }
+    table.functions.push_back({"world", "kite", CallShape::record, CallTime::declaring, declared,
+                               "Kite",
+                               "Declares a kite on a line that the hand holds. It flies from the "
+                               "start. The reel is the mouse's wheel, or the hand's buttons: the "
+                               "first lets line out, the second takes it in.",
+                               &add_kite});
+    table.functions.push_back(
+        {"world",
+         "wind",
+         CallShape::record,
+         CallTime::declaring,
+         {{"speed", number, "metres per second", 0, kFastestWind_m_per_s, "6",
+           "10 metres above the ground; less below"},
+          {"gusts", number, "", 0, 4, "0", "0 is a steady wind, 1 as it usually is, 4 wild"},
+          {"towards", vector, "", -1, 1, "{1, 0, 0}",
+           "the direction it blows to, along the ground"},
+          {"over", choice, "", 0, 0, "grass",
+           "what it comes over: the rougher, the less near the ground", "water grass bushes town"}},
+         "",
+         "Declares the wind for the kite.",
+         &set_wind});
+    table.functions.push_back({"world",
+                               "wind_speed",
+                               CallShape::positional,
+                               CallTime::acting,
+                               {{"speed", number, "metres per second", 0, kFastestWind_m_per_s,
+                                 kRequired, "10 metres above the ground"}},
+                               "",
+                               "Changes how fast the wind blows.",
+                               &set_wind_speed});
+    table.functions.push_back(
+        {"kite", "build", CallShape::record, CallTime::acting, design_parameters(), "",
+         "Makes it anew with what is given changed, and launches it.", &build_kite});
+    table.functions.push_back({"kite",
+                               "fly",
+                               CallShape::positional,
+                               CallTime::acting,
+                               {{"elevation", number, "degrees", 0, 85, "nil",
+                                 "how steeply the line rises at first; as declared by default"}},
+                               "",
+                               "Launches it again, on the whole line that is let out.",
+                               &launch_kite});
+    table.functions.push_back(
+        {"kite",
+         "reel",
+         CallShape::positional,
+         CallTime::acting,
+         {{"length", number, "metres", kShortestReel_m, kLongestReel_m, kRequired,
+           "of line, at most four times what was let out at first"}},
+         "",
+         "Lets line out or takes it in, at 2 metres a second.",
+         &turn_reel});
+    table.functions.push_back({"kite",
+                               "cut",
+                               CallShape::positional,
+                               CallTime::acting,
+                               {},
+                               "",
+                               "Cuts the line.",
+                               &cut_line});
+    table.functions.push_back({"kite",
+                               "show_forces",
+                               CallShape::positional,
+                               CallTime::acting,
+                               {{"shown", flag, "", 0, 0, "true", ""}},
+                               "",
+                               "Shows lift, drag, weight and tension as arrows, or hides them.",
+                               &show_forces});
+    add_kite_properties(table);
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,96 @@
+// The lesson on the kite, played to its end by its own simulated hand; and kites of a teacher's own.
+#include "tests/lessons/program.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <string>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+// Plays a lesson that only flies a kite for some seconds and then says `told`.
+ProgramRun fly(const Sandbox& sandbox, const std::string& start, const std::string& update) {
+    sandbox.write("own/lesson.lua",
+                  "local L = lesson { id = 'own', title = 'Own kite' }\nlocal kite, t = nil, 0\n"
+                  "function L:start(world)\n" +
+                      start + "\nend\nfunction L:update(world, dt)\n t = t + dt\n" + update +
+                      "\nend\nreturn L\n");
+    sandbox.write("own/hand.lua", "return function() return 0, 1.2, 0 end\n");
+    return sandbox.run("run own --headless --seconds 25 --hand own/hand.lua");
+}
+
+}  // namespace
+
+TEST_CASE("kite: the hand feels the line, and more of it in more wind") {
+    const Sandbox sandbox;
+    REQUIRE(sandbox.run("run kite --headless --record r.rec").exit_code == 0);
+    const Record record = read_run(sandbox.path("r.rec"));
+    CHECK(largest_force_N(record) > 1.5);
+    CHECK(largest_force_N(record) <= 5.0);
+}
+
+TEST_CASE("kite: the kite is built as it is said, and its flight decides") {
+    const Sandbox sandbox;
+    sandbox.write("say.txt",
+                  "make the tail shorter\n"
+                  "it needs a tail\n"
+                  "the weight\n"
+                  "the lift\n"
+                  "I feel the tension\n"
+                  "the lift is stronger than the drag\n"
+                  "it pulls more\n"
+                  "because there is no wind\n");
+    const ProgramRun run = sandbox.run("run kite --headless --say say.txt");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(run.output.find("2 of 3 stars") != std::string::npos);
+    for (const char* line :
+         {"level    1: Build a kite", "It turned over and came down.", "It flies!",
+          "learner  the weight (wrong)", "learner  because there is no wind (right)"}) {
+        CHECK_THAT(run.output, Catch::Contains(line));
+    }
+}
+
+TEST_CASE("kite: only a lesson with a kite has its stages") {
+    const Sandbox sandbox;
+    const std::string plan = sandbox.run("explain kite").output;
+    for (const char* words : {"forces: line", "the hand holds a kite's line", "a kite flies"}) {
+        CHECK_THAT(plan, Catch::Contains(words));
+    }
+    for (const char* lesson : {"gravity", "textures", "lever", "solar-system"}) {
+        const std::string other = sandbox.run(std::string("explain ") + lesson).output;
+        CHECK(other.find("What is not in this list is not built") != std::string::npos);
+        CHECK(other.find("kite") == std::string::npos);
+    }
+}
+
+TEST_CASE("kite: a kite of a teacher's own flies, snaps, and comes down without wind") {
+    const Sandbox sandbox;
+    const ProgramRun flown =
+        fly(sandbox, "kite = world:kite { shape = 'sled', knot = 0.72, line = 15 }",
+            "if t > 20 and t - dt <= 20 then print(kite.altitude > 8, kite.tension > 1, "
+            "kite.lift > kite.weight) end");
+    INFO(flown.output);
+    CHECK_THAT(flown.output, Catch::Contains("true\ttrue\ttrue"));
+    const ProgramRun snapped =
+        fly(sandbox, "world:wind { speed = 9 } kite = world:kite { strength = 2, line = 15 }",
+            "if t > 20 and t - dt <= 20 then print(kite.snapped, kite.tension, kite.altitude < 3) "
+            "end");
+    INFO(snapped.output);
+    CHECK_THAT(snapped.output, Catch::Contains("true\t0.0\ttrue"));
+    const ProgramRun calm =
+        fly(sandbox, "world:wind { speed = 0 } kite = world:kite { line = 15 }",
+            "if t > 20 and t - dt <= 20 then print(kite.altitude < 1, kite.wind) end");
+    INFO(calm.output);
+    CHECK_THAT(calm.output, Catch::Contains("true\t0.0"));
+}
+
+TEST_CASE("kite: a mistake in a kite is told with file and line") {
+    const Sandbox sandbox;
+    const ProgramRun run = fly(sandbox, "kite = world:kite { bridle = 0.5 }", "");
+    CHECK(run.exit_code != 0);
+    CHECK_THAT(run.output, Catch::Contains("lesson.lua:4: a bridle of 0.5 m is too short"));
+}
