@@ -1,0 +1,263 @@
+// Stacks, a wall and heaps of rigid bodies at 1 kHz, collision detection included: what a step costs, beside other engines, and how it
+// grows. Nothing sleeps.
+#include "tests/bench/curves/rigid_stacks.h"
+
+#include "haptics/dynamics/rigid_world.h"
+#include "tests/bench/harness/csv.h"
+#include "tests/bench/harness/measure.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+namespace fulcrum::bench {
+namespace {
+
+constexpr double kFallen_m = 0.02;
+
+RigidWorldPlan make_bare_plan() {
+    RigidWorldPlan plan;
+    plan.settings.sleep_after_s = 0.0;
+    plan.bodies.push_back({.role = BodyRole::ground});
+    return plan;
+}
+
+void add_cube(RigidWorldPlan& plan, const Vector3& at, double mass_kg = 1.0) {
+    plan.bodies.push_back({.shape = BoxShape{Vector3::Constant(kCubeHalf_m)},
+                           .mass_kg = mass_kg,
+                           .pose_W = Pose::at(at),
+                           .static_friction = kStackFriction,
+                           .dynamic_friction = kStackFriction});
+}
+
+RigidWorldPlan make_stack_plan(const StackScene& scene) {
+    RigidWorldPlan plan = make_bare_plan();
+    for (int i = 0; i < scene.n_cubes; ++i) {
+        add_cube(plan, {0.0, scene.height_m(i), 0.0}, scene.mass_kg(i));
+    }
+    return plan;
+}
+
+std::unique_ptr<RigidWorld> make_world(const RigidWorldPlan& plan) {
+    auto world = RigidWorld::create(plan);
+    if (!world) {
+        throw std::runtime_error(to_sentence(world.error()));
+    }
+    return std::move(*world);
+}
+
+class FulcrumStack final : public StackEngine {
+  public:
+    explicit FulcrumStack(const StackScene& scene) : world_(make_world(make_stack_plan(scene))) {}
+    void step() override { world_->step(kStackStep_s); }
+    [[nodiscard]] Vector3 place(int cube) const override {
+        return world_->shape_pose_W(cube + 1).position;
+    }
+
+  private:
+    std::unique_ptr<RigidWorld> world_;
+};
+
+template <class Step>
+std::vector<double> time_steps(int n_steps, Step step) {
+    using Clock = std::chrono::steady_clock;
+    std::vector<double> us;
+    us.reserve(static_cast<std::size_t>(n_steps));
+    for (int i = 0; i < n_steps; ++i) {
+        const auto before = Clock::now();
+        step(i);
+        const std::chrono::duration<double, std::micro> took = Clock::now() - before;
+        us.push_back(took.count());
+    }
+    return us;
+}
+
+CostPoint measure_stack_of(const std::string& name, const StackScene& scene,
+                           const MakeStackEngine& make, int n_steps) {
+    const auto engine = make(scene);
+    const std::vector<double> us = time_steps(n_steps, [&](int) { engine->step(); });
+    double sunk_m = 0.0;
+    double drift_m = 0.0;
+    double below_m = -kCubeHalf_m;
+    bool stands = true;
+    for (int i = 0; i < scene.n_cubes; ++i) {
+        const Vector3 at = engine->place(i);
+        sunk_m = std::max(sunk_m, 2.0 * kCubeHalf_m - (at.y() - below_m));
+        drift_m = std::max(drift_m, std::hypot(at.x(), at.z()));
+        stands = stands && std::abs(at.y() - scene.height_m(i)) <= kFallen_m;
+        below_m = at.y();
+    }
+    const auto told = [&](double m) { return stands ? 1.0e3 * m : kNone; };
+    return {name,
+            static_cast<double>(scene.n_cubes),
+            told(std::max(sunk_m, drift_m)),
+            summarise(us),
+            {told(sunk_m), told(drift_m)}};
+}
+
+}  // namespace
+
+std::vector<CostPoint> measure_stacks(const std::string& name, const MakeStackEngine& make,
+                                      const Run& run) {
+    const int n_steps = run.pick(10000, 1000);
+    std::vector<CostPoint> points;
+    for (const int n : {6, 10, 20}) {
+        points.push_back(measure_stack_of(name, {n, 1.0}, make, n_steps));
+    }
+    points.push_back(measure_stack_of(name + ", 100:1 on top", {20, 100.0}, make, n_steps));
+    return points;
+}
+
+namespace {
+
+CostCurve measure_standing(Run& run) {
+    CostCurve curve;
+    curve.name = "rigid-stacks";
+    curve.title = "Stacks of cubes that stand for ten seconds";
+    curve.work =
+        "6, 10 and 20 equal aligned cubes of 0.1 m and 1 kg, friction 0.6, 1 ms a step, from rest, "
+        "and 20 with 100 kg on top; collision detection included, nothing sleeps. A stack that "
+        "fell has no error.";
+    curve.reference = "exact: where the cubes were put";
+    curve.advice = "Stacks of any of these sizes fit a haptic step, and stay where they are.";
+    curve.knob = {"cubes", "", true};
+    curve.error = {"how far a cube sinks or drifts", "mm", true};
+    curve.extras = {{"penetration", "mm", true}, {"sideways drift", "mm", true}};
+    curve.default_series = "Fulcrum";
+    curve.default_knob = 10.0;
+    curve.points = measure_stacks(
+        "Fulcrum", [](const StackScene& scene) { return std::make_unique<FulcrumStack>(scene); },
+        run);
+    return curve;
+}
+
+struct Course {
+    std::string name;
+    RigidWorldPlan plan;
+    std::function<void(RigidWorld&, int)> disturb;
+};
+
+std::vector<Course> make_courses() {
+    const auto leave = [](RigidWorld&, int) {};
+    std::vector<Course> courses{{"10 at rest", make_stack_plan({10, 1.0}), leave}};
+    Course dropped{"10 dropped 5 mm apart", make_bare_plan(), leave};
+    for (int i = 0; i < 10; ++i) {
+        add_cube(dropped.plan, {0.0, kCubeHalf_m * (2 * i + 1) + 0.005 * (i + 1), 0.0});
+    }
+    courses.push_back(std::move(dropped));
+    courses.push_back(
+        {"10, one after the other hit sideways by 15 N for 5 ms", make_stack_plan({10, 1.0}),
+         [](RigidWorld& world, int i) {
+             if (i % 500 < 5) {
+                 const double side = i / 500 % 2 == 0 ? 1.0 : -1.0;
+                 world.push(10 - i / 500 % 10, {{15.0 * side, 0.0, 0.0}, {0.0, 0.0, 0.0}});
+             }
+         }});
+    Course thrown{"10, and a cube that falls on them from 1 m each second",
+                  make_stack_plan({10, 1.0}), [](RigidWorld& world, int i) {
+                      if (i % 1000 == 999) {
+                          world.place(11, Pose::at({0.02, 2.0, 0.01}), {});
+                      }
+                  }};
+    add_cube(thrown.plan, {0.02, 2.0, 0.01});
+    courses.push_back(std::move(thrown));
+    Course wall{"a wall of 100 bricks", make_bare_plan(), leave};
+    for (int i = 0; i < 100; ++i) {
+        const int row = i / 10;
+        wall.plan.bodies.push_back(
+            {.shape = BoxShape{{0.1, 0.05, 0.05}},
+             .mass_kg = 1.0,
+             .pose_W = Pose::at({0.2 * (i % 10) + 0.1 * (row % 2), 0.05 + 0.1 * row, 0.0})});
+    }
+    courses.push_back(std::move(wall));
+    return courses;
+}
+
+Sheet measure_courses(Run& run) {
+    Sheet sheet;
+    sheet.name = "rigid-courses";
+    sheet.title = "Steps of stacks that are left alone, dropped and hit";
+    sheet.work =
+        "The same cubes at 1 ms a step, collision detection included, one thread, nothing sleeps.";
+    sheet.advice = "Worst steps are those of this machine too, which is interrupted now and then.";
+    sheet.columns = {"course", "median µs", "99 % µs", "worst µs", "deepest mm", "unconverged"};
+    const int n_steps = run.pick(5000, 500);
+    for (const Course& course : make_courses()) {
+        run.progress(0.5, course.name);
+        const auto world = make_world(course.plan);
+        double deepest_m = 0.0;
+        int n_unconverged = 0;
+        std::vector<double> us = time_steps(n_steps, [&](int i) {
+            course.disturb(*world, i);
+            world->step(kStackStep_s);
+            deepest_m = std::max(deepest_m, world->report().deepest_m);
+            n_unconverged += world->report().n_unconverged;
+        });
+        const double worst_us = *std::max_element(us.begin(), us.end());
+        const Cost cost = summarise(std::move(us));
+        const auto shown = [](double value) { return to_text(std::round(100.0 * value) / 100.0); };
+        sheet.rows.push_back({course.name, shown(cost.median_us), shown(cost.p99_us),
+                              shown(worst_us), to_text(1.0e3 * deepest_m),
+                              std::to_string(n_unconverged)});
+    }
+    return sheet;
+}
+
+// p of time ~ x^p between the first and the last.
+double find_power(const Line& line) {
+    return std::log(line.y.back() / line.y.front()) / std::log(line.x.back() / line.x.front());
+}
+
+LineChart measure_growth(Run& run) {
+    LineChart chart;
+    chart.name = "rigid-growth";
+    chart.title = "A step of the world against its bodies";
+    chart.work =
+        "Cubes at rest at 1 ms a step, four contacts each: in one stack, in stacks of five, and "
+        "each "
+        "alone on the ground; the median of a step, collision detection included, nothing sleeps.";
+    chart.x = {"bodies", "", true};
+    chart.y = {"time a step", "µs", true};
+    struct Heap {
+        const char* name;
+        int height;
+    };
+    std::string grows;
+    for (const Heap& heap :
+         {Heap{"one stack", 1 << 20}, Heap{"stacks of five", 5}, Heap{"alone", 1}}) {
+        Line line{heap.name, LineStyle::measured, {}, {}};
+        for (const int n : run.pick<std::vector<int>>({5, 10, 20, 40}, {5, 20})) {
+            RigidWorldPlan plan = make_bare_plan();
+            for (int i = 0; i < n; ++i) {
+                add_cube(plan,
+                         {0.3 * (i / heap.height), kCubeHalf_m * (2 * (i % heap.height) + 1), 0.0});
+            }
+            const auto world = make_world(plan);
+            line.x.push_back(n);
+            line.y.push_back(summarise(time_steps(run.pick(2000, 300), [&](int) {
+                                 world->step(kStackStep_s);
+                             })).median_us);
+        }
+        grows += (grows.empty() ? "" : ", ") + line.name + " " +
+                 to_text(std::round(100.0 * find_power(line)) / 100.0);
+        chart.lines.push_back(std::move(line));
+    }
+    chart.advice =
+        "Time grows as the number of bodies, and so of contacts, to the power of: " + grows + ".";
+    return chart;
+}
+
+Report run_rigid_stacks(Run& run) {
+    CostCurve standing = measure_standing(run);
+    Sheet courses = measure_courses(run);
+    return {std::move(standing), std::move(courses), measure_growth(run)};
+}
+
+const Registration kRigidStacks{{"rigid-stacks",
+                                 "stacks and a wall of rigid bodies beside other engines: time, "
+                                 "penetration and drift, hits, and growth with the bodies",
+                                 run_rigid_stacks}};
+
+}  // namespace
+}  // namespace fulcrum::bench
