@@ -8,6 +8,7 @@
 #pragma once
 
 #include "haptics/base/periodic_task.h"
+#include "haptics/dynamics/rigid_loop_plan.h"
 #include "haptics/dynamics/rigid_world.h"
 #include "haptics/handover/channels.h"
 #include "haptics/handover/rigid_messages.h"
@@ -18,19 +19,6 @@
 #include <vector>
 
 namespace fulcrum {
-
-struct RigidLoopPlan {
-    RigidWorldPlan world{};
-    double rate_hz = 1000.0;  ///< 50 to 5000
-    /// The scene's index of each of the world's bodies, kNoBody of what the scene has not: as many, each index below kMaxBodies and once.
-    std::vector<std::int32_t> scene_bodies;
-    /// The world's body that each solid of the hands' plans is, kNoBody of others; at most kMaxSolids.
-    std::vector<std::int32_t> solids;
-    std::vector<std::int32_t> hidden;  ///< bodies of the world that are not there at the start
-};
-
-/// Refuses what `validate` of the world does, a rate out of range, and lists that do not fit.
-[[nodiscard]] Expected<void> validate(const RigidLoopPlan& plan);
 
 /// After a longer pause the world goes on from where it was instead of leaping.
 inline constexpr double kLongestRigidStep_s = 0.05;

@@ -1,5 +1,6 @@
 #include "haptics/dynamics/rigid_world.h"
 
+#include "haptics/base/flush_to_zero.h"
 #include "haptics/dynamics/integrator_steps.h"
 #include "haptics/math/rotation.h"
 
@@ -177,6 +178,8 @@ bool RigidWorld::wake_island(std::span<const std::int32_t> bodies) noexcept {
 
 RigidWorld::SolvedIsland RigidWorld::solve_island(const DueIsland& due,
                                                   IslandSolver& solver) noexcept {
+    // On each thread alike, whatever that of the caller does.
+    const ScopedFlushToZero flush_to_zero;
     const IslandParts parts{islands_.bodies(due.island), pairs_.group(due.island),
                             joints_.group(due.island)};
     SolvedIsland solved{solver.solve(parts, due.dt_s, scene_), 0};

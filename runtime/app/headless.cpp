@@ -19,7 +19,8 @@ class VirtualClock {
         : run_(run),
           stages_(stages),
           rate_hz_(run.plan().haptic.rate_hz),
-          world_every_(run.plan().world ? std::lround(rate_hz_ / run.plan().world->rate_hz) : 0),
+          world_every_(
+              run.world_loop() != nullptr ? std::lround(rate_hz_ / run.plan().world_rate_hz()) : 0),
           kite_every_(run.plan().kite ? std::lround(rate_hz_ / run.plan().kite->rate_hz) : 0),
           frame_rate_hz_(run.plan().lesson_rate_hz) {}
 

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <map>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 namespace fulcrum::runtime {
@@ -116,7 +117,7 @@ Expected<TriangleMesh> load_solid_mesh(const Places& places, const fs::path& les
         return make_sphere(body.radius_m, kSphereModelFrequency);
     }
     if (body.model == kBoxModel) {
-        return make_box(Vector3::Constant(2.0 * body.radius_m));
+        return make_box(box_size_m(body));
     }
     const fs::path file = find_model(places, lesson_folder, body.model);
     if (file.empty()) {
@@ -131,11 +132,13 @@ Expected<TriangleMesh> load_solid_mesh(const Places& places, const fs::path& les
 
 // A model looks the same whatever the body's radius; a ball or a box is as large as its radius says.
 SolidLoader make_solid_loader(const Places& places, const fs::path& lesson_folder) {
-    using Key = std::pair<std::string, double>;
+    using Key = std::tuple<std::string, double, double, double>;
     const auto made = std::make_shared<std::map<Key, std::shared_ptr<const CollisionMesh>>>();
     return [places, lesson_folder,
             made](const BodyDescription& body) -> Expected<std::shared_ptr<const CollisionMesh>> {
-        const Key key{body.model, is_shape_model(body.model) ? body.radius_m : 0.0};
+        const Vector3 size_m =
+            is_shape_model(body.model) ? box_size_m(body) : Vector3(Vector3::Zero());
+        const Key key{body.model, size_m.x(), size_m.y(), size_m.z()};
         if (const auto known = made->find(key); known != made->end()) {
             return known->second;
         }

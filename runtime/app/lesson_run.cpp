@@ -76,7 +76,9 @@ Expected<void> LessonRun::load(const Places& places, const RunRequest& request) 
     }
     plan_ = std::move(*plan);
     return validate(plan_.haptic).and_then([&] {
-        return plan_.world ? validate(*plan_.world) : Expected<void>{};
+        return plan_.world   ? validate(*plan_.world)
+               : plan_.rigid ? validate(*plan_.rigid)
+                             : Expected<void>{};
     });
 }
 
@@ -109,6 +111,11 @@ Expected<void> LessonRun::build_loops(const RunRequest& request) {
         kite_ = std::make_unique<KiteChannels>();
         channels_.kite = kite_.get();
         kite_loop_ = std::make_unique<KiteLoop>(plan_.kite->flight, plan_.kite->rate_hz, *kite_);
+    }
+    if (plan_.rigid) {
+        if (auto built = build_rigid_loop(); !built) {
+            return built;
+        }
     }
     haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, hand_->device(), channels_);
     if (plan_.world) {
@@ -167,7 +174,7 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
 }
 
 void LessonRun::place_visible_bodies() {
-    if (!world_channels_) {
+    if (!world_loop_) {
         return;
     }
     const auto& bodies = session_->description().bodies;
@@ -191,6 +198,7 @@ SessionInput LessonRun::gather(const FrameInput& input) {
     gathered.hand = channels_.state_for_lesson.value();
     if (world_channels_) {
         world_channels_->snapshot.take();
+        take_rigid_bodies();
         gathered.world = newest_world();
         for (WorldEvent event; world_channels_->events.pop(event);) {
             gathered.world_events.push_back(event);
@@ -219,6 +227,9 @@ SessionInput LessonRun::gather(const FrameInput& input) {
 
 // Null before the world's first round, and when the plan has none.
 const WorldSnapshot* LessonRun::newest_world() const {
+    if (rigid_loop_) {
+        return seen_.n_bodies > 0 ? &seen_ : nullptr;
+    }
     const bool is_there = world_channels_ && world_channels_->snapshot.value().n_bodies > 0;
     return is_there ? &world_channels_->snapshot.value() : nullptr;
 }
@@ -318,7 +329,7 @@ std::vector<std::string> LessonRun::losses() const {
     };
     tell(recorder_ ? recorder_->dropped() : 0,
          "rounds are missing in the record: the disk was too slow.");
-    if (world_channels_) {
+    if (world_loop_) {
         tell(world_channels_->events.dropped(),
              "catches or landings were not told to the lesson: it answered too slowly.");
         tell(world_loop_->world().ignored_commands(),

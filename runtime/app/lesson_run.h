@@ -8,6 +8,7 @@
 
 #include "dialogue/catalogue.h"
 #include "haptics/base/error.h"
+#include "haptics/dynamics/rigid_loop.h"
 #include "haptics/dynamics/world_loop.h"
 #include "haptics/flight/kite_loop.h"
 #include "haptics/handover/channels.h"
@@ -62,7 +63,9 @@ class LessonRun {
     [[nodiscard]] LessonSession& session() { return *session_; }
     [[nodiscard]] HapticLoop& haptic_loop() { return *haptic_loop_; }
     /// Null when the plan has none.
-    [[nodiscard]] WorldLoop* world_loop() { return world_loop_.get(); }
+    [[nodiscard]] PeriodicTask* world_loop() {
+        return world_loop_ ? static_cast<PeriodicTask*>(world_loop_.get()) : rigid_loop_.get();
+    }
     /// Likewise.
     [[nodiscard]] KiteLoop* kite_loop() { return kite_loop_.get(); }
     [[nodiscard]] HapticChannels& channels() { return channels_; }
@@ -103,6 +106,8 @@ class LessonRun {
     [[nodiscard]] Expected<void> load(const Places& places, const RunRequest& request);
     [[nodiscard]] Expected<void> build_loops(const RunRequest& request);
     void build_touch_sound();
+    [[nodiscard]] Expected<void> build_rigid_loop();
+    void take_rigid_bodies();
     [[nodiscard]] Expected<void> build_session(const RunRequest& request, ProgressStore& store,
                                                const dialogue::Catalogue& catalogue);
 
@@ -125,6 +130,9 @@ class LessonRun {
     std::unique_ptr<HapticLoop> haptic_loop_;
     std::unique_ptr<WorldLoop> world_loop_;
     std::unique_ptr<KiteLoop> kite_loop_;
+    std::unique_ptr<RigidChannels> rigid_;  // null without rigid bodies, like the next
+    std::unique_ptr<RigidLoop> rigid_loop_;
+    WorldSnapshot seen_{};                // with rigid bodies: them, and those that stay
     std::unique_ptr<TouchRing> touches_;  // null when touch is not heard, like the next
     std::unique_ptr<TouchSound> touch_sound_;
     std::unique_ptr<RunRecorder> recorder_;  // null when nothing is recorded

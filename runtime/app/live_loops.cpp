@@ -14,7 +14,7 @@ Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
     settings.fifo_priority = 0;
     settings.lock_memory = false;
     if (run.world_loop() != nullptr) {
-        settings.rate_Hz = run.plan().world->rate_hz;
+        settings.rate_Hz = run.plan().world_rate_hz();
         if (auto started = world_.start(*run.world_loop(), settings); !started) {
             return started;
         }

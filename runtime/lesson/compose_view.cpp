@@ -29,7 +29,7 @@ Vector3 squash(double amount) {
 
 // A ball and a box are made of size 1 and drawn as large as they are felt; other models have their own size.
 Vector3 model_scale(const BodyDescription& body) {
-    return Vector3::Constant(is_shape_model(body.model) ? body.radius_m : 1.0);
+    return is_shape_model(body.model) ? Vector3(0.5 * box_size_m(body)) : Vector3::Ones();
 }
 
 const BodyState* state_of(const Scenery& scenery, std::size_t body) {

@@ -4,6 +4,7 @@
 
 #include "haptics/dynamics/axle.h"
 #include "haptics/dynamics/integrator.h"
+#include "haptics/dynamics/joint_plan.h"
 #include "haptics/handover/messages.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/math/spatial.h"
@@ -36,6 +37,31 @@ struct MaterialDescription {
     SourceLine line = 0;
 };
 
+/// What a rigid body collides as; `model`: as its model is, a ball, a box, or the hull of one from a file.
+enum class RigidShape : std::uint8_t { model, box, ball, cylinder, capsule, hull };
+/// A joint's end that is farther than this is none; degrees are radians here.
+inline constexpr double kAnyTravel = 1.0e9;
+
+/// How a rigid body hangs on another one, or on the world, from where both are declared.
+struct JointDescription {
+    JointKind kind = JointKind::hinge;
+    std::string to;  ///< name of a rigid body that was declared before; empty: the world
+    Vector3 at_W{Vector3::Zero()};
+    Vector3 other_at_W{Vector3::Zero()};  ///< of a rod: its end on this body; `at_W` is the other
+    Vector3 axis_W{Vector3::UnitZ()};     ///< of a hinge or slider
+    double lowest = -kAnyTravel;          ///< radians or metres; at most 0
+    double highest = kAnyTravel;          ///< at least 0
+    double speed = 0.0;                   ///< of its motor, which has at most `force`
+    double force = 0.0;
+    double friction = 0.0;
+};
+
+/// A body that lies, falls, is pushed and gripped, with its mass.
+struct RigidDescription {
+    RigidShape shape = RigidShape::model;
+    std::optional<JointDescription> joint{};
+};
+
 struct BodyDescription {
     std::string name;        ///< unique; how Lua calls it
     std::string noun;        ///< English noun as a child says it, e.g. "watermelon"
@@ -50,9 +76,16 @@ struct BodyDescription {
     bool visible = false;       ///< seen from the start, at `position_W`
     Vector3 position_W{Vector3::Zero()};
     SourceLine line = 0;
-    std::int32_t material = kNoMaterial;  ///< index into LessonDescription::materials
-    std::optional<AxleSettings> hinge{};  ///< a solid body that turns, and does nothing else
+    std::int32_t material = kNoMaterial;      ///< index into LessonDescription::materials
+    std::optional<AxleSettings> hinge{};      ///< a solid body that turns, and does nothing else
+    std::optional<RigidDescription> rigid{};  ///< a solid body that all forces move
+    Vector3 size_m{Vector3::Zero()};  ///< edges of a box, each 0.002 to 10; zero: twice the radius
 };
+
+/// The edges of a body that is a box; of other shapes twice the radius.
+[[nodiscard]] inline Vector3 box_size_m(const BodyDescription& body) {
+    return body.size_m.isZero() ? Vector3::Constant(2.0 * body.radius_m) : body.size_m;
+}
 
 struct ForceDescription {
     std::string name;  ///< unique; how Lua switches it

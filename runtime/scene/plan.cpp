@@ -2,6 +2,7 @@
 
 #include "haptics/field/field.h"
 #include "runtime/scene/plan_kite.h"
+#include "runtime/scene/plan_rigid.h"
 #include "runtime/scene/plan_tool.h"
 #include "runtime/scene/plan_touch.h"
 
@@ -116,6 +117,12 @@ const BodyDescription* first_movable(const LessonDescription& lesson) {
     return found == lesson.bodies.end() ? nullptr : &*found;
 }
 
+SourceLine first_rigid_line(const LessonDescription& lesson) {
+    const auto found = std::ranges::find_if(
+        lesson.bodies, [](const BodyDescription& body) { return body.rigid.has_value(); });
+    return found == lesson.bodies.end() ? 0 : found->line;
+}
+
 /// Of the first solid body that is made of something.
 SourceLine first_material_line(const LessonDescription& lesson) {
     const auto found = std::ranges::find_if(lesson.bodies, [](const BodyDescription& body) {
@@ -146,6 +153,10 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
         add("kite", "flight", plan.kite->rate_hz, "a kite flies on the hand's line",
             lesson.kite->line);
         plan.stages.back().memory_bytes = count_kite_bytes(plan.kite->flight);
+    }
+    if (plan.rigid) {
+        add("world", "rigid bodies", plan.rigid->rate_hz, "bodies lie, fall and are pushed",
+            first_rigid_line(lesson));
     }
     add("lesson", "lua", plan.lesson_rate_hz, "every lesson is a Lua file", 0);
     if (plan.dialogue) {
@@ -193,11 +204,15 @@ void list_surface_stages(const LessonDescription& lesson, const HapticPlan& hapt
 }
 
 template <class Add>
-void list_axle_stage(const LessonDescription& lesson, const HapticPlan& haptic, const Add& add) {
+void list_moving_stages(const LessonDescription& lesson, const HapticPlan& haptic, const Add& add) {
     if (!haptic.axles.empty()) {
         const SolidPlan& solid = haptic.solids[haptic.axles.front().solid];
         add(HapticStage::turning, "a body turns on a hinge",
             lesson.bodies[static_cast<std::size_t>(solid.body)].line);
+    }
+    if (!haptic.rigid.empty()) {
+        add(HapticStage::pushing, "the hand pushes and grips rigid bodies",
+            first_rigid_line(lesson));
     }
 }
 
@@ -212,14 +227,14 @@ void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
     if (plan.haptic.tool) {
         add(HapticStage::tool, "a " + name_of(*lesson.hand.tool) + " meets bodies",
             lesson.hand.line);
-        list_axle_stage(lesson, plan.haptic, add);
+        list_moving_stages(lesson, plan.haptic, add);
     } else if (!plan.haptic.solids.empty()) {
         const auto body = static_cast<std::size_t>(plan.haptic.solids.front().body);
         add(HapticStage::proxy,
             "a body can be touched, by a " + std::string(name_of(plan.haptic.proxy.kind)),
             lesson.hand.proxy ? lesson.hand.line : lesson.bodies[body].line);
         add(HapticStage::coupling, "a body can be touched", lesson.bodies[body].line);
-        list_axle_stage(lesson, plan.haptic, add);
+        list_moving_stages(lesson, plan.haptic, add);
         list_surface_stages(lesson, plan.haptic, add);
     }
     if (plan.haptic.carries_weight) {
@@ -323,6 +338,9 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
                          std::min(options.force_limit_N, options.device_force_limit_N));
     plan.felt_weight_N = felt.newtons;
     plan.felt_scale = felt.scale;
+    if (auto rigid = add_rigid_bodies(lesson, options, plan); !rigid) {
+        return tl::unexpected(rigid.error());
+    }
     if (first_movable(lesson) != nullptr) {
         plan.world = world_plan(lesson, felt);
         plan.haptic.expects_world = true;

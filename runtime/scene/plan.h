@@ -5,6 +5,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/dynamics/rigid_loop_plan.h"
 #include "haptics/dynamics/world_plan.h"
 #include "haptics/loop/haptic_plan.h"
 #include "runtime/scene/description.h"
@@ -87,8 +88,9 @@ struct KitePlan {
 
 struct Plan {
     HapticPlan haptic{};
-    std::optional<WorldPlan> world;  ///< absent when nothing moves by itself
-    std::optional<KitePlan> kite;    ///< absent when nothing flies
+    std::optional<WorldPlan> world;      ///< absent when nothing falls and is caught
+    std::optional<RigidLoopPlan> rigid;  ///< absent without rigid bodies; never with the other
+    std::optional<KitePlan> kite;        ///< absent when nothing flies
     double lesson_rate_hz = 60.0;
     bool picture = false;
     bool sound = false;
@@ -113,6 +115,10 @@ struct Plan {
 
     /// True when a stage of that loop and name is in the plan.
     [[nodiscard]] bool has(const std::string& loop, const std::string& name) const;
+    /// Of the world's loop, 0 where there is none.
+    [[nodiscard]] double world_rate_hz() const {
+        return world ? world->rate_hz : rigid ? rigid->rate_hz : 0.0;
+    }
 };
 
 /// Gives the touchable mesh of a solid body (from its model); called for solid bodies only.

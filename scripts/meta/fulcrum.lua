@@ -28,7 +28,7 @@
 ---@field start? fun(self: Lesson, world: World) Once, before the first frame: declares bodies, forces and the view.
 ---@field update? fun(self: Lesson, world: World, dt: number) 60 times a second; dt is in seconds.
 ---@field caught? fun(self: Lesson, body: Body, speed: number) A body fell into the bucket, at so many metres per second.
----@field landed? fun(self: Lesson, body: Body, speed: number) A body hit the ground, at so many metres per second.
+---@field landed? fun(self: Lesson, body: Body, speed: number) A body hit the ground, at so many metres per second; a rigid one anything.
 ---@field touched? fun(self: Lesson, body: Body) The tool began to touch a solid body.
 ---@field released? fun(self: Lesson, body: Body) The tool no longer touches a solid body.
 ---@field key? fun(self: Lesson, name: string) A key was pressed: "space", "return", "left", a letter …
@@ -61,7 +61,11 @@ local Hand = {}
 ---@field material Material|nil what it is made of; nil when it has no material
 ---@field covered boolean under a cloth
 ---@field position Vector metres; {x, y, z}
----@field where "hidden"|"placed"|"falling"|"held"|"landed" "hidden", "placed", "falling", "held" in the tool, or "landed" on the ground
+---@field where "hidden"|"placed"|"falling"|"held"|"landed" "hidden", "placed", "falling", "held" in the tool, or "landed" on the ground; a rigid body is "placed" while it touches something and "landed" when it lies still
+---@field velocity Vector metres per second; {x, y, z}
+---@field speed number metres per second
+---@field resting boolean lies still; of a rigid body: for half a second
+---@field tilt number degrees; how far its top leans from upright, 0 to 180
 ---@field x number metres; to the right
 ---@field y number metres; up
 ---@field z number metres; towards the viewer
@@ -191,6 +195,18 @@ function World:camera(options) end
 ---@field load? number a weight that hangs on it; in newtons, 0 to 1000000; default 0
 ---@field load_at? Vector|Body|Tool where it hangs at first, at most 100 m from the body; where the body is by default; in metres, -10000 to 10000
 
+---@class BodyJoint
+---@field kind string a hinge turns about its axis, a slider moves along it, a ball turns every way about its place, a rod holds two places as far apart as they are, fixed is glued; "hinge", "slider", "ball", "fixed" or "rod"
+---@field to? string the name of a rigid body that was declared before; the world by default
+---@field at? Vector|Body|Tool where it is; of a rod its end on the other body; where the body is by default; in metres, -10000 to 10000
+---@field end_at? Vector|Body|Tool of a rod: its end on this body; where the body is by default; in metres, -10000 to 10000
+---@field axis? Vector|Body|Tool of a hinge or slider: {0, 0, 1} points at you, {0, 1, 0} stands upright; -1 to 1; default {0, 0, 1}
+---@field lowest? number it goes no further; no end by default; in degrees, metres of a slider, -10000 to 0
+---@field highest? number it goes no further; no end by default; in degrees, metres of a slider, 0 to 10000
+---@field speed? number of its motor; in degrees or metres per second, -10000 to 10000; default 0
+---@field force? number that its motor has; 0 is no motor; in newtons, newton metres of a hinge, 0 to 10000; default 0
+---@field friction? number what brakes it; in newtons, newton metres of a hinge, 0 to 10000; default 0
+
 ---@class BodyOptions
 ---@field name string unique; how the lesson calls it, never the learner
 ---@field noun? string English noun, as answers give it; the name by default; seen beside a movable body, and beside a solid one where it is not just its name; of at most 64 letters
@@ -205,6 +221,11 @@ function World:camera(options) end
 ---@field at? Vector|Body|Tool where it is at first; in metres, -10000 to 10000; default {0, 0, 0}
 ---@field drag_area? number drag coefficient × cross-section, for falling in air; in square metres, 0 to 10; default 0
 ---@field hinge? BodyHinge an axis that a solid body turns about, pushed by the hand; while it is, arm, force and torque are drawn
+---@field size? Vector|Body|Tool edges of a body with model = "box": width, height, depth; twice the radius by default; in metres, 0 to 10
+---@field rigid? boolean a thing with a mass that lies, falls, is pushed, gripped with the button, lifted and stacked; can be touched, and is seen unless visible = false; default false
+---@field shape? string what a rigid body collides as; by default a box or a ball as its model, else the hull of its model; "box", "ball", "cylinder", "capsule" or "hull"
+---@field density? number of a rigid box or ball, instead of its mass: wood 600, water 1000, iron 7900; in kilograms per cubic metre, 1 to 25000
+---@field joint? BodyJoint what a rigid body hangs on
 
 ---Declares a thing.
 ---@param options BodyOptions
@@ -368,11 +389,11 @@ function Body:drop(options) end
 ---@class PlaceOptions
 ---@field at? Vector|Body|Tool where it is now by default; in metres, -10000 to 10000
 
----Puts it somewhere, where it stays. Some body of the lesson must be movable. A solid body that is put where the hand's tool is pushes the tool out of itself, so put it beside.
+---Puts it somewhere, where it stays; a rigid body falls from there. Some body of the lesson must be movable or it rigid. A solid body that is put where the hand's tool is pushes the tool out of itself, so put it beside.
 ---@param options PlaceOptions
 function Body:place(options) end
 
----Takes it out of the scene. Some body of the lesson must be movable.
+---Takes it out of the scene. Some body of the lesson must be movable or it rigid.
 function Body:hide() end
 
 ---Lays it into the tool, so that its weight is felt.

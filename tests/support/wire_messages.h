@@ -49,6 +49,22 @@ inline LessonDescription full_description() {
                                   true,
                                   Integrator::verlet};
     d.bodies[1].material = 1;
+    BodyDescription block;
+    block.name = block.noun = block.model = "block";
+    block.solid = true;
+    block.size_m = Vector3(0.1, 0.2, 0.3);
+    block.rigid = RigidDescription{.shape = RigidShape::cylinder,
+                                   .joint = JointDescription{.kind = JointKind::distance,
+                                                             .to = "post",
+                                                             .at_W = Vector3(1, 2, 3),
+                                                             .other_at_W = Vector3(4, 5, 6),
+                                                             .axis_W = Vector3(0, 1, 0),
+                                                             .lowest = -1.5,
+                                                             .highest = 2.5,
+                                                             .speed = -0.5,
+                                                             .force = 3.0,
+                                                             .friction = 0.25}};
+    d.bodies.push_back(block);
     d.bodies[0].hinge = AxleSettings{.axis_W = Vector3(0, 1, 0),
                                      .pivot_B = Vector3(0.1, 0.2, 0),
                                      .inertia_kg_m2 = 0.5,

@@ -25,7 +25,7 @@ void add_callbacks(ApiTable& table) {
          "A body fell into the bucket, at so many metres per second."},
         {"landed",
          {{"body", "Body"}, {"speed", "number"}},
-         "A body hit the ground, at so many metres per second."},
+         "A body hit the ground, at so many metres per second; a rigid one anything."},
         {"touched", {{"body", "Body"}}, "The tool began to touch a solid body."},
         {"released", {{"body", "Body"}}, "The tool no longer touches a solid body."},
         {"key",

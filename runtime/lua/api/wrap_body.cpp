@@ -1,9 +1,12 @@
 // A body: what a lesson asks of it and reads from it.
+#include "haptics/math/length.h"
 #include "runtime/lua/api/binding_table.h"
 #include "runtime/lua/api/hinge_place.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/needs.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace fulcrum::runtime {
@@ -36,8 +39,17 @@ void move_body(lua_State* lua, LessonContext& context, Kind kind, const Argument
         at != nullptr && at->given ? at->vector : state_of(context, move.body).pose_W.position;
     move.velocity_W = velocity;
     const BodyDescription& body = description_of(context, move.body);
-    if (!body.movable && (kind == Kind::drop || kind == Kind::hold)) {
+    if (body.rigid && kind == Kind::hold) {
+        raise_in_lesson(lua, body.name +
+                                 " is rigid and can't be laid into the tool; the learner "
+                                 "grips it with the button");
+    }
+    if (!body.movable && !body.rigid && (kind == Kind::drop || kind == Kind::hold)) {
         raise_in_lesson(lua, body.name + " can't fall or be held; declare it with movable = true");
+    }
+    if (body.rigid) {
+        add_command(lua, MoveCommand{move});
+        return;
     }
     const std::string why = " stays as it is, for no body of this lesson is movable; ";
     require_need(
@@ -233,6 +245,26 @@ int get_where(lua_State* lua, LessonContext& context, std::int32_t index) {
     lua_pushstring(lua, kNames[static_cast<std::size_t>(state_of(context, index).where)]);
     return 1;
 }
+int get_velocity(lua_State* lua, LessonContext& context, std::int32_t index) {
+    push_vector(lua, state_of(context, index).velocity_W);
+    return 1;
+}
+int get_speed(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, compute_length(state_of(context, index).velocity_W));
+    return 1;
+}
+// A rigid body that sleeps has landed; one that is placed is only touched.
+int get_resting(lua_State* lua, LessonContext& context, std::int32_t index) {
+    const BodyWhere where = state_of(context, index).where;
+    const bool is_rigid = description_of(context, index).rigid.has_value();
+    lua_pushboolean(lua, where == BodyWhere::landed || (!is_rigid && where == BodyWhere::placed));
+    return 1;
+}
+int get_tilt(lua_State* lua, LessonContext& context, std::int32_t index) {
+    const Vector3 up_W = state_of(context, index).pose_W.orientation * Vector3::UnitY();
+    lua_pushnumber(lua, std::acos(std::clamp(up_W.y(), -1.0, 1.0)) * kDegrees);
+    return 1;
+}
 template <int kAxis>
 int get_axis(lua_State* lua, LessonContext& context, std::int32_t index) {
     lua_pushnumber(lua, state_of(context, index).pose_W.position[kAxis]);
@@ -262,7 +294,9 @@ void add_body_api(ApiTable& table) {
          kActing,
          {at},
          "",
-         "Puts it somewhere, where it stays. Some body of the lesson must be movable. A solid body "
+         "Puts it somewhere, where it stays; a rigid body falls from there. Some body of the "
+         "lesson "
+         "must be movable or it rigid. A solid body "
          "that is put where the hand's tool is pushes the tool out of itself, so put it beside.",
          &place});
     table.functions.push_back(
@@ -272,7 +306,7 @@ void add_body_api(ApiTable& table) {
          kActing,
          {},
          "",
-         "Takes it out of the scene. Some body of the lesson must be movable.",
+         "Takes it out of the scene. Some body of the lesson must be movable or it rigid.",
          &hide});
     table.functions.push_back({"body",
                                "hold",
@@ -315,8 +349,16 @@ void add_body_api(ApiTable& table) {
     table.properties.push_back({"body", "where",
                                 "\"hidden\"|\"placed\"|\"falling\"|\"held\"|\"landed\"", "",
                                 "\"hidden\", \"placed\", \"falling\", \"held\" in the tool, or "
-                                "\"landed\" on the ground",
+                                "\"landed\" on the ground; a rigid body is \"placed\" while it "
+                                "touches something and \"landed\" when it lies still",
                                 &get_where});
+    table.properties.push_back(
+        {"body", "velocity", "Vector", "metres per second", "{x, y, z}", &get_velocity});
+    table.properties.push_back({"body", "speed", "number", "metres per second", "", &get_speed});
+    table.properties.push_back({"body", "resting", "boolean", "",
+                                "lies still; of a rigid body: for half a second", &get_resting});
+    table.properties.push_back({"body", "tilt", "number", "degrees",
+                                "how far its top leans from upright, 0 to 180", &get_tilt});
     table.properties.push_back({"body", "x", "number", "metres", "to the right", &get_axis<0>});
     table.properties.push_back({"body", "y", "number", "metres", "up", &get_axis<1>});
     table.properties.push_back(

@@ -3,6 +3,7 @@
 #include "runtime/lua/api/hinge_place.h"
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/api/materials.h"
+#include "runtime/lua/api/rigid_bodies.h"
 #include "runtime/scene/shape_models.h"
 
 #include <algorithm>
@@ -111,6 +112,14 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
     body.visible = arguments["visible"].flag;
     body.position_W = arguments["at"].vector;
     body.line = place_in_lesson(lua).line;
+    take_rigid(lua, context, arguments, body);
+    if (body.movable && std::ranges::any_of(bodies, [](const BodyDescription& other) {
+            return other.rigid.has_value();
+        })) {
+        raise_in_lesson(lua, body.name +
+                                 " is movable, and another body is rigid; a lesson has "
+                                 "bodies of one of both kinds");
+    }
     if (arguments["hinge"].given) {
         body.hinge = take_hinge(lua, arguments.record("hinge"), body);
         // Only a mass that the lesson gives is known to be that of its inertia.
@@ -273,7 +282,21 @@ void add_scene_rows(ApiTable& table) {
           {"hinge", record, "", 0, 0, "nil",
            "an axis that a solid body turns about, pushed by the hand; while it is, arm, force and "
            "torque are drawn",
-           "", kHinge, std::size(kHinge)}},
+           "", kHinge, std::size(kHinge)},
+          {"size", vector, "metres", 0, 10, "nil",
+           "edges of a body with model = \"box\": width, height, depth; twice the radius by "
+           "default"},
+          {"rigid", flag, "", 0, 0, "false",
+           "a thing with a mass that lies, falls, is pushed, gripped with the button, lifted and "
+           "stacked; can be touched, and is seen unless visible = false"},
+          {"shape", choice, "", 0, 0, "nil",
+           "what a rigid body collides as; by default a box or a ball as its model, else the hull "
+           "of its model",
+           "box ball cylinder capsule hull"},
+          {"density", number, "kilograms per cubic metre", 1, 25000, "nil",
+           "of a rigid box or ball, instead of its mass: wood 600, water 1000, iron 7900"},
+          {"joint", record, "", 0, 0, "nil", "what a rigid body hangs on", "",
+           joint_parameters().data(), joint_parameters().size()}},
          "Body",
          "Declares a thing.",
          &add_body});

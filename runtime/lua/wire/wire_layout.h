@@ -30,6 +30,10 @@ void body(Archive& a, Body& b) {
     a.integer("a line", b.line, 0, kMaxLine);
     a.integer("a body's material", b.material, kNoMaterial, kMaxMaterials - 1);
     optional(a, "a hinge", b.hinge, [](auto& each, auto& h) { hinge(each, h); });
+    optional(a, "a rigid body", b.rigid, [](auto& each, auto& r) { rigid(each, r); });
+    for (int i = 0; i < 3; ++i) {
+        a.number("a body's size", b.size_m[i], 0.0, 10.0);
+    }
 }
 
 template <class Archive, class Force>
@@ -157,6 +161,11 @@ template <class Things, class NameOf>
     }
     if (std::ranges::any_of(d.bodies, [](const auto& b) { return b.hinge && !b.solid; })) {
         return "has a hinge on a body that is not solid";
+    }
+    if (std::ranges::any_of(d.bodies, [](const auto& b) {
+            return b.rigid && (!b.solid || b.movable || b.hinge || !(b.mass_kg > 0.0));
+        })) {
+        return "has a rigid body that is not solid, moves otherwise as well, or has no mass";
     }
     return d.id.empty() ? "has no id" : nullptr;
 }

@@ -93,6 +93,26 @@ void hinge(Archive& a, Hinge& h) {
     vector(a, "where a load hangs", h.load_B, kFarthestOnAxle_m);
 }
 
+template <class Archive, class Joint>
+void joint(Archive& a, Joint& j) {
+    a.choice("a joint's kind", j.kind, JointKind::distance);
+    a.name("what a joint holds on to", j.to);
+    vector(a, "a joint's place", j.at_W, kMaxCoordinate_m);
+    vector(a, "a rod's end", j.other_at_W, kMaxCoordinate_m);
+    vector(a, "a joint's axis", j.axis_W, 1.0);
+    a.number("a joint's lowest", j.lowest, -kAnyTravel, 0.0);
+    a.number("a joint's highest", j.highest, 0.0, kAnyTravel);
+    a.number("a joint's speed", j.speed, -1e4, 1e4);
+    a.number("a joint's force", j.force, 0.0, 1e4);
+    a.number("a joint's friction", j.friction, 0.0, 1e4);
+}
+
+template <class Archive, class Rigid>
+void rigid(Archive& a, Rigid& r) {
+    a.choice("a rigid body's shape", r.shape, RigidShape::hull);
+    optional(a, "a joint", r.joint, [](auto& each, auto& j) { joint(each, j); });
+}
+
 template <class Archive, class Shape>
 void cursor(Archive& a, Shape& shape) {
     using Kind = std::remove_cvref_t<Shape>;

@@ -1,0 +1,38 @@
+// What a lesson's run has to do with rigid bodies; for lesson_run.cpp.
+#include "runtime/app/lesson_run.h"
+
+#include <utility>
+
+namespace fulcrum::runtime {
+
+Expected<void> LessonRun::build_rigid_loop() {
+    rigid_ = std::make_unique<RigidChannels>();
+    channels_.rigid = rigid_.get();
+    world_channels_ = std::make_unique<WorldChannels>();
+    RigidChannels* const hands[] = {rigid_.get()};
+    auto loop = RigidLoop::create(*plan_.rigid, world_channels_.get(), hands);
+    if (!loop) {
+        return tl::unexpected(loop.error());
+    }
+    rigid_loop_ = std::move(*loop);
+    return {};
+}
+
+// Bodies that are not rigid stand where they were declared.
+void LessonRun::take_rigid_bodies() {
+    if (!rigid_loop_ || world_channels_->snapshot.value().n_bodies == 0) {
+        return;
+    }
+    seen_ = world_channels_->snapshot.value();
+    const auto& bodies = session_->description().bodies;
+    seen_.n_bodies = static_cast<std::int32_t>(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (!bodies[i].rigid) {
+            seen_.bodies[i] = {
+                Pose::at(bodies[i].position_W), Vector3::Zero(),
+                bodies[i].visible || bodies[i].solid ? BodyWhere::placed : BodyWhere::hidden};
+        }
+    }
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,197 @@
+#include "runtime/lua/api/rigid_bodies.h"
+
+#include "runtime/lua/api/lesson_context.h"
+#include "runtime/scene/shape_models.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <string>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr double kLeastMass_kg = 0.001;  // a lighter one is no thing that a hand could feel
+constexpr double kMostTravel = 1.0e4;
+
+constexpr Parameter kJoint[] = {
+    {"kind", ParameterType::choice, "", 0, 0, kRequired,
+     "a hinge turns about its axis, a slider moves along it, a ball turns every way about its "
+     "place, a rod holds two places as far apart as they are, fixed is glued",
+     "hinge slider ball fixed rod"},
+    {"to", ParameterType::name, "", 0, 0, "nil",
+     "the name of a rigid body that was declared before; the world by default"},
+    {"at", ParameterType::vector, "metres", -10000, 10000, "nil",
+     "where it is; of a rod its end on the other body; where the body is by default"},
+    {"end_at", ParameterType::vector, "metres", -10000, 10000, "nil",
+     "of a rod: its end on this body; where the body is by default"},
+    {"axis", ParameterType::vector, "", -1, 1, "{0, 0, 1}",
+     "of a hinge or slider: {0, 0, 1} points at you, {0, 1, 0} stands upright"},
+    {"lowest", ParameterType::number, "degrees, metres of a slider", -kMostTravel, 0, "nil",
+     "it goes no further; no end by default"},
+    {"highest", ParameterType::number, "degrees, metres of a slider", 0, kMostTravel, "nil",
+     "it goes no further; no end by default"},
+    {"speed", ParameterType::number, "degrees or metres per second", -kMostTravel, kMostTravel, "0",
+     "of its motor"},
+    {"force", ParameterType::number, "newtons, newton metres of a hinge", 0, 10000, "0",
+     "that its motor has; 0 is no motor"},
+    {"friction", ParameterType::number, "newtons, newton metres of a hinge", 0, 10000, "0",
+     "what brakes it"}};
+
+JointKind joint_kind_of(const std::string& name) {
+    constexpr std::array<std::pair<std::string_view, JointKind>, 5> kKinds{
+        {{"hinge", JointKind::hinge},
+         {"slider", JointKind::slider},
+         {"ball", JointKind::ball},
+         {"fixed", JointKind::fixed},
+         {"rod", JointKind::distance}}};
+    return std::ranges::find(kKinds, std::string_view(name),
+                             [](const auto& kind) { return kind.first; })
+        ->second;
+}
+
+RigidShape shape_of(const std::string& name) {
+    constexpr std::array<std::pair<std::string_view, RigidShape>, 5> kShapes{
+        {{"box", RigidShape::box},
+         {"ball", RigidShape::ball},
+         {"cylinder", RigidShape::cylinder},
+         {"capsule", RigidShape::capsule},
+         {"hull", RigidShape::hull}}};
+    return std::ranges::find(kShapes, std::string_view(name),
+                             [](const auto& shape) { return shape.first; })
+        ->second;
+}
+
+void check_joint(lua_State* lua, const LessonContext& context, const JointDescription& joint,
+                 const Arguments& arguments, const BodyDescription& body) {
+    const auto& bodies = context.description.bodies;
+    const bool is_known = joint.to.empty() || std::ranges::any_of(bodies, [&](const auto& other) {
+                              return other.name == joint.to && other.rigid;
+                          });
+    if (!is_known) {
+        raise_in_lesson(lua, "the joint of " + body.name + " is to \"" + joint.to +
+                                 "\", which is no rigid body that was declared before");
+    }
+    const bool has_axis = joint.kind == JointKind::hinge || joint.kind == JointKind::slider;
+    for (const char* name : {"axis", "lowest", "highest", "speed", "force", "friction"}) {
+        if (!has_axis && arguments[name].given) {
+            raise_in_lesson(lua, std::string("only a hinge or a slider has ") + name +
+                                     "; leave it out of the joint of " + body.name);
+        }
+    }
+    if (has_axis && joint.axis_W.norm() < 0.01) {
+        raise_in_lesson(lua,
+                        "the axis of " + body.name + " has no direction; {0, 1, 0} stands upright");
+    }
+    if (joint.kind == JointKind::distance && (joint.at_W - joint.other_at_W).norm() < 1.0e-3) {
+        raise_in_lesson(
+            lua, "the rod of " + body.name + " has no length; give it at = … and end_at = …");
+    }
+    if (joint.kind != JointKind::distance && arguments["end_at"].given) {
+        raise_in_lesson(lua, "only a rod has end_at; leave it out of the joint of " + body.name);
+    }
+}
+
+JointDescription take_joint(lua_State* lua, const LessonContext& context,
+                            const Arguments& arguments, const BodyDescription& body) {
+    JointDescription joint;
+    joint.kind = joint_kind_of(arguments["kind"].text);
+    joint.to = arguments["to"].given ? arguments["to"].text : "";
+    joint.at_W = arguments["at"].given ? arguments["at"].vector : body.position_W;
+    joint.other_at_W = arguments["end_at"].given ? arguments["end_at"].vector : body.position_W;
+    joint.axis_W = arguments["axis"].vector;
+    const double unit = joint.kind == JointKind::hinge ? 1.0 / kDegrees : 1.0;
+    if (arguments["lowest"].given) {
+        joint.lowest = unit * arguments["lowest"].number;
+    }
+    if (arguments["highest"].given) {
+        joint.highest = unit * arguments["highest"].number;
+    }
+    joint.speed = unit * arguments["speed"].number;
+    joint.force = arguments["force"].number;
+    joint.friction = arguments["friction"].number;
+    check_joint(lua, context, joint, arguments, body);
+    return joint;
+}
+
+/// The volume of a shape whose size the lesson knows.
+double find_volume_m3(lua_State* lua, const BodyDescription& body) {
+    if (body.model == kBoxModel) {
+        return box_size_m(body).prod();
+    }
+    if (!is_ball_model(body.model)) {
+        raise_in_lesson(lua, body.name +
+                                 " has a density, and only a box or a ball has a known volume; "
+                                 "give it a mass instead");
+    }
+    return 4.0 / 3.0 * std::numbers::pi * body.radius_m * body.radius_m * body.radius_m;
+}
+
+void take_size(lua_State* lua, const Argument& size, BodyDescription& body) {
+    if (!size.given) {
+        return;
+    }
+    if (body.model != kBoxModel) {
+        raise_in_lesson(lua, body.name +
+                                 " has a size, and only a body with model = \"box\" can; "
+                                 "give it a radius");
+    }
+    if (size.vector.minCoeff() < 0.002) {
+        raise_in_lesson(lua, "each edge of " + body.name + " is at least 0.002 m long");
+    }
+    body.size_m = size.vector;
+    body.radius_m = 0.5 * size.vector.maxCoeff();
+}
+
+}  // namespace
+
+std::span<const Parameter> joint_parameters() {
+    return kJoint;
+}
+
+void take_rigid(lua_State* lua, const LessonContext& context, const Arguments& arguments,
+                BodyDescription& body) {
+    take_size(lua, arguments["size"], body);
+    if (!arguments["rigid"].flag) {
+        for (const char* name : {"shape", "density", "joint"}) {
+            if (arguments[name].given) {
+                raise_in_lesson(
+                    lua, body.name + " has a " + name + " and is not rigid; add rigid = true");
+            }
+        }
+        return;
+    }
+    if (body.movable || arguments["hinge"].given) {
+        raise_in_lesson(lua, body.name + " is rigid and " +
+                                 (body.movable ? "movable" : "on a hinge of the hand") +
+                                 "; leave out one of them: a rigid body falls by itself, and has "
+                                 "joint = { kind = \"hinge\", … }");
+    }
+    if (std::ranges::any_of(context.description.bodies,
+                            [](const BodyDescription& other) { return other.movable; })) {
+        raise_in_lesson(lua, body.name +
+                                 " is rigid, and another body is movable; a lesson has "
+                                 "bodies of one of both kinds");
+    }
+    body.rigid.emplace();
+    body.solid = true;
+    body.visible = arguments["visible"].given ? arguments["visible"].flag : true;
+    if (arguments["shape"].given) {
+        body.rigid->shape = shape_of(arguments["shape"].text);
+    }
+    if (arguments["density"].given) {
+        if (arguments["mass"].given) {
+            raise_in_lesson(lua, body.name + " has a mass and a density; leave out one of them");
+        }
+        body.mass_kg = arguments["density"].number * find_volume_m3(lua, body);
+    }
+    if (body.mass_kg < kLeastMass_kg || body.mass_kg > 1.0e4) {
+        raise_in_lesson(lua, body.name + " is rigid and has a mass of " +
+                                 std::to_string(body.mass_kg) + " kg; give it 0.001 to 10000");
+    }
+    if (arguments["joint"].given) {
+        body.rigid->joint = take_joint(lua, context, arguments.record("joint"), body);
+    }
+}
+
+}  // namespace fulcrum::runtime

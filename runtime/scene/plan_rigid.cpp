@@ -1,0 +1,246 @@
+#include "runtime/scene/plan_rigid.h"
+
+#include "haptics/collision/collision_mesh.h"
+#include "haptics/dynamics/shape_inertia.h"
+#include "runtime/scene/plan_touch.h"
+#include "runtime/scene/shape_models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr double kUsualFriction = 0.5;   // of what has no material: wood on wood
+constexpr double kSlowPeriod_s = 0.01;   // of what no hand touches
+constexpr std::size_t kManyBodies = 24;  // from here on a second thread pays
+constexpr std::uint32_t kGripButtons = 1U;
+constexpr double kOffMiddle = 1.0e-4;  // of its size: a model whose middle is not its origin
+
+struct ModelBounds {
+    Vector3 middle_B{Vector3::Zero()};
+    Vector3 half_m{Vector3::Zero()};
+};
+
+ModelBounds find_bounds(const CollisionMesh& mesh) {
+    Vector3 lower = Vector3::Constant(std::numeric_limits<double>::max());
+    Vector3 upper = -lower;
+    for (const Vector3& vertex_B : mesh.vertices_B()) {
+        lower = lower.cwiseMin(vertex_B);
+        upper = upper.cwiseMax(vertex_B);
+    }
+    return {0.5 * (lower + upper), 0.5 * (upper - lower)};
+}
+
+RigidShape find_kind(const BodyDescription& body) {
+    const RigidShape asked = body.rigid ? body.rigid->shape : RigidShape::model;
+    return asked != RigidShape::model  ? asked
+           : is_ball_model(body.model) ? RigidShape::ball
+           : body.model == kBoxModel   ? RigidShape::box
+                                       : RigidShape::hull;
+}
+
+Expected<SolidShape> to_shape(const Expected<HullShape>& hull) {
+    return hull.map([](const HullShape& shape) { return SolidShape(shape); });
+}
+
+std::vector<Vector3> find_corners(const ModelBounds& bounds) {
+    std::vector<Vector3> corners;
+    for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) {
+            for (const double z : {-1.0, 1.0}) {
+                corners.emplace_back(bounds.middle_B +
+                                     bounds.half_m.cwiseProduct(Vector3(x, y, z)));
+            }
+        }
+    }
+    return corners;
+}
+
+/// What it collides as, from the model that is felt: an upright cylinder, capsule or ball round the model's own axis y.
+Expected<SolidShape> make_shape(const BodyDescription& body, const CollisionMesh& mesh) {
+    const ModelBounds bounds = find_bounds(mesh);
+    const RigidShape kind = find_kind(body);
+    if (kind == RigidShape::hull) {
+        return to_shape(make_hull_shape({mesh.vertices_B().begin(), mesh.vertices_B().end()}));
+    }
+    const bool is_off = bounds.middle_B.norm() > kOffMiddle * bounds.half_m.norm();
+    if (kind == RigidShape::box) {
+        return is_off ? to_shape(make_hull_shape(find_corners(bounds)))
+                      : Expected<SolidShape>(BoxShape{bounds.half_m});
+    }
+    if (is_off) {
+        return fail("its model's middle is not its origin, so it is no ball, cylinder or capsule",
+                    {}, "give it shape = \"hull\" or \"box\"");
+    }
+    const double across_m = std::max(bounds.half_m.x(), bounds.half_m.z());
+    switch (kind) {
+        case RigidShape::ball:
+            return SphereShape{bounds.half_m.maxCoeff()};
+        case RigidShape::cylinder:
+            return CylinderShape{across_m, bounds.half_m.y()};
+        default:
+            return CapsuleShape{across_m, std::max(bounds.half_m.y() - across_m, 0.0)};
+    }
+}
+
+Error about(const BodyDescription& body, const Error& error) {
+    return {"the " + body.noun + ": " + error.message, at_line(body.line), error.what_to_do};
+}
+
+RigidBodyPlan make_ground(const LessonDescription& lesson) {
+    return {.role = BodyRole::ground,
+            .pose_W = Pose::at(Vector3(0.0, lesson.ground_height_m, 0.0)),
+            .static_friction = kUsualFriction,
+            .dynamic_friction = kUsualFriction};
+}
+
+/// A solid of the haptic plan as the world has it: it moves, or stays where it is.
+Expected<RigidBodyPlan> make_world_body(const LessonDescription& lesson, const SolidPlan& solid) {
+    const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
+    const auto shape = make_shape(body, **find_mesh(solid.shape));
+    if (!shape) {
+        return tl::unexpected(about(body, shape.error()));
+    }
+    RigidBodyPlan plan{.shape = *shape,
+                       .role = body.rigid ? BodyRole::moves : BodyRole::stays,
+                       .mass_kg = body.mass_kg,
+                       .pose_W = solid.initial_pose_W,
+                       .static_friction = kUsualFriction,
+                       .dynamic_friction = kUsualFriction};
+    if (body.material != kNoMaterial) {
+        const FrictionSettings& felt =
+            lesson.materials[static_cast<std::size_t>(body.material)].felt.friction;
+        plan.static_friction = felt.static_coefficient;
+        plan.dynamic_friction = std::min(felt.dynamic_coefficient, felt.static_coefficient);
+    }
+    RigidWorldPlan alone;
+    alone.bodies = {plan};
+    if (const auto good = validate(alone); !good) {
+        return tl::unexpected(about(body, good.error()));
+    }
+    return plan;
+}
+
+JointPlan make_joint(const JointDescription& joint, std::int32_t other, std::int32_t body) {
+    JointPlan plan{
+        .kind = joint.kind,
+        .body_a = other,
+        .body_b = body,
+        .anchor_W = joint.at_W,
+        .other_anchor_W = joint.other_at_W,
+        .axis_W = joint.axis_W,
+        .drive = {
+            .motor_speed = joint.speed, .motor_force = joint.force, .friction = joint.friction}};
+    // Without an end it has none in the world either.
+    if (joint.lowest > -kAnyTravel) {
+        plan.drive.lower = joint.lowest;
+    }
+    if (joint.highest < kAnyTravel) {
+        plan.drive.upper = joint.highest;
+    }
+    return plan;
+}
+
+Expected<void> add_joints(const LessonDescription& lesson, RigidLoopPlan& rigid) {
+    const auto world_body_of = [&](const std::string& name) {
+        for (std::size_t i = 0; i < rigid.scene_bodies.size(); ++i) {
+            const std::int32_t scene = rigid.scene_bodies[i];
+            if (scene >= 0 && lesson.bodies[static_cast<std::size_t>(scene)].name == name) {
+                return static_cast<std::int32_t>(i);
+            }
+        }
+        return kNoBody;
+    };
+    for (const BodyDescription& body : lesson.bodies) {
+        if (!body.rigid || !body.rigid->joint) {
+            continue;
+        }
+        const JointDescription& joint = *body.rigid->joint;
+        rigid.world.joints.push_back(make_joint(
+            joint, joint.to.empty() ? kNoBody : world_body_of(joint.to), world_body_of(body.name)));
+        if (const auto good = validate(rigid.world); !good) {
+            return tl::unexpected(about(body, good.error()));
+        }
+    }
+    return {};
+}
+
+/// How the hand meets it, and what a teacher should know of that.
+Expected<void> add_touch(const BodyDescription& body, const RigidBodyPlan& simulated,
+                         std::size_t solid, double most_N, Plan& plan, double gravity_m_per_s2) {
+    const auto inertia = compute_shape_inertia_of_mass(simulated.shape, simulated.mass_kg);
+    if (!inertia) {
+        return tl::unexpected(about(body, inertia.error()));
+    }
+    plan.haptic.rigid.push_back({solid, body.mass_kg, inertia->inertia.moments_kg_m2.maxCoeff(),
+                                 plan.haptic.tool ? 0U : kGripButtons});
+    const double weight_N = body.mass_kg * gravity_m_per_s2;
+    if (weight_N > kWeightShareOfLimit * most_N) {
+        char text[200];
+        std::snprintf(text, sizeof(text),
+                      "The %s weighs %.1f N and the hand may feel %.1f N: it can be pushed, but "
+                      "not lifted (lesson.lua:%d).",
+                      body.noun.c_str(), weight_N, most_N, body.line);
+        plan.notices.emplace_back(text);
+    }
+    return {};
+}
+
+}  // namespace
+
+Expected<void> add_rigid_bodies(const LessonDescription& lesson, const PlanOptions& options,
+                                Plan& plan) {
+    if (std::ranges::none_of(lesson.bodies,
+                             [](const BodyDescription& body) { return body.rigid.has_value(); })) {
+        return {};
+    }
+    RigidLoopPlan rigid;
+    rigid.world.settings.gravity_W = lesson.gravity_W;
+    rigid.world.settings.slow_period_s = kSlowPeriod_s;
+    rigid.world.bodies = {make_ground(lesson)};
+    rigid.scene_bodies = {kNoBody};
+    const double gravity = lesson.gravity_W.norm();
+    const double most_N = std::min(options.force_limit_N, options.device_force_limit_N);
+    for (std::size_t i = 0; i < plan.haptic.solids.size(); ++i) {
+        const SolidPlan& solid = plan.haptic.solids[i];
+        const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
+        rigid.solids.push_back(kNoBody);
+        if (body.hinge) {
+            continue;
+        }
+        const auto simulated = make_world_body(lesson, solid);
+        if (!simulated) {
+            return tl::unexpected(simulated.error());
+        }
+        const auto index = static_cast<std::int32_t>(rigid.world.bodies.size());
+        rigid.world.bodies.push_back(*simulated);
+        rigid.scene_bodies.push_back(body.rigid ? solid.body : kNoBody);
+        if (!body.rigid) {
+            continue;
+        }
+        rigid.solids.back() = index;
+        if (!body.visible) {
+            rigid.hidden.push_back(index);
+        }
+        plan.felt_weight_N[static_cast<std::size_t>(solid.body)] = body.mass_kg * gravity;
+        if (auto good = add_touch(body, *simulated, i, most_N, plan, gravity); !good) {
+            return good;
+        }
+    }
+    if (auto good = add_joints(lesson, rigid); !good) {
+        return good;
+    }
+    rigid.world.settings.n_threads =
+        options.live && rigid.world.bodies.size() > kManyBodies ? 2 : 1;
+    if (auto good = validate(rigid); !good) {
+        return good;
+    }
+    plan.rigid = std::move(rigid);
+    return {};
+}
+
+}  // namespace fulcrum::runtime

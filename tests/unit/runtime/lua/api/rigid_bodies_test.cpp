@@ -1,0 +1,122 @@
+// Rigid bodies, as lessons declare, move and read them.
+#include "runtime/lua/api/rigid_bodies.h"
+
+#include "tests/unit/runtime/lua/hosted_lesson.h"
+
+#include <catch2/catch.hpp>
+
+#include <numbers>
+
+namespace fulcrum::runtime {
+namespace {
+
+using test::HostedLesson;
+
+std::string refusal_of_block(const std::string& fields, const std::string& before = "") {
+    return HostedLesson().start(before + "world:body { name = 'block', " + fields + " }");
+}
+
+bool says(const std::string& sentence, const std::string& words) {
+    return sentence.find(words) != std::string::npos;
+}
+
+TEST_CASE("rigid bodies: one is solid and seen, with its size, shape and mass") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start(
+                "world:body { name = 'a', model = 'box', size = { 0.1, 0.2, 0.05 }, rigid = true, "
+                "density = 600 }\n"
+                "world:body { name = 'b', model = 'sphere', radius = 0.1, rigid = true, mass = 2, "
+                "visible = false, shape = 'capsule' }\n"
+                "world:body { name = 'c', model = 'box', solid = true, size = { 1, 0.1, 1 } }") ==
+            "");
+    const auto& bodies = lesson.host->description().bodies;
+    REQUIRE(bodies[0].rigid);
+    CHECK(bodies[0].solid);
+    CHECK(bodies[0].visible);
+    CHECK(bodies[0].size_m == Vector3(0.1, 0.2, 0.05));
+    CHECK(bodies[0].mass_kg == Approx(0.6));
+    CHECK(bodies[0].rigid->shape == RigidShape::model);
+    REQUIRE(bodies[1].rigid);
+    CHECK_FALSE(bodies[1].visible);
+    CHECK(bodies[1].rigid->shape == RigidShape::capsule);
+    CHECK_FALSE(bodies[1].rigid->joint);
+    CHECK_FALSE(bodies[2].rigid);
+    CHECK(box_size_m(bodies[2]) == Vector3(1, 0.1, 1));
+    CHECK(box_size_m(bodies[1]) == Vector3::Constant(0.2));
+}
+
+TEST_CASE("rigid bodies: a joint is in radians, or metres of a slider, from where the body is") {
+    HostedLesson lesson;
+    REQUIRE(
+        lesson.start(
+            "world:body { name = 'post', model = 'box', rigid = true }\n"
+            "world:body { name = 'door', model = 'box', rigid = true, at = { 1, 0, 0 }, joint = { "
+            "kind = 'hinge', to = 'post', axis = { 0, 1, 0 }, lowest = -90, highest = 45, speed = "
+            "180, force = 2, friction = 0.1 } }\n"
+            "world:body { name = 'drawer', model = 'box', rigid = true, joint = { kind = "
+            "'slider', at = { 0, 1, 0 }, highest = 0.3 } }\n"
+            "world:body { name = 'bob', model = 'box', rigid = true, joint = { kind = 'rod', at "
+            "= { 0, 2, 0 } } }") == "");
+    const auto& bodies = lesson.host->description().bodies;
+    REQUIRE(bodies[1].rigid->joint);
+    const JointDescription& door = *bodies[1].rigid->joint;
+    CHECK(door.kind == JointKind::hinge);
+    CHECK(door.to == "post");
+    CHECK(door.at_W == Vector3(1, 0, 0));
+    CHECK(door.axis_W == Vector3::UnitY());
+    CHECK(door.lowest == Approx(-0.5 * std::numbers::pi));
+    CHECK(door.highest == Approx(0.25 * std::numbers::pi));
+    CHECK(door.speed == Approx(std::numbers::pi));
+    CHECK(door.force == 2.0);
+    CHECK(door.friction == 0.1);
+    REQUIRE(bodies[2].rigid->joint);
+    CHECK(bodies[2].rigid->joint->highest == 0.3);
+    CHECK(bodies[2].rigid->joint->lowest == -kAnyTravel);
+    REQUIRE(bodies[3].rigid->joint);
+    CHECK(bodies[3].rigid->joint->kind == JointKind::distance);
+    CHECK(bodies[3].rigid->joint->at_W == Vector3(0, 2, 0));
+    CHECK(bodies[3].rigid->joint->other_at_W == Vector3::Zero());
+}
+
+TEST_CASE("rigid bodies: what does not fit together is one sentence at its line") {
+    CHECK(says(refusal_of_block("rigid = true, movable = true"), "lesson.lua:"));
+    CHECK(says(refusal_of_block("rigid = true, movable = true"), "rigid and movable"));
+    CHECK(says(refusal_of_block("shape = 'box'"), "add rigid = true"));
+    CHECK(says(refusal_of_block("rigid = true, size = { 1, 1, 1 }"), "model = \"box\""));
+    CHECK(says(refusal_of_block("rigid = true, model = 'box', size = { 1, 0, 1 }"), "0.002"));
+    CHECK(says(refusal_of_block("rigid = true, density = 600"), "give it a mass"));
+    CHECK(says(refusal_of_block("rigid = true, model = 'box', density = 600, mass = 1"),
+               "leave out one"));
+    CHECK(says(refusal_of_block("rigid = true, mass = 0"), "0.001 to 10000"));
+    const std::string joint = "rigid = true, model = 'box', joint = ";
+    CHECK(says(refusal_of_block(joint + "{ kind = 'ball', to = 'nobody' }"), "no rigid body"));
+    CHECK(says(refusal_of_block(joint + "{ kind = 'ball', friction = 1 }"), "only a hinge"));
+    CHECK(says(refusal_of_block(joint + "{ kind = 'hinge', axis = { 0, 0, 0 } }"), "no direction"));
+    CHECK(says(refusal_of_block(joint + "{ kind = 'rod' }"), "no length"));
+    CHECK(says(refusal_of_block(joint + "{ kind = 'ball', end_at = { 0, 1, 0 } }"), "only a rod"));
+    CHECK(says(refusal_of_block("rigid = true", "world:body { name = 'egg', movable = true }\n"),
+               "one of both kinds"));
+    CHECK(says(refusal_of_block("movable = true", "world:body { name = 'egg', rigid = true }\n"),
+               "one of both kinds"));
+}
+
+TEST_CASE("rigid bodies: a lesson puts, drops and hides them, and reads how they lie") {
+    HostedLesson lesson;
+    REQUIRE(
+        lesson.load("local b function L:start(world) b = world:body { name = 'b', model = 'box', "
+                    "rigid = true } end\n"
+                    "function L:update() b:place { at = { 1, 0, 0 } } b:drop { at = { 2, 0, 0 } "
+                    "} b:hide() assert(b.speed == 0 and not b.resting and b.tilt == 0 and "
+                    "b.velocity.x == 0) end") == "");
+    REQUIRE(lesson.play() == "");
+    CHECK(lesson.commands<MoveCommand>().size() == 3);
+    HostedLesson holds;
+    REQUIRE(
+        holds.load("local b function L:start(world) b = world:body { name = 'b', model = 'box', "
+                   "rigid = true } end\n"
+                   "function L:update() b:hold() end") == "");
+    CHECK(says(holds.play(), "grips it with the button"));
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime

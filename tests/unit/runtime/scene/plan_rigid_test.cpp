@@ -1,0 +1,125 @@
+#include "runtime/scene/plan_rigid.h"
+
+#include "haptics/collision/collision_mesh.h"
+#include "haptics/geometry/shape.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+
+BodyDescription make_block(const std::string& name, const Vector3& size_m, double mass_kg,
+                           SourceLine line) {
+    BodyDescription body;
+    body.name = body.noun = name;
+    body.model = "box";
+    body.size_m = size_m;
+    body.mass_kg = mass_kg;
+    body.solid = body.visible = true;
+    body.rigid.emplace();
+    body.line = line;
+    return body;
+}
+
+LessonDescription make_blocks() {
+    LessonDescription lesson;
+    lesson.bodies = {make_block("table", {1.0, 0.1, 1.0}, 1.0, 3),
+                     make_block("block", {0.1, 0.2, 0.1}, 0.3, 4),
+                     make_block("heavy", {0.1, 0.1, 0.1}, 2.0, 5)};
+    lesson.bodies[0].rigid.reset();
+    return lesson;
+}
+
+Expected<std::shared_ptr<const CollisionMesh>> box_mesh(const BodyDescription& body) {
+    return make_box(box_size_m(body)).and_then([](const TriangleMesh& mesh) {
+        return CollisionMesh::create(mesh);
+    });
+}
+
+Plan compile(const LessonDescription& lesson) {
+    auto plan = compile_plan(lesson, {}, box_mesh);
+    REQUIRE(plan);
+    return *plan;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "plan: rigid bodies have a world with ground and table, and the hand pushes and grips them") {
+    const Plan plan = compile(make_blocks());
+    REQUIRE(plan.rigid);
+    CHECK_FALSE(plan.world);
+    CHECK(plan.world_rate_hz() == 1000.0);
+    REQUIRE(plan.rigid->world.bodies.size() == 4);
+    CHECK(plan.rigid->world.bodies[0].role == BodyRole::ground);
+    CHECK(plan.rigid->world.bodies[1].role == BodyRole::stays);
+    CHECK(plan.rigid->world.bodies[2].role == BodyRole::moves);
+    CHECK(plan.rigid->world.bodies[2].mass_kg == 0.3);
+    const auto* box = std::get_if<BoxShape>(&plan.rigid->world.bodies[2].shape);
+    REQUIRE(box != nullptr);
+    CHECK((box->half_size_m - Vector3(0.05, 0.1, 0.05)).norm() < 1e-12);
+    CHECK(plan.rigid->solids == std::vector<std::int32_t>{kNoBody, 2, 3});
+    CHECK(plan.rigid->scene_bodies == std::vector<std::int32_t>{kNoBody, kNoBody, 1, 2});
+    REQUIRE(plan.haptic.rigid.size() == 2);
+    CHECK(plan.haptic.rigid[0].solid == 1);
+    CHECK(plan.haptic.rigid[0].grip_buttons != 0);
+    // m (0.1^2 + 0.2^2) / 12.
+    CHECK(plan.haptic.rigid[0].moment_kg_m2 == Approx(0.3 * 0.05 / 12.0));
+    CHECK(plan.felt_weight_N[1] == Approx(0.3 * 9.81));
+    CHECK(plan.has("world", "rigid bodies"));
+    CHECK(plan.has("haptic", "pushing"));
+}
+
+TEST_CASE("plan: without rigid bodies there is no world of them, nor its stage") {
+    LessonDescription lesson = make_blocks();
+    lesson.bodies.resize(1);
+    const Plan plan = compile(lesson);
+    CHECK_FALSE(plan.rigid);
+    CHECK(plan.haptic.rigid.empty());
+    CHECK(plan.world_rate_hz() == 0.0);
+    CHECK_FALSE(plan.has("world", "rigid bodies"));
+    CHECK_FALSE(plan.has("haptic", "pushing"));
+}
+
+TEST_CASE("plan: a teacher is told what is too heavy to lift") {
+    const Plan plan = compile(make_blocks());
+    REQUIRE(plan.notices.size() == 1);
+    CHECK(plan.notices[0].find("heavy weighs 19.6 N") != std::string::npos);
+    CHECK(plan.notices[0].find("lesson.lua:5") != std::string::npos);
+}
+
+TEST_CASE("plan: what is not seen at first is not there, and joints are between the right bodies") {
+    LessonDescription lesson = make_blocks();
+    lesson.bodies[1].visible = false;
+    lesson.bodies[2].rigid->joint = JointDescription{
+        .kind = JointKind::hinge, .to = "block", .at_W = {0.1, 0.0, 0.0}, .highest = 1.0};
+    const Plan plan = compile(lesson);
+    CHECK(plan.rigid->hidden == std::vector<std::int32_t>{2});
+    REQUIRE(plan.rigid->world.joints.size() == 1);
+    const JointPlan& joint = plan.rigid->world.joints[0];
+    CHECK(joint.body_a == 2);
+    CHECK(joint.body_b == 3);
+    CHECK(joint.drive.upper == 1.0);
+    CHECK(std::isinf(joint.drive.lower));
+    CHECK(joint.anchor_W == Vector3(0.1, 0.0, 0.0));
+}
+
+TEST_CASE("plan: shapes follow the model, or what the lesson says") {
+    LessonDescription lesson = make_blocks();
+    const auto shape_as = [&](RigidShape shape) {
+        lesson.bodies[1].rigid->shape = shape;
+        return compile(lesson).rigid->world.bodies[2].shape;
+    };
+    CHECK(std::get<SphereShape>(shape_as(RigidShape::ball)).radius_m == Approx(0.1));
+    const auto cylinder = std::get<CylinderShape>(shape_as(RigidShape::cylinder));
+    CHECK(cylinder.radius_m == Approx(0.05));
+    CHECK(cylinder.half_height_m == Approx(0.1));
+    CHECK(std::get<CapsuleShape>(shape_as(RigidShape::capsule)).half_length_m == Approx(0.05));
+    CHECK(std::holds_alternative<HullShape>(shape_as(RigidShape::hull)));
+    CHECK(std::holds_alternative<BoxShape>(shape_as(RigidShape::box)));
+}
