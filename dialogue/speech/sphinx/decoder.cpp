@@ -99,6 +99,16 @@ struct Decoder::Engines {
     Engine sounds;
     bool listens = false;
 
+    Engines() = default;
+    Engines(const Engines&) = delete;
+    Engines& operator=(const Engines&) = delete;
+    // The loop of sounds lets go of what it heard last only when it begins anew.
+    ~Engines() {
+        if (sounds && ps_start_utt(sounds.get()) >= 0) {
+            ps_end_utt(sounds.get());
+        }
+    }
+
     // Knows the word, or has it taught by the rules of pronunciation.
     [[nodiscard]] bool teach(const std::string& word) const {
         const LookUp look_up = [this](std::string_view text) -> std::optional<std::string> {

@@ -1,0 +1,251 @@
+// What is heard of synthetic voices: sentences that fit a question, learners' errors in them, and what fits nothing; and the knob that
+// decides how sure the recogniser has to be, what is kept against what is wrongly let in.
+#include "dialogue/marking/mark.h"
+#include "dialogue/speech/sphinx/decoder.h"
+#include "runtime/audio/resample.h"
+#include "runtime/audio/wav.h"
+#include "runtime/files/run_program.h"
+#include "tests/bench/harness/csv.h"
+#include "tests/bench/harness/measure.h"
+#include "tests/bench/harness/registry.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fulcrum::bench {
+namespace {
+
+using namespace fulcrum::dialogue;
+
+// In the grammar: right ones, and what learners say.
+constexpr std::array<std::string_view, 10> kRight{
+    "the watermelon is the heaviest", "a banana is the heaviest",
+    "the apple is the heaviest",      "the egg is the heaviest",
+    "an apple is the heaviest",       "a watermelon is the heaviest",
+    "the banana is the heaviest",     "the heaviest is the apple",
+    "it is the watermelon",           "the watermelon"};
+constexpr std::array<std::string_view, 10> kWrong{
+    "watermelon is the heaviest",     "the banana is the most heavy",
+    "the apple are the heaviest",     "banana is heaviest",
+    "the egg is most heavy",          "the watermelon is heaviest",
+    "the apple is the most heaviest", "apple is the most heavy",
+    "the banana are the heaviest",    "the watermelon be the heaviest"};
+constexpr std::array<std::string_view, 20> kOutside{"I want to go home now",
+                                                    "the weather is nice today",
+                                                    "my brother plays football",
+                                                    "can I have some water please",
+                                                    "what time is it",
+                                                    "she went to school by bus",
+                                                    "the window is open",
+                                                    "I do not understand this",
+                                                    "look at that big dog",
+                                                    "we had pizza for lunch",
+                                                    "three and four is seven",
+                                                    "where is my pencil",
+                                                    "it was raining all day",
+                                                    "he is talking to his friend",
+                                                    "open your books please",
+                                                    "I like reading in the evening",
+                                                    "the train was late again",
+                                                    "this game is really fun",
+                                                    "my favourite colour is blue",
+                                                    "nobody knows the answer"};
+
+// As near to the grammar as can be, and another meaning.
+constexpr std::array<std::string_view, 8> kNear{
+    "the watermelon is not heavy",    "the egg is heavier than the apple",
+    "the apple is not the heaviest",  "the banana is not heavier than the egg",
+    "the watermelon is the lightest", "the egg is less heavy",
+    "nothing is the heaviest",        "the orange is the heaviest"};
+
+struct Condition {
+    std::string name;
+    std::string program, voice;
+    double pitch = 1.0;  // and speed: a smaller throat speaks quicker here
+    double noise = 0.0;  // root mean square, of full scale
+};
+
+const std::vector<Condition>& conditions() {
+    static const std::vector<Condition> kAll{
+        {"flite slt, a woman", "flite", "slt"},
+        {"flite rms, a man", "flite", "rms"},
+        {"flite awb, a Scot", "flite", "awb"},
+        {"espeak-ng en-us", "espeak-ng", "en-us"},
+        {"slt, noise 20 dB below", "flite", "slt", 1.0, 0.01},
+        {"slt, 2 semitones up", "flite", "slt", 1.122},
+        {"slt, 4 semitones up", "flite", "slt", 1.26},
+    };
+    return kAll;
+}
+
+std::vector<std::int16_t> speak(const Condition& condition, std::string_view text) {
+    std::vector<std::string> words{"flite", "-voice", condition.voice, "-o", "/dev/stdout", "-t"};
+    if (condition.program == "espeak-ng") {
+        words = {"espeak-ng", "--stdout", "-v", condition.voice, "-s", "140", "--"};
+    }
+    words.emplace_back(text);
+    const std::atomic<bool> never{false};
+    const auto wav = runtime::run_program({words, 20'000'000, 30.0}, never);
+    const auto sound =
+        wav.and_then([](const std::string& bytes) { return runtime::read_wav(bytes); });
+    if (!sound) {
+        throw std::runtime_error(condition.program + " says nothing");
+    }
+    const auto rate = static_cast<int>(std::lround(sound->rate_Hz * condition.pitch));
+    std::vector<float> heard = runtime::resample(sound->samples, rate, kHeardRate_Hz);
+    std::mt19937 random(1);
+    std::normal_distribution<float> noise(0.0F, static_cast<float>(condition.noise));
+    std::vector<std::int16_t> samples;
+    for (const float x : heard) {
+        const float with_noise = x + (condition.noise > 0.0 ? noise(random) : 0.0F);
+        samples.push_back(
+            static_cast<std::int16_t>(std::lround(std::clamp(with_noise, -1.0F, 1.0F) * 32767.0F)));
+    }
+    return samples;
+}
+
+struct Heard {
+    double difference = -1.0e3;  // nothing fits
+    bool exact = false;
+    bool told = false;  // of an error: the mark has one
+};
+
+struct HeardAll {
+    std::vector<Heard> right, wrong, near, outside;
+    double share_of_length = 0.0;
+};
+
+HeardAll hear(Decoder& decoder, const Question& question, const Condition& condition) {
+    HeardAll all;
+    double took_s = 0.0;
+    double length_s = 0.0;
+    const auto one = [&](std::string_view text) {
+        const auto samples = speak(condition, text);
+        const auto begun = std::chrono::steady_clock::now();
+        const Decoded decoded = decoder.decode(samples);
+        took_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        length_s += static_cast<double>(samples.size()) / kHeardRate_Hz;
+        Heard heard;
+        if (!decoded.text.empty()) {
+            const Mark mark = mark_answer(question, decoded.text);
+            heard = {decoded.difference, decoded.text == text, !mark.form_errors.empty()};
+        }
+        return heard;
+    };
+    for (const std::string_view text : kRight) {
+        all.right.push_back(one(text));
+    }
+    for (const std::string_view text : kWrong) {
+        all.wrong.push_back(one(text));
+    }
+    for (const std::string_view text : kNear) {
+        all.near.push_back(one(text));
+    }
+    for (const std::string_view text : kOutside) {
+        all.outside.push_back(one(text));
+    }
+    all.share_of_length = took_s / length_s;
+    return all;
+}
+
+// Of those above the threshold.
+template <class Which>
+double percent(const std::vector<Heard>& heard, double threshold, const Which& which) {
+    const auto n = std::ranges::count_if(
+        heard, [&](const Heard& each) { return each.difference > threshold && which(each); });
+    return 100.0 * static_cast<double>(n) / static_cast<double>(heard.size());
+}
+
+bool any(const Heard& /*heard*/) {
+    return true;
+}
+
+Report run_hearing(Run& run) {
+    QuestionSource source{"heaviest",
+                          "Which one is the heaviest?",
+                          {"[the|a|an] {thing} is the <superlative:heavy>",
+                           "the <superlative:heavy> is [the|a|an] {thing}"},
+                          {{"thing", {"watermelon", "apple", "banana", "egg"}}}};
+    const auto question = compile_question(source);
+    auto decoder = Decoder::create({});
+    if (!question || !decoder || !(*decoder)->listen(make_word_graph(*question->templates))) {
+        throw std::runtime_error("the recogniser cannot listen");
+    }
+    constexpr double kLeastConfidence = 0.4;  // below it a lesson asks again
+    const DecoderSettings settings;
+    const double used =
+        settings.middle + settings.width * std::log(kLeastConfidence / (1.0 - kLeastConfidence));
+    Sheet voices{
+        "hearing-voices",
+        "What is heard of synthetic voices",
+        "10 right sentences, 10 with a learner's error, 8 of another meaning that lie near, and 20 "
+        "that fit nothing, one question; "
+        "heard: sure enough to be marked.",
+        "Let a pupil type where the voice is a child's or the room is loud.",
+        {},
+        {}};
+    voices.columns = {"voice",
+                      "right: heard %",
+                      "right: word for word %",
+                      "right: called an error %",
+                      "errors: heard %",
+                      "errors: told as errors %",
+                      "errors: word for word %",
+                      "near: let in %",
+                      "outside: let in %",
+                      "time over length"};
+    Sheet knob{"hearing-threshold",
+               "How sure the recogniser has to be",
+               "The same sentences of the three clear voices: kept, with errors or without, "
+               "against let in "
+               "from outside the grammar.",
+               "Higher where a wrong guess costs more than asking again.",
+               {},
+               {}};
+    knob.columns = {"least difference", "kept %", "near let in %", "outside let in %", "in use"};
+    HeardAll clear;
+    const std::size_t n = run.pick(conditions().size(), std::size_t{1});
+    constexpr std::size_t kClear = 3;
+    for (std::size_t i = 0; i < n; ++i) {
+        const HeardAll all = hear(**decoder, *question, conditions()[i]);
+        const auto is_exact = [](const Heard& each) { return each.exact; };
+        const auto is_told = [](const Heard& each) { return each.told; };
+        voices.rows.push_back(
+            {conditions()[i].name, to_text(percent(all.right, used, any)),
+             to_text(percent(all.right, used, is_exact)),
+             to_text(percent(all.right, used, is_told)), to_text(percent(all.wrong, used, any)),
+             to_text(percent(all.wrong, used, is_told)),
+             to_text(percent(all.wrong, used, is_exact)), to_text(percent(all.near, used, any)),
+             to_text(percent(all.outside, used, any)), to_text(all.share_of_length)});
+        if (i < kClear) {
+            clear.right.insert(clear.right.end(), all.right.begin(), all.right.end());
+            clear.right.insert(clear.right.end(), all.wrong.begin(), all.wrong.end());
+            clear.near.insert(clear.near.end(), all.near.begin(), all.near.end());
+            clear.outside.insert(clear.outside.end(), all.outside.begin(), all.outside.end());
+        }
+        run.progress(static_cast<double>(i + 1) / static_cast<double>(n));
+    }
+    for (double threshold = -10.0; threshold <= 8.0; threshold += 1.0) {
+        knob.rows.push_back({to_text(threshold), to_text(percent(clear.right, threshold, any)),
+                             to_text(percent(clear.near, threshold, any)),
+                             to_text(percent(clear.outside, threshold, any)), ""});
+    }
+    knob.rows.push_back({to_text(used), to_text(percent(clear.right, used, any)),
+                         to_text(percent(clear.near, used, any)),
+                         to_text(percent(clear.outside, used, any)), "in use"});
+    return {voices, knob};
+}
+
+const Registration kHearing{
+    {"hearing", "what is heard of synthetic voices, and how sure that has to be", run_hearing}};
+
+}  // namespace
+}  // namespace fulcrum::bench
