@@ -35,7 +35,7 @@ TEST_CASE("api: methods insist on their colon and their owner") {
 TEST_CASE("api: unknown fields suggest the nearest; nothing can be set") {
     CHECK(sentence("local b = world:body { name = 'b' } print(b.wieght)") ==
           "lesson.lua:2: body has no \"wieght\"; did you mean \"weight\"?");
-    CHECK(sentence("print(world:tool().velocity)") == "lesson.lua:2: tool has no \"velocity\".");
+    CHECK(sentence("print(world:tool().flavour)") == "lesson.lua:2: tool has no \"flavour\".");
     // What another thing has is told with its place; a force was once the world's.
     CHECK(sentence("world:force(function(tool) return 0, 0, 0 end)") ==
           "lesson.lua:2: world has no \"force\"; write hand:force (world:hand gives the hand) or "

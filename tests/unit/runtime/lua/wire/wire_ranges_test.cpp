@@ -35,7 +35,7 @@ std::string any_value(const Parameter& parameter) {
         case ParameterType::vector:
             return "{0, 0, 1}";
         default:
-            return "'n'";
+            return std::string_view(parameter.name) == "kind" ? "'slider'" : "'n'";
     }
 }
 
@@ -82,6 +82,9 @@ std::string arguments_text(const Binding& binding, std::string_view tried, const
 std::string beside(const std::string& label) {
     static const std::map<std::string, std::string> kBeside = {
         {"body.hinge", "solid = true, "},
+        {"body.density", "rigid = true, model = 'box', "},
+        {"body.size", "rigid = true, model = 'box', "},
+        {"body.joint", "rigid = true, model = 'box', mass = 1, "},
         {"hand.cursor_size", "cursor = 'capsule', "},
         {"material.sliding_friction", "friction = 5, "},
         {"material.texture.size", "image = 'a.png', "},
@@ -98,15 +101,18 @@ std::string lesson_with(const Binding& binding, const std::string& arguments) {
     }
     const std::string call = owner + ':' + binding.name + arguments;
     const bool acts = binding.time == CallTime::acting;
-    // A body that turns, or one that falls.
+    // A body that turns, or one that falls; rigid ones fall among their like.
+    const bool is_rigid = arguments.find("rigid = true") != std::string::npos;
     const bool turns = std::string_view(binding.name) == "turn";
     const bool declares_kite = std::string_view(binding.name) == "kite";
     return "local L = lesson { id = 't', title = 'T' } local world, body, force, hand, kite\n"
            "function L:start(w) world = w "
-           "world:body { name = 'egg', movable = true } "
+           "world:body { name = 'egg', " +
+           std::string(is_rigid ? "" : "movable = true ") + "} " +
            "body = world:body { name = 'thing', " +
-           std::string(turns ? "solid = true, hinge = { axis = { 0, 1, 0 }, inertia = 1 }"
-                             : "movable = true") +
+           (turns      ? "solid = true, hinge = { axis = { 0, 1, 0 }, inertia = 1 }"
+            : is_rigid ? ""
+                       : "movable = true") +
            " } force = world:spring { at = { 0, 0, 0 }, stiffness = 1 } " +
            (declares_kite ? "" : "kite = world:kite {} ") + (acts ? "" : call) +
            " end\nfunction L:update() " + (acts ? call : "") + " end\nreturn L";
@@ -196,6 +202,8 @@ TEST_CASE("wire: what a row of the table allows is carried, or refused in the le
               "body.hinge.at least", "body.hinge.at most", "body.hinge.highest least",
               "body.hinge.load_at least", "body.hinge.load_at most", "body.hinge.lowest most",
               "turn.at least", "turn.at most",
+              // Only a rod has another end; no edge is thinner than what touches it can tell.
+              "body.joint.end_at least", "body.joint.end_at most", "body.size least",
               // A bridle makes a triangle with this height and this knot, or none.
               "kite.bridle least", "kite.bridle most", "kite.knot least", "kite.knot most",
               "build.bridle least", "build.bridle most", "build.knot least", "build.knot most"});

@@ -200,7 +200,7 @@ TEST_CASE(
     View view = without_tool();
     ViewTorque torque;
     torque.axis_W = Vector3(-0.2, 0.4, 0);
-    torque.force = {true, Vector3(0.2, 0.5, 0), Vector3(0, -4, 0), "4 N", true};
+    torque.force = {true, Vector3(0.2, 0.5, 0), Vector3(0, -4, 0), "4 N", ForceLook::load};
     view.torques = {torque};
     const SceneContent content = read(view);
     REQUIRE(content.labels.size() == 1);
