@@ -48,9 +48,43 @@ TEST_CASE("kite: the kite is built as it is said, and its flight decides") {
     CHECK(run.exit_code == 0);
     CHECK(run.output.find("2 of 3 stars") != std::string::npos);
     for (const char* line :
-         {"level    1: Build a kite", "It came down.", "It flies!",
-          "learner  the weight (wrong)", "learner  because there is no wind (right)"}) {
+         {"level    1: Build a kite", "It came down.", "It flies!", "learner  the weight (wrong)",
+          "learner  because there is no wind (right)"}) {
         CHECK_THAT(run.output, Catch::Contains(line));
+    }
+}
+
+TEST_CASE("kite: what cannot be changed is told, and who is not understood gets a tail") {
+    const Sandbox sandbox;
+    sandbox.write("say.txt", "make the tail shorter\nbanana\nhelp\nhelp\nhelp\nhelp\nhelp\nhelp\n");
+    const ProgramRun run = sandbox.run("run kite --headless --say say.txt --seconds 60");
+    INFO(run.output);
+    for (const char* line : {"learner  make the tail shorter (wrong)", "It has no tail yet.",
+                             "Let's try a tail.", "It flies!"}) {
+        CHECK_THAT(run.output, Catch::Contains(line));
+    }
+}
+
+TEST_CASE("kite: a hand that shakes, swings and lets line out all the time turns no answer") {
+    const Sandbox sandbox;
+    sandbox.write("say.txt",
+                  "it needs a tail\n"
+                  "the lift holds it up\n"
+                  "I feel the tension\n"
+                  "the lift is stronger than the drag\n"
+                  "it pulls more\n"
+                  "the lift was smaller than the weight\n");
+    for (const char* hand :
+         {"2 * math.sin(6.28 * t), 1.2, 0",
+          "1.5 * math.sin(0.7 * t) + 0.3 * math.sin(25 * t), 1.2 + 0.5 * math.sin(2 * t), "
+          "math.sin(t), 1"}) {
+        sandbox.write("shake.lua",
+                      std::string("return function(hand, t) return ") + hand + " end\n");
+        const ProgramRun run = sandbox.run("run kite --headless --say say.txt --hand shake.lua");
+        INFO(run.output);
+        CHECK(run.exit_code == 0);
+        CHECK_THAT(run.output, Catch::Contains("the lift was smaller than the weight (right)"));
+        CHECK(run.output.find("(wrong)") == std::string::npos);
     }
 }
 
