@@ -19,7 +19,7 @@ class WorkerPool {
     static constexpr int kMostWorkers = 16;
     static constexpr int kMostPieces = 1 << 19;
 
-    /// With the caller `n_workers` work, 1 to kMostWorkers.
+    /// With the caller `n_workers` work, 1 to kMostWorkers; fewer where the system gives no more threads: the result is the same.
     explicit WorkerPool(int n_workers);
     ~WorkerPool();
     WorkerPool(const WorkerPool&) = delete;
@@ -55,8 +55,8 @@ class WorkerPool {
     alignas(64) std::atomic<std::uint64_t> word_{
         0};  // 24 bits of the round, 20 of the number of pieces, 20 of the next one
     alignas(64) std::atomic<std::int32_t> n_left_{0};  // pieces not done
+    // Bit 0: the end; above it the round. One word: who has read it as not ended sleeps on what the end changes.
     alignas(64) std::atomic<std::uint32_t> round_{0};
-    std::atomic<bool> ends_{false};
     std::vector<std::jthread> threads_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <pthread.h>
 #include <vector>
 
 using namespace fulcrum;
@@ -40,4 +41,35 @@ TEST_CASE("worker pool: no two pieces at a time have one worker") {
 TEST_CASE("worker pool: a number of workers out of range is brought into it") {
     CHECK(WorkerPool(0).n_workers() == 1);
     CHECK(WorkerPool(1000).n_workers() == WorkerPool::kMostWorkers);
+}
+
+TEST_CASE("worker pool: pools come and go in a row, used or not, and none waits for ever") {
+    std::atomic<int> n_done{0};
+    for (int i = 0; i < 400; ++i) {
+        WorkerPool pool(2 + i % 3);
+        if (i % 2 == 0) {
+            pool.run(3, [&](int, int) noexcept { ++n_done; });
+        }
+    }
+    CHECK(n_done == 3 * 200);
+}
+
+TEST_CASE("worker pool: where the system gives no thread the caller does all by itself") {
+    pthread_attr_t before;
+    pthread_attr_t huge;
+    REQUIRE(pthread_getattr_default_np(&before) == 0);
+    REQUIRE(pthread_attr_init(&huge) == 0);
+    // More than there are addresses: no stack, no thread.
+    REQUIRE(pthread_attr_setstacksize(&huge, std::size_t{1} << 50) == 0);
+    REQUIRE(pthread_setattr_default_np(&huge) == 0);
+    int n_done = 0;
+    {
+        WorkerPool pool(4);
+        CHECK(pthread_setattr_default_np(&before) == 0);
+        CHECK(pool.n_workers() == 1);
+        pool.run(10, [&](int, int) noexcept { ++n_done; });
+    }
+    CHECK(n_done == 10);
+    CHECK(pthread_attr_destroy(&huge) == 0);
+    CHECK(pthread_attr_destroy(&before) == 0);
 }
