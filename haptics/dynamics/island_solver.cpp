@@ -19,6 +19,7 @@ constexpr double kBadAnswer = 1.0e-4;
 constexpr int kRounds = 200;
 // What a joint may be off its place, m or rad.
 constexpr double kLeftError = 1.0e-7;
+constexpr double kLeastLeft_s = 1.0e-4;  // in no less time: a short step would make speed of it
 
 std::size_t index_of(std::int32_t i) noexcept {
     return static_cast<std::size_t>(i);
@@ -193,7 +194,8 @@ void IslandSolver::add_joint(const Joint& joint, double dt_s, const RigidScene& 
             // What the way bends by within the step, and the little that is left of it.
             const double straight = row.jacobian_a.dot(a.free) + row.jacobian_b.dot(b.free);
             const double bent = (ahead.errors[index_of(i)] - error) / dt_s - straight;
-            row.target = -bent - std::clamp(error, -kLeftError, kLeftError) / dt_s;
+            row.target =
+                -bent - std::clamp(error, -kLeftError, kLeftError) / std::max(dt_s, kLeastLeft_s);
         } else if (row.least == 0.0 || row.most == 0.0) {
             push = -error * find_push_rate(dt_s);
         }

@@ -68,11 +68,6 @@ bool is_still(const RigidWorldBody& body) noexcept {
     return (body.asleep || !body.moves) && !body.touched;
 }
 
-void wake(RigidWorldBody& body) noexcept {
-    body.asleep = false;
-    body.still_s = 0.0;
-}
-
 }  // namespace
 
 void RigidWorld::place_bodies(double reach_s) noexcept {
@@ -116,8 +111,8 @@ void RigidWorld::find_touching(double reach_s) noexcept {
         }
         // What was moved by a command wakes what it touches, though it makes no island with it.
         if (pair.manifold.count > 0 && (first.touched || second.touched)) {
-            wake(first);
-            wake(second);
+            first.wake();
+            second.wake();
         }
     }
     for (RigidWorldBody& body : scene_.bodies) {
@@ -170,7 +165,7 @@ bool RigidWorld::wake_island(std::span<const std::int32_t> bodies) noexcept {
     for (const std::int32_t i : bodies) {
         RigidWorldBody& body = scene_.bodies[to_place_in(i)];
         if (is_awake && body.asleep) {
-            wake(body);
+            body.wake();
         }
     }
     return is_awake;
@@ -202,9 +197,7 @@ int RigidWorld::move_bodies(std::span<const std::int32_t> bodies, double dt_s) n
             compute_exp(dt_s * pushed) *
             compute_free_turn(body.inertia, state.pose_W.orientation, momentum, dt_s);
         next.velocity_W.angular = compute_spin_W(body.inertia, next.pose_W.orientation, momentum);
-        body.load_W = {};
-        body.slopes = {};
-        body.behind_s = 0.0;
+        body.forget_loads();
         if (is_finite(next)) {
             state = next;
         } else {
@@ -283,80 +276,6 @@ void RigidWorld::find_due(double dt_s) noexcept {
             due_.add({island, behind_s});
         }
     }
-}
-
-void RigidWorld::push(std::int32_t index, const Wrench& wrench_W) noexcept {
-    if (index < 0 || index >= n_bodies() || !is_finite(wrench_W) ||
-        !scene_.bodies[to_place_in(index)].moves) {
-        return;
-    }
-    RigidWorldBody& body = scene_.bodies[to_place_in(index)];
-    body.load_W.force += wrench_W.force;
-    body.load_W.torque += wrench_W.torque;
-    body.touched = true;
-    wake(body);
-}
-
-void RigidWorld::hold(std::int32_t index, const Vector3& at_W, const Wrench& push_W,
-                      const PushSlopes& slopes) noexcept {
-    const double values[] = {slopes.stiffness_N_per_m, slopes.damping_Ns_per_m,
-                             slopes.turn_stiffness_Nm_per_rad, slopes.turn_damping_Nms_per_rad,
-                             slopes.late_mass_kg};
-    const bool is_usable = std::ranges::all_of(
-        values, [](double value) { return value >= 0.0 && std::isfinite(value); });
-    if (index < 0 || index >= n_bodies() || !is_usable || !at_W.allFinite()) {
-        return;
-    }
-    RigidWorldBody& body = scene_.bodies[to_place_in(index)];
-    const Vector3 arm = at_W - body.state.pose_W.position;
-    const double squared_m2 = arm.squaredNorm();
-    push(index, {push_W.force, push_W.torque + arm.cross(push_W.force)});
-    body.slopes.stiffness_N_per_m += slopes.stiffness_N_per_m;
-    body.slopes.damping_Ns_per_m += slopes.damping_Ns_per_m;
-    body.slopes.late_mass_kg += slopes.late_mass_kg;
-    body.slopes.late_moment_kg_m2 += squared_m2 * slopes.late_mass_kg;
-    body.slopes.turn_stiffness_Nm_per_rad +=
-        slopes.turn_stiffness_Nm_per_rad + squared_m2 * slopes.stiffness_N_per_m;
-    body.slopes.turn_damping_Nms_per_rad +=
-        slopes.turn_damping_Nms_per_rad + squared_m2 * slopes.damping_Ns_per_m;
-}
-
-// What lay on it falls.
-void RigidWorld::wake_neighbours(std::int32_t index) noexcept {
-    for (int i = 0; i < scene_.pairs.count(); ++i) {
-        const ContactPair& pair = scene_.pairs.at(i);
-        if (pair.manifold.count > 0 &&
-            (pair.bodies.first == index || pair.bodies.second == index)) {
-            wake(scene_.bodies[to_place_in(pair.bodies.first)]);
-            wake(scene_.bodies[to_place_in(pair.bodies.second)]);
-        }
-    }
-}
-
-void RigidWorld::set_present(std::int32_t index, bool is_present) noexcept {
-    if (index < 0 || index >= n_bodies()) {
-        return;
-    }
-    RigidWorldBody& body = scene_.bodies[to_place_in(index)];
-    body.is_present = is_present;
-    wake_neighbours(index);
-    body.touched = true;  // its box is made anew, and what it comes to touch wakes
-    moves_[to_place_in(index)] = body.moves && is_present ? 1 : 0;
-    wake(body);
-}
-
-void RigidWorld::place(std::int32_t index, const Pose& shape_W, const Twist& velocity_W) noexcept {
-    const bool is_number =
-        is_finite(shape_W) && velocity_W.linear.allFinite() && velocity_W.angular.allFinite();
-    if (index < 0 || index >= n_bodies() || !is_number) {
-        return;
-    }
-    RigidWorldBody& body = scene_.bodies[to_place_in(index)];
-    wake_neighbours(index);
-    body.state.pose_W = shape_W * body.X_PB.inverse();
-    body.state.velocity_W = body.moves ? velocity_W : Twist{};
-    body.touched = true;
-    wake(body);
 }
 
 double RigidWorld::joint_travel(std::int32_t index) const noexcept {

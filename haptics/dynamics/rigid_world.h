@@ -64,12 +64,14 @@ class RigidWorld {
     /// A load of the next step, about the centre of mass: it adds to what was told before, wakes the body and marks its island as
     /// touched. A body that is not there or does not move, and loads that are not finite, are passed over.
     void push(std::int32_t body, const Wrench& wrench_W) noexcept;
-    /// The same of a hand whose force, given at `at_W`, has these slopes; `couple_W` comes to it. Slopes below 0 are passed over as well.
+    /// The same of a hand whose force, given at `at_W`, has these slopes; `couple_W` comes to it. With slopes below 0 all of it
+    /// is passed over as well.
     void hold(std::int32_t body, const Vector3& at_W, const Wrench& push_W,
               const PushSlopes& slopes) noexcept;
-    /// Takes a body out of the world, or back into it where it is. Joints of one that is not there hold nothing.
+    /// Takes a body out of the world, or back into it where it is, and forgets its loads. Joints of one that is not there hold nothing;
+    /// what lay on it or hung from it wakes.
     void set_present(std::int32_t body, bool is_present) noexcept;
-    /// Puts a body elsewhere, its shape's frame so and with this velocity, and wakes it. The same is passed over.
+    /// Puts a body elsewhere, its shape's frame so and with this velocity, forgets its loads and wakes it. The same is passed over.
     void place(std::int32_t body, const Pose& shape_W, const Twist& velocity_W) noexcept;
 
     [[nodiscard]] int n_bodies() const noexcept { return static_cast<int>(scene_.bodies.size()); }
@@ -118,6 +120,7 @@ class RigidWorld {
     [[nodiscard]] int move_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept;
     void rest_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept;
     void wake_neighbours(std::int32_t body) noexcept;
+    [[nodiscard]] bool may_load(std::int32_t body) const noexcept;
     [[nodiscard]] bool wake_island(std::span<const std::int32_t> bodies) noexcept;
     [[nodiscard]] bool is_joined(const BodyPair& pair) const noexcept;
 

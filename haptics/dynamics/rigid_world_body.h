@@ -46,6 +46,17 @@ struct RigidWorldBody {
     Matrix3 inertia_W{Matrix3::Identity()};
     Twist drift_W{};     ///< what moves it: its velocity, and what pushes overlap apart
     int in_problem = 0;  ///< its number there
+
+    void wake() noexcept {
+        asleep = false;
+        still_s = 0.0;
+    }
+    /// What was pushed or waited for is done, or is no more.
+    void forget_loads() noexcept {
+        load_W = {};
+        slopes = {};
+        behind_s = 0.0;
+    }
 };
 
 /// What an island's solver works on: its own bodies, pairs and joints of it.

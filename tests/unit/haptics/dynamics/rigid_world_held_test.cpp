@@ -84,6 +84,16 @@ TEST_CASE(
     world->hold(7, Vector3::Zero(), push, {});
     world->step(0.001);
     CHECK(world->state(0).velocity_W.linear.norm() == 0.0);
+    // Nothing of it stays: the next push moves the body's own mass.
+    const PushSlopes slopes{400.0, 6.0, 0.3, 0.01, 0.05};
+    world->hold(0, Vector3::Zero(), {Vector3::Constant(nan), Vector3::Zero()}, slopes);
+    world->hold(0, Vector3::Zero(), {Vector3::Zero(), Vector3::Constant(nan)}, slopes);
+    world->hold(0, {1.0e160, 0.0, 0.0}, push, slopes);
+    world->push(0, push);
+    world->step(0.001);
+    CHECK(world->report().n_dropped == 0);
+    CHECK(world->state(0).velocity_W.linear.x() ==
+          Approx(0.001 / kHeldMass_kg).epsilon(kHeldRounding));
 }
 
 TEST_CASE("rigid world: a body that is taken out falls no more, and what lay on it does") {

@@ -1,0 +1,122 @@
+// What hands and lessons do to the bodies of rigid_world.h: loads of the next step, and bodies that are put elsewhere, out or in.
+#include "haptics/dynamics/rigid_world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+std::size_t to_place_of(std::int32_t i) noexcept {
+    return static_cast<std::size_t>(i);
+}
+
+bool are_usable(const PushSlopes& slopes) noexcept {
+    const double values[] = {slopes.stiffness_N_per_m, slopes.damping_Ns_per_m,
+                             slopes.turn_stiffness_Nm_per_rad, slopes.turn_damping_Nms_per_rad,
+                             slopes.late_mass_kg};
+    return std::ranges::all_of(values,
+                               [](double value) { return value >= 0.0 && std::isfinite(value); });
+}
+
+// As they are about the centre of mass, whose distance squared is `squared_m2`.
+HeldSlopes move_slopes(const PushSlopes& slopes, double squared_m2) noexcept {
+    HeldSlopes moved{slopes, squared_m2 * slopes.late_mass_kg};
+    moved.turn_stiffness_Nm_per_rad += squared_m2 * slopes.stiffness_N_per_m;
+    moved.turn_damping_Nms_per_rad += squared_m2 * slopes.damping_Ns_per_m;
+    return moved;
+}
+
+void add_slopes(const HeldSlopes& slopes, HeldSlopes& sum) noexcept {
+    sum.stiffness_N_per_m += slopes.stiffness_N_per_m;
+    sum.damping_Ns_per_m += slopes.damping_Ns_per_m;
+    sum.late_mass_kg += slopes.late_mass_kg;
+    sum.late_moment_kg_m2 += slopes.late_moment_kg_m2;
+    sum.turn_stiffness_Nm_per_rad += slopes.turn_stiffness_Nm_per_rad;
+    sum.turn_damping_Nms_per_rad += slopes.turn_damping_Nms_per_rad;
+}
+
+}  // namespace
+
+bool RigidWorld::may_load(std::int32_t index) const noexcept {
+    return index >= 0 && index < n_bodies() && scene_.bodies[to_place_of(index)].moves &&
+           scene_.bodies[to_place_of(index)].is_present;
+}
+
+void RigidWorld::push(std::int32_t index, const Wrench& wrench_W) noexcept {
+    if (!may_load(index) || !is_finite(wrench_W)) {
+        return;
+    }
+    RigidWorldBody& body = scene_.bodies[to_place_of(index)];
+    body.load_W.force += wrench_W.force;
+    body.load_W.torque += wrench_W.torque;
+    body.touched = true;
+    body.wake();
+}
+
+void RigidWorld::hold(std::int32_t index, const Vector3& at_W, const Wrench& push_W,
+                      const PushSlopes& slopes) noexcept {
+    if (!may_load(index) || !are_usable(slopes)) {
+        return;
+    }
+    RigidWorldBody& body = scene_.bodies[to_place_of(index)];
+    const Vector3 arm = at_W - body.state.pose_W.position;
+    const Wrench load_W{push_W.force, push_W.torque + arm.cross(push_W.force)};
+    const HeldSlopes about_centre = move_slopes(slopes, arm.squaredNorm());
+    if (!is_finite(load_W) || !are_usable(about_centre) ||
+        !std::isfinite(about_centre.late_moment_kg_m2)) {
+        return;
+    }
+    push(index, load_W);
+    add_slopes(about_centre, body.slopes);
+}
+
+// What lay on it or hung from it falls.
+void RigidWorld::wake_neighbours(std::int32_t index) noexcept {
+    for (const Joint& joint : scene_.joints) {
+        const std::int32_t other = joint.body_a == index   ? joint.body_b
+                                   : joint.body_b == index ? joint.body_a
+                                                           : -1;
+        if (other >= 0) {
+            scene_.bodies[to_place_of(other)].wake();
+        }
+    }
+    for (int i = 0; i < scene_.pairs.count(); ++i) {
+        const ContactPair& pair = scene_.pairs.at(i);
+        if (pair.manifold.count > 0 &&
+            (pair.bodies.first == index || pair.bodies.second == index)) {
+            scene_.bodies[to_place_of(pair.bodies.first)].wake();
+            scene_.bodies[to_place_of(pair.bodies.second)].wake();
+        }
+    }
+}
+
+void RigidWorld::set_present(std::int32_t index, bool is_present) noexcept {
+    if (index < 0 || index >= n_bodies()) {
+        return;
+    }
+    RigidWorldBody& body = scene_.bodies[to_place_of(index)];
+    body.is_present = is_present;
+    body.forget_loads();
+    wake_neighbours(index);
+    body.touched = true;  // its box is made anew, and what it comes to touch wakes
+    moves_[to_place_of(index)] = body.moves && is_present ? 1 : 0;
+    body.wake();
+}
+
+void RigidWorld::place(std::int32_t index, const Pose& shape_W, const Twist& velocity_W) noexcept {
+    const bool is_number =
+        is_finite(shape_W) && velocity_W.linear.allFinite() && velocity_W.angular.allFinite();
+    if (index < 0 || index >= n_bodies() || !is_number) {
+        return;
+    }
+    RigidWorldBody& body = scene_.bodies[to_place_of(index)];
+    wake_neighbours(index);
+    body.state.pose_W = shape_W * body.X_PB.inverse();
+    body.state.velocity_W = body.moves ? velocity_W : Twist{};
+    body.forget_loads();
+    body.touched = true;
+    body.wake();
+}
+
+}  // namespace fulcrum
