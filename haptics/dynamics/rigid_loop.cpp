@@ -2,6 +2,7 @@
 #include "haptics/dynamics/rigid_loop.h"
 
 #include "haptics/math/length.h"
+#include "haptics/math/rotation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,15 @@ namespace {
 // Contacts are known ahead of time; nearer than this is touching.
 constexpr double kTouching_m = 5.0e-4;
 
+// Less by what of `taken` lies along it: no more than it was, and never the other way. What is no number stays so.
+Vector3 give_way(const Vector3& push, const Vector3& taken) noexcept {
+    const double length = compute_length(push);
+    if (!(length > 0.0)) {
+        return push;
+    }
+    return std::clamp(1.0 - (push / length).dot(taken) / length, 0.0, 1.0) * push;
+}
+
 }  // namespace
 
 void RigidLoop::step(double now_s) noexcept {
@@ -21,12 +31,15 @@ void RigidLoop::step(double now_s) noexcept {
     const double since_s = started_ ? now_s - now_s_ : period_s_;
     started_ = true;
     now_s_ = now_s;
-    const double dt_s = std::clamp(since_s, 0.0, kLongestRigidStep_s);
+    due_s_ = std::min(due_s_ + std::max(since_s, 0.0), kLongestRigidStep_s);
     take_commands();
-    take_pushes(now_s);
-    world_->step(dt_s);
-    find_touching();
-    notice_landings(now_s, dt_s);
+    if (due_s_ >= kShortestRigidStep_s) {
+        take_pushes(now_s);
+        world_->step(due_s_);
+        find_touching();
+        notice_landings(now_s, due_s_);
+        due_s_ = 0.0;
+    }
     tell_hands(now_s);
     tell_lesson(now_s);
 }
@@ -71,22 +84,63 @@ void RigidLoop::take_pushes(double now_s) noexcept {
     for (Told& told : told_) {
         told.is_held = false;
     }
-    for (RigidChannels* hand : hands_) {
-        (void)hand->pushes.take();
-        const HandPushes& pushes = hand->pushes.value();
-        if (!(now_s - pushes.stamp_s <= kStalePush_s) || pushes.stamp_s < 0.0) {
+    for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
+        if (hands_[hand]->pushes.take()) {
+            hear(hand);
+        }
+        const HandPushes& pushes = hands_[hand]->pushes.value();
+        if (!(std::abs(now_s - pushes.stamp_s) <= kStalePush_s) || pushes.stamp_s < 0.0) {
             continue;
         }
         const std::int32_t count = std::clamp(pushes.count, 0, kMaxSolids);
         for (std::int32_t i = 0; i < count; ++i) {
             const RigidPush& push = pushes.pushes[static_cast<std::size_t>(i)];
-            const auto solid = static_cast<std::size_t>(push.solid);
-            if (push.solid >= 0 && solid < solids_.size() && solids_[solid] >= 0) {
-                world_->hold(solids_[solid], push.at_W, push.push_W, push.slopes);
-                told_[static_cast<std::size_t>(solids_[solid])].is_held |= push.holds;
+            const std::int32_t body = body_of_solid(push.solid);
+            if (body < 0) {
+                continue;
+            }
+            Told& told = told_[static_cast<std::size_t>(body)];
+            const Begin& begin = begins_[hand][static_cast<std::size_t>(push.solid)];
+            // A push on where it was before it was put elsewhere is no push on it any more.
+            if (begin.n_placements == told.n_placements) {
+                world_->hold(body, push.at_W, find_push_W(push, begin), push.slopes);
+                told.is_held |= push.holds;
             }
         }
     }
+}
+
+std::int32_t RigidLoop::body_of_solid(std::int32_t solid) const noexcept {
+    const auto i = static_cast<std::size_t>(solid);
+    return solid >= 0 && i < solids_.size() ? solids_[i] : kNoBody;
+}
+
+void RigidLoop::hear(std::size_t hand) noexcept {
+    for (std::size_t solid = 0; solid < solids_.size(); ++solid) {
+        if (const std::int32_t body = solids_[solid]; body >= 0) {
+            const RigidState& state = world_->state(body);
+            begins_[hand][solid] = {state.pose_W, state.velocity_W,
+                                    told_[static_cast<std::size_t>(body)].n_placements};
+        }
+    }
+}
+
+Wrench RigidLoop::find_push_W(const RigidPush& push, const Begin& begin) const noexcept {
+    const RigidState& now = world_->state(body_of_solid(push.solid));
+    const Vector3 arm = push.at_W - begin.pose_W.position;
+    const Quaternion turn = now.pose_W.orientation * begin.pose_W.orientation.conjugate();
+    const Vector3 turned = compute_log(turn);
+    const Vector3 arm_now = turn * arm;
+    const Vector3 way = now.pose_W.position + arm_now - push.at_W;
+    const Vector3 sped_up = now.velocity_W.linear + now.velocity_W.angular.cross(arm_now) -
+                            begin.velocity_W.linear - begin.velocity_W.angular.cross(arm);
+    const PushSlopes& slopes = push.slopes;
+    return {
+        give_way(push.push_W.force,
+                 slopes.stiffness_N_per_m * way + slopes.damping_Ns_per_m * sped_up),
+        give_way(push.push_W.torque, slopes.turn_stiffness_Nm_per_rad * turned +
+                                         slopes.turn_damping_Nms_per_rad *
+                                             (now.velocity_W.angular - begin.velocity_W.angular))};
 }
 
 void RigidLoop::find_touching() noexcept {
@@ -136,7 +190,8 @@ void RigidLoop::tell_hands(double now_s) noexcept {
         if (body >= 0) {
             const Told& told = told_[static_cast<std::size_t>(body)];
             frame_.solids[i] = {world_->shape_pose_W(body), velocity_W(body),
-                                world_->behind_s(body), told.is_present, told.n_placements};
+                                world_->behind_s(body) + due_s_, told.is_present,
+                                told.n_placements};
         }
     }
     for (RigidChannels* hand : hands_) {

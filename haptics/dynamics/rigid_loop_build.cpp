@@ -61,7 +61,8 @@ RigidLoop::RigidLoop(const RigidLoopPlan& plan, std::unique_ptr<RigidWorld> worl
       body_of_scene_(kMaxBodies, kNoBody),
       solids_(plan.solids),
       lesson_(lesson),
-      hands_(hands.begin(), hands.end()) {
+      hands_(hands.begin(), hands.end()),
+      begins_(hands.size()) {
     for (std::size_t i = 0; i < told_.size(); ++i) {
         const std::int32_t scene_body = plan.scene_bodies[i];
         told_[i].scene_body = scene_body;

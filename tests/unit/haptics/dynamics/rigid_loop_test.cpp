@@ -153,6 +153,75 @@ TEST_CASE("rigid loop: a hand pushes until it has been silent for too long") {
     CHECK(cubes.seen(5).velocity_W.norm() < 1.0e-3);
 }
 
+TEST_CASE("rigid loop: a push of a time to come is none") {
+    CubesLoop cubes;
+    cubes.run(0.01);
+    HandPushes pushes;
+    pushes.stamp_s = cubes.now_s + 5.0;
+    pushes.count = 1;
+    pushes.pushes[0] = {2, {0.45, 0.05, 0.0}, {{8.0, 0.0, 0.0}, Vector3::Zero()}, {}, true};
+    cubes.hand->pushes.publish(pushes);
+    cubes.run(0.05);
+    CHECK(cubes.seen(5).velocity_W.norm() < 1.0e-6);
+    CHECK(cubes.seen(5).where != BodyWhere::held);
+}
+
+// Without weight; a push by a hand that says nothing more.
+CubesLoop make_pushed_once(const Wrench& push_W, const PushSlopes& slopes) {
+    RigidLoopPlan plan = make_two_cubes();
+    plan.world.settings.gravity_W = Vector3::Zero();
+    plan.world.bodies[2].pose_W.position.y() = 1.0;
+    CubesLoop cubes(plan);
+    cubes.run(0.01);
+    HandPushes pushes;
+    pushes.stamp_s = cubes.now_s;
+    pushes.count = 1;
+    pushes.pushes[0] = {2, {0.5, 1.0, 0.0}, push_W, slopes, true};
+    cubes.hand->pushes.publish(pushes);
+    return cubes;
+}
+
+TEST_CASE("rigid loop: a hand that stalls gives no more than its spring held") {
+    const Wrench push_W{{9.0, 0.0, 0.0}, {0.0, 0.05, 0.0}};
+    CubesLoop cubes = make_pushed_once(push_W, {600.0, 0.0, 0.5, 0.0, 0.0});
+    cubes.run(0.2);
+    const Twist& velocity_W = cubes.loop->world().state(2).velocity_W;
+    const double moment_kg_m2 = 0.5 * 0.01 / 6.0;
+    CHECK(0.25 * velocity_W.linear.squaredNorm() < 81.0 / 600.0 / 2.0);
+    CHECK(0.25 * velocity_W.linear.squaredNorm() > 0.8 * 81.0 / 600.0 / 2.0);
+    CHECK(0.5 * moment_kg_m2 * velocity_W.angular.squaredNorm() < 0.0025 / 0.5 / 2.0);
+    CHECK(0.5 * moment_kg_m2 * velocity_W.angular.squaredNorm() > 0.8 * 0.0025 / 0.5 / 2.0);
+    // Its damper takes it as well: m v = (F - b v) t comes to F / b at most.
+    CubesLoop damped = make_pushed_once(push_W, {0.0, 30.0, 0.0, 0.1, 0.0});
+    damped.run(0.2);
+    const Twist& slow_W = damped.loop->world().state(2).velocity_W;
+    CHECK(slow_W.linear.x() <= 9.0 / 30.0);
+    CHECK(slow_W.angular.y() <= 0.05 / 0.1);
+    CHECK(slow_W.angular.y() > 0.0);
+}
+
+TEST_CASE("rigid loop: a push on what has been put elsewhere since is none") {
+    CubesLoop cubes = make_pushed_once({{9.0, 0.0, 0.0}, Vector3::Zero()}, {});
+    cubes.run(0.01);
+    REQUIRE(cubes.seen(5).velocity_W.x() > 0.1);
+    cubes.order(WorldCommand::Kind::place, 5, {0.5, 2.0, 0.0});
+    cubes.run(0.01);
+    CHECK(cubes.seen(5).velocity_W.norm() == 0.0);
+}
+
+TEST_CASE("rigid loop: rounds close together add up, and push once") {
+    CubesLoop cubes = make_pushed_once({{9.0, 0.0, 0.0}, Vector3::Zero()}, {});
+    for (int i = 0; i < 5; ++i) {
+        cubes.loop->step(cubes.now_s);
+    }
+    CHECK(cubes.seen(5).velocity_W.norm() == 0.0);
+    cubes.run(0.0009, 3.0e-5);
+    // Of the last rounds less than the shortest step may wait, and is told as such.
+    const double moved_s = 0.0009 - cubes.felt(2).behind_s;
+    CHECK(cubes.felt(2).behind_s < kShortestRigidStep_s);
+    CHECK(cubes.seen(5).velocity_W.x() == Approx(9.0 / 0.5 * moved_s));
+}
+
 TEST_CASE("rigid loop: a clock that stands, leaps or is no number moves nothing too far") {
     RigidLoopPlan plan = make_two_cubes();
     plan.world.bodies[1].pose_W.position.y() = 50.0;
