@@ -14,7 +14,17 @@ namespace {
 
 // Longer than this nothing is moved on: the world is taken to stand.
 constexpr double kLongestAhead_s = 0.1;
+// Of a quaternion's length squared: further from one it was garbled on its way.
+constexpr double kTurnTolerance = 2.0e-3;
 const Vector3 kGone_W(0.0, -2.0e4, 0.0);  // out of every hand's reach
+
+void scale_slopes(PushSlopes& slopes, const PushShare& left) noexcept {
+    slopes.stiffness_N_per_m *= left.force;
+    slopes.damping_Ns_per_m *= left.force;
+    slopes.late_mass_kg *= left.force;
+    slopes.turn_stiffness_Nm_per_rad *= left.couple;
+    slopes.turn_damping_Nms_per_rad *= left.couple;
+}
 
 }  // namespace
 
@@ -24,31 +34,49 @@ Pose BodyStage::predict(const RigidSolid& told, double now_s) const noexcept {
             compute_exp(ahead_s * told.velocity_W.angular) * told.pose_W.orientation};
 }
 
-Pose BodyStage::find_pose(const Body& body, double now_s) const noexcept {
+// Of the time within which the last correction goes.
+double BodyStage::find_left_s(double now_s) const noexcept {
+    return std::clamp(blend_s_ - (now_s - heard_s_ + period_s_), 0.0, blend_s_);
+}
+
+Pose BodyStage::find_pose(const Body& body, double now_s, double left_s) const noexcept {
     Pose pose_W = predict(body.told, now_s);
-    const double left = 1.0 - (now_s - heard_s_ + period_s_) / blend_s_;
-    if (blend_s_ > 0.0 && left > 0.0) {
+    if (left_s > 0.0) {
+        const double left = left_s / blend_s_;
         pose_W.position += left * body.shift_W;
         pose_W.orientation = compute_exp(left * body.turn_W) * pose_W.orientation;
     }
     return pose_W;
 }
 
-// A frame with anything in it that is no number is passed over: an old one ages, and that is noticed.
+bool BodyStage::is_usable(const RigidFrame& frame) const noexcept {
+    const auto is_told = [&](const Body& body) {
+        const RigidSolid& told = frame.solids[body.plan.solid];
+        const double turned = told.pose_W.orientation.coeffs().squaredNorm();
+        return is_finite(told.pose_W) && std::abs(turned - 1.0) <= kTurnTolerance &&
+               is_finite(told.velocity_W.linear) && is_finite(told.velocity_W.angular) &&
+               std::isfinite(told.behind_s) && told.behind_s >= 0.0;
+    };
+    return std::isfinite(frame.stamp_s) && frame.stamp_s >= 0.0 &&
+           std::ranges::all_of(bodies_, is_told);
+}
+
+// A frame with anything in it that is no number, no time or no turning is passed over: an old one ages, and that is noticed.
 void BodyStage::take_frame(double now_s) noexcept {
     const RigidFrame& frame = channels_->frame.value();
-    for (const Body& body : bodies_) {
-        const RigidSolid& told = frame.solids[body.plan.solid];
-        if (!is_finite(told.pose_W) || !is_finite(told.velocity_W.linear) ||
-            !is_finite(told.velocity_W.angular)) {
-            return;
-        }
+    if (!is_usable(frame)) {
+        return;
     }
+    // What goes of the last correction in this round is taken from the new one.
+    const double left_s = find_left_s(now_s - period_s_);
     std::array<Pose, kMaxSolids> before_W{};
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        before_W[i] = find_pose(bodies_[i], now_s);
+        before_W[i] = find_pose(bodies_[i], now_s, left_s);
     }
-    blend_s_ = std::clamp(frame.stamp_s - stamp_s_, 0.0, kLongestAhead_s);
+    // Of a clock that stands or went back nobody knows when the next is due.
+    const double gap_s = frame.stamp_s - stamp_s_;
+    const double due_s = gap_s > 0.0 ? std::min(gap_s, kLongestAhead_s) : kLongestAhead_s;
+    blend_s_ = stamp_s_ < 0.0 ? 0.0 : std::max(left_s, due_s);
     stamp_s_ = frame.stamp_s;
     heard_s_ = now_s;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -65,6 +93,9 @@ void BodyStage::take_frame(double now_s) noexcept {
             body.shift_W.setZero();
             body.turn_W.setZero();
             put_ |= 1U << body.plan.solid;
+            if (grip_.solid >= 0 && grip_.body == i) {
+                let_go();
+            }
         }
     }
 }
@@ -75,10 +106,11 @@ std::span<const Pose> BodyStage::place(std::span<const Pose> poses_W, double now
     if (channels_ != nullptr && channels_->frame.take()) {
         take_frame(now_s);
     }
+    const double left_s = find_left_s(now_s);
     for (const Body& body : bodies_) {
         if (body.is_known) {
             Pose& pose_W = poses_W_[body.plan.solid];
-            pose_W = find_pose(body, now_s);
+            pose_W = find_pose(body, now_s, left_s);
             pose_W.position = body.told.is_present ? pose_W.position : kGone_W;
         }
     }
@@ -92,7 +124,7 @@ double BodyStage::age_s(double now_s) const noexcept {
     if (channels_ == nullptr) {
         return 0.0;
     }
-    return stamp_s_ < 0.0 ? std::numeric_limits<double>::infinity() : now_s - stamp_s_;
+    return stamp_s_ < 0.0 ? std::numeric_limits<double>::infinity() : std::abs(now_s - stamp_s_);
 }
 
 void BodyStage::begin_grip(const ProxyContact& contact, const GrippingHand& hand) noexcept {
@@ -159,22 +191,31 @@ void BodyStage::add_push(const Body& body, const MostFelt& most, SolidPush push)
         return;
     }
     // A force that is cut off has no slope; that of its secant is enough to hold it.
-    const double share = limit_push(most, push);
+    const double share = limit_push(most, push).force;
     RigidPush& told = pushes_.pushes[static_cast<std::size_t>(pushes_.count++)];
     told = {static_cast<std::int32_t>(body.plan.solid),
             push.at_W,
             {push.force_W, push.couple_W},
             body.slopes,
             false};
-    told.slopes.stiffness_N_per_m *= share;
-    told.slopes.damping_Ns_per_m *= share;
-    told.slopes.late_mass_kg *= share;
+    scale_slopes(told.slopes, {share, 1.0});
 }
 
 void BodyStage::publish() noexcept {
     if (channels_ != nullptr) {
         channels_->pushes.publish(pushes_);
     }
+}
+
+void BodyStage::tell_grip(double most_N) noexcept {
+    const RigidSolidPlan& plan = bodies_[grip_.body].plan;
+    const double arm_m = std::sqrt(plan.moment_kg_m2 / plan.mass_kg);
+    RigidPush& told = pushes_.pushes[static_cast<std::size_t>(pushes_.count++)];
+    told = grip_.push;
+    SolidPush push{true, told.at_W, told.push_W.force, told.push_W.torque};
+    const PushShare left = limit_push({most_N, most_N * arm_m}, push);
+    told.push_W = {push.force_W, push.couple_W};
+    scale_slopes(told.slopes, left);
 }
 
 void BodyStage::push(const ProxyContact& contact, const HandPush& hand, double now_s) noexcept {
@@ -186,12 +227,7 @@ void BodyStage::push(const ProxyContact& contact, const HandPush& hand, double n
                  compute_solid_push(contact, solid, held_W, cursor_m_));
     }
     if (grip_.solid >= 0 && grip_.push.holds) {
-        RigidPush told = grip_.push;
-        SolidPush push{true, told.at_W, told.push_W.force, Vector3::Zero()};
-        const double share = limit_push({.force_N = hand.most_N}, push);
-        told.push_W.force = push.force_W;
-        told.push_W.torque *= share;
-        pushes_.pushes[static_cast<std::size_t>(pushes_.count++)] = told;
+        tell_grip(hand.most_N);
     }
     grip_.push.holds = false;
     publish();

@@ -1,7 +1,8 @@
 // The haptic side of rigid bodies: where they are now, and how the hand pushes them.
 //
 //   p(t) = p + v (t - stamp) + w(t) e        as the world's newest frame tells it, moved on by its velocity
-//   e    = what was felt before that frame came, less what the frame tells;   w falls from 1 to 0 within the time between two frames
+//   e    = what was felt before that frame came, less what the frame tells;   w falls from 1 to 0 within the time between two frames,
+//          or in what was left of it before, where that is longer: what a world that paused has to correct is not hurried by its next frame
 // So what is felt moves without leaps and the loop never waits, however seldom the world speaks. What the hand does to a body goes to the
 // world as a force at a place, with its slopes, from which the world knows what virtual mass keeps its own steps stable (rigid_world.h).
 //
@@ -9,7 +10,9 @@
 //   F_hand = k (a - x_hand) + b (v_a - v_hand)        a: that place on the body; k, b: the coupling of the solid
 //   M_body = k_r log(q_hand q_0 q_body^-1) + b_r (w_hand - w_body)     keeps it turned as it was; k_r = k I / m, b_r = 2 sqrt(k_r I)
 // so that the grip begins with the force of the touch. The proxy lets go of a body that is gripped. With a hand that feels no torque M_body
-// is given to the body alone.
+// is given to the body alone, at most what the hand may feel at the arm r = sqrt(I / m), for k_r = k r^2, and no more of it than is left of
+// the force: a hand that may feel nothing turns nothing. A push that is cut off has the slopes of its secant. A grip ends with its button,
+// when its body is put elsewhere or taken out, and when the hand's motion begins anew; a closed gate holds nothing.
 //
 // Thread: haptic loop. Cost: 60 ns a body, and the copy of the pushes. No allocation in a step.
 // Source: a prediction by the newest velocity as in dead reckoning (IEEE 1278.1, distributed simulation); k_r gives turning the period of
@@ -50,11 +53,13 @@ class BodyStage {
     [[nodiscard]] std::span<const Pose> place(std::span<const Pose> poses_W, double now_s) noexcept;
     /// Bit i: solid i was put elsewhere at once, in the last `place`, or is gripped: nothing touches it.
     [[nodiscard]] std::uint32_t put() const noexcept { return put_; }
-    /// How old the world's newest frame is; infinite before the first, 0 without channels.
+    /// How far the stamp of the world's newest frame is from now, before it or after; infinite before the first, 0 without channels.
     [[nodiscard]] double age_s(double now_s) const noexcept;
 
     /// Then, when the contact is known: what a grip gives the hand.
     [[nodiscard]] GripForce grip(const ProxyContact& contact, const GrippingHand& hand) noexcept;
+    /// Ends it.
+    void let_go() noexcept { grip_ = {}; }
     /// Last: tells the world how the hand pushes, with a point, or with a tool: one push a solid of the plan.
     void push(const ProxyContact& contact, const HandPush& hand, double now_s) noexcept;
     void push_by_tool(std::span<const SolidPush> pushes, const MostFelt& most,
@@ -83,8 +88,11 @@ class BodyStage {
         RigidPush push{};
     };
     [[nodiscard]] Pose predict(const RigidSolid& told, double now_s) const noexcept;
-    [[nodiscard]] Pose find_pose(const Body& body, double now_s) const noexcept;
+    [[nodiscard]] Pose find_pose(const Body& body, double now_s, double left_s) const noexcept;
+    [[nodiscard]] double find_left_s(double now_s) const noexcept;
+    [[nodiscard]] bool is_usable(const RigidFrame& frame) const noexcept;
     void take_frame(double now_s) noexcept;
+    void tell_grip(double most_N) noexcept;
     void begin_grip(const ProxyContact& contact, const GrippingHand& hand) noexcept;
     void begin_pushes(double now_s) noexcept;
     void add_push(const Body& body, const MostFelt& most, SolidPush push) noexcept;
@@ -95,7 +103,7 @@ class BodyStage {
     double cursor_m_;        // from the proxy to where it touches
     double stamp_s_ = -1.0;  // of the newest frame
     double heard_s_ = 0.0;   // when it came
-    double blend_s_ = 0.0;   // between the last two
+    double blend_s_ = 0.0;   // within which e goes
     std::vector<Body> bodies_;
     std::array<Pose, kMaxSolids> poses_W_{};
     std::uint32_t put_ = 0;

@@ -352,6 +352,9 @@ void HapticLoop::forget_motion() noexcept {
     if (tool_) {
         tool_->let_go();
     }
+    if (bodies_) {
+        bodies_->let_go();
+    }
     if (passivity_) {
         passivity_->forget();
     }

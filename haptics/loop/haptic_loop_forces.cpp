@@ -70,8 +70,11 @@ void HapticLoop::push_bodies() noexcept {
         return;
     }
     const HandPush touch{demand_.wrench_W.force, demand_.contact.force, gate_.find_most_N(dt_s_)};
-    const GripForce grip =
-        bodies_->grip(touch_->contact, {state_.tool_pose_W, state_.tool_twist_W, state_.buttons});
+    // A gate that lets nothing through holds nothing: what a grip asks for would keep it closed.
+    const bool may_grip = gate_.phase() == GatePhase::open || gate_.phase() == GatePhase::rising;
+    const GripForce grip = bodies_->grip(
+        touch_->contact,
+        {state_.tool_pose_W, state_.tool_twist_W, may_grip ? state_.buttons : std::uint32_t{0}});
     demand_.wrench_W.force += grip.force_W;
     demand_.force += {grip.spring_W, grip.spring_W};
     if (bodies_->gripped() >= 0) {

@@ -22,14 +22,16 @@ struct Hold {
 
 }  // namespace
 
-double limit_push(const MostFelt& most, SolidPush& push) noexcept {
+PushShare limit_push(const MostFelt& most, SolidPush& push) noexcept {
     const auto find_share = [](double asked, double allowed) {
         return asked > allowed ? allowed / asked : 1.0;
     };
     const double share = find_share(compute_length(push.force_W), most.force_N);
     push.force_W *= share;
-    push.couple_W *= std::min(share, find_share(compute_length(push.couple_W), most.torque_Nm));
-    return share;
+    const double couple =
+        std::min(share, find_share(compute_length(push.couple_W), most.torque_Nm));
+    push.couple_W *= couple;
+    return {share, couple};
 }
 
 SolidPush compute_solid_push(const ProxyContact& contact, std::int32_t solid,

@@ -41,8 +41,13 @@ struct MostFelt {
 /// The share of the hand's force that one solid takes, all of it where it alone is touched. `cursor_m`: from the proxy to where it touches.
 [[nodiscard]] SolidPush compute_solid_push(const ProxyContact& contact, std::int32_t solid,
                                            const Vector3& force_W, double cursor_m) noexcept;
-/// No more than the hand may feel: a couple is drawn together with the force that comes with it, and by itself. Returns what is left of the
-/// force, 0 to 1.
-double limit_push(const MostFelt& most, SolidPush& push) noexcept;
+/// What is left of a push, each 0 to 1.
+struct PushShare {
+    double force = 1.0;
+    double couple = 1.0;
+};
+
+/// No more than the hand may feel: a couple is drawn together with the force that comes with it, and by itself.
+PushShare limit_push(const MostFelt& most, SolidPush& push) noexcept;
 
 }  // namespace fulcrum

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -90,6 +91,38 @@ TEST_CASE("body stage: what a frame corrects is felt little by little until the 
     CHECK(before_m == Approx(0.04));
 }
 
+TEST_CASE("body stage: what a pause has to correct is not hurried by the frames after it") {
+    StagedBody body;
+    double now_s = 1.0;
+    double before_m = 0.0;
+    double fastest_m = 0.0;
+    const auto feel = [&] {
+        const double x = body.felt(now_s).position.x();
+        fastest_m = std::max(fastest_m, std::abs(x - before_m));
+        before_m = x;
+        now_s += 1.0e-3;
+    };
+    // At 1 m/s, told each millisecond; then 50 ms of silence, in which it has stopped where it was.
+    for (int i = 0; i < 200; ++i) {
+        body.tell(now_s, {now_s - 1.0, 0.0, 0.0}, Vector3::UnitX());
+        feel();
+    }
+    const double stopped_m = before_m;
+    for (int i = 0; i < 50; ++i) {
+        feel();
+    }
+    for (int i = 0; i < 60; ++i) {
+        body.tell(now_s, {stopped_m, 0.0, 0.0}, Vector3::Zero());
+        feel();
+    }
+    CHECK(fastest_m < 1.2e-3);
+    CHECK(before_m == Approx(stopped_m).margin(1.0e-9));
+    // Nor by a clock that goes back.
+    body.tell(now_s - 0.5, {stopped_m + 0.03, 0.0, 0.0}, Vector3::Zero());
+    feel();
+    CHECK(fastest_m < 1.2e-3);
+}
+
 TEST_CASE("body stage: what was put elsewhere is there at once, and the proxy is told") {
     StagedBody body;
     body.tell(1.00, Vector3::Zero(), Vector3::Zero());
@@ -114,6 +147,30 @@ TEST_CASE("body stage: a frame with what is no number in it is passed over") {
     body.tell(1.1, Vector3::Constant(std::nan("")), Vector3::Zero());
     CHECK(body.felt(1.1).position.x() == 0.1);
     CHECK(body.stage.age_s(1.1) == Approx(0.1));
+    const double nan = std::nan("");
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const double stamp_s : {nan, infinite, -1.0}) {
+        body.tell(stamp_s, Vector3::Zero(), Vector3::Zero());
+        CHECK(body.felt(1.1).position.x() == 0.1);
+    }
+    for (const double behind_s : {nan, infinite, -0.01}) {
+        body.tell(1.1, Vector3::Zero(), Vector3::Zero(), 0, behind_s);
+        CHECK(body.felt(1.1).position.x() == 0.1);
+    }
+    RigidFrame garbled;
+    garbled.stamp_s = 1.1;
+    garbled.solids[1].is_present = true;
+    garbled.solids[1].pose_W.orientation = Quaternion(0.9, 0.0, 0.0, 0.0);
+    body.channels->frame.publish(garbled);
+    CHECK(body.felt(1.1).position.x() == 0.1);
+    CHECK(body.stage.age_s(1.1) == Approx(0.1));
+}
+
+TEST_CASE("body stage: a frame of a time to come is as old as one of a time that long ago") {
+    StagedBody body;
+    body.tell(11.0, Vector3::Zero(), Vector3::Zero());
+    (void)body.felt(1.0);
+    CHECK(body.stage.age_s(1.0) == Approx(10.0));
 }
 
 TEST_CASE("body stage: the world hears of a push with its place and its slopes, cut off with it") {
@@ -174,6 +231,66 @@ TEST_CASE("body stage: a grip holds the place that was touched, as long as the b
     hand.buttons = 0U;
     CHECK(body.stage.grip({}, hand).force_W.norm() == 0.0);
     CHECK(body.stage.gripped() == kNoBody);
+}
+
+namespace {
+
+// Gripped at its top by a hand that pulls it up by 10 mm and has turned it by 1.5 rad.
+void grip_and_turn(StagedBody& body, GrippingHand& hand) {
+    body.tell(1.0, Vector3::Zero(), Vector3::Zero());
+    (void)body.felt(1.0);
+    hand = {Pose::at({0.0, 0.1, 0.0}), {}, 2U};
+    (void)body.stage.grip(make_contact({0.0, 0.1, 0.0}, Vector3::UnitY(), 1), hand);
+    (void)body.felt(1.001);
+    hand.pose_W = {Vector3(0.0, 0.11, 0.0), compute_exp(Vector3(0.0, 0.0, 1.5))};
+    (void)body.stage.grip({}, hand);
+}
+
+}  // namespace
+
+TEST_CASE("body stage: a grip turns with no more than the hand may feel at the body's arm") {
+    // 6 N, and 600 * 2e-3 / 0.5 * 1.5 = 3.6 Nm; r = sqrt(2e-3 / 0.5).
+    const double arm_m = std::sqrt(2.0e-3 / 0.5);
+    for (const double most_N : {9.0, 3.0, 0.0}) {
+        StagedBody body(make_body_plan(2U));
+        GrippingHand hand;
+        grip_and_turn(body, hand);
+        body.stage.push({}, {Vector3::Zero(), Vector3::Zero(), most_N}, 1.002);
+        const HandPushes& told = body.told();
+        REQUIRE(told.count == 1);
+        const RigidPush& push = told.pushes[0];
+        INFO("at most " << most_N);
+        CHECK(push.push_W.force.y() == Approx(std::min(6.0, most_N)).margin(kRounding));
+        CHECK(push.push_W.torque.z() == Approx(most_N * arm_m).margin(kRounding));
+        // Cut off, it has its secant's slopes.
+        CHECK(push.slopes.stiffness_N_per_m ==
+              Approx(600.0 * std::min(1.0, most_N / 6.0)).margin(kRounding));
+        CHECK(push.slopes.turn_stiffness_Nm_per_rad ==
+              Approx(most_N * arm_m / 1.5).margin(kRounding));
+    }
+}
+
+TEST_CASE("body stage: a grip ends where its body is put elsewhere or taken out, or it is let go") {
+    for (const int how : {0, 1, 2}) {
+        StagedBody body(make_body_plan(2U));
+        GrippingHand hand;
+        grip_and_turn(body, hand);
+        REQUIRE(body.stage.gripped() == 1);
+        if (how == 0) {
+            body.tell(1.002, {0.1, 0.0, 0.0}, Vector3::Zero(), 1);
+        } else if (how == 1) {
+            body.stage.let_go();
+        } else {
+            RigidFrame gone;
+            gone.stamp_s = 1.002;
+            body.channels->frame.publish(gone);
+        }
+        (void)body.felt(1.002);
+        CHECK(body.stage.gripped() == kNoBody);
+        CHECK(body.stage.grip({}, hand).force_W.norm() == 0.0);
+        body.stage.push({}, {Vector3::Zero(), Vector3::Zero(), 9.0}, 1.002);
+        CHECK(body.told().count == 0);
+    }
 }
 
 TEST_CASE("body stage: a plan with rigid bodies that cannot be is refused") {

@@ -205,6 +205,22 @@ TEST_CASE("haptic loop: a world that has gone silent fades the force") {
     CHECK(hands.state(0).applied_W.force.norm() == 0.0);
 }
 
+TEST_CASE("haptic loop: a closed gate lets go of what is gripped") {
+    BoxScene scene;
+    scene.grip_buttons = 1;
+    HandsInWorld hands(scene, {{-0.06, 0.03, 0.0}});
+    hands.aim(0, {-0.034, 0.03, 0.0});
+    hands.run(0.5);
+    hands.aim(0, {-0.034, 0.03, 0.0}, 1);
+    hands.run(0.1);
+    REQUIRE(hands.state(0).touched_body == 0);
+    hands.stop_world();
+    hands.aim(0, {-0.08, 0.03, 0.0}, 1);
+    hands.run(0.6);
+    CHECK(hands.state(0).touched_body == kNoBody);
+    CHECK(hands.state(0).commanded_W.force.norm() == 0.0);
+}
+
 TEST_CASE("haptic loop: a tool of points pushes a body, and feels it") {
     BoxScene scene;
     test::ToolScene tool{.tool = make_cylinder(0.01, 0.04, 32).value(),

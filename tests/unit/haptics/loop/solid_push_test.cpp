@@ -55,10 +55,14 @@ TEST_CASE("solid push: a damper drags only where friction holds") {
 
 TEST_CASE("solid push: no more than the hand may feel is passed on, its couple in proportion") {
     SolidPush push{true, Vector3::Zero(), {0.0, 0.0, 10.0}, {0.5, 0.0, 0.0}};
-    CHECK(limit_push({.force_N = 4.0, .torque_Nm = 1.0}, push) == Approx(0.4));
+    const PushShare left = limit_push({.force_N = 4.0, .torque_Nm = 1.0}, push);
+    CHECK(left.force == Approx(0.4));
+    CHECK(left.couple == Approx(0.4));
     CHECK((push.force_W - Vector3(0.0, 0.0, 4.0)).norm() < kRounding);
     CHECK((push.couple_W - Vector3(0.2, 0.0, 0.0)).norm() < kRounding);
     SolidPush gentle{true, Vector3::Zero(), {0.0, 0.0, 1.0}, {0.5, 0.0, 0.0}};
-    CHECK(limit_push({.force_N = 4.0, .torque_Nm = 0.1}, gentle) == 1.0);
+    const PushShare of_gentle = limit_push({.force_N = 4.0, .torque_Nm = 0.1}, gentle);
+    CHECK(of_gentle.force == 1.0);
+    CHECK(of_gentle.couple == Approx(0.2));
     CHECK((gentle.couple_W - Vector3(0.1, 0.0, 0.0)).norm() < kRounding);
 }
