@@ -110,7 +110,8 @@ void HapticLoop::add_line() noexcept {
     const GatePhase phase = gate_.phase();
     const bool is_open = phase == GatePhase::rising || phase == GatePhase::open;
     constexpr double kSilent_s = std::numeric_limits<double>::infinity();
-    const LineForce felt = line_->step(state_.tool_pose_W, is_open ? now_s_ : kSilent_s, dt_s_);
+    const double line_now_s = is_open ? now_s_ : +kSilent_s;
+    const LineForce felt = line_->step(state_.tool_pose_W, line_now_s, dt_s_);
     demand_.wrench_W.force += felt.wrench_W.force;
     demand_.wrench_W.torque += felt.wrench_W.torque;
     demand_.force += felt.force;

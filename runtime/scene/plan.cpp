@@ -296,6 +296,25 @@ FeltWeights fit_felt_weights(const std::vector<BodyDescription>& bodies, double 
     return felt;
 }
 
+namespace {
+
+// What the person at the keyboard chose.
+void take_options(const LessonDescription& lesson, const PlanOptions& options, Plan& plan) {
+    plan.picture = options.picture;
+    plan.sound = options.sound;
+    plan.record = options.record;
+    plan.day = options.day;
+    plan.dialogue = !lesson.questions.empty();
+    plan.speech = options.speech;
+    plan.recogniser = plan.dialogue && options.speech != SpeechInput::text;
+    if (plan.recogniser) {
+        plan.hearing = options.hearing;
+        plan.waits_for_hearing = !options.live;
+    }
+}
+
+}  // namespace
+
 Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& options,
                             const SolidLoader& load_solid, const PictureLoader& load_picture) {
     if (auto counts = check_counts(lesson); !counts) {
@@ -347,17 +366,7 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
         plan.haptic.carries_weight = true;
     }
 
-    plan.picture = options.picture;
-    plan.sound = options.sound;
-    plan.record = options.record;
-    plan.day = options.day;
-    plan.dialogue = !lesson.questions.empty();
-    plan.speech = options.speech;
-    plan.recogniser = plan.dialogue && options.speech != SpeechInput::text;
-    if (plan.recogniser) {
-        plan.hearing = options.hearing;
-        plan.waits_for_hearing = !options.live;
-    }
+    take_options(lesson, options, plan);
     list_haptic_stages(lesson, plan);
     list_other_loops(lesson, plan);
     return plan;

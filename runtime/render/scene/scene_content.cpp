@@ -140,6 +140,22 @@ void add_torque(SceneContent& content, const Camera& camera, const ViewTorque& t
     }
 }
 
+void add_ghost(SceneContent& content, const View& view, const Camera& camera,
+               const FindMesh& find_mesh) {
+    ViewBody ghost = view.tool;
+    ghost.pose_W = view.ghost_pose_W;
+    content.ghost = item_of(ghost, camera, find_mesh);
+    if (content.ghost) {
+        content.ghost->level = std::min(content.ghost->level + 1, gl::kLevelPixels.size());
+    }
+    if (content.ghost && view.tool_visible && is_finite(view.tool.pose_W)) {
+        // Seen through each other they would only shimmer; it appears as they part.
+        const double apart_m = (ghost.pose_W.position - view.tool.pose_W.position).norm();
+        content.ghost_strength =
+            static_cast<float>(std::clamp(apart_m / (kGhostApart * camera.distance_m()), 0.0, 1.0));
+    }
+}
+
 }  // namespace
 
 SceneContent content_of(const View& view, const Camera& camera, const FindMesh& find_mesh) {
@@ -164,18 +180,7 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
         add_label(content, camera, view.tool, *hand);
     }
     if (view.ghost_visible) {
-        ViewBody ghost = view.tool;
-        ghost.pose_W = view.ghost_pose_W;
-        content.ghost = item_of(ghost, camera, find_mesh);
-        if (content.ghost) {
-            content.ghost->level = std::min(content.ghost->level + 1, gl::kLevelPixels.size());
-        }
-        if (content.ghost && view.tool_visible && is_finite(view.tool.pose_W)) {
-            // Seen through each other they would only shimmer; it appears as they part.
-            const double apart_m = (ghost.pose_W.position - view.tool.pose_W.position).norm();
-            content.ghost_strength = static_cast<float>(
-                std::clamp(apart_m / (kGhostApart * camera.distance_m()), 0.0, 1.0));
-        }
+        add_ghost(content, view, camera, find_mesh);
     }
     if (view.in_space) {
         content.marks.clear();  // nothing lands there
