@@ -16,6 +16,9 @@
 
 namespace fulcrum::dialogue {
 
+/// What recognisers are given: samples a second, mono.
+inline constexpr int kHeardRate_Hz = 16'000;
+
 /// How likely an arc with an error is taken to be, beside a right one.
 inline constexpr double kErrorWeight = 0.2;
 

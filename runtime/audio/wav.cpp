@@ -111,6 +111,15 @@ WavSound read_samples(const Format& format, std::string_view data) {
 
 }  // namespace
 
+std::vector<std::int16_t> to_pcm16(std::span<const float> samples) {
+    std::vector<std::int16_t> pcm(samples.size());
+    std::ranges::transform(samples, pcm.begin(), [](float x) {
+        const float bounded = std::isfinite(x) ? std::clamp(x, -1.0F, 1.0F) : 0.0F;
+        return static_cast<std::int16_t>(std::lround(bounded * 32767.0F));
+    });
+    return pcm;
+}
+
 Expected<WavSound> read_wav(std::string_view bytes) {
     constexpr std::size_t kFirstChunk = 12;
     if (bytes.size() < kFirstChunk || bytes.substr(0, 4) != "RIFF" ||
@@ -168,9 +177,8 @@ Expected<void> write_wav(const std::filesystem::path& path, std::span<const floa
     put(file, 16, 2);
     file += "data";
     put(file, data_bytes, 4);
-    for (const float sample : samples) {
-        const float bounded = std::isfinite(sample) ? std::clamp(sample, -1.0F, 1.0F) : 0.0F;
-        put(file, static_cast<std::uint16_t>(std::lround(bounded * 32767.0F)), 2);
+    for (const std::int16_t sample : to_pcm16(samples)) {
+        put(file, static_cast<std::uint16_t>(sample), 2);
     }
     std::ofstream out(path, std::ios::binary);
     out.write(file.data(), static_cast<std::streamsize>(file.size()));

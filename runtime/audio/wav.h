@@ -8,12 +8,16 @@
 
 #include "haptics/base/error.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string_view>
 #include <vector>
 
 namespace fulcrum::runtime {
+
+/// 16-bit samples of -1 to 1; beyond that they are clipped, and what is no number is silence.
+[[nodiscard]] std::vector<std::int16_t> to_pcm16(std::span<const float> samples);
 
 /// 16-bit PCM; `samples` are interleaved, -1 to 1, beyond that they are clipped. `channels` 1 or 2.
 [[nodiscard]] Expected<void> write_wav(const std::filesystem::path& path,

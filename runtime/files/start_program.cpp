@@ -41,7 +41,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     return pointers;
 }
 
-// A group of its own, no signal blocked or ignored, ordinary scheduling whatever thread starts it.
+}  // namespace
+
 void set_apart(posix_spawnattr_t& attributes) {
     sigset_t none;
     sigset_t all;
@@ -56,8 +57,6 @@ void set_apart(posix_spawnattr_t& attributes) {
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
                                               POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSCHEDULER);
 }
-
-}  // namespace
 
 StartedProgram::~StartedProgram() {
     if (pid_ >= 0) {

@@ -6,11 +6,15 @@
 // Thread: any. Cost: the start of a process, 1 to 3 ms.
 #pragma once
 
+#include <spawn.h>
 #include <string>
 #include <sys/types.h>
 #include <vector>
 
 namespace fulcrum::runtime {
+
+/// A process group of its own (a Ctrl-C is for the program), no signal blocked or ignored, ordinary scheduling, whatever thread starts it.
+void set_apart(posix_spawnattr_t& attributes);
 
 /// A process, killed with all that it started and waited for when this goes.
 class StartedProgram {

@@ -4,7 +4,6 @@
 #include "runtime/audio/wav.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <span>
@@ -14,7 +13,6 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr int kHeardRate_Hz = 16'000;
 constexpr std::size_t kPiece = 3200;  // samples a line: 0.2 s
 constexpr double kPatience_s = 20.0;  // of a run that waits
 constexpr std::size_t kMostFile_bytes = 50'000'000;
@@ -31,12 +29,7 @@ fulcrum::Expected<std::vector<std::int16_t>> read_recording(const std::string& f
     if (!sound) {
         return fulcrum::fail(sound.error().message, file, sound.error().what_to_do);
     }
-    const std::vector<float> heard = resample(sound->samples, sound->rate_Hz, kHeardRate_Hz);
-    std::vector<std::int16_t> samples(heard.size());
-    std::ranges::transform(heard, samples.begin(), [](float x) {
-        return static_cast<std::int16_t>(std::lround(std::clamp(x, -1.0F, 1.0F) * 32767.0F));
-    });
-    return samples;
+    return to_pcm16(resample(sound->samples, sound->rate_Hz, dialogue::kHeardRate_Hz));
 }
 
 }  // namespace

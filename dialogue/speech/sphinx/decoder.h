@@ -24,8 +24,6 @@
 
 namespace fulcrum::dialogue {
 
-inline constexpr int kHeardRate_Hz = 16'000;
-
 struct DecoderSettings {
     std::string models = "/usr/share/pocketsphinx/model/en-us";
     double middle = 3.5;  ///< d at which either is as likely, -100 to 100

@@ -6,6 +6,7 @@
 #include "runtime/audio/openal/quiet_backends.h"
 #include "runtime/audio/sound_bank.h"
 #include "runtime/audio/synthesis.h"
+#include "runtime/audio/wav.h"
 
 #include <AL/al.h>
 #include <AL/alc.h>
@@ -199,10 +200,7 @@ class OpenalVoices {
     }
 
     static ALuint upload(std::span<const float> samples) {
-        std::vector<std::int16_t> pcm(samples.size());
-        std::transform(samples.begin(), samples.end(), pcm.begin(), [](float x) {
-            return static_cast<std::int16_t>(std::lround(std::clamp(x, -1.0F, 1.0F) * 32767.0F));
-        });
+        const std::vector<std::int16_t> pcm = to_pcm16(samples);
         ALuint buffer = 0;
         alGenBuffers(1, &buffer);
         alBufferData(buffer, AL_FORMAT_MONO16, pcm.data(),

@@ -1,5 +1,7 @@
 #include "runtime/lua/process/child_process.h"
 
+#include "runtime/files/start_program.h"
+
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -8,7 +10,6 @@
 #include <fcntl.h>
 #include <new>
 #include <poll.h>
-#include <sched.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
@@ -67,22 +68,6 @@ std::vector<char*> child_environment() {
     return environment;
 }
 
-/// Own group (a Ctrl-C is for the program), no signal blocked or ignored, ordinary scheduling.
-void set_attributes(posix_spawnattr_t& attributes) {
-    sigset_t none;
-    sigset_t all;
-    sigemptyset(&none);
-    sigfillset(&all);
-    const sched_param ordinary{};
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setsigdefault(&attributes, &all);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setschedpolicy(&attributes, SCHED_OTHER);
-    posix_spawnattr_setschedparam(&attributes, &ordinary);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
-                                              POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSCHEDULER);
-}
-
 int spawn(pid_t& pid, const std::string& executable, int socket, int page) {
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
@@ -90,7 +75,7 @@ int spawn(pid_t& pid, const std::string& executable, int socket, int page) {
     posix_spawnattr_init(&attributes);
     posix_spawn_file_actions_adddup2(&actions, socket, kLessonSocket);
     posix_spawn_file_actions_adddup2(&actions, page, kLessonPage);
-    set_attributes(attributes);
+    set_apart(attributes);
     std::string name = "fulcrum-lesson";
     std::string argument = kLessonArgument;
     std::string number = std::to_string(kLessonSocket);
