@@ -70,8 +70,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Mark mark = mark_answer(*question, second);
     require(mark.understood || (mark.slots.empty() && mark.form_errors.empty()));
     check_errors(mark);
+    // A number that no list has fills no slot, so nothing is said back.
+    const bool names_slots = mark.understood && mark.other_number.empty();
+    require(names_slots || mark.corrected.empty());
     // What is said back is understood, without an error.
-    if (mark.understood && mark.corrected.size() <= kLongestUtterance_bytes) {
+    if (names_slots && mark.corrected.size() <= kLongestUtterance_bytes) {
         const Mark again = mark_answer(*question, mark.corrected);
         require(again.understood && again.form_right());
     }

@@ -16,6 +16,7 @@ namespace {
 constexpr int kHookEvery = 1000;                  // instructions between two looks
 constexpr std::size_t kBytesAnInstruction = 128;  // what filling memory counts as
 constexpr std::size_t kLargeBlockBytes = 16U << 10U;
+constexpr int kDeepestCalls = 20'000;  // calls within calls; Lua's own limit is ten times as far and takes 0.1 s to reach
 
 std::size_t sane_memory(std::size_t bytes) {
     return std::clamp<std::size_t>(bytes, 1U << 20U, 256U << 20U);
@@ -121,13 +122,12 @@ void ScriptState::count_large_block(std::size_t bytes) noexcept {
 }
 
 void ScriptState::note_memory_error() {
-    constexpr int kDeep = 20'000;
     memory_error_ = place_of(running, 0);
     if (memory_error_.line == 0) {
         memory_error_ = place_of(running, 1);
     }
     lua_Debug activation{};
-    memory_error_.message = lua_getstack(running, kDeep, &activation) != 0
+    memory_error_.message = lua_getstack(running, kDeepestCalls, &activation) != 0
                                 ? in_plain_words("stack overflow")
                                 : "this needs more memory than the " +
                                       std::to_string(arena_.capacity_bytes() >> 20U) +
@@ -169,6 +169,13 @@ void ScriptState::on_count(lua_State* lua, lua_Debug* activation) {
     ScriptState& state = of(lua);
     state.note_line(lua, activation);
     state.charge(lua, static_cast<std::uint64_t>(lua_gethookcount(lua)));
+    lua_Debug deepest{};
+    if (lua_getstack(lua, kDeepestCalls, &deepest) != 0) {
+        lua_getinfo(lua, "Sl", activation);
+        lua_pushfstring(lua, "%s:%d: stack overflow", activation->short_src,
+                        activation->currentline);
+        lua_error(lua);
+    }
 }
 
 void ScriptState::note_line(lua_State* lua, lua_Debug* activation) noexcept {
