@@ -16,7 +16,8 @@ namespace {
 constexpr int kHookEvery = 1000;                  // instructions between two looks
 constexpr std::size_t kBytesAnInstruction = 128;  // what filling memory counts as
 constexpr std::size_t kLargeBlockBytes = 16U << 10U;
-constexpr int kDeepestCalls = 20'000;  // calls within calls; Lua's own limit is ten times as far and takes 0.1 s to reach
+constexpr int kDeepestCalls =
+    20'000;  // calls within calls; Lua's own limit is ten times as far and takes 0.1 s to reach
 
 std::size_t sane_memory(std::size_t bytes) {
     return std::clamp<std::size_t>(bytes, 1U << 20U, 256U << 20U);
