@@ -14,16 +14,18 @@
 
 #include <cstdint>
 #include <span>
+#include <tuple>
 
 namespace fulcrum {
 
-/// Two bodies by number, the lesser first.
+/// Two bodies by number, the lesser first, and which patch of their contact where they may have several (sampled_contacts.h).
 struct BodyPair {
     std::int32_t first = 0;
     std::int32_t second = 0;
+    std::int32_t patch = 0;
     [[nodiscard]] bool operator==(const BodyPair&) const noexcept = default;
     [[nodiscard]] bool operator<(const BodyPair& other) const noexcept {
-        return first < other.first || (first == other.first && second < other.second);
+        return std::tie(first, second, patch) < std::tie(other.first, other.second, other.patch);
     }
 };
 

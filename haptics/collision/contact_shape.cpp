@@ -181,11 +181,20 @@ struct KindOf {
     Kind operator()(const BoxShape& /*box*/) const { return Kind::box; }
     Kind operator()(const CylinderShape& /*cylinder*/) const { return Kind::cylinder; }
     Kind operator()(const HullShape& /*hull*/) const { return Kind::hull; }
+    Kind operator()(const MeshShape& /*mesh*/) const { return Kind::mesh; }
     template <class Other>
     Kind operator()(const Other& /*other*/) const {
-        return Kind::half_space;  // stands for all that is not convex
+        return Kind::half_space;  // stands for all that others cannot run into
     }
 };
+
+Expected<HullShape> find_hull_round(const SolidShape& shape) {
+    if (const auto* hull = std::get_if<HullShape>(&shape)) {
+        return *hull;
+    }
+    const auto vertices_B = (*find_mesh(shape))->vertices_B();
+    return make_hull_shape({vertices_B.begin(), vertices_B.end()});
+}
 
 }  // namespace
 
@@ -195,10 +204,15 @@ Expected<ContactShape> make_contact_shape(const SolidShape& shape) {
     }
     ContactShape made{.kind = std::visit(KindOf{}, shape)};
     if (made.kind == ContactShape::Kind::half_space) {
-        return fail("a body that pushes others is not convex", {},
-                    "give it a sphere, capsule, box, cylinder or hull to be pushed by");
+        return fail(
+            "a body that pushes others is a height field or a distance function", {},
+            "give it a sphere, capsule, box, cylinder, hull or closed mesh to be pushed by");
     }
-    if (const auto* hull = std::get_if<HullShape>(&shape)) {
+    if (made.kind == ContactShape::Kind::hull || made.kind == ContactShape::Kind::mesh) {
+        const auto hull = find_hull_round(shape);
+        if (!hull) {
+            return tl::make_unexpected(hull.error());
+        }
         made.hull = make_faces(*hull->mesh);
         made.core = {.kind = ConvexCore::Kind::cloud, .cloud = made.hull->vertices_B};
     } else {
@@ -223,6 +237,7 @@ void find_feature(const ContactShape& shape, const Vector3& direction_B,
         case ContactShape::Kind::capsule:
             return write_capsule(shape.core.half_m.y(), direction_B.y(), feature);
         case ContactShape::Kind::hull:
+        case ContactShape::Kind::mesh:
             return write_hull_face(*shape.hull, find_hull_face(*shape.hull, direction_B), feature);
         default:
             feature.corners_B[0] = Vector3::Zero();
@@ -240,6 +255,7 @@ AlignedFace find_aligned_face(const ContactShape& shape, const Vector3& directio
             face = direction_B.y() < 0.0 ? 1 : 0;
             break;
         case ContactShape::Kind::hull:
+        case ContactShape::Kind::mesh:
             face = find_hull_face(*shape.hull, direction_B);
             break;
         default:
@@ -256,8 +272,8 @@ Vector3 find_face_normal(const ContactShape& shape, std::int32_t face) noexcept 
     if (face >= 0 && shape.kind == ContactShape::Kind::cylinder && face < 2) {
         return box_normal(2 + face);
     }
-    if (face >= 0 && shape.kind == ContactShape::Kind::hull &&
-        static_cast<std::size_t>(face) < shape.hull->faces.size()) {
+    const bool has_hull = shape.hull != nullptr;
+    if (face >= 0 && has_hull && static_cast<std::size_t>(face) < shape.hull->faces.size()) {
         return shape.hull->faces[static_cast<std::size_t>(face)].normal_B;
     }
     return Vector3::Zero();

@@ -1,7 +1,8 @@
 // A convex shape made ready to meet others: its core, its faces, and which of them looks in a direction.
 //
 // Every shape is a core with a radius round it (convex_gap.h): sphere and capsule a point and a segment; box, cylinder and hull are
-// their own core. A half space is all below the plane y = 0 of its frame: the ground. What of a core lies farthest in a direction is
+// their own core. A half space is all below the plane y = 0 of its frame: the ground. A mesh that need not be convex meets a half space
+// as the hull round it, all else by samples (sampled_contacts.h). What of a core lies farthest in a direction is
 // given as a `SupportFeature`: a face, a segment or a point, which holds the farthest point and spans what may touch beside it.
 //   box       the face that looks most along the direction
 //   cylinder  an end as a polygon of 16 corners where the direction is within 45 degrees of the axis, else the line of the side. An end
@@ -21,6 +22,8 @@
 
 namespace fulcrum {
 
+class SampledShape;  // sampled_shape.h
+
 /// A hull's faces, each flat, its corners counter-clockwise as seen from outside.
 struct HullFaces {
     struct Face {
@@ -37,14 +40,17 @@ struct HullFaces {
 inline constexpr int kMostCorners = 32;
 
 struct ContactShape {
-    enum class Kind : std::uint8_t { half_space, sphere, capsule, box, cylinder, hull };
+    enum class Kind : std::uint8_t { half_space, sphere, capsule, box, cylinder, hull, mesh };
     Kind kind = Kind::half_space;
     ConvexCore core{};
-    std::shared_ptr<const HullFaces> hull{};
+    std::shared_ptr<const HullFaces> hull{};  ///< of a hull, and round a mesh
+    /// Of a mesh, and of what meets one; null where nothing is a mesh.
+    std::shared_ptr<const SampledShape> sampled{};
     double bounding_radius_m = 0.0;  ///< round the origin; 0 of a half space
 };
 
-/// Refuses what `validate` of a shape does, and shapes that are not convex in themselves: meshes, height fields, distance functions.
+/// Of a mesh the hull round it: what a half space meets. What else it meets needs it `sampled`, which is left to the caller. Refuses what
+/// `validate` of a shape does, height fields and distance functions.
 [[nodiscard]] Expected<ContactShape> make_contact_shape(const SolidShape& shape);
 /// All below y = 0.
 [[nodiscard]] ContactShape make_half_space() noexcept;

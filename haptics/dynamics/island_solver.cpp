@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fulcrum {
 namespace {
@@ -167,9 +168,10 @@ void IslandSolver::add_pair(const ContactPair& pair, double dt_s,
             continue;
         }
         const double depth_m = -point.gap_m - left_m;
+        // What is apart is not pushed: it may go on closing.
         contact_pushes_.add(
             depth_m > 0.0 ? std::min(find_push_rate(dt_s) * depth_m, settings_.most_push_m_per_s)
-                          : 0.0);
+                          : std::numeric_limits<double>::lowest());
         is_off_ = is_off_ || depth_m > 0.0;
         report_.deepest_m = std::max(report_.deepest_m, -point.gap_m);
         ++report_.n_contacts;

@@ -1,10 +1,12 @@
 #include "haptics/dynamics/rigid_world.h"
 
 #include "haptics/base/flush_to_zero.h"
+#include "haptics/collision/sampled_contacts.h"
 #include "haptics/dynamics/integrator_steps.h"
 #include "haptics/math/rotation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -90,11 +92,48 @@ bool RigidWorld::is_joined(const BodyPair& pair) const noexcept {
     return !joined_.empty() && std::binary_search(joined_.begin(), joined_.end(), pair);
 }
 
+bool RigidWorld::meets_in_patches(const BodyPair& pair) const noexcept {
+    const ContactShape& first = scene_.bodies[to_place_in(pair.first)].shape;
+    const ContactShape& second = scene_.bodies[to_place_in(pair.second)].shape;
+    constexpr auto kMesh = ContactShape::Kind::mesh;
+    return (first.kind == kMesh || second.kind == kMesh) && first.sampled && second.sampled;
+}
+
+void RigidWorld::add_near(BodyPair pair) noexcept {
+    const int n = meets_in_patches(pair) ? kMostPatches : 1;
+    for (pair.patch = 0; pair.patch < n; ++pair.patch) {
+        report_.n_dropped += near_.add(pair) ? 0 : 1;
+    }
+}
+
+// Where the pair touches, and of one with patches in those that follow as well.
+void RigidWorld::find_contacts_of(int i, double margin_m) noexcept {
+    ContactPair& pair = scene_.pairs.at(i);
+    const RigidWorldBody& first = scene_.bodies[to_place_in(pair.bodies.first)];
+    const RigidWorldBody& second = scene_.bodies[to_place_in(pair.bodies.second)];
+    if (!meets_in_patches(pair.bodies)) {
+        find_contacts(first.shape, first.place, second.shape, second.place, margin_m,
+                      pair.manifold);
+        return;
+    }
+    std::array<ContactManifold*, kMostPatches> patches{};
+    std::size_t n = 0;
+    BodyPair next = pair.bodies;
+    for (int j = i; j < scene_.pairs.count() && scene_.pairs.at(j).bodies == next; ++j) {
+        patches[n++] = &scene_.pairs.at(j).manifold;
+        ++next.patch;
+    }
+    const double size_m = std::min(first.shape.bounding_radius_m, second.shape.bounding_radius_m);
+    find_sampled_contacts({*first.shape.sampled, first.place},
+                          {*second.shape.sampled, second.place}, size_m, margin_m,
+                          std::span(patches).first(n));
+}
+
 void RigidWorld::find_touching(double reach_s) noexcept {
     near_.clear();
     for (const BodyPair& pair : broad_phase_.find_pairs(boxes_.all(), moves_.all())) {
         if (!is_joined(pair)) {
-            near_.add(pair);
+            add_near(pair);
         }
     }
     report_.n_dropped += broad_phase_.n_dropped();
@@ -104,10 +143,8 @@ void RigidWorld::find_touching(double reach_s) noexcept {
         RigidWorldBody& first = scene_.bodies[to_place_in(pair.bodies.first)];
         RigidWorldBody& second = scene_.bodies[to_place_in(pair.bodies.second)];
         // Those that sleep touch where they did.
-        if (!is_still(first) || !is_still(second)) {
-            const double margin_m = find_reach(first, reach_s) + find_reach(second, reach_s);
-            find_contacts(first.shape, first.place, second.shape, second.place, margin_m,
-                          pair.manifold);
+        if (pair.bodies.patch == 0 && (!is_still(first) || !is_still(second))) {
+            find_contacts_of(i, find_reach(first, reach_s) + find_reach(second, reach_s));
         }
         // What was moved by a command wakes what it touches, though it makes no island with it.
         if (pair.manifold.count > 0 && (first.touched || second.touched)) {

@@ -1,7 +1,7 @@
 // A world of rigid bodies that fall, rest on each other, are joined, and push back.
 //
 //   place     axes, inertia and boxes of all bodies
-//   touch     pairs whose boxes overlap (broad_phase.h), and where they touch (contact_manifold.h)
+//   touch     pairs whose boxes overlap (broad_phase.h), and where they touch (contact_manifold.h; with a mesh sampled_contacts.h)
 //   islands   what hangs together by contacts and joints (islands.h): awake or asleep, touched by a hand or not
 //   solve     each island by itself (island_solver.h)
 //   move      x += h v_drift;  q turns freely with its angular momentum (integrator.h: the drift of verlet), and by what pushes it
@@ -114,6 +114,9 @@ class RigidWorld {
     explicit RigidWorld(const RigidWorldPlan& plan);
     void place_bodies(double reach_s) noexcept;
     void find_touching(double reach_s) noexcept;
+    [[nodiscard]] bool meets_in_patches(const BodyPair& pair) const noexcept;
+    void add_near(BodyPair pair) noexcept;
+    void find_contacts_of(int i, double margin_m) noexcept;
     void find_islands() noexcept;
     void find_due(double dt_s) noexcept;
     [[nodiscard]] SolvedIsland solve_island(const DueIsland& due, IslandSolver& solver) noexcept;

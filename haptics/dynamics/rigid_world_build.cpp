@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace fulcrum {
 namespace {
@@ -86,6 +87,7 @@ RigidWorldBody make_body(const RigidBodyPlan& plan) {
         body.X_PB = inertia.X_BP.inverse();
         body.state.velocity_W = plan.velocity_W;
     }
+    body.shape.sampled = plan.role == BodyRole::ground ? nullptr : plan.sampled;
     body.turn_PB = body.X_PB.orientation.toRotationMatrix();
     body.state.pose_W = plan.pose_W * body.X_PB.inverse();
     body.state.pose_W.orientation.normalize();
@@ -104,6 +106,29 @@ RigidScene make_scene(const RigidWorldPlan& plan) {
         scene.joints.push_back(make_joint(joint, pose_of(joint.body_a), pose_of(joint.body_b)));
     }
     return scene;
+}
+
+// What a mesh meets, and what it is itself, where the plan has not made it: nothing in a world without meshes.
+Expected<RigidWorldPlan> with_samples(RigidWorldPlan plan) {
+    const auto is_mesh = [](const RigidBodyPlan& body) {
+        return body.role != BodyRole::ground && std::holds_alternative<MeshShape>(body.shape);
+    };
+    if (std::ranges::none_of(plan.bodies, is_mesh)) {
+        return plan;
+    }
+    for (std::size_t i = 0; i < plan.bodies.size(); ++i) {
+        RigidBodyPlan& body = plan.bodies[i];
+        if (body.role == BodyRole::ground || body.sampled) {
+            continue;
+        }
+        auto sampled = SampledShape::make(body.shape);
+        if (!sampled) {
+            sampled.error().message = name_of("body", i) + ": " + sampled.error().message;
+            return tl::make_unexpected(sampled.error());
+        }
+        body.sampled = std::move(*sampled);
+    }
+    return plan;
 }
 
 ContactCapacity find_capacity(const RigidWorldPlan& plan) {
@@ -147,7 +172,9 @@ Expected<std::unique_ptr<RigidWorld>> RigidWorld::create(const RigidWorldPlan& p
     if (const auto valid = validate(plan); !valid) {
         return tl::make_unexpected(valid.error());
     }
-    return std::unique_ptr<RigidWorld>(new RigidWorld(plan));
+    return with_samples(plan).map([](const RigidWorldPlan& whole) {
+        return std::unique_ptr<RigidWorld>(new RigidWorld(whole));
+    });
 }
 
 RigidWorld::RigidWorld(const RigidWorldPlan& plan)

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/collision/sampled_shape.h"
 #include "haptics/collision/solid_shape.h"
 #include "haptics/constraint/contact_solver.h"
 #include "haptics/dynamics/joint_plan.h"
 #include "haptics/math/spatial.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace fulcrum {
@@ -21,6 +23,8 @@ enum class BodyRole : std::uint8_t {
 
 struct RigidBodyPlan {
     SolidShape shape = SphereShape{};
+    /// Of this shape, where it has been made already; else made with the world, where a mesh is in it.
+    std::shared_ptr<const SampledShape> sampled{};
     BodyRole role = BodyRole::moves;
     double density_kg_per_m3 = 1000.0;  ///< above 0
     double mass_kg = 0.0;               ///< 0: by the density; else above 0

@@ -10,7 +10,7 @@ set(load_path
     replay_device_build.cpp.o world_build.cpp.o world_loop_build.cpp.o
     mesh_report.cpp.o solid_moments.cpp.o shape.cpp.o triangle_mesh.cpp.o weld.cpp.o crack.cpp.o mesh_edges.cpp.o convex_hull.cpp.o self_intersection.cpp.o
     axle_settings.cpp.o mesh_inertia.cpp.o shape_inertia.cpp.o joint_settings.cpp.o rigid_world_build.cpp.o rigid_loop_build.cpp.o body_stage_build.cpp.o axle_stage_build.cpp.o solid_places_build.cpp.o tool_stage_build.cpp.o tool_plan.cpp.o step_limit.cpp.o make_proxy.cpp.o make_obstacle.cpp.o solid_shape.cpp.o
-    voxelise.cpp.o voxmap.cpp.o pointshell.cpp.o voxel_sampling_build.cpp.o voxel_tool_build.cpp.o
+    voxelise.cpp.o voxmap.cpp.o pointshell.cpp.o surface_samples.cpp.o sampled_shape_build.cpp.o voxel_sampling_build.cpp.o voxel_tool_build.cpp.o
     record_layout.cpp.o record_reader.cpp.o record_writer.cpp.o
     friction.cpp.o texture_settings.cpp.o transient_settings.cpp.o surface_plan.cpp.o material.cpp.o materials.cpp.o relief.cpp.o
     texture_map_build.cpp.o texture_build.cpp.o shading_build.cpp.o contact_stage_build.cpp.o texture_stage_build.cpp.o
@@ -24,7 +24,7 @@ set(load_functions
     "virtual_coupling.cpp.o=validate" "god_object.cpp.o=GodObject::~?GodObject|validate"
     "moving_solid.cpp.o=MovingSolid::MovingSolid|bad_expected_access|expected_storage_base|Error::Error" "segment_structure.cpp.o=make_segment_structure|expected_storage_base|Structure::~|BruteForce::~"
     "h_collide.cpp.o=HCollide::(list_entries|plant|create|~?HCollide)|validate" "hash_grid.cpp.o=HashGrid::(reserve|HashGrid)" "obb_tree.cpp.o=ObbForest::(add|shrink)" "height_field.cpp.o=make_height_field"
-    "worker_pool.cpp.o=WorkerPool::~?WorkerPool|jthread" "broad_phase.cpp.o=BroadPhase::BroadPhase|BoundedList" "island_solver.cpp.o=IslandSolver::IslandSolver|BoundedList|ContactProblem::~|ContactSolver::~|ImpactSolver::~|in_rounds" "impact.cpp.o=ImpactSolver::~?ImpactSolver|ContactProblem::~|BodyMotion::~?BodyMotion" "islands.cpp.o=Groups::Groups|Islands::Islands|BoundedList" "contact_pairs.cpp.o=ContactPairs::ContactPairs|BoundedList" "contact_shape.cpp.o=make_contact_shape|make_faces|find_corners_in_plane|KindOf|HullFaces|ContactShape|expected_storage_base|Error::|bad_expected_access"
+    "worker_pool.cpp.o=WorkerPool::~?WorkerPool|jthread" "broad_phase.cpp.o=BroadPhase::BroadPhase|BoundedList" "island_solver.cpp.o=IslandSolver::IslandSolver|BoundedList|ContactProblem::~|ContactSolver::~|ImpactSolver::~|in_rounds" "impact.cpp.o=ImpactSolver::~?ImpactSolver|ContactProblem::~|BodyMotion::~?BodyMotion" "islands.cpp.o=Groups::Groups|Islands::Islands|BoundedList" "contact_pairs.cpp.o=ContactPairs::ContactPairs|BoundedList" "contact_shape.cpp.o=make_contact_shape|make_faces|find_hull_round|find_corners_in_plane|KindOf|HullFaces|ContactShape|expected_storage_base|Error::|bad_expected_access"
     "convex_cursor.cpp.o=MakeCore|make_convex_(cursor|solid)|Obstacle::~" "distance_obstacle.cpp.o=DistanceObstacle::~"
     "mesh_obstacle.cpp.o=MeshObstacle::~?MeshObstacle"
     "friction_cone.cpp.o=FrictionCone::~?FrictionCone"

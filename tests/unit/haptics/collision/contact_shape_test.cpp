@@ -1,5 +1,6 @@
 #include "haptics/collision/contact_shape.h"
 
+#include "haptics/geometry/height_field.h"
 #include "haptics/geometry/shape.h"
 #include "tests/support/contact_shapes.h"
 #include "tests/support/touchable.h"
@@ -84,10 +85,20 @@ TEST_CASE(
     CHECK(tilted.count == 2);
 }
 
-TEST_CASE("contact shape: what is not convex in itself is refused") {
-    const auto mesh = make_contact_shape(touchable(make_box({1.0, 1.0, 1.0})));
-    REQUIRE_FALSE(mesh);
-    CHECK(to_sentence(mesh.error()).find("not convex") != std::string::npos);
+TEST_CASE("contact shape: a mesh has the hull round it, and what cannot push is refused") {
+    const auto mesh = make_contact_shape(touchable(make_torus(0.1, 0.03, 16, 8)));
+    REQUIRE(mesh);
+    CHECK(mesh->kind == ContactShape::Kind::mesh);
+    CHECK(mesh->bounding_radius_m == Approx(0.13));
+    // Seen from above the ring is a disc: its hull has a flat top without a hole.
+    SupportFeature top;
+    find_feature(*mesh, Vector3::UnitY(), top);
+    CHECK(top.count == 16);
+    CHECK(top.normal_B.y() == Approx(1.0));
+    CHECK(find_face_normal(*mesh, top.face) == top.normal_B);
+    const auto ground = make_contact_shape(*make_height_field_shape(HeightField{}));
+    REQUIRE_FALSE(ground);
+    CHECK(to_sentence(ground.error()).find("height field") != std::string::npos);
     CHECK_FALSE(make_contact_shape(SphereShape{-1.0}));
     CHECK_FALSE(make_contact_shape(BoxShape{{1.0, std::nan(""), 1.0}}));
 }

@@ -343,9 +343,8 @@ TEST_CASE("rigid world: what is no number or not there is passed over or refused
     CHECK(is_refused([](RigidWorldPlan& p) { p.bodies[1].dynamic_friction = 0.9; }));
     CHECK(is_refused([](RigidWorldPlan& p) { p.bodies[1].pose_W.position.x() = std::nan(""); }));
     CHECK(is_refused([](RigidWorldPlan& p) { p.bodies[1].shape = SphereShape{-1.0}; }));
-    CHECK(is_refused([](RigidWorldPlan& p) {
-        p.bodies[1].shape = touchable(make_box({1.0, 1.0, 1.0}));
-    }));
+    CHECK(is_refused(
+        [](RigidWorldPlan& p) { p.bodies[1].shape = touchable(make_plate(1.0, 1.0, 2)); }));
     CHECK(is_refused([](RigidWorldPlan& p) { p.settings.push_rate_per_s = -1.0; }));
     CHECK(is_refused([](RigidWorldPlan& p) { p.settings.solver.max_iterations = 0; }));
     CHECK(is_refused([](RigidWorldPlan& p) { p.settings.gravity_W.x() = 1.0e9; }));

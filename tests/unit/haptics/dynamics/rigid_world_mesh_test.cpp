@@ -1,0 +1,111 @@
+#include "haptics/dynamics/rigid_world.h"
+#include "haptics/geometry/shape.h"
+#include "tests/support/hollow_meshes.h"
+#include "tests/support/touchable.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kStep_s = 1.0e-3;
+
+RigidBodyPlan make_ground() {
+    return {.role = BodyRole::ground};
+}
+
+SolidShape mesh_of(const Expected<TriangleMesh>& mesh) {
+    return touchable(mesh);
+}
+
+std::unique_ptr<RigidWorld> make_world(RigidWorldPlan plan) {
+    plan.settings.sleep_after_s = 0.0;
+    auto world = RigidWorld::create(plan);
+    REQUIRE(world);
+    return std::move(*world);
+}
+
+void run(RigidWorld& world, double time_s) {
+    for (int i = 0; i < static_cast<int>(std::lround(time_s / kStep_s)); ++i) {
+        world.step(kStep_s);
+    }
+}
+
+TEST_CASE(
+    "rigid world: a channel of triangles stands on its own, and a ball that falls into it stays on "
+    "its floor") {
+    RigidWorldPlan plan;
+    plan.bodies = {make_ground(),
+                   {.shape = mesh_of(make_channel(0.1, 0.02, 0.2)),
+                    .density_kg_per_m3 = 800.0,
+                    .pose_W = Pose::at({0.0, 0.001, 0.0})},
+                   {.shape = SphereShape{0.03}, .pose_W = Pose::at({0.01, 0.1, 0.02})}};
+    auto world = make_world(plan);
+    run(*world, 3.0);
+    const Vector3 ball = world->shape_pose_W(2).position;
+    CHECK(ball.y() == Approx(0.02 + 0.03).margin(2.0e-4));
+    CHECK(world->shape_pose_W(1).position.norm() < 5.0e-3);
+    CHECK(world->shape_pose_W(1).position.y() == Approx(0.0).margin(1.0e-4));
+    CHECK(world->report().deepest_m < 2.0e-4);
+    // Nothing stops it from rolling along.
+    CHECK(std::abs(ball.x()) < 0.021);
+    CHECK(world->state(2).velocity_W.linear.norm() < 0.02);
+}
+
+TEST_CASE("rigid world: a ring falls over a pole, which goes through its hole") {
+    RigidWorldPlan plan;
+    plan.bodies = {
+        make_ground(),
+        {.shape = CylinderShape{0.03, 0.15},
+         .role = BodyRole::stays,
+         .pose_W = Pose::at({0.0, 0.15, 0.0})},
+        {.shape = mesh_of(make_torus(0.06, 0.02, 48, 24)), .pose_W = Pose::at({0.005, 0.36, 0.0})}};
+    auto world = make_world(plan);
+    run(*world, 2.0);
+    const Vector3 ring = world->shape_pose_W(2).position;
+    CHECK(ring.y() == Approx(0.02).margin(1.0e-3));
+    CHECK(std::hypot(ring.x(), ring.z()) < 0.0115);
+    CHECK(world->report().deepest_m < 3.0e-4);
+}
+
+TEST_CASE("rigid world: a link hangs in another, tube on tube") {
+    const SolidShape link = mesh_of(make_torus(0.05, 0.01, 64, 24));
+    RigidWorldPlan plan;
+    const Quaternion upright(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3::UnitX()));
+    const Quaternion across(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3::UnitZ()));
+    // The upper one's lowest inside is at -0.04, the lower one's highest inside 0.04 over its middle.
+    plan.bodies = {{.shape = link, .role = BodyRole::stays, .pose_W = {Vector3::Zero(), upright}},
+                   {.shape = link, .pose_W = {{0.0, -0.0798, 0.0}, across}}};
+    auto world = make_world(plan);
+    run(*world, 2.0);
+    const Vector3 lower = world->shape_pose_W(1).position;
+    CHECK(lower.y() == Approx(-0.08).margin(5.0e-4));
+    CHECK(std::hypot(lower.x(), lower.z()) < 5.0e-3);
+    CHECK(world->report().n_contacts > 0);
+}
+
+TEST_CASE("rigid world: an open mesh is refused by its number, and samples made before are taken") {
+    RigidWorldPlan plan;
+    auto corners = make_box({0.2, 0.1, 0.2})->vertices_B();
+    auto triangles = make_box({0.2, 0.1, 0.2})->triangles();
+    triangles.pop_back();
+    plan.bodies = {
+        {.shape = mesh_of(TriangleMesh::build(corners, triangles)), .role = BodyRole::stays},
+        {.shape = SphereShape{0.03}, .pose_W = Pose::at({0.0, 0.1, 0.0})}};
+    const auto open = RigidWorld::create(plan);
+    REQUIRE_FALSE(open);
+    CHECK(to_sentence(open.error()).find("body 0") != std::string::npos);
+    CHECK(to_sentence(open.error()).find("open") != std::string::npos);
+    plan.bodies[0].shape = mesh_of(make_channel(0.1, 0.02, 0.2));
+    plan.bodies[0].sampled = *SampledShape::make(plan.bodies[0].shape, {.n_cells = 32});
+    auto world = make_world(plan);
+    run(*world, 1.0);
+    CHECK(world->shape_pose_W(1).position.y() == Approx(0.05).margin(1.0e-3));
+}
+
+}  // namespace
+}  // namespace fulcrum
