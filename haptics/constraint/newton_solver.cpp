@@ -12,7 +12,7 @@ namespace {
 constexpr double kLeastStiffening = 1.0e-9;  // below it rounding of u is felt in p
 constexpr double kSlowRound = 0.1;           // a round that leaves more of the residual is slow
 constexpr int kMostIdle = 3;      // steps with s following that gain nothing, before it is held
-constexpr int kMostAttempts = 3;  // to let s follow, the first from last step's impulses
+constexpr int kMostAttempts = 3;  // to let s follow
 constexpr double kGain = 0.5;
 constexpr int kMostHalvings = 4;
 // What is near is solved once more: impulses that last step's error is left in would be taken as right for the next steps, and
@@ -317,7 +317,7 @@ void NewtonSolver::iterate(ContactProblem& problem, double tolerance,
             report.n_iterations == settings_.max_iterations || !std::isfinite(fits)) {
             return;
         }
-        polished = near;
+        polished |= near;
         if (!given_up_ && correct(problem, fit, tolerance)) {
             fit = evaluate(problem);
         }
@@ -328,6 +328,15 @@ void NewtonSolver::iterate(ContactProblem& problem, double tolerance,
         energy = fit.energy;
         along = step(problem, report);
     }
+}
+
+// Something was pressed and nothing slid: what did not slip will hardly begin to, and E with its shifts held is the law itself.
+bool NewtonSolver::sticks(const ContactProblem& problem) const noexcept {
+    const auto contacts = problem.contacts();
+    return std::any_of(contacts_.begin(), contacts_.end(),
+                       [](const Contact& contact) { return contact.state.pressed; }) &&
+           std::none_of(contacts.begin(), contacts.end(),
+                        [](const ContactConstraint& c) { return c.slides; });
 }
 
 // What was found, what it started from or no impulses: that which is nearest to an answer.
@@ -367,7 +376,10 @@ SolveReport NewtonSolver::solve(ContactProblem& problem, std::span<const double>
         start_multipliers(problem);
         n_attempts_ = 0;
         given_up_ = false;
-        begin_attempt();
+        coulomb_ = false;
+        if (!sticks(problem)) {
+            begin_attempt();
+        }
         iterate(problem, tolerance, report);
         report.residual_m_per_s = move_to_impulses(problem);
         report.n_regularised += std::isfinite(report.residual_m_per_s) ? 0 : 1;

@@ -12,7 +12,8 @@
 //
 // s makes of the convex law, where what slips also lifts by mu |y_t|, Coulomb's own: s = mu |y_t|, y = u + R p (de Saxce). It
 // starts from the slip that last step's impulses leave, and follows the slip: then H has the slope of s too, is not symmetric,
-// and a few whole steps are exact. With S = P' and the slope g of s by y, y' = 1 - R D S (1 + n s'), so
+// and a few whole steps are exact (where something was pressed and nothing slid, s is held at first, for little will begin to).
+// With S = P' and the slope g of s by y, y' = 1 - R D S (1 + n s'), so
 //   s' = g (1 - R D S) / (1 + R D g S n),   p' = -D S (1 + n s')
 // Where they gain nothing, as where many contacts begin to slip, s is held, E made smallest, and s let follow
 // from there; after a few attempts the answer for the last s held is taken, and counted as regularised: what slips lifts by
@@ -90,6 +91,7 @@ class NewtonSolver final : public ContactMethodSolver {
     void follow_slip(Contact& contact) const noexcept;
     void project(Contact& contact, double along) const noexcept;
     static void project(const RowConstraint& constraint, Row& row, double along) noexcept;
+    [[nodiscard]] bool sticks(const ContactProblem& problem) const noexcept;
     void start_multipliers(const ContactProblem& problem) noexcept;
     [[nodiscard]] double take_least(ContactProblem& problem, double started, double found) noexcept;
     void update_multipliers() noexcept;
@@ -110,7 +112,8 @@ class NewtonSolver final : public ContactMethodSolver {
     void add_rows(const ContactProblem& problem) noexcept;
     [[nodiscard]] bool has_built_sets() const noexcept;
     void find_changes(const ContactProblem& problem) noexcept;
-    double compute_slope(const ContactProblem& problem, double along, double& curvature) noexcept;
+    double compute_slope(const ContactProblem& problem, double along) noexcept;
+    [[nodiscard]] double compute_curvature() const noexcept;
     double search(const ContactProblem& problem) noexcept;
 
     ContactSolverSettings settings_;
@@ -134,6 +137,7 @@ class NewtonSolver final : public ContactMethodSolver {
     double residual_before_ = 0.0;  // when l was corrected last
     double pull_ = 0.0;             // d . M (v - v_free)
     double inertia_ = 0.0;          // d . M d
+    double first_slope_ = 0.0;      // of E along d where the step begins, g . d
 };
 
 }  // namespace fulcrum

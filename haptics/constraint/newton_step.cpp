@@ -9,7 +9,7 @@ namespace fulcrum {
 namespace {
 
 constexpr int kMaxProbes = 30;          // of the line search
-constexpr double kRoot = 1.0e-6;        // slope along the step that counts as none, of the first
+constexpr double kRoot = 0.1;           // slope along the step that counts as none, of the first
 constexpr double kSameOffset = 1.0e-9;  // metres; contacts of one pair share the bodies' offset
 
 // What the contacts of one pair of bodies add up to, about b's centre of mass:
@@ -168,7 +168,7 @@ bool NewtonSolver::has_built_sets() const noexcept {
 }
 
 void NewtonSolver::find_changes(const ContactProblem& problem) noexcept {
-    pull_ = inertia_ = 0.0;
+    pull_ = inertia_ = first_slope_ = 0.0;
     int i = 0;
     for (const ConstrainedBody& body : problem.bodies()) {
         Vector6& d = step_.velocity(i);
@@ -176,6 +176,7 @@ void NewtonSolver::find_changes(const ContactProblem& problem) noexcept {
         const Vector6 momentum = compute_momentum(body, d);
         pull_ += momentum.dot(motion_.velocity(i) - body.free_velocity_W);
         inertia_ += momentum.dot(d);
+        first_slope_ += step_.momentum(i).dot(d);
         ++i;
     }
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
@@ -190,42 +191,47 @@ void NewtonSolver::find_changes(const ContactProblem& problem) noexcept {
     }
 }
 
-double NewtonSolver::compute_slope(const ContactProblem& problem, double along,
-                                   double& curvature) noexcept {
+double NewtonSolver::compute_slope(const ContactProblem& problem, double along) noexcept {
     double slope = pull_ + along * inertia_;
-    curvature = inertia_;
     for (Contact& contact : contacts_) {
         project(contact, along);
-        if (!contact.state.pressed) {
-            continue;
-        }
         slope -= contact.p.dot(contact.du);
-        const Matrix3 turned = compute_projection_slope(settings_.friction_shape, contact.friction,
-                                                        contact.state, contact.q, contact.p);
-        curvature += contact.stiffness * contact.du.dot(turned * contact.du);
     }
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         project(problem.rows()[k], rows_[k], along);
         slope -= rows_[k].p * rows_[k].du;
-        curvature += rows_[k].free ? rows_[k].stiffness * rows_[k].du * rows_[k].du : 0.0;
     }
     return slope;
 }
 
+// Where the slope was computed last.
+double NewtonSolver::compute_curvature() const noexcept {
+    double curvature = inertia_;
+    for (const Contact& contact : contacts_) {
+        if (contact.state.pressed) {
+            const Matrix3 turned = compute_projection_slope(
+                settings_.friction_shape, contact.friction, contact.state, contact.q, contact.p);
+            curvature += contact.stiffness * contact.du.dot(turned * contact.du);
+        }
+    }
+    for (const Row& row : rows_) {
+        curvature += row.free ? row.stiffness * row.du * row.du : 0.0;
+    }
+    return curvature;
+}
+
 double NewtonSolver::search(const ContactProblem& problem) noexcept {
-    double curvature = 0.0;
-    const double first = compute_slope(problem, 0.0, curvature);
     double low = 0.0;
     double high = HUGE_VAL;
     double along = 1.0;
     for (int probe = 0; probe < kMaxProbes; ++probe) {
-        const double slope = compute_slope(problem, along, curvature);
+        const double slope = compute_slope(problem, along);
         // The whole step that changes no set is the answer of a quadratic; elsewhere the root is looked for.
-        if ((probe == 0 && has_built_sets()) || std::abs(slope) <= kRoot * std::abs(first)) {
+        if ((probe == 0 && has_built_sets()) || std::abs(slope) <= kRoot * std::abs(first_slope_)) {
             break;
         }
         (slope < 0.0 ? low : high) = along;
-        along -= slope / curvature;
+        along -= slope / compute_curvature();
         if (!(along > low && along < high)) {
             along = high < HUGE_VAL ? 0.5 * (low + high) : 2.0 * low;
         }
@@ -240,6 +246,9 @@ double NewtonSolver::step(const ContactProblem& problem, SolveReport& report) no
         report.n_regularised += matrix_.factor();
     }
     const std::size_t n = problem.bodies().size();
+    for (std::size_t i = 0; i < n; ++i) {
+        step_.momentum(static_cast<int>(i)) = slope_[i];
+    }
     matrix_.solve({slope_.data(), n});
     find_changes(problem);
     const double along = coulomb_ ? 1.0 : search(problem);
