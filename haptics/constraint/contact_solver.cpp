@@ -1,5 +1,6 @@
 #include "haptics/constraint/contact_solver.h"
 
+#include "haptics/constraint/complementarity.h"
 #include "haptics/constraint/contact_motion.h"
 
 #include <algorithm>
@@ -64,6 +65,29 @@ void ContactSolver::exchange_impulses(ContactProblem& problem) noexcept {
     }
 }
 
+// False where it is not tried; else the nearer answer is in the problem and in the report.
+bool ContactSolver::pivot(ContactProblem& problem, std::span<const double> friction,
+                          double tolerance, SolveReport& report) noexcept {
+    const std::size_t n_rows = 3 * problem.contacts().size() + problem.rows().size();
+    if (!pivots_ || n_rows > static_cast<std::size_t>(kMostPivotRows)) {
+        return false;
+    }
+    exchange_impulses(problem);
+    const SolveReport pivoted = pivots_->solve(problem, friction, tolerance);
+    report.n_iterations += pivoted.n_iterations;
+    report.n_pivots += pivoted.n_pivots;
+    if (pivoted.residual_m_per_s < report.residual_m_per_s) {
+        report.residual_m_per_s = pivoted.residual_m_per_s;
+        report.converged = pivoted.converged;
+        report.n_regularised += pivoted.n_regularised;
+        ++report.n_pivoted;
+    } else {
+        exchange_impulses(problem);
+        apply_impulses(problem, motion_);
+    }
+    return true;
+}
+
 SolveReport ContactSolver::solve_once(ContactProblem& problem, std::span<const double> friction,
                                       double tolerance) noexcept {
     std::size_t i = 0;
@@ -75,6 +99,7 @@ SolveReport ContactSolver::solve_once(ContactProblem& problem, std::span<const d
         kept_rows_[i++] = row.impulse;
     }
     SolveReport report = method_->solve(problem, friction, tolerance);
+    const bool tried_pivots = !report.converged && pivot(problem, friction, tolerance, report);
     const double poor = kPoor * tolerance / settings_.tolerance_m_per_s;
     if (report.converged || report.residual_m_per_s <= poor) {
         return report;
@@ -84,10 +109,15 @@ SolveReport ContactSolver::solve_once(ContactProblem& problem, std::span<const d
         return report;
     }
     // Twice, the second time from what was nearer: it sets the bodies' velocities too.
-    exchange_impulses(problem);
-    SolveReport rounds = rounds_->solve(problem, friction, tolerance);
-    if (!(rounds.residual_m_per_s < report.residual_m_per_s)) {
+    SolveReport rounds{.residual_m_per_s = HUGE_VAL};
+    if (!tried_pivots) {
         exchange_impulses(problem);
+        rounds = rounds_->solve(problem, friction, tolerance);
+        if (!(rounds.residual_m_per_s < report.residual_m_per_s)) {
+            exchange_impulses(problem);
+        }
+    }
+    if (!(rounds.residual_m_per_s < report.residual_m_per_s)) {
         rounds = rounds_->solve(problem, friction, tolerance);
     }
     report.residual_m_per_s = rounds.residual_m_per_s;
@@ -114,8 +144,11 @@ SolveReport ContactSolver::solve(ContactProblem& problem) noexcept {
     for (int round = 1; note_sliding(problem, uncertain(), round < settings_.friction_rounds);
          ++round) {
         const SolveReport next = solve_once(problem, friction, tolerance);
-        report = {next.residual_m_per_s, report.n_iterations + next.n_iterations,
-                  report.n_pivots + next.n_pivots, report.n_regularised + next.n_regularised,
+        report = {next.residual_m_per_s,
+                  report.n_iterations + next.n_iterations,
+                  report.n_pivots + next.n_pivots,
+                  report.n_regularised + next.n_regularised,
+                  report.n_pivoted + next.n_pivoted,
                   next.converged};
     }
     return report;

@@ -9,9 +9,11 @@
 // contact slides from now on: the problem is solved once more with the dynamic coefficient there. What stuck within the
 // dynamic bound is held by the static one from the next step on.
 //
+// Where Newton ends outside the tolerance, as in a house of cards that stands by friction alone, and the problem has kMostPivotRows or
+// less, pivoting solves it from the last step's impulses, and what is nearer is taken: that is counted, and friction there is a pyramid.
 // Where a method ends far from an answer (kPoor of its scale: an impact too hard for its iterations, a body squeezed from both
-// sides), that is counted as regularised, and rounds contact after contact from the last step's impulses are tried instead; what
-// is nearer is taken.
+// sides), that is counted as regularised, and rounds contact after contact from the last step's impulses, or from what pivoting
+// left, are tried instead; what is nearer is taken.
 //
 // Answers are finite whatever comes in. What has none, is redundant or would take too long is answered as nearly as it can be:
 // `converged` and `residual` say so, and what had to be regularised is counted.
@@ -21,6 +23,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/constraint/contact_motion.h"
 #include "haptics/constraint/contact_problem.h"
 #include "haptics/constraint/friction_shape.h"
 
@@ -57,8 +60,12 @@ struct SolveReport {
     int n_iterations = 0;           ///< linear solves or rounds; 0: last step's impulses were right
     int n_pivots = 0;               ///< dantzig: rows that changed their set
     int n_regularised = 0;          ///< pivots that were zero, sets that had no answer
+    int n_pivoted = 0;              ///< newton: solves whose answer is that of pivoting
     bool converged = true;          ///< within the tolerance
 };
+
+/// Three a contact and one a row: more are not solved by pivoting in Newton's place.
+inline constexpr int kMostPivotRows = 200;
 
 /// "newton", "dantzig", "iterative".
 [[nodiscard]] std::string_view to_string(ContactMethod method) noexcept;
@@ -94,13 +101,17 @@ class ContactSolver {
   private:
     SolveReport solve_once(ContactProblem& problem, std::span<const double> friction,
                            double tolerance) noexcept;
+    bool pivot(ContactProblem& problem, std::span<const double> friction, double tolerance,
+               SolveReport& report) noexcept;
     void exchange_impulses(ContactProblem& problem) noexcept;
     bool note_sliding(ContactProblem& problem, double uncertain_m_per_s, bool may_change) noexcept;
     ContactSolverSettings settings_;
     ContactCapacity capacity_;
     std::unique_ptr<ContactMethodSolver> method_;
+    std::unique_ptr<ContactMethodSolver> pivots_;  // where Newton ends outside the tolerance
     std::unique_ptr<ContactMethodSolver> rounds_;  // where that ends far from an answer
-    std::vector<Vector3> kept_contacts_;           // impulses put aside
+    BodyMotion motion_;
+    std::vector<Vector3> kept_contacts_;  // impulses put aside
     std::vector<double> kept_rows_;
     std::vector<double> friction_;
 };

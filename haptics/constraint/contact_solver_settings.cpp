@@ -22,6 +22,17 @@ std::unique_ptr<ContactMethodSolver> make_method(const ContactSolverSettings& se
     return std::make_unique<NewtonSolver>(settings, capacity);
 }
 
+// Room for rows of whatever kind.
+std::unique_ptr<ContactMethodSolver> make_pivots(const ContactSolverSettings& settings,
+                                                 const ContactCapacity& capacity) {
+    const std::int64_t most = 3 * std::int64_t{std::max(capacity.contacts, 0)} + capacity.rows;
+    return std::make_unique<DantzigSolver>(
+        settings,
+        ContactCapacity{.bodies = capacity.bodies,
+                        .contacts = 0,
+                        .rows = static_cast<int>(std::min<std::int64_t>(most, kMostPivotRows))});
+}
+
 }  // namespace
 
 std::string_view to_string(ContactMethod method) noexcept {
@@ -56,11 +67,15 @@ ContactSolver::ContactSolver(const ContactSolverSettings& settings, const Contac
     : settings_(settings),
       capacity_(capacity),
       method_(make_method(settings, capacity)),
+      motion_(capacity.bodies),
       kept_contacts_(static_cast<std::size_t>(std::max(capacity.contacts, 0)), Vector3::Zero()),
       kept_rows_(static_cast<std::size_t>(std::max(capacity.rows, 0))),
       friction_(kept_contacts_.size()) {
     if (settings.method == ContactMethod::iterative) {
         return;
+    }
+    if (settings.method == ContactMethod::newton) {
+        pivots_ = make_pivots(settings, capacity);
     }
     constexpr int kRounds = 30;
     ContactSolverSettings rounds = settings;

@@ -14,7 +14,8 @@ constexpr double kMostSoftness = 1.0e-6;
 constexpr double kZero = 1.0e-3;   // of the tolerance; less than that softness makes
 constexpr int kMostReleases = 20;  // rounds in which last step's sets are mended
 constexpr int kMostRounds = 200;   // of friction's bounds
-constexpr int kPivotsARow = 10;
+constexpr int kWholeRounds = 10;   // of them bounds follow at once in, then half way
+constexpr int kPivotsARow = 10;    // in a round
 
 std::size_t count_rows(const ContactCapacity& capacity) {
     return 3 * static_cast<std::size_t>(std::max(capacity.contacts, 0)) +
@@ -123,7 +124,9 @@ double DantzigSolver::take_bounds() noexcept {
     for (std::size_t i = 0; i < n_; ++i) {
         Row& row = rows_[i];
         if (row.friction >= 0.0) {
-            const double bound = row.friction * std::max(rows_[row.normal].f, 0.0);
+            const double asked = row.friction * std::max(rows_[row.normal].f, 0.0);
+            const double bound =
+                report_.n_iterations < kWholeRounds ? asked : 0.5 * (row.hi + asked);
             // What is held between the bounds, old and new, does not feel them.
             if (!row.clamped || std::abs(row.f) > bound) {
                 change = std::max(change, std::abs(bound - row.hi) * entry(i, i));
@@ -266,12 +269,11 @@ DantzigSolver::Event DantzigSolver::find_event(std::size_t d) const noexcept {
 }
 
 bool DantzigSolver::drive(std::size_t d) noexcept {
-    const int most = kPivotsARow * static_cast<int>(n_);
     const Row& driven = rows_[d];
     while (!fits(driven)) {
         push(d);
         const Event event = find_event(d);
-        if (++report_.n_pivots > most || !(event.length < HUGE_VAL)) {
+        if (++report_.n_pivots > most_pivots_ || !(event.length < HUGE_VAL)) {
             return false;
         }
         for (std::size_t i = 0; i < n_; ++i) {
@@ -298,6 +300,7 @@ bool DantzigSolver::drive(std::size_t d) noexcept {
 }
 
 bool DantzigSolver::drive_all() noexcept {
+    most_pivots_ = report_.n_pivots + kPivotsARow * static_cast<int>(n_);
     for (int round = 0; round < kMostReleases && !solve_clamped(); ++round) {
     }
     compute_w();
@@ -307,7 +310,7 @@ bool DantzigSolver::drive_all() noexcept {
         }
     }
     // What was driven is solved at once: sums of many pushes are not exact.
-    return solve_clamped() || report_.n_pivots < kPivotsARow * static_cast<int>(n_);
+    return solve_clamped() || report_.n_pivots < most_pivots_;
 }
 
 void DantzigSolver::keep(ContactProblem& problem) const noexcept {

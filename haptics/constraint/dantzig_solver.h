@@ -8,8 +8,9 @@
 // and rows stand in the chain's order, so that the factor is as narrow as the chain.
 //
 // Friction: a contact's tangents are rows between -mu f_n and mu f_n, a pyramid whatever the settings say. The bounds are those of
-// the f_n before; all is driven again with the new ones until they agree. Last step's sets are tried first: where they still
-// fit, nothing is driven, and a round is one solve with the factor that is there.
+// the f_n before; all is driven again with the new ones until they agree; after ten rounds with those half way to the new ones, for
+// they may swing. Last step's sets are tried first: where they still fit, nothing is driven, and a round is one solve with the factor
+// that is there.
 //
 // A pivot that follows from others (redundant contacts) is mended and counted, and so is a solve that ends without agreement or
 // after too many pivots: its impulses are finite and within the bounds that were last taken.
@@ -81,6 +82,7 @@ class DantzigSolver final : public ContactMethodSolver {
     std::vector<std::size_t> clamped_;  // rows in the order of the factor
     std::vector<double> work_;
     double zero_ = 0.0;  // a w that counts as none
+    int most_pivots_ = 0;
     SolveReport report_{};
 };
 

@@ -282,6 +282,7 @@ void RigidWorld::step(double dt_s) noexcept {
         report_.n_contacts += one.report.n_contacts;
         report_.n_dropped += one.report.n_dropped + one.n_dropped;
         report_.n_iterations += one.report.solve.n_iterations;
+        report_.n_pivoted += one.report.solve.n_pivoted;
         report_.n_unconverged += one.report.solve.converged ? 0 : 1;
         report_.deepest_m = std::max(report_.deepest_m, one.report.deepest_m);
         report_.residual_m_per_s =

@@ -48,6 +48,7 @@ struct RigidWorldReport {
     int n_dropped =
         0;  ///< pairs, contacts and bodies for which there was no room, or which held no numbers
     int n_iterations = 0;   ///< of all solves together
+    int n_pivoted = 0;      ///< solves that Newton left to pivoting (contact_solver.h)
     int n_unconverged = 0;  ///< islands whose answer is not within the tolerance
     double deepest_m = 0.0;
     double residual_m_per_s = 0.0;  ///< the greatest of all islands

@@ -89,22 +89,54 @@ Finding stand_noisy() {
     return stand(make_stack(10, 1.0, 1.0e-6), 3.0, 5.0e-5);
 }
 
-// Two cards lean on each other at 65 degrees, their lower ends on rough ground.
-Finding stand_cards() {
-    RigidWorldPlan plan = make_ground_plan();
-    constexpr double kLean_rad = 25.0 * M_PI / 180.0;
-    const Vector3 half_m(0.002, 0.05, 0.03);
+// Cards of 4 mm at 65 degrees.
+constexpr double kLean_rad = 25.0 * M_PI / 180.0;
+const Vector3 kCard_m(0.002, 0.05, 0.03);
+
+RigidBodyPlan make_card(const Vector3& half_m, const Pose& pose) {
+    RigidBodyPlan card = make_brick(half_m, pose, 0.01);
+    card.static_friction = card.dynamic_friction = 1.0;
+    return card;
+}
+
+// From the middle of a tent to that of its card.
+Vector3 find_card_place() {
+    return {kCard_m.x() * std::cos(kLean_rad) + kCard_m.y() * std::sin(kLean_rad),
+            kCard_m.y() * std::cos(kLean_rad) + kCard_m.x() * std::sin(kLean_rad), 0.0};
+}
+
+// Two cards whose upper inner edges meet over the middle, and whose lower outer ones stand at this height.
+void add_tent(double x_m, double y_m, RigidWorldPlan& plan) {
     for (const double side : {-1.0, 1.0}) {
         const Quaternion turn(Eigen::AngleAxisd(side * kLean_rad, Vector3::UnitZ()));
-        // The upper inner edges meet over the middle, the lower outer ones stand on the ground.
-        const double across_m = half_m.x() * std::cos(kLean_rad) + half_m.y() * std::sin(kLean_rad);
-        const double up_m = half_m.y() * std::cos(kLean_rad) + half_m.x() * std::sin(kLean_rad);
+        const Vector3 place = find_card_place();
         plan.bodies.push_back(
-            make_brick(half_m, {Vector3(side * across_m, up_m, 0.0), turn}, 0.01));
-        plan.bodies.back().static_friction = plan.bodies.back().dynamic_friction = 1.0;
+            make_card(kCard_m, {Vector3(x_m + side * place.x(), y_m + place.y(), 0.0), turn}));
     }
+}
+
+RigidWorldPlan make_rough_ground_plan() {
+    RigidWorldPlan plan = make_ground_plan();
     plan.bodies[0].static_friction = plan.bodies[0].dynamic_friction = 1.0;
+    return plan;
+}
+
+Finding stand_cards() {
+    RigidWorldPlan plan = make_rough_ground_plan();
+    add_tent(0.0, 0.0, plan);
     return stand(plan, 3.0, 2.0e-4);
+}
+
+// Two tents, a card over both, and a tent on that.
+Finding stand_house() {
+    RigidWorldPlan plan = make_rough_ground_plan();
+    const Vector3 place = find_card_place();
+    add_tent(-2.0 * place.x(), 0.0, plan);
+    add_tent(2.0 * place.x(), 0.0, plan);
+    const Vector3 plank_m(2.0 * place.x() + 0.01, kCard_m.x(), kCard_m.z());
+    plan.bodies.push_back(make_card(plank_m, Pose::at({0.0, 2.0 * place.y() + plank_m.y(), 0.0})));
+    add_tent(0.0, 2.0 * (place.y() + plank_m.y()), plan);
+    return stand(plan, 5.0, 5.0e-5);
 }
 
 // An arch of eleven wedges between walls of friction: each a hull, no mortar.
@@ -299,6 +331,9 @@ const HardCase kNoisy{{"rigid stack with noise",
                        "how far any gets or overlaps", "m", stand_noisy}};
 const HardCase kCards{{"house of cards", "two cards of 4 mm lean on each other",
                        "how far any gets or overlaps", "m", stand_cards}};
+const HardCase kHouse{{"house of cards of two storeys",
+                       "two tents of cards, a card over both, and a tent on it",
+                       "how far any gets or overlaps", "m", stand_house}};
 const HardCase kArch{{"arch", "eleven wedges without mortar stand by friction",
                       "how far any gets or overlaps", "m", stand_arch}};
 const HardCase kChain{{"chain with a heavy end", "30 links of 10 g swing 10 kg",

@@ -1,6 +1,7 @@
 #include "haptics/constraint/contact_solver.h"
 
 #include "tests/support/contact_scenes.h"
+#include "tests/support/contact_stack.h"
 
 #include <catch2/catch.hpp>
 
@@ -281,6 +282,24 @@ TEST_CASE("contact solver: of a problem beyond its capacity it says so") {
     ContactSolver solver(settings_of(ContactMethod::newton), {1, 3, 0});
     CHECK_FALSE(solver.solve(problem).converged);
     CHECK(problem.bodies()[0].velocity_W == free);
+}
+
+TEST_CASE("contact solver: what Newton does not find is pivoted, where there are few rows") {
+    ContactSolverSettings settings = settings_of(ContactMethod::newton);
+    settings.max_iterations = 1;
+    settings.tolerance_m_per_s = 1.0e-8;
+    // Dropped, 4 contacts a cube: 12 rows each.
+    for (const int n_cubes : {kMostPivotRows / 12, kMostPivotRows / 12 + 1}) {
+        CAPTURE(n_cubes);
+        ContactStack stack({.n_cubes = n_cubes, .start_gap_m = 1.0e-6}, settings);
+        stack.prepare();
+        const SolveReport report = stack.solve();
+        const bool may_pivot = 12 * n_cubes <= kMostPivotRows;
+        CHECK(report.converged == may_pivot);
+        CHECK(report.n_pivoted == (may_pivot ? 1 : 0));
+    }
+    ContactProblem slope = cube_on_slope(0.3, kFriction);
+    CHECK(solve(slope, settings_of(ContactMethod::newton)).n_pivoted == 0);
 }
 
 TEST_CASE("contact solver: methods are found by name, and settings outside their ranges refused") {
