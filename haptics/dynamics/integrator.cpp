@@ -1,8 +1,10 @@
 #include "haptics/dynamics/integrator.h"
 
 #include "haptics/dynamics/integrator_steps.h"
+#include "haptics/math/rotation.h"
 
 #include <cmath>
+#include <utility>
 
 namespace fulcrum {
 namespace {
@@ -95,19 +97,41 @@ StepResult step_by_name(const IntegratorSettings& settings, const Problem& probl
     return {};
 }
 
+// Axes by their moments.
+struct PrincipalOrder {
+    int least = 0;
+    int middle = 1;
+    int most = 2;
+};
+
+PrincipalOrder order_axes(const Vector3& moments) noexcept {
+    PrincipalOrder order;
+    if (moments[order.least] > moments[order.middle]) {
+        std::swap(order.least, order.middle);
+    }
+    if (moments[order.middle] > moments[order.most]) {
+        std::swap(order.middle, order.most);
+    }
+    if (moments[order.least] > moments[order.middle]) {
+        std::swap(order.least, order.middle);
+    }
+    return order;
+}
+
 }  // namespace
 
+// The part of a ball with the middle moment is exact and leaves the momentum as the body sees it; the other two turn by what their
+// rates exceed it by.
 Quaternion compute_free_turn(const Inertia& inertia, const Quaternion& orientation,
                              const Vector3& momentum_W, double dt_s) noexcept {
-    struct Turn {
-        int axis;
-        double share;
-    };
-    constexpr std::array<Turn, 5> kTurns{{{0, 0.5}, {1, 0.5}, {2, 1.0}, {1, 0.5}, {0, 0.5}}};
-    Quaternion q = orientation;
-    Vector3 momentum_B = q.conjugate() * momentum_W;
-    for (const auto& [axis, share] : kTurns) {
-        const double half_rad = 0.5 * share * dt_s * momentum_B[axis] / inertia.moments_kg_m2[axis];
+    const Vector3& moments = inertia.moments_kg_m2;
+    const PrincipalOrder order = order_axes(moments);
+    const double middle_kg_m2 = moments[order.middle];
+    Quaternion q = compute_exp(dt_s / middle_kg_m2 * momentum_W) * orientation;
+    Vector3 momentum_B = orientation.conjugate() * momentum_W;
+    const auto turn_about = [&](int axis, double time_s) noexcept {
+        const double excess = (middle_kg_m2 - moments[axis]) / (moments[axis] * middle_kg_m2);
+        const double half_rad = 0.5 * time_s * excess * momentum_B[axis];
         const double c = std::cos(half_rad);
         const double s = std::sin(half_rad);
         q = q * Quaternion(c, axis == 0 ? s : 0.0, axis == 1 ? s : 0.0, axis == 2 ? s : 0.0);
@@ -119,7 +143,10 @@ Quaternion compute_free_turn(const Inertia& inertia, const Quaternion& orientati
         const double turned = cosine * next + sine * last;
         last = cosine * last - sine * next;
         next = turned;
-    }
+    };
+    turn_about(order.least, 0.5 * dt_s);
+    turn_about(order.most, dt_s);
+    turn_about(order.least, 0.5 * dt_s);
     q.normalize();
     return q;
 }

@@ -3,9 +3,10 @@
 //
 //   explicit_euler       x' = x + h v,   q' = exp(h w) q,   v' = v + h a,  L' = L + h tau           all at the old state
 //   semi_implicit_euler  v' = v + h a,  L' = L + h tau;   x' = x + h v',  q' = exp(h W(q, L')) q
-//   verlet               position Verlet: half a drift, kick, half a drift. The drift turns the body freely, split into
-//                        turns about its principal axes, x/2 y/2 z y/2 x/2: reversible and symplectic, |L| exact. The kick
-//                        takes the wrench at mid-step; forces that depend on velocity (dampers) need one there:
+//   verlet               position Verlet: half a drift, kick, half a drift. The drift turns the body freely: as a ball of its
+//                        middle moment, which is exact, and about the axes of the least (half, at both ends) and the greatest
+//                        by what 1/I_i exceeds 1/I_middle by: reversible and symplectic, |L| exact, and all of it exact
+//                        where two moments are equal, so that a slender body gets no spin about itself. The kick takes the wrench at mid-step; forces that depend on velocity (dampers) need one there:
 //                          start_of_step       v, W(q_mid, L): one evaluation; order 1 with damping, 2 without
 //                          predicted_midpoint  v + h/2 a, likewise L, from a first evaluation: order 2
 //   runge_kutta_4        Runge-Kutta-Munthe-Kaas: the classical four stages over (x, s, P, L) with q = exp(s) q_0,
@@ -22,7 +23,7 @@
 // Source: M. Otaduy, M. Lin 2005, Stable and responsive six-degree-of-freedom haptic manipulation using implicit integration,
 // World Haptics, sections 4.1, 4.2 (12 x 12 over momenta and quaternion; here reduced to 6 x 6). H. Munthe-Kaas 1998,
 // Runge-Kutta methods on Lie groups, BIT 38. A. Dullweber, B. Leimkuhler, R. McLachlan 1997, Symplectic splitting methods for
-// rigid body molecular dynamics, J. Chem. Phys. 107 (the split drift). M. Tuckerman, B. Berne, G. Martyna 1992, J. Chem.
+// rigid body molecular dynamics, J. Chem. Phys. 107 (the split drift: a symmetric top and the rest). M. Tuckerman, B. Berne, G. Martyna 1992, J. Chem.
 // Phys. 97 (position Verlet).
 #pragma once
 

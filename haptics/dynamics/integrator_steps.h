@@ -7,8 +7,8 @@
 
 namespace fulcrum {
 
-/// Turns q freely for `dt_s`: about each principal axis in turn at the rate L_i / I_i, forth and back so that it is
-/// reversible. L_W stays; seen from the body it turns back by the same angle.
+/// Turns q freely for `dt_s`: with L / I_middle as a ball, and about the axes of the least and the greatest moment at the rates
+/// L_i (1/I_i - 1/I_middle), forth and back so that it is reversible. L_W stays; seen from the body it turns back by the same angle.
 [[nodiscard]] Quaternion compute_free_turn(const Inertia& inertia, const Quaternion& orientation,
                                            const Vector3& momentum_W, double dt_s) noexcept;
 

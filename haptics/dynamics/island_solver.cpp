@@ -1,6 +1,6 @@
 #include "haptics/dynamics/island_solver.h"
 
-#include "haptics/math/rotation.h"
+#include "haptics/dynamics/integrator_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +21,9 @@ constexpr int kRounds = 200;
 // What a joint may be off its place, m or rad.
 constexpr double kLeftError = 1.0e-7;
 constexpr double kLeastLeft_s = 1.0e-4;  // in no less time: a short step would make speed of it
+// rad, and a part of the anchor's arm: what turns by more within a step, about an axis that is off the anchor by more, goes no straight way.
+constexpr double kFarTurn = 0.2;
+constexpr double kOffAxis = 0.05;
 
 std::size_t index_of(std::int32_t i) noexcept {
     return static_cast<std::size_t>(i);
@@ -86,10 +89,24 @@ JointEnd find_joint_end(std::int32_t i, double dt_s, const RigidScene& scene,
     if (body.moves && body.in_problem != kGround) {
         end.in_problem = body.in_problem;
         end.free = solved[index_of(body.in_problem)].free_velocity_W;
+        RigidState free = body.state;
+        free.velocity_W.angular = end.free.tail<3>();
         end.ahead_W.position += dt_s * end.free.head<3>();
-        end.ahead_W.orientation = compute_exp(dt_s * end.free.tail<3>()) * end.now_W.orientation;
+        // As it will be turned: by its momentum.
+        end.ahead_W.orientation =
+            compute_free_turn(body.inertia, end.now_W.orientation,
+                              compute_angular_momentum_W(body.inertia, free), dt_s);
     }
     return end;
+}
+
+// Whether the anchor goes round a good part of a circle: then its way says nothing of where impulses would bring it.
+bool turns_far(const JointEnd& end, const Vector3& anchor_P, double dt_s) noexcept {
+    const Vector3 spin = end.free.tail<3>();
+    const Vector3 arm = end.now_W.orientation * anchor_P;
+    return dt_s * dt_s * spin.squaredNorm() > kFarTurn * kFarTurn &&
+           spin.cross(arm).squaredNorm() >
+               kOffAxis * kOffAxis * spin.squaredNorm() * arm.squaredNorm();
 }
 
 // What does not move is shared by islands, and asks for nothing.
@@ -188,6 +205,8 @@ void IslandSolver::add_joint(const Joint& joint, double dt_s, const RigidScene& 
     JointRows ahead;
     make_joint_rows(joint, a.now_W, b.now_W, dt_s, rows);
     make_joint_rows(joint, a.ahead_W, b.ahead_W, dt_s, ahead);
+    const bool is_far =
+        turns_far(a, joint.frame_a.position, dt_s) || turns_far(b, joint.frame_b.position, dt_s);
     for (int i = 0; i < rows.count; ++i) {
         RowConstraint& row = rows.rows[index_of(i)];
         const double error = rows.errors[index_of(i)];
@@ -195,7 +214,8 @@ void IslandSolver::add_joint(const Joint& joint, double dt_s, const RigidScene& 
         if (std::isinf(row.least) && std::isinf(row.most)) {
             // What the way bends by within the step, and the little that is left of it.
             const double straight = row.jacobian_a.dot(a.free) + row.jacobian_b.dot(b.free);
-            const double bent = (ahead.errors[index_of(i)] - error) / dt_s - straight;
+            const double bent =
+                is_far ? 0.0 : (ahead.errors[index_of(i)] - error) / dt_s - straight;
             row.target =
                 -bent - std::clamp(error, -kLeftError, kLeftError) / std::max(dt_s, kLeastLeft_s);
         } else if (row.least == 0.0 || row.most == 0.0) {

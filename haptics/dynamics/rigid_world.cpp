@@ -228,12 +228,14 @@ int RigidWorld::move_bodies(std::span<const std::int32_t> bodies, double dt_s) n
         RigidState& state = body.state;
         RigidState next = state;
         const Vector3 momentum = compute_angular_momentum_W(body.inertia, state);
-        const Vector3 pushed = body.drift_W.angular - state.velocity_W.angular;
-        next.pose_W.position += dt_s * body.drift_W.linear;
-        next.pose_W.orientation =
-            compute_exp(dt_s * pushed) *
+        const Quaternion pushed =
+            compute_exp(dt_s * (body.drift_W.angular - state.velocity_W.angular));
+        const Quaternion free =
             compute_free_turn(body.inertia, state.pose_W.orientation, momentum, dt_s);
-        next.velocity_W.angular = compute_spin_W(body.inertia, next.pose_W.orientation, momentum);
+        next.pose_W.position += dt_s * body.drift_W.linear;
+        next.pose_W.orientation = pushed * free;
+        // It goes with the body: a slender one that spins would get energy from what pushes it.
+        next.velocity_W.angular = pushed * compute_spin_W(body.inertia, free, momentum);
         body.forget_loads();
         if (is_finite(next)) {
             state = next;

@@ -213,6 +213,24 @@ TEST_CASE("integrator: Verlet retraces its way when velocities are turned round"
     CHECK(distance_m(state, any_state(), 0.03) < 1.0e-10);
 }
 
+TEST_CASE("integrator: Verlet turns a body with two equal moments freely as it does, in one step") {
+    // R(t) = exp(t L / I) R(0) exp(t (1/I_3 - 1/I) L_3 e_3): it goes round L, and about itself.
+    for (const double about : {1.0e-7, 4.0e-5}) {
+        const Inertia top{0.1, {3.0e-5, about, 3.0e-5}};
+        RigidState state = any_state();
+        state.velocity_W.angular = state.pose_W.orientation * Vector3(15.0, 40.0, -20.0);
+        const Vector3 momentum = compute_angular_momentum_W(top, state);
+        const double energy_J = compute_kinetic_energy_J(top, state);
+        const double dt_s = 0.02;
+        const Quaternion expected =
+            compute_exp(dt_s / 3.0e-5 * momentum) * state.pose_W.orientation *
+            compute_exp(Vector3(0.0, dt_s * 40.0 * (1.0 - about / 3.0e-5), 0.0));
+        step_rigid_body(settings_of(Integrator::verlet), top, Loads<>(), 0.0, dt_s, state);
+        CHECK(compute_angle_rad(state.pose_W.orientation, expected) < 1.0e-12);
+        CHECK(compute_kinetic_energy_J(top, state) == Approx(energy_J).epsilon(1.0e-12));
+    }
+}
+
 TEST_CASE("integrator: a step of no length changes nothing") {
     const PointSpringLoad spring({.stiffness_N_per_m = 100.0, .damping_Ns_per_m = 1.0});
     for (const Integrator integrator : kIntegrators) {
