@@ -37,8 +37,9 @@ struct MaterialDescription {
     SourceLine line = 0;
 };
 
-/// What a rigid body collides as; `model`: as its model is, a ball, a box, or the hull of one from a file.
-enum class RigidShape : std::uint8_t { model, box, ball, cylinder, capsule, hull };
+/// What a rigid body collides as; `model`: as its model is, a ball, a box, or the hull of one from a file; `mesh`: its closed mesh itself,
+/// with its hollows.
+enum class RigidShape : std::uint8_t { model, box, ball, cylinder, capsule, hull, mesh };
 /// A joint's end that is farther than this is none; degrees are radians here.
 inline constexpr double kAnyTravel = 1.0e9;
 

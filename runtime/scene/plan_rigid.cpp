@@ -9,7 +9,10 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
+#include <variant>
 
 namespace fulcrum::runtime {
 namespace {
@@ -61,9 +64,13 @@ std::vector<Vector3> find_corners(const ModelBounds& bounds) {
 }
 
 /// What it collides as, from the model that is felt: an upright cylinder, capsule or ball round the model's own axis y.
-Expected<SolidShape> make_shape(const BodyDescription& body, const CollisionMesh& mesh) {
+Expected<SolidShape> make_shape(const BodyDescription& body, const MeshShape& felt) {
+    const CollisionMesh& mesh = *felt;
     const ModelBounds bounds = find_bounds(mesh);
     const RigidShape kind = find_kind(body);
+    if (kind == RigidShape::mesh) {
+        return felt;
+    }
     if (kind == RigidShape::hull) {
         return to_shape(make_hull_shape({mesh.vertices_B().begin(), mesh.vertices_B().end()}));
     }
@@ -101,11 +108,20 @@ RigidBodyPlan make_ground(const LessonDescription& lesson) {
 /// A solid of the haptic plan as the world has it: it moves, or stays where it is.
 Expected<RigidBodyPlan> make_world_body(const LessonDescription& lesson, const SolidPlan& solid) {
     const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
-    const auto shape = make_shape(body, **find_mesh(solid.shape));
+    const auto shape = make_shape(body, *find_mesh(solid.shape));
     if (!shape) {
         return tl::unexpected(about(body, shape.error()));
     }
+    std::shared_ptr<const SampledShape> sampled;
+    if (std::holds_alternative<MeshShape>(*shape)) {
+        auto made = SampledShape::make(*shape);
+        if (!made) {
+            return tl::unexpected(about(body, made.error()));
+        }
+        sampled = std::move(*made);
+    }
     RigidBodyPlan plan{.shape = *shape,
+                       .sampled = std::move(sampled),
                        .role = body.rigid ? BodyRole::moves : BodyRole::stays,
                        .mass_kg = body.mass_kg,
                        .pose_W = solid.initial_pose_W,

@@ -223,7 +223,7 @@ function World:camera(options) end
 ---@field hinge? BodyHinge an axis that a solid body turns about, pushed by the hand; while it is, arm, force and torque are drawn
 ---@field size? Vector|Body|Tool edges of a body with model = "box": width, height, depth; twice the radius by default; in metres, 0 to 10
 ---@field rigid? boolean a thing with a mass that lies, falls, is pushed, gripped with the button, lifted and stacked; can be touched, and is seen unless visible = false; default false
----@field shape? string what a rigid body collides as; by default a box or a ball as its model, else the hull of its model; "box", "ball", "cylinder", "capsule" or "hull"
+---@field shape? string what a rigid body collides as; by default a box or a ball as its model, else the hull of its model; mesh is the model itself with its hollows, as of a ring or a bowl; "box", "ball", "cylinder", "capsule", "hull" or "mesh"
 ---@field density? number of a rigid box or ball, instead of its mass: wood 600, water 1000, iron 7900; in kilograms per cubic metre, 1 to 25000
 ---@field joint? BodyJoint what a rigid body hangs on
 

@@ -51,12 +51,13 @@ JointKind joint_kind_of(const std::string& name) {
 }
 
 RigidShape shape_of(const std::string& name) {
-    constexpr std::array<std::pair<std::string_view, RigidShape>, 5> kShapes{
+    constexpr std::array<std::pair<std::string_view, RigidShape>, 6> kShapes{
         {{"box", RigidShape::box},
          {"ball", RigidShape::ball},
          {"cylinder", RigidShape::cylinder},
          {"capsule", RigidShape::capsule},
-         {"hull", RigidShape::hull}}};
+         {"hull", RigidShape::hull},
+         {"mesh", RigidShape::mesh}}};
     return std::ranges::find(kShapes, std::string_view(name),
                              [](const auto& shape) { return shape.first; })
         ->second;

@@ -291,8 +291,8 @@ void add_scene_rows(ApiTable& table) {
            "stacked; can be touched, and is seen unless visible = false"},
           {"shape", choice, "", 0, 0, "nil",
            "what a rigid body collides as; by default a box or a ball as its model, else the hull "
-           "of its model",
-           "box ball cylinder capsule hull"},
+           "of its model; mesh is the model itself with its hollows, as of a ring or a bowl",
+           "box ball cylinder capsule hull mesh"},
           {"density", number, "kilograms per cubic metre", 1, 25000, "nil",
            "of a rigid box or ball, instead of its mass: wood 600, water 1000, iron 7900"},
           {"joint", record, "", 0, 0, "nil", "what a rigid body hangs on", "",

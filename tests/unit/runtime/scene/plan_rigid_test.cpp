@@ -122,4 +122,26 @@ TEST_CASE("plan: shapes follow the model, or what the lesson says") {
     CHECK(std::get<CapsuleShape>(shape_as(RigidShape::capsule)).half_length_m == Approx(0.05));
     CHECK(std::holds_alternative<HullShape>(shape_as(RigidShape::hull)));
     CHECK(std::holds_alternative<BoxShape>(shape_as(RigidShape::box)));
+    CHECK(std::holds_alternative<MeshShape>(shape_as(RigidShape::mesh)));
+}
+
+TEST_CASE("plan: a mesh is made ready once, and an open one is refused with the body's line") {
+    LessonDescription lesson = make_blocks();
+    lesson.bodies[1].rigid->shape = RigidShape::mesh;
+    const Plan plan = compile(lesson);
+    REQUIRE(plan.rigid->world.bodies[2].sampled);
+    CHECK(plan.rigid->world.bodies[2].sampled->is_mesh());
+    CHECK_FALSE(plan.rigid->world.bodies[1].sampled);
+    const auto open_mesh = [](const BodyDescription& body) {
+        return make_box(box_size_m(body)).and_then([](const TriangleMesh& box) {
+            auto triangles = box.triangles();
+            triangles.pop_back();
+            return TriangleMesh::build(box.vertices_B(), triangles)
+                .and_then([](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); });
+        });
+    };
+    const auto refused = compile_plan(lesson, {}, open_mesh);
+    REQUIRE_FALSE(refused);
+    CHECK(to_sentence(refused.error()).find("lesson.lua:4") != std::string::npos);
+    CHECK(to_sentence(refused.error()).find("open") != std::string::npos);
 }
