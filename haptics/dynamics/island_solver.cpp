@@ -1,5 +1,6 @@
 #include "haptics/dynamics/island_solver.h"
 
+#include "haptics/dynamics/hand_rows.h"
 #include "haptics/dynamics/integrator_steps.h"
 
 #include <algorithm>
@@ -39,29 +40,11 @@ Vector3 find_point_velocity(const RigidWorldBody& body, const Vector3& arm) noex
     return body.state.velocity_W.linear + body.state.velocity_W.angular.cross(arm);
 }
 
-// What a body that is held has besides its own (rigid_world.h).
-struct VirtualInertia {
-    double mass_kg = 0.0;
-    double moment_kg_m2 = 0.0;
-};
-
-VirtualInertia find_virtual_inertia(const HeldSlopes& slopes, double dt_s) noexcept {
-    constexpr double kUnlinked = 2.0;
-    const double mass_kg = dt_s * (dt_s * slopes.stiffness_N_per_m + slopes.damping_Ns_per_m);
-    const double moment_kg_m2 =
-        dt_s * (dt_s * slopes.turn_stiffness_Nm_per_rad + slopes.turn_damping_Nms_per_rad);
-    return {kUnlinked * mass_kg + slopes.late_mass_kg,
-            kUnlinked * moment_kg_m2 + slopes.late_moment_kg_m2};
-}
-
-// w = I^-1 (L + h torque); of a body that is held w + (I + G)^-1 h torque.
-Vector3 find_free_spin(const RigidWorldBody& body, double held_kg_m2, double dt_s) noexcept {
+// w = I^-1 (L + h torque)
+Vector3 find_free_spin(const RigidWorldBody& body, double dt_s) noexcept {
     const RigidState& state = body.state;
-    Inertia heavier = body.inertia;
-    heavier.moments_kg_m2.array() += held_kg_m2;
-    const Quaternion& turn = state.pose_W.orientation;
-    return state.velocity_W.angular +
-           compute_spin_W(heavier, turn, Vector3(dt_s * body.load_W.torque));
+    return state.velocity_W.angular + compute_spin_W(body.inertia, state.pose_W.orientation,
+                                                     Vector3(dt_s * body.load_W.torque));
 }
 
 double find_contact_size(const RigidWorldBody& a, const RigidWorldBody& b) noexcept {
@@ -138,15 +121,14 @@ void IslandSolver::add_bodies(const IslandParts& parts, double dt_s, RigidScene&
     for (const std::int32_t i : parts.bodies) {
         RigidWorldBody& body = scene.bodies[index_of(i)];
         const Twist& velocity = body.state.velocity_W;
-        const VirtualInertia held = find_virtual_inertia(body.slopes, dt_s);
-        const double mass_kg = body.inertia.mass_kg + held.mass_kg;
-        const Vector3 load_N = body.inertia.mass_kg * settings_.gravity_W + body.load_W.force;
+        const double mass_kg = body.inertia.mass_kg;
+        const Vector3 load_N = mass_kg * settings_.gravity_W + body.load_W.force;
         const Vector3 linear = velocity.linear + dt_s / mass_kg * load_N;
         const double least_kg_m2 = kSlowTurn * body.inertia.moments_kg_m2.minCoeff();
         const double stiff_kg_m2 = std::max(body.pull_kg_m2 - least_kg_m2, 0.0);
-        body.in_problem = problem_.add_body(
-            mass_kg, body.inertia_W + (stiff_kg_m2 + held.moment_kg_m2) * Matrix3::Identity(),
-            join(linear, find_free_spin(body, held.moment_kg_m2, dt_s)));
+        body.in_problem =
+            problem_.add_body(mass_kg, body.inertia_W + stiff_kg_m2 * Matrix3::Identity(),
+                              join(linear, find_free_spin(body, dt_s)));
     }
 }
 
@@ -229,6 +211,22 @@ void IslandSolver::add_joint(const Joint& joint, double dt_s, const RigidScene& 
         row_pushes_.add(
             std::clamp(push, -settings_.most_push_m_per_s, settings_.most_push_m_per_s));
         is_off_ = is_off_ || push != 0.0;
+    }
+}
+
+void IslandSolver::add_hands(const RigidWorldBody& body, double dt_s,
+                             const RigidScene& scene) noexcept {
+    for (std::int32_t i = body.held; i >= 0 && body.in_problem != kGround;
+         i = scene.held[index_of(i)].next) {
+        const HandRows rows =
+            make_hand_rows(scene.held[index_of(i)].hold, body.inertia, body.state, dt_s);
+        for (int row = 0; row < rows.count; ++row) {
+            RowConstraint held = rows.rows[index_of(row)];
+            held.body_b = body.in_problem;
+            if (problem_.add_row(held)) {
+                row_pushes_.add(0.0);
+            }
+        }
     }
 }
 
@@ -341,6 +339,9 @@ void IslandSolver::build(const IslandParts& parts, double dt_s, RigidScene& scen
     }
     for (const std::int32_t i : parts.joints) {
         add_joint(scene.joints[index_of(i)], dt_s, scene);
+    }
+    for (const std::int32_t i : parts.bodies) {
+        add_hands(scene.bodies[index_of(i)], dt_s, scene);
     }
 }
 

@@ -7,6 +7,7 @@
 //   drift  = v, or where anything overlaps or a joint is off its place, the answer of the same problem with targets that end this:
 //            u = min(rate * depth, most push), rate at most 1 / h. Bodies move by the drift and keep v: what pushes them apart gives them no speed and no
 //            energy, and nothing is pushed faster than stated, however deep it was
+// Hands that hold a body are rows of the problem (hand_rows.h).
 // A joint's pull p on an arm r turns a light body back with the stiffness |p| |r| / h: where this swings faster than steps can follow,
 // the body's moments count as more by h |p| |r|, as an implicit step would have it. An answer that the solver does not find is
 // sought in rounds, contact after contact, which are less exact and give no energy.
@@ -63,6 +64,7 @@ class IslandSolver {
     void add_bodies(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
     void add_pair(const ContactPair& pair, double dt_s, const RigidScene& scene) noexcept;
     void add_joint(const Joint& joint, double dt_s, const RigidScene& scene) noexcept;
+    void add_hands(const RigidWorldBody& body, double dt_s, const RigidScene& scene) noexcept;
     void take_velocities(const IslandParts& parts, RigidScene& scene) noexcept;
     void remember(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
     SolveReport solve_problem() noexcept;

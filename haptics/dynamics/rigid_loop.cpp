@@ -13,6 +13,11 @@ namespace {
 // Contacts are known ahead of time; nearer than this is touching.
 constexpr double kTouching_m = 5.0e-4;
 
+Vector3 shorten(const Vector3& v, double most) noexcept {
+    const double length = compute_length(v);
+    return length > most ? Vector3(most / length * v) : v;
+}
+
 // Less by what of `taken` lies along it: no more than it was, and never the other way. What is no number stays so.
 Vector3 give_way(const Vector3& push, const Vector3& taken) noexcept {
     const double length = compute_length(push);
@@ -20,6 +25,20 @@ Vector3 give_way(const Vector3& push, const Vector3& taken) noexcept {
         return push;
     }
     return std::clamp(1.0 - (push / length).dot(taken) / length, 0.0, 1.0) * push;
+}
+
+// A force that gives way as far as the hand's bounds let it.
+Vector3 give_way(const Vector3& force_W, const Vector3& taken_W,
+                 const PushBounds& bounds) noexcept {
+    const Vector3 left_W = force_W - taken_W;
+    if (bounds.along_W.isZero(0.0)) {
+        return shorten(left_W, bounds.most_N);
+    }
+    const Vector3& n = bounds.along_W;
+    const Vector3 across_W = force_W - n.dot(force_W) * n;
+    const double most_across_N = std::max(bounds.friction_N, compute_length(across_W));
+    return std::clamp(n.dot(left_W), 0.0, bounds.most_N) * n +
+           shorten(left_W - n.dot(left_W) * n, most_across_N);
 }
 
 }  // namespace
@@ -31,14 +50,16 @@ void RigidLoop::step(double now_s) noexcept {
     const double since_s = started_ ? now_s - now_s_ : period_s_;
     started_ = true;
     now_s_ = now_s;
-    due_s_ = std::min(due_s_ + std::max(since_s, 0.0), kLongestRigidStep_s);
+    passed_s_ += std::max(since_s, 0.0);
+    due_s_ = std::min(passed_s_, kLongestRigidStep_s);
     take_commands();
     if (due_s_ >= kShortestRigidStep_s) {
         take_pushes(now_s);
         world_->step(due_s_);
         find_touching();
         notice_landings(now_s, due_s_);
-        due_s_ = 0.0;
+        frame_.rate = due_s_ / passed_s_;
+        due_s_ = passed_s_ = 0.0;
     }
     tell_hands(now_s);
     tell_lesson(now_s);
@@ -85,29 +106,31 @@ void RigidLoop::take_pushes(double now_s) noexcept {
         told.is_held = false;
     }
     for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
-        if (hands_[hand]->pushes.take()) {
-            hear(hand);
-        }
+        const bool is_new = hands_[hand]->pushes.take();
         const HandPushes& pushes = hands_[hand]->pushes.value();
         if (!(std::abs(now_s - pushes.stamp_s) <= kStalePush_s) || pushes.stamp_s < 0.0) {
             continue;
         }
+        if (is_new) {
+            aheads_s_[hand] = std::clamp(due_s_ - (now_s - pushes.stamp_s), 0.0, due_s_);
+        }
         const std::int32_t count = std::clamp(pushes.count, 0, kMaxSolids);
         for (std::int32_t i = 0; i < count; ++i) {
-            const RigidPush& push = pushes.pushes[static_cast<std::size_t>(i)];
-            const std::int32_t body = body_of_solid(push.solid);
-            if (body < 0) {
-                continue;
-            }
-            Told& told = told_[static_cast<std::size_t>(body)];
-            const Begin& begin = begins_[hand][static_cast<std::size_t>(push.solid)];
-            // A push on where it was before it was put elsewhere is no push on it any more.
-            if (begin.n_placements == told.n_placements) {
-                world_->hold(body, push.at_W, find_push_W(push, begin), push.slopes);
-                told.is_held |= push.holds;
-            }
+            take_push(pushes.pushes[static_cast<std::size_t>(i)], aheads_s_[hand]);
         }
     }
+}
+
+// A push on where it was before it was put elsewhere is no push on it any more.
+void RigidLoop::take_push(const RigidPush& push, double ahead_s) noexcept {
+    const std::int32_t body = body_of_solid(push.solid);
+    if (body < 0 || push.n_placements != told_[static_cast<std::size_t>(body)].n_placements) {
+        return;
+    }
+    BodyHold hold = push.hold;
+    hold.push_W = find_push_W(push, world_->behind_s(body) + ahead_s);
+    world_->hold(body, hold);
+    told_[static_cast<std::size_t>(body)].is_held |= hold.bounds.along_W.isZero(0.0);
 }
 
 std::int32_t RigidLoop::body_of_solid(std::int32_t solid) const noexcept {
@@ -115,32 +138,28 @@ std::int32_t RigidLoop::body_of_solid(std::int32_t solid) const noexcept {
     return solid >= 0 && i < solids_.size() ? solids_[i] : kNoBody;
 }
 
-void RigidLoop::hear(std::size_t hand) noexcept {
-    for (std::size_t solid = 0; solid < solids_.size(); ++solid) {
-        if (const std::int32_t body = solids_[solid]; body >= 0) {
-            const RigidState& state = world_->state(body);
-            begins_[hand][solid] = {state.pose_W, state.velocity_W,
-                                    told_[static_cast<std::size_t>(body)].n_placements};
-        }
-    }
-}
-
-Wrench RigidLoop::find_push_W(const RigidPush& push, const Begin& begin) const noexcept {
-    const RigidState& now = world_->state(body_of_solid(push.solid));
-    const Vector3 arm = push.at_W - begin.pose_W.position;
-    const Quaternion turn = now.pose_W.orientation * begin.pose_W.orientation.conjugate();
-    const Vector3 turned = compute_log(turn);
-    const Vector3 arm_now = turn * arm;
-    const Vector3 way = now.pose_W.position + arm_now - push.at_W;
-    const Vector3 sped_up = now.velocity_W.linear + now.velocity_W.angular.cross(arm_now) -
-                            begin.velocity_W.linear - begin.velocity_W.angular.cross(arm);
-    const PushSlopes& slopes = push.slopes;
-    return {
-        give_way(push.push_W.force,
-                 slopes.stiffness_N_per_m * way + slopes.damping_Ns_per_m * sped_up),
-        give_way(push.push_W.torque, slopes.turn_stiffness_Nm_per_rad * turned +
-                                         slopes.turn_damping_Nms_per_rad *
-                                             (now.velocity_W.angular - begin.velocity_W.angular))};
+Wrench RigidLoop::find_push_W(const RigidPush& push, double ahead_s) const noexcept {
+    const std::int32_t body = body_of_solid(push.solid);
+    const Pose shape_W = world_->shape_pose_W(body);
+    const Twist moves = velocity_W(body);
+    const Pose ahead_W{shape_W.position + ahead_s * moves.linear,
+                       compute_exp(ahead_s * moves.angular) * shape_W.orientation};
+    const BodyHold& hold = push.hold;
+    const Vector3 at_W = ahead_W * (push.pose_W.inverse() * hold.at_W);
+    const Vector3 sped_up = moves.linear + moves.angular.cross(at_W - ahead_W.position) -
+                            push.velocity_W.linear -
+                            push.velocity_W.angular.cross(hold.at_W - push.pose_W.position);
+    const Vector3 turned = compute_log(ahead_W.orientation * push.pose_W.orientation.conjugate());
+    const PushSlopes& slopes = hold.slopes;
+    const Vector3 taken_N =
+        slopes.stiffness_N_per_m * (at_W - hold.at_W) + slopes.damping_Ns_per_m * sped_up;
+    const Vector3 taken_Nm =
+        slopes.turn_stiffness_Nm_per_rad * turned +
+        slopes.turn_damping_Nms_per_rad * (moves.angular - push.velocity_W.angular);
+    const bool is_grip = hold.bounds.along_W.isZero(0.0);
+    return {give_way(hold.push_W.force, taken_N, hold.bounds),
+            is_grip ? shorten(hold.push_W.torque - taken_Nm, hold.bounds.most_Nm)
+                    : give_way(hold.push_W.torque, taken_Nm)};
 }
 
 void RigidLoop::find_touching() noexcept {

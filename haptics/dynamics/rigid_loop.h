@@ -1,9 +1,13 @@
 // The round of a world of rigid bodies: takes the lesson's commands and the hands' pushes, steps the world, tells all how bodies are.
 //
 // It runs beside the haptic loops, of which there may be several, and none waits for it: each reads the newest frame and moves it on
-// (body_stage.h). A hand that stalls goes on with its last push as its spring and damper would, were it to stand still:
-//   F(t) = F - k x(t) - b (v(t) - v)      along F, between F and nothing; x: the way of the pushed place since; couples alike with angles
-// so that it gives the body no more than the spring held, and nothing after kStalePush_s. A body has landed when it touches something after it touched nothing for a while.
+// (body_stage.h). So a hand knows a body as it was a step and its computing time ago. The world knows it better, and takes the push as the
+// hand's spring and damper would have given it there:
+//   F = F_told - k (x - x_told) - b (v - v_told)      couples alike with angles
+// x and v where the world has the body at the time of the push, or now while the hand stands still: one that stalls goes on with its last
+// push so, which gives no more than its spring held, and nothing after kStalePush_s. F stays within what the hand may feel, and within
+// what it told of itself: a push never draws, and drags no more than friction holds (hand_rows.h).
+// A body has landed when it touches something after it touched nothing for a while.
 //
 // Thread: `step` on one thread beside the haptic ones (or a virtual clock). Cost: that of RigidWorld::step, and one copy of the snapshot and
 // of each hand's frame. No allocation after construction.
@@ -24,8 +28,6 @@
 
 namespace fulcrum {
 
-/// After a longer pause the world goes on from where it was instead of leaping.
-inline constexpr double kLongestRigidStep_s = 0.05;
 /// A step is at least so long: what comes sooner is gathered.
 inline constexpr double kShortestRigidStep_s = 1.0e-4;
 /// A hand that has said nothing for so long, or speaks of a time so far ahead, pushes nothing.
@@ -62,20 +64,14 @@ class RigidLoop final : public PeriodicTask {
         double earlier_speed_m_per_s =
             0.0;  // before the last one, which may have ended at the touch
     };
-    // Where a body was and how it moved when a push on it was heard.
-    struct Begin {
-        Pose pose_W{};
-        Twist velocity_W{};
-        std::uint32_t n_placements = 0;
-    };
     RigidLoop(const RigidLoopPlan& plan, std::unique_ptr<RigidWorld> world, WorldChannels* lesson,
               std::span<RigidChannels* const> hands);
     void take_commands() noexcept;
     void apply(const WorldCommand& command) noexcept;
     void take_pushes(double now_s) noexcept;
-    void hear(std::size_t hand) noexcept;
+    void take_push(const RigidPush& push, double ahead_s) noexcept;
     [[nodiscard]] std::int32_t body_of_solid(std::int32_t solid) const noexcept;
-    [[nodiscard]] Wrench find_push_W(const RigidPush& push, const Begin& begin) const noexcept;
+    [[nodiscard]] Wrench find_push_W(const RigidPush& push, double ahead_s) const noexcept;
     void find_touching() noexcept;
     void notice_landings(double now_s, double dt_s) noexcept;
     void tell_hands(double now_s) noexcept;
@@ -89,12 +85,13 @@ class RigidLoop final : public PeriodicTask {
     std::vector<std::int32_t> solids_;
     WorldChannels* lesson_;
     std::vector<RigidChannels*> hands_;
-    std::vector<std::array<Begin, kMaxSolids>> begins_;  // of the hands' newest pushes
+    std::vector<double> aheads_s_;  // from the world's state to when each hand spoke last
     RigidFrame frame_{};
     WorldSnapshot snapshot_{};
     bool started_ = false;
     double now_s_ = 0.0;
-    double due_s_ = 0.0;  // time that the world has not moved by
+    double due_s_ = 0.0;     // time that the world has not moved by
+    double passed_s_ = 0.0;  // in which that came together
 };
 
 }  // namespace fulcrum

@@ -62,7 +62,7 @@ RigidLoop::RigidLoop(const RigidLoopPlan& plan, std::unique_ptr<RigidWorld> worl
       solids_(plan.solids),
       lesson_(lesson),
       hands_(hands.begin(), hands.end()),
-      begins_(hands.size()) {
+      aheads_s_(hands.size()) {
     for (std::size_t i = 0; i < told_.size(); ++i) {
         const std::int32_t scene_body = plan.scene_bodies[i];
         told_[i].scene_body = scene_body;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace fulcrum {
 namespace {
@@ -269,7 +270,7 @@ void RigidWorld::step(double dt_s) noexcept {
     if (!(dt_s > 0.0) || !std::isfinite(dt_s)) {
         return;
     }
-    report_ = {};
+    report_ = {.n_dropped = std::exchange(n_refused_, 0)};
     const double slow_s = std::max(settings_.slow_period_s, dt_s) + dt_s;
     place_bodies(slow_s);
     find_touching(slow_s);
@@ -290,6 +291,7 @@ void RigidWorld::step(double dt_s) noexcept {
         report_.residual_m_per_s =
             std::max(report_.residual_m_per_s, one.report.solve.residual_m_per_s);
     }
+    scene_.held.clear();
     ++n_steps_;
 }
 

@@ -10,12 +10,9 @@
 // Islands that no hand has touched are stepped every `slow_period_s`, by all the time that has passed since; until then they stand
 // that far behind the world.
 //
-// A hand holds a body by a spring k and a damper b at an arm r. Its force is taken where the step begins, and what it will have
-// become at the end follows from its slopes: the body has the virtual mass g = h^2 k + h b besides its own while it is held,
-//   (M + G) (v - v_before) = h (weight + load),   G = (2 g + m, 2 (g |r|^2 + h^2 k_turn + h b_turn) + m |r|^2)
-// which is at least what an implicit step has (2, for what links moving and turning is left out; m is the hand's, where its damper
-// knows the velocity late). So a world that is starved makes
-// bodies heavy in the hand, and never shakes them; at rest the weight is what it is.
+// Hands hold bodies by springs and dampers that know the body late. What they will have become at the end of the step makes a body that
+// is held heavier against the hand, and only there (hand_rows.h): a starved world is felt as inertia and never shakes; at rest the
+// weight is what it is, and what hits the body meets its own mass.
 //
 // The result is the same to the bit each time, whatever the number of threads. Islands share nothing that a step changes, and no
 // sum goes over more than one.
@@ -39,6 +36,9 @@
 
 namespace fulcrum {
 
+/// Hands on bodies in one step, each on each.
+inline constexpr int kMostHeld = 64;
+
 /// What the last step did.
 struct RigidWorldReport {
     int n_islands = 0;
@@ -46,7 +46,7 @@ struct RigidWorldReport {
     int n_asleep = 0;  ///< bodies
     int n_contacts = 0;
     int n_dropped =
-        0;  ///< pairs, contacts and bodies for which there was no room, or which held no numbers
+        0;  ///< pairs, contacts, holds and bodies for which there was no room, or which held no numbers
     int n_iterations = 0;   ///< of all solves together
     int n_pivoted = 0;      ///< solves that Newton left to pivoting (contact_solver.h)
     int n_unconverged = 0;  ///< islands whose answer is not within the tolerance
@@ -65,10 +65,8 @@ class RigidWorld {
     /// A load of the next step, about the centre of mass: it adds to what was told before, wakes the body and marks its island as
     /// touched. A body that is not there or does not move, and loads that are not finite, are passed over.
     void push(std::int32_t body, const Wrench& wrench_W) noexcept;
-    /// The same of a hand whose force, given at `at_W`, has these slopes; `couple_W` comes to it. With slopes below 0 all of it
-    /// is passed over as well.
-    void hold(std::int32_t body, const Vector3& at_W, const Wrench& push_W,
-              const PushSlopes& slopes) noexcept;
+    /// The same of a hand (hand_rows.h); of a body that many hold, more than kMostHeld in all are passed over, and counted.
+    void hold(std::int32_t body, const BodyHold& hold) noexcept;
     /// Takes a body out of the world, or back into it where it is, and forgets its loads. Joints of one that is not there hold nothing;
     /// what lay on it or hung from it wakes.
     void set_present(std::int32_t body, bool is_present) noexcept;
@@ -145,6 +143,7 @@ class RigidWorld {
     WorkerPool pool_;
     std::vector<IslandSolver> solvers_;  // one a worker
     std::uint64_t n_steps_ = 0;
+    int n_refused_ = 0;  // holds, since the last step
     RigidWorldReport report_{};
 };
 

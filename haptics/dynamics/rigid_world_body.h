@@ -3,6 +3,7 @@
 // Thread: that of the step; during the solving of islands, that of the island's own.
 #pragma once
 
+#include "haptics/base/bounded_list.h"
 #include "haptics/collision/contact_manifold.h"
 #include "haptics/collision/contact_pairs.h"
 #include "haptics/dynamics/joint.h"
@@ -15,9 +16,10 @@
 
 namespace fulcrum {
 
-/// Of all hands on a body together, about its centre of mass: their arms are in what turns.
-struct HeldSlopes : PushSlopes {
-    double late_moment_kg_m2 = 0.0;
+/// One of the hands on a body.
+struct HeldBody {
+    BodyHold hold{};
+    std::int32_t next = -1;  ///< of the same body
 };
 
 struct RigidWorldBody {
@@ -33,7 +35,7 @@ struct RigidWorldBody {
     // What a step changes.
     RigidState state{};
     Wrench load_W{};          ///< of hands and lessons, about the centre of mass; for one step
-    HeldSlopes slopes{};      ///< of those loads together
+    std::int32_t held = -1;   ///< the first of the hands that hold it, in the scene's list
     double pull_kg_m2 = 0.0;  ///< of its joints: h |p| |r|, which resists turning (island_solver.h)
     bool touched = false;     ///< by a hand, since the last step
     bool asleep = false;
@@ -54,7 +56,7 @@ struct RigidWorldBody {
     /// What was pushed or waited for is done, or is no more.
     void forget_loads() noexcept {
         load_W = {};
-        slopes = {};
+        held = -1;
         behind_s = 0.0;
     }
 };
@@ -64,6 +66,7 @@ struct RigidScene {
     std::vector<RigidWorldBody> bodies;
     ContactPairs pairs;
     std::vector<Joint> joints;
+    BoundedList<HeldBody> held{0};  ///< by hands, in this step
 };
 
 }  // namespace fulcrum

@@ -1,4 +1,5 @@
 #include "haptics/base/range.h"
+#include "haptics/dynamics/hand_rows.h"
 #include "haptics/dynamics/rigid_world.h"
 #include "haptics/dynamics/shape_inertia.h"
 
@@ -94,8 +95,16 @@ RigidWorldBody make_body(const RigidBodyPlan& plan) {
     return body;
 }
 
+// No more than four hands on each of few bodies.
+int find_most_held(const RigidWorldPlan& plan) {
+    return std::min(kMostHeld, 4 * static_cast<int>(plan.bodies.size()));
+}
+
 RigidScene make_scene(const RigidWorldPlan& plan) {
-    RigidScene scene{{}, ContactPairs(plan.settings.most_pairs), {}};
+    RigidScene scene{{},
+                     ContactPairs(plan.settings.most_pairs),
+                     {},
+                     BoundedList<HeldBody>(find_most_held(plan))};
     for (const RigidBodyPlan& body : plan.bodies) {
         scene.bodies.push_back(make_body(body));
     }
@@ -134,7 +143,8 @@ Expected<RigidWorldPlan> with_samples(RigidWorldPlan plan) {
 ContactCapacity find_capacity(const RigidWorldPlan& plan) {
     return {.bodies = static_cast<int>(plan.bodies.size()),
             .contacts = kMostContacts * plan.settings.most_pairs,
-            .rows = kMostJointRows * static_cast<int>(plan.joints.size())};
+            .rows = kMostJointRows * static_cast<int>(plan.joints.size()) +
+                    kMostHandRows * find_most_held(plan)};
 }
 
 }  // namespace

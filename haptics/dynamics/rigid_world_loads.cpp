@@ -19,21 +19,11 @@ bool are_usable(const PushSlopes& slopes) noexcept {
                                [](double value) { return value >= 0.0 && std::isfinite(value); });
 }
 
-// As they are about the centre of mass, whose distance squared is `squared_m2`.
-HeldSlopes move_slopes(const PushSlopes& slopes, double squared_m2) noexcept {
-    HeldSlopes moved{slopes, squared_m2 * slopes.late_mass_kg};
-    moved.turn_stiffness_Nm_per_rad += squared_m2 * slopes.stiffness_N_per_m;
-    moved.turn_damping_Nms_per_rad += squared_m2 * slopes.damping_Ns_per_m;
-    return moved;
-}
-
-void add_slopes(const HeldSlopes& slopes, HeldSlopes& sum) noexcept {
-    sum.stiffness_N_per_m += slopes.stiffness_N_per_m;
-    sum.damping_Ns_per_m += slopes.damping_Ns_per_m;
-    sum.late_mass_kg += slopes.late_mass_kg;
-    sum.late_moment_kg_m2 += slopes.late_moment_kg_m2;
-    sum.turn_stiffness_Nm_per_rad += slopes.turn_stiffness_Nm_per_rad;
-    sum.turn_damping_Nms_per_rad += slopes.turn_damping_Nms_per_rad;
+bool are_usable(const PushBounds& bounds) noexcept {
+    const double values[] = {bounds.friction_N, bounds.most_N, bounds.most_Nm};
+    return is_finite(bounds.along_W) && std::ranges::all_of(values, [](double value) {
+               return value >= 0.0 && std::isfinite(value);
+           });
 }
 
 }  // namespace
@@ -54,21 +44,23 @@ void RigidWorld::push(std::int32_t index, const Wrench& wrench_W) noexcept {
     body.wake();
 }
 
-void RigidWorld::hold(std::int32_t index, const Vector3& at_W, const Wrench& push_W,
-                      const PushSlopes& slopes) noexcept {
-    if (!may_load(index) || !are_usable(slopes)) {
+void RigidWorld::hold(std::int32_t index, const BodyHold& hold) noexcept {
+    if (!may_load(index) || !are_usable(hold.slopes) || !are_usable(hold.bounds)) {
         return;
     }
     RigidWorldBody& body = scene_.bodies[to_place_of(index)];
-    const Vector3 arm = at_W - body.state.pose_W.position;
-    const Wrench load_W{push_W.force, push_W.torque + arm.cross(push_W.force)};
-    const HeldSlopes about_centre = move_slopes(slopes, arm.squaredNorm());
-    if (!is_finite(load_W) || !are_usable(about_centre) ||
-        !std::isfinite(about_centre.late_moment_kg_m2)) {
+    const Vector3 arm = hold.at_W - body.state.pose_W.position;
+    if (!is_finite(Wrench{hold.push_W.force, hold.push_W.torque + arm.cross(hold.push_W.force)}) ||
+        !std::isfinite(arm.squaredNorm())) {
         return;
     }
-    push(index, load_W);
-    add_slopes(about_centre, body.slopes);
+    if (!scene_.held.add({hold, body.held})) {
+        ++n_refused_;
+        return;
+    }
+    body.held = static_cast<std::int32_t>(scene_.held.count()) - 1;
+    body.touched = true;
+    body.wake();
 }
 
 // What lay on it or hung from it falls.

@@ -12,6 +12,9 @@
 
 namespace fulcrum {
 
+/// No step of the world is longer: after a longer pause it goes on from where it was. So a world that keeps up makes 20 steps a second at least.
+inline constexpr double kLongestRigidStep_s = 0.05;
+
 /// How steeply a push falls where the body gives way: of the spring and damper that a hand holds it by.
 struct PushSlopes {
     double stiffness_N_per_m = 0.0;  ///< each 0 or more
@@ -33,17 +36,36 @@ struct RigidSolid {
 
 /// World -> haptic loop, newest value; in the order of the plan's solids.
 struct RigidFrame {
-    double stamp_s = -1.0;  ///< before the first step negative
+    double stamp_s = -1.0;  ///< of when its step began; before the first step negative
+    double rate = 1.0;  ///< how much the world moved on in it, in the time that had passed: 0 to 1
     std::array<RigidSolid, kMaxSolids> solids{};
+};
+
+/// How far a hand goes along with the body that it holds, within a step.
+struct PushBounds {
+    /// Unit vector: so it pushes, and never draws. Zero: it grips, and holds every way and every turning.
+    Vector3 along_W{Vector3::Zero()};
+    double friction_N = 0.0;  ///< what it holds across `along_W`, each way
+    double most_N = 0.0;      ///< that the hand may feel
+    double most_Nm = 0.0;     ///< each about one axis
+};
+
+/// How a hand holds a body.
+struct BodyHold {
+    Vector3 at_W{Vector3::Zero()};
+    Wrench push_W{};  ///< on the body: a force there, and a couple
+    PushSlopes slopes{};
+    PushBounds bounds{};
 };
 
 /// How a hand pushes one solid.
 struct RigidPush {
     std::int32_t solid = kNoBody;
-    Vector3 at_W{Vector3::Zero()};
-    Wrench push_W{};  ///< on the solid: a force there, and a couple
-    PushSlopes slopes{};
-    bool holds = false;  ///< it is gripped
+    // As the hand took the solid to be when it pushed so.
+    Pose pose_W{};
+    Twist velocity_W{};
+    std::uint32_t n_placements = 0;
+    BodyHold hold{};
 };
 
 /// Haptic loop -> world, newest value.

@@ -12,8 +12,9 @@
 namespace fulcrum {
 namespace {
 
-// Longer than this nothing is moved on: the world is taken to stand.
-constexpr double kLongestAhead_s = 0.1;
+// Longer than this nothing is moved on: the world is taken to stand. A world of the fewest steps that needs all of a step's time tells twice
+// that late; half a step is for what comes between.
+constexpr double kLongestAhead_s = 2.5 * kLongestRigidStep_s;
 // Of a quaternion's length squared: further from one it was garbled on its way.
 constexpr double kTurnTolerance = 2.0e-3;
 const Vector3 kGone_W(0.0, -2.0e4, 0.0);  // out of every hand's reach
@@ -29,7 +30,8 @@ void scale_slopes(PushSlopes& slopes, const PushShare& left) noexcept {
 }  // namespace
 
 Pose BodyStage::predict(const RigidSolid& told, double now_s) const noexcept {
-    const double ahead_s = std::clamp(now_s - stamp_s_ + told.behind_s, 0.0, kLongestAhead_s);
+    const double ahead_s =
+        std::clamp(rate_ * (now_s - stamp_s_) + told.behind_s, 0.0, kLongestAhead_s);
     return {told.pose_W.position + ahead_s * told.velocity_W.linear,
             compute_exp(ahead_s * told.velocity_W.angular) * told.pose_W.orientation};
 }
@@ -57,8 +59,8 @@ bool BodyStage::is_usable(const RigidFrame& frame) const noexcept {
                is_finite(told.velocity_W.linear) && is_finite(told.velocity_W.angular) &&
                std::isfinite(told.behind_s) && told.behind_s >= 0.0;
     };
-    return std::isfinite(frame.stamp_s) && frame.stamp_s >= 0.0 &&
-           std::ranges::all_of(bodies_, is_told);
+    return std::isfinite(frame.stamp_s) && frame.stamp_s >= 0.0 && frame.rate >= 0.0 &&
+           frame.rate <= 1.0 && std::ranges::all_of(bodies_, is_told);
 }
 
 // A frame with anything in it that is no number, no time or no turning is passed over: an old one ages, and that is noticed.
@@ -78,6 +80,7 @@ void BodyStage::take_frame(double now_s) noexcept {
     const double due_s = gap_s > 0.0 ? std::min(gap_s, kLongestAhead_s) : kLongestAhead_s;
     blend_s_ = stamp_s_ < 0.0 ? 0.0 : std::max(left_s, due_s);
     stamp_s_ = frame.stamp_s;
+    rate_ = frame.rate;
     heard_s_ = now_s;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         Body& body = bodies_[i];
@@ -159,7 +162,7 @@ GripForce BodyStage::grip(const ProxyContact& contact, const GrippingHand& hand)
     const Pose& pose_W = poses_W_[body.plan.solid];
     const Vector3 at_W = pose_W * grip_.place_B;
     const Twist& moves = body.told.velocity_W;
-    const Vector3 velocity_W = moves.linear + moves.angular.cross(at_W - pose_W.position);
+    const Vector3 velocity_W = rate_ * (moves.linear + moves.angular.cross(at_W - pose_W.position));
     const double k = body.slopes.stiffness_N_per_m;
     grip_.force.spring_W = k * (at_W - hand.pose_W.position);
     grip_.force.force_W =
@@ -171,13 +174,13 @@ GripForce BodyStage::grip(const ProxyContact& contact, const GrippingHand& hand)
     slopes.turn_damping_Nms_per_rad = 2.0 * std::sqrt(slopes.turn_stiffness_Nm_per_rad * moment);
     const Vector3 turn_W =
         compute_log(hand.pose_W.orientation * grip_.turn_TB * pose_W.orientation.conjugate());
-    grip_.push = {grip_.solid,
-                  at_W,
-                  {-grip_.force.force_W,
-                   slopes.turn_stiffness_Nm_per_rad * turn_W +
-                       slopes.turn_damping_Nms_per_rad * (hand.twist_W.angular - moves.angular)},
+    grip_.hold = {at_W,
+                  {-grip_.force.force_W, slopes.turn_stiffness_Nm_per_rad * turn_W +
+                                             slopes.turn_damping_Nms_per_rad *
+                                                 (hand.twist_W.angular - rate_ * moves.angular)},
                   slopes,
-                  true};
+                  {}};
+    grip_.holds = true;
     return grip_.force;
 }
 
@@ -186,18 +189,30 @@ void BodyStage::begin_pushes(double now_s) noexcept {
     pushes_.count = 0;
 }
 
+BodyHold& BodyStage::add_hold(const Body& body) noexcept {
+    RigidPush& told = pushes_.pushes[static_cast<std::size_t>(pushes_.count++)];
+    told.solid = static_cast<std::int32_t>(body.plan.solid);
+    told.pose_W = poses_W_[body.plan.solid];
+    told.velocity_W = {rate_ * body.told.velocity_W.linear, rate_ * body.told.velocity_W.angular};
+    told.n_placements = body.told.n_placements;
+    return told.hold;
+}
+
 void BodyStage::add_push(const Body& body, const MostFelt& most, SolidPush push) noexcept {
     if (!push.touches || !body.told.is_present) {
         return;
     }
+    // What presses nowhere, a couple alone, may not press.
+    const bool presses = compute_length(push.normal_W) > 0.0;
+    const Vector3 along_W = presses ? compute_direction(push.normal_W) : Vector3::UnitY();
     // A force that is cut off has no slope; that of its secant is enough to hold it.
     const double share = limit_push(most, push).force;
-    RigidPush& told = pushes_.pushes[static_cast<std::size_t>(pushes_.count++)];
-    told = {static_cast<std::int32_t>(body.plan.solid),
-            push.at_W,
+    BodyHold& told = add_hold(body);
+    told = {push.at_W,
             {push.force_W, push.couple_W},
             body.slopes,
-            false};
+            {along_W, body.friction * std::max(along_W.dot(push.force_W), 0.0),
+             presses ? most.force_N : 0.0, most.torque_Nm}};
     scale_slopes(told.slopes, {share, 1.0});
 }
 
@@ -208,28 +223,39 @@ void BodyStage::publish() noexcept {
 }
 
 void BodyStage::tell_grip(double most_N) noexcept {
-    const RigidSolidPlan& plan = bodies_[grip_.body].plan;
-    const double arm_m = std::sqrt(plan.moment_kg_m2 / plan.mass_kg);
-    RigidPush& told = pushes_.pushes[static_cast<std::size_t>(pushes_.count++)];
-    told = grip_.push;
-    SolidPush push{true, told.at_W, told.push_W.force, told.push_W.torque};
-    const PushShare left = limit_push({most_N, most_N * arm_m}, push);
+    const Body& body = bodies_[grip_.body];
+    const MostFelt most{most_N, most_N * std::sqrt(body.plan.moment_kg_m2 / body.plan.mass_kg)};
+    BodyHold& told = add_hold(body);
+    told = grip_.hold;
+    SolidPush push{.touches = true,
+                   .at_W = told.at_W,
+                   .force_W = told.push_W.force,
+                   .couple_W = told.push_W.torque};
+    const PushShare left = limit_push(most, push);
     told.push_W = {push.force_W, push.couple_W};
+    told.bounds.most_N = most.force_N;
+    told.bounds.most_Nm = most.torque_Nm;
     scale_slopes(told.slopes, left);
 }
 
+// Touch and grip together give no more than the hand may feel: each its part of it.
 void BodyStage::push(const ProxyContact& contact, const HandPush& hand, double now_s) noexcept {
     begin_pushes(now_s);
     const Vector3 held_W = compute_held_force(contact, hand.force_W, hand.spring_W);
+    const double touch_N = compute_length(held_W);
+    const double grip_N = grip_.holds ? compute_length(grip_.hold.push_W.force) : 0.0;
+    const double sum_N = touch_N + grip_N;
+    const double share = sum_N > hand.most_N ? hand.most_N / sum_N : 1.0;
+    const double spare_N = hand.most_N - share * sum_N;
     for (const Body& body : bodies_) {
         const auto solid = static_cast<std::int32_t>(body.plan.solid);
-        add_push(body, {.force_N = hand.most_N},
+        add_push(body, {.force_N = share * touch_N + spare_N},
                  compute_solid_push(contact, solid, held_W, cursor_m_));
     }
-    if (grip_.solid >= 0 && grip_.push.holds) {
-        tell_grip(hand.most_N);
+    if (grip_.solid >= 0 && grip_.holds) {
+        tell_grip(share * grip_N + spare_N);
     }
-    grip_.push.holds = false;
+    grip_.holds = false;
     publish();
 }
 
@@ -237,7 +263,9 @@ void BodyStage::push_by_tool(std::span<const SolidPush> pushes, const MostFelt& 
                              double now_s) noexcept {
     begin_pushes(now_s);
     for (const Body& body : bodies_) {
-        add_push(body, most, pushes[body.plan.solid]);
+        SolidPush push = pushes[body.plan.solid];
+        push.normal_W = push.force_W;
+        add_push(body, most, push);
     }
     publish();
 }

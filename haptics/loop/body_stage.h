@@ -1,10 +1,12 @@
 // The haptic side of rigid bodies: where they are now, and how the hand pushes them.
 //
-//   p(t) = p + v (t - stamp) + w(t) e        as the world's newest frame tells it, moved on by its velocity
+//   p(t) = p + v r (t - stamp) + w(t) e      as the world's newest frame tells it, moved on by its velocity and the rate r of its time
 //   e    = what was felt before that frame came, less what the frame tells;   w falls from 1 to 0 within the time between two frames,
 //          or in what was left of it before, where that is longer: what a world that paused has to correct is not hurried by its next frame
 // So what is felt moves without leaps and the loop never waits, however seldom the world speaks. What the hand does to a body goes to the
-// world as a force at a place, with its slopes, from which the world knows what virtual mass keeps its own steps stable (rigid_world.h).
+// world as a force at a place, with its slopes, its bounds, and how the hand took the body to be: the world knows it better, and takes the
+// push as the hand would have given it there (rigid_loop.h), with the virtual mass that keeps its own steps stable (hand_rows.h). Touch and
+// grip together push with no more than the hand may feel.
 //
 // A grip, while its button is pressed, holds the place of the surface that the cursor touched:
 //   F_hand = k (a - x_hand) + b (v_a - v_hand)        a: that place on the body; k, b: the coupling of the solid
@@ -72,7 +74,8 @@ class BodyStage {
   private:
     struct Body {
         RigidSolidPlan plan{};
-        PushSlopes slopes{};  // of a touch
+        PushSlopes slopes{};    // of a touch
+        double friction = 0.0;  // static
         RigidSolid told{};
         Vector3 shift_W{Vector3::Zero()};  // e
         Vector3 turn_W{Vector3::Zero()};
@@ -85,7 +88,8 @@ class BodyStage {
         Vector3 place_B{Vector3::Zero()};
         Quaternion turn_TB{Quaternion::Identity()};  // of the body in the hand, as it was
         GripForce force{};
-        RigidPush push{};
+        BodyHold hold{};
+        bool holds = false;  // in this round
     };
     [[nodiscard]] Pose predict(const RigidSolid& told, double now_s) const noexcept;
     [[nodiscard]] Pose find_pose(const Body& body, double now_s, double left_s) const noexcept;
@@ -95,6 +99,7 @@ class BodyStage {
     void tell_grip(double most_N) noexcept;
     void begin_grip(const ProxyContact& contact, const GrippingHand& hand) noexcept;
     void begin_pushes(double now_s) noexcept;
+    BodyHold& add_hold(const Body& body) noexcept;
     void add_push(const Body& body, const MostFelt& most, SolidPush push) noexcept;
     void publish() noexcept;
 
@@ -102,6 +107,7 @@ class BodyStage {
     double period_s_;
     double cursor_m_;        // from the proxy to where it touches
     double stamp_s_ = -1.0;  // of the newest frame
+    double rate_ = 1.0;      // of the world's time in it
     double heard_s_ = 0.0;   // when it came
     double blend_s_ = 0.0;   // within which e goes
     std::vector<Body> bodies_;

@@ -60,6 +60,7 @@ BodyStage::BodyStage(const HapticPlan& plan, RigidChannels* channels)
         Body body;
         body.plan = planned;
         body.slopes = find_slopes(plan, plan.solids[planned.solid]);
+        body.friction = plan.tool ? 0.0 : plan.solids[planned.solid].friction.static_coefficient;
         bodies_.push_back(body);
     }
 }

@@ -198,7 +198,8 @@ bool HapticLoop::find_solids() noexcept {
     if (bodies_) {
         solid_poses_W_ = bodies_->place(solid_poses_W_, now_s_);
         put |= bodies_->put();
-        if (!(bodies_->age_s(now_s_) <= plan_.safety.command_timeout_s)) {
+        // What it tells is a step old.
+        if (!(bodies_->age_s(now_s_) <= plan_.safety.command_timeout_s + kLongestRigidStep_s)) {
             state_.faults |= Fault::command_stale;
         }
     }

@@ -53,7 +53,8 @@ SolidPush compute_solid_push(const ProxyContact& contact, std::int32_t solid,
         return push;
     }
     // Along that solid's planes together.
-    push.at_W -= cursor_m * (alone ? contact.normal_W : compute_direction(here.push_W));
+    push.normal_W = -(alone ? contact.normal_W : compute_direction(here.push_W));
+    push.at_W += cursor_m * push.normal_W;
     if (alone) {
         push.force_W = -force_W;
     } else if (const double stretch_m = compute_length(Vector3(all.push_W + all.drag_W));

@@ -20,6 +20,7 @@ struct SolidPush {
     Vector3 at_W{Vector3::Zero()};
     Vector3 force_W{Vector3::Zero()};   ///< on the solid, at that place
     Vector3 couple_W{Vector3::Zero()};  ///< on it as well, wherever
+    Vector3 normal_W{Vector3::Zero()};  ///< into the solid, of any length: where it is pushed to
 };
 
 /// What the coupling does in this round.

@@ -23,6 +23,8 @@ struct BoxScene {
     double friction = 0.6;  ///< of all: of cursors with boxes too
     std::uint32_t grip_buttons = 0;
     double world_rate_hz = 1000.0;  ///< at which it is stepped, whatever its plan says
+    double world_late_s =
+        0.0;  ///< what a step takes: so much later it is told, and the next begins
     double slow_period_s = 0.0;
     int n_threads = 1;
     CouplingSettings coupling{};
@@ -73,11 +75,12 @@ struct BoxScene {
 class HandsInWorld {
   public:
     HandsInWorld(const BoxScene& scene, const std::vector<Vector3>& starts_W)
-        : world_period_s_(1.0 / scene.world_rate_hz) {
+        : world_period_s_(1.0 / scene.world_rate_hz), world_late_s_(scene.world_late_s) {
         std::vector<RigidChannels*> channels;
         for (const Vector3& start_W : starts_W) {
-            auto& hand = *hands_.emplace_back(std::make_unique<Hand>(scene, start_W));
-            channels.push_back(&hand.rigid);
+            hands_.push_back(std::make_unique<Hand>(scene, start_W));
+            worlds_.push_back(std::make_unique<RigidChannels>());
+            channels.push_back(worlds_.back().get());
         }
         world_ = std::move(RigidLoop::create(scene.make_world(), &lesson, channels)).value();
     }
@@ -86,19 +89,23 @@ class HandsInWorld {
     void aim(std::size_t hand, const Vector3& at_W, std::uint32_t buttons = 0) {
         hands_[hand]->target.publish({Pose::at(at_W), Vector3::Zero(), buttons});
     }
-    /// A round of a millisecond; the world's where its time has come.
+    /// A round of a millisecond; the world's where its time has come, told when its computing is done.
     void step() {
         now_s_ += 1.0e-3;
+        tell_hands();
         for (auto& hand : hands_) {
             hand->loop.step(now_s_);
         }
         if (!is_stopped_ && now_s_ >= next_world_s_ - 1.0e-9) {
             next_world_s_ += world_period_s_;
-            world_->step(now_s_);
+            step_world();
         }
     }
     void stop_world() { is_stopped_ = true; }
-    void set_world_rate(double rate_hz) { world_period_s_ = 1.0 / rate_hz; }
+    void set_world_rate(double rate_hz, double late_s = 0.0) {
+        world_period_s_ = 1.0 / rate_hz;
+        world_late_s_ = late_s;
+    }
     void run(double seconds) {
         for (const double until_s = now_s_ + seconds; now_s_ < until_s - 0.5e-3;) {
             step();
@@ -136,9 +143,34 @@ class HandsInWorld {
         RigidChannels rigid;
         HapticLoop loop;
     };
+    // What hands have pushed goes into the step that begins.
+    void step_world() {
+        for (std::size_t i = 0; i < hands_.size(); ++i) {
+            if (hands_[i]->rigid.pushes.take()) {
+                worlds_[i]->pushes.publish(hands_[i]->rigid.pushes.value());
+            }
+        }
+        world_->step(now_s_);
+        told_s_ = now_s_ + world_late_s_;
+    }
+    // What comes of it is told when that is done.
+    void tell_hands() {
+        if (now_s_ < told_s_ - 1.0e-9) {
+            return;
+        }
+        for (std::size_t i = 0; i < hands_.size(); ++i) {
+            if (worlds_[i]->frame.take()) {
+                hands_[i]->rigid.frame.publish(worlds_[i]->frame.value());
+            }
+        }
+    }
+
     std::vector<std::unique_ptr<Hand>> hands_;
+    std::vector<std::unique_ptr<RigidChannels>> worlds_;
     std::unique_ptr<RigidLoop> world_;
     double world_period_s_;
+    double world_late_s_;
+    double told_s_ = 0.0;
     double now_s_ = 0.0;
     double next_world_s_ = 0.0;
     bool is_stopped_ = false;

@@ -25,6 +25,17 @@ RigidLoopPlan make_two_cubes() {
     return plan;
 }
 
+// A grip on solid 2, which the hand takes to be at rest there.
+RigidPush make_push(const Vector3& body_W, const Vector3& at_W, const Vector3& force_W) {
+    RigidPush push;
+    push.solid = 2;
+    push.pose_W = Pose::at(body_W);
+    push.hold.at_W = at_W;
+    push.hold.push_W.force = force_W;
+    push.hold.bounds = {.most_N = 9.0, .most_Nm = 1.0};
+    return push;
+}
+
 struct CubesLoop {
     explicit CubesLoop(const RigidLoopPlan& plan = make_two_cubes()) {
         RigidChannels* const hands[] = {hand.get()};
@@ -139,8 +150,9 @@ TEST_CASE("rigid loop: a hand pushes until it has been silent for too long") {
     pushes.stamp_s = cubes.now_s;
     pushes.count = 2;
     // 8 N against 0.6 m g = 2.9 N of friction; the second push is on what is no rigid body.
-    pushes.pushes[0] = {2, {0.45, 0.05, 0.0}, {{8.0, 0.0, 0.0}, Vector3::Zero()}, {}, true};
-    pushes.pushes[1] = {1, {0.45, 0.05, 0.0}, {{8.0, 0.0, 0.0}, Vector3::Zero()}, {}, true};
+    pushes.pushes[0] = make_push({0.5, 0.05, 0.0}, {0.45, 0.05, 0.0}, {8.0, 0.0, 0.0});
+    pushes.pushes[1] = pushes.pushes[0];
+    pushes.pushes[1].solid = 1;
     cubes.hand->pushes.publish(pushes);
     cubes.run(0.05);
     const double speed = cubes.seen(5).velocity_W.x();
@@ -159,15 +171,15 @@ TEST_CASE("rigid loop: a push of a time to come is none") {
     HandPushes pushes;
     pushes.stamp_s = cubes.now_s + 5.0;
     pushes.count = 1;
-    pushes.pushes[0] = {2, {0.45, 0.05, 0.0}, {{8.0, 0.0, 0.0}, Vector3::Zero()}, {}, true};
+    pushes.pushes[0] = make_push({0.5, 0.05, 0.0}, {0.45, 0.05, 0.0}, {8.0, 0.0, 0.0});
     cubes.hand->pushes.publish(pushes);
     cubes.run(0.05);
     CHECK(cubes.seen(5).velocity_W.norm() < 1.0e-6);
     CHECK(cubes.seen(5).where != BodyWhere::held);
 }
 
-// Without weight; a push by a hand that says nothing more.
-CubesLoop make_pushed_once(const Wrench& push_W, const PushSlopes& slopes) {
+// Without weight; the second cube is pushed by a hand that says nothing more.
+CubesLoop make_pushed_once(const RigidPush& push) {
     RigidLoopPlan plan = make_two_cubes();
     plan.world.settings.gravity_W = Vector3::Zero();
     plan.world.bodies[2].pose_W.position.y() = 1.0;
@@ -176,14 +188,24 @@ CubesLoop make_pushed_once(const Wrench& push_W, const PushSlopes& slopes) {
     HandPushes pushes;
     pushes.stamp_s = cubes.now_s;
     pushes.count = 1;
-    pushes.pushes[0] = {2, {0.5, 1.0, 0.0}, push_W, slopes, true};
+    pushes.pushes[0] = push;
     cubes.hand->pushes.publish(pushes);
     return cubes;
 }
 
+const Vector3 kHigh_W(0.5, 1.0, 0.0);
+
+// Along x, as a touch does; and a couple about y.
+RigidPush make_touch(double force_N, double couple_Nm, const PushSlopes& slopes) {
+    RigidPush push = make_push(kHigh_W, kHigh_W, {force_N, 0.0, 0.0});
+    push.hold.push_W.torque = {0.0, couple_Nm, 0.0};
+    push.hold.slopes = slopes;
+    push.hold.bounds.along_W = Vector3::UnitX();
+    return push;
+}
+
 TEST_CASE("rigid loop: a hand that stalls gives no more than its spring held") {
-    const Wrench push_W{{9.0, 0.0, 0.0}, {0.0, 0.05, 0.0}};
-    CubesLoop cubes = make_pushed_once(push_W, {600.0, 0.0, 0.5, 0.0, 0.0});
+    CubesLoop cubes = make_pushed_once(make_touch(9.0, 0.05, {600.0, 0.0, 0.5, 0.0, 0.0}));
     cubes.run(0.2);
     const Twist& velocity_W = cubes.loop->world().state(2).velocity_W;
     const double moment_kg_m2 = 0.5 * 0.01 / 6.0;
@@ -192,7 +214,7 @@ TEST_CASE("rigid loop: a hand that stalls gives no more than its spring held") {
     CHECK(0.5 * moment_kg_m2 * velocity_W.angular.squaredNorm() < 0.0025 / 0.5 / 2.0);
     CHECK(0.5 * moment_kg_m2 * velocity_W.angular.squaredNorm() > 0.8 * 0.0025 / 0.5 / 2.0);
     // Its damper takes it as well: m v = (F - b v) t comes to F / b at most.
-    CubesLoop damped = make_pushed_once(push_W, {0.0, 30.0, 0.0, 0.1, 0.0});
+    CubesLoop damped = make_pushed_once(make_touch(9.0, 0.05, {0.0, 30.0, 0.0, 0.1, 0.0}));
     damped.run(0.2);
     const Twist& slow_W = damped.loop->world().state(2).velocity_W;
     CHECK(slow_W.linear.x() <= 9.0 / 30.0);
@@ -200,8 +222,46 @@ TEST_CASE("rigid loop: a hand that stalls gives no more than its spring held") {
     CHECK(slow_W.angular.y() > 0.0);
 }
 
+// m v = h (F + k * 2 mm + b * 0.1 m/s), and what an implicit step takes of it.
+TEST_CASE("rigid loop: a push is taken as the hand would have given it where the body is") {
+    const PushSlopes slopes{600.0, 5.0, 0.0, 0.0, 0.0};
+    const double mass_kg = 0.5 + 1.0e-6 * 600.0 + 1.0e-3 * 5.0;
+    RigidPush push = make_touch(2.0, 0.0, slopes);
+    // The hand took it to be 2 mm further along x, and at 0.1 m/s.
+    push.pose_W.position.x() += 0.002;
+    push.hold.at_W.x() += 0.002;
+    push.velocity_W.linear.x() = 0.1;
+    CubesLoop cubes = make_pushed_once(push);
+    cubes.run(0.001);
+    const double asked_N = 2.0 + 600.0 * 0.002 + 5.0 * 0.1;
+    CHECK(cubes.seen(5).velocity_W.x() == Approx(1.0e-3 * asked_N / mass_kg).epsilon(1.0e-6));
+    // No more than it may feel, nor the other way, nor across.
+    push.hold.bounds.most_N = 2.5;
+    CubesLoop bounded = make_pushed_once(push);
+    bounded.run(0.001);
+    CHECK(bounded.seen(5).velocity_W.x() == Approx(1.0e-3 * 2.5 / mass_kg).epsilon(1.0e-6));
+    push.pose_W.position.x() -= 0.02;
+    push.hold.at_W.x() -= 0.02;
+    push.pose_W.position.y() -= 0.02;
+    push.hold.at_W.y() -= 0.02;
+    CubesLoop parted = make_pushed_once(push);
+    parted.run(0.001);
+    CHECK(parted.seen(5).velocity_W.norm() == 0.0);
+}
+
+TEST_CASE("rigid loop: a grip that knew the body turned otherwise turns it less") {
+    RigidPush push = make_push(kHigh_W, kHigh_W, Vector3::Zero());
+    push.hold.push_W.torque = {0.0, 0.02, 0.0};
+    push.hold.slopes.turn_stiffness_Nm_per_rad = 0.4;
+    push.pose_W.orientation = Quaternion(Eigen::AngleAxisd(-0.03, Vector3::UnitY()));
+    CubesLoop cubes = make_pushed_once(push);
+    cubes.run(0.001);
+    CHECK(cubes.loop->world().state(2).velocity_W.angular.y() ==
+          Approx(1.0e-3 * (0.02 - 0.4 * 0.03) / (0.5 * 0.01 / 6.0 + 1.0e-6 * 0.4)).epsilon(1.0e-6));
+}
+
 TEST_CASE("rigid loop: a push on what has been put elsewhere since is none") {
-    CubesLoop cubes = make_pushed_once({{9.0, 0.0, 0.0}, Vector3::Zero()}, {});
+    CubesLoop cubes = make_pushed_once(make_push(kHigh_W, kHigh_W, {9.0, 0.0, 0.0}));
     cubes.run(0.01);
     REQUIRE(cubes.seen(5).velocity_W.x() > 0.1);
     cubes.order(WorldCommand::Kind::place, 5, {0.5, 2.0, 0.0});
@@ -209,8 +269,23 @@ TEST_CASE("rigid loop: a push on what has been put elsewhere since is none") {
     CHECK(cubes.seen(5).velocity_W.norm() == 0.0);
 }
 
+TEST_CASE("rigid loop: a push that knows nothing of the last placing is none") {
+    CubesLoop cubes = make_pushed_once(make_push(kHigh_W, kHigh_W, {9.0, 0.0, 0.0}));
+    cubes.order(WorldCommand::Kind::place, 5, {0.5, 2.0, 0.0});
+    cubes.run(0.001);
+    CHECK(cubes.seen(5).velocity_W.norm() == 0.0);
+    // One that does is.
+    HandPushes pushes = cubes.hand->pushes.value();
+    pushes.stamp_s = cubes.now_s;
+    pushes.pushes[0] = make_push({0.5, 2.0, 0.0}, {0.5, 2.0, 0.0}, {9.0, 0.0, 0.0});
+    pushes.pushes[0].n_placements = 1;
+    cubes.hand->pushes.publish(pushes);
+    cubes.run(0.001);
+    CHECK(cubes.seen(5).velocity_W.x() == Approx(1.0e-3 * 9.0 / 0.5));
+}
+
 TEST_CASE("rigid loop: rounds close together add up, and push once") {
-    CubesLoop cubes = make_pushed_once({{9.0, 0.0, 0.0}, Vector3::Zero()}, {});
+    CubesLoop cubes = make_pushed_once(make_push(kHigh_W, kHigh_W, {9.0, 0.0, 0.0}));
     for (int i = 0; i < 5; ++i) {
         cubes.loop->step(cubes.now_s);
     }
@@ -234,6 +309,20 @@ TEST_CASE("rigid loop: a clock that stands, leaps or is no number moves nothing 
     CHECK(cubes.seen(3).pose_W.position.y() == height_m);
     cubes.loop->step(cubes.now_s + 1000.0);
     CHECK(cubes.seen(3).pose_W.position.y() > height_m - 9.81 * 0.06 * 0.06);
+}
+
+TEST_CASE("rigid loop: a step that does not keep up tells how much of the time it kept") {
+    CubesLoop cubes;
+    const auto told_rate = [&](double dt_s) {
+        cubes.now_s += dt_s;
+        cubes.loop->step(cubes.now_s);
+        cubes.hand->frame.take();
+        return cubes.hand->frame.value().rate;
+    };
+    (void)told_rate(0.001);
+    CHECK(told_rate(0.05) == Approx(1.0));
+    CHECK(told_rate(0.2) == Approx(0.25));
+    CHECK(told_rate(0.001) == Approx(1.0));
 }
 
 TEST_CASE("rigid loop: a plan whose lists do not fit its world is refused") {

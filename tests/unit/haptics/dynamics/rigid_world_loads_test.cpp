@@ -24,10 +24,12 @@ RigidWorldPlan make_loaded_plan() {
 TEST_CASE("rigid world: what is pushed while it is away, or before it is placed, stays at rest") {
     auto world = std::move(RigidWorld::create(make_loaded_plan()).value());
     const Wrench push{{9.0, 0.0, 0.0}, {0.0, 0.1, 0.0}};
-    const PushSlopes slopes{400.0, 6.0, 0.3, 0.01, 0.05};
+    BodyHold hold{.at_W = {0.0, 0.05, 0.0}, .push_W = push};
+    hold.slopes = {400.0, 6.0, 0.3, 0.01, 0.05};
+    hold.bounds = {.most_N = 10.0, .most_Nm = 1.0};
     const auto load = [&] {
         world->push(0, push);
-        world->hold(0, {0.0, 0.05, 0.0}, push, slopes);
+        world->hold(0, hold);
     };
     const auto is_at_rest = [&] {
         world->step(0.001);

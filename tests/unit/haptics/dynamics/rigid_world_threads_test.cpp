@@ -46,8 +46,11 @@ std::vector<unsigned char> run_busy_world(int n_threads) {
     };
     int n_solved = 0;
     for (int i = 0; i < 700; ++i) {
-        world->hold(2 + i / 100, world->shape_pose_W(2).position,
-                    {Vector3(0.3, 0.0, 0.1), Vector3::Zero()}, {500.0, 5.0, 0.0, 0.0, 0.02});
+        BodyHold hold{.at_W = world->shape_pose_W(2).position,
+                      .push_W = {Vector3(0.3, 0.0, 0.1), Vector3::Zero()}};
+        hold.slopes = {500.0, 5.0, 0.0, 0.0, 0.02};
+        hold.bounds.most_N = 5.0;
+        world->hold(2 + i / 100, hold);
         world->step(1.0e-3);
         n_solved += world->report().n_solved;
         if (i % 50 != 0) {

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -60,7 +61,31 @@ TEST_CASE("body stage: a body is where its newest frame says, moved on by its ve
     CHECK(body.felt(1.03).position.x() == Approx(0.3 + 2.0 * 0.034));
     CHECK(body.stage.age_s(1.03) == Approx(0.03));
     // Not for ever.
-    CHECK(body.felt(9.0).position.x() == Approx(0.3 + 2.0 * 0.1));
+    CHECK(body.felt(9.0).position.x() == Approx(0.3 + 2.0 * 0.125));
+}
+
+TEST_CASE("body stage: in a world that keeps half the time a body moves on half as fast") {
+    StagedBody body(make_body_plan(2U));
+    RigidFrame frame;
+    frame.stamp_s = 1.0;
+    frame.rate = 0.5;
+    frame.solids[1] = {Pose{}, {{2.0, 0.0, 0.0}, {0.0, 4.0, 0.0}}, 0.0, true, 0};
+    body.channels->frame.publish(frame);
+    const Pose felt_W = body.felt(1.02);
+    CHECK(felt_W.position.x() == Approx(0.5 * 2.0 * 0.02));
+    CHECK(compute_log(felt_W.orientation).y() == Approx(0.5 * 4.0 * 0.02));
+    // Its grip's damper too.
+    GrippingHand hand{Pose::at(felt_W.position), {}, 2U};
+    (void)body.stage.grip(make_contact(felt_W.position, Vector3::UnitY(), 1), hand);
+    (void)body.felt(1.02);
+    CHECK((body.stage.grip({}, hand).force_W - Vector3(5.0 * 0.5 * 2.0, 0.0, 0.0)).norm() < 1.0e-9);
+    for (const double rate : {-0.1, 1.1, std::nan("")}) {
+        frame.stamp_s = 1.03;
+        frame.rate = rate;
+        body.channels->frame.publish(frame);
+        (void)body.felt(1.03);
+        CHECK(body.stage.age_s(1.03) == Approx(0.03));
+    }
 }
 
 TEST_CASE("body stage: it turns on as well") {
@@ -184,16 +209,81 @@ TEST_CASE("body stage: the world hears of a push with its place and its slopes, 
     CHECK(told.stamp_s == 1.0);
     const RigidPush& push = told.pushes[0];
     CHECK(push.solid == 1);
-    CHECK((push.push_W.force - Vector3(-4.0, 0.0, 0.0)).norm() < kRounding);
-    CHECK(push.at_W.x() == Approx(0.1));
-    CHECK(push.slopes.stiffness_N_per_m == Approx(300.0));
-    CHECK(push.slopes.damping_Ns_per_m == Approx(2.5));
-    CHECK(push.slopes.late_mass_kg == Approx(0.5 * 0.008 * 5.0));
-    CHECK_FALSE(push.holds);
+    CHECK((push.hold.push_W.force - Vector3(-4.0, 0.0, 0.0)).norm() < kRounding);
+    CHECK(push.hold.at_W.x() == Approx(0.1));
+    CHECK(push.hold.slopes.stiffness_N_per_m == Approx(300.0));
+    CHECK(push.hold.slopes.damping_Ns_per_m == Approx(2.5));
+    CHECK(push.hold.slopes.late_mass_kg == Approx(0.5 * 0.008 * 5.0));
+    // It pushes where it touches, and no further than the hand may feel.
+    CHECK((push.hold.bounds.along_W + Vector3::UnitX()).norm() < kRounding);
+    CHECK(push.hold.bounds.most_N == Approx(4.0));
+    CHECK(push.hold.bounds.friction_N == 0.0);
     // What is no rigid body is not the world's.
     body.stage.push(make_contact({0.1, 0.0, 0.0}, Vector3::UnitX(), 0),
                     {Vector3(8.0, 0.0, 0.0), Vector3(8.0, 0.0, 0.0), 4.0}, 1.001);
     CHECK(body.told().count == 0);
+}
+
+TEST_CASE("body stage: the world hears how the hand took a body to be when it pushed it") {
+    StagedBody body;
+    body.tell(1.0, {0.2, 0.0, 0.0}, {0.5, 0.0, 0.0}, 3);
+    const Pose felt_W = body.felt(1.02);
+    body.stage.push(make_contact({0.3, 0.0, 0.0}, Vector3::UnitX(), 1),
+                    {Vector3(2.0, 0.0, 0.0), Vector3(2.0, 0.0, 0.0), 4.0}, 1.02);
+    const HandPushes& told = body.told();
+    REQUIRE(told.count == 1);
+    CHECK(told.pushes[0].pose_W.position.x() == felt_W.position.x());
+    CHECK(told.pushes[0].velocity_W.linear.x() == 0.5);
+    CHECK(told.pushes[0].n_placements == 3);
+}
+
+TEST_CASE("body stage: what has friction is held across by as much as it may bear") {
+    HapticPlan plan = make_body_plan();
+    plan.solids[1].friction = {0.5, 0.4, 0.0};
+    StagedBody body(plan);
+    body.tell(1.0, Vector3::Zero(), Vector3::Zero());
+    (void)body.felt(1.0);
+    body.stage.push(make_contact({0.1, 0.0, 0.0}, Vector3::UnitX(), 1),
+                    {Vector3(3.0, 0.0, 0.0), Vector3(3.0, 0.0, 0.0), 4.0}, 1.0);
+    CHECK(body.told().pushes[0].hold.bounds.friction_N == Approx(0.5 * 3.0));
+}
+
+namespace {
+
+// What the world hears of the hand on either solid: it touches the first with 5 N, and grips the second with 3 N.
+std::array<double, 2> touch_and_grip(double most_N) {
+    HapticPlan plan = make_body_plan(2U);
+    plan.rigid.push_back({0, 0.5, 2.0e-3, 0U});
+    StagedBody body(plan);
+    RigidFrame frame;
+    frame.stamp_s = 1.0;
+    frame.solids[0].is_present = frame.solids[1].is_present = true;
+    body.channels->frame.publish(frame);
+    const Pose rest[] = {Pose{}, Pose{}};
+    (void)body.stage.place(rest, 1.0);
+    GrippingHand hand{Pose::at({0.0, 0.1, 0.0}), {}, 2U};
+    (void)body.stage.grip(make_contact({0.0, 0.1, 0.0}, Vector3::UnitY(), 1), hand);
+    (void)body.stage.place(rest, 1.001);
+    hand.pose_W.position.y() = 0.105;
+    (void)body.stage.grip({}, hand);
+    body.stage.push(make_contact({0.1, 0.0, 0.0}, Vector3::UnitX(), 0),
+                    {Vector3(5.0, 0.0, 0.0), Vector3(5.0, 0.0, 0.0), most_N}, 1.001);
+    const HandPushes& told = body.told();
+    std::array<double, 2> forces_N{};
+    for (std::int32_t i = 0; i < told.count; ++i) {
+        const RigidPush& push = told.pushes[static_cast<std::size_t>(i)];
+        forces_N[static_cast<std::size_t>(push.solid)] = push.hold.push_W.force.norm();
+    }
+    return forces_N;
+}
+
+}  // namespace
+
+TEST_CASE("body stage: touch and grip together give no more than the hand may feel") {
+    CHECK(touch_and_grip(9.0)[0] == Approx(5.0));
+    CHECK(touch_and_grip(9.0)[1] == Approx(3.0));
+    CHECK(touch_and_grip(4.0)[0] == Approx(2.5));
+    CHECK(touch_and_grip(4.0)[1] == Approx(1.5));
 }
 
 TEST_CASE("body stage: a grip holds the place that was touched, as long as the button is down") {
@@ -224,9 +314,9 @@ TEST_CASE("body stage: a grip holds the place that was touched, as long as the b
     body.stage.push({}, {Vector3::Zero(), Vector3::Zero(), 4.0}, 1.002);
     const HandPushes& told = body.told();
     REQUIRE(told.count == 1);
-    CHECK(told.pushes[0].holds);
-    CHECK(told.pushes[0].push_W.force.y() == Approx(4.0));
-    CHECK(told.pushes[0].push_W.torque.z() ==
+    CHECK(told.pushes[0].hold.bounds.along_W.norm() == 0.0);
+    CHECK(told.pushes[0].hold.push_W.force.y() == Approx(4.0));
+    CHECK(told.pushes[0].hold.push_W.torque.z() ==
           Approx(4.0 / 6.0 * 600.0 * 2.0e-3 / 0.5 * 0.01).epsilon(1.0e-6));
     hand.buttons = 0U;
     CHECK(body.stage.grip({}, hand).force_W.norm() == 0.0);
@@ -260,12 +350,12 @@ TEST_CASE("body stage: a grip turns with no more than the hand may feel at the b
         REQUIRE(told.count == 1);
         const RigidPush& push = told.pushes[0];
         INFO("at most " << most_N);
-        CHECK(push.push_W.force.y() == Approx(std::min(6.0, most_N)).margin(kRounding));
-        CHECK(push.push_W.torque.z() == Approx(most_N * arm_m).margin(kRounding));
+        CHECK(push.hold.push_W.force.y() == Approx(std::min(6.0, most_N)).margin(kRounding));
+        CHECK(push.hold.push_W.torque.z() == Approx(most_N * arm_m).margin(kRounding));
         // Cut off, it has its secant's slopes.
-        CHECK(push.slopes.stiffness_N_per_m ==
+        CHECK(push.hold.slopes.stiffness_N_per_m ==
               Approx(600.0 * std::min(1.0, most_N / 6.0)).margin(kRounding));
-        CHECK(push.slopes.turn_stiffness_Nm_per_rad ==
+        CHECK(push.hold.slopes.turn_stiffness_Nm_per_rad ==
               Approx(most_N * arm_m / 1.5).margin(kRounding));
     }
 }
