@@ -262,6 +262,10 @@ void IslandSolver::remember(const IslandParts& parts, double dt_s, RigidScene& s
     }
     for (const std::int32_t i : parts.joints) {
         Joint& joint = scene.joints[index_of(i)];
+        const auto pose_of = [&](std::int32_t k) noexcept {
+            return k < 0 ? Pose{} : scene.bodies[index_of(k)].state.pose_W;
+        };
+        joint.travel = compute_joint_travel(joint, pose_of(joint.body_a), pose_of(joint.body_b));
         Vector3 pull_Ns = Vector3::Zero();
         for (std::size_t r = next; r < std::min(next + index_of(joint.n_rows), rows.size()); ++r) {
             pull_Ns += rows[r].impulse * rows[r].jacobian_b.head<3>();

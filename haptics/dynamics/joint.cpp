@@ -3,6 +3,7 @@
 #include "haptics/math/length.h"
 #include "haptics/math/rotation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -111,7 +112,8 @@ double find_travel(const Joint& joint, const PlacedJoint& placed) noexcept {
     if (joint.kind == JointKind::hinge) {
         const Quaternion turn = placed.a.orientation.conjugate() * placed.b.orientation;
         const double half_rad = std::atan2(turn.x(), turn.w());
-        return std::remainder(2.0 * half_rad, 2.0 * std::numbers::pi);
+        constexpr double kTurn_rad = 2.0 * std::numbers::pi;
+        return joint.travel + std::remainder(2.0 * half_rad - joint.travel, kTurn_rad);
     }
     return 0.0;
 }
@@ -124,16 +126,15 @@ void add_motor_row(const JointDrive& drive, const Vector3& axis, double dt_s,
     writer.add_drive(axis, has_motor ? drive.motor_speed : 0.0, 0.0, -most, most);
 }
 
-void add_limit_row(const JointDrive& drive, double travel, const Vector3& axis, double dt_s,
-                   RowWriter& writer) noexcept {
-    const double over_lower = travel - drive.lower;
-    const double under_upper = drive.upper - travel;
-    if (over_lower <= under_upper) {
-        writer.add_drive(axis, -std::max(over_lower, 0.0) / dt_s, std::min(over_lower, 0.0), 0.0,
-                         kEndless);
-    } else {
-        writer.add_drive(axis, std::max(under_upper, 0.0) / dt_s, -std::min(under_upper, 0.0),
-                         -kEndless, 0.0);
+void add_limit_rows(const JointDrive& drive, double travel, const Vector3& axis, double dt_s,
+                    RowWriter& writer) noexcept {
+    if (std::isfinite(drive.lower)) {
+        const double over = travel - drive.lower;
+        writer.add_drive(axis, -std::max(over, 0.0) / dt_s, std::min(over, 0.0), 0.0, kEndless);
+    }
+    if (std::isfinite(drive.upper)) {
+        const double under = drive.upper - travel;
+        writer.add_drive(axis, std::max(under, 0.0) / dt_s, -std::min(under, 0.0), -kEndless, 0.0);
     }
 }
 
@@ -166,9 +167,7 @@ void make_joint_rows(const Joint& joint, const Pose& a_W, const Pose& b_W, doubl
     if (joint.drive.motor_force > 0.0 || joint.drive.friction > 0.0) {
         add_motor_row(joint.drive, axis, dt_s, writer);
     }
-    if (std::isfinite(joint.drive.lower) || std::isfinite(joint.drive.upper)) {
-        add_limit_row(joint.drive, find_travel(joint, placed), axis, dt_s, writer);
-    }
+    add_limit_rows(joint.drive, find_travel(joint, placed), axis, dt_s, writer);
 }
 
 double compute_joint_travel(const Joint& joint, const Pose& a_W, const Pose& b_W) noexcept {

@@ -8,7 +8,9 @@
 // p are the anchors, r their arms from the centres of mass; a row along e has J_b = (e, r_b x e), J_a = -(e, r_a x e), one about e
 // J_b = (0, e), J_a = -(0, e). A hinge's angle and a slider's travel q have a row each for
 //   motor     q' = speed with at most force h;   friction: q' = 0 with at most friction h;   both are one row
-//   limits    q' >= -(q - lower) / h  and  <= (upper - q) / h:  one row for the nearer
+//   limits    q' >= -(q - lower) / h  and  <= (upper - q) / h:  a row for each that is finite
+// A hinge's angle is told by its axes up to whole turns: the turn nearest to the last step's angle counts, so limits may lie beyond pi, and
+// a step that turns by less than pi is seen as what it is.
 // Equations hold where the bodies are at the step's end, with J as at its start (SHAKE): u = -(e_ahead - e) / h + J v_free, where e_ahead is
 // the error that the free velocities would lead to, so what the way bends by is met and no energy is lost to it. Where a body turns by
 // more than 0.2 rad in the step, not about its anchor, there is no such way: u = 0, which loses energy and never gains any. What is left of
@@ -44,6 +46,7 @@ struct Joint {
     Pose frame_b{};
     // What a step changes: impulses of the last one, row by row.
     std::array<double, kMostJointRows> impulses{};
+    double travel = 0.0;  ///< of a hinge, where the last step began
 };
 
 /// Refuses an axis without length, a distance of 0, drives that are none or out of their ranges, bodies that are not there or the same.

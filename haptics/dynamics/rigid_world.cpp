@@ -21,9 +21,11 @@ std::size_t to_place_in(std::int32_t i) noexcept {
     return static_cast<std::size_t>(i);
 }
 
-double find_speed(const RigidWorldBody& body) noexcept {
-    const Twist& velocity = body.state.velocity_W;
+double find_speed(const RigidWorldBody& body, const Twist& velocity) noexcept {
     return velocity.linear.norm() + velocity.angular.norm() * body.shape.bounding_radius_m;
+}
+double find_speed(const RigidWorldBody& body) noexcept {
+    return find_speed(body, body.state.velocity_W);
 }
 
 // How far it may come in the time, and what counts as near.
@@ -60,7 +62,12 @@ Box find_box(const RigidWorldBody& body, double reach_s) noexcept {
     }
     if (body.shape.kind == ContactShape::Kind::half_space) {
         constexpr double kNoEnd = std::numeric_limits<double>::infinity();
-        return {Vector3::Constant(-kNoEnd), Vector3::Constant(kNoEnd)};
+        Box box{Vector3::Constant(-kNoEnd), Vector3::Constant(kNoEnd)};
+        // Level ground ends at its plane: what is high above is not near it.
+        if (body.place.turn_WB(1, 1) >= 1.0) {
+            box.upper.y() = body.place.position_W.y() + find_reach(body, 0.0);
+        }
+        return box;
     }
     const Vector3 half =
         find_extent(body) + Vector3::Constant(find_reach(body, body.moves ? reach_s : 0.0));
@@ -217,7 +224,7 @@ RigidWorld::SolvedIsland RigidWorld::solve_island(const DueIsland& due,
                             joints_.group(due.island)};
     SolvedIsland solved{solver.solve(parts, due.dt_s, scene_), 0};
     solved.n_dropped = move_bodies(parts.bodies, due.dt_s);
-    rest_bodies(parts.bodies, due.dt_s);
+    rest_bodies(parts, due.dt_s);
     return solved;
 }
 
@@ -249,17 +256,27 @@ int RigidWorld::move_bodies(std::span<const std::int32_t> bodies, double dt_s) n
     return n_dropped;
 }
 
-void RigidWorld::rest_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept {
+bool RigidWorld::may_rest(const IslandParts& parts) const noexcept {
+    const auto is_driven = [&](std::int32_t i) {
+        const JointDrive& drive = scene_.joints[to_place_in(i)].drive;
+        return drive.motor_force > 0.0 && drive.motor_speed != 0.0;
+    };
+    return settings_.sleep_after_s > 0.0 && !(parts.pairs.empty() && parts.joints.empty()) &&
+           std::ranges::none_of(parts.joints, is_driven);
+}
+
+void RigidWorld::rest_bodies(const IslandParts& parts, double dt_s) noexcept {
     double least_s = std::numeric_limits<double>::infinity();
-    for (const std::int32_t i : bodies) {
+    for (const std::int32_t i : parts.bodies) {
         RigidWorldBody& body = scene_.bodies[to_place_in(i)];
-        const bool is_slow = !body.touched && find_speed(body) <= settings_.sleep_speed_m_per_s;
+        const double speed = std::max(find_speed(body), find_speed(body, body.drift_W));
+        const bool is_slow = !body.touched && speed <= settings_.sleep_speed_m_per_s;
         body.still_s = is_slow ? body.still_s + dt_s : 0.0;
         body.touched = false;
         least_s = std::min(least_s, body.still_s);
     }
-    if (settings_.sleep_after_s > 0.0 && least_s >= settings_.sleep_after_s) {
-        for (const std::int32_t i : bodies) {
+    if (may_rest(parts) && least_s >= settings_.sleep_after_s) {
+        for (const std::int32_t i : parts.bodies) {
             scene_.bodies[to_place_in(i)].asleep = true;
             scene_.bodies[to_place_in(i)].state.velocity_W = {};
         }

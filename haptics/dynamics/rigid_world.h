@@ -6,7 +6,8 @@
 //   solve     each island by itself (island_solver.h)
 //   move      x += h v_drift;  q turns freely with its angular momentum (integrator.h: the drift of verlet), and by what pushes it
 // Contacts are looked for as far ahead as bodies can come in the step, so what is fast meets what is thin. An island that has been slower
-// than the settings say for a while sleeps: it costs its boxes alone until something awake touches it or a load is put on it.
+// than the settings say for a while sleeps: it costs its boxes alone until something awake touches it or a load is put on it. Not so what
+// touches nothing and is not joined, or what a motor moves.
 // Islands that no hand has touched are stepped every `slow_period_s`, by all the time that has passed since; until then they stand
 // that far behind the world.
 //
@@ -120,7 +121,8 @@ class RigidWorld {
     void find_due(double dt_s) noexcept;
     [[nodiscard]] SolvedIsland solve_island(const DueIsland& due, IslandSolver& solver) noexcept;
     [[nodiscard]] int move_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept;
-    void rest_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept;
+    void rest_bodies(const IslandParts& parts, double dt_s) noexcept;
+    [[nodiscard]] bool may_rest(const IslandParts& parts) const noexcept;
     void wake_neighbours(std::int32_t body) noexcept;
     [[nodiscard]] bool may_load(std::int32_t body) const noexcept;
     [[nodiscard]] bool wake_island(std::span<const std::int32_t> bodies) noexcept;

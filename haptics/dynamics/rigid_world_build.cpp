@@ -4,6 +4,7 @@
 #include "haptics/dynamics/shape_inertia.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,7 @@ namespace fulcrum {
 namespace {
 
 constexpr std::size_t kMostBodies = 10000;
+constexpr double kMostBytes = 4.0e9;
 
 std::string name_of(const char* what, std::size_t i) {
     return std::string(what) + " " + std::to_string(i);
@@ -32,7 +34,7 @@ Expected<void> check_settings(const RigidWorldSettings& settings) {
         {"time before sleep in seconds", settings.sleep_after_s, 0.0, 3600.0},
         {"speed of sleep in metres per second", settings.sleep_speed_m_per_s, 0.0, 1.0},
         {"slow period in seconds", settings.slow_period_s, 0.0, 0.02},
-        {"most pairs", static_cast<double>(settings.most_pairs), 1.0, 1.0e6},
+        {"most pairs", static_cast<double>(settings.most_pairs), 0.0, 1.0e6},
         {"threads", static_cast<double>(settings.n_threads), 1.0, WorkerPool::kMostWorkers},
     };
     if (auto checked = check_ranges("the world's", ranges); !checked) {
@@ -140,11 +142,48 @@ Expected<RigidWorldPlan> with_samples(RigidWorldPlan plan) {
     return plan;
 }
 
+int find_most_pairs(const RigidWorldPlan& plan) {
+    if (plan.settings.most_pairs > 0) {
+        return plan.settings.most_pairs;
+    }
+    const int n = static_cast<int>(plan.bodies.size());
+    return std::clamp(n * (n - 1) / 2, 1, std::max(1024, 8 * n));
+}
+
 ContactCapacity find_capacity(const RigidWorldPlan& plan) {
-    return {.bodies = static_cast<int>(plan.bodies.size()),
-            .contacts = kMostContacts * plan.settings.most_pairs,
+    const auto n_moving = std::ranges::count(plan.bodies, BodyRole::moves,
+                                             [](const auto& body) { return body.role; });
+    return {.bodies = static_cast<int>(n_moving),
+            .contacts = kMostContacts * find_most_pairs(plan),
             .rows = kMostJointRows * static_cast<int>(plan.joints.size()) +
                     kMostHandRows * find_most_held(plan)};
+}
+
+// What the solvers of all threads reserve, roughly: a body's graph, order and blocks, a contact's and a row's places, and of the method
+// that keeps a matrix of all rows that matrix.
+double estimate_bytes(const RigidWorldPlan& plan) {
+    const ContactCapacity capacity = find_capacity(plan);
+    const double n_bodies = capacity.bodies;
+    const double n_rows = 3.0 * capacity.contacts + capacity.rows;
+    const bool is_dense = plan.settings.solver.method == ContactMethod::dantzig;
+    return plan.settings.n_threads *
+           (5.0 * n_bodies * n_bodies + 2.0e4 * n_bodies + 1.5e3 * capacity.contacts +
+            1.0e3 * capacity.rows + (is_dense ? 16.0 * n_rows * n_rows : 0.0));
+}
+
+Expected<void> check_size(const RigidWorldPlan& plan) {
+    if (plan.bodies.size() > kMostBodies || plan.joints.size() > kMostBodies) {
+        return fail("a world has more than 10000 bodies or joints", {}, "make it smaller");
+    }
+    const double bytes = estimate_bytes(plan);
+    if (bytes > kMostBytes) {
+        return fail("a world of " + std::to_string(plan.bodies.size()) + " bodies and " +
+                        std::to_string(find_most_pairs(plan)) + " pairs needs some " +
+                        std::to_string(std::lround(bytes / 1.0e9)) +
+                        " GB for its solvers, more than 4",
+                    {}, "give it fewer bodies, pairs or threads, or the method newton");
+    }
+    return {};
 }
 
 }  // namespace
@@ -153,8 +192,8 @@ Expected<void> validate(const RigidWorldPlan& plan) {
     if (auto checked = check_settings(plan.settings); !checked) {
         return checked;
     }
-    if (plan.bodies.size() > kMostBodies || plan.joints.size() > kMostBodies) {
-        return fail("a world has more than 10000 bodies or joints", {}, "make it smaller");
+    if (auto checked = check_size(plan); !checked) {
+        return checked;
     }
     for (std::size_t i = 0; i < plan.bodies.size(); ++i) {
         if (auto checked = check_body(plan.bodies[i], name_of("body", i)); !checked) {
@@ -182,7 +221,8 @@ Expected<std::unique_ptr<RigidWorld>> RigidWorld::create(const RigidWorldPlan& p
     if (const auto valid = validate(plan); !valid) {
         return tl::make_unexpected(valid.error());
     }
-    return with_samples(plan).map([](const RigidWorldPlan& whole) {
+    return with_samples(plan).map([](RigidWorldPlan whole) {
+        whole.settings.most_pairs = find_most_pairs(whole);
         return std::unique_ptr<RigidWorld>(new RigidWorld(whole));
     });
 }

@@ -96,17 +96,19 @@ TEST_CASE(
     plan.drive = {
         .lower = -0.1, .upper = 0.3, .motor_speed = 2.0, .motor_force = 5.0, .friction = 1.0};
     const Joint slider = make_joint(plan, Pose{}, Pose{});
-    REQUIRE(slider.n_rows == 7);
+    REQUIRE(slider.n_rows == 8);
     JointRows rows;
     make_joint_rows(slider, Pose{}, Pose::at({0.05, 0.0, 0.0}), 0.01, rows);
     CHECK(rows.rows[5].target == 2.0);
     CHECK(rows.rows[5].most == Approx(0.05));
     CHECK(rows.rows[6].target == Approx(-15.0));
     CHECK(rows.rows[6].least == 0.0);
+    CHECK(rows.rows[7].target == Approx(25.0));
+    CHECK(rows.rows[7].most == 0.0);
     make_joint_rows(slider, Pose{}, Pose::at({0.32, 0.0, 0.0}), 0.01, rows);
-    CHECK(rows.rows[6].target == 0.0);
-    CHECK(rows.rows[6].most == 0.0);
-    CHECK(rows.errors[6] == Approx(0.02));
+    CHECK(rows.rows[7].target == 0.0);
+    CHECK(rows.errors[7] == Approx(0.02));
+    CHECK(rows.errors[6] == 0.0);
     make_joint_rows(slider, Pose{}, Pose::at({-0.12, 0.0, 0.0}), 0.01, rows);
     CHECK(rows.errors[6] == Approx(-0.02));
 }
