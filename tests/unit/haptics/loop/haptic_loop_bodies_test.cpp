@@ -193,14 +193,13 @@ Pushed push_box(const Pace& pace, double mass_kg) {
     Pushed pushed;
     double least_N = 0.0;
     double most_N = 0.0;
-    double held_N = 0.0;
     double held_m = 0.0;
     for (int i = 0; i < 4000; ++i) {
         hands.aim(0, {-0.06 + 1.2e-4 * std::min(i, 1000), 0.03, 0.0});
         hands.step();
         pushed.faults |= hands.state(0).faults;
         if (i == 3500) {
-            least_N = most_N = held_N = hands.state(0).applied_W.force.x();
+            least_N = most_N = hands.state(0).applied_W.force.x();
             held_m = hands.arm(0).position_D().x();
         } else if (i > 3500) {
             least_N = std::min(least_N, hands.state(0).applied_W.force.x());
