@@ -13,7 +13,7 @@ namespace fulcrum {
 namespace {
 
 // What two surfaces that face each other have, as a cosine.
-constexpr double kFacing = -0.99;
+constexpr double kFacing = -0.95;
 // By how much a normal may lie beside a corner's or an edge's cone.
 constexpr double kBesideCone_rad = 0.15;
 // The same of a normal and those beside it: 14 degrees.

@@ -4,7 +4,7 @@
 //   corner   as it is
 //   edge     slid along its edge to where the gap is least
 //   face     slid along its surface to where it is least; of each group of samples the nearest. It counts where both surfaces face each
-//            other, n_own . n_other < -0.99: else a corner or an edge of the other is what touches
+//            other, n_own . n_other < -0.95: else a corner or an edge of the other is what touches
 // Corners and edges count where the other's normal lies within the cone of their own faces' normals.
 // So corners against faces, edges across edges, and round against round or flat are each found as what they are.
 // What lies within the margin is parted by normals: a touch belongs to the patch whose normal is within 25 degrees of its own, those of

@@ -11,6 +11,7 @@ namespace fulcrum {
 namespace {
 
 constexpr double kRounding_voxels = 0.03;
+constexpr double kCellsABand = 32.0;
 constexpr double kFeatureShare = 1.0e-3;
 constexpr int kSides = 64;         // of a cylinder's samples
 constexpr int kRows = 16;          // of a capsule's half balls
@@ -51,11 +52,13 @@ struct MakeSampledMesh {
 
 Expected<DistanceField> make_field(const TriangleMesh& mesh, int n_cells,
                                    const LoadProgress& progress) {
-    const auto frame = DistanceField::make_frame(mesh, n_cells);
+    // As far as a body of 96 cells has it: places that are to slide have to know which way.
+    const double band_voxels = std::clamp(n_cells / kCellsABand, 3.0, 16.0);
+    const auto frame = DistanceField::make_frame(mesh, n_cells, band_voxels);
     if (!frame) {
         return tl::make_unexpected(frame.error());
     }
-    auto field = DistanceField::build(mesh, *frame, {}, progress);
+    auto field = DistanceField::build(mesh, *frame, {.band_voxels = band_voxels}, progress);
     if (field && field->counts().n_open_edges > 0) {
         return fail("its mesh is open, so nothing says what is inside", {},
                     "close its holes, or give it shape = \"hull\"");
