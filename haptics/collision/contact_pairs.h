@@ -28,6 +28,10 @@ struct ContactPair {
     ContactManifold manifold{};
     std::array<ContactMemory, kMostContacts> memories{};
     int n_memories = 0;
+    // What was found of the step ahead (rigid_world_ahead.cpp).
+    double meet_s = 0.0;   ///< the manifold is that of the bodies so much later; 0: as they are
+    bool passes = false;   ///< they are near each other, but their ways do not meet
+    bool is_first = true;  ///< neither body meets another before
 
     /// None for a contact that is new.
     [[nodiscard]] const ContactMemory* recall(std::uint32_t id) const noexcept {

@@ -1,8 +1,8 @@
 #include "haptics/dynamics/island_solver.h"
 
 #include "haptics/dynamics/hand_rows.h"
-#include "haptics/dynamics/integrator_steps.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,17 +14,11 @@ namespace {
 constexpr double kLeftOverlap = 1.0e-5;
 // The same: a gap that is left as it is, for one that closes within the step would have to be stopped in the next.
 constexpr double kLeftGap = 1.0e-7;
-// Of a body's least moment: a pull that turns it by no more than this within a step is followed as it is.
+// Of a body's moments: a pull that turns it by no more than this within a step is followed as it is.
 constexpr double kSlowTurn = 0.5;
 // Of the fastest body: an answer that is off by more is sought once more in rounds.
 constexpr double kBadAnswer = 1.0e-4;
 constexpr int kRounds = 200;
-// What a joint may be off its place, m or rad.
-constexpr double kLeftError = 1.0e-7;
-constexpr double kLeastLeft_s = 1.0e-4;  // in no less time: a short step would make speed of it
-// rad, and a part of the anchor's arm: what turns by more within a step, about an axis that is off the anchor by more, goes no straight way.
-constexpr double kFarTurn = 0.2;
-constexpr double kOffAxis = 0.05;
 
 std::size_t index_of(std::int32_t i) noexcept {
     return static_cast<std::size_t>(i);
@@ -47,56 +41,44 @@ Vector3 find_free_spin(const RigidWorldBody& body, double dt_s) noexcept {
                                                      Vector3(dt_s * body.load_W.torque));
 }
 
+// From the centres of mass, as they are when the bodies meet, each to its own surface: the point lies half way between.
+struct ContactArms {
+    Vector3 first;
+    Vector3 second;
+};
+
+ContactArms find_arms(const ContactPair& pair, const ContactPoint& point,
+                      const RigidWorldBody& first, const RigidWorldBody& second) noexcept {
+    const auto find_arm = [&](const RigidWorldBody& body) noexcept {
+        return Vector3(point.place_W - body.state.pose_W.position -
+                       pair.meet_s * body.ahead_W.linear);
+    };
+    // Ahead, the gap holds what the way takes of it: there they are as good as together.
+    const double half_m = pair.meet_s > 0.0 ? 0.0 : 0.5 * std::max(point.gap_m, 0.0);
+    const Vector3 half = half_m * pair.manifold.normal_W;
+    return {Vector3(find_arm(first) + half), Vector3(find_arm(second) - half)};
+}
+
 double find_contact_size(const RigidWorldBody& a, const RigidWorldBody& b) noexcept {
     const double size_a = a.shape.bounding_radius_m;
     const double size_b = b.shape.bounding_radius_m;
     return size_a > 0.0 && size_b > 0.0 ? std::min(size_a, size_b) : std::max(size_a, size_b);
 }
 
-// One of a joint's bodies: where it is, and where it would be at the end of the step without the joint.
-struct JointEnd {
-    Pose now_W{};
-    Pose ahead_W{};
-    Vector6 free = Vector6::Zero();
-    int in_problem = kGround;
-};
-
-JointEnd find_joint_end(std::int32_t i, double dt_s, const RigidScene& scene,
-                        std::span<const ConstrainedBody> solved) noexcept {
-    JointEnd end;
-    if (i < 0) {
-        return end;
+// The positive part of h^2 K - I / 2.
+Matrix3 find_pull_moment(const RigidWorldBody& body, double dt_s) noexcept {
+    const Matrix3 stiff = dt_s * dt_s * body.pull_stiffness_W - kSlowTurn * body.inertia_W;
+    Matrix3 moment = Matrix3::Zero();
+    if (body.pull_stiffness_W.isZero(0.0)) {
+        return moment;
     }
-    const RigidWorldBody& body = scene.bodies[index_of(i)];
-    end.now_W = end.ahead_W = body.state.pose_W;
-    if (body.moves && body.in_problem != kGround) {
-        end.in_problem = body.in_problem;
-        end.free = solved[index_of(body.in_problem)].free_velocity_W;
-        RigidState free = body.state;
-        free.velocity_W.angular = end.free.tail<3>();
-        end.ahead_W.position += dt_s * end.free.head<3>();
-        // As it will be turned: by its momentum.
-        end.ahead_W.orientation =
-            compute_free_turn(body.inertia, end.now_W.orientation,
-                              compute_angular_momentum_W(body.inertia, free), dt_s);
+    Eigen::SelfAdjointEigenSolver<Matrix3> parts;
+    parts.computeDirect(stiff);
+    for (int k = 0; k < 3; ++k) {
+        const Vector3 axis = parts.eigenvectors().col(k);
+        moment += std::max(parts.eigenvalues()[k], 0.0) * axis * axis.transpose();
     }
-    return end;
-}
-
-// Whether the anchor goes round a good part of a circle: then its way says nothing of where impulses would bring it.
-bool turns_far(const JointEnd& end, const Vector3& anchor_P, double dt_s) noexcept {
-    const Vector3 spin = end.free.tail<3>();
-    const Vector3 arm = end.now_W.orientation * anchor_P;
-    return dt_s * dt_s * spin.squaredNorm() > kFarTurn * kFarTurn &&
-           spin.cross(arm).squaredNorm() >
-               kOffAxis * kOffAxis * spin.squaredNorm() * arm.squaredNorm();
-}
-
-// What does not move is shared by islands, and asks for nothing.
-void add_pull(std::int32_t i, double pull_kg_m2, RigidScene& scene) noexcept {
-    if (i >= 0 && scene.bodies[index_of(i)].moves) {
-        scene.bodies[index_of(i)].pull_kg_m2 += pull_kg_m2;
-    }
+    return moment;
 }
 
 ContactSolverSettings in_rounds(ContactSolverSettings settings) {
@@ -115,7 +97,9 @@ IslandSolver::IslandSolver(const RigidWorldSettings& settings, const ContactCapa
       impacts_(capacity),
       met_(static_cast<std::size_t>(std::max(capacity.bodies, 0)), Vector6::Zero()),
       contact_pushes_(capacity.contacts),
-      row_pushes_(capacity.rows) {}
+      row_pushes_(capacity.rows),
+      contact_places_(capacity.contacts),
+      row_places_(capacity.rows) {}
 
 void IslandSolver::add_bodies(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept {
     for (const std::int32_t i : parts.bodies) {
@@ -124,11 +108,8 @@ void IslandSolver::add_bodies(const IslandParts& parts, double dt_s, RigidScene&
         const double mass_kg = body.inertia.mass_kg;
         const Vector3 load_N = mass_kg * settings_.gravity_W + body.load_W.force;
         const Vector3 linear = velocity.linear + dt_s / mass_kg * load_N;
-        const double least_kg_m2 = kSlowTurn * body.inertia.moments_kg_m2.minCoeff();
-        const double stiff_kg_m2 = std::max(body.pull_kg_m2 - least_kg_m2, 0.0);
-        body.in_problem =
-            problem_.add_body(mass_kg, body.inertia_W + stiff_kg_m2 * Matrix3::Identity(),
-                              join(linear, find_free_spin(body, dt_s)));
+        body.in_problem = problem_.add_body(mass_kg, body.inertia_W + find_pull_moment(body, dt_s),
+                                            join(linear, find_free_spin(body, dt_s)));
     }
 }
 
@@ -147,9 +128,14 @@ void IslandSolver::add_pair(const ContactPair& pair, double dt_s,
     const double size_m = find_contact_size(first, second);
     const double left_m = kLeftOverlap * size_m;
     const double left_gap_m = kLeftGap * size_m;
+    // What does not meet first has lost its way when it comes to it: it is stopped, and bounces in a later step.
+    if (!pair.is_first) {
+        contact.restitution = 0.0;
+    }
     for (const ContactPoint& point : pair.manifold.points()) {
-        contact.arm_a = point.place_W - second.state.pose_W.position;
-        contact.arm_b = point.place_W - first.state.pose_W.position;
+        const ContactArms arms = find_arms(pair, point, first, second);
+        contact.arm_a = arms.second;
+        contact.arm_b = arms.first;
         const Vector3 relative =
             find_point_velocity(first, contact.arm_b) - find_point_velocity(second, contact.arm_a);
         const double arrival_m_per_s = -relative.dot(pair.manifold.normal_W);
@@ -163,7 +149,10 @@ void IslandSolver::add_pair(const ContactPair& pair, double dt_s,
         if (memory != nullptr) {
             contact.impulse_Ns = contact.axes_W.transpose() * memory->impulse_W;
         }
-        if (!problem_.add_contact(contact)) {
+        const auto place = static_cast<std::int32_t>(problem_.contacts().size());
+        const bool is_taken = problem_.add_contact(contact);
+        contact_places_.add(is_taken ? place : -1);
+        if (!is_taken) {
             continue;
         }
         const double depth_m = -point.gap_m - left_m;
@@ -174,43 +163,6 @@ void IslandSolver::add_pair(const ContactPair& pair, double dt_s,
         is_off_ = is_off_ || depth_m > 0.0;
         report_.deepest_m = std::max(report_.deepest_m, -point.gap_m);
         ++report_.n_contacts;
-    }
-}
-
-void IslandSolver::add_joint(const Joint& joint, double dt_s, const RigidScene& scene) noexcept {
-    const auto end_of = [&](std::int32_t i) noexcept {
-        return find_joint_end(i, dt_s, scene, problem_.bodies());
-    };
-    const JointEnd a = end_of(joint.body_a);
-    const JointEnd b = end_of(joint.body_b);
-    JointRows rows;
-    JointRows ahead;
-    make_joint_rows(joint, a.now_W, b.now_W, dt_s, rows);
-    make_joint_rows(joint, a.ahead_W, b.ahead_W, dt_s, ahead);
-    const bool is_far =
-        turns_far(a, joint.frame_a.position, dt_s) || turns_far(b, joint.frame_b.position, dt_s);
-    for (int i = 0; i < rows.count; ++i) {
-        RowConstraint& row = rows.rows[index_of(i)];
-        const double error = rows.errors[index_of(i)];
-        double push = std::abs(error) > kLeftError ? -error / dt_s : 0.0;
-        if (std::isinf(row.least) && std::isinf(row.most)) {
-            // What the way bends by within the step, and the little that is left of it.
-            const double straight = row.jacobian_a.dot(a.free) + row.jacobian_b.dot(b.free);
-            const double bent =
-                is_far ? 0.0 : (ahead.errors[index_of(i)] - error) / dt_s - straight;
-            row.target =
-                -bent - std::clamp(error, -kLeftError, kLeftError) / std::max(dt_s, kLeastLeft_s);
-        } else if (row.least == 0.0 || row.most == 0.0) {
-            push = -error * find_push_rate(dt_s);
-        }
-        row.body_a = a.in_problem;
-        row.body_b = b.in_problem;
-        if (!problem_.add_row(row)) {
-            continue;
-        }
-        row_pushes_.add(
-            std::clamp(push, -settings_.most_push_m_per_s, settings_.most_push_m_per_s));
-        is_off_ = is_off_ || push != 0.0;
     }
 }
 
@@ -241,7 +193,7 @@ void IslandSolver::take_velocities(const IslandParts& parts, RigidScene& scene) 
     }
 }
 
-// In the order in which they were added.
+// Contacts and rows that were refused have no place in the problem.
 void IslandSolver::remember(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept {
     const auto contacts = problem_.contacts();
     std::size_t next = 0;
@@ -249,34 +201,25 @@ void IslandSolver::remember(const IslandParts& parts, double dt_s, RigidScene& s
         ContactPair& pair = scene.pairs.at(i);
         pair.forget();
         for (const ContactPoint& point : pair.manifold.points()) {
-            if (next < contacts.size()) {
-                const ContactConstraint& contact = contacts[next++];
+            const std::int32_t place = contact_places_[next++];
+            if (place >= 0) {
+                const ContactConstraint& contact = contacts[index_of(place)];
                 pair.remember({point.id, contact.axes_W * contact.impulse_Ns, contact.slides});
             }
         }
     }
-    const auto rows = problem_.rows();
-    next = 0;
     for (const std::int32_t i : parts.bodies) {
-        scene.bodies[index_of(i)].pull_kg_m2 = 0.0;
+        scene.bodies[index_of(i)].pull_stiffness_W.setZero();
     }
+    next = 0;
     for (const std::int32_t i : parts.joints) {
         Joint& joint = scene.joints[index_of(i)];
         const auto pose_of = [&](std::int32_t k) noexcept {
             return k < 0 ? Pose{} : scene.bodies[index_of(k)].state.pose_W;
         };
         joint.travel = compute_joint_travel(joint, pose_of(joint.body_a), pose_of(joint.body_b));
-        Vector3 pull_Ns = Vector3::Zero();
-        for (std::size_t r = next; r < std::min(next + index_of(joint.n_rows), rows.size()); ++r) {
-            pull_Ns += rows[r].impulse * rows[r].jacobian_b.head<3>();
-        }
-        add_pull(joint.body_a, dt_s * pull_Ns.norm() * joint.frame_a.position.norm(), scene);
-        add_pull(joint.body_b, dt_s * pull_Ns.norm() * joint.frame_b.position.norm(), scene);
-        for (double& impulse : joint.impulses) {
-            const bool has_row =
-                next < rows.size() && (&impulse - joint.impulses.data()) < joint.n_rows;
-            impulse = has_row ? rows[next++].impulse : 0.0;
-        }
+        remember_joint(next, dt_s, joint, scene);
+        next += index_of(joint.n_rows);
     }
 }
 
@@ -335,6 +278,8 @@ void IslandSolver::build(const IslandParts& parts, double dt_s, RigidScene& scen
     problem_.clear();
     contact_pushes_.clear();
     row_pushes_.clear();
+    contact_places_.clear();
+    row_places_.clear();
     report_ = {};
     is_off_ = bounces_ = false;
     add_bodies(parts, dt_s, scene);

@@ -8,8 +8,9 @@
 //            u = min(rate * depth, most push), rate at most 1 / h. Bodies move by the drift and keep v: what pushes them apart gives them no speed and no
 //            energy, and nothing is pushed faster than stated, however deep it was
 // Hands that hold a body are rows of the problem (hand_rows.h).
-// A joint's pull p on an arm r turns a light body back with the stiffness |p| |r| / h: where this swings faster than steps can follow,
-// the body's moments count as more by h |p| |r|, as an implicit step would have it. An answer that the solver does not find is
+// A joint's pull f on an arm r turns a light body back with the stiffness K = (r.f) 1 - sym(r f^T), which has nothing about the arm
+// itself: where this swings faster than steps can follow, the body's moments I count as more by the positive part of h^2 K - I / 2, as
+// an implicit step would have it. An answer that the solver does not find is
 // sought in rounds, contact after contact, which are less exact and give no energy.
 // Impulses start from those of the last step, contact by contact (contact_pairs.h).
 //
@@ -67,6 +68,7 @@ class IslandSolver {
     void add_hands(const RigidWorldBody& body, double dt_s, const RigidScene& scene) noexcept;
     void take_velocities(const IslandParts& parts, RigidScene& scene) noexcept;
     void remember(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
+    void remember_joint(std::size_t first, double dt_s, Joint& joint, RigidScene& scene) noexcept;
     SolveReport solve_problem() noexcept;
     void push(const IslandParts& parts, RigidScene& scene) noexcept;
 
@@ -78,8 +80,10 @@ class IslandSolver {
     std::vector<Vector6> met_;  // velocities of the problem's bodies, before and after impacts
     BoundedList<double> contact_pushes_;  // m/s, 0 or more: of each contact in the second problem
     BoundedList<double> row_pushes_;
-    bool is_off_ = false;   // anything has to be pushed
-    bool bounces_ = false;  // anything arrives that does
+    BoundedList<std::int32_t> contact_places_;  // in the problem, of each point and row in turn;
+    BoundedList<std::int32_t> row_places_;      // -1 of what was refused
+    bool is_off_ = false;                       // anything has to be pushed
+    bool bounces_ = false;                      // anything arrives that does
     IslandReport report_{};
 };
 

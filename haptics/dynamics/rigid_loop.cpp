@@ -169,7 +169,8 @@ void RigidLoop::find_touching() noexcept {
     const ContactPairs& pairs = world_->contacts();
     for (int i = 0; i < pairs.count(); ++i) {
         const ContactPair& pair = pairs.at(i);
-        if (std::ranges::any_of(pair.manifold.points(), [](const ContactPoint& point) {
+        if (pair.meet_s == 0.0 &&
+            std::ranges::any_of(pair.manifold.points(), [](const ContactPoint& point) {
                 return point.gap_m <= kTouching_m;
             })) {
             told_[static_cast<std::size_t>(pair.bodies.first)].touches = true;

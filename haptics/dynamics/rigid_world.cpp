@@ -3,6 +3,7 @@
 #include "haptics/base/flush_to_zero.h"
 #include "haptics/collision/sampled_contacts.h"
 #include "haptics/dynamics/integrator_steps.h"
+#include "haptics/dynamics/rigid_reach.h"
 #include "haptics/math/rotation.h"
 
 #include <algorithm>
@@ -14,9 +15,6 @@
 namespace fulcrum {
 namespace {
 
-// Of a body's size: bodies nearer than this are looked at, however slow.
-constexpr double kNearPart = 2.0e-3;
-
 std::size_t to_place_in(std::int32_t i) noexcept {
     return static_cast<std::size_t>(i);
 }
@@ -26,11 +24,6 @@ double find_speed(const RigidWorldBody& body, const Twist& velocity) noexcept {
 }
 double find_speed(const RigidWorldBody& body) noexcept {
     return find_speed(body, body.state.velocity_W);
-}
-
-// How far it may come in the time, and what counts as near.
-double find_reach(const RigidWorldBody& body, double reach_s) noexcept {
-    return kNearPart * body.shape.bounding_radius_m + reach_s * find_speed(body);
 }
 
 // Half the extent of a shape along the world's axes, about its own origin.
@@ -55,7 +48,7 @@ Vector3 find_extent(const RigidWorldBody& body) noexcept {
     }
 }
 
-Box find_box(const RigidWorldBody& body, double reach_s) noexcept {
+Box find_box(const RigidWorldBody& body) noexcept {
     if (!body.is_present) {
         constexpr double kNowhere = std::numeric_limits<double>::max();
         return {Vector3::Constant(kNowhere), Vector3::Constant(kNowhere)};
@@ -65,12 +58,11 @@ Box find_box(const RigidWorldBody& body, double reach_s) noexcept {
         Box box{Vector3::Constant(-kNoEnd), Vector3::Constant(kNoEnd)};
         // Level ground ends at its plane: what is high above is not near it.
         if (body.place.turn_WB(1, 1) >= 1.0) {
-            box.upper.y() = body.place.position_W.y() + find_reach(body, 0.0);
+            box.upper.y() = body.place.position_W.y() + body.reach_m;
         }
         return box;
     }
-    const Vector3 half =
-        find_extent(body) + Vector3::Constant(find_reach(body, body.moves ? reach_s : 0.0));
+    const Vector3 half = find_extent(body) + Vector3::Constant(body.reach_m);
     return {body.place.position_W - half, body.place.position_W + half};
 }
 
@@ -92,7 +84,8 @@ void RigidWorld::place_bodies(double reach_s) noexcept {
         if (body.moves) {
             body.inertia_W = R * body.inertia.moments_kg_m2.asDiagonal() * R.transpose();
         }
-        boxes_[i] = find_box(body, reach_s);
+        find_reach(body, settings_.gravity_W, reach_s);
+        boxes_[i] = find_box(body);
     }
 }
 
@@ -115,13 +108,12 @@ void RigidWorld::add_near(BodyPair pair) noexcept {
 }
 
 // Where the pair touches, and of one with patches in those that follow as well.
-void RigidWorld::find_contacts_of(int i, double margin_m) noexcept {
+void RigidWorld::find_contacts_of(int i, double reach_s) noexcept {
     ContactPair& pair = scene_.pairs.at(i);
     const RigidWorldBody& first = scene_.bodies[to_place_in(pair.bodies.first)];
     const RigidWorldBody& second = scene_.bodies[to_place_in(pair.bodies.second)];
     if (!meets_in_patches(pair.bodies)) {
-        find_contacts(first.shape, first.place, second.shape, second.place, margin_m,
-                      pair.manifold);
+        look_ahead(pair, reach_s);
         return;
     }
     std::array<ContactManifold*, kMostPatches> patches{};
@@ -133,8 +125,8 @@ void RigidWorld::find_contacts_of(int i, double margin_m) noexcept {
     }
     const double size_m = std::min(first.shape.bounding_radius_m, second.shape.bounding_radius_m);
     find_sampled_contacts({*first.shape.sampled, first.place},
-                          {*second.shape.sampled, second.place}, size_m, margin_m,
-                          std::span(patches).first(n));
+                          {*second.shape.sampled, second.place}, size_m,
+                          first.reach_m + second.reach_m, std::span(patches).first(n));
 }
 
 void RigidWorld::find_touching(double reach_s) noexcept {
@@ -152,7 +144,7 @@ void RigidWorld::find_touching(double reach_s) noexcept {
         RigidWorldBody& second = scene_.bodies[to_place_in(pair.bodies.second)];
         // Those that sleep touch where they did.
         if (pair.bodies.patch == 0 && (!is_still(first) || !is_still(second))) {
-            find_contacts_of(i, find_reach(first, reach_s) + find_reach(second, reach_s));
+            find_contacts_of(i, reach_s);
         }
         // What was moved by a command wakes what it touches, though it makes no island with it.
         if (pair.manifold.count > 0 && (first.touched || second.touched)) {
@@ -160,6 +152,7 @@ void RigidWorld::find_touching(double reach_s) noexcept {
             second.wake();
         }
     }
+    find_first_met();
     for (RigidWorldBody& body : scene_.bodies) {
         body.touched = body.touched && body.moves;
     }
@@ -222,10 +215,16 @@ RigidWorld::SolvedIsland RigidWorld::solve_island(const DueIsland& due,
     const ScopedFlushToZero flush_to_zero;
     const IslandParts parts{islands_.bodies(due.island), pairs_.group(due.island),
                             joints_.group(due.island)};
-    SolvedIsland solved{solver.solve(parts, due.dt_s, scene_), 0};
-    solved.n_dropped = move_bodies(parts.bodies, due.dt_s);
+    return {solver.solve(parts, due.dt_s, scene_), 0};
+}
+
+int RigidWorld::move_island(const DueIsland& due) noexcept {
+    const ScopedFlushToZero flush_to_zero;
+    const IslandParts parts{islands_.bodies(due.island), pairs_.group(due.island),
+                            joints_.group(due.island)};
+    const int n_dropped = move_bodies(parts.bodies, due.dt_s * parts_[to_place_in(due.island)]);
     rest_bodies(parts, due.dt_s);
-    return solved;
+    return n_dropped;
 }
 
 // The drift is the velocity and what pushes apart: that moves the body and is forgotten.
@@ -296,6 +295,10 @@ void RigidWorld::step(double dt_s) noexcept {
     solved_.set_count(due_.count());
     pool_.run(static_cast<int>(due_.count()), [this](int i, int worker) noexcept {
         solved_[to_place_in(i)] = solve_island(due_[to_place_in(i)], solvers_[to_place_in(worker)]);
+    });
+    hold_back();
+    pool_.run(static_cast<int>(due_.count()), [this](int i, int) noexcept {
+        solved_[to_place_in(i)].n_dropped = move_island(due_[to_place_in(i)]);
     });
     report_.n_solved = static_cast<int>(due_.count());
     for (const SolvedIsland& one : solved_.all()) {

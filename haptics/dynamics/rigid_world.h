@@ -5,9 +5,12 @@
 //   islands   what hangs together by contacts and joints (islands.h): awake or asleep, touched by a hand or not
 //   solve     each island by itself (island_solver.h)
 //   move      x += h v_drift;  q turns freely with its angular momentum (integrator.h: the drift of verlet), and by what pushes it
-// Contacts are looked for as far ahead as bodies can come in the step, so what is fast meets what is thin. An island that has been slower
-// than the settings say for a while sleeps: it costs its boxes alone until something awake touches it or a load is put on it. Not so what
-// touches nothing and is not joined, or what a motor moves.
+// Contacts are looked for as far ahead as bodies can come in the step, so what is fast meets what is thin: where and when their ways meet
+// (contact_sweep.h), not where they pass. Of what a body meets only the first bounces. What the step itself gives a way that nobody
+// looked along is looked along before it is gone: an island whose bodies would meet something there goes that far, all of it together,
+// and loses the rest of the step; that is counted. An island that has been slower
+// than the settings say for a while sleeps: it costs its boxes alone until something awake touches it or a load is put on it.
+// Not so what touches nothing and is not joined, or what a motor moves.
 // Islands that no hand has touched are stepped every `slow_period_s`, by all the time that has passed since; until then they stand
 // that far behind the world.
 //
@@ -50,6 +53,7 @@ struct RigidWorldReport {
         0;  ///< pairs, contacts, holds and bodies for which there was no room, or which held no numbers
     int n_iterations = 0;   ///< of all solves together
     int n_pivoted = 0;      ///< solves that Newton left to pivoting (contact_solver.h)
+    int n_held = 0;         ///< islands that went only a part of the step's way
     int n_unconverged = 0;  ///< islands whose answer is not within the tolerance
     double deepest_m = 0.0;
     double residual_m_per_s = 0.0;  ///< the greatest of all islands
@@ -116,10 +120,17 @@ class RigidWorld {
     void find_touching(double reach_s) noexcept;
     [[nodiscard]] bool meets_in_patches(const BodyPair& pair) const noexcept;
     void add_near(BodyPair pair) noexcept;
-    void find_contacts_of(int i, double margin_m) noexcept;
+    void find_contacts_of(int i, double reach_s) noexcept;
+    void look_ahead(ContactPair& pair, double reach_s) noexcept;
+    void find_first_met() noexcept;
+    void find_ways() noexcept;
+    void hold_back() noexcept;
+    void hold_pair(const BodyPair& bodies) noexcept;
+    void hold_far() noexcept;
     void find_islands() noexcept;
     void find_due(double dt_s) noexcept;
     [[nodiscard]] SolvedIsland solve_island(const DueIsland& due, IslandSolver& solver) noexcept;
+    [[nodiscard]] int move_island(const DueIsland& due) noexcept;
     [[nodiscard]] int move_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept;
     void rest_bodies(const IslandParts& parts, double dt_s) noexcept;
     [[nodiscard]] bool may_rest(const IslandParts& parts) const noexcept;
@@ -141,6 +152,7 @@ class RigidWorld {
     Groups pairs_;
     Groups joints_;
     BoundedList<DueIsland> due_;
+    BoundedList<double> parts_;  // of each island's way: how much it goes
     BoundedList<SolvedIsland> solved_;
     WorkerPool pool_;
     std::vector<IslandSolver> solvers_;  // one a worker

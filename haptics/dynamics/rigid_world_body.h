@@ -32,12 +32,14 @@ struct RigidWorldBody {
     double dynamic_friction = 0.0;
     double restitution = 0.0;
     bool moves = false;
+    double lever_m = 0.0;  ///< from its centre of mass to what is farthest of it, or farther
     // What a step changes.
     RigidState state{};
-    Wrench load_W{};          ///< of hands and lessons, about the centre of mass; for one step
-    std::int32_t held = -1;   ///< the first of the hands that hold it, in the scene's list
-    double pull_kg_m2 = 0.0;  ///< of its joints: h |p| |r|, which resists turning (island_solver.h)
-    bool touched = false;     ///< by a hand, since the last step
+    Wrench load_W{};         ///< of hands and lessons, about the centre of mass; for one step
+    std::int32_t held = -1;  ///< the first of the hands that hold it, in the scene's list
+    /// Of its joints' last pull: what turns it back, N m a rad, in the world (island_solver.h).
+    Matrix3 pull_stiffness_W{Matrix3::Zero()};
+    bool touched = false;  ///< by a hand, since the last step
     bool asleep = false;
     bool settled = false;    ///< its island's impulses were those of the step before
     double still_s = 0.0;    ///< for how long
@@ -48,6 +50,11 @@ struct RigidWorldBody {
     Matrix3 inertia_W{Matrix3::Identity()};
     Twist drift_W{};     ///< what moves it: its velocity, and what pushes overlap apart
     int in_problem = 0;  ///< its number there
+    // What it may meet (rigid_world_ahead.cpp).
+    Twist ahead_W{};       ///< its velocity at the end of the step if nothing is met
+    double reach_m = 0.0;  ///< how far contacts were looked for round it
+    double meets_s = 0.0;  ///< when it first meets anything, from now
+    Twist way_W{};         ///< the step's, m and rad; of what is not stepped 0
 
     void wake() noexcept {
         asleep = false;

@@ -2,6 +2,8 @@
 #include "haptics/dynamics/hand_rows.h"
 #include "haptics/dynamics/rigid_world.h"
 #include "haptics/dynamics/shape_inertia.h"
+#include "haptics/dynamics/unit_pose.h"
+#include "haptics/math/length.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,11 +54,12 @@ Expected<void> check_body(const RigidBodyPlan& body, const std::string& name) {
     if (auto checked = check_ranges(name + "'s", ranges); !checked) {
         return checked;
     }
-    const bool is_number = is_finite(body.pose_W) && body.velocity_W.linear.allFinite() &&
+    const bool is_number = is_finite(body.pose_W) && has_turn(body.pose_W) &&
+                           body.velocity_W.linear.allFinite() &&
                            body.velocity_W.angular.allFinite() && body.mass_kg >= 0.0;
     if (!is_number) {
-        return fail(name + " has a pose, velocity or mass that is no number", {},
-                    "give it finite ones");
+        return fail(name + " has a pose, velocity or mass that is no number, or a turn of length 0",
+                    {}, "give it finite ones");
     }
     const auto named = [&](Error error) {
         error.message = name + ": " + error.message;
@@ -91,8 +94,9 @@ RigidWorldBody make_body(const RigidBodyPlan& plan) {
         body.state.velocity_W = plan.velocity_W;
     }
     body.shape.sampled = plan.role == BodyRole::ground ? nullptr : plan.sampled;
+    body.lever_m = body.shape.bounding_radius_m + compute_length(body.X_PB.position);
     body.turn_PB = body.X_PB.orientation.toRotationMatrix();
-    body.state.pose_W = plan.pose_W * body.X_PB.inverse();
+    body.state.pose_W = with_unit_turn(plan.pose_W) * body.X_PB.inverse();
     body.state.pose_W.orientation.normalize();
     return body;
 }
@@ -240,6 +244,7 @@ RigidWorld::RigidWorld(const RigidWorldPlan& plan)
       pairs_(plan.settings.most_pairs, n_bodies()),
       joints_(static_cast<int>(plan.joints.size()), n_bodies()),
       due_(n_bodies()),
+      parts_(n_bodies()),
       solved_(n_bodies()),
       pool_(plan.settings.n_threads) {
     // One a thread: an island's answer does not depend on which.

@@ -1,5 +1,6 @@
 // What hands and lessons do to the bodies of rigid_world.h: loads of the next step, and bodies that are put elsewhere, out or in.
 #include "haptics/dynamics/rigid_world.h"
+#include "haptics/dynamics/unit_pose.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,14 +98,14 @@ void RigidWorld::set_present(std::int32_t index, bool is_present) noexcept {
 }
 
 void RigidWorld::place(std::int32_t index, const Pose& shape_W, const Twist& velocity_W) noexcept {
-    const bool is_number =
-        is_finite(shape_W) && velocity_W.linear.allFinite() && velocity_W.angular.allFinite();
+    const bool is_number = is_finite(shape_W) && has_turn(shape_W) &&
+                           velocity_W.linear.allFinite() && velocity_W.angular.allFinite();
     if (index < 0 || index >= n_bodies() || !is_number) {
         return;
     }
     RigidWorldBody& body = scene_.bodies[to_place_of(index)];
     wake_neighbours(index);
-    body.state.pose_W = shape_W * body.X_PB.inverse();
+    body.state.pose_W = with_unit_turn(shape_W) * body.X_PB.inverse();
     body.state.velocity_W = body.moves ? velocity_W : Twist{};
     body.forget_loads();
     body.touched = true;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace fulcrum {
 namespace {
@@ -85,6 +86,61 @@ TEST_CASE("rigid world: what hangs from a hook that is taken out or moved wakes"
 }
 
 // A double pendulum: after each step of a millisecond one that is hardly any.
+TEST_CASE("rigid world: a link that carries a load turns about itself as freely as without it") {
+    // 10 g under 5 kg, turned about the vertical that both hang in: w = torque t / I.
+    constexpr double kTorque_Nm = 1.0e-5;
+    for (const double dt_s : {1.0e-3, 2.0e-2}) {
+        RigidWorldPlan plan;
+        plan.settings.sleep_after_s = 0.0;
+        plan.settings.most_pairs = 4;
+        plan.bodies = {
+            {.shape = CapsuleShape{0.005, 0.05},
+             .mass_kg = 0.01,
+             .pose_W = Pose::at({0.0, -0.055, 0.0})},
+            {.shape = SphereShape{0.02}, .mass_kg = 5.0, .pose_W = Pose::at({0.0, -0.2, 0.0})}};
+        JointPlan hook{.kind = JointKind::hinge, .body_b = 0};
+        hook.drive.motor_speed = 100.0;
+        hook.drive.motor_force = kTorque_Nm;
+        plan.joints = {
+            hook,
+            {.kind = JointKind::ball, .body_a = 0, .body_b = 1, .anchor_W = {0.0, -0.11, 0.0}}};
+        auto world = RigidWorld::create(plan);
+        REQUIRE(world);
+        for (int i = 0; i < static_cast<int>(std::lround(0.1 / dt_s)); ++i) {
+            (*world)->step(dt_s);
+        }
+        const double moment_kg_m2 = (*world)->inertia(0).moments_kg_m2.minCoeff();
+        CHECK((*world)->state(0).velocity_W.angular.y() ==
+              Approx(kTorque_Nm * 0.1 / moment_kg_m2).epsilon(1.0e-3));
+    }
+}
+
+TEST_CASE("rigid world: a quaternion of any length turns a body, one of none is refused") {
+    RigidWorldPlan plan;
+    plan.settings.most_pairs = 4;
+    Pose twice = Pose::at({1.0, 2.0, 3.0});
+    twice.orientation = Quaternion(std::sqrt(2.0), 0.0, 0.0, std::sqrt(2.0));  // of length 2
+    const std::vector<Vector3> corners{
+        {0.05, 0.0, 0.0}, {-0.05, 0.0, 0.05}, {-0.05, 0.0, -0.05}, {0.0, 0.08, 0.0}};
+    plan.bodies = {{.shape = make_hull_shape(corners).value(), .pose_W = twice}};
+    auto world = RigidWorld::create(plan);
+    REQUIRE(world);
+    const auto check_pose = [&] {
+        const Pose pose = (*world)->shape_pose_W(0);
+        CHECK((pose.position - twice.position).norm() < 1.0e-14);
+        CHECK((pose.orientation.coeffs() - 0.5 * twice.orientation.coeffs()).norm() < 1.0e-14);
+    };
+    check_pose();
+    Pose lost = twice;
+    lost.orientation.coeffs().setZero();
+    (*world)->place(0, lost, {});
+    check_pose();
+    (*world)->place(0, twice, {});
+    check_pose();
+    plan.bodies[0].pose_W = lost;
+    CHECK(RigidWorld::create(plan).error().message.find("body 0") != std::string::npos);
+}
+
 TEST_CASE("rigid world: short steps between others give jointed bodies no energy") {
     for (const double short_s : {1.0e-6, 1.0e-8}) {
         RigidWorldPlan plan;

@@ -1,0 +1,186 @@
+// What the bodies of rigid_world.h meet within a step, and how far they go where the step's own answer leads to what nobody looked for.
+#include "haptics/collision/contact_sweep.h"
+#include "haptics/dynamics/rigid_reach.h"
+#include "haptics/dynamics/rigid_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kNotMet = std::numeric_limits<double>::infinity();
+// What is met so little later is met at the same time.
+constexpr double kSameTime = 1.01;
+
+std::size_t to_body_place(std::int32_t i) noexcept {
+    return static_cast<std::size_t>(i);
+}
+
+MovingShape make_moving(const RigidWorldBody& body, const Twist& velocity_W) noexcept {
+    return {&body.shape, body.place, body.state.pose_W.position, velocity_W, body.lever_m};
+}
+
+// Of a's points over b's there, on their ways: below 0 they approach.
+double find_apart(const Vector3& normal_W, const Vector3& place_W, double time_s,
+                  const RigidWorldBody& a, const RigidWorldBody& b) noexcept {
+    const auto velocity_of = [&](const RigidWorldBody& body) noexcept {
+        const Vector3 arm = place_W - body.state.pose_W.position - time_s * body.ahead_W.linear;
+        return Vector3(body.ahead_W.linear + body.ahead_W.angular.cross(arm));
+    };
+    return normal_W.dot(velocity_of(a) - velocity_of(b));
+}
+
+// What does not move has no way to lose.
+void meet_at(double at_s, RigidWorldBody& body) noexcept {
+    if (body.moves) {
+        body.meets_s = std::min(body.meets_s, at_s);
+    }
+}
+
+void grow(const Vector3& by_m, Box& box) noexcept {
+    box.lower += by_m.cwiseMin(0.0);
+    box.upper += by_m.cwiseMax(0.0);
+}
+
+}  // namespace
+
+// Where they touch now, or where their ways first bring them together.
+void RigidWorld::look_ahead(ContactPair& pair, double reach_s) noexcept {
+    const RigidWorldBody& first = scene_.bodies[to_body_place(pair.bodies.first)];
+    const RigidWorldBody& second = scene_.bodies[to_body_place(pair.bodies.second)];
+    const double margin_m = first.reach_m + second.reach_m;
+    const double near_m = find_near(first, second);
+    ContactManifold& manifold = pair.manifold;
+    find_contacts(first.shape, first.place, second.shape, second.place, margin_m, manifold);
+    pair.meet_s = 0.0;
+    pair.passes = false;
+    if (manifold.count == 0 ||
+        std::ranges::any_of(manifold.points(),
+                            [&](const ContactPoint& point) { return point.gap_m <= near_m; })) {
+        return;
+    }
+    const MovingShape a = make_moving(first, first.ahead_W);
+    const MovingShape b = make_moving(second, second.ahead_W);
+    const double meet_s = find_meeting_s(a, b, near_m, reach_s);
+    if (!(meet_s < reach_s)) {
+        manifold.count = 0;
+        pair.passes = true;
+        return;
+    }
+    pair.meet_s = meet_s;
+    find_contacts(first.shape, a.find_place(meet_s), second.shape, b.find_place(meet_s), margin_m,
+                  manifold);
+    for (int i = 0; i < manifold.count; ++i) {
+        ContactPoint& point = manifold.contacts[static_cast<std::size_t>(i)];
+        point.gap_m -= meet_s * find_apart(manifold.normal_W, point.place_W, meet_s, first, second);
+    }
+}
+
+// When each body first meets anything faster than what does not bounce, and which pairs that is true of.
+void RigidWorld::find_first_met() noexcept {
+    if (std::ranges::none_of(scene_.bodies,
+                             [](const RigidWorldBody& body) { return body.restitution > 0.0; })) {
+        return;
+    }
+    for (RigidWorldBody& body : scene_.bodies) {
+        body.meets_s = kNotMet;
+    }
+    const auto each_pair = [&](auto&& visit) {
+        for (int i = 0; i < scene_.pairs.count(); ++i) {
+            ContactPair& pair = scene_.pairs.at(i);
+            if (pair.manifold.count > 0) {
+                visit(pair, scene_.bodies[to_body_place(pair.bodies.first)],
+                      scene_.bodies[to_body_place(pair.bodies.second)]);
+            }
+        }
+    };
+    each_pair([&](const ContactPair& pair, RigidWorldBody& first, RigidWorldBody& second) {
+        for (const ContactPoint& point : pair.manifold.points()) {
+            const double speed =
+                -find_apart(pair.manifold.normal_W, point.place_W, pair.meet_s, first, second);
+            if (speed > settings_.least_bounce_m_per_s) {
+                const double at_s = std::max(point.gap_m, 0.0) / speed;
+                meet_at(at_s, first);
+                meet_at(at_s, second);
+            }
+        }
+    });
+    each_pair([&](ContactPair& pair, const RigidWorldBody& first, const RigidWorldBody& second) {
+        pair.is_first = pair.meet_s <= kSameTime * std::min(first.meets_s, second.meets_s);
+    });
+}
+
+void RigidWorld::find_ways() noexcept {
+    for (RigidWorldBody& body : scene_.bodies) {
+        body.way_W = {};
+    }
+    for (const DueIsland& due : due_.all()) {
+        for (const std::int32_t i : islands_.bodies(due.island)) {
+            RigidWorldBody& body = scene_.bodies[to_body_place(i)];
+            body.way_W = {due.dt_s * body.drift_W.linear, due.dt_s * body.drift_W.angular};
+        }
+    }
+}
+
+// Both go no farther than to where they meet.
+void RigidWorld::hold_pair(const BodyPair& bodies) noexcept {
+    const RigidWorldBody& first = scene_.bodies[to_body_place(bodies.first)];
+    const RigidWorldBody& second = scene_.bodies[to_body_place(bodies.second)];
+    const double part =
+        find_meeting_s(make_moving(first, first.way_W), make_moving(second, second.way_W),
+                       find_near(first, second), 1.0);
+    // What is near already has contacts, or is kept from having any.
+    if (!(part > 0.0 && part < 1.0)) {
+        return;
+    }
+    for (const std::int32_t i : {bodies.first, bodies.second}) {
+        if (const std::int32_t island = islands_.island_of(i); island >= 0) {
+            double& goes = parts_[to_body_place(island)];
+            goes = std::min(goes, part);
+        }
+    }
+}
+
+// Of bodies that go farther than anybody looked for them.
+void RigidWorld::hold_far() noexcept {
+    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+        const RigidWorldBody& body = scene_.bodies[i];
+        grow(body.way_W.linear, boxes_[i]);
+        const double turned_m = compute_length(body.way_W.angular) * body.lever_m;
+        grow(Vector3::Constant(turned_m), boxes_[i]);
+        grow(Vector3::Constant(-turned_m), boxes_[i]);
+    }
+    for (const BodyPair& pair : broad_phase_.find_pairs(boxes_.all(), moves_.all())) {
+        const auto near = near_.all();
+        if (!is_joined(pair) && !std::binary_search(near.begin(), near.end(), pair)) {
+            hold_pair(pair);
+        }
+    }
+    report_.n_dropped += broad_phase_.n_dropped();
+}
+
+void RigidWorld::hold_back() noexcept {
+    parts_.set_count(static_cast<std::size_t>(islands_.count()));
+    std::ranges::fill(parts_.all(), 1.0);
+    find_ways();
+    const auto goes_far = [](const RigidWorldBody& body) noexcept {
+        return find_farthest(body.way_W, body.lever_m) > body.reach_m;
+    };
+    for (int i = 0; i < scene_.pairs.count(); ++i) {
+        const ContactPair& pair = scene_.pairs.at(i);
+        if (pair.manifold.count == 0 && pair.bodies.patch == 0 &&
+            (pair.passes || goes_far(scene_.bodies[to_body_place(pair.bodies.first)]) ||
+             goes_far(scene_.bodies[to_body_place(pair.bodies.second)]))) {
+            hold_pair(pair.bodies);
+        }
+    }
+    if (std::ranges::any_of(scene_.bodies, goes_far)) {
+        hold_far();
+    }
+    report_.n_held = static_cast<int>(
+        std::ranges::count_if(parts_.all(), [](double part) { return part < 1.0; }));
+}
+
+}  // namespace fulcrum
