@@ -170,7 +170,7 @@ void RigidWorld::hold_back() noexcept {
     };
     for (int i = 0; i < scene_.pairs.count(); ++i) {
         const ContactPair& pair = scene_.pairs.at(i);
-        if (pair.manifold.count == 0 && pair.bodies.patch == 0 &&
+        if (pair.manifold.count == 0 && !meets_in_patches(pair.bodies) &&
             (pair.passes || goes_far(scene_.bodies[to_body_place(pair.bodies.first)]) ||
              goes_far(scene_.bodies[to_body_place(pair.bodies.second)]))) {
             hold_pair(pair.bodies);

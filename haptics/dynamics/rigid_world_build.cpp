@@ -1,4 +1,5 @@
 #include "haptics/base/range.h"
+#include "haptics/collision/sampled_contacts.h"
 #include "haptics/dynamics/hand_rows.h"
 #include "haptics/dynamics/rigid_world.h"
 #include "haptics/dynamics/shape_inertia.h"
@@ -151,7 +152,13 @@ int find_most_pairs(const RigidWorldPlan& plan) {
         return plan.settings.most_pairs;
     }
     const int n = static_cast<int>(plan.bodies.size());
-    return std::clamp(n * (n - 1) / 2, 1, std::max(1024, 8 * n));
+    const auto n_meshes =
+        static_cast<int>(std::ranges::count_if(plan.bodies, [](const RigidBodyPlan& body) {
+            return std::holds_alternative<MeshShape>(body.shape);
+        }));
+    const int n_with_mesh = n_meshes * (n - n_meshes) + n_meshes * (n_meshes - 1) / 2;
+    const int n_all = n * (n - 1) / 2 + (kMostPatches - 1) * n_with_mesh;
+    return std::clamp(n_all, 1, std::max(1024, 8 * n + 8 * kMostPatches * n_meshes));
 }
 
 ContactCapacity find_capacity(const RigidWorldPlan& plan) {

@@ -23,12 +23,18 @@ void KiteLoop::step(double now_s) noexcept {
     take_kite();
     take_orders(dt_s);
     if (has_hand_ && !had_hand) {
-        flight_->launch(hand_W_, orders_.elevation_rad, orders_.lean_rad);
+        launch();
     }
     if (has_hand_) {
         flight_->step(dt_s, hand_W_);
         publish(now_s);
     }
+}
+
+// Whatever the line did before has nothing to do with what comes.
+void KiteLoop::launch() noexcept {
+    flight_->launch(hand_W_, orders_.elevation_rad, orders_.lean_rad);
+    ++n_launches_;
 }
 
 // Another kite on as much line, in the same wind.
@@ -43,7 +49,7 @@ void KiteLoop::take_kite() noexcept {
         flight_->set_wind_speed_m_per_s(orders_.wind_m_per_s);
     }
     if (has_hand_) {
-        flight_->launch(hand_W_, orders_.elevation_rad, orders_.lean_rad);
+        launch();
     }
 }
 
@@ -56,7 +62,7 @@ void KiteLoop::take_orders(double dt_s) noexcept {
         has_orders_ = true;
         flight_->set_wind_speed_m_per_s(orders_.wind_m_per_s);
         if (is_launch && has_hand_) {
-            flight_->launch(hand_W_, orders_.elevation_rad, orders_.lean_rad);
+            launch();
         }
         if (is_cut) {
             flight_->snap_line();
@@ -77,13 +83,16 @@ void KiteLoop::publish(double now_s) noexcept {
     frame_.n_nodes = static_cast<std::int32_t>(nodes_W.size());
     std::copy(nodes_W.begin(), nodes_W.end(), frame_.line_W.begin());
     channels_.frame.publish(frame_);
-    channels_.line.publish(make_line_state(flight_->line(), hand_W_, now_s));
+    LineState line = make_line_state(flight_->line(), hand_W_, now_s);
+    line.n_launches = n_launches_;
+    channels_.line.publish(line);
 }
 
 void KiteLoop::silence(double now_s) noexcept {
     LineState slack;
     slack.stamp_s = now_s;
     slack.hand_W = hand_W_;
+    slack.n_launches = n_launches_;
     channels_.line.publish(slack);
 }
 

@@ -65,6 +65,7 @@ class KiteLoop final : public PeriodicTask {
     [[nodiscard]] const KiteFlight& flight() const noexcept { return *flight_; }
 
   private:
+    void launch() noexcept;
     void take_kite() noexcept;
     void take_orders(double dt_s) noexcept;
     void publish(double now_s) noexcept;
@@ -74,6 +75,7 @@ class KiteLoop final : public PeriodicTask {
     double period_s_;
     KiteOrders orders_{};
     Vector3 hand_W_{Vector3::Zero()};
+    std::uint32_t n_launches_ = 0;
     bool has_orders_ = false;
     bool has_hand_ = false;
     bool started_ = false;

@@ -12,7 +12,6 @@ namespace fulcrum {
 namespace {
 
 constexpr double kShortest_m = 0.5;
-constexpr double kLongestShare = 4.0;       // of the length it was made with
 constexpr double kGround_rad_per_s = 60.0;  // how quickly the ground pushes a node out
 constexpr double kFarthest_m = 1000.0;      // that a hand goes in a step
 
@@ -52,7 +51,7 @@ void KiteLine::lay(const Vector3& hand_W, const Vector3& end_W) noexcept {
 
 void KiteLine::set_length_m(double length_m) noexcept {
     if (!std::isnan(length_m)) {
-        length_m_ = std::clamp(length_m, kShortest_m, kLongestShare * settings_.length_m);
+        length_m_ = std::clamp(length_m, kShortest_m, kLongestLineShare * settings_.length_m);
     }
 }
 

@@ -33,6 +33,9 @@ namespace fulcrum {
 
 inline constexpr int kMostLineSegments = 64;
 
+/// Of the length that a line was made with: no reel lets out more.
+inline constexpr double kLongestLineShare = 4.0;
+
 /// Fixed at load.
 struct LineSettings {
     double length_m = 20.0;          ///< unstretched, at first; 0.5 to 500

@@ -43,6 +43,32 @@ Vector3 LineFeel::compute_share(const LineState& state, const Vector3& hand_W) c
     return shorten(settings_.share * compute_pull(state, hand_W), settings_.most_N);
 }
 
+// With e: nothing against what was felt last, for that would push, and no more than may be felt.
+Vector3 LineFeel::bound(const Vector3& pull_W) const noexcept {
+    const Vector3 sum_W = pull_W + left_W_;
+    const Vector3 along_W = compute_direction(compute_length(felt_W_) > 0.0 ? felt_W_ : pull_W);
+    return shorten(sum_W - std::min(along_W.dot(sum_W), 0.0) * along_W, settings_.most_N);
+}
+
+// A newer state changes the pull here by that.
+void LineFeel::take_change(const LineState& state, const Vector3& change_W) noexcept {
+    const bool is_launch = state.n_launches != before_.n_launches;
+    const bool is_snapped = !(state.stiffness_N_per_m > 0.0);
+    if (before_.stamp_s < 0.0 || is_launch || is_snapped) {
+        left_W_.setZero();
+        gain_ = is_launch ? 0.0 : gain_;
+        return;
+    }
+    left_W_ -= change_W;
+}
+
+void LineFeel::go_along(double dt_s) noexcept {
+    const double left_N = compute_length(left_W_);
+    const double less_N =
+        std::min(left_N / settings_.smooth_s, settings_.most_change_N_per_s) * dt_s;
+    left_W_ = less_N < left_N ? Vector3((1.0 - less_N / left_N) * left_W_) : Vector3::Zero();
+}
+
 Wrench LineFeel::step(const LineState& state, const Pose& tool_W, double now_s,
                       double dt_s) noexcept {
     const Vector3 arm_W = tool_W.orientation * settings_.arm_T;
@@ -53,18 +79,24 @@ Wrench LineFeel::step(const LineState& state, const Pose& tool_W, double now_s,
     // The state of the step before, here; where that was not good, what it left behind.
     const Vector3 before_W =
         before_.stamp_s >= 0.0 ? compute_share(before_, tool_W.position) : last_W_;
-    const Vector3 held_W = gain_ * before_W;
+    const Vector3 held_W = gain_ * bound(before_W);
     held_W_ = {held_W, arm_W.cross(held_W)};
     // And the newest.
     const double age_s = now_s - state.stamp_s;
     const Vector3 pull_W = compute_share(state, tool_W.position);
     const bool is_good = state.stamp_s >= 0.0 && age_s >= -settings_.timeout_s &&
                          age_s <= settings_.timeout_s && is_finite(pull_W);
+    const double passed_s = std::max(dt_s, 0.0);
+    if (is_good) {
+        take_change(state, pull_W - before_W);
+        go_along(passed_s);
+        last_W_ = pull_W;
+    }
     before_ = is_good ? state : LineState{};
-    last_W_ = is_good ? pull_W : last_W_;
-    const double change = dt_s > 0.0 ? dt_s / settings_.fade_s : 0.0;
-    gain_ = std::clamp(is_good ? gain_ + change : gain_ - change, 0.0, 1.0);
-    const Vector3 felt_W = gain_ * last_W_;
+    gain_ = std::clamp(
+        gain_ + (is_good ? passed_s / settings_.open_s : -passed_s / settings_.fade_s), 0.0, 1.0);
+    felt_W_ = bound(last_W_);
+    const Vector3 felt_W = gain_ * felt_W_;
     return {felt_W, arm_W.cross(felt_W)};
 }
 

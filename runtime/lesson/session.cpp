@@ -132,7 +132,8 @@ void LessonSession::take_kite(const SessionInput& input) {
                            ((input.hand.buttons & kIn) != 0 ? 1.0 : 0.0);
     kite_.line_m = std::clamp(
         kite_.line_m + kReelByNotch_m * input.wheel + kReelByButton_m_per_s * turning * input.dt_s,
-        kShortestReel_m, kLongestReel_m);
+        kShortestReel_m,
+        std::min(kLongestReel_m, kLongestLineShare * description_.kite->flight.line.length_m));
     if (input.kite == nullptr) {
         return;
     }

@@ -5,6 +5,8 @@
 #include "runtime/scene/plan_touch.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <string>
 
 namespace fulcrum::runtime {
@@ -36,6 +38,21 @@ Expected<void> check_line(const LessonDescription& lesson) {
     return {};
 }
 
+// Lessons are made for the usual limit: at a lower one all pulls are felt in proportion, so that the stronger stays the stronger.
+double find_measure(const PlanOptions& options) {
+    const double limit_N = std::min(options.force_limit_N, options.device_force_limit_N);
+    return std::min(1.0, limit_N / PlanOptions{}.force_limit_N);
+}
+
+std::string tell_measure(const KiteDescription& kite, double measure) {
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(),
+                  "The kite's line is felt at %.2f of its pull, for the hand may feel less than "
+                  "the lesson asks for (lesson.lua:%d).",
+                  measure, kite.line);
+    return text.data();
+}
+
 }  // namespace
 
 Expected<void> add_kite(const LessonDescription& lesson, const PlanOptions& options, Plan& plan) {
@@ -51,7 +68,10 @@ Expected<void> add_kite(const LessonDescription& lesson, const PlanOptions& opti
     }
     const KiteFlightSettings flight = make_flight(lesson);
     LineFeelSettings feel;
-    feel.share = kite.share;
+    feel.share = kite.share * find_measure(options);
+    if (feel.share < kite.share) {
+        plan.notices.push_back(tell_measure(kite, feel.share / kite.share));
+    }
     // What is more the last gate would clip, and clipped a line is no spring any more.
     feel.most_N =
         std::min(kWeightShareOfLimit * options.force_limit_N, options.device_force_limit_N);

@@ -114,7 +114,7 @@ local Tool = {}
 ---@field speed number metres per second; how fast it goes
 ---@field wind number metres per second; at the kite
 ---@field angle number degrees; between the wind and the kite: its angle of attack
----@field lift number newtons; the air's force across the wind
+---@field lift number newtons; the air's force across the wind; below 0 when it presses the kite down
 ---@field drag number newtons; the air's force along the wind
 ---@field weight number newtons; of kite and tail
 ---@field tension number newtons; of the line, at the kite
@@ -446,7 +446,7 @@ function Force:strength(factor) end
 ---@field strength? number the line breaks above it; in newtons, 1 to 1000000; default 150
 ---@field stretch? number what would make the line twice as long; in newtons, 10 to 1000000; default 500
 ---@field segments? integer pieces that the line is computed in; 1 to 64; default 16
----@field felt? number newtons in the hand for a newton of the line; 0.01 to 10; default 1
+---@field felt? number newtons in the hand for a newton of the line; where the site allows less than 5 N, less in the same measure; 0.01 to 10; default 1
 ---@field seen? number drawn so many times larger than it is, for it is far away; 1 to 10; default 1
 ---@field elevation? number how steeply the line rises when it is launched; in degrees, 0 to 85; default 40
 

@@ -190,6 +190,11 @@ int get_newtons(lua_State* lua, LessonContext& context, std::int32_t /*index*/) 
     lua_pushnumber(lua, compute_length(Vector3(kite_state_of(context).*kForce)));
     return 1;
 }
+int get_lift(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    const Vector3& lift_W = kite_state_of(context).lift_W;
+    lua_pushnumber(lua, std::copysign(compute_length(lift_W), lift_W.y()));
+    return 1;
+}
 template <int kAxis>
 int get_kite_axis(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
     lua_pushnumber(lua, kite_state_of(context).centre_W[kAxis]);
@@ -277,8 +282,8 @@ void add_kite_properties(ApiTable& table) {
     add("wind", "number", "metres per second", "at the kite", &get_newtons<&KiteState::wind_W>);
     add("angle", "number", "degrees", "between the wind and the kite: its angle of attack",
         &get_angle);
-    add("lift", "number", "newtons", "the air's force across the wind",
-        &get_newtons<&KiteState::lift_W>);
+    add("lift", "number", "newtons",
+        "the air's force across the wind; below 0 when it presses the kite down", &get_lift);
     add("drag", "number", "newtons", "the air's force along the wind",
         &get_newtons<&KiteState::drag_W>);
     add("weight", "number", "newtons", "of kite and tail", &get_newtons<&KiteState::weight_W>);
@@ -305,7 +310,8 @@ void add_kite_api(ApiTable& table) {
           Parameter{"segments", integer, "", 1, kMostLineSegments, "16",
                     "pieces that the line is computed in"},
           Parameter{"felt", number, "", 0.01, 10, "1",
-                    "newtons in the hand for a newton of the line"},
+                    "newtons in the hand for a newton of the line; where the site allows less than "
+                    "5 N, less in the same measure"},
           Parameter{"seen", number, "", 1, kMostKiteScale, "1",
                     "drawn so many times larger than it is, for it is far away"},
           Parameter{"elevation", number, "degrees", 0, 85, "40",

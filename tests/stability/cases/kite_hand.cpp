@@ -17,8 +17,9 @@ constexpr double kScale = 4.0;  // world metres a metre of the arm
 class Holder {
   public:
     Holder(const KiteFlightSettings& settings, double world_Hz)
-        : loop_(settings, world_Hz, *channels_),
-          rounds_(static_cast<int>(std::lround(1.0 / (world_Hz * kHapticDt_s)))) {}
+        : loop_(settings, world_Hz, *channels_), rounds_(rounds_of(world_Hz)) {}
+
+    void slow_down(double world_Hz) { rounds_ = rounds_of(world_Hz); }
 
     // The hand wants to be `aim_m` along the wind from where it began. `flies`: the kite's loop runs.
     void step(double aim_m, bool flies) {
@@ -42,6 +43,10 @@ class Holder {
     }
 
   private:
+    static int rounds_of(double world_Hz) {
+        return static_cast<int>(std::lround(1.0 / (world_Hz * kHapticDt_s)));
+    }
+
     std::unique_ptr<KiteChannels> channels_ = std::make_unique<KiteChannels>();
     KiteLoop loop_;
     LineFeel feel_{LineFeelSettings{}};
@@ -64,8 +69,12 @@ Finding hold_still() {
     Finding finding{0.0, 5.0e-5, {}};
     for (const double world_Hz : {500.0, 100.0, 20.0}) {
         for (const double stretch_N : {100.0, 500.0, 5000.0}) {
-            Holder holder(make_kite_of(stretch_N), world_Hz);
+            Holder holder(make_kite_of(stretch_N), 500.0);
             for (int i = 0; i < 40000; ++i) {
+                // It flies before its world slows down: a launch is a time of its own.
+                if (i == 15000) {
+                    holder.slow_down(world_Hz);
+                }
                 holder.step(0.0, true);
             }
             Vector3 least = holder.at_D();
@@ -112,9 +121,10 @@ Finding lose_the_world() {
     return finding;
 }
 
-const HardCase kStill{{"kite's line in a hand",
-                       "a limp hand, a kite at 500, 100 and 20 Hz, lines from soft to stiff",
-                       "movement of the hand in a second of steady wind", "m", hold_still}};
+const HardCase kStill{
+    {"kite's line in a hand",
+     "a limp hand, a kite whose world slows to 100 and 20 Hz, lines from soft to stiff",
+     "movement of the hand in a second of steady wind", "m", hold_still}};
 const HardCase kLost{{"kite whose world stops",
                       "gusts and a hand that goes to and fro; then the kite's loop ends",
                       "force on the hand from 0.2 s later", "N", lose_the_world}};

@@ -1,5 +1,6 @@
 #include "haptics/flight/line_feel.h"
 
+#include "haptics/flight/kite_loop.h"
 #include "haptics/math/rotation.h"
 #include "tests/support/wander.h"
 
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 using namespace fulcrum;
@@ -22,10 +24,10 @@ LineState make_state(double stamp_s = 0.0) {
 }
 
 // Open: states have come for long enough.
-LineFeel make_open(const LineFeelSettings& settings = {}) {
+LineFeel make_open(const LineFeelSettings& settings = {}, const LineState& state = make_state()) {
     LineFeel feel(settings);
-    for (int i = 0; i < 200; ++i) {
-        (void)feel.step(make_state(), Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s);
+    for (int i = 0; i < 600; ++i) {
+        (void)feel.step(state, Pose::at(state.hand_W), state.stamp_s, kDt_s);
     }
     return feel;
 }
@@ -68,7 +70,7 @@ TEST_CASE("line feel: opens softly, and fades when the world is silent or says n
     for (int i = 0; i < 99; ++i) {
         const double felt_N =
             feel.step(make_state(), Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s).force.norm();
-        CHECK(felt_N - last_N == Approx(3.0 * kDt_s / 0.1));
+        CHECK(felt_N - last_N == Approx(3.0 * kDt_s / 0.5));
         last_N = felt_N;
     }
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -113,6 +115,82 @@ TEST_CASE("line feel: while the world stands, a hand that goes round gains nothi
     }
 }
 
+TEST_CASE("line feel: what the world changes comes at 50 N/s at most, what the hand does at once") {
+    LineFeel feel = make_open();
+    LineState pulled = make_state();
+    pulled.force_W = {5.0, 0.0, 0.0};
+    double last_N = 3.0;
+    double fastest_N = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+        const double felt_N = feel.step(pulled, Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s).force.x();
+        fastest_N = std::max(fastest_N, felt_N - last_N);
+        last_N = felt_N;
+    }
+    CHECK(fastest_N == Approx(2.0 * kDt_s / 0.15).epsilon(0.01));
+    CHECK(last_N == Approx(5.0).epsilon(1.0e-3));
+    // Slack in the world, it goes alike; the hand that goes to the kite meanwhile is not pushed.
+    LineState slack = make_state();
+    slack.force_W.setZero();
+    CHECK(feel.step(slack, Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s).force.x() > 4.9);
+    LineFeel rising = make_open({}, slack);
+    (void)rising.step(pulled, Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s);
+    CHECK(rising.step(pulled, Pose::at({1.19, 2.0, 3.0}), 0.0, kDt_s).force.x() == 0.0);
+    LineFeel quick = make_open();
+    CHECK(quick.step(make_state(), Pose::at({0.98, 2.0, 3.0}), 0.0, kDt_s).force.x() ==
+          Approx(3.5));
+}
+
+TEST_CASE("line feel: a line that has snapped lets go at once, and a launch opens it anew") {
+    LineFeel feel = make_open();
+    LineState snapped = make_state();
+    snapped.force_W.setZero();
+    snapped.stiffness_N_per_m = 0.0;
+    CHECK(feel.step(snapped, Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s).force == Vector3::Zero());
+    LineFeel flown = make_open();
+    LineState launched = make_state();
+    launched.n_launches = 1;
+    CHECK(flown.step(launched, Pose::at({1.0, 2.0, 3.0}), 0.0, kDt_s).force.x() ==
+          Approx(3.0 * kDt_s / 0.5));
+}
+
+TEST_CASE("line feel: a line that is let out does not buzz in the hand") {
+    KiteFlightSettings settings;
+    settings.kite.knot_m = 0.68;
+    settings.line.length_m = 12.0;
+    settings.wind.speed_m_per_s = 4.5;
+    const auto channels = std::make_unique<KiteChannels>();
+    KiteLoop loop(settings, 500.0, *channels);
+    LineFeel feel(LineFeelSettings{});
+    KiteOrders orders;
+    orders.line_m = 12.0;
+    orders.wind_m_per_s = 4.5;
+    channels->orders.publish(orders);
+    const Pose hand_W = Pose::at({0.0, 1.0, 0.0});
+    // How often the force turns by more than 0.2 N, in the two seconds from when the reel turns.
+    int n_turns = 0;
+    double extreme_N = 0.0;
+    double sense = 1.0;
+    for (int i = 0; i < 16000; ++i) {
+        const double now_s = kDt_s * (i + 1);
+        channels->hand_W.publish(hand_W.position);
+        orders.line_m = i < 14000 ? 12.0 : 48.0;
+        channels->orders.publish(orders);
+        if (i % 2 == 0) {
+            loop.step(now_s);
+        }
+        (void)channels->line.take();
+        const double felt_N = feel.step(channels->line.value(), hand_W, now_s, kDt_s).force.norm();
+        extreme_N = i <= 14000 ? felt_N : sense * std::max(sense * extreme_N, sense * felt_N);
+        if (sense * (extreme_N - felt_N) > 0.2) {
+            ++n_turns;
+            sense = -sense;
+            extreme_N = felt_N;
+        }
+    }
+    CHECK(loop.flight().line().length_m() == Approx(16.0).margin(0.1));
+    CHECK(n_turns <= 8);
+}
+
 TEST_CASE("line feel: a line's state is its pull, its stretch and its tension over its length") {
     LineSettings settings;
     KiteLine line(settings);
@@ -133,15 +211,14 @@ TEST_CASE("line feel: a line's state is its pull, its stretch and its tension ov
     // Moved by a little, the true line pulls as its state foretells.
     LineFeelSettings wide;
     wide.most_N = 10.0;
-    LineFeel feel = make_open(wide);
+    LineFeel feel = make_open(wide, state);
     const Vector3 moved_W(-0.05, 0.1, 0.0);
     for (int i = 0; i < 500; ++i) {
         (void)line.begin_step(moved_W, 0.01, {Vector3::Zero(), wind, gusts});
         line.end_step({20.2, 0.0, 0.0});
     }
     LineState now = state;
-    now.stamp_s = 0.0;
-    const Vector3 told_W = feel.step(now, Pose::at(moved_W), 0.0, kDt_s).force;
+    const Vector3 told_W = feel.step(now, Pose::at(moved_W), 1.5, kDt_s).force;
     CHECK((told_W - line.hand_force_W()).norm() < 1.0e-3 * told_W.norm());
     line.snap();
     CHECK(make_line_state(line, Vector3::Zero(), 2.0).stiffness_N_per_m == 0.0);
@@ -159,4 +236,7 @@ TEST_CASE("line feel: refuses settings outside their ranges") {
     CHECK(refused([](LineFeelSettings& feel) { feel.arm_T = {2.0, 0.0, 0.0}; }));
     CHECK(refused([](LineFeelSettings& feel) { feel.timeout_s = 0.0; }));
     CHECK(refused([](LineFeelSettings& feel) { feel.fade_s = std::nan(""); }));
+    CHECK(refused([](LineFeelSettings& feel) { feel.open_s = 0.0; }));
+    CHECK(refused([](LineFeelSettings& feel) { feel.smooth_s = 0.0; }));
+    CHECK(refused([](LineFeelSettings& feel) { feel.most_change_N_per_s = 0.0; }));
 }

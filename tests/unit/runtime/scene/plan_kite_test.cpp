@@ -67,9 +67,16 @@ TEST_CASE("plan: a lesson without a kite has nothing of one") {
 TEST_CASE("plan: a kite pulls no harder than hand, site and arm may be pulled") {
     PlanOptions options;
     options.force_limit_N = 2.0;
-    CHECK(compile(with_kite(), options)->haptic.line->most_N == Approx(1.8));
+    const auto usual = compile(with_kite(), {});
+    const auto milder = compile(with_kite(), options);
+    CHECK(milder->haptic.line->most_N == Approx(1.8));
+    CHECK(milder->haptic.line->share == Approx(0.4 * usual->haptic.line->share));
+    REQUIRE(milder->notices.size() == usual->notices.size() + 1);
+    CHECK(milder->notices.back().find("0.40") != std::string::npos);
     options.device_force_limit_N = 1.0;
     CHECK(compile(with_kite(), options)->haptic.line->most_N == 1.0);
+    CHECK(compile(with_kite(), options)->haptic.line->share ==
+          Approx(0.2 * usual->haptic.line->share));
 }
 
 TEST_CASE("plan: a wind without a kite, a line too stiff and a kite that is none are refused") {

@@ -97,6 +97,11 @@ TEST_CASE("kite api: it tells how it flies") {
     frame.kite = make_state();
     REQUIRE(lesson.play(frame) == "");
     CHECK(lesson.prints == "12.0\t4.0\t1.5\t0.25\ttrue\ttrue\t6.0\t2.0\t14.5\tfalse\t1.0;20\t4.0;");
+    // A gust from above presses it down.
+    frame.kite->lift_W = {0.0, -0.8, 0.6};
+    lesson.prints.clear();
+    REQUIRE(lesson.play(frame) == "");
+    CHECK(lesson.prints.find("\t-1.0\t") != std::string::npos);
 }
 
 TEST_CASE("kite api: mistakes are told with their line") {
