@@ -31,6 +31,8 @@ constexpr double kLevelSlope = 0.01;
 constexpr double kBackOn = 0.02;
 // Of the size: what all touches of a patch weigh at least, so that those at the margin have a mean.
 constexpr double kLeastWeight = 1.0e-6;
+// The same: what is farther than the nearest by less bears with it.
+constexpr double kBeyond = 2.0e-3;
 
 std::size_t place_in(int i) noexcept {
     return static_cast<std::size_t>(i);
@@ -182,9 +184,8 @@ class TouchFinder {
                 continue;
             }
             const bool is_edge = sample.kind == SampleKind::edge;
-            add(is_edge
-                    ? slide_along(seen_, sample.place_B, sample.along_B, 0.5 * samples.spacing_m())
-                    : sample.place_B,
+            add(is_edge ? slide_along(seen_, sample.place_B, sample.along_B, sample.reach_m)
+                        : sample.place_B,
                 sample);
         }
         if (nearest != nullptr) {
@@ -252,9 +253,10 @@ std::array<Value, kMostPatches> make_filled(const Value& value) noexcept {
 /// Which patch each touch belongs to.
 class Patches {
   public:
-    Patches(std::span<ContactManifold* const> last, double margin_m, double least_m) noexcept
-        : margin_m_(margin_m),
-          least_m_(least_m),
+    Patches(std::span<ContactManifold* const> last, const TouchRange& range, double size_m) noexcept
+        : margin_m_(range.margin_m),
+          beyond_m_(range.ahead_m + kBeyond * size_m),
+          least_m_(kLeastWeight * size_m),
           n_(std::min(static_cast<int>(last.size()), kMostPatches)) {
         for (int i = 0; i < n_; ++i) {
             was_there_[place_in(i)] = last[place_in(i)]->count > 0;
@@ -272,8 +274,21 @@ class Patches {
             }
         }
     }
-    [[nodiscard]] const ContactCandidates& candidates(int patch) const noexcept {
-        return candidates_[place_in(patch)];
+    /// Those that may touch within the step: what is farther than that from the nearest bears nothing, and would take a place.
+    [[nodiscard]] ContactCandidates candidates(int patch) const noexcept {
+        const ContactCandidates& all = candidates_[place_in(patch)];
+        double least_m = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < all.count; ++i) {
+            least_m = std::min(least_m, all.places[place_in(i)].gap_m);
+        }
+        ContactCandidates near;
+        for (int i = 0; i < all.count; ++i) {
+            const ContactCandidate& one = all.places[place_in(i)];
+            if (one.gap_m <= least_m + beyond_m_) {
+                near.add(one);
+            }
+        }
+        return near;
     }
     [[nodiscard]] Vector3 normal_of(int patch) const noexcept {
         const Vector3& sum = sums_[place_in(patch)];
@@ -338,6 +353,7 @@ class Patches {
     }
 
     double margin_m_;
+    double beyond_m_;
     double least_m_;
     int n_;
     std::array<bool, kMostPatches> was_there_{};
@@ -352,14 +368,16 @@ class Patches {
 }  // namespace
 
 void find_sampled_contacts(const SampledBody& first, const SampledBody& second, double size_m,
-                           double margin_m, std::span<ContactManifold* const> patches) noexcept {
+                           const TouchRange& range,
+                           std::span<ContactManifold* const> patches) noexcept {
+    const double margin_m = range.margin_m;
     Touches touches;
     const Vector3 origin_W = first.place.position_W;
     if (is_finite(first.place) && is_finite(second.place) && std::isfinite(margin_m)) {
         TouchFinder(first, second, origin_W, true, margin_m, touches).find_all();
         TouchFinder(second, first, origin_W, false, margin_m, touches).find_all();
     }
-    Patches shared(patches, margin_m, kLeastWeight * size_m);
+    Patches shared(patches, range, size_m);
     if (touches.count > 0) {
         shared.share_out(touches);
     }
@@ -367,12 +385,13 @@ void find_sampled_contacts(const SampledBody& first, const SampledBody& second, 
     for (int i = 0; i < shared.count(); ++i) {
         ContactManifold& manifold = *patches[place_in(i)];
         manifold.which_axis = 0;
-        if (shared.candidates(i).count == 0) {
+        const ContactCandidates candidates = shared.candidates(i);
+        if (candidates.count == 0) {
             manifold.count = 0;
             continue;
         }
         manifold.normal_W = shared.normal_of(i);
-        choose_contacts(shared.candidates(i), manifold.normal_W, size_m, turn, manifold);
+        choose_contacts(candidates, manifold.normal_W, size_m, turn, manifold);
     }
 }
 

@@ -10,7 +10,8 @@
 // What lies within the margin is parted by normals: a touch belongs to the patch whose normal is within 25 degrees of its own, those of
 // last time before new ones. Where the other's normal turns within a voxel, at its edges and corners, a touch says little of the
 // direction: it joins what surer ones have found within 60 degrees. A patch's normal is the mean of its touches', each by how far it is within the margin, so it turns evenly
-// while touches come and go. A field rounds edges by some hundredths of its voxel: a face that is nearer by less than that than a corner or
+// while touches come and go. Of a patch those count that are no farther than its nearest by 0.2 % of the size and what may close within the
+// step. A field rounds edges by some hundredths of its voxel: a face that is nearer by less than that than a corner or
 // an edge of its patch is as near. Which four of a patch are kept, and which of them are those of last time, is contact_points.h.
 //
 // Thread: that which steps the pair. Cost: 5 to 100 us, by how much of the surfaces is near; no allocation.
@@ -33,9 +34,16 @@ struct SampledBody {
     const ContactPlace& place;
 };
 
+/// What counts as near.
+struct TouchRange {
+    double margin_m = 0.0;  ///< gaps up to this
+    double ahead_m = 0.0;   ///< of it, how far they may close within the step
+};
+
 /// Writes all of `patches`, at most eight, which hold those of the last time; those that are not needed have no contacts. `size_m` is the
 /// smaller body's. A place or margin that is not finite has no contacts.
 void find_sampled_contacts(const SampledBody& first, const SampledBody& second, double size_m,
-                           double margin_m, std::span<ContactManifold* const> patches) noexcept;
+                           const TouchRange& range,
+                           std::span<ContactManifold* const> patches) noexcept;
 
 }  // namespace fulcrum

@@ -12,6 +12,10 @@ namespace {
 
 constexpr double kRounding_voxels = 0.03;
 constexpr double kCellsABand = 32.0;
+// Half a voxel under the surface a field that holds a wall is at least a third of that deep.
+constexpr double kDeepVoxels = 0.5;
+constexpr double kHeldPart = 0.33;
+constexpr double kMostLost = 0.1;  // at edges and tips some are
 constexpr double kFeatureShare = 1.0e-3;
 constexpr int kSides = 64;         // of a cylinder's samples
 constexpr int kRows = 16;          // of a capsule's half balls
@@ -49,6 +53,24 @@ struct MakeSampledMesh {
                     "give it a closed mesh, a hull or a shape in closed form");
     }
 };
+
+// Of the places on the faces, those that a field too coarse for them has lost: under them nothing is inside.
+double find_lost_share(const DistanceField& field, const SurfaceSamples& samples) {
+    int n_lost = 0;
+    int n_faces = 0;
+    for (const SurfaceSample& sample : samples.all()) {
+        if (sample.kind != SampleKind::face) {
+            continue;
+        }
+        const DistanceSample near = field.sample(sample.place_B);
+        const Vector3 inwards = -compute_direction(near.slope);
+        const double deep_m = kDeepVoxels * field.frame().voxel_m;
+        const double under_m = field.sample(Vector3(sample.place_B + deep_m * inwards)).value_m;
+        ++n_faces;
+        n_lost += under_m < -kHeldPart * deep_m ? 0 : 1;
+    }
+    return static_cast<double>(n_lost) / std::max(n_faces, 1);
+}
 
 Expected<DistanceField> make_field(const TriangleMesh& mesh, int n_cells,
                                    const LoadProgress& progress) {
@@ -108,6 +130,12 @@ Expected<std::shared_ptr<const SampledShape>> SampledShape::make(
         auto field = make_field(*mesh, settings.n_cells, progress);
         if (!field) {
             return tl::make_unexpected(field.error());
+        }
+        if (find_lost_share(*field, *samples) > kMostLost) {
+            return fail("a part of it is thinner than one cell of " +
+                            std::to_string(1000.0 * field->frame().voxel_m) +
+                            " mm, and would let things through",
+                        {}, "make its walls thicker, or give it shape = \"hull\"");
         }
         return with(std::move(*field));
     }

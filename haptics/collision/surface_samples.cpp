@@ -14,6 +14,9 @@ namespace {
 
 // The cosine of 20 degrees.
 constexpr double kSharpCosine = 0.93969262;
+// A corner without sharp edges: of 12 degrees, from which all edges fall by 3.
+constexpr double kTipCosine = 0.97814760;
+constexpr double kTipFall = 0.052;
 constexpr std::size_t kGroupSize = 16;
 
 std::size_t place_of(std::int32_t i) noexcept {
@@ -113,9 +116,13 @@ class SharpPlaces {
         const int n =
             static_cast<int>(std::min(std::ceil(length_m / spacing_m_),
                                       static_cast<double>(SurfaceSamples::kMostSharpPlaces)));
-        for (int i = 1; i < n; ++i) {
-            samples_.push_back({from + (static_cast<double>(i) / n) * way, way / length_m,
-                                cone.middle, cone.cosine, SampleKind::edge});
+        for (int i = 0; i < n; ++i) {
+            samples_.push_back({.place_B = from + ((i + 0.5) / n) * way,
+                                .along_B = way / length_m,
+                                .reach_m = 0.5 * length_m / n,
+                                .outwards_B = cone.middle,
+                                .cone_cosine = cone.cosine,
+                                .kind = SampleKind::edge});
         }
         for (const std::int32_t end : {sides[0].low, sides[0].high}) {
             is_corner_[place_of(end)] = true;
@@ -138,11 +145,33 @@ class SharpPlaces {
             cone.finish();
         }
         for_each_corner([](NormalCone& cone, const Vector3& normal) { cone.widen(normal); });
+        find_tips();
         for (std::size_t i = 0; i < is_corner_.size(); ++i) {
             if (is_corner_[i]) {
-                samples_.push_back({mesh_.vertices_B()[i], Vector3::Zero(), cones_[i].middle,
-                                    cones_[i].cosine, SampleKind::corner});
+                samples_.push_back({.place_B = mesh_.vertices_B()[i],
+                                    .outwards_B = cones_[i].middle,
+                                    .cone_cosine = cones_[i].cosine,
+                                    .kind = SampleKind::corner});
             }
+        }
+    }
+    // The tip of a cone has no sharp edge, and yet is a corner where all round it falls away.
+    void find_tips() {
+        std::vector<bool> is_tip(cones_.size(), true);
+        for (const TriangleCorners& triangle : mesh_.triangles()) {
+            for (const std::int32_t corner : triangle) {
+                const Vector3& at = mesh_.vertices_B()[place_of(corner)];
+                for (const std::int32_t other : triangle) {
+                    const Vector3 way = mesh_.vertices_B()[place_of(other)] - at;
+                    const bool falls =
+                        cones_[place_of(corner)].middle.dot(way) <= -kTipFall * compute_length(way);
+                    is_tip[place_of(corner)] =
+                        is_tip[place_of(corner)] && (falls || other == corner);
+                }
+            }
+        }
+        for (std::size_t i = 0; i < is_tip.size(); ++i) {
+            is_corner_[i] = is_corner_[i] || (is_tip[i] && cones_[i].cosine < kTipCosine);
         }
     }
 

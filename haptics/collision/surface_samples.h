@@ -1,7 +1,7 @@
 // A solid's surface as places where it may touch another: corners, places along its sharp edges, and places on its faces.
 //
-//   corner   a vertex of an edge that is sharp and looks outwards
-//   edge     along such an edge, no farther than the spacing from one to the next
+//   corner   a vertex of an edge that is sharp and looks outwards, or one from which all falls away with normals 12 degrees apart: a tip
+//   edge     the middles of equal pieces of such an edge, none longer than the spacing
 //   face     as many as asked for, evenly over the area (pointshell.h)
 // An edge is sharp where its triangles' normals part by more than 20 degrees, or where it has one triangle alone. Those that look inwards
 // touch nothing that has not touched their faces before. The spacing is the root of the area a place on a face has to itself.
@@ -27,6 +27,7 @@ enum class SampleKind : std::uint8_t { corner, edge, face };
 struct SurfaceSample {
     Vector3 place_B{Vector3::Zero()};
     Vector3 along_B{Vector3::Zero()};  ///< unit; of an edge alone
+    double reach_m = 0.0;              ///< of an edge: its piece of it goes so far either way
     /// Unit, the middle of the normals that meet at a corner or an edge, and the cosine to the farthest of them: something else touches here
     /// from within this cone. Of a face zero.
     Vector3 outwards_B{Vector3::Zero()};

@@ -124,9 +124,11 @@ void RigidWorld::find_contacts_of(int i, double reach_s) noexcept {
         ++next.patch;
     }
     const double size_m = std::min(first.shape.bounding_radius_m, second.shape.bounding_radius_m);
+    const double margin_m = first.reach_m + second.reach_m;
     find_sampled_contacts({*first.shape.sampled, first.place},
                           {*second.shape.sampled, second.place}, size_m,
-                          first.reach_m + second.reach_m, std::span(patches).first(n));
+                          {.margin_m = margin_m, .ahead_m = margin_m - find_near(first, second)},
+                          std::span(patches).first(n));
 }
 
 void RigidWorld::find_touching(double reach_s) noexcept {

@@ -63,7 +63,8 @@ CostPoint measure_places(const SampledShape& ring, const SampledShape& ball,
         }
         time_batches(
             [&] {
-                find_sampled_contacts({ball, place}, {ring, at_ring}, kBall_m, kMargin_m, patches);
+                find_sampled_contacts({ball, place}, {ring, at_ring}, kBall_m,
+                                      {.margin_m = kMargin_m}, patches);
             },
             {.samples = 3, .batch = 1, .warm_up = 1}, us);
         worst_m = std::max(worst_m, std::abs(find_least_gap_m(manifolds) - kGap_m));

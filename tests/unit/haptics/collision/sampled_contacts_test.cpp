@@ -26,7 +26,7 @@ struct Patched {
         for (std::size_t i = 0; i < all.size(); ++i) {
             all[i] = &manifolds[i];
         }
-        find_sampled_contacts({a, at_a}, {b, at_b}, size_m, margin_m, all);
+        find_sampled_contacts({a, at_a}, {b, at_b}, size_m, {.margin_m = margin_m}, all);
     }
     [[nodiscard]] std::vector<ContactManifold> used() const {
         std::vector<ContactManifold> with;
@@ -187,7 +187,8 @@ TEST_CASE(
     std::array<ContactManifold*, 2> places{&two[0], &two[1]};
     const ContactPlace at_ball = at({0.0, 0.0699, 0.0});
     const ContactPlace at_channel = at(Vector3::Zero());
-    find_sampled_contacts({*tight, at_ball}, {*channel, at_channel}, 0.05, 5.0e-4, places);
+    find_sampled_contacts({*tight, at_ball}, {*channel, at_channel}, 0.05, {.margin_m = 5.0e-4},
+                          places);
     CHECK(two[0].count > 0);
     CHECK(two[1].count > 0);
 }

@@ -24,9 +24,9 @@ TEST_CASE(
     CHECK(samples->spacing_m() == Approx(std::sqrt(2.0 * (0.08 + 0.04 + 0.02) / 200.0)));
     CHECK(count_kind(*samples, SampleKind::corner) == 8);
     CHECK(count_kind(*samples, SampleKind::face) == 200);
-    // Four of each length, cut into pieces no longer than the spacing; diagonals of faces are not sharp.
+    // Four of each length, the middles of pieces no longer than the spacing; diagonals of faces are not sharp.
     const auto inner = [&](double length_m) {
-        return 4 * (static_cast<int>(std::ceil(length_m / samples->spacing_m())) - 1);
+        return 4 * static_cast<int>(std::ceil(length_m / samples->spacing_m()));
     };
     CHECK(count_kind(*samples, SampleKind::edge) == inner(0.4) + inner(0.2) + inner(0.1));
     for (const SurfaceSample& sample : samples->all()) {

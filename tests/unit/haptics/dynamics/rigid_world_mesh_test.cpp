@@ -7,7 +7,9 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <utility>
+#include <vector>
 
 namespace fulcrum {
 namespace {
@@ -86,6 +88,74 @@ TEST_CASE("rigid world: a link hangs in another, tube on tube") {
     CHECK(lower.y() == Approx(-0.08).margin(5.0e-4));
     CHECK(std::hypot(lower.x(), lower.z()) < 5.0e-3);
     CHECK(world->report().n_contacts > 0);
+}
+
+TEST_CASE("rigid world: a small world has room for all patches of its meshes") {
+    RigidWorldPlan plan;
+    plan.bodies = {make_ground(),
+                   {.shape = mesh_of(make_bowl(0.12, 0.1, 32, 8)),
+                    .role = BodyRole::stays,
+                    .pose_W = Pose::at({0.0, 0.2, 0.0})},
+                   {.shape = SphereShape{0.03}, .pose_W = Pose::at({-0.04, 0.2, 0.0})},
+                   {.shape = SphereShape{0.03}, .pose_W = Pose::at({0.04, 0.2, 0.0})}};
+    auto world = make_world(plan);
+    run(*world, 1.0);
+    CHECK(world->report().n_dropped == 0);
+    for (const int ball : {2, 3}) {
+        CHECK(world->shape_pose_W(ball).position.y() > 0.12);
+    }
+}
+
+TEST_CASE("rigid world: a cylinder of triangles lies still on a table") {
+    RigidWorldPlan plan;
+    const Quaternion lying(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3::UnitX()));
+    // On one of its twelve sides, a hair above it.
+    const double high_m = 0.05 * std::cos(std::numbers::pi / 12.0) + 1.0e-4;
+    plan.bodies = {
+        {.shape = BoxShape{{0.5, 0.05, 0.5}},
+         .role = BodyRole::stays,
+         .pose_W = Pose::at({0.0, -0.05, 0.0})},
+        {.shape = mesh_of(make_cylinder(0.05, 0.2, 12)),
+         .pose_W = {
+             {0.0, high_m, 0.0},
+             Quaternion(Eigen::AngleAxisd(std::numbers::pi / 12.0, Vector3::UnitZ())) * lying}}};
+    auto world = make_world(plan);
+    run(*world, 1.5);
+    CHECK(world->state(1).velocity_W.linear.norm() < 1.0e-3);
+    CHECK(world->shape_pose_W(1).position.y() == Approx(high_m - 1.0e-4).margin(2.0e-4));
+}
+
+TEST_CASE("rigid world: a cone of triangles stands on its tip no deeper than on the ground") {
+    std::vector<Vector3> vertices{{0.0, -0.1, 0.0}, {0.0, 0.0, 0.0}};
+    std::vector<TriangleCorners> triangles;
+    constexpr int kSides = 32;
+    for (int i = 0; i < kSides; ++i) {
+        const double turn = 2.0 * std::numbers::pi * i / kSides;
+        vertices.emplace_back(0.1 * std::cos(turn), 0.0, 0.1 * std::sin(turn));
+        triangles.push_back({0, 2 + i, 2 + (i + 1) % kSides});
+        triangles.push_back({1, 2 + (i + 1) % kSides, 2 + i});
+    }
+    RigidWorldPlan plan;
+    plan.bodies = {{.shape = BoxShape{{0.5, 0.05, 0.5}},
+                    .role = BodyRole::stays,
+                    .pose_W = Pose::at({0.0, -0.05, 0.0})},
+                   {.shape = mesh_of(TriangleMesh::build(vertices, triangles)),
+                    .pose_W = Pose::at({0.0, 0.1005, 0.0})}};
+    auto world = make_world(plan);
+    // It would fall over in the end; until then its tip is on the table.
+    for (int i = 0; i < 200; ++i) {
+        world->step(kStep_s);
+        REQUIRE((world->shape_pose_W(1) * Vector3(0.0, -0.1, 0.0)).y() > -5.0e-4);
+    }
+}
+
+TEST_CASE("rigid world: a wall thinner than a cell is refused") {
+    RigidWorldPlan plan;
+    plan.bodies = {{.shape = mesh_of(make_bowl(0.1, 0.099, 48, 12)), .role = BodyRole::stays},
+                   {.shape = SphereShape{0.03}}};
+    const auto thin = RigidWorld::create(plan);
+    REQUIRE_FALSE(thin);
+    CHECK(to_sentence(thin.error()).find("thinner") != std::string::npos);
 }
 
 TEST_CASE("rigid world: an open mesh is refused by its number, and samples made before are taken") {
