@@ -1,4 +1,4 @@
-#include "haptics/collision/collision_mesh.h"
+#include "haptics/collision/mesh_copy.h"
 #include "haptics/collision/sampled_shape.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/math/length.h"
@@ -20,12 +20,6 @@ constexpr double kFeatureShare = 1.0e-3;
 constexpr int kSides = 64;         // of a cylinder's samples
 constexpr int kRows = 16;          // of a capsule's half balls
 constexpr int kBallFrequency = 8;  // of a sphere's
-
-Expected<TriangleMesh> copy_triangles(const CollisionMesh& mesh) {
-    return TriangleMesh::build({mesh.vertices_B().begin(), mesh.vertices_B().end()},
-                               {mesh.triangles().begin(), mesh.triangles().end()},
-                               {.weld_relative = 0.0, .crack_relative = 0.0});
-}
 
 struct MakeSampledMesh {
     Expected<TriangleMesh> operator()(const SphereShape& sphere) const {

@@ -1,6 +1,6 @@
 #include "haptics/dynamics/shape_inertia.h"
 
-#include "haptics/collision/collision_mesh.h"
+#include "haptics/collision/mesh_copy.h"
 #include "haptics/dynamics/integrator.h"
 
 #include <cmath>
@@ -63,12 +63,6 @@ Expected<MeshInertia> fill(const UnitInertia& unit, double density_kg_per_m3) {
     return validate(made.inertia).map([&] { return made; });
 }
 
-Expected<TriangleMesh> copy_mesh(const CollisionMesh& mesh) {
-    return TriangleMesh::build({mesh.vertices_B().begin(), mesh.vertices_B().end()},
-                               {mesh.triangles().begin(), mesh.triangles().end()},
-                               {.weld_relative = 0.0, .crack_relative = 0.0});
-}
-
 // `of_volume(unit)` and `of_mesh(mesh)` fill what they are given.
 template <class OfVolume, class OfMesh>
 Expected<MeshInertia> fill_shape(const SolidShape& shape, const OfVolume& of_volume,
@@ -79,7 +73,7 @@ Expected<MeshInertia> fill_shape(const SolidShape& shape, const OfVolume& of_vol
     const bool encloses =
         std::holds_alternative<MeshShape>(shape) || std::holds_alternative<HullShape>(shape);
     if (const MeshShape* mesh = find_mesh(shape); mesh != nullptr && encloses) {
-        return copy_mesh(**mesh).and_then(of_mesh);
+        return copy_triangles(**mesh).and_then(of_mesh);
     }
     const UnitInertia unit = std::visit(ComputeUnit{}, shape);
     if (!(unit.volume_m3 > 0.0)) {

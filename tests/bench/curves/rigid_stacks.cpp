@@ -2,14 +2,14 @@
 // grows. Nothing sleeps.
 #include "tests/bench/curves/rigid_stacks.h"
 
-#include "haptics/dynamics/rigid_world.h"
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/measure.h"
+#include "tests/support/rigid_worlds.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <stdexcept>
+#include <memory>
 
 namespace fulcrum::bench {
 namespace {
@@ -39,17 +39,10 @@ RigidWorldPlan make_stack_plan(const StackScene& scene) {
     return plan;
 }
 
-std::unique_ptr<RigidWorld> make_world(const RigidWorldPlan& plan) {
-    auto world = RigidWorld::create(plan);
-    if (!world) {
-        throw std::runtime_error(to_sentence(world.error()));
-    }
-    return std::move(*world);
-}
-
 class FulcrumStack final : public StackEngine {
   public:
-    explicit FulcrumStack(const StackScene& scene) : world_(make_world(make_stack_plan(scene))) {}
+    explicit FulcrumStack(const StackScene& scene)
+        : world_(make_rigid_world(make_stack_plan(scene))) {}
     void step() override { world_->step(kStackStep_s); }
     [[nodiscard]] Vector3 place(int cube) const override {
         return world_->shape_pose_W(cube + 1).position;
@@ -185,7 +178,7 @@ Sheet measure_courses(Run& run) {
     const int n_steps = run.pick(5000, 500);
     for (const Course& course : make_courses()) {
         run.progress(0.5, course.name);
-        const auto world = make_world(course.plan);
+        const auto world = make_rigid_world(course.plan);
         double deepest_m = 0.0;
         int n_unconverged = 0;
         std::vector<double> us = time_steps(n_steps, [&](int i) {
@@ -233,7 +226,7 @@ LineChart measure_growth(Run& run) {
                 add_cube(plan,
                          {0.3 * (i / heap.height), kCubeHalf_m * (2 * (i % heap.height) + 1), 0.0});
             }
-            const auto world = make_world(plan);
+            const auto world = make_rigid_world(plan);
             line.x.push_back(n);
             line.y.push_back(summarise(time_steps(run.pick(2000, 300), [&](int) {
                                  world->step(kStackStep_s);

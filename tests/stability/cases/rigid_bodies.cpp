@@ -1,13 +1,11 @@
 // Bodies that rest on each other, hang in chains, begin in each other or are flung: what makes simulated worlds fall over.
-#include "haptics/dynamics/rigid_world.h"
 #include "tests/stability/cases/stability_case.h"
+#include "tests/support/rigid_worlds.h"
 #include "tests/support/wander.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -28,17 +26,9 @@ RigidBodyPlan make_brick(const Vector3& half_m, const Pose& pose, double mass_kg
     return {.shape = BoxShape{half_m}, .mass_kg = mass_kg, .pose_W = pose};
 }
 
-std::unique_ptr<RigidWorld> make_world(const RigidWorldPlan& plan) {
-    auto world = RigidWorld::create(plan);
-    if (!world) {
-        throw std::runtime_error(to_sentence(world.error()));
-    }
-    return std::move(*world);
-}
-
 // How far any body ever gets from where it began, and how deep anything overlaps, whichever is more.
 Finding stand(const RigidWorldPlan& plan, double time_s, double limit_m) {
-    const auto world = make_world(plan);
+    const auto world = make_rigid_world(plan);
     double worst_m = 0.0;
     for (int i = 0; i < static_cast<int>(time_s / kStep_s); ++i) {
         world->step(kStep_s);
@@ -186,7 +176,7 @@ Finding swing_chain() {
                                .body_b = i,
                                .anchor_W = {0.05 * i, 0.0, 0.0}});
     }
-    const auto world = make_world(plan);
+    const auto world = make_rigid_world(plan);
     const double energy_J = world->compute_energy_J();
     double worst_m = 0.0;
     double gained_J = 0.0;
@@ -216,7 +206,7 @@ Finding part_deep_overlap() {
         plan.bodies.push_back(make_brick(Vector3::Constant(kHalf_m),
                                          {0.01 * random.in_cube(), random.turn(1.0)}, 1.0));
     }
-    const auto world = make_world(plan);
+    const auto world = make_rigid_world(plan);
     double energy_J = 0.0;
     double fastest_m_per_s = 0.0;
     for (int i = 0; i < 3000; ++i) {
@@ -248,7 +238,7 @@ Finding hit_wall() {
     RigidBodyPlan flung = make_brick(Vector3::Constant(kHalf_m), Pose::at({-5.0, 0.1, 0.02}), 1.0);
     flung.velocity_W.linear = {100.0, 0.0, 0.0};
     plan.bodies.push_back(flung);
-    const auto world = make_world(plan);
+    const auto world = make_rigid_world(plan);
     double energy_J = world->compute_energy_J();
     double gained_J = 0.0;
     double deepest_m = 0.0;
@@ -276,7 +266,7 @@ Finding spin_freely() {
     RigidBodyPlan brick = make_brick({0.03, 0.05, 0.1}, Pose{}, 1.0);
     brick.velocity_W.angular = {1.0e-3, 10.0, 0.0};
     plan.bodies.push_back(brick);
-    const auto world = make_world(plan);
+    const auto world = make_rigid_world(plan);
     const double energy_J = world->compute_energy_J();
     const auto momentum = [&] {
         return compute_angular_momentum_W(world->inertia(0), world->state(0));
@@ -309,7 +299,7 @@ Finding drive_wedge() {
     for (RigidBodyPlan& body : plan.bodies) {
         body.static_friction = body.dynamic_friction = 0.2;
     }
-    const auto world = make_world(plan);
+    const auto world = make_rigid_world(plan);
     constexpr double kMost_N = 200.0;
     constexpr double kStiffness_N_per_m = 4000.0;
     double deepest_m = 0.0;

@@ -1,14 +1,12 @@
 // Rigid bodies of triangles that are not convex: they hold, ring and hook into each other.
-#include "haptics/dynamics/rigid_world.h"
 #include "haptics/geometry/shape.h"
 #include "tests/stability/cases/stability_case.h"
 #include "tests/support/hollow_meshes.h"
+#include "tests/support/rigid_worlds.h"
 #include "tests/support/touchable.h"
 
 #include <cmath>
-#include <memory>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
 namespace fulcrum::stability {
@@ -21,14 +19,6 @@ RigidWorldPlan make_floor() {
     plan.settings.sleep_after_s = 0.0;
     plan.bodies.push_back({.role = BodyRole::ground});
     return plan;
-}
-
-std::unique_ptr<RigidWorld> make_mesh_world(const RigidWorldPlan& plan) {
-    auto world = RigidWorld::create(plan);
-    if (!world) {
-        throw std::runtime_error(to_sentence(world.error()));
-    }
-    return std::move(*world);
 }
 
 Quaternion turn_about(const Vector3& axis, double angle) {
@@ -58,7 +48,7 @@ Finding roll_in_bowl() {
                            .pose_W = Pose::at({0.0, 0.12, 0.0})});
     plan.bodies.push_back(
         {.shape = SphereShape{0.02}, .mass_kg = 0.1, .pose_W = Pose::at({0.07, 0.12, 0.0})});
-    const auto world = make_mesh_world(plan);
+    const auto world = make_rigid_world(plan);
     EnergyWatch energy(*world, 0.1 * 9.81 * 0.1);
     double farthest_m = 0.0;
     for (int i = 0; i < 4000; ++i) {
@@ -86,7 +76,7 @@ Finding drop_rings() {
              .mass_kg = 0.3,
              .pose_W = {{0.004, 0.45 + 0.08 * i, 0.0}, turn_about(Vector3::UnitX(), 0.1 * i)}});
     }
-    const auto world = make_mesh_world(plan);
+    const auto world = make_rigid_world(plan);
     EnergyWatch energy(*world, 3.0 * 0.3 * 9.81 * 0.5);
     double deepest_m = 0.0;
     for (int i = 0; i < 1500; ++i) {
@@ -120,7 +110,7 @@ Finding swing_links() {
              .pose_W = {{0.0798 * i, 0.0, 0.0},
                         turn_about(Vector3::UnitX(), i % 2 * 0.5 * std::numbers::pi)}});
     }
-    const auto world = make_mesh_world(plan);
+    const auto world = make_rigid_world(plan);
     EnergyWatch energy(*world, 0.2 * 9.81 * 0.3);
     double deepest_m = 0.0;
     for (int i = 0; i < 2000; ++i) {
@@ -149,7 +139,7 @@ Finding stand_as_meshes() {
                                .mass_kg = 1.0,
                                .pose_W = Pose::at({0.0, 0.05 + 0.1 * i, 0.0})});
     }
-    const auto world = make_mesh_world(plan);
+    const auto world = make_rigid_world(plan);
     double worst_m = 0.0;
     for (int i = 0; i < 2000; ++i) {
         world->step(kMeshStep_s);

@@ -1,6 +1,7 @@
 #include "haptics/dynamics/rigid_world.h"
 
 #include "haptics/geometry/shape.h"
+#include "tests/support/rigid_worlds.h"
 #include "tests/support/touchable.h"
 #include "tests/support/wander.h"
 
@@ -28,12 +29,6 @@ std::unique_ptr<RigidWorld> make_world(RigidWorldPlan plan) {
     auto world = RigidWorld::create(plan);
     REQUIRE(world);
     return std::move(*world);
-}
-
-void run(RigidWorld& world, double time_s) {
-    for (int i = 0; i < static_cast<int>(std::lround(time_s / kStep_s)); ++i) {
-        world.step(kStep_s);
-    }
 }
 
 TEST_CASE(
