@@ -68,6 +68,10 @@ class IslandSolver {
     void add_hands(const RigidWorldBody& body, double dt_s, const RigidScene& scene) noexcept;
     void take_velocities(const IslandParts& parts, RigidScene& scene) noexcept;
     void remember(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
+    [[nodiscard]] bool bend_joint(std::size_t first, const Joint& joint, double dt_s,
+                                  const RigidScene& scene) noexcept;
+    [[nodiscard]] bool bend_joints(const IslandParts& parts, double dt_s,
+                                   const RigidScene& scene) noexcept;
     void remember_joint(std::size_t first, double dt_s, Joint& joint, RigidScene& scene) noexcept;
     SolveReport solve_problem() noexcept;
     void push(const IslandParts& parts, RigidScene& scene) noexcept;

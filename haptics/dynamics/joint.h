@@ -11,10 +11,11 @@
 //   limits    q' >= -(q - lower) / h  and  <= (upper - q) / h:  a row for each that is finite
 // A hinge's angle is told by its axes up to whole turns: the turn nearest to the last step's angle counts, so limits may lie beyond pi, and
 // a step that turns by less than pi is seen as what it is.
-// Equations hold where the bodies are at the step's end, with J as at its start (SHAKE): u = -(e_ahead - e) / h + J v_free, where e_ahead is
-// the error that the free velocities would lead to, so what the way bends by is met and no energy is lost to it. Where a body turns by
-// more than 0.2 rad in the step, not about its anchor, there is no such way: u = 0, which loses energy and never gains any. What is left of
-// error is moved away in the push that parts overlapping bodies (island_solver.h).
+// Equations hold where the bodies are at the step's end, with J as at its start (SHAKE): u = -(e_ahead - e) / h + J v, where e_ahead is
+// the error that velocities v would lead to: first those without the joint, then the answer's, a few times, until the way bends as it was
+// told. So no energy is lost to it. What turns far goes in parts of the step (rigid_world_parts.cpp). Where a body still turns by more than
+// 0.6 rad, not about its anchor, there is no such way: u = 0, which loses energy and never gains any. What is left of error is moved away
+// in the push that parts overlapping bodies (island_solver.h).
 //
 // Thread: that of the island. Cost: some 50 ns a row; no allocation.
 // Source: the rows are those of any textbook of multibody dynamics; limits as complementarity, D. Baraff 1994;

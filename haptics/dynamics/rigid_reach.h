@@ -1,7 +1,7 @@
 // How far round it a body of the world looks for others, and what counts as near.
 //
 //   reach = 2e-3 R + t (|v| + t |a|) + t (|w| + t |I^-1 torque|) lever       what it may come to in the time t under its loads
-// Thread: the world loop. Cost: some ten ns.
+// Thread: the world loop; during the solving of islands, that of the island's own. Cost: some ten ns.
 #pragma once
 
 #include "haptics/dynamics/rigid_world_body.h"
@@ -23,6 +23,26 @@ inline constexpr double kNearPart = 2.0e-3;
     return compute_length(velocity_W.linear) + compute_length(velocity_W.angular) * lever_m;
 }
 
+/// Of its shape, and its inertia in the world, from its state.
+inline void place_body(RigidWorldBody& body) noexcept {
+    const Matrix3 R = body.state.pose_W.orientation.toRotationMatrix();
+    body.place.turn_WB = R * body.turn_PB;
+    body.place.position_W = body.state.pose_W.position + R * body.X_PB.position;
+    if (body.moves) {
+        body.inertia_W = R * body.inertia.moments_kg_m2.asDiagonal() * R.transpose();
+    }
+}
+
+/// Sets the velocity that its loads bring it to in the time; returns what is gained of it.
+inline Twist find_ahead(RigidWorldBody& body, const Vector3& gravity_W, double reach_s) noexcept {
+    const Twist& velocity = body.state.velocity_W;
+    const Twist gained{
+        reach_s * (gravity_W + body.load_W.force / body.inertia.mass_kg),
+        compute_spin_W(body.inertia, body.state.pose_W.orientation, reach_s * body.load_W.torque)};
+    body.ahead_W = {velocity.linear + gained.linear, velocity.angular + gained.angular};
+    return gained;
+}
+
 /// Sets what it may meet on its way in the time, and how far that is.
 inline void find_reach(RigidWorldBody& body, const Vector3& gravity_W, double reach_s) noexcept {
     const double near_m = kNearPart * body.shape.bounding_radius_m;
@@ -31,13 +51,9 @@ inline void find_reach(RigidWorldBody& body, const Vector3& gravity_W, double re
     if (!body.moves) {
         return;
     }
-    const Twist& velocity = body.state.velocity_W;
-    const Twist gained{
-        reach_s * (gravity_W + body.load_W.force / body.inertia.mass_kg),
-        compute_spin_W(body.inertia, body.state.pose_W.orientation, reach_s * body.load_W.torque)};
-    body.ahead_W = {velocity.linear + gained.linear, velocity.angular + gained.angular};
-    body.reach_m +=
-        reach_s * (find_farthest(velocity, body.lever_m) + find_farthest(gained, body.lever_m));
+    const Twist gained = find_ahead(body, gravity_W, reach_s);
+    body.reach_m += reach_s * (find_farthest(body.state.velocity_W, body.lever_m) +
+                               find_farthest(gained, body.lever_m));
 }
 
 }  // namespace fulcrum

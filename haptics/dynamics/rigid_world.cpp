@@ -78,12 +78,7 @@ void RigidWorld::place_bodies(double reach_s) noexcept {
         if (is_still(body) && n_steps_ > 0) {
             continue;
         }
-        const Matrix3 R = body.state.pose_W.orientation.toRotationMatrix();
-        body.place.turn_WB = R * body.turn_PB;
-        body.place.position_W = body.state.pose_W.position + R * body.X_PB.position;
-        if (body.moves) {
-            body.inertia_W = R * body.inertia.moments_kg_m2.asDiagonal() * R.transpose();
-        }
+        place_body(body);
         find_reach(body, settings_.gravity_W, reach_s);
         boxes_[i] = find_box(body);
     }
@@ -211,52 +206,6 @@ bool RigidWorld::wake_island(std::span<const std::int32_t> bodies) noexcept {
     return is_awake;
 }
 
-RigidWorld::SolvedIsland RigidWorld::solve_island(const DueIsland& due,
-                                                  IslandSolver& solver) noexcept {
-    // On each thread alike, whatever that of the caller does.
-    const ScopedFlushToZero flush_to_zero;
-    const IslandParts parts{islands_.bodies(due.island), pairs_.group(due.island),
-                            joints_.group(due.island)};
-    return {solver.solve(parts, due.dt_s, scene_), 0};
-}
-
-int RigidWorld::move_island(const DueIsland& due) noexcept {
-    const ScopedFlushToZero flush_to_zero;
-    const IslandParts parts{islands_.bodies(due.island), pairs_.group(due.island),
-                            joints_.group(due.island)};
-    const int n_dropped = move_bodies(parts.bodies, due.dt_s * parts_[to_place_in(due.island)]);
-    rest_bodies(parts, due.dt_s);
-    return n_dropped;
-}
-
-// The drift is the velocity and what pushes apart: that moves the body and is forgotten.
-int RigidWorld::move_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept {
-    int n_dropped = 0;
-    for (const std::int32_t i : bodies) {
-        RigidWorldBody& body = scene_.bodies[to_place_in(i)];
-        RigidState& state = body.state;
-        RigidState next = state;
-        const Vector3 momentum = compute_angular_momentum_W(body.inertia, state);
-        const Quaternion pushed =
-            compute_exp(dt_s * (body.drift_W.angular - state.velocity_W.angular));
-        const Quaternion free =
-            compute_free_turn(body.inertia, state.pose_W.orientation, momentum, dt_s);
-        next.pose_W.position += dt_s * body.drift_W.linear;
-        next.pose_W.orientation = pushed * free;
-        // It goes with the body: a slender one that spins would get energy from what pushes it.
-        next.velocity_W.angular = pushed * compute_spin_W(body.inertia, free, momentum);
-        body.forget_loads();
-        if (is_finite(next)) {
-            state = next;
-        } else {
-            // Where no numbers come out the body stands still: it is seen, and all others go on.
-            state.velocity_W = {};
-            ++n_dropped;
-        }
-    }
-    return n_dropped;
-}
-
 bool RigidWorld::may_rest(const IslandParts& parts) const noexcept {
     const auto is_driven = [&](std::int32_t i) {
         const JointDrive& drive = scene_.joints[to_place_in(i)].drive;
@@ -300,11 +249,13 @@ void RigidWorld::step(double dt_s) noexcept {
     });
     hold_back();
     pool_.run(static_cast<int>(due_.count()), [this](int i, int) noexcept {
-        solved_[to_place_in(i)].n_dropped = move_island(due_[to_place_in(i)]);
+        SolvedIsland& solved = solved_[to_place_in(i)];
+        solved.n_dropped = move_island(due_[to_place_in(i)], solved);
     });
     report_.n_solved = static_cast<int>(due_.count());
     for (const SolvedIsland& one : solved_.all()) {
         report_.n_contacts += one.report.n_contacts;
+        report_.n_in_parts += one.n_parts > 1 ? 1 : 0;
         report_.n_dropped += one.report.n_dropped + one.n_dropped;
         report_.n_iterations += one.report.solve.n_iterations;
         report_.n_pivoted += one.report.solve.n_pivoted;

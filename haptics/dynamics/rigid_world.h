@@ -11,6 +11,8 @@
 // and loses the rest of the step; that is counted. An island that has been slower
 // than the settings say for a while sleeps: it costs its boxes alone until something awake touches it or a load is put on it.
 // Not so what touches nothing and is not joined, or what a motor moves.
+// An island whose joints turn by more than 0.2 rad goes in up to 32 parts of the step, with contacts found anew in each: slow steps hold
+// pins and keep energy as short ones do.
 // Islands that no hand has touched are stepped every `slow_period_s`, by all the time that has passed since; until then they stand
 // that far behind the world.
 //
@@ -54,6 +56,7 @@ struct RigidWorldReport {
     int n_iterations = 0;   ///< of all solves together
     int n_pivoted = 0;      ///< solves that Newton left to pivoting (contact_solver.h)
     int n_held = 0;         ///< islands that went only a part of the step's way
+    int n_in_parts = 0;     ///< islands that were solved in parts, for a joint turned far
     int n_unconverged = 0;  ///< islands whose answer is not within the tolerance
     double deepest_m = 0.0;
     double residual_m_per_s = 0.0;  ///< the greatest of all islands
@@ -114,6 +117,7 @@ class RigidWorld {
     struct SolvedIsland {
         IslandReport report{};
         int n_dropped = 0;
+        int n_parts = 1;
     };
     explicit RigidWorld(const RigidWorldPlan& plan);
     void place_bodies(double reach_s) noexcept;
@@ -130,8 +134,13 @@ class RigidWorld {
     void find_islands() noexcept;
     void find_due(double dt_s) noexcept;
     [[nodiscard]] SolvedIsland solve_island(const DueIsland& due, IslandSolver& solver) noexcept;
-    [[nodiscard]] int move_island(const DueIsland& due) noexcept;
-    [[nodiscard]] int move_bodies(std::span<const std::int32_t> bodies, double dt_s) noexcept;
+    [[nodiscard]] SolvedIsland solve_in_parts(const DueIsland& due, int n_parts,
+                                              IslandSolver& solver) noexcept;
+    [[nodiscard]] IslandParts parts_of(std::int32_t island) const noexcept;
+    [[nodiscard]] int count_parts(const DueIsland& due) const noexcept;
+    [[nodiscard]] int move_part(const IslandParts& parts, double part_s) noexcept;
+    void end_parts(const IslandParts& parts, double dt_s) noexcept;
+    [[nodiscard]] int move_island(const DueIsland& due, const SolvedIsland& solved) noexcept;
     void rest_bodies(const IslandParts& parts, double dt_s) noexcept;
     [[nodiscard]] bool may_rest(const IslandParts& parts) const noexcept;
     void wake_neighbours(std::int32_t body) noexcept;

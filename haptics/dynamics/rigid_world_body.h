@@ -49,6 +49,7 @@ struct RigidWorldBody {
     ContactPlace place{};  ///< of the shape
     Matrix3 inertia_W{Matrix3::Identity()};
     Twist drift_W{};     ///< what moves it: its velocity, and what pushes overlap apart
+    Pose ends_W{};       ///< where parts of the step led it (rigid_world_parts.cpp)
     int in_problem = 0;  ///< its number there
     // What it may meet (rigid_world_ahead.cpp).
     Twist ahead_W{};       ///< its velocity at the end of the step if nothing is met
