@@ -35,6 +35,8 @@ struct Desktop {
     void say(const std::vector<std::string>& texts);
     /// Says the last one again.
     void repeat();
+    /// Somebody speaks now.
+    [[nodiscard]] bool speaks() const { return sound && sound->is_speaking(); }
     /// Nothing more is said.
     void hush();
     /// Nor heard.

@@ -2,6 +2,7 @@
 
 #include "haptics/base/clock.h"
 #include "runtime/app/interrupt.h"
+#include "runtime/audio/openal/openal_microphone.h"
 #include "runtime/render/camera.h"
 
 #include <algorithm>
@@ -70,6 +71,9 @@ void LessonScreen::begin() {
     if (desktop_.sound) {
         desktop_.sound->set_stream(run_->touch_sound());
     }
+    if (run_->plan().microphone) {
+        ear_ = std::make_unique<LiveEar>(run_->plan().hearing.listen, microphone_opener());
+    }
     keys_.watch(&run_->channels());
     epoch_s_ = level_began_s_ = monotonic_now_s();
     level_ = 0;
@@ -87,6 +91,7 @@ void LessonScreen::stop() {
         std::this_thread::sleep_for(std::chrono::duration<double>(run_->fade_shown_s()));
     }
     loops_.stop();
+    ear_.reset();
     if (desktop_.sound) {
         desktop_.sound->set_stream(nullptr);
     }
@@ -121,6 +126,7 @@ Left LessonScreen::play() {
     begin();
     while (!left_) {
         take_input(desktop_.window->poll());
+        listen();
         exchange();
         watch_files();
         last_view_ = compose();
@@ -150,6 +156,9 @@ void LessonScreen::take_input(const WindowEvents& events) {
     }
     if (events.lost_focus && run_) {
         keys_.lose_focus(run_->device().traits().renders_force);
+    }
+    if (ear_ && ear_->take_keys(events)) {
+        desktop_.hush();
     }
     for (const KeyPress& press : events.pressed) {
         if (press.text.empty()) {
@@ -219,6 +228,20 @@ void LessonScreen::move_pointer(const WindowEvents& events) {
     }
 }
 
+// What the learner says while somebody listens; never what the program says itself.
+void LessonScreen::listen() {
+    if (!ear_) {
+        return;
+    }
+    const bool wanted = error_.empty() && !keys_.stopped() && run_->session().listens();
+    if (const auto utterance = ear_->step(wanted, desktop_.speaks())) {
+        run_->session().hear_utterance(*utterance);
+    }
+    if (const std::string trouble = ear_->take_trouble(); !trouble.empty()) {
+        std::fprintf(stderr, "%s\n", trouble.c_str());
+    }
+}
+
 // One frame of the lesson, without ever waiting long for it: the picture goes on even when Lua hangs.
 void LessonScreen::exchange() {
     if (!run_ || !error_.empty()) {
@@ -273,6 +296,9 @@ void LessonScreen::watch_files() {
 View LessonScreen::compose() const {
     View view = run_ ? run_->view(catalogue_) : last_view_;
     view.input = typing_.text();
+    if (ear_) {
+        ear_->show(view, catalogue_);
+    }
     if (!error_.empty()) {
         view.banner = catalogue_.say("banner.stopped") + " " +
                       catalogue_.say("banner.teacher", {{"sentence", error_}});

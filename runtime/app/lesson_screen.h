@@ -7,6 +7,7 @@
 #include "dialogue/catalogue.h"
 #include "runtime/app/desktop.h"
 #include "runtime/app/lesson_run.h"
+#include "runtime/app/live_ear.h"
 #include "runtime/app/live_loops.h"
 #include "runtime/app/options.h"
 #include "runtime/app/stop_keys.h"
@@ -49,6 +50,7 @@ class LessonScreen {
     void take_playing_key(const KeyPress& press);
     void move_pointer(const WindowEvents& events);
     void exchange();
+    void listen();
     void watch_files();
     [[nodiscard]] View compose() const;
     [[nodiscard]] bool says_how_to_move() const;
@@ -73,6 +75,7 @@ class LessonScreen {
     double next_watch_s_ = 0.0;
 
     TypedLine typing_;
+    std::unique_ptr<LiveEar> ear_;  // null where the plan hears no microphone
     FrameInput input_{};
     double wheel_m_ = 0.0;
     StopKeys keys_;

@@ -20,13 +20,13 @@ struct CommandWord {
 constexpr std::array<CommandWord, 11> kCommands{{
     {"run", Command::run, true,
      " --headless --seconds --hand --say --learner --db --record --screenshot --screenshot-at "
-     "--speech --hear --voice --voice-speed --watch"
+     "--speech --hear --listen --voice --voice-speed --watch"
      " --mute --force-limit "},
     {"list", Command::list, false, " "},
     {"check", Command::check, true, " --force-limit "},
     {"test", Command::test, true, " --force-limit "},
     {"explain", Command::explain, true,
-     " --mute --headless --speech --hear --record --force-limit --analyze --json --hand --say "
+     " --mute --headless --speech --hear --listen --record --force-limit --analyze --json --hand --say "
      "--seconds "},
     {"report", Command::report, false, " --learner --lesson --db --format --out "},
     {"help", Command::help, false, " "},
@@ -34,7 +34,7 @@ constexpr std::array<CommandWord, 11> kCommands{{
     {"-h", Command::help, false, " "},
     {"--version", Command::version, false, " "},
     {"menu", Command::menu, false,
-     " --learner --db --force-limit --mute --speech --voice --voice-speed --watch "},
+     " --learner --db --force-limit --mute --speech --listen --voice --voice-speed --watch "},
 }};
 
 Expected<double> number_in(const std::string& flag, const std::string& text, double low,
@@ -102,6 +102,13 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
     }
     if (flag == "--speech") {
         return set_speech(options, value);
+    }
+    if (flag == "--listen") {
+        if (value != "hold" && value != "always") {
+            return fail("--listen " + value + " is not known", "", "use hold or always");
+        }
+        options.listen = value == "always" ? ListenMode::always : ListenMode::hold;
+        return {};
     }
     if (flag == "--format") {
         if (value != "text" && value != "csv") {
@@ -281,6 +288,7 @@ std::string usage() {
       --speech NAME          how answers come beside typing: text, not at all (text); sphinx, spoken, heard by PocketSphinx;
                              exec:COMMAND, heard by a program of your own (dialogue/README.md)
       --hear FILE            one recording (WAV) a line, heard for the questions in turn instead of a microphone
+      --listen hold|always   when the microphone is heard: while Control is held, or whenever somebody speaks (hold)
       --voice NAME           who says aloud what stands there: flite, espeak-ng or none (flite)
       --voice-speed N        0.5 to 2, 1 is as a teacher speaks (0.9)
   fulcrum list               the lessons

@@ -29,7 +29,8 @@ struct Options {
     SpeechInput speech = SpeechInput::text;
     std::string hearing;    ///< with --speech exec: the command
     std::string hear;       ///< file with the name of one recording a line
-    VoiceSettings voice{};  ///< in a window
+    ListenMode listen = ListenMode::hold;  ///< in a window: when the microphone is heard
+    VoiceSettings voice{};                 ///< likewise
     bool watch = false;     ///< start again whenever the lesson's files change
     bool mute = false;
     bool analyze = false;         ///< explain: play it too, and tell what each stage cost

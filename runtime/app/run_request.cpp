@@ -73,6 +73,7 @@ Expected<void> choose_hearing(const Options& options, RunRequest& request) {
                                          "add --speech sphinx, or --speech exec:COMMAND"));
     }
     HearingOrder& hearing = request.plan.hearing;
+    hearing.listen = options.listen;
     if (options.speech == SpeechInput::external) {
         hearing.words = {"/bin/sh", "-c", options.hearing};
     } else {

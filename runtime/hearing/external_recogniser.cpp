@@ -71,7 +71,13 @@ void ExternalRecogniser::speak_recording() {
         tell(to_sentence(samples.error()));
         return;
     }
-    const std::span<const std::int16_t> all(*samples);
+    hear(*samples);
+}
+
+void ExternalRecogniser::hear(std::span<const std::int16_t> all) {
+    if (!listening_) {
+        return;
+    }
     for (std::size_t i = 0; i < all.size(); i += kPiece) {
         const auto piece = all.subspan(i, std::min(kPiece, all.size() - i));
         program_->send(write_line(
@@ -123,6 +129,11 @@ void ExternalRecogniser::take(const dialogue::HearingAnswer& answer) {
     } else if (const auto* const heard = std::get_if<dialogue::HeardLine>(&answer)) {
         if (heard->question == question_) {
             awaits_ = false;
+            constexpr double kToSomebodyElse = 0.02;
+            if (settings_.passes_over &&
+                (heard->text.empty() || heard->confidence < kToSomebodyElse)) {
+                return;
+            }
             // What fits nothing is asked for again, as what is not sure is.
             heard_ = {{heard->text, heard->text.empty() ? 0.0 : heard->confidence}};
         }

@@ -1,6 +1,7 @@
 // Hears by a program beside this one (dialogue/speech/external/hearing_lines.h), which is told what may be said and given the sound.
 //
 //   listen(templates) -> word graph -> program;   sound -> program;   its text and confidence -> poll
+//   an utterance of a microphone (ear.h) -> hear
 // Where recordings are given, each question is answered by the next of them. A run without a window waits for the program's answer, so that
 // it goes the same each time; a live one never waits. Without the program, or when it fails, there is one sentence, and typing goes on.
 //
@@ -12,8 +13,10 @@
 #include "haptics/base/error.h"
 #include "runtime/files/line_program.h"
 
+#include <cstdint>
 #include <deque>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +26,8 @@ struct HearingSettings {
     std::vector<std::string> words;       ///< the program and its arguments
     std::vector<std::string> recordings;  ///< WAV files, one for each question in turn
     bool waits = false;                   ///< for answers, as runs without a window do
+    /// What fits nothing was said to somebody else: it is passed over, and nobody is asked to say it again.
+    bool passes_over = false;
 };
 
 class ExternalRecogniser final : public dialogue::Recogniser {
@@ -38,6 +43,8 @@ class ExternalRecogniser final : public dialogue::Recogniser {
     [[nodiscard]] bool listening() const override { return listening_; }
     [[nodiscard]] std::string_view name() const override { return name_; }
 
+    /// An utterance, at dialogue::kHeardRate_Hz, that answers what is listened for; nothing comes of it where nothing is.
+    void hear(std::span<const std::int16_t> utterance);
     /// What somebody should know of it, once each: words that it cannot hear, that it has ended; empty otherwise.
     [[nodiscard]] std::string take_trouble();
 

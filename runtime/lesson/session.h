@@ -23,8 +23,10 @@
 #include "runtime/scene/lesson_messages.h"
 #include "runtime/scene/plan.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -100,6 +102,11 @@ class LessonSession {
     /// Carries the reply out. A reply that names a body, force or question that isn't there is the
     /// lesson's error.
     [[nodiscard]] Expected<SessionOutput> finish_frame(const LessonReply& reply);
+
+    /// Somebody wants to know what the learner says.
+    [[nodiscard]] bool listens() const { return speech_.listening(); }
+    /// The learner's utterance through a microphone; its words come in a later frame.
+    void hear_utterance(std::span<const std::int16_t> utterance) { speech_.hear(utterance); }
 
     [[nodiscard]] const LessonDescription& description() const { return description_; }
     [[nodiscard]] const SessionHud& hud() const { return hud_; }

@@ -19,7 +19,8 @@ Speech Speech::build(const Plan& plan) {
     speech.asks_ = plan.dialogue;
     if (plan.recogniser) {
         auto hearing = ExternalRecogniser::create(
-            {plan.hearing.words, plan.hearing.recordings, plan.waits_for_hearing});
+            {plan.hearing.words, plan.hearing.recordings, plan.waits_for_hearing,
+             plan.microphone && plan.hearing.listen == ListenMode::always});
         if (hearing) {
             speech.hearing_ = std::move(*hearing);
         } else {
@@ -32,6 +33,12 @@ Speech Speech::build(const Plan& plan) {
 void Speech::type(std::string words) {
     if (typed_->listening()) {
         typed_->type(std::move(words));
+    }
+}
+
+void Speech::hear(std::span<const std::int16_t> utterance) {
+    if (hearing_) {
+        hearing_->hear(utterance);
     }
 }
 

@@ -16,8 +16,10 @@
 #include "runtime/hearing/external_recogniser.h"
 #include "runtime/scene/plan.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,6 +34,8 @@ class Speech {
 
     /// Words that were typed, or that a script says. Nothing comes of them unless somebody listens.
     void type(std::string words);
+    /// An utterance of a microphone, for the plan's recogniser. Likewise.
+    void hear(std::span<const std::int16_t> utterance);
     /// Listens for one answer; what was half said before is forgotten. The error says why it cannot.
     [[nodiscard]] Expected<void> listen(std::shared_ptr<const dialogue::TemplateSet> templates);
     void stop_listening();

@@ -167,6 +167,10 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
     if (plan.recogniser) {
         add("speech", "recogniser", 0.0, "answers are spoken", lesson.questions.front().line);
     }
+    if (plan.microphone) {
+        add("speech", "microphone", 100.0, "somebody is there to speak",
+            lesson.questions.front().line);
+    }
     if (plan.picture) {
         add("picture", "scene", 60.0, "there is somebody to see it", 0);
     }
@@ -310,6 +314,7 @@ void take_options(const LessonDescription& lesson, const PlanOptions& options, P
     if (plan.recogniser) {
         plan.hearing = options.hearing;
         plan.waits_for_hearing = !options.live;
+        plan.microphone = options.live && options.hearing.recordings.empty();
     }
 }
 

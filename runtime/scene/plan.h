@@ -9,6 +9,7 @@
 #include "haptics/dynamics/world_plan.h"
 #include "haptics/loop/haptic_plan.h"
 #include "runtime/scene/description.h"
+#include "runtime/scene/listen_mode.h"
 #include "runtime/scene/picture/felt_pictures.h"
 
 #include <cstddef>
@@ -42,6 +43,7 @@ struct HearingOrder {
     std::vector<std::string> words;  ///< the program and its arguments
     std::vector<std::string>
         recordings;  ///< WAV files that are heard instead of a microphone, one a question
+    ListenMode listen = ListenMode::hold;  ///< with a microphone
 };
 
 /// Told how much of what takes long to load is done, 0 to 1, and what it is; false stops the loading. May be empty.
@@ -101,6 +103,7 @@ struct Plan {
     SpeechInput speech = SpeechInput::text;  ///< how answers arrive, when there are any
     bool recogniser = false;         ///< a speech recogniser listens; never with SpeechInput::text
     HearingOrder hearing{};          ///< what that is
+    bool microphone = false;         ///< it hears one: somebody is there, and no recording is given
     bool waits_for_hearing = false;  ///< until it answers: no hand waits
     std::vector<double> felt_weight_N;          ///< one a body, 0 when it can't be carried
     std::vector<MaterialFacts> material_facts;  ///< one a material of the lesson, as it is felt

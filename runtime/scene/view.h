@@ -48,6 +48,14 @@ struct ViewMenuItem {
     std::string icon;      ///< name of a model drawn small
 };
 
+/// Whether somebody may speak, and how loud it is.
+struct ViewMicrophone {
+    bool visible = false;  ///< a microphone is there, and a question is open
+    bool hears = false;    ///< what is said now is taken in
+    double level = 0.0;    ///< 0 to 1
+    std::string words;     ///< what to do, where nothing is typed yet
+};
+
 struct View {
     double time_s = 0.0;
     CameraDescription camera{};
@@ -68,6 +76,7 @@ struct View {
         feedback;  ///< what was answered to the learner; words between asterisks are emphasised
     bool input_visible = false;
     std::string input;  ///< what the learner is typing
+    ViewMicrophone microphone{};
     int score = 0;
     int level = 0;
     std::string level_title;

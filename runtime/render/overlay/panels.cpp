@@ -1,6 +1,7 @@
 #include "runtime/render/overlay/panels.h"
 
 #include "runtime/render/overlay/icons.h"
+#include "runtime/render/overlay/microphone.h"
 #include "runtime/render/theme.h"
 
 #include <algorithm>
@@ -93,8 +94,11 @@ float lay_out_bottom(const View& view, const Font& font, const Measure& m, Panel
     if (view.input_visible) {
         // What was typed last stays in sight: the line is set from its end.
         const float width = std::min(m.px(kInputWidth), m.width_px - 2.0F * m.px(kMargin));
-        const float words = width - 2.0F * m.px(kPadX) - m.px(kIconRoom) - m.px(2.0F * kCursor);
-        MarkedText text = plain_text(view.input);
+        const float at_end = view.microphone.visible ? microphone_width_px(m) + m.px(kGap) : 0.0F;
+        const float words =
+            width - 2.0F * m.px(kPadX) - m.px(kIconRoom) - m.px(2.0F * kCursor) - at_end;
+        // Before anything is typed the line says how to speak.
+        MarkedText text = plain_text(view.input.empty() ? view.microphone.words : view.input);
         layout.input.words = set_words(font, m, text, {kSpokenText, 1e9F, 1});
         const auto& letters = layout.input.words.lines.front().letters;
         std::size_t first = 0;
@@ -200,12 +204,18 @@ void draw_score(const Panel& panel, const Measure& m, DrawList& list) {
               theme::kInk);
 }
 
-void draw_input(const Panel& panel, const Measure& m, DrawList& list) {
+void draw_input(const View& view, const Panel& panel, const Measure& m, DrawList& list) {
     draw_paper(list, panel.box, m, theme::kFieldPaper);
     list.frame_box(panel.box, m.px(kRadius), m.px(4.0F), theme::kBlue);
     draw_pencil_icon(list, icon_place(panel, m), m.px(kIcon));
-    draw_words(list, panel, m, kIconRoom, 0.0F, theme::kInk);
-    const float x = panel.box.x + m.px(kPadX + kIconRoom) + panel.words.width_px + m.px(kCursor);
+    const bool typed = !view.input.empty();
+    draw_words(list, panel, m, kIconRoom, 0.0F, typed ? theme::kInk : theme::kSoftInk);
+    if (view.microphone.visible) {
+        draw_microphone(list, {panel.box.right() - m.px(kPadX), panel.box.middle_y()}, m,
+                        view.microphone);
+    }
+    const float x = panel.box.x + m.px(kPadX + kIconRoom) +
+                    (typed ? panel.words.width_px + m.px(kCursor) : -m.px(2.0F * kCursor));
     const float height = 0.62F * panel.box.height;
     list.fill_box({x, panel.box.middle_y() - 0.5F * height, std::max(m.px(kCursor), 1.0F), height},
                   0.0F, theme::kBlue);
@@ -297,7 +307,7 @@ void draw_panels(const View& view, const PanelLayout& layout, const Measure& mea
         draw_words(list, layout.caption, measure, 0.0F, 0.5F, theme::kInk);
     }
     if (layout.input.box.width > 0.0F) {
-        draw_input(layout.input, measure, list);
+        draw_input(view, layout.input, measure, list);
     }
     if (layout.banner.box.width > 0.0F) {
         draw_banner(view, layout.banner, measure, list);

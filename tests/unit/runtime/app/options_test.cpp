@@ -54,6 +54,16 @@ TEST_CASE("options: explain can play the lesson, and speak to programs") {
     CHECK_FALSE(parse({"explain", "gravity"})->analyze);
 }
 
+TEST_CASE("options: the microphone is heard while a key is held, or always") {
+    CHECK(parse({"run", "gravity"})->listen == ListenMode::hold);
+    CHECK(parse({"run", "gravity", "--listen", "hold"})->listen == ListenMode::hold);
+    CHECK(parse({"run", "gravity", "--listen", "always"})->listen == ListenMode::always);
+    CHECK(parse({"menu", "--speech", "sphinx", "--listen", "always"})->listen ==
+          ListenMode::always);
+    CHECK(to_sentence(parse({"run", "gravity", "--listen", "never"}).error())
+              .find("use hold or always") != std::string::npos);
+}
+
 TEST_CASE("options: a wrong word names the nearest right one") {
     CHECK(to_sentence(parse({"rnu"}).error()).find("did you mean run") != std::string::npos);
     CHECK(to_sentence(parse({"run", "gravity", "--headles"}).error())

@@ -129,6 +129,47 @@ TEST_CASE("hearing: a program that talks nonsense or ends is told once, and noth
     CHECK(recogniser->take_trouble().empty());
 }
 
+TEST_CASE("hearing: an utterance is given in pieces, and only while somebody listens") {
+    // Tells how many lines of audio came before the end.
+    const auto recogniser = start(
+        shell("n=0; while read -r line; do case $line in *audio*) n=$((n+1));; "
+              "*end*) echo \"{\\\"heard\\\":1,\\\"text\\\":\\\"$n\\\",\\\"confidence\\\":1}\";; "
+              "esac; done"));
+    const std::vector<std::int16_t> utterance(7000, 5);
+    recogniser->hear(utterance);
+    REQUIRE(recogniser->listen(make_question().templates));
+    CHECK(recogniser->poll().empty());
+    recogniser->hear(utterance);
+    CHECK(only(recogniser->poll()) == "3");
+    recogniser->hear(utterance);
+    CHECK(recogniser->poll().empty());
+}
+
+TEST_CASE("hearing: what fits nothing is passed over where anybody may be heard") {
+    for (const bool passes_over : {true, false}) {
+        CAPTURE(passes_over);
+        const auto recogniser =
+            ExternalRecogniser::create(
+                {shell("while read -r line; do case $line in *end*) "
+                       "echo '{\"heard\":1,\"text\":\"the egg\",\"confidence\":0.001}'; "
+                       "echo '{\"heard\":1,\"text\":\"\",\"confidence\":0.9}'; "
+                       "echo '{\"trouble\":\"done\"}';; esac; done"),
+                 {},
+                 true,
+                 passes_over})
+                .value();
+        REQUIRE(recogniser->listen(make_question().templates));
+        recogniser->hear(std::vector<std::int16_t>(100, 1));
+        std::vector<dialogue::Hypothesis> heard;
+        for (std::string trouble; trouble.empty() && heard.empty();) {
+            heard = recogniser->poll();
+            trouble = recogniser->take_trouble();
+        }
+        CHECK(heard.empty() == passes_over);
+        CHECK(recogniser->listening() == passes_over);
+    }
+}
+
 TEST_CASE("hearing: a recording that is none, and a program that is not there, are one sentence") {
     const ScratchFolder folder;
     folder.write("none.wav", "RIFFnonsense");

@@ -118,3 +118,29 @@ TEST_CASE("speech: a reply can be read to its end below the next instruction") {
         CHECK(speech.last_reply() == "Not yet.");
     }
 }
+
+TEST_CASE("speech: a microphone is heard only where somebody speaks to a recogniser") {
+    PlanOptions options;
+    options.live = true;
+    const auto has_microphone = [&] {
+        const auto plan = compile_plan(two_things(), options, nullptr);
+        REQUIRE(plan);
+        CHECK(plan->has("speech", "microphone") == plan->microphone);
+        return plan->microphone;
+    };
+    CHECK_FALSE(has_microphone());
+    options.speech = SpeechInput::sphinx;
+    CHECK(has_microphone());
+    options.live = false;
+    CHECK_FALSE(has_microphone());
+    options.live = true;
+    options.hearing.recordings = {"said.wav"};
+    CHECK_FALSE(has_microphone());
+    options.hearing.recordings.clear();
+    LessonDescription silent = two_things();
+    silent.questions.clear();
+    const auto plan = compile_plan(silent, options, nullptr);
+    REQUIRE(plan);
+    CHECK_FALSE(plan->microphone);
+    CHECK_FALSE(plan->recogniser);
+}
