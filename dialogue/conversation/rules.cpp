@@ -65,8 +65,9 @@ bool is_of_pointing(const FormError& error) {
 }
 
 /// Rules that hold for one code, whatever the word.
-constexpr std::array<std::pair<ErrorCode, std::string_view>, 20> kRules = {{
+constexpr std::array<std::pair<ErrorCode, std::string_view>, 21> kRules = {{
     {ErrorCode::wording, "rule.wording"},
+    {ErrorCode::word_order, "rule.wording"},
     {ErrorCode::missing_determiner, "rule.article.missing"},
     {ErrorCode::wrong_determiner, "rule.article.sound"},
     {ErrorCode::extra_determiner, "rule.article.extra"},

@@ -39,9 +39,10 @@ enum class ErrorCode : std::uint8_t {
     verb_inflection,      ///< R:VERB:INFL "is maked of"
     wording,     ///< R:OTHER     "how many moons Jupiter has": the whole sentence goes another way
     verb_voice,  ///< R:VERB:VOICE "a spaceship makes of metal"
+    word_order,  ///< R:WO       "a rock hard", "what it is?"
 };
 
-inline constexpr int kErrorCodes = 25;
+inline constexpr int kErrorCodes = 26;
 
 /// The code as ERRANT writes it, e.g. "R:ADJ:FORM"; empty for `none`.
 [[nodiscard]] constexpr std::string_view errant_code(ErrorCode code) {
@@ -50,7 +51,8 @@ inline constexpr int kErrorCodes = 25;
         "R:VERB:SVA", "M:VERB", "R:VERB:FORM", "R:VERB:TENSE", "U:PRON",
         "R:PREP",     "M:PREP", "R:ADV",       "R:NOUN:NUM",   "R:NOUN:INFL",
         "R:SPELL",    "R:ORTH", "M:PRON",      "R:MORPH",      "M:CONJ",
-        "R:CONJ",     "U:PREP", "R:VERB:INFL", "R:OTHER",      "R:VERB:VOICE"};
+        "R:CONJ",     "U:PREP", "R:VERB:INFL", "R:OTHER",      "R:VERB:VOICE",
+        "R:WO"};
     return kNames[static_cast<std::size_t>(code)];
 }
 

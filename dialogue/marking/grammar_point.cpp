@@ -60,6 +60,7 @@ GrammarPoint grammar_point(const FormError& error) {
         case ErrorCode::wrong_conjunction:
             return GrammarPoint::joining;
         case ErrorCode::wording:
+        case ErrorCode::word_order:
             return GrammarPoint::wording;
         case ErrorCode::none:
         case ErrorCode::spelling:

@@ -56,6 +56,23 @@ std::vector<bool> leads_to_end(const Graph& graph, bool errors) {
     return leads;
 }
 
+/// Part of the sentence that a recast gives.
+bool is_plain(const Arc& arc) {
+    return arc.canonical && arc.code == ErrorCode::none;
+}
+
+/// The nodes from which the end can be reached over such arcs.
+std::vector<bool> leads_plainly(const Graph& graph) {
+    std::vector<bool> leads(static_cast<std::size_t>(graph.nodes()), false);
+    leads.back() = true;
+    for (auto arc = graph.arcs.rbegin(); arc != graph.arcs.rend(); ++arc) {
+        if (is_plain(*arc) && leads[static_cast<std::size_t>(arc->to)]) {
+            leads[static_cast<std::size_t>(arc->from)] = true;
+        }
+    }
+    return leads;
+}
+
 Piece right_piece(const TemplateSet& set, const Graph& graph, const Arc& arc) {
     Piece piece;
     piece.element = graph.elements[static_cast<std::size_t>(arc.element)];
@@ -208,6 +225,38 @@ std::string render(const std::vector<Piece>& pieces, PieceRange mark, bool blank
     }
     const bool open = text.size() >= kGap.size() && text.substr(text.size() - kGap.size()) == kGap;
     return sentence_case(text) + (asks(text) ? "?" : open ? "" : ".");
+}
+
+Sample walk_plainly(const TemplateSet& set, int number, bool error,
+                    const std::function<std::size_t(std::size_t)>& choose) {
+    const Graph& graph = set.graphs[static_cast<std::size_t>(number)];
+    const std::vector<bool> leads = leads_plainly(graph);
+    Sample sample;
+    bool wanted = error;
+    int node = graph.start();
+    while (node != graph.end() && leads[static_cast<std::size_t>(node)]) {
+        std::vector<const Arc*> right;
+        std::vector<const Arc*> wrong;
+        for (const Arc& arc : graph.arcs_from(node)) {
+            if (leads[static_cast<std::size_t>(arc.to)] &&
+                (is_plain(arc) || arc.code != ErrorCode::none)) {
+                (is_plain(arc) ? right : wrong).push_back(&arc);
+            }
+        }
+        constexpr std::size_t kOneIn = 3;  // so that errors come at all places
+        const bool errs = wanted && !wrong.empty() && (right.empty() || choose(kOneIn) == 0);
+        const std::vector<const Arc*>& ways = errs ? wrong : right;
+        wanted = wanted && !errs;
+        const Arc& arc = *ways[choose(ways.size()) % ways.size()];
+        node = arc.to;
+        if (arc.element != kNone) {
+            sample.pieces.push_back(right_piece(set, graph, arc));
+            sample.pieces.back().said = said_by(set, graph, arc);
+        }
+    }
+    resolve(sample.pieces);
+    describe(set, error, sample);
+    return sample;
 }
 
 Sample walk(const TemplateSet& set, int number, bool errors,

@@ -49,4 +49,8 @@ struct Sample {
 [[nodiscard]] Sample walk(const TemplateSet& set, int graph, bool errors,
                           const std::function<std::size_t(std::size_t)>& choose);
 
+/// The same along what a recast says, with every word of its lists; `error`: one wrong arc is taken, where one can be.
+[[nodiscard]] Sample walk_plainly(const TemplateSet& set, int graph, bool error,
+                                  const std::function<std::size_t(std::size_t)>& choose);
+
 }  // namespace fulcrum::dialogue

@@ -20,6 +20,7 @@ BEGIN {
     home["^nlohmann/"] = "^(runtime|dialogue/speech/external)/"
     home["^(hidapi|libusb)"] = "^haptics/device/hid/"
     home["^(pocketsphinx|ps_search|sphinxbase|flite|onnxruntime)"] = "^dialogue/speech/"
+    home["^link-grammar/"] = "^dialogue/checking/link_grammar/"
     home["^Eigen/"] = "^(haptics|runtime)/"
     home["^tl/expected[.]hpp$"] = "."
     home["^catch2/"] = "^$"

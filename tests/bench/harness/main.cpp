@@ -183,7 +183,7 @@ Expected<void> run_all(const BenchOptions& options, const Environment& environme
         Run run(
             options.quick,
             [&](double share, const std::string& what) { progress.say(share, what); }, options.mesh,
-            options.tool);
+            options.tool, options.text);
         for (Exhibit& exhibit : chosen[i]->run(run)) {
             join_peers(exhibit, run);
             // At once: a run that is broken off leaves what it has.

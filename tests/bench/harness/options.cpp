@@ -24,8 +24,10 @@ std::string listing(std::span<const std::string> known) {
 Expected<BenchOptions> parse_bench_options(std::span<const std::string> words,
                                            std::span<const std::string> known) {
     BenchOptions options;
-    const std::map<std::string, std::string*> values{
-        {"--out", &options.out}, {"--mesh", &options.mesh}, {"--tool", &options.tool}};
+    const std::map<std::string, std::string*> values{{"--out", &options.out},
+                                                     {"--mesh", &options.mesh},
+                                                     {"--tool", &options.tool},
+                                                     {"--text", &options.text}};
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];
         if (word == "--quick") {
@@ -68,6 +70,7 @@ std::string bench_usage() {
       --quick                a rough answer: fewer settings, fewer repetitions
       --mesh FILE            an OBJ, GLB or glTF file of your own, for those that take one: snags, field-accuracy
       --tool FILE            another, for what touches it: field-accuracy
+      --text FILE            a table of learners' sentences, for english
       --list                 what there is
       --draw FILE.csv        draws a figure again from its file, beside it; measures nothing
 )";

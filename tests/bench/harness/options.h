@@ -15,6 +15,7 @@ struct BenchOptions {
     std::string out = "bench-results";
     std::string mesh;  ///< an OBJ or GLB file for benchmarks that take one; empty: their own shapes
     std::string tool;  ///< another, for what touches it
+    std::string text;  ///< a table of learners' sentences, for benchmarks of English
     bool quick = false;
     bool list = false;
     bool help = false;

@@ -17,11 +17,13 @@ class Run {
   public:
     /// `say` gets the share done, 0 to 1, and a few words.
     using Say = std::function<void(double, const std::string&)>;
-    Run(bool quick, Say say, std::string mesh_file = {}, std::string tool_file = {})
+    Run(bool quick, Say say, std::string mesh_file = {}, std::string tool_file = {},
+        std::string text_file = {})
         : quick_(quick),
           say_(std::move(say)),
           mesh_file_(std::move(mesh_file)),
-          tool_file_(std::move(tool_file)) {}
+          tool_file_(std::move(tool_file)),
+          text_file_(std::move(text_file)) {}
 
     /// True when a rough answer within a few seconds is wanted: fewer settings, fewer repetitions, the same figures.
     [[nodiscard]] bool quick() const { return quick_; }
@@ -29,6 +31,8 @@ class Run {
     [[nodiscard]] const std::string& mesh_file() const { return mesh_file_; }
     /// The same for what touches it.
     [[nodiscard]] const std::string& tool_file() const { return tool_file_; }
+    /// A table of learners' sentences that a person has; empty when none was named.
+    [[nodiscard]] const std::string& text_file() const { return text_file_; }
     /// Tells the person who waits how far it has come: `share` 0 to 1.
     void progress(double share, const std::string& what = {}) const { say_(share, what); }
     /// `full` or, in a quick run, `rough`.
@@ -42,6 +46,7 @@ class Run {
     Say say_;
     std::string mesh_file_;
     std::string tool_file_;
+    std::string text_file_;
 };
 
 struct Bench {

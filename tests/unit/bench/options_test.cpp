@@ -21,10 +21,11 @@ TEST_CASE("bench options: a name, the first part of several names, or none for a
 
 TEST_CASE("bench options: out, mesh and draw take their values") {
     const auto options = parse({"--out", "there", "--draw", "a.csv", "--draw", "b.csv", "--mesh",
-                                "bunny.obj", "--tool", "teapot.glb"});
+                                "bunny.obj", "--tool", "teapot.glb", "--text", "learners.tsv"});
     REQUIRE(options);
     CHECK(options->mesh == "bunny.obj");
     CHECK(options->tool == "teapot.glb");
+    CHECK(options->text == "learners.tsv");
     CHECK(options->out == "there");
     CHECK(options->draw == std::vector<std::string>{"a.csv", "b.csv"});
 }
@@ -38,6 +39,7 @@ TEST_CASE("bench options: what is not known is refused in a sentence that helps"
     CHECK_FALSE(parse({"--out"}));
     CHECK_FALSE(parse({"--mesh"}));
     CHECK_FALSE(parse({"--tool"}));
+    CHECK_FALSE(parse({"--text"}));
 }
 
 }  // namespace

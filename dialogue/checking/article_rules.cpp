@@ -1,0 +1,218 @@
+// Errors of a, an, the, this and these in a free sentence.
+#include "dialogue/checking/grammar_words.h"
+#include "dialogue/checking/proposal.h"
+#include "dialogue/english/letters.h"
+
+#include <algorithm>
+
+namespace fulcrum::dialogue {
+namespace {
+
+bool is_indefinite(const FreeSentence& sentence, int i) {
+    // A letter A: "an A in music".
+    return sentence.is(i, {"a", "an"}) && !(sentence[i].capital && i > 0);
+}
+
+/// One that the ear decides by its letters alone: no abbreviation, no name written Like-ThiS.
+bool is_plain_word(const FreeWord& word) {
+    const auto upper = [](char letter) { return letter >= 'A' && letter <= 'Z'; };
+    const auto vowel = [](char letter) { return is_vowel_letter(letter) || letter == 'y'; };
+    const bool odd = word.written.empty() ||
+                     std::any_of(word.written.begin() + 1, word.written.end(), upper) ||
+                     (upper(word.written[0]) && word.written.size() == 1) ||
+                     std::none_of(word.text.begin(), word.text.end(), vowel);
+    return !odd && (word.known || !(word.text.starts_with('u') || word.text.starts_with("eu")));
+}
+
+/// a apple, an banana.
+void find_sound(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const FreeWord& next = sentence[i + 1];
+    if (!is_indefinite(sentence, i) || sentence[i].before_stop || next.text.empty() ||
+        !is_plain_word(next) || both_articles(next.text)) {
+        return;
+    }
+    const std::string_view right = indefinite_article(next.written);
+    if (right != sentence.text(i)) {
+        proposals.replace(i, ErrorCode::wrong_determiner, right);
+    }
+}
+
+/// a information, a moons, a hard; made of a metal.
+void find_after_indefinite(const FreeSentence& sentence, int i, Proposals& proposals) {
+    if (!is_indefinite(sentence, i) || sentence[i].before_stop) {
+        return;
+    }
+    int head = i + 1;
+    while (sentence[head].mainly_adjective() && !sentence[head].before_stop && head < i + 3) {
+        ++head;
+    }
+    const FreeWord& noun = sentence[head];
+    if (is_strictly_mass(noun.text) && sentence.is_head(head)) {
+        proposals.replace(i, ErrorCode::extra_determiner, "");
+    } else if (is_plural_only(noun.text) && sentence.is_head(head)) {
+        proposals.replace(i, ErrorCode::extra_determiner, "");
+    } else if (noun.plural_noun() && !noun.capital && sentence.is_head(head) &&
+               noun.text != "people" &&
+               !sentence.is(head, {"means", "lots", "times", "hundreds"}) && head == i + 1) {
+        proposals.replace(head, ErrorCode::noun_number, noun.singular);
+    }
+    const bool material = is_material(noun.text) && head == i + 1 && sentence.ends_at(head) &&
+                          sentence.is(i - 1, {"of"}) &&
+                          sentence.is(i - 2, {"made", "make", "makes"});
+    if (material) {
+        proposals.replace(i, ErrorCode::extra_determiner, "");
+    }
+    const FreeWord& last = sentence[i + 1];
+    const bool alone = sentence.ends_at(i + 1) || sentence.is(i + 2, {"and", "but"});
+    const bool be = sentence.be_at(i - 1) || is_linking_verb(sentence[i - 1].verb);
+    if (be && is_physical(last.text) && last.mainly_adjective() && alone) {
+        proposals.replace(i, ErrorCode::extra_determiner, "");
+    }
+}
+
+/// the a, my the, the some; the Jupiter.
+void find_doubled_determiner(const FreeSentence& sentence, int i, Proposals& proposals) {
+    if (!is_central_determiner(sentence.text(i)) || sentence[i].before_stop ||
+        (sentence[i].capital && i > 0)) {
+        return;
+    }
+    const bool doubled = sentence.is(i + 1, {"a", "an", "the", "my", "your", "our", "their"}) &&
+                         !sentence[i + 1].capital && !sentence[i + 1].before_stop &&
+                         !sentence.is(i, {"her", "his", "its"});
+    const bool some = sentence.is(i, {"the"}) && sentence.is(i + 1, {"some"});
+    if ((doubled && sentence.text(i) != sentence.text(i + 1)) || some) {
+        const int wrong = some || is_possessive(sentence.text(i + 1)) ? i : i + 1;
+        proposals.replace(wrong, ErrorCode::extra_determiner, "");
+    }
+    const bool planet = is_planet(sentence.text(i + 1)) && sentence[i + 1].capital &&
+                        !sentence[i + 2].mainly_noun() && !sentence[i + 2].possessive;
+    if (sentence.is(i, {"the"}) && planet) {
+        proposals.replace(i, ErrorCode::extra_determiner, "");
+    }
+}
+
+/// these rock, this moons, this two moons.
+void find_pointing(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const bool one = sentence.is(i, {"this", "that"});
+    const bool more = sentence.is(i, {"these", "those"});
+    if ((!one && !more) || sentence[i].before_stop) {
+        return;
+    }
+    const bool near = sentence.is(i, {"this", "these"});
+    int head = i + 1;
+    while (sentence[head].mainly_adjective() && !sentence[head].before_stop && head < i + 3) {
+        ++head;
+    }
+    const FreeWord& noun = sentence[head];
+    if (one && sentence[i + 1].number && sentence[i + 2].plural_noun() &&
+        sentence.text(i) == "this") {
+        proposals.replace(i, ErrorCode::wrong_determiner, "these");
+    } else if (one && noun.plural_noun() && sentence.is_head(head) && !noun.verb_in_s &&
+               sentence.text(i) == "this") {
+        proposals.replace(i, ErrorCode::wrong_determiner, near ? "these" : "those");
+    } else if (more && noun.noun_count > 0 && noun.can_be_singular && noun.singular.empty() &&
+               !noun.closed && !is_collective(noun.text) && plural_of(noun.text) != noun.text) {
+        const FreeWord& next = sentence[head + 1];
+        const bool verb_is_one = sentence.is(head + 1, {"is", "was", "has", "does"}) ||
+                                 (next.verb_in_s && next.mainly_verb());
+        const bool place = sentence.is(i - 1, {"near", "under", "behind", "with", "without", "of",
+                                               "in", "on", "like", "at", "is", "has", "have"});
+        const bool certain =
+            (noun.singular_noun() && (noun.verb.empty() || place)) || (place && noun.mainly_noun());
+        if (!verb_is_one &&
+            (!certain || !sentence.is_head(head) || sentence.is(head + 1, {"and", "or"}))) {
+            return;
+        }
+        if (verb_is_one) {
+            proposals.replace(i, ErrorCode::wrong_determiner, near ? "this" : "that");
+        } else {
+            proposals.replace(head, ErrorCode::noun_number, plural_of(noun.text));
+        }
+    }
+}
+
+/// A subject that is certain: its verb follows.
+bool begins_clause(const FreeSentence& sentence, int first, int noun) {
+    const FreeWord& next = sentence[noun + 1];
+    const bool physical =
+        first == noun || is_physical(sentence.text(first)) || is_material(sentence.text(first));
+    return physical && (sentence.be_at(noun + 1) || is_modal(next.text) ||
+                        sentence.is(noun + 1, {"has", "have", "does", "do", "had"}) ||
+                        (next.verb_in_s && next.mainly_verb()));
+}
+
+/// a heaviest thing, an Earth, the far from, a five moons.
+void find_around_article(const FreeSentence& sentence, int i, Proposals& proposals) {
+    if (sentence[i].before_stop) {
+        return;
+    }
+    const FreeWord& next = sentence[i + 1];
+    const bool superlative =
+        next.degree == Degree::superlative && next.adjective_count > next.noun_count &&
+        !sentence.is(i + 1, {"best", "worst", "latest", "most", "least", "last", "first"}) &&
+        !next.closed;
+    const bool earth = next.written == "Earth" && sentence.is_head(i + 1);
+    if (is_indefinite(sentence, i) && (superlative || earth)) {
+        proposals.replace(i, ErrorCode::wrong_determiner, "the");
+    } else if (sentence.is(i, {"the", "a"}) && sentence.is(i + 1, {"far"}) &&
+               sentence.is(i + 2, {"from"})) {
+        proposals.replace(i, ErrorCode::extra_determiner, "");
+    } else if (is_indefinite(sentence, i) && next.number && sentence[i + 2].plural_noun() &&
+               sentence.is_head(i + 2) &&
+               !sentence.is(i + 1, {"hundred", "thousand", "million", "dozen"})) {
+        proposals.replace(i, ErrorCode::extra_determiner, "");
+    } else if (sentence.is(i - 1, {"how"}) && sentence.is(i, {"a", "an", "the"}) &&
+               is_physical(next.text)) {
+        proposals.replace(i, ErrorCode::extra_determiner, "");
+    }
+    const bool first = i == 0 && sentence[0].degree == Degree::superlative &&
+                       is_physical(sentence[0].adjective) && !sentence.is(0, {"best", "worst"}) &&
+                       !sentence.asks() &&
+                       (sentence.be_at(1) || (sentence[1].noun_count > 0 && sentence.be_at(2)) ||
+                        sentence.is(1, {"one"}));
+    if (first) {
+        proposals.insert(0, ErrorCode::missing_determiner, "the");
+    }
+}
+
+/// I have apple; apple is heavy: a judge has to say so too.
+void find_missing(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const FreeWord& noun = sentence[i];
+    const bool capital_inside = noun.capital && (i > 0 || noun.noun_count < kPlainWord);
+    if (!noun.singular_noun() || capital_inside || noun.possessive || !sentence.is_head(i) ||
+        is_planet(noun.text) || is_month_or_day(noun.text) || is_time_or_amount(noun.text)) {
+        return;
+    }
+    int first = i;
+    while (first > 0 && !sentence[first].behind_stop && sentence[first - 1].mainly_adjective() &&
+           sentence[first - 1].degree == Degree::positive) {
+        --first;
+    }
+    const FreeWord& before = sentence[first - 1];
+    const bool open = first == 0 || sentence[first].behind_stop ||
+                      sentence.is(first - 1, {"is", "was"}) ||
+                      sentence.is(first - 1, {"than", "like", "has", "have", "near", "under",
+                                              "behind", "around", "towards"}) ||
+                      (before.mainly_verb() && !before.closed);
+    const bool starts = first == 0 || sentence[first].behind_stop;
+    if (!open || before.number || (starts && !begins_clause(sentence, first, i))) {
+        return;
+    }
+    const std::string_view article = indefinite_article(sentence.text(first));
+    proposals.insert(first, ErrorCode::missing_determiner, article, Certainty::asked);
+}
+
+}  // namespace
+
+void find_article_errors(const FreeSentence& sentence, Proposals& proposals) {
+    for (int i = 0; i < sentence.size(); ++i) {
+        find_sound(sentence, i, proposals);
+        find_after_indefinite(sentence, i, proposals);
+        find_doubled_determiner(sentence, i, proposals);
+        find_pointing(sentence, i, proposals);
+        find_around_article(sentence, i, proposals);
+        find_missing(sentence, i, proposals);
+    }
+}
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,55 @@
+// Finds errors of form in a free English sentence, which no template foresees: "I felt a rock hard", "it have two moon".
+//
+//   text -> sentences with their words (reading) -> rules propose (proposal) -> a judge of whole sentences decides
+//           where the words alone can't -> errors with ERRANT's codes, and the corrected text
+//
+// It rather says nothing than something wrong: what it marks is an error in 199 of 200 sentences at least that are
+// none. It doesn't know what was meant.
+//
+// Thread: one.  Cost: about 0.1 ms a sentence, and some parses where a judge is asked (link_grammar/link_judge.h).
+#pragma once
+
+#include "dialogue/checking/judge.h"
+#include "dialogue/english/error_code.h"
+#include "dialogue/english/lexicon.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fulcrum::dialogue {
+
+/// One error of form in a text.
+struct FreeError {
+    ErrorCode code = ErrorCode::none;
+    std::size_t begin = 0;  ///< bytes of the text, [begin, end); empty where something is missing
+    std::size_t end = 0;
+    std::string said;   ///< those bytes
+    std::string right;  ///< what belongs there; empty where nothing does
+};
+
+/// A text, checked.
+struct CheckedText {
+    std::vector<FreeError> errors;  ///< in the order of the text, none over another
+    std::string corrected;          ///< the text with all of them put right; all else as it was
+    std::string marked;             ///< the same with what was put right in *asterisks*
+};
+
+/// Checks texts.
+class EnglishChecker {
+  public:
+    /// `judge` isn't null.
+    EnglishChecker(Lexicon lexicon, std::unique_ptr<SentenceJudge> judge)
+        : lexicon_(std::move(lexicon)), judge_(std::move(judge)) {}
+
+    /// Only the first kLongestFreeText_bytes are looked at; what is behind is kept as it is.
+    [[nodiscard]] CheckedText check(std::string_view text);
+
+  private:
+    Lexicon lexicon_;
+    std::unique_ptr<SentenceJudge> judge_;
+};
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,251 @@
+// Errors of comparison in a free sentence.
+#include "dialogue/checking/grammar_words.h"
+#include "dialogue/checking/proposal.h"
+#include "dialogue/english/letters.h"
+#include "dialogue/english/word_table.h"
+
+#include <algorithm>
+#include <array>
+
+namespace fulcrum::dialogue {
+namespace {
+
+/// Compared by an ending, but "more true" is heard as well.
+constexpr auto kAlsoWithMore = std::to_array<std::string_view>(
+    {"true", "clear", "proud", "fair", "fit",  "fond", "apt",   "keen", "sure",   "dead", "ill",
+     "free", "whole", "such",  "open", "safe", "sad",  "human", "good", "little", "own",  "sick"});
+
+/// Not compared by "than" here: "other than", "rather than".
+constexpr auto kBeforeThan =
+    std::to_array<std::string_view>({"other", "rather", "different", "sooner", "less", "fewer",
+                                     "more", "else", "otherwise", "further"});
+
+std::string first_form(std::string_view adjective, Degree degree) {
+    return degree_forms(adjective, degree).front();
+}
+
+bool takes_ending(std::string_view adjective) {
+    const Comparison how = comparison_of(adjective);
+    return how == Comparison::ending || how == Comparison::irregular;
+}
+
+/// A comparative or superlative, and not rather a noun or verb of its own: "number", "paper", "water".
+bool is_compared(const FreeWord& word) {
+    return !word.closed && word.degree != Degree::positive &&
+           word.adjective_count > word.noun_count && word.adjective_count > word.verb_count;
+}
+
+/// What stands before a predicate: is, feels, gets, and small adverbs between.
+bool behind_be(const FreeSentence& sentence, int i) {
+    int at = i - 1;
+    if (sentence.is(at, {"and", "or"}) && is_physical(sentence.text(at - 1))) {
+        at -= 2;
+    }
+    while (at > 0 &&
+           (is_light_adverb(sentence.text(at)) || sentence.is(at, {"far", "all", "way"}))) {
+        --at;
+    }
+    const bool turned =
+        sentence.asks() && sentence.be_at(0) && sentence[at].closed;  // "is it more big?"
+    return turned || sentence.be_at(at) || is_linking_verb(sentence[at].verb) ||
+           sentence.is(at, {"be", "get", "gets", "got", "been"});
+}
+
+/// more heavier, most heaviest; more heavy, most heavy.
+void find_doubled(const FreeSentence& sentence, int i, Proposals& proposals) {
+    if (!sentence.is(i, {"more", "most"}) || sentence[i].before_stop) {
+        return;
+    }
+    const FreeWord& word = sentence[i + 1];
+    const Degree degree = sentence.text(i) == "more" ? Degree::comparative : Degree::superlative;
+    if (is_compared(word)) {
+        const std::string right = first_form(word.adjective, degree);
+        proposals.replace(i, i + 2, ErrorCode::adjective_form, right);
+        return;
+    }
+    const bool adjective =
+        word.mainly_adjective() || (is_physical(word.text) && word.adjective_count > 0 &&
+                                    (sentence.is(i - 1, {"the"}) || behind_be(sentence, i)));
+    const bool plain = adjective && word.degree == Degree::positive &&
+                       word.text == word.adjective && takes_ending(word.text) &&
+                       !contains(kAlsoWithMore, word.text);
+    if (!plain) {
+        return;
+    }
+    const bool than = sentence.is(i + 2, {"than"}) && !sentence[i + 1].before_stop &&
+                      !sentence[i + 3].mainly_adjective();
+    const bool alone = sentence.ends_at(i + 1) || sentence[i + 2].closed;
+    const bool superlative = degree == Degree::superlative;
+    const bool fits = superlative ? sentence.is(i - 1, {"the"}) || (alone && behind_be(sentence, i))
+                                  : than || (alone && behind_be(sentence, i));
+    if (fits) {
+        proposals.replace(i, i + 2, ErrorCode::adjective_form, first_form(word.text, degree));
+    }
+}
+
+/// The adjectives that `word` could be a wrongly formed degree of: heavyer, biger, gooder, beautifuler.
+std::vector<std::string> stems_of(std::string_view word, std::string_view ending) {
+    std::string stem(word.substr(0, word.size() - ending.size()));
+    std::vector<std::string> stems{stem, stem + "e"};
+    if (stem.size() > 2 && stem.back() == stem[stem.size() - 2]) {
+        stems.push_back(stem.substr(0, stem.size() - 1));
+    }
+    if (stem.ends_with("yi")) {
+        stems.push_back(stem.substr(0, stem.size() - 1));
+    } else if (stem.ends_with("i")) {
+        stems.push_back(stem.substr(0, stem.size() - 1) + "y");
+    } else {
+        stems.push_back(stem + "y");
+    }
+    return stems;
+}
+
+void find_malformed(const Lexicon& lexicon, const FreeSentence& sentence, int i,
+                    Proposals& proposals) {
+    const FreeWord& word = sentence[i];
+    if (word.closed || word.number || (word.known && word.degree != Degree::positive) ||
+        (word.capital && i > 0)) {
+        return;
+    }
+    for (const auto& [ending, degree] :
+         {std::pair<std::string_view, Degree>{"er", Degree::comparative},
+          {"est", Degree::superlative}}) {
+        if (!word.text.ends_with(ending) || word.text.size() < ending.size() + 2) {
+            continue;
+        }
+        for (const std::string& stem : stems_of(word.text, ending)) {
+            const bool irregular = comparison_of(stem) == Comparison::irregular;
+            if (!lexicon.has(stem, WordKind::adjective) || (word.known && !irregular) ||
+                lexicon.count(stem, WordKind::adjective) == 0) {
+                continue;
+            }
+            for (const LearnerForm& form : learner_forms(stem, degree)) {
+                if (form.text == word.text && form.slip < 3) {
+                    const bool doubled =
+                        sentence.is(i - 1, {"more", "most"}) && !sentence[i].behind_stop;
+                    proposals.replace(doubled ? i - 1 : i, i + 1,
+                                      doubled ? ErrorCode::adjective_form : form.code,
+                                      first_form(stem, degree));
+                    return;
+                }
+            }
+        }
+    }
+}
+
+/// heavy than, worst than, heavier then.
+void find_than(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const FreeWord& word = sentence[i];
+    if (word.before_stop || word.closed || contains(kBeforeThan, word.text)) {
+        return;
+    }
+    const bool more_before = sentence.is(i - 1, {"more", "less", "most", "least"}) ||
+                             sentence.is(i - 2, {"more", "less"}) ||
+                             sentence.is(i - 3, {"more", "less"});
+    if (sentence.is(i + 1, {"than"})) {
+        const bool plain = word.degree == Degree::positive && word.adjective == word.text &&
+                           word.adjective_count > word.noun_count && behind_be(sentence, i);
+        const bool superlative = is_compared(word) && word.degree == Degree::superlative;
+        if (superlative) {
+            const int first = sentence.is(i - 1, {"the"}) ? i - 1 : i;
+            proposals.replace(first, i + 1, ErrorCode::adjective_form,
+                              first_form(word.adjective, Degree::comparative));
+        } else if (plain && !more_before) {
+            proposals.replace(i, ErrorCode::adjective_form,
+                              first_form(word.text, Degree::comparative));
+        }
+        return;
+    }
+    const bool comparative =
+        (is_compared(word) && word.degree == Degree::comparative) || sentence.is(i - 1, {"more"});
+    if (sentence.is(i + 1, {"then"}) && comparative &&
+        behind_be(sentence, sentence.is(i - 1, {"more"}) ? i - 1 : i) &&
+        !sentence[i + 1].before_stop) {
+        const int rest = noun_phrase_at(sentence, i + 2).last;
+        const bool names_thing =
+            rest > i + 2 && (rest >= sentence.size() || sentence[rest - 1].before_stop);
+        if (names_thing) {
+            proposals.replace(i + 1, ErrorCode::wrong_preposition, "than");
+        }
+    }
+}
+
+/// heavier that the egg, heavier that before.
+void find_that(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const int rest = noun_phrase_at(sentence, i + 2).last;
+    const bool thing =
+        rest > i + 2 && rest >= sentence.size() && is_central_determiner(sentence.text(i + 2));
+    const bool before = sentence.is(i + 2, {"before"}) && sentence.ends_at(i + 2);
+    if (sentence.is(i + 1, {"that"}) && !sentence[i].before_stop && (thing || before) &&
+        behind_be(sentence, i)) {
+        proposals.replace(i + 1, ErrorCode::wrong_preposition, "than");
+    }
+}
+
+/// very more beautiful, feels much hard.
+void find_very(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const FreeWord& next = sentence[i + 1];
+    if (sentence.is(i, {"very"}) && sentence.is(i + 1, {"more"}) &&
+        sentence[i + 2].adjective_count > 0) {
+        proposals.replace(i, ErrorCode::wrong_adverb, "much");
+    }
+    const bool much = sentence.is(i, {"much"}) && is_physical(next.text) &&
+                      next.mainly_adjective() && next.degree == Degree::positive &&
+                      (sentence.ends_at(i + 1) || sentence.is(i + 2, {"and", "but"})) &&
+                      (sentence.be_at(i - 1) || is_linking_verb(sentence[i - 1].verb));
+    if (much) {
+        proposals.replace(i, ErrorCode::wrong_adverb, "very");
+    }
+}
+
+/// very heavier, as heavier as, the heavier than, is heaviest.
+void find_around(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const FreeWord& word = sentence[i];
+    if (!is_compared(word) || word.behind_stop) {
+        return;
+    }
+    if (word.degree == Degree::comparative) {
+        find_that(sentence, i, proposals);
+        if (sentence.is(i - 1, {"very"}) && !sentence.is(i - 2, {"the"})) {
+            proposals.replace(i - 1, ErrorCode::wrong_adverb, "much");
+        }
+        if (sentence.is(i - 1, {"as"}) && sentence.is(i + 1, {"as"})) {
+            proposals.replace(i, ErrorCode::adjective_form, word.adjective);
+        }
+        if (sentence.is(i - 1, {"the"}) && sentence.is(i + 1, {"than"}) && !word.before_stop) {
+            proposals.replace(i - 1, ErrorCode::extra_determiner, "");
+        }
+    }
+}
+
+/// "is heaviest", "is most beautiful": at the end of its clause, where nothing was asked with "which".
+void find_bare_superlative(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const bool with_most = sentence.is(i, {"most"}) && !sentence[i].before_stop &&
+                           sentence[i + 1].mainly_adjective() &&
+                           sentence[i + 1].degree == Degree::positive;
+    const bool inflected = is_compared(sentence[i]) && sentence[i].degree == Degree::superlative &&
+                           !sentence.is(i, {"best", "worst", "latest", "closest", "nearest"});
+    const int last = with_most ? i + 1 : i;
+    const bool alone = sentence.ends_at(last) || sentence.is(last + 1, {"one", "of", "in"}) ||
+                       (inflected && sentence[last + 1].singular_noun());
+    if ((with_most || inflected) && sentence.be_at(i - 1) && alone &&
+        !is_question_word(sentence.text(0)) && !sentence.asks()) {
+        proposals.insert(i, ErrorCode::missing_determiner, "the");
+    }
+}
+
+}  // namespace
+
+void find_comparison_errors(const Lexicon& lexicon, const FreeSentence& sentence,
+                            Proposals& proposals) {
+    for (int i = 0; i < sentence.size(); ++i) {
+        find_doubled(sentence, i, proposals);
+        find_malformed(lexicon, sentence, i, proposals);
+        find_than(sentence, i, proposals);
+        find_around(sentence, i, proposals);
+        find_very(sentence, i, proposals);
+        find_bare_superlative(sentence, i, proposals);
+    }
+}
+
+}  // namespace fulcrum::dialogue

@@ -1,0 +1,281 @@
+// How well free English is checked: on sentences made from the lessons' own templates, right ones and such with one error,
+// and on learners' text that a person has (--text FILE). And what checking costs.
+#include "dialogue/checking/link_grammar/link_judge.h"
+#include "dialogue/checking/reading.h"
+#include "runtime/lesson/questions.h"
+#include "runtime/lua/process/lesson_process.h"
+#include "tests/bench/curves/english_scores.h"
+#include "tests/bench/harness/csv.h"
+#include "tests/bench/harness/measure.h"
+#include "tests/bench/harness/registry.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace fulcrum::bench {
+namespace {
+
+using namespace fulcrum::dialogue;
+namespace fs = std::filesystem;
+
+constexpr unsigned kSeed = 20'261;
+
+[[noreturn]] void stop(const std::string& why) {
+    throw std::runtime_error(why);
+}
+
+/// Kilobytes of memory that this process holds.
+double resident_kB() {
+    std::ifstream file("/proc/self/statm");
+    double pages = 0.0;
+    double resident = 0.0;
+    file >> pages >> resident;
+    return resident * 4.0;
+}
+
+/// All questions of a lesson as it is shipped.
+std::map<std::string, Question> questions_of(const fs::path& folder) {
+    runtime::LessonFiles files;
+    files.folder = folder;
+    files.library = fs::path(FULCRUM_SOURCE_DIR) / "scripts/lib";
+    const auto process = runtime::LessonProcess::start(files);
+    if (!process) {
+        stop(process.error().message);
+    }
+    auto questions = runtime::compile_questions((*process)->description());
+    if (!questions) {
+        stop(questions.error().message);
+    }
+    return std::move(*questions);
+}
+
+EnglishChecker make_checker(std::unique_ptr<SentenceJudge> judge) {
+    auto lexicon = Lexicon::open();
+    if (!lexicon) {
+        stop(lexicon.error().message);
+    }
+    return {std::move(*lexicon), std::move(judge)};
+}
+
+std::unique_ptr<SentenceJudge> judge_or_stop() {
+    auto judge = make_link_judge();
+    if (!judge) {
+        stop(judge.error().message);
+    }
+    return std::move(*judge);
+}
+
+std::string percent(int part, int whole) {
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "%.1f", 100.0 * part / whole);
+    return whole == 0 ? "" : text.data();
+}
+
+std::string point_of_alarms(int alarms, int sentences) {
+    return std::to_string(alarms) + " of " + std::to_string(sentences);
+}
+
+/// Shows sentences that were judged wrongly, for whoever works on the rules: FULCRUM_SHOW=1.
+void show(const char* what, const std::string& code, const CheckedText& checked) {
+    static const bool shows = std::getenv("FULCRUM_SHOW") != nullptr;
+    if (shows) {
+        std::printf("%s %s: %s\n", what, code.c_str(), checked.marked.c_str());
+    }
+}
+
+void add_rows(const EnglishScores& scores, Sheet& sheet) {
+    EnglishScore all;
+    for (const auto& [code, score] : scores) {
+        if (score.alarms == 0 && score.named == 0 && sheet.name != "english-lessons") {
+            all.there += 0;
+            continue;
+        }
+        sheet.rows.push_back({code, std::to_string(score.there), percent(score.found, score.there),
+                              std::to_string(score.alarms),
+                              percent(score.right_place, score.alarms)});
+        all.there += score.there;
+        all.found += score.found;
+        all.alarms += score.alarms;
+        all.right_place += score.right_place;
+    }
+    sheet.rows.push_back({"all of these", std::to_string(all.there), percent(all.found, all.there),
+                          std::to_string(all.alarms), percent(all.right_place, all.alarms)});
+}
+
+/// Sentences of the lessons: every error is one that their templates label.
+Sheet check_lessons(EnglishChecker& checker, Run& run) {
+    Sheet sheet;
+    sheet.name = "english-lessons";
+    sheet.title = "Free English: what the lessons teach";
+    sheet.columns = {"error", "n", "found %", "alarms", "alarms in the right place %"};
+    EnglishScores scores;
+    int right = 0;
+    int false_alarms = 0;
+    for (const auto& entry : fs::directory_iterator(fs::path(FULCRUM_SOURCE_DIR) / "scenarios")) {
+        if (!fs::exists(entry.path() / "lesson.lua")) {
+            continue;
+        }
+        for (const auto& [id, question] : questions_of(entry.path())) {
+            const TemplateSentences made =
+                make_template_sentences(question, run.pick(4000, 400), kSeed);
+            for (const std::string& sentence : made.right) {
+                const CheckedText checked = checker.check(sentence);
+                ++right;
+                false_alarms += checked.errors.empty() ? 0 : 1;
+                if (!checked.errors.empty()) {
+                    show("alarm", std::string(errant_code(checked.errors.front().code)), checked);
+                }
+            }
+            for (const ErroneousSentence& wrong : made.wrong) {
+                const CheckedText checked = checker.check(wrong.text);
+                EnglishScore& score = scores[wrong.code];
+                ++score.there;
+                bool found = false;
+                bool named = false;
+                for (const FreeError& error : checked.errors) {
+                    // What is missing has no letters: its neighbours' are as good.
+                    const bool touches =
+                        error.begin <= wrong.end + 1 && wrong.begin <= error.end + 1;
+                    EnglishScore& alarmed = scores[std::string(errant_code(error.code))];
+                    ++alarmed.alarms;
+                    alarmed.right_place += touches ? 1 : 0;
+                    found = found || touches;
+                    named = named || (touches && errant_code(error.code) == wrong.code);
+                }
+                score.found += found ? 1 : 0;
+                score.named += named ? 1 : 0;
+                if (!found) {
+                    show("missed", wrong.code, checked);
+                }
+            }
+        }
+    }
+    sheet.work =
+        "Every way through the lessons' templates, sampled: right sentences, and such with "
+        "exactly one labelled error. Alarms in right sentences: " +
+        point_of_alarms(false_alarms, right) + ".";
+    sheet.advice = "What a template foresees it marks itself; this is for what is said beside it.";
+    add_rows(scores, sheet);
+    return sheet;
+}
+
+/// Learners' text from a file.
+Sheet check_text(EnglishChecker& checker, const std::string& file, bool second_half) {
+    const auto lines = read_learner_lines(file);
+    if (!lines) {
+        stop(lines.error().message + ": " + lines.error().where);
+    }
+    Sheet sheet;
+    sheet.name = std::string("english-text-") + (second_half ? "odd" : "even");
+    sheet.title = std::string("Free English: learners' text, ") + (second_half ? "odd" : "even") +
+                  " lines of " + fs::path(file).filename().string();
+    sheet.columns = {"error", "n", "found %", "alarms", "alarms in the right place %"};
+    EnglishScores scores;
+    int right = 0;
+    int sentences = 0;
+    int false_alarms = 0;
+    auto lexicon = Lexicon::open();
+    for (std::size_t i = second_half ? 1 : 0; i < lines->size(); i += 2) {
+        const LearnerLine& line = (*lines)[i];
+        const std::string& good = line.right ? line.said : line.corrected;
+        if (!good.empty()) {
+            const CheckedText checked = checker.check(good);
+            ++right;
+            sentences += static_cast<int>(read_sentences(*lexicon, good).size());
+            false_alarms += static_cast<int>(checked.errors.size());
+            if (!checked.errors.empty()) {
+                show("alarm", std::string(errant_code(checked.errors.front().code)), checked);
+            }
+        }
+        if (line.right || line.codes.empty()) {
+            continue;
+        }
+        const CheckedText checked = checker.check(line.said);
+        if (line.corrected.empty()) {
+            EnglishScore& score = scores[line.codes.front()];
+            ++score.there;
+            score.found += checked.errors.empty() ? 0 : 1;
+            score.alarms += static_cast<int>(checked.errors.size());
+            score.right_place += static_cast<int>(checked.errors.size());
+            continue;
+        }
+        add_line(line, checked, scores);
+        if (!checked.errors.empty()) {
+            show("said", std::string(errant_code(checked.errors.front().code)), checked);
+        }
+    }
+    sheet.work =
+        "Lines of learners' text, and the same as it was corrected. Alarms in what is right: " +
+        std::to_string(false_alarms) + " in " + std::to_string(right) + " lines, " +
+        std::to_string(sentences) + " sentences.";
+    sheet.advice =
+        "The rules were written with the even lines in view; the odd ones are the measure.";
+    add_rows(scores, sheet);
+    return sheet;
+}
+
+/// What it costs to have a checker and to ask it.
+Sheet measure_checker(Run& run) {
+    Sheet sheet;
+    sheet.name = "english-cost";
+    sheet.title = "Free English: what checking costs";
+    sheet.work =
+        "The word lists and the grammar are opened, then sentences are checked, each "
+        "timed on its own; without the grammar the words alone decide.";
+    sheet.advice = "A lesson that calls for no free English opens neither.";
+    sheet.columns = {"what", "median us", "99 % us", "kB"};
+    const double before_kB = resident_kB();
+    std::optional<EnglishChecker> plain;
+    const Took words =
+        time_once([&] { plain.emplace(make_checker(std::make_unique<NullJudge>())); });
+    const double with_words_kB = resident_kB();
+    std::unique_ptr<SentenceJudge> judge;
+    const Took grammar = time_once([&] { judge = judge_or_stop(); });
+    const double with_grammar_kB = resident_kB();
+    sheet.rows.push_back(
+        {"open the word lists", to_text(words.clock_us), "", to_text(with_words_kB - before_kB)});
+    sheet.rows.push_back({"open the grammar", to_text(grammar.clock_us), "",
+                          to_text(with_grammar_kB - with_words_kB)});
+    EnglishChecker whole = make_checker(std::move(judge));
+    const Timing timing{run.pick(2000, 100), 1, 20};
+    for (const char* text :
+         {"The watermelon is the heaviest fruit.", "It have two moon.",
+          "I felt apple and it was more heavier then the egg, because it is big."}) {
+        for (EnglishChecker* checker : {&*plain, &whole}) {
+            const Cost cost = measure_cost([&] { keep(checker->check(text)); }, timing);
+            sheet.rows.push_back({std::string(checker == &whole ? "" : "words alone: ") + text,
+                                  to_text(cost.median_us), to_text(cost.p99_us), ""});
+        }
+    }
+    return sheet;
+}
+
+Report run_english(Run& run) {
+    Report report;
+    report.emplace_back(measure_checker(run));
+    EnglishChecker checker = make_checker(judge_or_stop());
+    run.progress(0.2);
+    report.emplace_back(check_lessons(checker, run));
+    if (!run.text_file().empty()) {
+        run.progress(0.6);
+        report.emplace_back(check_text(checker, run.text_file(), false));
+        report.emplace_back(check_text(checker, run.text_file(), true));
+    }
+    return report;
+}
+
+const Registration kEnglish{
+    {"english", "free English: how many errors are found, how often one is seen where none is",
+     run_english}};
+
+}  // namespace
+}  // namespace fulcrum::bench

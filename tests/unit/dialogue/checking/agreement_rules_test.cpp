@@ -1,0 +1,56 @@
+#include "tests/unit/dialogue/checking/checked.h"
+
+using namespace fulcrum::dialogue;
+
+TEST_CASE("free agreement: pronouns and nouns with their verbs") {
+    check_rows({{"It have a ring.", "R:VERB:SVA => It *has* a ring."},
+                {"They goes around the sun.", "R:VERB:SVA => They *go* around the sun."},
+                {"I thinks it is round.", "R:VERB:SVA => I *think* it is round."},
+                {"She don't know.", "R:VERB:SVA => She *does*n't know."},
+                {"He like this place.", "R:VERB:SVA => He *likes* this place."},
+                {"You was there.", "R:VERB:SVA => You *were* there."},
+                {"I think it have a ring.", "R:VERB:SVA => I think it *has* a ring."},
+                {"The planets is round.", "R:VERB:SVA => The planets *are* round."},
+                {"Jupiter have a ring.", "R:VERB:SVA => Jupiter *has* a ring."},
+                {"The moon are small.", "R:VERB:SVA => The moon *is* small."}});
+}
+
+TEST_CASE("free agreement: there is and there are") {
+    check_rows({{"There is two moons.", "R:VERB:SVA => There *are* two moons."},
+                {"There's secrets.", "R:VERB:SVA => There *are* secrets."},
+                {"Is there things inside?", "R:VERB:SVA => *Are* there things inside?"},
+                {"There are a moon.", "R:VERB:SVA => There *is* a moon."},
+                {"There are person.", "R:NOUN:NUM => There are *people*."}});
+}
+
+TEST_CASE("free agreement: forms behind an auxiliary") {
+    check_rows({{"It does not likes me.", "R:VERB:FORM => It does not *like* me."},
+                {"Does it has a ring?", "R:VERB:FORM => Does it *have* a ring?"},
+                {"It can goes fast.", "R:VERB:FORM => It can *go* fast."},
+                {"It be heavy.", "R:VERB:FORM => It *is* heavy."},
+                {"You are push it.", "R:VERB:FORM => You push it."}});
+}
+
+TEST_CASE("free agreement: good English that looks alike") {
+    check_right({"I suggested she sell it.",
+                 "I heard it break down.",
+                 "Does it have a ring?",
+                 "If I were you, I would go.",
+                 "Let it go.",
+                 "The police are here.",
+                 "There are a lot of moons.",
+                 "There are dependency conflicts.",
+                 "My team is good.",
+                 "Last time I was there flags were up.",
+                 "There are description and instruction keys.",
+                 "What is he like?",
+                 "He put it there.",
+                 "You and I are here.",
+                 "Are there set rules?",
+                 "The number of moons is large.",
+                 "Star Wars is one of the best.",
+                 "My brother and she go there.",
+                 "It is open.",
+                 "Three newtons is enough.",
+                 "They are clean."});
+}

@@ -1,0 +1,45 @@
+#include "tests/unit/dialogue/checking/checked.h"
+
+using namespace fulcrum::dialogue;
+
+TEST_CASE("free articles: by sound, before what can't be counted, said twice") {
+    check_rows({{"I think it is a apple.", "R:DET => I think it is *an* apple."},
+                {"It is an uniform.", "R:DET => It is *a* uniform."},
+                {"An hour and an moon.", "R:DET => An hour and *a* moon."},
+                {"I need a advice.", "R:DET => I need *an* advice."},
+                {"I have a new information.", "U:DET => I have new information."},
+                {"It is made of a metal.", "U:DET => It is made of metal."},
+                {"The rock is a hard.", "U:DET => The rock is hard."},
+                {"I felt the a rock.", "U:DET => I felt the rock."},
+                {"The Jupiter is big.", "U:DET => Jupiter is big."},
+                {"It is a biggest planet.", "R:DET => It is *the* biggest planet."}});
+}
+
+TEST_CASE("free articles: this and these agree with their noun") {
+    check_rows({{"These rock is hard.", "R:DET => *This* rock is hard."},
+                {"I like this planets.", "R:DET => I like *these* planets."},
+                {"This two moons are small.", "R:DET => *These* two moons are small."},
+                {"I felt a moons.", "R:NOUN:NUM => I felt a *moon*."}});
+}
+
+TEST_CASE("free articles: good English that looks alike") {
+    check_right({"An hour ago I had an MRI.", "It is a one-way street.", "She got an A in English.",
+                 "A herb, an herb.", "I have a sports car.", "I have information.",
+                 "Jupiter is big.", "The Jupiter mission is new.", "He gave me a means of travel.",
+                 "This rocks!", "I like these fish.", "It is a European car.",
+                 "A few moons are small.", "The best of them is a best friend."});
+}
+
+TEST_CASE(
+    "free articles: a missing one is marked where the judge finds the sentence better with it") {
+    const auto judged = [](int without, int with) {
+        EnglishChecker checker(opened_lexicon(),
+                               std::make_unique<ToldJudge>(std::map<std::string, int, std::less<>>{
+                                   {"I saw moon.", without}, {"I saw a moon.", with}}));
+        return checker.check("I saw moon.").corrected;
+    };
+    CHECK(judged(1, 0) == "I saw a moon.");
+    CHECK(judged(0, 0) == "I saw moon.");
+    CHECK(judged(2, 1) == "I saw moon.");
+    CHECK(checked("I saw moon.") == "=> I saw moon.");
+}

@@ -1,0 +1,74 @@
+// A checker for tests: the words alone decide, or a judge whose verdicts a test names.
+#pragma once
+
+#include "dialogue/checking/checker.h"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace fulcrum::dialogue {
+
+/// Knows the sentences that it was told, each with its misfits; of others it can't tell.
+class ToldJudge final : public SentenceJudge {
+  public:
+    explicit ToldJudge(std::map<std::string, int, std::less<>> told) : told_(std::move(told)) {}
+    std::optional<int> misfits(std::string_view sentence) override {
+        const auto found = told_.find(sentence);
+        return found == told_.end() ? std::nullopt : std::optional<int>(found->second);
+    }
+
+  private:
+    std::map<std::string, int, std::less<>> told_;
+};
+
+inline Lexicon opened_lexicon() {
+    auto lexicon = Lexicon::open();
+    if (!lexicon) {
+        throw std::runtime_error(lexicon.error().message);
+    }
+    return std::move(*lexicon);
+}
+
+inline EnglishChecker words_alone() {
+    return {opened_lexicon(), std::make_unique<NullJudge>()};
+}
+
+/// "R:ADJ:FORM => The egg is *heavier*."
+inline std::string checked(std::string_view text) {
+    static EnglishChecker checker = words_alone();
+    const CheckedText result = checker.check(text);
+    std::string found;
+    for (const FreeError& error : result.errors) {
+        found += std::string(errant_code(error.code)) + " ";
+    }
+    return found + "=> " + result.marked;
+}
+
+/// One row of a test: what is said, what is found, the corrected text with marks.
+struct CheckedRow {
+    const char *said, *found;
+};
+
+template <std::size_t N>
+void check_rows(const CheckedRow (&rows)[N]) {
+    for (const CheckedRow& row : rows) {
+        INFO(row.said);
+        CHECK(checked(row.said) == row.found);
+    }
+}
+
+/// None of them has an error.
+template <std::size_t N>
+void check_right(const char* const (&sentences)[N]) {
+    for (const std::string sentence : sentences) {
+        CHECK(checked(sentence) == "=> " + sentence);
+    }
+}
+
+}  // namespace fulcrum::dialogue
