@@ -1,7 +1,5 @@
 #include "haptics/dynamics/island_solver.h"
 
-#include "haptics/dynamics/hand_rows.h"
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -19,6 +17,8 @@ constexpr double kSlowTurn = 0.5;
 // Of the fastest body: an answer that is off by more is sought once more in rounds.
 constexpr double kBadAnswer = 1.0e-4;
 constexpr int kRounds = 200;
+// Of a hand's bound: what is longer by less is as long.
+constexpr double kRoundedHand = 1.0e-9;
 // How often joints' rows are told anew how their way bends.
 constexpr int kMostBends = 4;
 
@@ -83,6 +83,19 @@ Matrix3 find_pull_moment(const RigidWorldBody& body, double dt_s) noexcept {
     return moment;
 }
 
+// Of the rows' impulses together; the first ones have one axis.
+double find_length(std::span<const RowConstraint> rows, std::size_t n_along) noexcept {
+    double along = 0.0;
+    double squared = 0.0;
+    for (const RowConstraint& row : rows.first(n_along)) {
+        along += row.impulse;
+    }
+    for (const RowConstraint& row : rows.subspan(n_along)) {
+        squared += row.impulse * row.impulse;
+    }
+    return std::sqrt(along * along + squared);
+}
+
 ContactSolverSettings in_rounds(ContactSolverSettings settings) {
     settings.method = ContactMethod::iterative;
     settings.max_iterations = std::max(settings.max_iterations, kRounds);
@@ -101,7 +114,8 @@ IslandSolver::IslandSolver(const RigidWorldSettings& settings, const ContactCapa
       contact_pushes_(capacity.contacts),
       row_pushes_(capacity.rows),
       contact_places_(capacity.contacts),
-      row_places_(capacity.rows) {}
+      row_places_(capacity.rows),
+      hand_balls_(capacity.rows) {}
 
 void IslandSolver::add_bodies(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept {
     for (const std::int32_t i : parts.bodies) {
@@ -174,6 +188,7 @@ void IslandSolver::add_hands(const RigidWorldBody& body, double dt_s,
          i = scene.held[index_of(i)].next) {
         const HandRows rows =
             make_hand_rows(scene.held[index_of(i)].hold, body.inertia, body.state, dt_s);
+        const auto first = static_cast<int>(problem_.rows().size());
         for (int row = 0; row < rows.count; ++row) {
             RowConstraint held = rows.rows[index_of(row)];
             held.body_b = body.in_problem;
@@ -181,7 +196,35 @@ void IslandSolver::add_hands(const RigidWorldBody& body, double dt_s,
                 row_pushes_.add(0.0);
             }
         }
+        // Where one was refused the others have bounds of their own.
+        const bool is_whole = static_cast<int>(problem_.rows().size()) == first + rows.count;
+        for (HandBall ball : rows.balls) {
+            ball.first += first;
+            if (is_whole && ball.count > 1) {
+                hand_balls_.add(ball);
+            }
+        }
     }
+}
+
+// True where a hand gave more than it may.
+bool IslandSolver::shorten_hands() noexcept {
+    bool is_shorter = false;
+    for (const HandBall& ball : hand_balls_.all()) {
+        const auto rows = problem_.rows().subspan(index_of(ball.first), index_of(ball.count));
+        const double length = find_length(rows, index_of(ball.n_along));
+        if (!(length > (1.0 + kRoundedHand) * ball.most)) {
+            continue;
+        }
+        is_shorter = true;
+        for (RowConstraint& row : rows) {
+            const double most = ball.most / length * std::abs(row.impulse);
+            row.least = std::max(row.least, -most);
+            row.most = std::max(std::min(row.most, most), row.least);
+            row.impulse = std::clamp(row.impulse, row.least, row.most);
+        }
+    }
+    return is_shorter;
 }
 
 void IslandSolver::take_velocities(const IslandParts& parts, RigidScene& scene) noexcept {
@@ -258,6 +301,12 @@ SolveReport IslandSolver::solve_problem() noexcept {
     return report;
 }
 
+void IslandSolver::solve_again() noexcept {
+    const int n_before = report_.solve.n_iterations;
+    report_.solve = solve_problem();
+    report_.solve.n_iterations += n_before;
+}
+
 void IslandSolver::bounce(const IslandParts& parts, RigidScene& scene) noexcept {
     for (const std::int32_t i : parts.bodies) {
         const RigidWorldBody& body = scene.bodies[index_of(i)];
@@ -282,6 +331,7 @@ void IslandSolver::build(const IslandParts& parts, double dt_s, RigidScene& scen
     row_pushes_.clear();
     contact_places_.clear();
     row_places_.clear();
+    hand_balls_.clear();
     report_ = {};
     is_off_ = bounces_ = false;
     add_bodies(parts, dt_s, scene);
@@ -319,10 +369,11 @@ IslandReport IslandSolver::solve(const IslandParts& parts, double dt_s,
     problem_.set_settled(std::ranges::all_of(
         parts.bodies, [&](std::int32_t i) { return scene.bodies[index_of(i)].settled; }));
     report_.solve = solve_problem();
+    if (shorten_hands()) {
+        solve_again();
+    }
     for (int look = 0; look < kMostBends && bend_joints(parts, dt_s, scene); ++look) {
-        const int n_before = report_.solve.n_iterations;
-        report_.solve = solve_problem();
-        report_.solve.n_iterations += n_before;
+        solve_again();
     }
     take_velocities(parts, scene);
     remember(parts, dt_s, scene);

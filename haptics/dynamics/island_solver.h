@@ -7,7 +7,8 @@
 //   drift  = v, or where anything overlaps or a joint is off its place, the answer of the same problem with targets that end this:
 //            u = min(rate * depth, most push), rate at most 1 / h. Bodies move by the drift and keep v: what pushes them apart gives them no speed and no
 //            energy, and nothing is pushed faster than stated, however deep it was
-// Hands that hold a body are rows of the problem (hand_rows.h).
+// Hands that hold a body are rows of the problem (hand_rows.h). Where a hand's impulse comes out longer than it may be, the bounds of its
+// rows are drawn in to what is as long as it may along the answer, and the problem is solved once more.
 // A joint's pull f on an arm r turns a light body back with the stiffness K = (r.f) 1 - sym(r f^T), which has nothing about the arm
 // itself: where this swings faster than steps can follow, the body's moments I count as more by the positive part of h^2 K - I / 2, as
 // an implicit step would have it. An answer that the solver does not find is
@@ -22,6 +23,7 @@
 
 #include "haptics/constraint/contact_solver.h"
 #include "haptics/constraint/impact.h"
+#include "haptics/dynamics/hand_rows.h"
 #include "haptics/dynamics/rigid_world_body.h"
 #include "haptics/dynamics/rigid_world_plan.h"
 
@@ -73,7 +75,9 @@ class IslandSolver {
     [[nodiscard]] bool bend_joints(const IslandParts& parts, double dt_s,
                                    const RigidScene& scene) noexcept;
     void remember_joint(std::size_t first, double dt_s, Joint& joint, RigidScene& scene) noexcept;
+    [[nodiscard]] bool shorten_hands() noexcept;
     SolveReport solve_problem() noexcept;
+    void solve_again() noexcept;
     void push(const IslandParts& parts, RigidScene& scene) noexcept;
 
     RigidWorldSettings settings_;
@@ -86,6 +90,7 @@ class IslandSolver {
     BoundedList<double> row_pushes_;
     BoundedList<std::int32_t> contact_places_;  // in the problem, of each point and row in turn;
     BoundedList<std::int32_t> row_places_;      // -1 of what was refused
+    BoundedList<HandBall> hand_balls_;          // by the problem's rows
     bool is_off_ = false;                       // anything has to be pushed
     bool bounces_ = false;                      // anything arrives that does
     IslandReport report_{};

@@ -13,32 +13,10 @@ namespace {
 // Contacts are known ahead of time; nearer than this is touching.
 constexpr double kTouching_m = 5.0e-4;
 
-Vector3 shorten(const Vector3& v, double most) noexcept {
-    const double length = compute_length(v);
-    return length > most ? Vector3(most / length * v) : v;
-}
-
-// Less by what of `taken` lies along it: no more than it was, and never the other way. What is no number stays so.
-Vector3 give_way(const Vector3& push, const Vector3& taken) noexcept {
-    const double length = compute_length(push);
-    if (!(length > 0.0)) {
-        return push;
-    }
-    return std::clamp(1.0 - (push / length).dot(taken) / length, 0.0, 1.0) * push;
-}
-
-// A force that gives way as far as the hand's bounds let it.
-Vector3 give_way(const Vector3& force_W, const Vector3& taken_W,
-                 const PushBounds& bounds) noexcept {
-    const Vector3 left_W = force_W - taken_W;
-    if (bounds.along_W.isZero(0.0)) {
-        return shorten(left_W, bounds.most_N);
-    }
-    const Vector3& n = bounds.along_W;
-    const Vector3 across_W = force_W - n.dot(force_W) * n;
-    const double most_across_N = std::max(bounds.friction_N, compute_length(across_W));
-    return std::clamp(n.dot(left_W), 0.0, bounds.most_N) * n +
-           shorten(left_W - n.dot(left_W) * n, most_across_N);
+// What is left of a couple along its own way: never the other way. What is no number stays so.
+Vector3 keep_way(const Vector3& told, const Vector3& left) noexcept {
+    const double squared = told.squaredNorm();
+    return squared > 0.0 ? Vector3(std::max(left.dot(told) / squared, 0.0) * told) : told;
 }
 
 }  // namespace
@@ -105,32 +83,37 @@ void RigidLoop::take_pushes(double now_s) noexcept {
     for (Told& told : told_) {
         told.is_held = false;
     }
-    for (std::size_t hand = 0; hand < hands_.size(); ++hand) {
-        const bool is_new = hands_[hand]->pushes.take();
-        const HandPushes& pushes = hands_[hand]->pushes.value();
+    for (RigidChannels* hand : hands_) {
+        hand->pushes.take();
+        const HandPushes& pushes = hand->pushes.value();
         if (!(std::abs(now_s - pushes.stamp_s) <= kStalePush_s) || pushes.stamp_s < 0.0) {
             continue;
         }
-        if (is_new) {
-            aheads_s_[hand] = std::clamp(due_s_ - (now_s - pushes.stamp_s), 0.0, due_s_);
-        }
         const std::int32_t count = std::clamp(pushes.count, 0, kMaxSolids);
         for (std::int32_t i = 0; i < count; ++i) {
-            take_push(pushes.pushes[static_cast<std::size_t>(i)], aheads_s_[hand]);
+            take_push(pushes.pushes[static_cast<std::size_t>(i)]);
         }
     }
 }
 
 // A push on where it was before it was put elsewhere is no push on it any more.
-void RigidLoop::take_push(const RigidPush& push, double ahead_s) noexcept {
+void RigidLoop::take_push(const RigidPush& push) noexcept {
     const std::int32_t body = body_of_solid(push.solid);
     if (body < 0 || push.n_placements != told_[static_cast<std::size_t>(body)].n_placements) {
         return;
     }
     BodyHold hold = push.hold;
-    hold.push_W = find_push_W(push, world_->behind_s(body) + ahead_s);
+    const bool is_grip = hold.bounds.along_W.isZero(0.0);
+    hold.at_W = world_->shape_pose_W(body) * (push.pose_W.inverse() * push.hold.at_W);
+    hold.push_W = find_push_W(push, hold.at_W);
+    if (!is_grip) {
+        hold.push_W.torque = keep_way(push.hold.push_W.torque, hold.push_W.torque);
+        const double most_Nm = compute_length(push.hold.push_W.torque);
+        hold.bounds.most_Nm =
+            hold.push_W.torque.isZero(0.0) ? 0.0 : std::min(hold.bounds.most_Nm, most_Nm);
+    }
     world_->hold(body, hold);
-    told_[static_cast<std::size_t>(body)].is_held |= hold.bounds.along_W.isZero(0.0);
+    told_[static_cast<std::size_t>(body)].is_held |= is_grip;
 }
 
 std::int32_t RigidLoop::body_of_solid(std::int32_t solid) const noexcept {
@@ -138,28 +121,21 @@ std::int32_t RigidLoop::body_of_solid(std::int32_t solid) const noexcept {
     return solid >= 0 && i < solids_.size() ? solids_[i] : kNoBody;
 }
 
-Wrench RigidLoop::find_push_W(const RigidPush& push, double ahead_s) const noexcept {
+// Where it is held now.
+Wrench RigidLoop::find_push_W(const RigidPush& push, const Vector3& at_W) const noexcept {
     const std::int32_t body = body_of_solid(push.solid);
     const Pose shape_W = world_->shape_pose_W(body);
     const Twist moves = velocity_W(body);
-    const Pose ahead_W{shape_W.position + ahead_s * moves.linear,
-                       compute_exp(ahead_s * moves.angular) * shape_W.orientation};
     const BodyHold& hold = push.hold;
-    const Vector3 at_W = ahead_W * (push.pose_W.inverse() * hold.at_W);
-    const Vector3 sped_up = moves.linear + moves.angular.cross(at_W - ahead_W.position) -
+    const Vector3 sped_up = moves.linear + moves.angular.cross(at_W - shape_W.position) -
                             push.velocity_W.linear -
                             push.velocity_W.angular.cross(hold.at_W - push.pose_W.position);
-    const Vector3 turned = compute_log(ahead_W.orientation * push.pose_W.orientation.conjugate());
+    const Vector3 turned = compute_log(shape_W.orientation * push.pose_W.orientation.conjugate());
     const PushSlopes& slopes = hold.slopes;
-    const Vector3 taken_N =
-        slopes.stiffness_N_per_m * (at_W - hold.at_W) + slopes.damping_Ns_per_m * sped_up;
-    const Vector3 taken_Nm =
-        slopes.turn_stiffness_Nm_per_rad * turned +
-        slopes.turn_damping_Nms_per_rad * (moves.angular - push.velocity_W.angular);
-    const bool is_grip = hold.bounds.along_W.isZero(0.0);
-    return {give_way(hold.push_W.force, taken_N, hold.bounds),
-            is_grip ? shorten(hold.push_W.torque - taken_Nm, hold.bounds.most_Nm)
-                    : give_way(hold.push_W.torque, taken_Nm)};
+    return {hold.push_W.force - slopes.stiffness_N_per_m * (at_W - hold.at_W) -
+                slopes.damping_Ns_per_m * sped_up,
+            hold.push_W.torque - slopes.turn_stiffness_Nm_per_rad * turned -
+                slopes.turn_damping_Nms_per_rad * (moves.angular - push.velocity_W.angular)};
 }
 
 void RigidLoop::find_touching() noexcept {

@@ -4,9 +4,10 @@
 // (body_stage.h). So a hand knows a body as it was a step and its computing time ago. The world knows it better, and takes the push as the
 // hand's spring and damper would have given it there:
 //   F = F_told - k (x - x_told) - b (v - v_told)      couples alike with angles
-// x and v where the world has the body at the time of the push, or now while the hand stands still: one that stalls goes on with its last
-// push so, which gives no more than its spring held, and nothing after kStalePush_s. F stays within what the hand may feel, and within
-// what it told of itself: a push never draws, and drags no more than friction holds (hand_rows.h).
+// x and v where the world has the body as its step begins; what the body does in the step the rows of the hand answer, which also keep it
+// within what the hand may feel, and a push from drawing (hand_rows.h). So a push may be as old as the step, or a hand stall and go on with
+// its last one: it gives no more than its spring held, and nothing after kStalePush_s. A push turns with no more than the couple that it
+// told, and never the other way.
 // A body has landed when it touches something after it touched nothing for a while.
 //
 // Thread: `step` on one thread beside the haptic ones (or a virtual clock). Cost: that of RigidWorld::step, and one copy of the snapshot and
@@ -69,9 +70,9 @@ class RigidLoop final : public PeriodicTask {
     void take_commands() noexcept;
     void apply(const WorldCommand& command) noexcept;
     void take_pushes(double now_s) noexcept;
-    void take_push(const RigidPush& push, double ahead_s) noexcept;
+    void take_push(const RigidPush& push) noexcept;
     [[nodiscard]] std::int32_t body_of_solid(std::int32_t solid) const noexcept;
-    [[nodiscard]] Wrench find_push_W(const RigidPush& push, double ahead_s) const noexcept;
+    [[nodiscard]] Wrench find_push_W(const RigidPush& push, const Vector3& at_W) const noexcept;
     void find_touching() noexcept;
     void notice_landings(double now_s, double dt_s) noexcept;
     void tell_hands(double now_s) noexcept;
@@ -85,7 +86,6 @@ class RigidLoop final : public PeriodicTask {
     std::vector<std::int32_t> solids_;
     WorldChannels* lesson_;
     std::vector<RigidChannels*> hands_;
-    std::vector<double> aheads_s_;  // from the world's state to when each hand spoke last
     RigidFrame frame_{};
     WorldSnapshot snapshot_{};
     bool started_ = false;

@@ -61,8 +61,7 @@ RigidLoop::RigidLoop(const RigidLoopPlan& plan, std::unique_ptr<RigidWorld> worl
       body_of_scene_(kMaxBodies, kNoBody),
       solids_(plan.solids),
       lesson_(lesson),
-      hands_(hands.begin(), hands.end()),
-      aheads_s_(hands.size()) {
+      hands_(hands.begin(), hands.end()) {
     for (std::size_t i = 0; i < told_.size(); ++i) {
         const std::int32_t scene_body = plan.scene_bodies[i];
         told_[i].scene_body = scene_body;

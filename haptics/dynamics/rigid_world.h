@@ -73,7 +73,7 @@ class RigidWorld {
     /// A load of the next step, about the centre of mass: it adds to what was told before, wakes the body and marks its island as
     /// touched. A body that is not there or does not move, and loads that are not finite, are passed over.
     void push(std::int32_t body, const Wrench& wrench_W) noexcept;
-    /// The same of a hand (hand_rows.h); of a body that many hold, more than kMostHeld in all are passed over, and counted.
+    /// The same of a hand (hand_rows.h), whose push is that where the body is now; `along_W` may have any length. Of a body that many hold, more than kMostHeld in all are passed over, and counted.
     void hold(std::int32_t body, const BodyHold& hold) noexcept;
     /// Takes a body out of the world, or back into it where it is, and forgets its loads. Joints of one that is not there hold nothing;
     /// what lay on it or hung from it wakes.

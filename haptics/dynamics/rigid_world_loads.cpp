@@ -1,6 +1,7 @@
 // What hands and lessons do to the bodies of rigid_world.h: loads of the next step, and bodies that are put elsewhere, out or in.
 #include "haptics/dynamics/rigid_world.h"
 #include "haptics/dynamics/unit_pose.h"
+#include "haptics/math/length.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +56,11 @@ void RigidWorld::hold(std::int32_t index, const BodyHold& hold) noexcept {
         !std::isfinite(arm.squaredNorm())) {
         return;
     }
-    if (!scene_.held.add({hold, body.held})) {
+    HeldBody held{hold, body.held};
+    if (!held.hold.bounds.along_W.isZero(0.0)) {
+        held.hold.bounds.along_W = compute_direction(hold.bounds.along_W);
+    }
+    if (!scene_.held.add(held)) {
         ++n_refused_;
         return;
     }

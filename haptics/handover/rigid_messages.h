@@ -43,11 +43,11 @@ struct RigidFrame {
 
 /// How far a hand goes along with the body that it holds, within a step.
 struct PushBounds {
-    /// Unit vector: so it pushes, and never draws. Zero: it grips, and holds every way and every turning.
+    /// A direction: so it pushes, and never draws. Zero: it grips, and holds every way and every turning.
     Vector3 along_W{Vector3::Zero()};
     double friction_N = 0.0;  ///< what it holds across `along_W`, each way
     double most_N = 0.0;      ///< that the hand may feel
-    double most_Nm = 0.0;     ///< each about one axis
+    double most_Nm = 0.0;     ///< that it turns with, in all
 };
 
 /// How a hand holds a body.

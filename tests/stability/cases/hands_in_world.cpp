@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fulcrum::stability {
 namespace {
@@ -95,6 +96,62 @@ Finding stack_by_hand() {
             3.0e-3, ""};
 }
 
+// A hand that stands, a spring without a damper or late mass, speaks as each step of the world begins; its body swings on it. What an
+// observer of its port counts, impulse by way, is what the hand gave: never more than the spring held.
+double swing_on_late_spring(double step_s, double stiffness_N_per_m, double mass_kg) {
+    test::BoxScene scene;
+    scene.boxes[0].mass_kg = mass_kg;
+    scene.boxes[0].at_W = {0.0, 1.0, 0.0};
+    RigidLoopPlan plan = scene.make_world();
+    plan.world.settings.gravity_W.setZero();
+    RigidChannels channels;
+    RigidChannels* const hands[] = {&channels};
+    const auto loop = std::move(RigidLoop::create(plan, nullptr, hands)).value();
+    const Vector3 hand_W = scene.boxes[0].at_W + Vector3(0.02, 0.01, 0.0);
+    const double held_J = 0.5 * stiffness_N_per_m * 5.0e-4;
+    double given_J = 0.0;
+    double worst = 0.0;
+    for (int i = 1; i <= 2000; ++i) {
+        const RigidState before = loop->world().state(1);
+        HandPushes pushes;
+        pushes.stamp_s = (i - 1) * step_s;
+        pushes.count = 1;
+        RigidPush& push = pushes.pushes[0];
+        push.solid = 0;
+        push.pose_W = before.pose_W;
+        push.velocity_W = before.velocity_W;
+        push.hold.at_W = before.pose_W.position;
+        push.hold.push_W.force = stiffness_N_per_m * (hand_W - before.pose_W.position);
+        push.hold.slopes.stiffness_N_per_m = stiffness_N_per_m;
+        push.hold.bounds = {.most_N = 1.0e3, .most_Nm = 1.0};
+        channels.pushes.publish(pushes);
+        loop->step(i * step_s);
+        const RigidState& after = loop->world().state(1);
+        const Vector3 impulse_Ns =
+            mass_kg * (after.velocity_W.linear - before.velocity_W.linear);
+        given_J += impulse_Ns.dot(after.pose_W.position - before.pose_W.position) / step_s;
+        worst = worse(worst, given_J / held_J);
+    }
+    return worst;
+}
+
+Finding swing_on_late_springs() {
+    double worst = 0.0;
+    for (const double step_s : {1.0e-3, 5.0e-3, 0.02, 0.05}) {
+        for (const double stiffness_N_per_m : {100.0, 600.0, 4000.0}) {
+            for (const double mass_kg : {0.02, 0.2, 2.0}) {
+                worst = worse(worst, swing_on_late_spring(step_s, stiffness_N_per_m, mass_kg));
+            }
+        }
+    }
+    return {worst, 1.0, ""};
+}
+
+const HardCase kLateSpring{{"a spring as old as the step",
+                            "a hand holds a body of 20 g to 2 kg by a spring without a damper, and "
+                            "speaks as each step of 1 to 50 ms begins",
+                            "energy that the hand gave, of what its spring held", "",
+                            swing_on_late_springs}};
 const HardCase kStarvedPush{{"a box pushed in a world of 20 Hz",
                              "a finger, an arm and a posture push boxes of 20 g to 2 kg while the "
                              "world steps 1000 to 20 times a second",

@@ -222,6 +222,42 @@ TEST_CASE("rigid loop: a hand that stalls gives no more than its spring held") {
     CHECK(slow_W.angular.y() > 0.0);
 }
 
+// A spring without a damper, that is told of the body as each step begins: in closed form v' = (v - h k x / m) / (1 + h^2 k / m).
+TEST_CASE("rigid loop: a push as old as the step takes energy and gives none") {
+    for (const double step_s : {0.001, 0.01, 0.05}) {
+        for (const double k : {100.0, 1000.0, 4000.0}) {
+            CAPTURE(step_s, k);
+            CubesLoop cubes = make_pushed_once(make_push(kHigh_W, kHigh_W, Vector3::Zero()));
+            const auto energy_J = [&](double x, double v) { return 0.5 * (0.5 * v * v + k * x * x); };
+            double x = 0.0;
+            double v = 0.0;
+            double most_J = energy_J(0.01, 0.0);
+            for (int i = 0; i < 400; ++i) {
+                const RigidState& state = cubes.loop->world().state(2);
+                const Vector3& at_W = state.pose_W.position;
+                const Vector3 pulled = Vector3(0.51, 1.0, 0.0) - at_W;
+                HandPushes pushes;
+                pushes.stamp_s = cubes.now_s;
+                pushes.count = 1;
+                pushes.pushes[0] = make_push(at_W, at_W, k * pulled);
+                pushes.pushes[0].velocity_W = state.velocity_W;
+                pushes.pushes[0].hold.slopes.stiffness_N_per_m = k;
+                pushes.pushes[0].hold.bounds.most_N = 1.0e3;
+                cubes.hand->pushes.publish(pushes);
+                const double foretold =
+                    (state.velocity_W.linear.x() + step_s * k / 0.5 * pulled.x()) /
+                    (1.0 + step_s * step_s * k / 0.5);
+                cubes.run(step_s, step_s);
+                x = 0.51 - state.pose_W.position.x();
+                v = state.velocity_W.linear.x();
+                REQUIRE(v == Approx(foretold).margin(1.0e-8));
+                REQUIRE(energy_J(x, v) <= most_J * (1.0 + 1.0e-6) + 1.0e-12);
+                most_J = energy_J(x, v);
+            }
+        }
+    }
+}
+
 // m v = h (F + k * 2 mm + b * 0.1 m/s), and what an implicit step takes of it.
 TEST_CASE("rigid loop: a push is taken as the hand would have given it where the body is") {
     const PushSlopes slopes{600.0, 5.0, 0.0, 0.0, 0.0};

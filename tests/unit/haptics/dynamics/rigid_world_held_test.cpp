@@ -70,7 +70,7 @@ TEST_CASE("rigid world: an arm turns what is held, and the hand holds the place 
           Approx(impulse_Ns / kHeldMass_kg).epsilon(kHeldRounding));
 }
 
-// k far above what steps of 50 ms could follow with the body's own mass: h^2 k / m = 20. The hand foretells where the body comes.
+// k far above what steps of 50 ms could follow with the body's own mass: h^2 k / m = 20.
 TEST_CASE("rigid world: a body on a stiff spring comes to rest where the spring holds its weight") {
     for (const double h : {0.001, 0.01, 0.05}) {
         const auto world = make_world_of(make_held_plan({0.0, -9.81, 0.0}));
@@ -79,7 +79,7 @@ TEST_CASE("rigid world: a body on a stiff spring comes to rest where the spring 
         for (int i = 0; i < static_cast<int>(6.0 / h) + 1000; ++i) {
             const Vector3& velocity_W = world->state(0).velocity_W.linear;
             const Vector3 at_W = world->shape_pose_W(0).position;
-            const Vector3 force_W = -k * (at_W + h * velocity_W) - 8.0 * velocity_W;
+            const Vector3 force_W = -k * at_W - 8.0 * velocity_W;
             world->hold(0, make_hold(at_W, {force_W, Vector3::Zero()}, {k, 8.0, 0.0, 0.0, 0.0}));
             world->step(h);
             highest_m = std::max(highest_m, world->state(0).pose_W.position.y());
@@ -165,6 +165,71 @@ TEST_CASE("rigid world: a touch never draws a body that goes") {
         world->step(0.01);
     }
     CHECK(world->state(0).velocity_W.linear.x() == Approx(0.981).epsilon(1.0e-9));
+}
+
+// A hand that goes along below a body that falls, and presses nothing: the spring alone meets what it gains within the step.
+TEST_CASE("rigid world: what a touch without force goes along with falls as if there were none") {
+    RigidWorldPlan plan = make_held_plan({0.0, -9.81, 0.0});
+    plan.bodies[0].mass_kg = 0.2;
+    const auto world = make_world_of(plan);
+    for (int i = 0; i < 100; ++i) {
+        const double speed = world->state(0).velocity_W.linear.y();
+        BodyHold hold = make_hold(world->shape_pose_W(0).position,
+                                  {{0.0, 0.001 * 600.0 * speed, 0.0}, Vector3::Zero()},
+                                  {600.0, 5.0, 0.0, 0.0, 0.04});
+        hold.bounds = {.along_W = Vector3::UnitY(), .most_N = 3.0};
+        world->hold(0, hold);
+        world->step(0.001);
+    }
+    const double spring_kg = 1.0e-6 * 600.0;
+    CHECK(world->state(0).velocity_W.linear.y() ==
+          Approx(-0.981 * 0.2 / (0.2 + spring_kg)).epsilon(1.0e-6));
+}
+
+TEST_CASE("rigid world: a hand gives no more than it may feel, whatever way it is pulled") {
+    const double h = 0.01;
+    const PushSlopes slopes{4000.0, 50.0, 0.0, 0.0, 2.0};
+    for (const Vector3& pull_N : {Vector3(10.0, 10.0, 10.0), Vector3(0.0, -12.0, 5.0),
+                                  Vector3(30.0, 0.0, 0.0), Vector3(-7.0, 8.0, 0.1)}) {
+        // A grip, and a push whose friction bears 2 N across.
+        const auto gripped = make_world_of(make_held_plan(Vector3::Zero()));
+        BodyHold grip = make_hold(Vector3::Zero(), {}, slopes);
+        grip.bounds = {.most_N = 3.0, .most_Nm = 1.0};
+        gripped->hold(0, grip);
+        gripped->push(0, {pull_N, Vector3::Zero()});
+        gripped->step(h);
+        const auto given_N = [&](const RigidWorld& world) -> Vector3 {
+            return kHeldMass_kg / h * world.state(0).velocity_W.linear - pull_N;
+        };
+        CHECK(given_N(*gripped).norm() == Approx(3.0).epsilon(1.0e-6));
+        CHECK(given_N(*gripped).normalized().dot(-pull_N.normalized()) > 0.9);
+        const auto pushed = make_world_of(make_held_plan(Vector3::Zero()));
+        BodyHold push = make_hold(Vector3::Zero(), {{0.0, 2.9, 0.0}, Vector3::Zero()}, slopes);
+        push.bounds = {.along_W = Vector3::UnitY(), .friction_N = 2.0, .most_N = 3.0};
+        pushed->hold(0, push);
+        pushed->push(0, {pull_N, Vector3::Zero()});
+        pushed->step(h);
+        const Vector3 pushed_N = given_N(*pushed);
+        CHECK(pushed_N.norm() <= 3.0 * (1.0 + 1.0e-6));
+        CHECK(std::hypot(pushed_N.x(), pushed_N.z()) <= 2.0 * (1.0 + 1.0e-6));
+        CHECK(pushed_N.y() >= -1.0e-6);
+    }
+}
+
+TEST_CASE("rigid world: a push is along its direction, however long that is written") {
+    Vector3 velocity_W = Vector3::Zero();
+    for (const double length : {1.0, 1.0e-3, 7.0}) {
+        const auto world = make_world_of(make_held_plan({0.0, -9.81, 0.0}));
+        BodyHold hold = make_hold({0.01, 0.0, 0.0}, {{1.0, 3.0, 0.5}, Vector3::Zero()},
+                                  {600.0, 5.0, 0.0, 0.0, 0.04});
+        hold.bounds = {.along_W = length * Vector3(0.6, 0.8, 0.0), .friction_N = 0.5, .most_N = 9.0};
+        world->hold(0, hold);
+        world->step(0.01);
+        const Vector3& now_W = world->state(0).velocity_W.linear;
+        velocity_W = length == 1.0 ? now_W : velocity_W;
+        CHECK((now_W - velocity_W).norm() < 1.0e-12);
+    }
+    CHECK(velocity_W.norm() > 0.01);
 }
 
 TEST_CASE(
