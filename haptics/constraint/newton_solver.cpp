@@ -9,11 +9,6 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kLeastStiffening = 1.0e-9;  // below it rounding of u is felt in p
-constexpr double kSlowRound = 0.1;           // a round that leaves more of the residual is slow
-constexpr int kMostIdle = 3;      // steps with s following that gain nothing, before it is held
-constexpr int kMostAttempts = 3;  // to let s follow
-constexpr double kGain = 0.5;
 constexpr int kMostHalvings = 4;
 // What is near is solved once more: impulses that last step's error is left in would be taken as right for the next steps, and
 // the error add up to the tolerance.
@@ -21,10 +16,10 @@ constexpr double kPolished = 0.01;
 // After a step that was solved, last step's impulses are taken as they are only where they are nearer than the tolerance by this:
 // they hold what took back the error of the velocities before, as much as the tolerance.
 constexpr double kUnsettled = 0.1;
-constexpr double kNearlySmallest = 0.1;  // E's slope against the residual when l is corrected
 // Of the problem's velocities: what impulses would make of the bodies they push, where those had nothing to push back. A billion
 // times is more than any stack of masses asks for, so they grow without end.
 constexpr double kMostPush = 1.0e9;
+constexpr int kGuessesShare = 3;  // of all systems, as a part: for guesses
 constexpr int kMostLiftRounds = 50;
 constexpr double kSameLift = 1.0e-12;
 
@@ -34,6 +29,7 @@ NewtonSolver::NewtonSolver(const ContactSolverSettings& settings, const ContactC
     : settings_(settings),
       motion_(capacity.bodies),
       matrix_(capacity.bodies),
+      sets_(settings, capacity),
       contact_room_(static_cast<std::size_t>(std::max(capacity.contacts, 0))),
       row_room_(static_cast<std::size_t>(std::max(capacity.rows, 0))),
       slope_(static_cast<std::size_t>(std::max(capacity.bodies, 0)), Vector6::Zero()),
@@ -128,16 +124,6 @@ double NewtonSolver::move_to_impulses(ContactProblem& problem) noexcept {
     return measure(problem);
 }
 
-void NewtonSolver::start_multipliers(const ContactProblem& problem) noexcept {
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        Contact& contact = contacts_[i];
-        contact.now = {contact.p, problem.contacts()[i].slides ? find_lift(contact) : 0.0};
-    }
-    for (Row& row : rows_) {
-        row.l = row.p;
-    }
-}
-
 void NewtonSolver::project(Contact& contact, double along) const noexcept {
     Vector3 velocity = contact.u + along * contact.du;
     velocity.x() += contact.now.shift;
@@ -222,72 +208,6 @@ NewtonSolver::Fit NewtonSolver::evaluate(const ContactProblem& problem) noexcept
     return fit;
 }
 
-void NewtonSolver::update_multipliers() noexcept {
-    for (Contact& contact : contacts_) {
-        contact.now = {contact.p, find_lift(contact)};
-    }
-    for (Row& row : rows_) {
-        row.l = row.p;
-    }
-}
-
-void NewtonSolver::begin_attempt() noexcept {
-    coulomb_ = true;
-    n_idle_ = 0;
-    ++n_attempts_;
-    attempt_fits_ = HUGE_VAL;
-    before_.copy_velocities(motion_, n_bodies_);
-    for (Contact& contact : contacts_) {
-        contact.before = contact.now;
-    }
-    for (Row& row : rows_) {
-        row.l_before = row.l;
-    }
-}
-
-void NewtonSolver::end_attempt() noexcept {
-    coulomb_ = false;
-    built_ = false;
-    motion_.copy_velocities(before_, n_bodies_);
-    for (Contact& contact : contacts_) {
-        contact.now = contact.before;
-    }
-    for (Row& row : rows_) {
-        row.l = row.l_before;
-    }
-}
-
-bool NewtonSolver::correct(const ContactProblem& problem, const Fit& fit,
-                           double tolerance) noexcept {
-    if (coulomb_) {
-        // It goes on while each few steps gain.
-        const double fits = std::max(fit.residual, fit.defect);
-        n_idle_ = fits < kGain * attempt_fits_ ? 0 : n_idle_ + 1;
-        attempt_fits_ = std::min(attempt_fits_, fits);
-        if (n_idle_ > kMostIdle) {
-            end_attempt();
-            return true;
-        }
-    }
-    if (fit.defect > kNearlySmallest * std::max(fit.residual, tolerance)) {
-        return false;
-    }
-    const bool lifts = !coulomb_ && fit.shift > kNearlySmallest * fit.residual;
-    if (lifts && n_attempts_ == kMostAttempts) {
-        // Impulses that fit the shift as it is are the answer when E is at its smallest.
-        given_up_ = fit.defect <= kNearlySmallest * tolerance;
-        return false;
-    }
-    update_multipliers();
-    if (lifts) {
-        begin_attempt();
-    } else if (fit.residual > kSlowRound * residual_before_ && eps_ > kLeastStiffening) {
-        set_stiffness(problem, std::max(kSlowRound * eps_, kLeastStiffening));
-    }
-    residual_before_ = fit.residual;
-    return true;
-}
-
 void NewtonSolver::iterate(ContactProblem& problem, double tolerance,
                            SolveReport& report) noexcept {
     double best = HUGE_VAL;
@@ -330,15 +250,6 @@ void NewtonSolver::iterate(ContactProblem& problem, double tolerance,
     }
 }
 
-// Something was pressed and nothing slid: what did not slip will hardly begin to, and E with its shifts held is the law itself.
-bool NewtonSolver::sticks(const ContactProblem& problem) const noexcept {
-    const auto contacts = problem.contacts();
-    return std::any_of(contacts_.begin(), contacts_.end(),
-                       [](const Contact& contact) { return contact.state.pressed; }) &&
-           std::none_of(contacts.begin(), contacts.end(),
-                        [](const ContactConstraint& c) { return c.slides; });
-}
-
 // What was found, what it started from or no impulses: that which is nearest to an answer.
 double NewtonSolver::take_least(ContactProblem& problem, double started, double found) noexcept {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -363,6 +274,25 @@ double NewtonSolver::take_least(ContactProblem& problem, double started, double 
     return move_to_impulses(problem);
 }
 
+// False where they are not found: then the impulses are those that were.
+bool NewtonSolver::guess_sets(ContactProblem& problem, std::span<const double> friction,
+                              double tolerance, SolveReport& report) noexcept {
+    const int most = std::min(kMostGuesses, settings_.max_iterations / kGuessesShare);
+    const SetSolver::Answer answer =
+        sets_.solve(problem, friction, tolerance, most, matrix_, motion_);
+    report.n_iterations += answer.n_guesses;
+    const double residual = move_to_impulses(problem);
+    if (answer.found && residual <= tolerance) {
+        report.residual_m_per_s = residual;
+        return true;
+    }
+    keep(problem);
+    if (answer.found) {
+        (void)move_to_impulses(problem);
+    }
+    return false;
+}
+
 SolveReport NewtonSolver::solve(ContactProblem& problem, std::span<const double> friction,
                                 double tolerance) noexcept {
     SolveReport report;
@@ -371,7 +301,8 @@ SolveReport NewtonSolver::solve(ContactProblem& problem, std::span<const double>
     const double started = move_to_impulses(problem);
     report.residual_m_per_s = started;
     const double taken = problem.is_settled() ? tolerance : kUnsettled * tolerance;
-    if (!(started <= taken) && find_order(problem)) {
+    if (!(started <= taken) && find_order(problem) &&
+        !guess_sets(problem, friction, tolerance, report)) {
         set_stiffness(problem, settings_.stiffening);
         start_multipliers(problem);
         n_attempts_ = 0;

@@ -19,8 +19,9 @@
 // from there; after a few attempts the answer for the last s held is taken, and counted as regularised: what slips lifts by
 // mu times what its slip changed by, for a step.
 //
-// First of all last step's impulses are tried as they are: at rest they are the answer, and nothing is solved. They, or none at
-// all, are also the answer where the method ends with a greater residual than theirs. Where impulses grow without end, as on what
+// First of all last step's impulses are tried as they are: at rest they are the answer, and nothing is solved. Then sets are guessed
+// from them (set_solver.h), which nearly always ends after a few systems; what is above is for what does not. Last step's impulses, or
+// none at all, are also the answer where the method ends with a greater residual than theirs. Where impulses grow without end, as on what
 // is squeezed, it ends with those before, and that is counted as regularised.
 //
 // Thread: that of the solver. Cost: `fulcrum bench contact-solvers`; of a linear solve, in proportion to bodies of a stack.
@@ -33,6 +34,7 @@
 #include "haptics/constraint/block_system.h"
 #include "haptics/constraint/contact_motion.h"
 #include "haptics/constraint/contact_solver.h"
+#include "haptics/constraint/set_solver.h"
 
 #include <span>
 #include <vector>
@@ -99,6 +101,8 @@ class NewtonSolver final : public ContactMethodSolver {
     void end_attempt() noexcept;
     bool correct(const ContactProblem& problem, const Fit& fit, double tolerance) noexcept;
     void keep(ContactProblem& problem) const noexcept;
+    bool guess_sets(ContactProblem& problem, std::span<const double> friction, double tolerance,
+                    SolveReport& report) noexcept;
 
     // newton_step.cpp
     /// The shift of what slips follows its velocity.
@@ -119,6 +123,7 @@ class NewtonSolver final : public ContactMethodSolver {
     ContactSolverSettings settings_;
     BodyMotion motion_;
     BlockSystem matrix_;
+    SetSolver sets_;
     std::vector<Contact> contact_room_;
     std::vector<Row> row_room_;
     std::span<Contact> contacts_;  // of this problem

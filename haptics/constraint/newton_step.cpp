@@ -1,6 +1,6 @@
 // One step of Newton's method: its matrix, its direction, and how far to go. See newton_solver.h.
 #include "haptics/constraint/newton_solver.h"
-#include "haptics/math/rotation.h"
+#include "haptics/constraint/pair_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,67 +8,8 @@
 namespace fulcrum {
 namespace {
 
-constexpr int kMaxProbes = 30;          // of the line search
-constexpr double kRoot = 0.1;           // slope along the step that counts as none, of the first
-constexpr double kSameOffset = 1.0e-9;  // metres; contacts of one pair share the bodies' offset
-
-// What the contacts of one pair of bodies add up to, about b's centre of mass:
-//   K = sum [G, -G [r]; [r] G, -[r] G [r]],  [r] the matrix of the cross product with b's arm
-struct PairStiffness {
-    Matrix6 K = Matrix6::Zero();
-    void add(const Matrix3& G, const Vector3& arm) noexcept {
-        const Matrix3 skew = compute_skew(arm);
-        const Matrix3 turned = skew * G;
-        K.topLeftCorner<3, 3>() += G;
-        K.bottomLeftCorner<3, 3>() += turned;
-        K.topRightCorner<3, 3>() -= G * skew;
-        K.bottomRightCorner<3, 3>() -= turned * skew;
-    }
-    // The same for G = D 1, where the products are known.
-    void add(double D, const Vector3& arm) noexcept {
-        const double square = arm.squaredNorm();
-        for (int i = 0; i < 3; ++i) {
-            K(i, i) += D;
-            K(3 + i, 3 + i) += D * square;
-            for (int j = 0; j < 3; ++j) {
-                K(3 + i, 3 + j) -= D * arm[i] * arm[j];
-            }
-        }
-        const Matrix3 skew = D * compute_skew(arm);
-        K.bottomLeftCorner<3, 3>() += skew;
-        K.topRightCorner<3, 3>() -= skew;
-    }
-};
-
-// K X with X = [1, -[offset]; 0, 1]: what b's twist is when a's is given, offset = arm_a - arm_b.
-Matrix6 move_columns(const Matrix6& K, const Vector3& offset) noexcept {
-    const Matrix3 skew = compute_skew(offset);
-    Matrix6 moved = K;
-    moved.rightCols<3>().noalias() -= K.leftCols<3>() * skew;
-    return moved;
-}
-// X^T K.
-Matrix6 move_rows(const Matrix6& K, const Vector3& offset) noexcept {
-    const Matrix3 skew = compute_skew(offset);
-    Matrix6 moved = K;
-    moved.bottomRows<3>().noalias() += skew * K.topRows<3>();
-    return moved;
-}
-
-void add_pair(BlockSystem& matrix, int body_a, int body_b, const Vector3& offset,
-              const Matrix6& K) noexcept {
-    if (body_b != kGround) {
-        matrix.diagonal(body_b) += K;
-    }
-    if (body_a == kGround) {
-        return;
-    }
-    const Matrix6 across = move_columns(K, offset);
-    matrix.diagonal(body_a) += move_rows(across, offset);
-    if (body_b != kGround) {
-        matrix.add(body_b, body_a, -across, -move_rows(K, offset).transpose());
-    }
-}
+constexpr int kMaxProbes = 30;  // of the line search
+constexpr double kRoot = 0.1;   // slope along the step that counts as none, of the first
 
 }  // namespace
 
@@ -89,53 +30,25 @@ Matrix3 NewtonSolver::compute_slope_of(const Contact& contact) const noexcept {
 
 void NewtonSolver::add_contacts(const ContactProblem& problem) noexcept {
     const std::span<const ContactConstraint> all = problem.contacts();
-    for (std::size_t i = 0; i < all.size();) {
-        const ContactConstraint& first = all[i];
-        // About b, or about the point itself where b is the ground and has no place.
-        const bool on_ground = first.body_b == kGround;
-        const Vector3 offset =
-            on_ground ? Vector3(Vector3::Zero()) : Vector3(first.arm_a - first.arm_b);
-        PairStiffness pair;
-        for (; i < all.size() && all[i].body_a == first.body_a && all[i].body_b == first.body_b;
-             ++i) {
-            const ContactConstraint& c = all[i];
-            const bool moved = !on_ground && first.body_a != kGround &&
-                               (c.arm_a - c.arm_b - offset).cwiseAbs().maxCoeff() > kSameOffset;
-            if (moved) {
-                break;
-            }
+    add_contact_blocks(
+        all, matrix_, [&](std::size_t i, const Vector3& arm, PairStiffness& pair) noexcept {
             Contact& contact = contacts_[i];
             contact.built = contact.state;
-            const Vector3& arm = on_ground ? c.arm_a : c.arm_b;
             if (contact.state.pressed && !contact.state.slips) {
                 pair.add(contact.stiffness, arm);
             } else if (contact.state.pressed) {
-                pair.add(c.axes_W * compute_slope_of(contact) * c.axes_W.transpose(), arm);
+                const Matrix3& axes_W = all[i].axes_W;
+                pair.add(axes_W * compute_slope_of(contact) * axes_W.transpose(), arm);
             }
-        }
-        add_pair(matrix_, first.body_a, first.body_b, offset, pair.K);
-    }
+        });
 }
 
 void NewtonSolver::add_rows(const ContactProblem& problem) noexcept {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const RowConstraint& r = problem.rows()[i];
         Row& row = rows_[i];
         row.built = row.side;
-        if (!row.free) {
-            continue;
-        }
-        const Vector6 a = row.stiffness * r.jacobian_a;
-        const Vector6 b = row.stiffness * r.jacobian_b;
-        if (r.body_a != kGround) {
-            matrix_.diagonal(r.body_a).noalias() += a * r.jacobian_a.transpose();
-        }
-        if (r.body_b != kGround) {
-            matrix_.diagonal(r.body_b).noalias() += b * r.jacobian_b.transpose();
-        }
-        if (r.body_a != kGround && r.body_b != kGround) {
-            const Matrix6 across = b * r.jacobian_a.transpose();
-            matrix_.add(r.body_b, r.body_a, across, across);
+        if (row.free) {
+            add_row_blocks(problem.rows()[i], row.stiffness, matrix_);
         }
     }
 }
@@ -144,12 +57,7 @@ void NewtonSolver::build(const ContactProblem& problem) noexcept {
     const bool symmetric = std::none_of(contacts_.begin(), contacts_.end(),
                                         [&](const Contact& contact) { return follows(contact); });
     matrix_.clear(symmetric);
-    int i = 0;
-    for (const ConstrainedBody& body : problem.bodies()) {
-        Matrix6& block = matrix_.diagonal(i++);
-        block.topLeftCorner<3, 3>().diagonal().setConstant(body.mass_kg);
-        block.bottomRightCorner<3, 3>() = body.inertia_W;
-    }
+    add_body_blocks(problem.bodies(), matrix_);
     add_contacts(problem);
     add_rows(problem);
     built_ = true;

@@ -31,7 +31,7 @@ set(load_functions
     "virtual_proxy.cpp.o=VirtualProxy::~?VirtualProxy"
     "contact_problem.cpp.o=ContactProblem::~?ContactProblem" "block_system.cpp.o=BlockSystem::~?BlockSystem"
     "dantzig_solver.cpp.o=DantzigSolver::~?DantzigSolver|BodyMotion::~?BodyMotion|IncrementalLdlt::~" "incremental_ldlt.cpp.o=IncrementalLdlt::IncrementalLdlt"
-    "newton_solver.cpp.o=NewtonSolver::~?NewtonSolver|BlockSystem::~|BodyMotion::~?BodyMotion" "iterative_solver.cpp.o=IterativeSolver::~?IterativeSolver|BodyMotion::~?BodyMotion"
+    "newton_solver.cpp.o=NewtonSolver::~?NewtonSolver|BlockSystem::~|BodyMotion::~?BodyMotion|SetSolver::~" "set_solver.cpp.o=SetSolver::SetSolver" "iterative_solver.cpp.o=IterativeSolver::~?IterativeSolver|BodyMotion::~?BodyMotion"
     "touch_motion.cpp.o=TouchMotion::TouchMotion" "touch_teller.cpp.o=TouchTeller::TouchTeller"
     "triangle_clusters.cpp.o=TriangleClusters::TriangleClusters|build_(leaves|parents)" "slope_boxes.cpp.o=SlopeBoxes::SlopeBoxes" "distance_field.cpp.o=memory_bytes"
     "bounding_tree.cpp.o=BoundingTree::BoundingTree|build_nodes|find_centres|put_in_order|memory_bytes")
