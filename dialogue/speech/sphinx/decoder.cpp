@@ -1,6 +1,7 @@
 #include "dialogue/speech/sphinx/decoder.h"
 
 #include "dialogue/speech/sphinx/pronunciation.h"
+#include "dialogue/speech/sphinx/stretch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,7 @@ struct Decoder::Engines {
     Engine graph;
     Engine sounds;
     bool listens = false;
+    double throat = 1.0;  // the learner's
 
     Engines() = default;
     Engines(const Engines&) = delete;
@@ -107,6 +109,20 @@ struct Decoder::Engines {
         if (sounds && ps_start_utt(sounds.get()) >= 0) {
             ps_end_utt(sounds.get());
         }
+    }
+
+    // As a grown-up of a throat so much larger would have said it.
+    [[nodiscard]] Decoded decode(std::span<const std::int16_t> sound, double size) const {
+        const std::vector<std::int16_t> slower = stretch(sound, size);
+        const auto n_silent = static_cast<std::size_t>(kSilence_s * kHeardRate_Hz);
+        std::vector<std::int16_t> padded(slower.size() + 2 * n_silent, 0);
+        std::ranges::copy(slower, padded.begin() + static_cast<std::ptrdiff_t>(n_silent));
+        const Scored of_graph = score(graph.get(), padded);
+        const Scored of_sounds = score(sounds.get(), padded);
+        if (!of_graph.fits || !of_sounds.fits) {
+            return {};
+        }
+        return {of_graph.text, 0.0, of_graph.per_frame - of_sounds.per_frame, size};
     }
 
     // Knows the word, or has it taught by the rules of pronunciation.
@@ -133,6 +149,12 @@ Expected<bool> validate(const DecoderSettings& settings) {
         std::abs(settings.middle) <= 100.0 && settings.width >= 0.01 && settings.width <= 100.0;
     if (!good) {
         return fail("the recogniser's middle is from -100 to 100, its width from 0.01 to 100");
+    }
+    constexpr std::size_t kMostThroats = 16;
+    const bool are_throats = std::ranges::all_of(
+        settings.throats, [](double size) { return size >= 1.0 && size <= kMostStretch; });
+    if (settings.throats.empty() || settings.throats.size() > kMostThroats || !are_throats) {
+        return fail("the recogniser tries 1 to 16 throats, each from 1 to 2");
     }
     return true;
 }
@@ -162,6 +184,7 @@ Expected<std::unique_ptr<Decoder>> Decoder::create(const DecoderSettings& settin
                                        "-pbeam", "1e-20", "-lw", "2.0"});
     auto engines = std::make_unique<Engines>();
     engines->settings = settings;
+    engines->throat = settings.throats.front();
     engines->graph = make_engine(of_graph);
     engines->sounds = make_engine(of_sounds);
     if (!engines->graph || !engines->sounds) {
@@ -219,17 +242,29 @@ Decoded Decoder::decode(std::span<const std::int16_t> sound) {
     if (!engines_->listens || sound.empty()) {
         return {};
     }
-    const auto n_silent = static_cast<std::size_t>(kSilence_s * kHeardRate_Hz);
-    std::vector<std::int16_t> padded(sound.size() + 2 * n_silent, 0);
-    std::ranges::copy(sound, padded.begin() + static_cast<std::ptrdiff_t>(n_silent));
-    const Scored graph = score(engines_->graph.get(), padded);
-    const Scored sounds = score(engines_->sounds.get(), padded);
-    if (!graph.fits || !sounds.fits) {
+    const DecoderSettings& settings = engines_->settings;
+    constexpr double kSure = 2.0;  // widths above the middle: 88 % by the confidence
+    Decoded decoded = engines_->decode(sound, engines_->throat);
+    if (decoded.text.empty() || decoded.difference < settings.middle + kSure * settings.width) {
+        for (const double throat : settings.throats) {
+            if (throat == engines_->throat) {
+                continue;
+            }
+            Decoded other = engines_->decode(sound, throat);
+            if (!other.text.empty() &&
+                (decoded.text.empty() || other.difference > decoded.difference)) {
+                decoded = std::move(other);
+            }
+        }
+    }
+    if (decoded.text.empty()) {
         return {};
     }
-    Decoded decoded{graph.text, 0.0, graph.per_frame - sounds.per_frame};
-    decoded.confidence = 1.0 / (1.0 + std::exp(-(decoded.difference - engines_->settings.middle) /
-                                               engines_->settings.width));
+    if (decoded.difference > settings.middle) {
+        engines_->throat = decoded.throat;
+    }
+    decoded.confidence =
+        1.0 / (1.0 + std::exp(-(decoded.difference - settings.middle) / settings.width));
     return decoded;
 }
 

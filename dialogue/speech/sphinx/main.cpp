@@ -1,9 +1,11 @@
 // fulcrum-sphinx: hears by PocketSphinx, in a process of its own (hearing_lines.h). Ends with its input.
 //
 //   --middle N --width N   how sure of its ear it is (decoder.h)      --models FOLDER   where the acoustic model and dictionary are
+//   --throats N,N,…        how much smaller than a grown-up's the learner's may be (decoder.h); 1: a grown-up
 #include "dialogue/speech/external/hearing_lines.h"
 #include "dialogue/speech/sphinx/decoder.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <exception>
@@ -11,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -27,18 +30,32 @@ bool take_number(std::string_view text, double& number) {
     return read.ec == std::errc{} && read.ptr == text.data() + text.size();
 }
 
+bool take_numbers(std::string_view text, std::vector<double>& numbers) {
+    numbers.clear();
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find(',', at), text.size());
+        if (!take_number(text.substr(at, end - at), numbers.emplace_back())) {
+            return false;
+        }
+        at = end + 1;
+    }
+    return true;
+}
+
 Expected<DecoderSettings> read_settings(std::span<char*> words) {
     DecoderSettings settings;
     for (std::size_t i = 1; i < words.size(); i += 2) {
         const std::string_view name = words[i];
         const std::string_view value = i + 1 < words.size() ? words[i + 1] : "";
-        const bool good = name == "--models"   ? !(settings.models = value).empty()
-                          : name == "--middle" ? take_number(value, settings.middle)
-                          : name == "--width"  ? take_number(value, settings.width)
-                                               : false;
+        const bool good = name == "--models"    ? !(settings.models = value).empty()
+                          : name == "--middle"  ? take_number(value, settings.middle)
+                          : name == "--width"   ? take_number(value, settings.width)
+                          : name == "--throats" ? take_numbers(value, settings.throats)
+                                                : false;
         if (!good) {
-            return fail(concat({"fulcrum-sphinx does not understand ", name, " ", value,
-                                "; it takes --middle N, --width N and --models FOLDER"}));
+            return fail(
+                concat({"fulcrum-sphinx does not understand ", name, " ", value,
+                        "; it takes --middle N, --width N, --throats N,N and --models FOLDER"}));
         }
     }
     return settings;

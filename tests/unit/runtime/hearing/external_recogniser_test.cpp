@@ -4,6 +4,7 @@
 #include "runtime/audio/voice/voice_program.h"
 #include "runtime/files/run_program.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/unit/runtime/hearing/sounds.h"
 
 #include <catch2/catch.hpp>
 
@@ -91,6 +92,40 @@ TEST_CASE(
     }
     CHECK(recogniser->name() == "pocketsphinx");
     CHECK(recogniser->take_trouble().empty());
+}
+
+TEST_CASE("hearing: a voice four semitones higher is heard by a smaller throat, and not without") {
+    const dialogue::Question question = make_question();
+    const auto n_heard = [&](const std::vector<std::string>& words) {
+        const auto recogniser = start(words);
+        int n = 0;
+        for (const char* text : {"the watermelon is the heaviest", "the banana is the most heavy",
+                                 "the apple is the heaviest", "the egg is the heaviest"}) {
+            REQUIRE(recogniser->listen(question.templates));
+            recogniser->hear(test::said(text, 1.26));
+            const auto heard = recogniser->poll();
+            REQUIRE(heard.size() == 1);
+            n += heard.front().text == text && heard.front().confidence > 0.4 ? 1 : 0;
+        }
+        REQUIRE(recogniser->listen(question.templates));
+        recogniser->hear(test::said("the weather is nice today", 1.26));
+        const auto outside = recogniser->poll();
+        REQUIRE(outside.size() == 1);
+        CHECK(outside.front().confidence < 0.4);
+        return n;
+    };
+    CHECK(n_heard({FULCRUM_SPHINX, "--throats", "1"}) == 0);
+    CHECK(n_heard({FULCRUM_SPHINX}) >= 3);
+}
+
+TEST_CASE("hearing: a list of throats that is none is refused") {
+    for (const char* throats : {"", "1,", "x", "0.5", "3", "1,,2"}) {
+        const auto recogniser = start({FULCRUM_SPHINX, "--throats", throats});
+        REQUIRE(recogniser->listen(make_question().templates));
+        recogniser->hear(std::vector<std::int16_t>(100, 1));
+        CHECK(recogniser->poll().empty());
+        CHECK_FALSE(recogniser->take_trouble().empty());
+    }
 }
 
 TEST_CASE("hearing: any program that keeps to the lines will do") {

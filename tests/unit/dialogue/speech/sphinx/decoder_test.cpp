@@ -32,6 +32,10 @@ TEST_CASE("sphinx decoder: settings and models that are not there are refused in
     CHECK_FALSE(validate(DecoderSettings{.width = 0.0}));
     CHECK_FALSE(validate(DecoderSettings{.middle = std::numeric_limits<double>::quiet_NaN()}));
     CHECK_FALSE(validate(DecoderSettings{.width = std::numeric_limits<double>::infinity()}));
+    CHECK_FALSE(validate(DecoderSettings{.throats = {}}));
+    CHECK_FALSE(validate(DecoderSettings{.throats = {1.0, 0.5}}));
+    CHECK_FALSE(validate(DecoderSettings{.throats = {std::numeric_limits<double>::quiet_NaN()}}));
+    CHECK_FALSE(validate(DecoderSettings{.throats = std::vector<double>(17, 1.0)}));
     const auto missing = Decoder::create({.models = "/no/such/folder"});
     REQUIRE_FALSE(missing);
     CHECK(missing.error().message.find("install the package pocketsphinx-en-us") !=
