@@ -1,5 +1,6 @@
 #include "dialogue/conversation/conversation.h"
 
+#include "dialogue/english/letters.h"
 #include "dialogue/template/tokens.h"
 
 #include <algorithm>
@@ -172,7 +173,27 @@ Feedback Conversation::not_understood(const Mark& mark) {
                        {{"choices", listed(*catalogue_, choices(*question_))}});
     }
     feedback.ask_again = true;
+    if (!wants_help(mark.said)) {
+        show_good_english(mark, feedback);
+    }
     return feedback;
+}
+
+void Conversation::show_good_english(const Mark& mark, Feedback& feedback) const {
+    if (!form_check_) {
+        return;
+    }
+    CheckedText checked = form_check_(mark.said);
+    if (checked.errors.empty()) {
+        return;
+    }
+    const bool has_end =
+        std::string_view(".?!").find(checked.corrected.back()) != std::string_view::npos;
+    const std::string sentence = sentence_case(checked.marked) + (has_end ? "" : ".");
+    feedback.text =
+        catalogue_->say("feedback.free_form", {{"sentence", sentence}, {"then", feedback.text}});
+    feedback.keys.push_back("feedback.free_form");
+    feedback.free_errors = std::move(checked.errors);
 }
 
 bool Conversation::wants_help(std::string_view said) const {
@@ -202,6 +223,9 @@ Feedback Conversation::wrong_meaning(const Mark& mark) {
             {{"again", question_->again}, {"said", mark.other_number}});
     feedback.ask_again = true;
     feedback.replay = true;
+    if (!mark.other_number.empty()) {
+        show_good_english(mark, feedback);  // no template marks its form
+    }
     return feedback;
 }
 

@@ -16,10 +16,12 @@
 #pragma once
 
 #include "dialogue/catalogue.h"
+#include "dialogue/checking/checker.h"
 #include "dialogue/marking/mark.h"
 #include "dialogue/marking/question.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -64,7 +66,12 @@ struct Feedback {
     bool replay = false;      ///< let the hand feel the contrast again
     Uptake uptake = Uptake::none;
     int attempt = 0;  ///< the number of this answer to the question, from 1
+    std::vector<FreeError>
+        free_errors{};  ///< of form, in words that fit no answer; good English for them is in `text`
 };
+
+/// Checks words that fit no answer.
+using FormCheck = std::function<CheckedText(std::string_view)>;
 
 /// One learner's conversation. Keeps a reference to the catalogue: it must live longer.
 class Conversation {
@@ -72,6 +79,10 @@ class Conversation {
     enum class State : std::uint8_t { idle, asked, heard, invited, done };
 
     explicit Conversation(const Catalogue& catalogue, ConversationSettings settings = {});
+
+    /// From now on what fits no answer is checked for its form, and good English for it is shown; whether it is right isn't
+    /// said. An empty function ends that.
+    void set_form_check(FormCheck check) { form_check_ = std::move(check); }
 
     /// Asks; returns the prompt's sentences, a line each. `number` of `of` adds "Question 2 of 5." before them; 0 doesn't.
     std::vector<std::string> ask(const Question& question, int number = 0, int of = 0);
@@ -95,12 +106,15 @@ class Conversation {
     /// The catalogue's help.said.1, … have these words.
     [[nodiscard]] bool wants_help(std::string_view said) const;
     Feedback wrong_meaning(const Mark& mark);
+    /// Good English for what was said, before the feedback's own words; nothing where no error is seen.
+    void show_good_english(const Mark& mark, Feedback& feedback) const;
     Feedback move_on();
     Feedback say(FeedbackKind kind, std::string key, const CatalogueSlots& slots = {});
     [[nodiscard]] std::string ladder_key(const FormError& error) const;
 
     const Catalogue* catalogue_;
     ConversationSettings settings_;
+    FormCheck form_check_;
     std::optional<Question> question_;
     State state_ = State::idle;
     bool repeating_ = false;           ///< the answer heard follows an invitation

@@ -113,6 +113,7 @@ std::vector<CatalogueNeed> make_needs() {
                                      {"feedback.not_understood.2", {"frame"}},
                                      {"feedback.not_understood.3", {"choices"}},
                                      {"feedback.not_understood.example", {"sentence"}},
+                                     {"feedback.free_form", {"sentence", "then"}},
                                      {"feedback.heard_badly", {}},
                                      {"feedback.moved_on", {}}};
     const std::vector<std::string_view> words{"base", "right", "said", "phrase"};

@@ -1,0 +1,154 @@
+#include "dialogue/marking/question_review.h"
+
+#include "dialogue/english/letters.h"
+#include "dialogue/english/opposite.h"
+#include "dialogue/template/matcher.h"
+#include "dialogue/template/sentences.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace fulcrum::dialogue {
+namespace {
+
+constexpr int kSamples = 60;  // sentences of one answer
+
+using Slots = std::vector<std::pair<std::string, std::string>>;
+
+/// Whole, right sentences of answer `number`, as they are said, with what they mean.
+std::vector<Sample> samples_of(const TemplateSet& set, int number) {
+    std::vector<Sample> samples;
+    std::uint64_t state = 1;  // the same sentences at each check
+    const auto choose = [&](std::size_t n) {
+        constexpr std::uint64_t kMultiplier = 6364136223846793005U;  // Knuth's MMIX generator
+        constexpr std::uint64_t kIncrement = 1442695040888963407U;
+        state = state * kMultiplier + kIncrement;
+        return static_cast<std::size_t>(state >> 33U) % n;
+    };
+    for (int i = 0; i < kSamples; ++i) {
+        Sample sample = walk_plainly(set, number, false, choose);
+        const bool seen = std::any_of(samples.begin(), samples.end(), [&](const Sample& other) {
+            return other.said == sample.said;
+        });
+        if (!seen && !sample.said.empty()) {
+            samples.push_back(std::move(sample));
+        }
+    }
+    return samples;
+}
+
+std::string quoted(std::string_view sentence) {
+    return concat({"\"", sentence_case(sentence), "\""});
+}
+
+std::string written(const Slots& slots) {
+    std::string text;
+    for (const auto& [name, value] : slots) {
+        text += concat({text.empty() ? "" : ", ", name, " = ", value});
+    }
+    return text.empty() ? "nothing" : text;
+}
+
+Slots sorted(Slots slots) {
+    std::sort(slots.begin(), slots.end());
+    return slots;
+}
+
+/// Answers all of whose sentences another answer takes.
+void find_unreachable(const TemplateSet& set, int number, const std::vector<Sample>& samples,
+                      std::vector<std::string>& found) {
+    int taker = kNone;
+    for (const Sample& sample : samples) {
+        const auto parse = match(set, sample.said);
+        if (!parse || parse->graph == number) {
+            return;
+        }
+        taker = set.graphs[static_cast<std::size_t>(parse->graph)].answer;
+    }
+    if (!samples.empty() && taker != number) {
+        found.push_back(concat(
+            {"answer ", std::to_string(number + 1), " is never taken: what it says is answer ",
+             std::to_string(taker + 1), " already, e.g. ", quoted(samples.front().said)}));
+    }
+}
+
+/// A sentence that is taken for something else than what it was made for.
+void find_ambiguous(const TemplateSet& set, const std::vector<Sample>& samples,
+                    std::vector<std::string>& found) {
+    for (const Sample& sample : samples) {
+        const auto parse = match(set, sample.said);
+        if (parse && parse->cost == 0 && sorted(parse->slots) != sorted(sample.slots)) {
+            found.push_back(concat({quoted(sample.said), " means ", written(sample.slots), ", and ",
+                                    written(parse->slots), " as well"}));
+            return;
+        }
+    }
+}
+
+/// The sample with the opposite of one of its adjectives that fills no slot; empty without one.
+std::string opposite_of(const Sample& sample) {
+    for (const Piece& piece : sample.pieces) {
+        const Element& element = piece.element;
+        if (element.role != Role::adjective || element.slot != kNone || element.base.empty()) {
+            continue;
+        }
+        const std::vector<std::string_view> opposites = opposites_of(element.base);
+        const std::string form = degree_forms(element.base, element.degree).front();
+        const std::size_t at = sample.said.find(form);
+        if (!opposites.empty() && at != std::string::npos) {
+            return std::string(sample.said)
+                .replace(at, form.size(), degree_forms(opposites.front(), element.degree).front());
+        }
+    }
+    return {};
+}
+
+/// An opposite that is taken for the same answer: nothing tells the lesson which of them was said.
+void find_opposite_taken(const TemplateSet& set, const std::vector<Sample>& samples,
+                         std::vector<std::string>& found) {
+    for (const Sample& sample : samples) {
+        const std::string turned = opposite_of(sample);
+        const auto parse = turned.empty() ? std::optional<Parse>{} : match(set, turned);
+        if (parse && parse->cost == 0 && sorted(parse->slots) == sorted(sample.slots)) {
+            found.push_back(concat({quoted(turned), " counts as ", quoted(sample.said),
+                                    "; give the adjective a list, so that the lesson can tell"}));
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> review_question(const Question& question) {
+    std::vector<std::string> found;
+    const TemplateSet& set = *question.templates;
+    for (int number = 0; number < set.answers; ++number) {
+        const std::vector<Sample> samples = samples_of(set, number);
+        find_unreachable(set, number, samples, found);
+        find_ambiguous(set, samples, found);
+        find_opposite_taken(set, samples, found);
+    }
+    return found;
+}
+
+std::vector<std::string> unheard_words(const Question& question,
+                                       const std::function<bool(std::string_view)>& can_be_heard) {
+    const TemplateSet& set = *question.templates;
+    std::vector<std::string> words;
+    for (const Graph& graph : set.graphs) {
+        for (const Arc& arc : graph.arcs) {
+            for (const int number : graph.said_by(arc)) {
+                const std::string& word = set.words.text(number);
+                const bool known = std::find(words.begin(), words.end(), word) != words.end();
+                if (arc.code == ErrorCode::none && !known && !can_be_heard(word)) {
+                    words.push_back(word);
+                }
+            }
+        }
+    }
+    return words;
+}
+
+}  // namespace fulcrum::dialogue
