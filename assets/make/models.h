@@ -50,4 +50,8 @@ make_bucket();  ///< origin at the rim's centre, opening up; 0.11 m radius insid
 [[nodiscard]] Model make_lever();  ///< beam of 1.16 m along x, a toy Earth on its left end; middle
 [[nodiscard]] Model make_support();  ///< wedge under it, 0.3 m tall; the middle of its edge
 
+// Of the maze park.
+[[nodiscard]] Model make_walker();  ///< somebody in a straw hat, 0.07 m tall, origin at the feet
+[[nodiscard]] Model make_gem();     ///< six-sided, 0.06 m tall; middle
+
 }  // namespace fulcrum::assets

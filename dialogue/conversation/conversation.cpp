@@ -9,6 +9,8 @@ namespace fulcrum::dialogue {
 
 namespace {
 
+constexpr std::size_t kMostListed = 12;  // choices that somebody can listen to
+
 /// A learner who asks is answered like one: nobody felt anything.
 bool asks(std::string_view sentence) {
     return sentence.ends_with('?');
@@ -165,7 +167,8 @@ Feedback Conversation::not_understood(const Mark& mark) {
         feedback =
             say(FeedbackKind::not_understood, "feedback.not_understood.2", {{"frame", frame}});
     } else if (const std::string example = example_sentence(*question_);
-               asks(example) || choices(*question_).empty()) {
+               asks(example) || choices(*question_).empty() ||
+               choices(*question_).size() > kMostListed) {
         feedback = say(FeedbackKind::not_understood, "feedback.not_understood.example",
                        {{"sentence", example}});
     } else {

@@ -16,6 +16,7 @@ constexpr double kSmallestSize_m = 1.0e-15;
 constexpr int kMaxRows = 4096;
 constexpr int kMaxFrequency = 512;
 const MeshBuildSettings kNoWeld{.weld_relative = 0.0};
+const MeshBuildSettings kSeparate{.weld_relative = 0.0, .crack_relative = 0.0};
 
 bool is_size(double size_m) {
     return size_m >= kSmallestSize_m && size_m <= kLargestSize_m;
@@ -122,24 +123,31 @@ Expected<TriangleMesh> make_star_shaped(int frequency,
 }  // namespace
 
 Expected<TriangleMesh> make_box(const Vector3& size_m) {
-    if (!is_size(size_m.x()) || !is_size(size_m.y()) || !is_size(size_m.z())) {
-        return refuse("box");
-    }
+    const PlacedBox box{Vector3::Zero(), size_m};
+    return make_boxes({&box, 1});
+}
+
+Expected<TriangleMesh> make_boxes(std::span<const PlacedBox> boxes) {
     std::vector<Vector3> vertices;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        vertices.emplace_back(Vector3((corner & 1U) != 0 ? 0.5 : -0.5,
-                                      (corner & 2U) != 0 ? 0.5 : -0.5,
-                                      (corner & 4U) != 0 ? 0.5 : -0.5)
-                                  .cwiseProduct(size_m));
-    }
     std::vector<TriangleCorners> triangles;
-    add_quad(triangles, 0, 4, 6, 2);
-    add_quad(triangles, 1, 3, 7, 5);
-    add_quad(triangles, 0, 1, 5, 4);
-    add_quad(triangles, 2, 6, 7, 3);
-    add_quad(triangles, 0, 2, 3, 1);
-    add_quad(triangles, 4, 5, 7, 6);
-    return TriangleMesh::build(std::move(vertices), std::move(triangles), kNoWeld);
+    for (const PlacedBox& box : boxes) {
+        if (!is_size(box.size_m.x()) || !is_size(box.size_m.y()) || !is_size(box.size_m.z())) {
+            return refuse("box");
+        }
+        const auto first = static_cast<std::int32_t>(vertices.size());
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const Vector3 side((corner & 1U) != 0 ? 0.5 : -0.5, (corner & 2U) != 0 ? 0.5 : -0.5,
+                               (corner & 4U) != 0 ? 0.5 : -0.5);
+            vertices.emplace_back(box.at_B + side.cwiseProduct(box.size_m));
+        }
+        add_quad(triangles, first + 0, first + 4, first + 6, first + 2);
+        add_quad(triangles, first + 1, first + 3, first + 7, first + 5);
+        add_quad(triangles, first + 0, first + 1, first + 5, first + 4);
+        add_quad(triangles, first + 2, first + 6, first + 7, first + 3);
+        add_quad(triangles, first + 0, first + 2, first + 3, first + 1);
+        add_quad(triangles, first + 4, first + 5, first + 7, first + 6);
+    }
+    return TriangleMesh::build(std::move(vertices), std::move(triangles), kSeparate);
 }
 
 Expected<TriangleMesh> make_plate(double width_m, double depth_m, int n) {

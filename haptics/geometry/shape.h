@@ -7,10 +7,24 @@
 
 #include "haptics/geometry/triangle_mesh.h"
 
+#include <span>
+
 namespace fulcrum {
 
 /// A box with the given edge lengths, 12 triangles.
 [[nodiscard]] Expected<TriangleMesh> make_box(const Vector3& size_m);
+
+/// A box somewhere: its middle and its edges, metres.
+struct PlacedBox {
+    Vector3 at_B{Vector3::Zero()};
+    Vector3 size_m{Vector3::Zero()};
+
+    bool operator==(const PlacedBox&) const = default;
+};
+
+/// Boxes in one mesh, 12 triangles each, none welded to another; at least one. Where boxes overlap, what lies inside another is
+/// never reached from outside.
+[[nodiscard]] Expected<TriangleMesh> make_boxes(std::span<const PlacedBox> boxes);
 
 /// A flat rectangle in the plane y = 0, of n x n squares of two triangles each. n from 1 to 4096.
 [[nodiscard]] Expected<TriangleMesh> make_plate(double width_m, double depth_m, int n);

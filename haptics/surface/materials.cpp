@@ -117,12 +117,23 @@ Material make_sandpaper() {
         .transient = ringing(5.0, 30.0, 120.0)};  // as the wood under it, deadened by glue (chosen)
 }
 
+Material make_leaves() {
+    return {.name = "leaves",
+            // Chosen: a clipped hedge gives way as a firm cushion does.
+            .coupling = stiff(250.0),
+            // Chosen: leaves and twigs hold a hand less than bark does.
+            .friction = {0.5, 0.4, 0.0},
+            // Chosen: twigs a few millimetres apart that bend aside.
+            .texture = relief(NoiseTexture{0.002, 0.008, 11}, TextureLaw::lateral, 3.0e-4),
+            .transient = ringing(1.0, 15.0, 200.0)};  // Chosen: hardly a tap
+}
+
 }  // namespace
 
 std::span<const Material> shipped_materials() {
-    static const std::array<Material, 7> kMaterials{make_wood(),     make_metal(), make_rock(),
-                                                    make_rubber(),   make_glass(), make_paper(),
-                                                    make_sandpaper()};
+    static const std::array<Material, 8> kMaterials{make_wood(),      make_metal(), make_rock(),
+                                                    make_rubber(),    make_glass(), make_paper(),
+                                                    make_sandpaper(), make_leaves()};
     return kMaterials;
 }
 

@@ -1,4 +1,4 @@
-// What a lesson's run has to do with rigid bodies; for lesson_run.cpp.
+// What a lesson's run has to do with bodies; for lesson_run.cpp.
 #include "runtime/app/lesson_run.h"
 
 #include <utility>
@@ -31,6 +31,22 @@ void LessonRun::take_rigid_bodies() {
             seen_.bodies[i] = {
                 Pose::at(bodies[i].position_W), Vector3::Zero(),
                 bodies[i].visible || bodies[i].solid ? BodyWhere::placed : BodyWhere::hidden};
+        }
+    }
+}
+
+void LessonRun::place_visible_bodies() {
+    if (!world_loop_) {
+        return;
+    }
+    const auto& bodies = session_->description().bodies;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies[i].visible || bodies[i].solid) {
+            WorldCommand place;
+            place.kind = WorldCommand::Kind::place;
+            place.body = static_cast<std::int32_t>(i);
+            place.position_W = bodies[i].position_W;
+            (void)world_channels_->commands.push(place);  // as many as bodies: they fit
         }
     }
 }

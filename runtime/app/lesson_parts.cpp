@@ -91,7 +91,9 @@ Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
     if (request.hand == HandKind::scripted) {
         files.hand = request.hand_file;
     }
-    auto process = LessonProcess::start(files);
+    LessonProcessOptions options;
+    options.seed = request.seed;
+    auto process = LessonProcess::start(files, options);
     const bool wants_own_hand = process && request.own_test && request.hand == HandKind::scripted &&
                                 request.hand_file.empty() &&
                                 !(*process)->description().tests.empty() &&
@@ -108,13 +110,16 @@ Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
                     "write the simulated hand, or leave hand = … away");
     }
     process->reset();
-    return LessonProcess::start(files);
+    return LessonProcess::start(files, options);
 }
 
 Expected<TriangleMesh> load_solid_mesh(const Places& places, const fs::path& lesson_folder,
                                        const BodyDescription& body) {
     if (is_ball_model(body.model)) {
         return make_sphere(body.radius_m, kSphereModelFrequency);
+    }
+    if (!body.boxes.empty()) {
+        return make_boxes(body.boxes);
     }
     if (body.model == kBoxModel) {
         return make_box(box_size_m(body));
@@ -136,6 +141,11 @@ SolidLoader make_solid_loader(const Places& places, const fs::path& lesson_folde
     const auto made = std::make_shared<std::map<Key, std::shared_ptr<const CollisionMesh>>>();
     return [places, lesson_folder,
             made](const BodyDescription& body) -> Expected<std::shared_ptr<const CollisionMesh>> {
+        if (!body.boxes.empty()) {
+            return make_boxes(body.boxes).and_then([](const TriangleMesh& mesh) {
+                return CollisionMesh::create(mesh);
+            });
+        }
         const Vector3 size_m =
             is_shape_model(body.model) ? box_size_m(body) : Vector3(Vector3::Zero());
         const Key key{body.model, size_m.x(), size_m.y(), size_m.z()};

@@ -4,10 +4,10 @@
 #include "runtime/app/lesson_parts.h"
 #include "runtime/files/shape_cache.h"
 #include "runtime/lesson/compose_view.h"
+#include "runtime/lesson/past_answers.h"
 #include "runtime/text/progress_line.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 
 namespace fulcrum::runtime {
@@ -158,13 +158,27 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
     }
     const bool plays_own_test =
         request.own_test && !description.tests.empty() && request.plan.hearing.recordings.empty();
-    if (plays_own_test || !request.say.empty()) {
+    const std::optional<LearnerRates> rates = request.learner_rates ? request.learner_rates
+                                              : plays_own_test ? description.tests.front().learner
+                                                               : std::nullopt;
+    if (rates && request.say.empty()) {
+        pupil_.emplace(LearnerModel(*rates, request.seed));
+        say_line_ = plays_own_test ? description.tests.front().line : 0;
+    } else if (plays_own_test || !request.say.empty()) {
         const bool says_own = plays_own_test && request.say.empty();
         pupil_.emplace(says_own ? description.tests.front().say : request.say);
         say_line_ = says_own ? description.tests.front().line : 0;
     }
-    auto session = LessonSession::create(std::move(description), plan_, catalogue, store,
-                                         learner->id, version_of(process_->files_read()));
+    // A simulated pupil begins anew each time, so that the same run gives the same bytes.
+    const bool recalls = description.wants_past && learner->nickname != kSimulatedPupil;
+    auto past = recalls ? read_past_answers(store, *learner, utc_now_ms())
+                        : Expected<std::vector<PastAnswers>>{};
+    if (!past) {
+        return tl::unexpected(past.error());
+    }
+    auto session =
+        LessonSession::create(std::move(description), plan_, catalogue, store, learner->id,
+                              version_of(process_->files_read()), std::move(*past));
     if (!session) {
         return tl::unexpected(session.error());
     }
@@ -173,23 +187,20 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
     return {};
 }
 
-void LessonRun::place_visible_bodies() {
-    if (!world_loop_) {
-        return;
+// What the simulated pupil says to the question that is open, once it has thought.
+Expected<std::optional<std::string>> LessonRun::hear_pupil(double time_s) {
+    const SessionHud& hud = session_->hud();
+    const dialogue::Question* const question = session_->question();
+    if (!pupil_ || question == nullptr || !hud.question_open || hud.invited) {
+        return std::optional<std::string>();
     }
-    const auto& bodies = session_->description().bodies;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (bodies[i].visible || bodies[i].solid) {
-            WorldCommand place;
-            place.kind = WorldCommand::Kind::place;
-            place.body = static_cast<std::int32_t>(i);
-            place.position_W = bodies[i].position_W;
-            (void)world_channels_->commands.push(place);  // as many as bodies: they fit
-        }
-    }
+    return pupil_->answer(hud.question_asked_at_s, time_s, *question,
+                          [&](const AnswerSlots& slots) {
+                              return ask_verdict({question->id, slots});
+                          });
 }
 
-SessionInput LessonRun::gather(const FrameInput& input) {
+Expected<SessionInput> LessonRun::gather(const FrameInput& input) {
     SessionInput gathered;
     gathered.time_s = input.time_s;
     gathered.dt_s = std::max(0.0, input.time_s - last_frame_s_);
@@ -215,9 +226,12 @@ SessionInput LessonRun::gather(const FrameInput& input) {
     gathered.wheel = input.wheel;
     gathered.keys = input.keys;
     gathered.heard = input.typed;
-    const SessionHud& hud = session_->hud();
-    if (pupil_ && hud.question_open && !hud.invited && !gathered.heard) {
-        gathered.heard = pupil_->answer(hud.question_asked_at_s, input.time_s);
+    if (!gathered.heard) {
+        auto said = hear_pupil(input.time_s);
+        if (!said) {
+            return tl::unexpected(said.error());
+        }
+        gathered.heard = std::move(*said);
     }
     if (recorder_) {
         recorder_->keep_frame(gathered);
@@ -239,15 +253,37 @@ const AxleFrame* LessonRun::newest_axles() const {
 }
 
 Expected<FrameReport> LessonRun::exchange_frame(const FrameInput& input) {
-    const auto reply = process_->exchange(session_->begin_frame(gather(input)));
+    const auto gathered = gather(input);
+    if (!gathered) {
+        return tl::unexpected(gathered.error());
+    }
+    const auto reply = process_->exchange(session_->begin_frame(*gathered));
     if (!reply) {
         return tl::unexpected(reply.error());
     }
     return conclude(*reply);
 }
 
+Expected<bool> LessonRun::ask_verdict(const JudgeEvent& judge) {
+    LessonFrame frame = session_->newest_frame();
+    frame.dt_s = 0.0;
+    frame.events = {judge};
+    frame.only_asks = true;
+    const auto reply = process_->exchange(frame);
+    if (!reply) {
+        return tl::unexpected(reply.error());
+    }
+    return std::any_of(reply->commands.begin(), reply->commands.end(),
+                       [](const LessonCommand& command) {
+                           const auto* verdict = std::get_if<VerdictCommand>(&command);
+                           return verdict != nullptr && verdict->right;
+                       });
+}
+
 Expected<void> LessonRun::begin_frame(const FrameInput& input) {
-    return process_->send(session_->begin_frame(gather(input)));
+    return gather(input).and_then([&](const SessionInput& gathered) {
+        return process_->send(session_->begin_frame(gathered));
+    });
 }
 
 std::optional<Expected<FrameReport>> LessonRun::poll_frame() {
@@ -320,34 +356,6 @@ bool LessonRun::device_is_lost() const {
                (Fault::device_read | Fault::device_stale | Fault::device_write));
 }
 
-std::vector<std::string> LessonRun::losses() const {
-    std::vector<std::string> sentences;
-    const auto tell = [&](std::uint64_t n, const char* what) {
-        if (n > 0) {
-            sentences.push_back(std::to_string(n) + " " + what);
-        }
-    };
-    tell(recorder_ ? recorder_->dropped() : 0,
-         "rounds are missing in the record: the disk was too slow.");
-    if (world_loop_) {
-        tell(world_channels_->events.dropped(),
-             "catches or landings were not told to the lesson: it answered too slowly.");
-        tell(world_loop_->world().ignored_commands(),
-             "commands to bodies were ignored: no such body, or no finite place.");
-    }
-    const ToolEffort& tool = channels_.state_for_lesson.value().tool;
-    if (tool.n_inexact > 0) {
-        std::array<char, 160> text{};
-        std::snprintf(text.data(), text.size(),
-                      "steps of the tool looked at a part of its points, to end in time: their "
-                      "force may have been off by up to %.2g N.",
-                      tool.most_error_N);
-        tell(tool.n_inexact, text.data());
-    }
-    tell(tool.n_cut, "steps of the tool ended before its solver did, to end in time.");
-    return sentences;
-}
-
 Expected<void> LessonRun::finish_record() {
     return recorder_ ? recorder_->finish() : Expected<void>{};
 }
@@ -363,27 +371,6 @@ View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     scenery.ghost = !scenery.renders_force || plan_.haptic.tool != nullptr;
     scenery.ghost_pose_W = scenery.renders_force ? scenery.hand.tool_pose_W : hand_->pointer_W();
     return compose_view(session_->description(), plan_, session_->hud(), scenery, catalogue);
-}
-
-void print_lines(const std::vector<std::string>& lines) {
-    for (const std::string& line : lines) {
-        std::puts(line.c_str());
-    }
-    if (!lines.empty()) {
-        (void)std::fflush(stdout);
-    }
-}
-
-void say_notices(const LessonRun& run) {
-    for (const std::string& notice : run.plan().notices) {
-        std::fprintf(stderr, "%s\n", notice.c_str());
-    }
-}
-
-void say_losses(const LessonRun& run) {
-    for (const std::string& sentence : run.losses()) {
-        std::fprintf(stderr, "%s\n", sentence.c_str());
-    }
 }
 
 void fill_in_memory(Plan& plan, const HapticLoop& loop) {

@@ -70,6 +70,8 @@ class LessonRun {
     [[nodiscard]] KiteLoop* kite_loop() { return kite_loop_.get(); }
     [[nodiscard]] HapticChannels& channels() { return channels_; }
     [[nodiscard]] const LessonProcess& process() const { return *process_; }
+    /// The lesson's verdict about a meaning, as things stand; nothing else comes of it. Not between `begin_frame` and its reply.
+    [[nodiscard]] Expected<bool> ask_verdict(const JudgeEvent& judge);
     [[nodiscard]] const Device& device() const { return hand_->device(); }
     /// What strokes and taps sound like; null when the plan has no sound of touch.
     [[nodiscard]] SoundStream* touch_sound() { return touch_sound_.get(); }
@@ -112,7 +114,8 @@ class LessonRun {
                                                const dialogue::Catalogue& catalogue);
 
     void place_visible_bodies();
-    [[nodiscard]] SessionInput gather(const FrameInput& input);
+    [[nodiscard]] Expected<SessionInput> gather(const FrameInput& input);
+    [[nodiscard]] Expected<std::optional<std::string>> hear_pupil(double time_s);
     [[nodiscard]] Expected<FrameReport> conclude(const LessonReply& reply);
     [[nodiscard]] Expected<void> command_world(const std::vector<WorldCommand>& commands);
     [[nodiscard]] const WorldSnapshot* newest_world() const;

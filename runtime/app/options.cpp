@@ -19,14 +19,15 @@ struct CommandWord {
 
 constexpr std::array<CommandWord, 11> kCommands{{
     {"run", Command::run, true,
-     " --headless --seconds --hand --say --learner --db --record --screenshot --screenshot-at "
-     "--speech --hear --listen --voice --voice-speed --watch"
+     " --headless --seconds --seed --errors --hand --say --learner --db --record --screenshot "
+     "--screenshot-at --speech --hear --listen --voice --voice-speed --watch"
      " --mute --force-limit "},
     {"list", Command::list, false, " "},
     {"check", Command::check, true, " --force-limit "},
-    {"test", Command::test, true, " --force-limit "},
+    {"test", Command::test, true, " --force-limit --seed --errors --hand "},
     {"explain", Command::explain, true,
-     " --mute --headless --speech --hear --listen --record --force-limit --analyze --json --hand --say "
+     " --mute --headless --speech --hear --listen --record --force-limit --analyze --json --hand "
+     "--say "
      "--seconds "},
     {"report", Command::report, false, " --learner --lesson --db --format --out "},
     {"help", Command::help, false, " "},
@@ -83,11 +84,21 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
     if (flag == "--seconds") {
         return into_number(options.seconds, 0.0, 86400.0);
     }
+    if (flag == "--errors") {
+        return into_number(options.errors, 0.0, 0.9);
+    }
     if (flag == "--screenshot-at") {
         return into_number(options.screenshot_at_s, 0.0, 86400.0);
     }
     if (flag == "--force-limit") {
         return into_number(options.force_limit_N, 0.5, 10.0);
+    }
+    if (flag == "--seed") {
+        constexpr double kMostSeed = 4294967295.0;
+        return number_in(flag, value, 0.0, kMostSeed).and_then([&](double seed) -> Expected<void> {
+            options.seed = static_cast<std::uint64_t>(seed);
+            return {};
+        });
     }
     if (flag == "--voice-speed") {
         return into_number(options.voice.speed, kSlowestVoice, kFastestVoice);
@@ -282,6 +293,7 @@ std::string usage() {
       --record FILE          write poses, forces and events
       --screenshot FILE      write the picture when the run ends  (--screenshot-at S: at that second)
       --seconds N            end early
+      --seed N               what the lesson leaves to chance goes as it went with this number; without a window 1
       --force-limit N        newtons this site allows, 0.5 to 10 (5)
       --mute                 without sound
       --watch                runs again whenever a file of the lesson is saved, not only after a mistake
@@ -293,7 +305,9 @@ std::string usage() {
       --voice-speed N        0.5 to 2, 1 is as a teacher speaks (0.9)
   fulcrum list               the lessons
   fulcrum check LESSON       look for mistakes, and play the first ten seconds
-  fulcrum test LESSON        play the lesson's own tests
+  fulcrum test LESSON        play the lesson's own tests  (--hand FILE.lua)
+      --errors N             a simulated learner answers, who knows what is right and errs in so many parts of the answers, 0 to 0.9:
+                             half of that in form, a third in meaning, else unclear; the lesson must come to its end  (--seed N)
   fulcrum explain LESSON     what runs for it, how often, and which line asked for it
       --analyze              plays it without a window and says what each stage cost  (--hand --say --seconds)
       --json                 for programs

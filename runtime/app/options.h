@@ -19,19 +19,22 @@ struct Options {
     std::string lesson;             ///< a name under scenarios/ or a folder
     bool headless = false;          ///< no window: virtual clock, faster than real time
     std::optional<double> seconds;  ///< end the run after this long, 0 to 86 400
-    std::string hand;        ///< FILE.lua, mouse or replay:FILE; empty: chosen by what is there
-    std::string say;         ///< file with one answer a line
-    std::string learner;     ///< nickname
-    std::string database;    ///< file; empty: the default place
-    std::string record;      ///< file to write the run to
-    std::string screenshot;  ///< PNG to write when the run ends
-    double screenshot_at_s = -1.0;  ///< or at this time of the run; negative: at its end
+    std::string hand;  ///< FILE.lua, mouse or replay:FILE; empty: chosen by what is there
+    std::string say;   ///< file with one answer a line
+    std::optional<double>
+        errors;            ///< a simulated learner answers, and errs in so many parts, 0 to 0.9
+    std::string learner;   ///< nickname
+    std::string database;  ///< file; empty: the default place
+    std::optional<std::uint64_t> seed;  ///< of what a lesson leaves to chance
+    std::string record;                 ///< file to write the run to
+    std::string screenshot;             ///< PNG to write when the run ends
+    double screenshot_at_s = -1.0;      ///< or at this time of the run; negative: at its end
     SpeechInput speech = SpeechInput::text;
-    std::string hearing;    ///< with --speech exec: the command
-    std::string hear;       ///< file with the name of one recording a line
+    std::string hearing;                   ///< with --speech exec: the command
+    std::string hear;                      ///< file with the name of one recording a line
     ListenMode listen = ListenMode::hold;  ///< in a window: when the microphone is heard
     VoiceSettings voice{};                 ///< likewise
-    bool watch = false;     ///< start again whenever the lesson's files change
+    bool watch = false;                    ///< start again whenever the lesson's files change
     bool mute = false;
     bool analyze = false;         ///< explain: play it too, and tell what each stage cost
     bool json = false;            ///< explain: for programs

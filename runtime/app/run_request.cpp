@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <random>
 #include <string_view>
 #include <system_error>
 
@@ -41,6 +42,9 @@ Expected<void> choose_hand(const Options& options, bool in_window, RunRequest& r
 Expected<void> choose_answers(const Options& options, bool in_window, RunRequest& request) {
     request.own_test = !in_window;
     request.learner = options.learner;
+    if (options.errors) {
+        request.learner_rates = rates_of(*options.errors);
+    }
     if (!options.say.empty()) {
         const auto lines = SimulatedPupil::read_lines(options.say);
         if (!lines) {
@@ -51,7 +55,8 @@ Expected<void> choose_answers(const Options& options, bool in_window, RunRequest
         }
         request.say = *lines;
     }
-    if (in_window || (!request.say.empty() && !request.learner.empty())) {
+    const bool has_answers = !request.say.empty() || request.learner_rates.has_value();
+    if (in_window || (has_answers && !request.learner.empty())) {
         return {};
     }
     if (!request.learner.empty()) {
@@ -106,6 +111,10 @@ double today() {
 
 }  // namespace
 
+LearnerRates rates_of(double errors) {
+    return {.wrong = errors / 3.0, .form = errors / 2.0, .unclear = errors / 6.0};
+}
+
 Expected<RunRequest> make_request(const Places& places, const Options& options, bool in_window) {
     RunRequest request;
     const auto folder = find_lesson(places, options.lesson);
@@ -119,6 +128,7 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     request.plan.record = !options.record.empty();
     request.plan.live = in_window;
     request.plan.day = in_window ? today() : kTestDay;
+    request.seed = options.seed.value_or(in_window ? std::random_device{}() : request.seed);
     request.record_file = options.record;
     return choose_hand(options, in_window, request)
         .and_then([&] { return choose_answers(options, in_window, request); })

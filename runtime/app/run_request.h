@@ -20,10 +20,15 @@ struct RunRequest {
     /// Scripted: a Lua file, empty for the lesson's own test. Replay: a record.
     std::filesystem::path hand_file;
     std::vector<std::string> say;  ///< answers of a simulated pupil; empty: somebody types
-    bool own_test = false;         ///< use the hand and the answers of the lesson's first L:test
-    std::string record_file;       ///< empty: nothing is recorded
-    std::string learner;           ///< nickname; empty: "guest"
+    std::optional<LearnerRates> learner_rates;  ///< a simulated learner answers instead
+    bool own_test = false;    ///< use the hand and the answers of the lesson's first L:test
+    std::string record_file;  ///< empty: nothing is recorded
+    std::string learner;      ///< nickname; empty: "guest"
+    std::uint64_t seed = 1;   ///< of the lesson's math.random
 };
+
+/// Of a simulated learner who errs in so many parts of the answers: half in form, a third in meaning, else unclear.
+[[nodiscard]] LearnerRates rates_of(double errors);
 
 /// What the command line asks for: the lesson, whose hand and whose answers. Refuses what is not there, in one sentence.
 [[nodiscard]] Expected<RunRequest> make_request(const Places& places, const Options& options,

@@ -23,8 +23,8 @@ Expected<std::size_t> RecordedMicrophone::read(std::span<std::int16_t> samples) 
     if (settings_.unplugged_at_s >= 0.0 && time_s >= settings_.unplugged_at_s) {
         return fail("the microphone was unplugged", {}, "plug it in again, or type");
     }
-    const auto due = static_cast<std::size_t>(
-        std::llround(std::max(time_s, 0.0) * dialogue::kHeardRate_Hz));
+    const auto due =
+        static_cast<std::size_t>(std::llround(std::max(time_s, 0.0) * dialogue::kHeardRate_Hz));
     const std::size_t n = std::min(due - std::min(due, heard_), samples.size());
     for (std::size_t i = 0; i < n; ++i, ++heard_) {
         samples[i] = heard_ < samples_.size() ? samples_[heard_] : std::int16_t{0};

@@ -13,8 +13,8 @@
 namespace fulcrum::runtime {
 
 struct RecordedMicrophoneSettings {
-    double speed = 1.0;                 ///< of its time against the clock's, above 0
-    double unplugged_at_s = -1.0;       ///< of its own time; negative: never
+    double speed = 1.0;                  ///< of its time against the clock's, above 0
+    double unplugged_at_s = -1.0;        ///< of its own time; negative: never
     std::function<double()> now_s = {};  ///< the clock; empty: the monotonic one
 };
 

@@ -15,9 +15,9 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr double kLook_s = 0.01;
-constexpr double kSwitchedOff_s = 4.0;       // of zeros: a room is never so quiet
-constexpr double kFall = 0.9;                // of the level, a block
-constexpr std::size_t kMostUtterances = 4;   // nobody took: the oldest goes
+constexpr double kSwitchedOff_s = 4.0;      // of zeros: a room is never so quiet
+constexpr double kFall = 0.9;               // of the level, a block
+constexpr std::size_t kMostUtterances = 4;  // nobody took: the oldest goes
 constexpr std::size_t kMostEarTroubles = 16;
 constexpr std::size_t kRead = 8 * kBlock;
 
@@ -129,9 +129,9 @@ struct Ear::Work {
     void hear(std::span<const std::int16_t, kBlock> block) {
         has_microphone.store(true, std::memory_order_release);
         told_missing = false;
-        auto utterance = gate.step(block, {wanted.load(std::memory_order_acquire),
-                                           held.load(std::memory_order_acquire),
-                                           speaks.load(std::memory_order_acquire)});
+        auto utterance = gate.step(
+            block, {wanted.load(std::memory_order_acquire), held.load(std::memory_order_acquire),
+                    speaks.load(std::memory_order_acquire)});
         hears.store(gate.hears(), std::memory_order_release);
         deaf.store(gate.deaf(), std::memory_order_release);
         level.store(std::max(level_of(block), kFall * level.load(std::memory_order_relaxed)),

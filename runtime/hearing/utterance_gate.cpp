@@ -19,10 +19,9 @@ std::size_t samples_in(double time_s) {
 }  // namespace
 
 Expected<void> validate(const GateSettings& settings) {
-    const bool good =
-        within(settings.before_s, 0.0, 2.0) && within(settings.pause_s, 0.1, 5.0) &&
-        within(settings.release_s, 0.0, 2.0) && within(settings.least_s, 0.0, 2.0) &&
-        within(settings.most_s, 1.0, 60.0) && within(settings.ring_s, 0.0, 2.0);
+    const bool good = within(settings.before_s, 0.0, 2.0) && within(settings.pause_s, 0.1, 5.0) &&
+                      within(settings.release_s, 0.0, 2.0) && within(settings.least_s, 0.0, 2.0) &&
+                      within(settings.most_s, 1.0, 60.0) && within(settings.ring_s, 0.0, 2.0);
     if (!good) {
         return fail("a time of what is heard is out of its range", {},
                     "give 0 to 2 s, for a pause 0.1 to 5 s, for the longest utterance 1 to 60 s");

@@ -39,9 +39,9 @@ struct GateSettings {
 
 /// How things stand while a block is heard.
 struct GateInput {
-    bool wanted = false;    ///< somebody listens for an answer
-    bool held = false;      ///< the key
-    bool speaks = false;    ///< the program's own voice
+    bool wanted = false;  ///< somebody listens for an answer
+    bool held = false;    ///< the key
+    bool speaks = false;  ///< the program's own voice
 };
 
 class UtteranceGate {

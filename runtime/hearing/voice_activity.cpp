@@ -25,8 +25,8 @@ std::array<std::size_t, kTransform / 2 + 1> make_band_of_line() {
     std::array<std::size_t, kTransform / 2 + 1> band_of{};
     for (std::size_t k = 0; k < band_of.size(); ++k) {
         const double frequency_Hz = static_cast<double>(k) * kRate_Hz / kTransform;
-        const double share =
-            (to_mel(frequency_Hz) - to_mel(kLowest_Hz)) / (to_mel(kHighest_Hz) - to_mel(kLowest_Hz));
+        const double share = (to_mel(frequency_Hz) - to_mel(kLowest_Hz)) /
+                             (to_mel(kHighest_Hz) - to_mel(kLowest_Hz));
         band_of[k] = share >= 0.0 && share < 1.0
                          ? static_cast<std::size_t>(share * VoiceActivity::kBands)
                          : VoiceActivity::kBands;
@@ -62,7 +62,8 @@ Expected<void> validate(const VoiceActivitySettings& settings) {
 
 bool VoiceActivity::step(std::span<const std::int16_t, kBlock> block) {
     std::copy(heard_.begin() + kBlock, heard_.end(), heard_.begin());
-    std::ranges::transform(block, heard_.end() - kBlock, [](std::int16_t x) { return x / 32768.0; });
+    std::ranges::transform(block, heard_.end() - kBlock,
+                           [](std::int16_t x) { return x / 32768.0; });
     constexpr int kWholeWindow_blocks = 3;
     if (++blocks_ < kWholeWindow_blocks) {
         return false;  // as quiet as nothing ever is

@@ -95,6 +95,17 @@ ViewBody show_body(const LessonDescription& lesson, const BodyDescription& body,
     return shown;
 }
 
+// Each box of a body by itself; its name stands at the first.
+void add_boxes(const BodyDescription& body, ViewBody& shown, View& view) {
+    shown.marked = false;
+    for (const PlacedBox& box : body.boxes) {
+        ViewBody& part = view.bodies.emplace_back(shown);
+        part.pose_W.position = shown.pose_W.position + shown.pose_W.orientation * box.at_B;
+        part.scale = 0.5 * box.size_m;
+        shown.label.clear();
+    }
+}
+
 void add_bodies(const LessonDescription& lesson, const SessionHud& hud, const Scenery& scenery,
                 View& view) {
     for (std::size_t i = 0; i < lesson.bodies.size(); ++i) {
@@ -107,7 +118,11 @@ void add_bodies(const LessonDescription& lesson, const SessionHud& hud, const Sc
         if (is_covered(hud, i)) {
             lay_cloth_over(body, shown);
         }
-        view.bodies.push_back(std::move(shown));
+        if (body.boxes.empty() || is_covered(hud, i)) {
+            view.bodies.push_back(std::move(shown));
+        } else {
+            add_boxes(body, shown, view);
+        }
     }
 }
 

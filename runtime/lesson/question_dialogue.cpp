@@ -132,9 +132,13 @@ void QuestionDialogue::listen(QuestionState state, double time_s) {
     ++turns_;
 }
 
-std::shared_ptr<const dialogue::TemplateSet> QuestionDialogue::templates() const {
+const dialogue::Question* QuestionDialogue::question() const {
     const auto question = questions_.find(question_);
-    return question == questions_.end() ? nullptr : question->second.templates;
+    return question == questions_.end() ? nullptr : &question->second;
+}
+
+std::shared_ptr<const dialogue::TemplateSet> QuestionDialogue::templates() const {
+    return question() == nullptr ? nullptr : question()->templates;
 }
 
 }  // namespace fulcrum::runtime

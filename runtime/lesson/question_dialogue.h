@@ -101,7 +101,9 @@ class QuestionDialogue {
     [[nodiscard]] double asked_at_s() const { return asked_at_s_; }
     /// How often the learner has been asked to speak.
     [[nodiscard]] int turns() const { return turns_; }
-    /// The sentences that answer the question of now; null when there is none.
+    /// The question of now; null when there is none.
+    [[nodiscard]] const dialogue::Question* question() const;
+    /// The sentences that answer it; null when there is none.
     [[nodiscard]] std::shared_ptr<const dialogue::TemplateSet> templates() const;
 
   private:

@@ -16,7 +16,8 @@ constexpr std::size_t kLongestAnswer_bytes = 400;
 }  // namespace
 
 LessonSession::LessonSession(LessonDescription description, const Plan& plan,
-                             QuestionDialogue dialogue, SessionLog log)
+                             QuestionDialogue dialogue, SessionLog log,
+                             std::vector<PastAnswers> past)
     : description_(std::move(description)),
       dialogue_(std::move(dialogue)),
       log_(std::move(log)),
@@ -32,7 +33,7 @@ LessonSession::LessonSession(LessonDescription description, const Plan& plan,
         kite_.wind_m_per_s = description_.wind.speed_m_per_s;
         hud_.kite_design = description_.kite->flight.kite;
     }
-    ReadyEvent ready{plan.felt_weight_N, plan.felt_scale, {}, plan.day};
+    ReadyEvent ready{plan.felt_weight_N, plan.felt_scale, {}, plan.day, std::move(past)};
     for (const MaterialFacts& facts : plan.material_facts) {
         ready.materials.push_back({facts.hardness, facts.roughness, facts.slipperiness});
     }
@@ -41,7 +42,8 @@ LessonSession::LessonSession(LessonDescription description, const Plan& plan,
 
 Expected<std::unique_ptr<LessonSession>> LessonSession::create(
     LessonDescription description, const Plan& plan, const dialogue::Catalogue& catalogue,
-    ProgressStore& store, LearnerId learner, std::string lesson_version) {
+    ProgressStore& store, LearnerId learner, std::string lesson_version,
+    std::vector<PastAnswers> past) {
     auto questions = compile_questions(description);
     if (!questions) {
         return tl::unexpected(questions.error());
@@ -57,7 +59,7 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
                        {"felt_scale", std::to_string(plan.felt_scale)}};
     return std::unique_ptr<LessonSession>(new LessonSession(
         std::move(description), plan, QuestionDialogue(std::move(*questions), catalogue),
-        SessionLog(store, std::move(record))));
+        SessionLog(store, std::move(record)), std::move(past)));
 }
 
 const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
@@ -254,6 +256,10 @@ Expected<SessionOutput> LessonSession::finish_frame(const LessonReply& reply) {
         output.hand_target_W = reply.hand_target_W;
         output.hand_buttons = reply.hand_buttons;
         output.has_hand_target = true;
+    }
+    // As in a window: while a question is open, keys are letters of its answer.
+    if (!reply.hand_key.empty() && !dialogue_.is_open()) {
+        queued_.push_back(KeyEvent{reply.hand_key});
     }
     return output;
 }

@@ -92,13 +92,16 @@ struct SessionResult {
 
 class LessonSession {
   public:
-    /// Compiles the questions. The store and the catalogue outlive the session.
+    /// Compiles the questions. The store and the catalogue outlive the session. `past`: for a lesson that wants it.
     [[nodiscard]] static Expected<std::unique_ptr<LessonSession>> create(
         LessonDescription description, const Plan& plan, const dialogue::Catalogue& catalogue,
-        ProgressStore& store, LearnerId learner, std::string lesson_version);
+        ProgressStore& store, LearnerId learner, std::string lesson_version,
+        std::vector<PastAnswers> past = {});
 
     /// The message for the lesson's process; valid until the next call.
     [[nodiscard]] const LessonFrame& begin_frame(const SessionInput& input);
+    /// The newest one, as it was sent.
+    [[nodiscard]] const LessonFrame& newest_frame() const { return frame_; }
     /// Carries the reply out. A reply that names a body, force or question that isn't there is the
     /// lesson's error.
     [[nodiscard]] Expected<SessionOutput> finish_frame(const LessonReply& reply);
@@ -111,6 +114,8 @@ class LessonSession {
     [[nodiscard]] const LessonDescription& description() const { return description_; }
     [[nodiscard]] const SessionHud& hud() const { return hud_; }
     [[nodiscard]] const SessionResult& result() const { return result_; }
+    /// The question that is asked now; null when there is none.
+    [[nodiscard]] const dialogue::Question* question() const { return dialogue_.question(); }
     /// Keeps the session's end, once; a session that is dropped without it counts as left.
     void end(EndReason reason);
     /// Waits until the store has kept everything, at most so long; call it when the hand feels nothing any more.
@@ -120,7 +125,7 @@ class LessonSession {
 
   private:
     LessonSession(LessonDescription description, const Plan& plan, QuestionDialogue dialogue,
-                  SessionLog log);
+                  SessionLog log, std::vector<PastAnswers> past);
 
     void take_hinges(const AxleFrame& axles);
     void take_kite(const SessionInput& input);

@@ -5,11 +5,15 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace fulcrum::runtime {
 
 SimulatedPupil::SimulatedPupil(std::vector<std::string> lines, double thinking_s)
     : lines_(lines.begin(), lines.end()), thinking_s_(thinking_s) {}
+
+SimulatedPupil::SimulatedPupil(const LearnerModel& model, double thinking_s)
+    : model_(model), thinking_s_(thinking_s) {}
 
 Expected<std::vector<std::string>> SimulatedPupil::read_lines(const std::string& path) {
     std::error_code ignored;
@@ -26,15 +30,23 @@ Expected<std::vector<std::string>> SimulatedPupil::read_lines(const std::string&
     return dialogue::script_lines(text.str());
 }
 
-std::optional<std::string> SimulatedPupil::answer(double asked_at_s, double now_s) {
+Expected<std::optional<std::string>> SimulatedPupil::answer(double asked_at_s, double now_s,
+                                                            const dialogue::Question& question,
+                                                            const Verdict& verdict) {
     const bool already_answered = asked_at_s == answered_question_asked_at_s_;
-    if (already_answered || lines_.empty() || now_s - asked_at_s < thinking_s_) {
-        return std::nullopt;
+    const bool has_nothing = !model_ && lines_.empty();
+    if (already_answered || has_nothing || now_s - asked_at_s < thinking_s_) {
+        return std::optional<std::string>();
     }
     answered_question_asked_at_s_ = asked_at_s;
+    if (model_) {
+        return model_->answer(question, verdict).map([](std::string said) {
+            return std::optional(std::move(said));
+        });
+    }
     std::string line = std::move(lines_.front());
     lines_.pop_front();
-    return line;
+    return std::optional(std::move(line));
 }
 
 }  // namespace fulcrum::runtime

@@ -1,9 +1,10 @@
-// A pupil who answers from a list: one line to each question in turn, after a moment's thought.
+// A pupil who answers from a list, one line to each question in turn, or as a simulated learner; after a moment's thought.
 // An invitation to say a right answer once more is no question: it is left to pass.
 // Used by --say, by lessons' tests and by headless runs; the words go the same way as typed ones.
 #pragma once
 
 #include "haptics/base/error.h"
+#include "runtime/lesson/learner_model.h"
 
 #include <deque>
 #include <optional>
@@ -15,19 +16,20 @@ namespace fulcrum::runtime {
 class SimulatedPupil {
   public:
     explicit SimulatedPupil(std::vector<std::string> lines, double thinking_s = 1.0);
+    explicit SimulatedPupil(const LearnerModel& model, double thinking_s = 1.0);
 
     /// Reads one answer a line; blank lines and lines that begin with # are passed over.
     [[nodiscard]] static Expected<std::vector<std::string>> read_lines(const std::string& path);
 
     /// The answer to a question that has been open since `asked_at_s`, when it is time for it; at
-    /// most one a question.
-    [[nodiscard]] std::optional<std::string> answer(double asked_at_s, double now_s);
-
-    /// True when a question is open and no line is left for it.
-    [[nodiscard]] bool speechless() const { return lines_.empty(); }
+    /// most one a question. An error is the lesson's own, from its verdict.
+    [[nodiscard]] Expected<std::optional<std::string>> answer(double asked_at_s, double now_s,
+                                                              const dialogue::Question& question,
+                                                              const Verdict& verdict);
 
   private:
     std::deque<std::string> lines_;
+    std::optional<LearnerModel> model_;
     double thinking_s_;
     double answered_question_asked_at_s_ = -1.0;
 };

@@ -5,6 +5,7 @@
 #include "haptics/dynamics/axle.h"
 #include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/joint_plan.h"
+#include "haptics/geometry/shape.h"
 #include "haptics/handover/messages.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/math/spatial.h"
@@ -63,6 +64,12 @@ struct RigidDescription {
     std::optional<JointDescription> joint{};
 };
 
+// Of a body that is made of several boxes.
+inline constexpr std::size_t kMaxBoxes = 200;
+inline constexpr double kFarthestBox_m = 100.0;  ///< each coordinate of a box's middle
+inline constexpr double kLeastEdge_m = 0.002;
+inline constexpr double kMostEdge_m = 10.0;
+
 struct BodyDescription {
     std::string name;        ///< unique; how Lua calls it
     std::string noun;        ///< English noun as a child says it, e.g. "watermelon"
@@ -81,6 +88,7 @@ struct BodyDescription {
     std::optional<AxleSettings> hinge{};      ///< a solid body that turns, and does nothing else
     std::optional<RigidDescription> rigid{};  ///< a solid body that all forces move
     Vector3 size_m{Vector3::Zero()};  ///< edges of a box, each 0.002 to 10; zero: twice the radius
+    std::vector<PlacedBox> boxes{};   ///< that it is made of instead of one, with the model "box"
 };
 
 /// The edges of a body that is a box; of other shapes twice the radius.
@@ -141,6 +149,13 @@ struct HandDescription {
     std::optional<ToolDescription> tool{};  ///< instead of either
 };
 
+/// Answers to a question of which is known how they are to be marked.
+struct QuestionExamples {
+    std::vector<std::string> right;  ///< right in meaning and form
+    std::vector<std::string> wrong;  ///< understood, and wrong in meaning
+    std::vector<std::string> form;   ///< right in meaning, with an error of form
+};
+
 /// A question with its answer templates; `right` stays in Lua and is asked by a Judge message.
 struct QuestionDescription {
     std::string id;
@@ -151,6 +166,7 @@ struct QuestionDescription {
         lists;          ///< {name} -> words; {thing}, {other}: bodies' nouns by default
     std::string again;  ///< said after a wrong meaning, behind "Not yet."; empty: "Try again."
     SourceLine line = 0;
+    QuestionExamples examples{};  ///< what its answers must come to, for `check` and `test`
 };
 
 /// What L:test { expect = … } may name: "finished" is true or false, the others are whole numbers.
@@ -160,10 +176,18 @@ inline constexpr std::array<std::string_view, 7> kTestFacts{
 /// The levels of English of the Common European Framework of Reference for Languages.
 inline constexpr std::array<std::string_view, 6> kEnglishLevels{"A1", "A2", "B1", "B2", "C1", "C2"};
 
+/// How a simulated learner answers who knows the right answers, in parts of them, each 0 to 1.
+struct LearnerRates {
+    double wrong = 0.0;    ///< wrong in meaning
+    double form = 0.0;     ///< right in meaning, with an error of form
+    double unclear = 0.0;  ///< not to be understood
+};
+
 /// L:test { … }: how the lesson is played in tests.
 struct LessonTestDescription {
     std::string hand;                                         ///< file beside lesson.lua
     std::vector<std::string> say;                             ///< answers in order
+    std::optional<LearnerRates> learner{};                    ///< who answers instead
     std::vector<std::pair<std::string, std::string>> expect;  ///< name -> value, e.g. score -> "7"
     SourceLine line = 0;
 };
@@ -186,6 +210,8 @@ struct LessonDescription {
     std::optional<KiteDescription> kite{};  ///< on a line that the hand holds
     WindDescription wind{};                 ///< for it
     std::vector<QuestionDescription> questions;
+    bool wants_past =
+        false;  ///< world:recall(): what this learner has answered in earlier sessions
     std::vector<LessonTestDescription> tests;
 };
 

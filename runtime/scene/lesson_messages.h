@@ -60,6 +60,20 @@ struct MaterialGrades {
     double slipperiness = 0.0;
 };
 
+/// What the learner has answered to a question in earlier sessions, of this lesson or another.
+struct PastAnswers {
+    std::string lesson;
+    std::string question;
+    std::int32_t asked = 0;  ///< how often it was asked
+    std::int32_t right = 0;  ///< of these, how often the answer came to be right in meaning
+    std::int32_t wrong_now =
+        0;              ///< answers not right at the end, in a row; 0 when the last was right
+    double days = 0.0;  ///< since the last answer, not negative
+    std::vector<std::pair<std::string, std::int32_t>>
+        points{};  ///< grammar point -> errors of form that belong to it
+};
+inline constexpr std::size_t kMaxPastAnswers = 2000;
+
 /// The plan is compiled: what each body weighs in the hand, and what each material is like. Sent once, before the first
 /// frame.
 struct ReadyEvent {
@@ -67,6 +81,7 @@ struct ReadyEvent {
     double felt_scale = 1.0;            ///< factor that fitted all weights under the force limit
     std::vector<MaterialGrades> materials{};  ///< one a material of the description
     double day = 0.0;                         ///< today: days since noon of 1 January 2000
+    std::vector<PastAnswers> past{};          ///< where the description wants it, the newest last
 };
 
 using LessonEvent = std::variant<BodyEvent, KeyEvent, JudgeEvent, AnsweredEvent, ReadyEvent>;
@@ -107,6 +122,7 @@ struct LessonFrame {
     std::vector<HingeState> hinges;  ///< of the bodies that have one, in their order
     std::optional<KiteState> kite;   ///< once it flies
     std::vector<LessonEvent> events;
+    bool only_asks = false;  ///< for verdicts: no time passes, and nobody but `right` is called
 };
 
 // ---- commands: lesson -> program -----------------------------------------------------------------------------
@@ -189,6 +205,7 @@ struct LessonReply {
     bool has_hand_target = false;  ///< the simulated hand's Lua gave a target
     Pose hand_target_W{};
     std::uint32_t hand_buttons = 0;
+    std::string hand_key;  ///< that it presses on the keyboard, once; empty for none
 };
 
 }  // namespace fulcrum::runtime

@@ -10,7 +10,7 @@
 ---
 --- When the function ends the hand stays where it is. Without `motion` a hand's file returns a function of its own:
 --- `return function(hand, t, world) return x, y, z end`, called 60 times a second; after them it may give the buttons that it
---- presses, and how it is turned, as `motion.turn_to` has it.
+--- presses, how it is turned, as `motion.turn_to` has it, and the name of a key that it presses.
 
 -- What the program gives to the shared library: mistakes are told at the hand's own line.
 local module_name, program = ...
@@ -20,6 +20,7 @@ local motion = {}
 
 -- Where the hand that is being played wants to be. One hand a process, so one set of these.
 local x, y, z, buttons = 0, 0.3, 0, 0
+local key                     -- to be pressed on the keyboard, once
 local turn = { 0, 0, 0 }      -- degrees about this direction, by as much as it is long
 local now = 0
 local most_degrees = 3600     -- ten turns
@@ -203,6 +204,14 @@ function motion.press(which)
   buttons = which
 end
 
+--- Presses a key of the keyboard: "left", "right", "up", "down", "space", a letter. While a question is open it is not heard.
+---@param name string
+function motion.key(name)
+  if type(name) ~= "string" then mistake("motion.key takes the name of a key, such as \"left\"; got " .. shown(name)) end
+  key = name
+  next_frame "motion.key"
+end
+
 --- Where the hand wants to be now.
 ---@return number x, number y, number z
 function motion.place() return x, y, z end
@@ -223,7 +232,9 @@ function motion.play(script)
       local fine, problem = coroutine.resume(playing, world, hand)
       if not fine then error(problem, 0) end
     end
-    return x, y, z, buttons, turn
+    local pressed = key
+    key = nil
+    return x, y, z, buttons, turn, pressed
   end
 end
 

@@ -39,6 +39,7 @@ local Lesson = {}
 ---@class World
 ---@field time number seconds; since the lesson began
 ---@field day number days; today, since noon of 1 January 2000, as planets.day counts; tests and simulated hands have 22 June 2026
+---@field past table[] what this learner has answered before, where L:start calls world:recall(); see bank
 local World = {}
 
 ---The learner's hand: what world:hand { … } gives.
@@ -139,6 +140,11 @@ local Force = {}
 ---@return Lesson
 function lesson(options) end
 
+---@class QuestionExamples
+---@field right? string[] right in meaning and form
+---@field wrong? string[] understood, and wrong in meaning
+---@field form? string[] right in meaning, with an error of form
+
 ---@class QuestionOptions
 ---@field prompt string what the learner is asked; of at most 1000 letters
 ---@field answers string[] templates of the sentences that answer it; the first of several articles is the one that is said back: "[a|an|the] {thing}" gives "An apple is …", "[the|a|an] {thing}" gives "The apple is …"
@@ -146,15 +152,22 @@ function lesson(options) end
 ---@field lists? table<string, string[]> words that {name} in a template may stand for; {thing} and {other} are by default the nouns of all bodies of the scene, whether they move, are solid or neither
 ---@field again? string what is said after "Not yet." when the meaning is wrong, such as "Let's weigh both again."; "Try again." by default; of at most 200 letters
 ---@field right function function(answer): is the meaning right? see answer
+---@field examples? QuestionExamples answers that are marked by ./fulcrum check and test, and must come out as said
 
 ---Declares a question.
 ---@param name string what world:ask and game.ask call it
 ---@return fun(options: QuestionOptions)
 function Lesson:question(name) end
 
+---@class TestLearner
+---@field wrong? number wrong in meaning; 0 to 1; default 0
+---@field form? number right in meaning, with an error of form; 0 to 1; default 0
+---@field unclear? number not to be understood; 0 to 1; default 0
+
 ---@class TestOptions
 ---@field hand? string simulated hand: a Lua file beside the lesson, see motion; of at most 48 letters
 ---@field say? string[] what the simulated learner answers, in turn
+---@field learner? TestLearner who answers instead of say: a simulated learner who knows what is right, and errs in such parts of the answers
 ---@field expect? table<string, string|number|boolean> how the lesson must end, see Tests
 
 ---Declares how the lesson is played in tests.
@@ -175,6 +188,9 @@ function World:ground(height) end
 
 ---Shows a dark sky with stars instead of a meadow.
 function World:space() end
+
+---Asks for what this learner has answered in earlier sessions, of this lesson and others: world.past has it, a table for each question.
+function World:recall() end
 
 ---@class CameraOptions
 ---@field eye? Vector|Body|Tool where the camera is; in metres, -10000 to 10000; default {0, 0.55, 1.5}
@@ -222,6 +238,7 @@ function World:camera(options) end
 ---@field drag_area? number drag coefficient × cross-section, for falling in air; in square metres, 0 to 10; default 0
 ---@field hinge? BodyHinge an axis that a solid body turns about, pushed by the hand; while it is, arm, force and torque are drawn
 ---@field size? Vector|Body|Tool edges of a body with model = "box": width, height, depth; twice the radius by default; in metres, 0 to 10
+---@field boxes? table[] what a body with model = "box" is made of instead of one: a list of { at = {x, y, z}, size = {x, y, z} }, from the body's place; up to 200, as of a house or a maze
 ---@field rigid? boolean a thing with a mass that lies, falls, is pushed, gripped with the button, lifted and stacked; can be touched, and is seen unless visible = false; default false
 ---@field shape? string what a rigid body collides as; by default a box or a ball as its model, else the hull of its model; mesh is the model itself with its hollows, as of a ring or a bowl; "box", "ball", "cylinder", "capsule", "hull" or "mesh"
 ---@field density? number of a rigid box or ball, instead of its mass: wood 600, water 1000, iron 7900; in kilograms per cubic metre, 1 to 25000

@@ -91,8 +91,16 @@ inline LessonDescription full_description() {
                     {"is {thing}"},
                     {{"thing", {"apple", "egg"}}},
                     "Lift it.",
-                    18}};
-    d.tests = {{"sweep.lua", {"an apple"}, {{"score", "7"}}, 19}};
+                    18,
+                    {{"the egg"}, {"the apple"}, {"a egg", "egg"}}}};
+    d.wants_past = true;
+    d.tests = {{"sweep.lua", {"an apple"}, LearnerRates{0.25, 0.5, 0.125}, {{"score", "7"}}, 19}};
+    BodyDescription hedges;
+    hedges.name = hedges.noun = "hedges";
+    hedges.model = "box";
+    hedges.boxes = {{Vector3(1, 2, 3), Vector3(0.1, 0.2, 0.3)},
+                    {Vector3(-4, 0, 0), Vector3(1, 1, 1)}};
+    d.bodies.push_back(hedges);
     return d;
 }
 
@@ -128,6 +136,7 @@ inline LessonReply full_reply() {
     r.has_hand_target = true;
     r.hand_target_W.position = Vector3(0.1, 0.2, 0.3);
     r.hand_buttons = 5;
+    r.hand_key = "left";
     return r;
 }
 
@@ -151,7 +160,12 @@ inline LessonFrame full_frame() {
         BodyEvent{BodyEvent::Kind::landed, 1, 3.5}, KeyEvent{"space"},
         JudgeEvent{"heaviest", {{"thing", "egg"}}},
         AnsweredEvent{"heaviest", "an egg", {{"thing", "egg"}}, true, false, true, false, 3, true},
-        ReadyEvent{{6.0, 3.0}, 0.5, {{0.75, 0.5, 0.25}}, 9669.0}};
+        ReadyEvent{{6.0, 3.0},
+                   0.5,
+                   {{0.75, 0.5, 0.25}},
+                   9669.0,
+                   {{"lever", "near_far", 3, 2, 1, 0.5, {{"article", 4}}}}}};
+    f.only_asks = true;
     return f;
 }
 

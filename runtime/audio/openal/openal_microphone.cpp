@@ -15,7 +15,8 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr double kPatience_s = 2.0;
-constexpr ALCsizei kHeld_samples = dialogue::kHeardRate_Hz;  // a second, for a thread that comes late
+constexpr ALCsizei kHeld_samples =
+    dialogue::kHeardRate_Hz;  // a second, for a thread that comes late
 
 struct CloseCapture {
     void operator()(ALCdevice* device) const {
@@ -60,8 +61,8 @@ class OpenalMicrophone final : public Microphone {
 };
 
 Expected<std::unique_ptr<Microphone>> open_microphone() {
-    Capture device(alcCaptureOpenDevice(nullptr, dialogue::kHeardRate_Hz, AL_FORMAT_MONO16,
-                                        kHeld_samples));
+    Capture device(
+        alcCaptureOpenDevice(nullptr, dialogue::kHeardRate_Hz, AL_FORMAT_MONO16, kHeld_samples));
     if (!device) {
         return fail("no microphone was found", {}, "plug one in, or type");
     }

@@ -27,7 +27,9 @@ struct Place {
 /// The text at stack index `index`, clean and of at most so many bytes, or raises.
 [[nodiscard]] std::string check_text(lua_State* lua, const Place& place, int index,
                                      std::size_t max_bytes);
-/// Lists and tables of texts and values.
+/// {x, y, z}, {x=, y=, z=}, a body or the tool, each within the parameter's range.
+[[nodiscard]] Vector3 check_vector(lua_State* lua, const Place& place);
+/// Lists and tables of texts, values and boxes.
 void check_tables(lua_State* lua, const Place& place, PlainArgument& argument);
 
 }  // namespace fulcrum::runtime

@@ -34,6 +34,8 @@ const char* type_words(ParameterType type) {
             return "a table of fields { … }";
         case ParameterType::material:
             return "a material or the name of one";
+        case ParameterType::boxes:
+            return "a list of boxes { at = {x, y, z}, size = {x, y, z} }";
     }
     return "something else";
 }
@@ -116,6 +118,41 @@ void for_each_name(lua_State* lua, const Place& place, Each each) {
     }
 }
 
+/// A field of the box on top of the stack.
+Vector3 check_box_field(lua_State* lua, const Place& box, const Parameter& field) {
+    lua_getfield(lua, box.index, field.name);
+    const Vector3 v = check_vector(lua, {field, box.label + '.' + field.name, lua_gettop(lua)});
+    lua_pop(lua, 1);
+    return v;
+}
+
+std::vector<PlacedBox> check_boxes(lua_State* lua, const Place& place) {
+    constexpr Parameter kAt{"at", ParameterType::vector, "metres", -kFarthestBox_m, kFarthestBox_m};
+    constexpr Parameter kSize{"size", ParameterType::vector, "metres", kLeastEdge_m, kMostEdge_m};
+    if (!lua_istable(lua, place.index)) {
+        refuse(lua, place, given_text(lua, place.index));
+    }
+    const std::size_t n = lua_rawlen(lua, place.index);
+    if (n == 0 || n > kMaxBoxes) {
+        raise_in_lesson(lua, place.label + " has " + std::to_string(n) + " boxes; give it 1 to " +
+                                 std::to_string(kMaxBoxes));
+    }
+    std::vector<PlacedBox> boxes;
+    for (std::size_t i = 1; i <= n; ++i) {
+        lua_rawgeti(lua, place.index, static_cast<lua_Integer>(i));
+        const Place box{place.parameter, place.label + '[' + std::to_string(i) + ']',
+                        lua_gettop(lua)};
+        if (!lua_istable(lua, box.index)) {
+            raise_in_lesson(lua, box.label +
+                                     " is a box { at = {x, y, z}, size = {x, y, z} }; got " +
+                                     given_text(lua, box.index));
+        }
+        boxes.push_back({check_box_field(lua, box, kAt), check_box_field(lua, box, kSize)});
+        lua_pop(lua, 1);
+    }
+    return boxes;
+}
+
 std::string check_value(lua_State* lua, const Place& place) {
     if (lua_type(lua, -1) == LUA_TBOOLEAN) {
         return lua_toboolean(lua, -1) != 0 ? "true" : "false";
@@ -132,7 +169,9 @@ std::string check_value(lua_State* lua, const Place& place) {
 }  // namespace
 
 void check_tables(lua_State* lua, const Place& place, PlainArgument& argument) {
-    if (place.parameter.type == ParameterType::texts) {
+    if (place.parameter.type == ParameterType::boxes) {
+        argument.boxes = check_boxes(lua, place);
+    } else if (place.parameter.type == ParameterType::texts) {
         argument.texts = check_texts(lua, place, place.index);
     } else if (place.parameter.type == ParameterType::lists) {
         for_each_name(lua, place, [&](const std::string& name) {

@@ -4,6 +4,7 @@
 // Thread: built once, then read only.
 #pragma once
 
+#include "haptics/geometry/shape.h"
 #include "haptics/math/spatial.h"
 
 #include <array>
@@ -36,6 +37,7 @@ enum class ParameterType : std::uint8_t {
     choice,    ///< one of `choices`
     record,    ///< a table of `fields`
     material,  ///< what world:material gave, or the name of a material
+    boxes,     ///< a list of { at = {x, y, z}, size = {x, y, z} }
 };
 
 /// A default that says "this must be given".
@@ -81,6 +83,7 @@ struct PlainArgument {
     std::vector<std::pair<std::string, std::string>> values;              ///< sorted by name
     int stack_index = 0;                                                  ///< of a function
     std::int32_t material = -1;                                           ///< of the description
+    std::vector<PlacedBox> boxes;
 };
 
 struct Argument : PlainArgument {

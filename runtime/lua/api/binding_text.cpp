@@ -76,6 +76,8 @@ const char* lua_type(const Parameter& parameter) {
             return "table";
         case ParameterType::material:
             return "Material|string";
+        case ParameterType::boxes:
+            return "table[]";
     }
     return "any";
 }

@@ -21,31 +21,6 @@ double check_number(lua_State* lua, const Place& place, int index) {
     return value;
 }
 
-/// {x, y, z}, {x=, y=, z=}, a body or the tool.
-Vector3 check_vector(lua_State* lua, const Place& place) {
-    if (lua_type(lua, place.index) != LUA_TTABLE && to_handle(lua, place.index) == nullptr) {
-        refuse(lua, place, given_text(lua, place.index));
-    }
-    constexpr const char* kAxes[] = {"x", "y", "z"};
-    Vector3 v = Vector3::Zero();
-    for (int i = 0; i < 3; ++i) {
-        if (lua_type(lua, place.index) != LUA_TTABLE ||
-            lua_rawgeti(lua, place.index, i + 1) == LUA_TNIL) {
-            lua_getfield(lua, place.index, kAxes[i]);
-        }
-        if (lua_type(lua, -1) != LUA_TNUMBER) {
-            raise_in_lesson(lua, place.label + " is a place such as {0, 0.5, 0}; its " + kAxes[i] +
-                                     " is " + given_text(lua, -1));
-        }
-        v[i] = lua_tonumber(lua, -1);
-        if (!(v[i] >= place.parameter.low && v[i] <= place.parameter.high)) {
-            refuse(lua, place, given_text(lua, -1) + " for " + kAxes[i]);
-        }
-        lua_settop(lua, std::max(place.index, lua_gettop(lua) - 1));
-    }
-    return v;
-}
-
 void check_choice(lua_State* lua, const Place& place, PlainArgument& argument) {
     if (lua_type(lua, place.index) != LUA_TSTRING) {
         refuse(lua, place, given_text(lua, place.index));
@@ -242,6 +217,30 @@ Argument check_one(lua_State* lua, const Parameter& parameter, std::string label
 }
 
 }  // namespace
+
+Vector3 check_vector(lua_State* lua, const Place& place) {
+    if (lua_type(lua, place.index) != LUA_TTABLE && to_handle(lua, place.index) == nullptr) {
+        refuse(lua, place, given_text(lua, place.index));
+    }
+    constexpr const char* kAxes[] = {"x", "y", "z"};
+    Vector3 v = Vector3::Zero();
+    for (int i = 0; i < 3; ++i) {
+        if (lua_type(lua, place.index) != LUA_TTABLE ||
+            lua_rawgeti(lua, place.index, i + 1) == LUA_TNIL) {
+            lua_getfield(lua, place.index, kAxes[i]);
+        }
+        if (lua_type(lua, -1) != LUA_TNUMBER) {
+            raise_in_lesson(lua, place.label + " is a place such as {0, 0.5, 0}; its " + kAxes[i] +
+                                     " is " + given_text(lua, -1));
+        }
+        v[i] = lua_tonumber(lua, -1);
+        if (!(v[i] >= place.parameter.low && v[i] <= place.parameter.high)) {
+            refuse(lua, place, given_text(lua, -1) + " for " + kAxes[i]);
+        }
+        lua_settop(lua, std::max(place.index, lua_gettop(lua) - 1));
+    }
+    return v;
+}
 
 std::string given_text(lua_State* lua, int index) {
     switch (lua_type(lua, index)) {

@@ -43,6 +43,7 @@ struct LessonContext {
     LessonFrame frame{};                ///< the newest; its bodies are as many as the description's
     std::vector<double> felt_weight_N;  ///< empty before ReadyEvent
     std::optional<double> day;          ///< nothing before ReadyEvent
+    std::vector<PastAnswers> past;      ///< empty before ReadyEvent
     std::vector<MaterialGrades> grades;   ///< one a material; empty before ReadyEvent
     LessonReply reply{};                  ///< being filled
     int n_prints = 0;                     ///< in this frame

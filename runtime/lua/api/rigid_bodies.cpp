@@ -144,6 +144,27 @@ void take_size(lua_State* lua, const Argument& size, BodyDescription& body) {
     body.radius_m = 0.5 * size.vector.maxCoeff();
 }
 
+void take_boxes(lua_State* lua, const Arguments& arguments, BodyDescription& body) {
+    const Argument& boxes = arguments["boxes"];
+    if (!boxes.given) {
+        return;
+    }
+    if (body.model != kBoxModel || arguments["size"].given) {
+        raise_in_lesson(lua, body.name + " is made of boxes; give it model = \"box\", and no size");
+    }
+    if (body.movable || arguments["hinge"].given || arguments["rigid"].flag) {
+        raise_in_lesson(lua, body.name +
+                                 " is made of boxes and stands still; leave out movable, hinge and "
+                                 "rigid");
+    }
+    body.boxes = boxes.boxes;
+    double farthest_m = 0.0;
+    for (const PlacedBox& box : body.boxes) {
+        farthest_m = std::max(farthest_m, (box.at_B.cwiseAbs() + 0.5 * box.size_m).maxCoeff());
+    }
+    body.radius_m = std::min(farthest_m, 10.0);
+}
+
 }  // namespace
 
 std::span<const Parameter> joint_parameters() {
@@ -153,6 +174,7 @@ std::span<const Parameter> joint_parameters() {
 void take_rigid(lua_State* lua, const LessonContext& context, const Arguments& arguments,
                 BodyDescription& body) {
     take_size(lua, arguments["size"], body);
+    take_boxes(lua, arguments, body);
     if (!arguments["rigid"].flag) {
         for (const char* name : {"shape", "density", "joint"}) {
             if (arguments[name].given) {

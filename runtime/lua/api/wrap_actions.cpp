@@ -115,6 +115,43 @@ int get_day(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
     return 1;
 }
 
+void set_number(lua_State* lua, const char* field, lua_Integer value) {
+    lua_pushinteger(lua, value);
+    lua_setfield(lua, -2, field);
+}
+
+int get_past(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    if (!context.description.wants_past || !context.day) {
+        raise_in_lesson(lua,
+                        context.description.wants_past
+                            ? "world.past is known once the lesson runs, in L:update and later, "
+                              "not in L:start"
+                            : "world.past is only known to a lesson that asks for it; write "
+                              "world:recall() in L:start");
+    }
+    lua_newtable(lua);
+    for (std::size_t i = 0; i < context.past.size(); ++i) {
+        const PastAnswers& past = context.past[i];
+        lua_newtable(lua);
+        push_text(lua, past.lesson);
+        lua_setfield(lua, -2, "lesson");
+        push_text(lua, past.question);
+        lua_setfield(lua, -2, "question");
+        set_number(lua, "asked", past.asked);
+        set_number(lua, "right", past.right);
+        set_number(lua, "wrong_now", past.wrong_now);
+        lua_pushnumber(lua, past.days);
+        lua_setfield(lua, -2, "days");
+        lua_newtable(lua);
+        for (const auto& [point, n_errors] : past.points) {
+            set_number(lua, point.c_str(), n_errors);
+        }
+        lua_setfield(lua, -2, "points");
+        lua_rawseti(lua, -2, static_cast<lua_Integer>(i) + 1);
+    }
+    return 1;
+}
+
 template <int kAxis>
 int get_tool_position(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
     lua_pushnumber(lua, context.frame.tool_pose_W.position[kAxis]);
@@ -154,6 +191,10 @@ void add_properties(ApiTable& table) {
                                 "today, since noon of 1 January 2000, as planets.day counts; tests "
                                 "and simulated hands have 22 June 2026",
                                 &get_day});
+    table.properties.push_back(
+        {"world", "past", "table[]", "",
+         "what this learner has answered before, where L:start calls world:recall(); see bank",
+         &get_past});
     table.properties.push_back(
         {"tool", "x", "number", "metres", "to the right", &get_tool_position<0>});
     table.properties.push_back({"tool", "y", "number", "metres", "up", &get_tool_position<1>});

@@ -27,6 +27,11 @@ int set_space(lua_State* /*lua*/, LessonContext& context, const Arguments& /*arg
     return 0;
 }
 
+int recall(lua_State* /*lua*/, LessonContext& context, const Arguments& /*arguments*/) {
+    context.description.wants_past = true;
+    return 0;
+}
+
 int set_camera(lua_State* /*lua*/, LessonContext& context, const Arguments& arguments) {
     CameraDescription& camera = context.description.camera;
     camera.eye_W = arguments["eye"].vector;
@@ -248,6 +253,16 @@ void add_scene_rows(ApiTable& table) {
                                &set_space});
     table.functions.push_back(
         {"world",
+         "recall",
+         CallShape::positional,
+         CallTime::declaring,
+         {},
+         "",
+         "Asks for what this learner has answered in earlier sessions, of this lesson and others: "
+         "world.past has it, a table for each question.",
+         &recall});
+    table.functions.push_back(
+        {"world",
          "camera",
          CallShape::record,
          CallTime::declaring,
@@ -286,6 +301,10 @@ void add_scene_rows(ApiTable& table) {
           {"size", vector, "metres", 0, 10, "nil",
            "edges of a body with model = \"box\": width, height, depth; twice the radius by "
            "default"},
+          {"boxes", boxes, "", 0, 0, "nil",
+           "what a body with model = \"box\" is made of instead of one: a list of { at = {x, y, "
+           "z}, "
+           "size = {x, y, z} }, from the body's place; up to 200, as of a house or a maze"},
           {"rigid", flag, "", 0, 0, "false",
            "a thing with a mass that lies, falls, is pushed, gripped with the button, lifted and "
            "stacked; can be touched, and is seen unless visible = false"},

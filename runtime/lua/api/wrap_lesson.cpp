@@ -62,6 +62,17 @@ int make_lesson(lua_State* lua, LessonContext& context, const Arguments& argumen
     return 1;
 }
 
+constexpr Parameter kRates[] = {
+    {"wrong", ParameterType::number, "", 0, 1, "0", "wrong in meaning"},
+    {"form", ParameterType::number, "", 0, 1, "0", "right in meaning, with an error of form"},
+    {"unclear", ParameterType::number, "", 0, 1, "0", "not to be understood"}};
+
+// Answers of which is known how they are to be marked.
+constexpr Parameter kExamples[] = {
+    {"right", ParameterType::texts, "", 0, 0, "nil", "right in meaning and form"},
+    {"wrong", ParameterType::texts, "", 0, 0, "nil", "understood, and wrong in meaning"},
+    {"form", ParameterType::texts, "", 0, 0, "nil", "right in meaning, with an error of form"}};
+
 int add_question(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     QuestionDescription question;
     question.id = arguments["name"].text;
@@ -70,6 +81,11 @@ int add_question(lua_State* lua, LessonContext& context, const Arguments& argume
     question.nearly = arguments["nearly"].texts;
     question.lists = arguments["lists"].lists;
     question.again = arguments["again"].text;
+    if (arguments["examples"].given) {
+        const Arguments examples = arguments.record("examples");
+        question.examples = {examples["right"].texts, examples["wrong"].texts,
+                             examples["form"].texts};
+    }
     question.line = place_in_lesson(lua).line;
     auto& known = context.description.questions;
     if (std::any_of(known.begin(), known.end(),
@@ -96,6 +112,14 @@ int add_test(lua_State* lua, LessonContext& context, const Arguments& arguments)
     test.hand = arguments["hand"].text;
     test.say = arguments["say"].texts;
     test.expect = arguments["expect"].values;
+    if (arguments["learner"].given) {
+        const Arguments rates = arguments.record("learner");
+        test.learner =
+            LearnerRates{rates["wrong"].number, rates["form"].number, rates["unclear"].number};
+        if (!test.say.empty()) {
+            raise_in_lesson(lua, "test has say and learner; leave out one of them");
+        }
+    }
     test.line = place_in_lesson(lua).line;
     for (const auto& [name, value] : test.expect) {
         check_expected(lua, name, value);
@@ -160,7 +184,10 @@ void add_lesson_api(ApiTable& table) {
            "what is said after \"Not yet.\" when the meaning is wrong, such as \"Let's weigh both "
            "again.\"; \"Try again.\" by default"},
           {"right", function, "", 0, 0, kRequired,
-           "function(answer): is the meaning right? see answer"}},
+           "function(answer): is the meaning right? see answer"},
+          {"examples", record, "", 0, 0, "nil",
+           "answers that are marked by ./fulcrum check and test, and must come out as said", "",
+           kExamples, std::size(kExamples)}},
          "",
          "Declares a question.",
          &add_question});
@@ -171,6 +198,11 @@ void add_lesson_api(ApiTable& table) {
          CallTime::loading,
          {{"hand", text, "", 0, 48, "", "simulated hand: a Lua file beside the lesson, see motion"},
           {"say", texts, "", 0, 0, "nil", "what the simulated learner answers, in turn"},
+          {"learner", record, "", 0, 0, "nil",
+           "who answers instead of say: a simulated learner who knows what is right, and errs in "
+           "such "
+           "parts of the answers",
+           "", kRates, std::size(kRates)},
           {"expect", values, "", 0, 0, "nil", "how the lesson must end, see Tests"}},
          "",
          "Declares how the lesson is played in tests.",

@@ -92,6 +92,16 @@ Quaternion check_turn(lua_State* lua, int index) {
     return compute_exp(turn_deg / kDegrees);
 }
 
+/// The key that a simulated hand presses.
+std::string check_key(lua_State* lua, int index) {
+    const char* key = lua_type(lua, index) == LUA_TSTRING ? lua_tostring(lua, index) : "";
+    if (!is_name(key)) {
+        raise_in_lesson(lua,
+                        "a simulated hand gives the name of a key, such as \"left\" or \"space\"");
+    }
+    return key;
+}
+
 /// Sounds that the text names are checked before the first of them is played.
 void check_sounds(lua_State* lua, const LuaSource& source) {
     for (const SoundUse& use : find_sounds(source.text)) {
@@ -228,7 +238,7 @@ std::optional<ScriptError> LessonHost::run_frame(const LessonFrame& frame, Lesso
         return error;
     }
     reply = std::exchange(lesson_.reply, {});  // what start() asked for goes out with the first
-    if (hand_script_ == nullptr) {
+    if (hand_script_ == nullptr || frame.only_asks) {
         return std::nullopt;
     }
     hand_.frame = frame;
@@ -250,6 +260,9 @@ void LessonHost::run_callbacks(lua_State* lua) {
     ScriptState& script = *lesson_script_;
     for (const LessonEvent& event : lesson_.frame.events) {
         deliver(lua, event);
+    }
+    if (lesson_.frame.only_asks) {
+        return;
     }
     if (push_callback(lua, lesson_, "update")) {
         push_handle(lua, Handle::Kind::world, 0);
@@ -277,6 +290,7 @@ void LessonHost::deliver(lua_State* lua, const LessonEvent& event) {
         lesson_.felt_weight_N = ready->felt_weight_N;
         lesson_.felt_weight_N.resize(description().bodies.size(), 0.0);
         lesson_.day = ready->day;
+        lesson_.past = ready->past;
         lesson_.grades = ready->materials;
         lesson_.grades.resize(description().materials.size());
         return;
@@ -333,7 +347,11 @@ void LessonHost::run_hand(lua_State* lua, LessonReply& reply) {
     push_handle(lua, Handle::Kind::tool, 0);
     lua_pushnumber(lua, hand_.frame.time_s);
     push_handle(lua, Handle::Kind::world, 0);
-    hand_script_->call(lua, n_arguments, 5);
+    hand_script_->call(lua, n_arguments, 6);
+    if (!lua_isnil(lua, -1)) {
+        reply.hand_key = check_key(lua, -1);
+    }
+    lua_pop(lua, 1);
     if (lua_isnil(lua, -5)) {
         return;  // no target: the hand stays where it was
     }

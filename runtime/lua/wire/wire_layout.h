@@ -4,6 +4,7 @@
 
 #include "runtime/lua/wire/wire_archive.h"
 #include "runtime/lua/wire/wire_kite.h"
+#include "runtime/lua/wire/wire_questions.h"
 #include "runtime/lua/wire/wire_surface.h"
 
 #include <algorithm>
@@ -34,6 +35,7 @@ void body(Archive& a, Body& b) {
     for (int i = 0; i < 3; ++i) {
         a.number("a body's size", b.size_m[i], 0.0, 10.0);
     }
+    boxes(a, b.boxes);
 }
 
 template <class Archive, class Force>
@@ -46,50 +48,6 @@ void force(Archive& a, Force& f) {
     a.number("a force's peak", f.field.peak_force_N, 0.0, 10.0);
     a.number("a force's range", f.field.range_m, 0.001, 10.0);
     a.integer("a line", f.line, 0, kMaxLine);
-}
-
-template <class Archive, class Texts>
-void texts(Archive& a, const char* what, Texts& values) {
-    a.list(what, values, kMaxListItems,
-           [what](auto& each, auto& value) { each.text(what, value, kMaxTextBytes); });
-}
-
-template <class Archive, class Pairs>
-void pairs(Archive& a, const char* what, Pairs& values) {
-    a.list(what, values, kMaxListItems, [what](auto& each, auto& value) {
-        each.text(what, value.first, kMaxNameBytes);
-        each.text(what, value.second, kMaxTextBytes);
-    });
-}
-
-template <class Archive, class Question>
-void question(Archive& a, Question& q) {
-    a.name("a question's name", q.id);
-    a.text("a prompt", q.prompt, kMaxTextBytes);
-    texts(a, "answers", q.answers);
-    texts(a, "what is nearly an answer", q.nearly);
-    a.list("lists", q.lists, kMaxListItems, [](auto& each, auto& value) {
-        each.name("a list's name", value.first);
-        texts(each, "a list", value.second);
-    });
-    a.text("what is said after a wrong meaning", q.again, kMaxTextBytes);
-    a.integer("a line", q.line, 0, kMaxLine);
-}
-
-/// The hand of a test is a file beside the lesson: "name.lua", nothing that leads elsewhere.
-template <class Archive, class Test>
-void test(Archive& a, Test& t) {
-    a.text("a test's hand", t.hand, kMaxNameBytes);
-    if constexpr (Archive::kReads) {
-        const std::string_view file = t.hand;
-        if (!file.empty() &&
-            !(file.ends_with(".lua") && is_name(file.substr(0, file.size() - 4)))) {
-            a.refuse("a test's hand", "is not the name of a Lua file beside the lesson");
-        }
-    }
-    texts(a, "a test's lines", t.say);
-    pairs(a, "a test's expectations", t.expect);
-    a.integer("a line", t.line, 0, kMaxLine);
 }
 
 template <class Archive, class Description>
@@ -124,6 +82,7 @@ void description(Archive& a, Description& d) {
     optional(a, "a kite", d.kite, [](auto& each, auto& k) { kite(each, k); });
     wind(a, d.wind);
     a.list("questions", d.questions, kMaxQuestions, [](auto& each, auto& q) { question(each, q); });
+    a.flag("the past", d.wants_past);
     a.list("tests", d.tests, kMaxListItems, [](auto& each, auto& t) { test(each, t); });
 }
 
@@ -206,6 +165,8 @@ void event(Archive& a, Event& e) {
             each.number("slipperiness", grades.slipperiness, 0.0, 1.0);
         });
         a.number("today", e.day, -1e6, 1e6);
+        a.list("past answers", e.past, kMaxPastAnswers,
+               [](auto& each, auto& past) { past_answers(each, past); });
     }
 }
 
@@ -237,6 +198,7 @@ void frame(Archive& a, Frame& f) {
         each.one_of("an event", e,
                     [](auto& archive, auto& alternative) { event(archive, alternative); });
     });
+    a.flag("only verdicts", f.only_asks);
 }
 
 // ---- reply: lesson -> program
@@ -371,6 +333,7 @@ void reply(Archive& a, Reply& r, const ReplyBounds& bounds) {
     a.flag("a hand target", r.has_hand_target);
     pose(a, "the hand's target", r.hand_target_W, kMaxCoordinate_m);
     a.integer("the hand's buttons", r.hand_buttons, 0, UINT32_MAX);
+    a.name("the hand's key", r.hand_key);
 }
 
 }  // namespace fulcrum::runtime::wire

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/lua/wire/wire_archive.h"
+#include "runtime/scene/description.h"
 #include "runtime/scene/shape_models.h"
 
 #include <optional>
@@ -111,6 +112,17 @@ template <class Archive, class Rigid>
 void rigid(Archive& a, Rigid& r) {
     a.choice("a rigid body's shape", r.shape, RigidShape::mesh);
     optional(a, "a joint", r.joint, [](auto& each, auto& j) { joint(each, j); });
+}
+
+/// The boxes that a body is made of.
+template <class Archive, class Boxes>
+void boxes(Archive& a, Boxes& all) {
+    a.list("a body's boxes", all, kMaxBoxes, [](auto& each, auto& box) {
+        vector(each, "a box's place", box.at_B, kFarthestBox_m);
+        for (int i = 0; i < 3; ++i) {
+            each.number("a box's size", box.size_m[i], kLeastEdge_m, kMostEdge_m);
+        }
+    });
 }
 
 template <class Archive, class Shape>

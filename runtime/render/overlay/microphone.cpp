@@ -15,9 +15,12 @@ constexpr float kBarStep = 9.0F;
 constexpr float kBarWidth = 5.0F;
 constexpr float kTallestBar = 30.0F;
 
-void draw_microphone_shape(DrawList& list, const Point2& middle, float radius_px, const Colour& ink) {
+void draw_microphone_shape(DrawList& list, const Point2& middle, float radius_px,
+                           const Colour& ink) {
     const float r = radius_px;
-    const auto at = [&](float x, float y) -> Point2 { return {middle[0] + x * r, middle[1] + y * r}; };
+    const auto at = [&](float x, float y) -> Point2 {
+        return {middle[0] + x * r, middle[1] + y * r};
+    };
     list.fill_box({middle[0] - 0.22F * r, middle[1] - 0.78F * r, 0.44F * r, 0.92F * r}, 0.22F * r,
                   ink);
     // The stand: half a ring from side to side, a foot.

@@ -12,8 +12,8 @@
 namespace fulcrum::runtime {
 
 /// In the shader's order, from 1; 0 is a thing as its model is painted.
-inline constexpr std::array<std::string_view, 7> kLooks{"wood",  "metal", "rock",     "rubber",
-                                                        "glass", "paper", "sandpaper"};
+inline constexpr std::array<std::string_view, 8> kLooks{"wood",  "metal", "rock",      "rubber",
+                                                        "glass", "paper", "sandpaper", "leaves"};
 
 /// The number of a look; 0 when nothing looks so.
 [[nodiscard]] constexpr int look_number(std::string_view look) noexcept {
@@ -69,6 +69,11 @@ vec4 look_of(vec3 p) {
     return vec4(0.50, 0.74, 0.70, 0.06);
   if (u_look == 6)  // paper
     return vec4(vec3(0.86, 0.84, 0.78) * (0.94 + 0.06 * grain(p * 400.0)), 0.95);
+  if (u_look == 8) {  // leaves: light ones before dark gaps
+    float leaf = grain(p * vec3(230, 190, 230)) * 0.65 + grain(p * 610.0) * 0.35;
+    vec3 green = mix(vec3(0.02, 0.07, 0.015), vec3(0.16, 0.36, 0.06), smoothstep(0.25, 0.8, leaf));
+    return vec4(green, 0.85);
+  }
   // sandpaper
   return vec4(vec3(0.46, 0.25, 0.10) * (0.45 + 0.9 * grain(p * 1100.0)), 0.95);
 }

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -31,6 +32,22 @@ TEST_CASE("shape: all but the plate are closed, consistent and have the volume t
     check(make_capsule(0.1, 0.3, 4, 1), pi * 0.01 * 0.3 + 4.0 / 3.0 * pi * 1e-3, 0.6);
     check(make_torus(0.1, 0.02, 120, 60), 2.0 * pi * pi * 0.1 * 0.02 * 0.02, 4e-3);
     check(make_bumpy_sphere(2.0, 30, 0.0, 0.0), 4.0 / 3.0 * pi * 8.0, 3e-3);
+}
+
+TEST_CASE("shape: boxes lie where they are put, each closed, and are as many as they are") {
+    const std::array<PlacedBox, 3> boxes{{{Vector3(0.0, 0.1, 0.0), Vector3(1.0, 0.2, 0.1)},
+                                          {Vector3(0.5, 0.1, 0.0), Vector3(0.1, 0.2, 1.0)},
+                                          {Vector3(3.0, 0.0, 0.0), Vector3(0.2, 0.2, 0.2)}}};
+    const auto mesh = make_boxes(boxes);
+    REQUIRE(mesh);
+    CHECK(mesh->triangles().size() == 36);
+    CHECK(mesh->vertices_B().size() == 24);  // corners that fall together stay apart
+    const MeshReport report = compute_mesh_report(*mesh);
+    CHECK(report.is_closed());
+    CHECK(report.volume_m3 == Approx(0.02 + 0.02 + 0.008).epsilon(1e-12));
+    CHECK(mesh->upper_B().isApprox(Vector3(3.1, 0.2, 0.5), 1e-12));
+    CHECK(mesh->lower_B().isApprox(Vector3(-0.5, -0.1, -0.5), 1e-12));
+    CHECK_FALSE(make_boxes({}));
 }
 
 TEST_CASE("shape: the number of triangles is as documented") {

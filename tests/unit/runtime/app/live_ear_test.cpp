@@ -113,7 +113,8 @@ TEST_CASE("live ear: without a key it says when to speak, and when to listen fir
     CHECK(shown(ear).microphone.level == 0.0);
 }
 
-TEST_CASE("live ear: without a microphone a banner says that typing goes on, and another one stays") {
+TEST_CASE(
+    "live ear: without a microphone a banner says that typing goes on, and another one stays") {
     LiveEar ear(ListenMode::hold, open_none);
     CHECK(wait_for([&] { return shown(ear).banner == "NONE"; }));
     CHECK_FALSE(shown(ear).microphone.visible);

@@ -111,7 +111,7 @@ TEST_CASE("options: options without a command are those of the list of lessons")
 }
 
 TEST_CASE("options: a guess that would puzzle is not made") {
-    CHECK(to_sentence(parse({"run", "gravity", "--sped", "x"}).error()).find("did you mean") ==
+    CHECK(to_sentence(parse({"run", "gravity", "--zzzz", "x"}).error()).find("did you mean") ==
           std::string::npos);
 }
 

@@ -36,7 +36,8 @@ struct Recording {
 
 }  // namespace
 
-TEST_CASE("recorded microphone: gives what was due since the last time, and silence behind its end") {
+TEST_CASE(
+    "recorded microphone: gives what was due since the last time, and silence behind its end") {
     Recording recording;
     CHECK(recording.at(0.0) == 0);
     CHECK(recording.at(0.01) == 160);

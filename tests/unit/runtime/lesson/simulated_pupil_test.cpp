@@ -5,17 +5,41 @@
 #include <cstdio>
 #include <fstream>
 
+using namespace fulcrum;
 using namespace fulcrum::runtime;
+
+namespace {
+
+Expected<bool> anything(const AnswerSlots&) {
+    return true;
+}
+
+std::optional<std::string> answer(SimulatedPupil& pupil, double asked_at_s, double now_s) {
+    const auto question = fulcrum::dialogue::compile_question({"q", "Which?", {"an egg"}});
+    REQUIRE(question);
+    const auto said = pupil.answer(asked_at_s, now_s, *question, anything);
+    REQUIRE(said);
+    return *said;
+}
+
+}  // namespace
 
 TEST_CASE("simulated pupil: thinks first, then says one line a question") {
     SimulatedPupil pupil({"first", "second"}, 1.0);
-    CHECK_FALSE(pupil.answer(10.0, 10.5));
-    CHECK(pupil.answer(10.0, 11.0) == "first");
-    CHECK_FALSE(pupil.answer(10.0, 12.0));
-    CHECK_FALSE(pupil.answer(20.0, 20.9));
-    CHECK(pupil.answer(20.0, 21.5) == "second");
-    CHECK(pupil.speechless());
-    CHECK_FALSE(pupil.answer(30.0, 40.0));
+    CHECK_FALSE(answer(pupil, 10.0, 10.5));
+    CHECK(answer(pupil, 10.0, 11.0) == "first");
+    CHECK_FALSE(answer(pupil, 10.0, 12.0));
+    CHECK_FALSE(answer(pupil, 20.0, 20.9));
+    CHECK(answer(pupil, 20.0, 21.5) == "second");
+    CHECK_FALSE(answer(pupil, 30.0, 40.0));
+}
+
+TEST_CASE("simulated pupil: one who is a model never runs out of answers, and thinks as long") {
+    SimulatedPupil pupil(LearnerModel({}, 1), 1.0);
+    CHECK_FALSE(answer(pupil, 10.0, 10.5));
+    for (const double asked_at_s : {10.0, 20.0, 30.0}) {
+        CHECK(answer(pupil, asked_at_s, asked_at_s + 1.0) == "An egg.");
+    }
 }
 
 TEST_CASE("simulated pupil: blank lines and remarks in the file are passed over") {

@@ -118,5 +118,36 @@ TEST_CASE("rigid bodies: a lesson puts, drops and hides them, and reads how they
     CHECK(says(holds.play(), "grips it with the button"));
 }
 
+TEST_CASE("bodies of boxes: they are where they are said to be, and stand still") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start("world:body { name = 'house', model = 'box', solid = true, at = { 1, 0, 0 "
+                         "}, boxes = {\n"
+                         "  { at = { 0, 0.1, 0 }, size = { 0.4, 0.2, 0.02 } }, { at = { 0.3, 0.1, "
+                         "0 }, size = { 0.02, 0.2, "
+                         "0.4 } } } }") == "");
+    const BodyDescription& house = lesson.host->description().bodies.at(0);
+    REQUIRE(house.boxes.size() == 2);
+    CHECK(house.boxes[0] == PlacedBox{Vector3(0.0, 0.1, 0.0), Vector3(0.4, 0.2, 0.02)});
+    CHECK(house.boxes[1].at_B == Vector3(0.3, 0.1, 0.0));
+    CHECK(house.radius_m == Approx(0.31));
+    const std::string box = "boxes = { { at = { 0, 0, 0 }, size = { 1, 1, 1 } } }";
+    CHECK(
+        says(refusal_of_block("model = 'sphere', " + box), "give it model = \"box\", and no size"));
+    CHECK(says(refusal_of_block("model = 'box', size = { 1, 1, 1 }, " + box), "and no size"));
+    CHECK(says(refusal_of_block("model = 'box', movable = true, " + box), "stands still"));
+    CHECK(says(refusal_of_block("model = 'box', rigid = true, mass = 1, " + box), "stands still"));
+    CHECK(says(refusal_of_block("model = 'box', boxes = {}"), "has 0 boxes; give it 1 to 200"));
+    CHECK(says(refusal_of_block("model = 'box', boxes = { 5 }"), "body.boxes[1] is a box"));
+    CHECK(says(refusal_of_block("model = 'box', boxes = 5"), "is a list of boxes"));
+    CHECK(says(refusal_of_block("model = 'box', boxes = { { at = { 0, 0, 0 } } }"),
+               "body.boxes[1].size"));
+    CHECK(says(
+        refusal_of_block("model = 'box', boxes = { { at = { 0, 0, 0 }, size = { 1, 0, 1 } } }"),
+        "0 for y"));
+    CHECK(says(
+        refusal_of_block("model = 'box', boxes = { { at = { 0, 0, 1e3 }, size = { 1, 1, 1 } } }"),
+        "1000 for z"));
+}
+
 }  // namespace
 }  // namespace fulcrum::runtime

@@ -54,5 +54,27 @@ TEST_CASE("actions: a question that was never declared suggests the nearest") {
           "lesson.lua:3: there is no question \"heavist\"; did you mean \"heaviest\"?");
 }
 
+TEST_CASE("past: a lesson that asks for it is told what was answered before, once it runs") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load("function L:start(world) world:recall() end\n"
+                        "function L:update(world)\n"
+                        "  for i, p in ipairs(world.past) do\n"
+                        "    print(i, p.lesson, p.question, p.asked, p.right, p.wrong_now, p.days, "
+                        "p.points.article)\n"
+                        "  end\nend") == "");
+    CHECK(lesson.host->description().wants_past);
+    ReadyEvent ready;
+    ready.past = {{"lever", "near_far", 3, 2, 1, 0.5, {{"article", 4}}}};
+    REQUIRE(lesson.play(lesson.frame({ready})) == "");
+    CHECK(lesson.prints == "1\tlever\tnear_far\t3\t2\t1\t0.5\t4;");
+    CHECK(
+        HostedLesson().start("print(world.past)") ==
+        "lesson.lua:2: world.past is only known to a lesson that asks for it; write world:recall() "
+        "in L:start.");
+    CHECK(HostedLesson().start("world:recall() print(world.past)") ==
+          "lesson.lua:2: world.past is known once the lesson runs, in L:update and later, not in "
+          "L:start.");
+}
+
 }  // namespace
 }  // namespace fulcrum::runtime

@@ -40,6 +40,24 @@ TEST_CASE("lesson: one lesson, questions of different names, hands beside it") {
           "lesson.lua:2: a lesson has at most 32 listeners.");
 }
 
+TEST_CASE("lesson: examples of a question and a test's learner arrive") {
+    HostedLesson lesson;
+    REQUIRE(lesson.load("L:question 'q' { prompt = '', answers = { 'a' }, right = print,\n"
+                        "  examples = { right = { 'a', 'b' }, form = { 'c' } } }\n"
+                        "L:test { learner = { wrong = 0.25, form = 0.5 } }") == "");
+    const LessonDescription& d = lesson.host->description();
+    CHECK(d.questions.at(0).examples.right == std::vector<std::string>{"a", "b"});
+    CHECK(d.questions[0].examples.wrong.empty());
+    CHECK(d.questions[0].examples.form == std::vector<std::string>{"c"});
+    REQUIRE(d.tests.at(0).learner);
+    CHECK((d.tests[0].learner->wrong == 0.25 && d.tests[0].learner->form == 0.5 &&
+           d.tests[0].learner->unclear == 0.0));
+    CHECK(HostedLesson().load("L:test { say = { 'a' }, learner = {} }") ==
+          "lesson.lua:2: test has say and learner; leave out one of them.");
+    CHECK(HostedLesson().load("L:test { learner = { wrong = 2 } }") ==
+          "lesson.lua:2: test.learner.wrong is 0 to 1; got 2.");
+}
+
 TEST_CASE("lesson: its level is one of English") {
     const auto sentence = [](const std::string& level) {
         HostedLesson lesson;

@@ -149,7 +149,7 @@ TEST_CASE("wire: numbers, indices and names of a reply are checked") {
     };
     CHECK(take(move(0, 1e4, 1e3)));
     CHECK(take(move(1, -1e4, 0)));
-    CHECK_FALSE(take(move(3, 0, 0)));
+    CHECK_FALSE(take(move(4, 0, 0)));
     CHECK_FALSE(take(move(-1, 0, 0)));
     CHECK_FALSE(take(move(0, 1.1e4, 0)));
     CHECK_FALSE(take(move(0, kNaN, 0)));
@@ -163,7 +163,7 @@ TEST_CASE("wire: numbers, indices and names of a reply are checked") {
     CHECK_FALSE(take(LevelCommand{-1, ""}));
     CHECK_FALSE(take(FinishCommand{4}));
     CHECK(take(CoverCommand{1, false}));
-    CHECK_FALSE(take(CoverCommand{3, true}));
+    CHECK_FALSE(take(CoverCommand{4, true}));
     CHECK_FALSE(take(CoverCommand{-1, true}));
     CHECK_FALSE(take(SoundCommand{"../pop"}));
     CHECK_FALSE(take(CaptionCommand{std::string(kMaxTextBytes + 1, 'x')}));

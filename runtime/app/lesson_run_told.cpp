@@ -1,0 +1,58 @@
+// What a run tells a person at the terminal; for lesson_run.cpp.
+#include "runtime/app/lesson_run.h"
+
+#include <array>
+#include <cstdio>
+
+namespace fulcrum::runtime {
+
+std::vector<std::string> LessonRun::losses() const {
+    std::vector<std::string> sentences;
+    const auto tell = [&](std::uint64_t n, const char* what) {
+        if (n > 0) {
+            sentences.push_back(std::to_string(n) + " " + what);
+        }
+    };
+    tell(recorder_ ? recorder_->dropped() : 0,
+         "rounds are missing in the record: the disk was too slow.");
+    if (world_loop_) {
+        tell(world_channels_->events.dropped(),
+             "catches or landings were not told to the lesson: it answered too slowly.");
+        tell(world_loop_->world().ignored_commands(),
+             "commands to bodies were ignored: no such body, or no finite place.");
+    }
+    const ToolEffort& tool = channels_.state_for_lesson.value().tool;
+    if (tool.n_inexact > 0) {
+        std::array<char, 160> text{};
+        std::snprintf(text.data(), text.size(),
+                      "steps of the tool looked at a part of its points, to end in time: their "
+                      "force may have been off by up to %.2g N.",
+                      tool.most_error_N);
+        tell(tool.n_inexact, text.data());
+    }
+    tell(tool.n_cut, "steps of the tool ended before its solver did, to end in time.");
+    return sentences;
+}
+
+void print_lines(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+        std::puts(line.c_str());
+    }
+    if (!lines.empty()) {
+        (void)std::fflush(stdout);
+    }
+}
+
+void say_notices(const LessonRun& run) {
+    for (const std::string& notice : run.plan().notices) {
+        std::fprintf(stderr, "%s\n", notice.c_str());
+    }
+}
+
+void say_losses(const LessonRun& run) {
+    for (const std::string& sentence : run.losses()) {
+        std::fprintf(stderr, "%s\n", sentence.c_str());
+    }
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,82 @@
+#include "runtime/app/question_examples.h"
+
+#include "dialogue/marking/mark.h"
+#include "runtime/lesson/questions.h"
+
+#include <utility>
+
+namespace fulcrum::runtime {
+namespace {
+
+/// What an example is said to be.
+struct Kind {
+    const std::vector<std::string> QuestionExamples::*examples;
+    bool is_right;        ///< in meaning
+    bool has_right_form;  ///< looked at where the meaning is right
+    const char* text;
+};
+
+constexpr Kind kKinds[] = {{&QuestionExamples::right, true, true, "right"},
+                           {&QuestionExamples::wrong, false, true, "wrong in meaning"},
+                           {&QuestionExamples::form, true, false, "right with an error of form"}};
+
+std::string errors_of(const dialogue::Mark& mark) {
+    std::string text;
+    for (const dialogue::FormError& error : mark.form_errors) {
+        text +=
+            (text.empty() ? "" : ", ") + std::string(error.errant()) + " (\"" + error.right + "\")";
+    }
+    return text;
+}
+
+/// Why the example is not what it is said to be; empty when it is.
+Expected<std::string> find_difference(LessonRun& run, const dialogue::Question& question,
+                                      const std::string& said, const Kind& kind) {
+    const dialogue::Mark mark = dialogue::mark_answer(question, said);
+    if (!mark.understood) {
+        return "it is not understood";
+    }
+    const auto verdict = mark.other_number.empty() ? run.ask_verdict({question.id, mark.slots})
+                                                   : Expected<bool>(false);
+    if (!verdict) {
+        return tl::unexpected(verdict.error());
+    }
+    if (*verdict != kind.is_right) {
+        return *verdict ? "its meaning is right" : "its meaning is wrong";
+    }
+    if (kind.is_right && mark.form_right() != kind.has_right_form) {
+        return mark.form_right() ? "no error of form is found" : "its form has " + errors_of(mark);
+    }
+    return std::string();
+}
+
+}  // namespace
+
+Expected<std::vector<std::string>> find_unmet_examples(LessonRun& run) {
+    std::vector<std::string> unmet;
+    const auto questions = compile_questions(run.description());
+    if (!questions) {
+        return tl::unexpected(questions.error());
+    }
+    for (const QuestionDescription& described : run.description().questions) {
+        for (const Kind& kind : kKinds) {
+            for (const std::string& said : described.examples.*kind.examples) {
+                const auto difference =
+                    find_difference(run, questions->at(described.id), said, kind);
+                if (!difference) {
+                    return tl::unexpected(difference.error());
+                }
+                if (!difference->empty()) {
+                    unmet.push_back(
+                        to_sentence({"question \"" + described.id + "\": \"" + said +
+                                         "\" is said to be " + kind.text + ", but " + *difference,
+                                     "lesson.lua:" + std::to_string(described.line),
+                                     "mend the question's sentences or the example"}));
+                }
+            }
+        }
+    }
+    return unmet;
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,17 @@
+// The examples of a lesson's questions, each marked as a learner's answer would be: understood? right in meaning, by the lesson's
+// own verdict? right in form?
+//
+// Thread: that of the run.  Cost: one match and one exchange with the lesson's process an example.
+#pragma once
+
+#include "runtime/app/lesson_run.h"
+
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// What came out otherwise than the lesson says, a sentence with its line each. An error is the lesson's own, from its verdict.
+[[nodiscard]] Expected<std::vector<std::string>> find_unmet_examples(LessonRun& run);
+
+}  // namespace fulcrum::runtime

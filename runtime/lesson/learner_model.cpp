@@ -1,0 +1,81 @@
+#include "runtime/lesson/learner_model.h"
+
+#include "dialogue/marking/mark.h"
+
+#include <map>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr const char* kUnclear = "hm well the thing you know";
+constexpr const char* kGivesUp = "I don't know";
+
+}  // namespace
+
+// SplitMix64: G. Steele, D. Lea and C. Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014, figure 17.
+std::uint64_t LearnerModel::draw() {
+    state_ += 0x9e3779b97f4a7c15ULL;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31U);
+}
+
+LearnerModel::Kind LearnerModel::draw_kind() {
+    const double u = static_cast<double>(draw() >> 11U) * 0x1.0p-53;
+    if (u < rates_.wrong) {
+        return Kind::wrong;
+    }
+    if (u < rates_.wrong + rates_.form) {
+        return Kind::form;
+    }
+    return u < rates_.wrong + rates_.form + rates_.unclear ? Kind::unclear : Kind::right;
+}
+
+// Any of the question's whole answers: with errors by any way through it, else as a recast has it.
+std::string LearnerModel::draw_sentence(const dialogue::TemplateSet& set, bool errors) {
+    const auto graph = static_cast<int>(draw() % static_cast<std::uint64_t>(set.answers));
+    const dialogue::Sample sample = dialogue::walk(
+        set, graph, errors, [this](std::size_t n) { return static_cast<std::size_t>(draw() % n); });
+    return errors ? sample.said
+                  : dialogue::render(dialogue::canonical_pieces(set, graph, sample.slots));
+}
+
+Expected<std::string> LearnerModel::answer(const dialogue::Question& question,
+                                           const Verdict& verdict) {
+    const Kind kind = draw_kind();
+    if (kind == Kind::unclear) {
+        return kUnclear;
+    }
+    std::string right;  // to fall back on
+    std::map<AnswerSlots, bool> judged;
+    for (int walk = 0; walk < kMostWalks; ++walk) {
+        const bool errs = kind == Kind::form && !(walk > kMostWalks / 2 && right.empty());
+        const std::string said = draw_sentence(*question.templates, errs);
+        const dialogue::Mark mark = dialogue::mark_answer(question, said);
+        if (!mark.understood || !mark.other_number.empty()) {
+            continue;
+        }
+        auto known = judged.find(mark.slots);
+        if (known == judged.end()) {
+            const auto judgement = verdict(mark.slots);
+            if (!judgement) {
+                return tl::unexpected(judgement.error());
+            }
+            known = judged.emplace(mark.slots, *judgement).first;
+        }
+        const bool is_right = known->second;
+        if (is_right && mark.form_right()) {
+            right = said;
+        }
+        const bool fits = kind == Kind::wrong  ? !is_right
+                          : kind == Kind::form ? is_right && !mark.form_right()
+                                               : is_right && mark.form_right();
+        if (fits) {
+            return said;
+        }
+    }
+    return right.empty() ? std::string(kGivesUp) : right;
+}
+
+}  // namespace fulcrum::runtime

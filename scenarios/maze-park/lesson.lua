@@ -1,0 +1,202 @@
+-- A maze of hedges, another one each time. Every dead end asks a question from the other lessons: those that this learner got
+-- wrong or has not heard for long come first. When enough dead ends are done the gate opens.
+--
+-- It is walked with the arrow keys, or by the hand: who leads walks after it, and the hedges are felt.
+
+local bank = require "bank"
+local game = require "game"
+local maze = require "maze"
+local story = require "story"
+local wait = story.wait
+
+local L = lesson { id = "maze-park", title = "Find the way out of the maze!", level = "A2", minutes = 20 }
+
+bank.declare(L)
+
+local asked = 6                                    -- dead ends that open the gate
+local columns, rows = 7, 5
+local cell_size = 0.12                             -- metres
+local size = { cell = cell_size, thick = 0.022, high = 0.045 }
+local step_time = 0.22                             -- seconds from cell to cell
+local eye = { -0.04, 1.2, 0.3 }
+
+local garden = maze.make { columns = columns, rows = rows, seed = math.random(1000000), dead_ends = asked + 1 }
+local start, goal = 1, columns * rows
+local dead_ends = maze.dead_ends(garden)
+
+local walker, gate, hold
+local gems = {}         -- cell -> the gem of a dead end that has not been asked
+local at                -- the walker's cell
+local heading           -- an arrow key that was pressed while nobody waited for it
+
+local function place_of(cell)
+  local column, row = maze.place(garden, cell)
+  return { (column - (columns + 1) / 2) * cell_size, 0, (row - (rows + 1) / 2) * cell_size }
+end
+
+function L:start(world)
+  world:recall()
+  world:camera { eye = eye, target = { -0.04, 0, -0.04 }, angle = 42 }
+  world:hand { centre = { 0, 0.03, 0 }, scale = 4, cursor = "ball", cursor_size = 0.012 }
+  world:body {
+    name = "hedges", model = "box", solid = true, visible = true, material = "leaves",
+    boxes = maze.walls(garden, size, { { cell = start, direction = "left" }, { cell = goal, direction = "right" } }),
+  }
+  walker = world:body { name = "walker", model = "walker", movable = true, visible = true, noun = "you", at = place_of(start) }
+  local beyond = place_of(goal)
+  gate = world:body { name = "gate", noun = "", model = "box", size = { 0.02, 0.04, cell_size - 0.03 }, movable = true, visible = true,
+    at = { beyond[1] + cell_size / 2, 0.02, beyond[3] } }
+  world:body { name = "castle", solid = true, visible = true, material = "rock",
+    at = { beyond[1] + 1.4 * cell_size, 0.07, beyond[3] } }
+  for _, cell in ipairs(dead_ends) do
+    local spot = place_of(cell)
+    gems[cell] = world:body { name = "gem-" .. cell, noun = "", model = "gem", movable = true, visible = true,
+      at = { spot[1], 0.035, spot[3] } }
+  end
+  hold = world:spring { name = "hold", at = place_of(start), stiffness = 40, damping = 1 }
+  hold:off()
+  game.play(L, world, function(round) play(world, round) end)
+end
+
+local function gems_left(done)
+  local left = asked - done
+  return left == 1 and "one more gem" or ("%d more gems"):format(left)
+end
+
+-- ---- walking ----------------------------------------------------------------------------------------------------------
+
+local arrows = { left = true, right = true, up = true, down = true }
+
+function L:key(name)
+  if arrows[name] then heading = name end
+end
+
+local function step(direction)
+  local from, to = place_of(at), place_of(maze.beside(garden, at, direction))
+  local gone = 0
+  story.wait_until(function()
+    gone = math.min(gone + 1 / 60 / step_time, 1)
+    walker:place { at = { from[1] + (to[1] - from[1]) * gone, 0, from[3] + (to[3] - from[3]) * gone } }
+    return gone >= 1
+  end)
+  at = maze.beside(garden, at, direction)
+end
+
+local opposite = { left = "right", right = "left", up = "down", down = "up" }
+
+-- The only way on that is not the way back; nil at a junction, a dead end and a goal.
+local function only_way_on(direction)
+  if at == goal or at == start then return nil end
+  local ways = maze.ways(garden, at)
+  if #ways ~= 2 then return nil end
+  return ways[1] == opposite[direction] and ways[2] or ways[1]
+end
+
+-- Until there is a choice, or another key says otherwise.
+local function walk(direction)
+  while direction and maze.leads(garden, at, direction) do
+    step(direction)
+    direction = not heading and only_way_on(direction)
+  end
+end
+
+-- The cell that the hand is over, as it is seen: where the line from the eye through it meets the ground.
+local function cell_under(tool)
+  local down = eye[2] / math.max(eye[2] - tool.y, 0.1)
+  local x = eye[1] + (tool.x - eye[1]) * down
+  local z = eye[3] + (tool.z - eye[3]) * down
+  local column, row = math.floor(x / cell_size + columns / 2) + 1, math.floor(z / cell_size + rows / 2) + 1
+  if column < 1 or column > columns or row < 1 or row > rows then return nil end
+  return (row - 1) * columns + column
+end
+
+local farthest_lead = 4     -- cells between the walker and a hand that it follows
+
+-- The direction in which a hand leads that is moving; nil when it rests or is elsewhere.
+local function led(tool)
+  if tool.vx ^ 2 + tool.vz ^ 2 < 0.03 ^ 2 then return nil end
+  local cell = cell_under(tool)
+  if not cell or cell == at then return nil end
+  local way = maze.way(garden, at, cell)
+  return #way <= farthest_lead and way[1] or nil
+end
+
+-- Lets the learner walk until there is a gem, or, once it is open, the gate.
+local function walk_on(world, done)
+  while not gems[at] and not (at == goal and done >= asked) do
+    local key, from = heading, at
+    heading = nil
+    if key then
+      walk(key)
+    else
+      local direction = led(world:tool())
+      if direction then step(direction) else wait(1 / 60) end
+    end
+    if at == goal and from ~= at and done < asked then
+      world:caption("The gate is closed. Find " .. gems_left(done) .. ".")
+    end
+  end
+end
+
+-- ---- dead ends --------------------------------------------------------------------------------------------------------
+
+-- Nobody goes on before the question is done.
+local function ask(world, question)
+  local spot = place_of(at)
+  local tool = world:tool()
+  -- A hand that leads is held as well; one that rests elsewhere is left alone.
+  if math.abs(tool.x - spot[1]) < cell_size and math.abs(tool.z - spot[3]) < cell_size then
+    hold:move { at = { spot[1], 0.02, spot[3] } }
+    hold:on()
+  end
+  world:caption "A dead end! Here is a question."
+  wait(1.5)
+  local answer = bank.ask(question)
+  hold:off()
+  if not answer.right then
+    world:caption "You may go on."
+    wait(1.5)
+  end
+  world:caption ""
+  heading = nil
+end
+
+function play(world, round)
+  local questions = bank.choose(world, asked)
+  local done = 0
+  at = start
+  walker:place { at = place_of(start) }
+  gate:place {}
+  for cell, gem in pairs(gems) do
+    local spot = place_of(cell)
+    gem:place { at = { spot[1], 0.035, spot[3] } }
+  end
+  local all = {}
+  for cell, gem in pairs(gems) do all[cell] = gem end
+  world:level(1, "Maze park")
+  world:caption "Walk with the arrow keys, or lead with your hand. The gems lie in the dead ends."
+  repeat
+    walk_on(world, done)
+    done = done + 1
+    ask(world, questions[done])
+    gems[at]:hide()
+    gems[at] = nil
+    world:caption(done < asked and "Find " .. gems_left(done) .. "." or "The gate is open. Go to the castle!")
+  until done >= asked
+  world:sound "right"
+  gate:hide()
+  -- What is left is for another day.
+  for _, gem in pairs(gems) do gem:hide() end
+  gems = {}
+  walk_on(world, done)
+  gems = all
+  local spot = place_of(goal)
+  walker:place { at = { spot[1] + cell_size, 0, spot[3] } }
+  world:sound "level_up"
+  world:caption(bank.summary())
+  wait(8)
+end
+
+L:test { hand = "gardener.lua", learner = { wrong = 0.2, form = 0.3, unclear = 0.1 }, expect = { finished = true } }
+
+return L

@@ -1,0 +1,145 @@
+--- Questions for revision on weight: the gravity game's, asked again elsewhere. See `bank`.
+
+local numbers = require "numbers"
+
+-- Kilograms, as the toy fruit of the gravity game weigh.
+local mass = { watermelon = 2, apple = 0.2, banana = 0.15, egg = 0.06 }
+local fruit = { "watermelon", "apple", "banana", "egg" }
+
+local function heaviest(names, sign)
+  local best = names[1]
+  for _, name in ipairs(names) do
+    if sign * mass[name] > sign * mass[best] then best = name end
+  end
+  return best
+end
+
+local function one(name) return (name:match "^[aeiou]" and "an " or "a ") .. name end
+
+-- "Which one is the heaviest?", of all four.
+local function superlative(adjective, sign, most)
+  local right = heaviest(fruit, sign)
+  local wrong = heaviest(fruit, -sign)
+  return {
+    id = "gravity_" .. most, like = { most }, point = "comparison", idea = "weight",
+    prompt = ("A watermelon, an apple, a banana and an egg: which one is the %s?"):format(most),
+    answers = { "[a|an|the] {thing} is the <superlative:" .. adjective .. "> [one|thing]",
+                "the <superlative:" .. adjective .. "> [one|thing] is [a|an|the] {thing}" },
+    lists = { thing = fruit },
+    right = function(a) return a.thing ~= nil and heaviest(fruit, sign) == a.thing end,
+    hint = "Think of the four in your bucket.",
+    solution = ("%s is the %s."):format(one(right):gsub("^%l", string.upper), most),
+    examples = {
+      right = { one(right) .. " is the " .. most, "the " .. right },
+      wrong = { one(wrong) .. " is the " .. most },
+      form = { right .. " is the " .. most, one(right) .. " is most " .. adjective },
+    },
+  }
+end
+
+-- "Which one is heavier, an apple or an egg?"
+local function comparative(adjective, sign, more, first, second)
+  local right = heaviest({ first, second }, sign)
+  local wrong = right == first and second or first
+  return {
+    id = ("gravity_%s_%s_%s"):format(more, first, second), like = { "heavier", "lighter" }, point = "comparison", idea = "weight",
+    prompt = ("Which one is %s, %s or %s?"):format(more, one(first), one(second)),
+    answers = { "[a|an|the] {thing} is <comparative:" .. adjective .. "> [than [a|an|the] {other}]",
+                "[a|an|the] {thing} is the <comparative:" .. adjective .. "> one" },
+    lists = { thing = { first, second }, other = { first, second } },
+    right = function(a) return a.thing == right and a.other ~= right end,
+    hint = "Which one pulled your hand down more?",
+    solution = ("%s is %s than %s."):format(one(right):gsub("^%l", string.upper), more, one(wrong)),
+    examples = {
+      right = { ("%s is %s than %s"):format(one(right), more, one(wrong)), one(right) },
+      wrong = { ("%s is %s than %s"):format(one(wrong), more, one(right)) },
+      form = { ("%s is more %s than %s"):format(one(right), more, one(wrong)) },
+    },
+  }
+end
+
+return {
+  superlative("heavy", 1, "heaviest"),
+  superlative("light", -1, "lightest"),
+  comparative("heavy", 1, "heavier", "apple", "egg"),
+  comparative("heavy", 1, "heavier", "banana", "watermelon"),
+  comparative("light", -1, "lighter", "egg", "banana"),
+  comparative("light", -1, "lighter", "watermelon", "apple"),
+  {
+    id = "gravity_together", like = { "heavier" }, point = "verb", idea = "weight",
+    prompt = "There is no air. An apple and a watermelon fall. Which one is faster, or do they fall together?",
+    answers = { "they fall {together}", "they fall {same}", "[a|an|the] {thing} is <comparative:fast>",
+                "[a|an|the] {thing} falls <comparative:fast>" },
+    lists = { together = { "together|at the same time|equally fast|just as fast" },
+              same = { "at the same speed|at one speed|with the same speed" }, thing = { "apple", "watermelon" } },
+    right = function(a) return a.together ~= nil or a.same ~= nil end,
+    hint = "Without air nothing holds the apple back.",
+    solution = "They fall together: without air all things fall equally fast.",
+    examples = { right = { "they fall together", "they fall at the same speed" }, wrong = { "the watermelon is faster" },
+                 form = { "they falls together" } },
+  },
+  {
+    id = "gravity_pulls", like = { "heaviest" }, point = "verb", idea = "weight",
+    prompt = "What pulls an apple down?",
+    answers = { "[the] {puller} pulls (it|an apple|the apple|apples|things) down", "[the] {puller} pulls (it|an apple|the apple)",
+                "it is [the] {puller}", "[the] {puller} [does]" },
+    nearly = { "[the] {puller} (pull|pulling|is pull|is pulling) (it|apple|the apple|an apple) [down]" },
+    lists = { puller = { "Earth|Earth's gravity", "gravity|force of gravity|weight", "wind", "Moon" } },
+    right = function(a) return a.puller == "Earth" or a.puller == "gravity" end,
+    hint = "What is under our feet?",
+    solution = "The Earth pulls it down. That is gravity.",
+    examples = { right = { "the Earth pulls it down", "gravity" }, wrong = { "the wind pulls it down" },
+                 form = { "the Earth pull it down" } },
+  },
+  {
+    id = "gravity_moon", like = { "heavier", "lighter" }, point = "comparison", idea = "weight",
+    prompt = "Where does an apple weigh less: on the Earth or on the Moon?",
+    answers = { "(it|an apple|the apple) weighs less on the {place} [than on the {other}]",
+                "(it|an apple|the apple) is <comparative:light> on the {place} [than on the {other}]", "on the {place} [it weighs less]" },
+    nearly = { "(it|apple|the apple) (weigh|is weigh) less (on|in|at) [the] {place}", "(in|at) [the] {place}" },
+    lists = { place = { "Earth", "Moon" }, other = { "Earth", "Moon" } },
+    right = function(a) return a.place == "Moon" and a.other ~= "Moon" end,
+    hint = "The Moon pulls six times less than the Earth.",
+    solution = "It weighs less on the Moon.",
+    examples = { right = { "it weighs less on the Moon", "on the moon" }, wrong = { "it weighs less on the Earth" },
+                 form = { "it is more light on the moon", "it weigh less on the moon" } },
+  },
+  {
+    id = "gravity_unit", like = { "heaviest" }, point = "noun_number", idea = "weight",
+    prompt = "What do we measure weight in: newtons, metres or seconds?",
+    answers = { "(we|you|people) measure (it|weight|the weight) in {unit}", "it is measured in {unit}", "(weight|it) is in {unit}", "[in] {unit}" },
+    nearly = { "(we|you) (measures|are measure|measuring) [the] (it|weight) (in|with|by) {unit}", "(with|by) {unit}" },
+    lists = { unit = { "newtons|newton", "metres|metre", "seconds|second" } },
+    right = function(a) return a.unit == "newtons" end,
+    hint = "The arrow under the bucket says it.",
+    solution = "We measure weight in newtons.",
+    examples = { right = { "we measure weight in newtons", "in newtons" }, wrong = { "we measure it in metres" },
+                 form = { "we measure weight with newtons" } },
+  },
+  {
+    id = "gravity_three", like = { "heavier" }, point = "noun_number", idea = "weight",
+    prompt = "An egg weighs one newton in this game. How many newtons do four eggs weigh?",
+    answers = { "they weigh {number} <plural:newton>", "(four eggs|the eggs|the four eggs) weigh {number} <plural:newton>",
+                "it is {number} <plural:newton>", "{number} <plural:newton>" },
+    nearly = { "(they|eggs|it) (weighs|is|are|have|has) {number} (newton|newtons)" },
+    lists = { number = numbers.words(0, 12) },
+    right = function(a) return numbers.value(a.number) == 4 end,
+    hint = "One and one and one and one.",
+    solution = "They weigh four newtons.",
+    examples = { right = { "they weigh four newtons", "4 newtons" }, wrong = { "they weigh three newtons" },
+                 form = { "they weigh four newton" } },
+  },
+  {
+    id = "gravity_yes", like = { "heavier" }, point = "comparison", idea = "weight",
+    prompt = "Is a watermelon heavier than an egg?",
+    answers = { "{yes} [it is [<comparative:heavy> [than (an egg|the egg)]]]", "{yes} a watermelon is <comparative:heavy> [than an egg]",
+                "{no} [(it isn't|it is not)]", "(a|the) watermelon is <comparative:heavy> [than (an|the) egg]" },
+    nearly = { "{yes} (it does|is)", "{no} (it doesn't|is not)" },
+    lists = { yes = { "yes|yeah|sure" }, no = { "no" } },
+    right = function(a) return a.no == nil end,
+    hint = "Remember both in your bucket.",
+    solution = "Yes, it is.",
+    examples = { right = { "yes, it is", "yes", "a watermelon is heavier than an egg" }, wrong = { "no, it isn't" },
+                 form = { "a watermelon is more heavy than an egg" } },
+  },
+}

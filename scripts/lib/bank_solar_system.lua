@@ -1,0 +1,155 @@
+--- Questions for revision on the planets: the solar system lesson's, asked again elsewhere. See `bank`.
+
+local numbers = require "numbers"
+local planets = require "planets"
+
+local how_many = numbers.words(0, 30)
+
+local names = {}
+for i, name in ipairs(planets.names) do names[i] = name == "Earth" and "Earth|the Earth" or name end
+
+local function called(name) return name == "Earth" and "the Earth" or name end
+
+local function upper(text) return (text:gsub("^%l", string.upper)) end
+
+-- The planet with the most (sign 1) or the least (-1) of what `of` gives.
+local function extreme(of, sign)
+  local best = planets.names[1]
+  for _, name in ipairs(planets.names) do
+    if sign * of(name) > sign * of(best) then best = name end
+  end
+  return best
+end
+
+local function radius(name) return planets.facts(name).radius end
+local function distance(name) return planets.facts(name).distance end
+local function mass(name) return planets.facts(name).mass end
+
+-- "How many moons does Mars have?"
+local function moons(name)
+  local n = planets.facts(name).moons
+  local words = numbers.word(n)
+  local thing = n == 1 and "moon" or "moons"
+  return {
+    id = "solar_moons_" .. name:lower(), like = { "moons_" .. name:lower(), "your_turn" }, point = "noun_number", idea = "planets",
+    prompt = ("How many moons does %s have?"):format(called(name)),
+    answers = { called(name) .. " has {number} <plural:moon>", "(it|[the] " .. name .. ") has [got] {number} [<plural:moon>]",
+                "there are {number} <plural:moon>", "{number} <plural:moon>" },
+    nearly = { "(it|there|[the] " .. name .. ") [(is|are|has|have)] {number} [(moon|moons)]", "[it] (have|is|are) {number} [(moon|moons)]" },
+    lists = { number = how_many },
+    right = function(a) return numbers.value(a.number) == n end,
+    hint = ("Ask about %s in the solar system lesson."):format(called(name)),
+    solution = ("%s has %s %s."):format(upper(called(name)), words, thing),
+    examples = {
+      right = { ("%s has %s %s"):format(called(name), words, thing) },
+      wrong = { ("%s has %s moons"):format(called(name), numbers.word(n + 3)) },
+      form = { ("%s have %s %s"):format(called(name), words, thing) },
+    },
+  }
+end
+
+-- "Which planet is the biggest?"
+local function most(id, adjective, superlative, of, sign)
+  local right = extreme(of, sign)
+  local wrong = extreme(of, -sign)
+  return {
+    id = "solar_" .. id, like = { "planets", "your_turn" }, point = "comparison", idea = "planets",
+    prompt = ("Which planet is %s?"):format(superlative),
+    answers = { "[the] {planet} is the <superlative:" .. adjective .. "> [planet|one] [to the Sun]", "[the] {planet} is", "[it is] [the] {planet}" },
+    lists = { planet = names },
+    right = function(a) return a.planet == right end,
+    hint = "Look at the sky of the solar system lesson again.",
+    solution = ("%s is %s."):format(upper(called(right)), superlative),
+    examples = {
+      right = { ("%s is %s"):format(called(right), superlative), called(right) .. " is", right },
+      wrong = { ("%s is %s"):format(called(wrong), superlative) },
+      form = { ("%s is most %s"):format(called(right), adjective) },
+    },
+  }
+end
+
+-- "Which one is bigger: the Earth or Mars?"
+local function compare(id, adjective, comparative, of, sign, first, second, tail)
+  local right, wrong = first, second
+  if sign * of(second) > sign * of(first) then right, wrong = second, first end
+  local after = tail and (" " .. tail) or ""
+  return {
+    id = ("solar_%s_%s_%s"):format(id, first:lower(), second:lower()), like = { "harder", "your_turn" }, point = "comparison",
+    idea = id == "turn" and "turning" or "planets",
+    prompt = ("Which one is %s%s: %s or %s?"):format(comparative, after, called(first), called(second)),
+    answers = { "[the] {planet} is <comparative:" .. adjective .. ">" .. (tail and " [" .. tail .. "]" or "") .. " [than [the] {other}]",
+                "[the] {planet} is", "[it is] [the] {planet}" },
+    lists = { planet = { first, second }, other = { first, second } },
+    right = function(a) return a.planet == right and a.other ~= right end,
+    hint = "Remember how they looked and how they turned.",
+    solution = ("%s is %s%s than %s."):format(upper(called(right)), comparative, after, called(wrong)),
+    examples = {
+      right = { ("%s is %s%s than %s"):format(called(right), comparative, after, called(wrong)), called(right) },
+      wrong = { ("%s is %s%s than %s"):format(called(wrong), comparative, after, called(right)) },
+      form = { ("%s is more %s%s than %s"):format(called(right), comparative, after, called(wrong)) },
+    },
+  }
+end
+
+return {
+  {
+    id = "solar_planets", like = { "planets" }, point = "noun_number", idea = "planets",
+    prompt = "How many planets are there in our solar system?",
+    answers = { "there are {number} <plural:planet> [in (our|the) solar system]",
+                "(there are|we have|[the] Sun has|it has) {number} [<plural:planet>] [in (our|the) solar system]",
+                "{number} <plural:planet>" },
+    nearly = { "(it|they|here|there|in solar system) (is|are|has|have) {number} [(planet|planets)]" },
+    lists = { number = how_many },
+    right = function(a) return numbers.value(a.number) == #planets.names end,
+    hint = "Mercury, Venus, Earth, Mars, and the big ones.",
+    solution = "There are eight planets.",
+    examples = { right = { "there are eight planets", "eight" }, wrong = { "there are nine planets" },
+                 form = { "there are eight planet", "there is eight planets" } },
+  },
+  moons "Earth", moons "Mars", moons "Venus", moons "Neptune",
+  most("biggest", "big", "the biggest", radius, 1),
+  most("smallest", "small", "the smallest", radius, -1),
+  most("nearest", "near", "the nearest to the Sun", distance, -1),
+  compare("bigger", "big", "bigger", radius, 1, "Earth", "Mars"),
+  compare("smaller", "small", "smaller", radius, -1, "Venus", "Jupiter"),
+  compare("farther", "far", "farther", distance, 1, "Saturn", "Jupiter", "from the Sun"),
+  compare("turn", "hard", "harder", mass, 1, "Earth", "Jupiter", "to turn"),
+  compare("turn", "easy", "easier", mass, -1, "Mars", "Saturn", "to turn"),
+  {
+    id = "solar_side", like = { "side_or_pole" }, point = "verb", idea = "turning",
+    prompt = "Where does the same push turn a planet more: at the side or near the pole?",
+    answers = { "it turns more (at|near|on) the {place}", "(at|near|on) the {place}", "the {place}",
+                "(when|if) (I|you|we) push [it] (at|near|on) the {place}" },
+    nearly = { "(it|planet|the planet) (turn|turning|is turning) [more] (at|near|on|in) [the] {place}", "in [the] {place}" },
+    lists = { place = { "side|rim|equator|edge", "pole|north pole|top" } },
+    right = function(a) return a.place == "side" end,
+    hint = "A longer arm turns more.",
+    solution = "It turns more at the side: the arm is longer there.",
+    examples = { right = { "it turns more at the side", "at the side" }, wrong = { "near the pole" },
+                 form = { "it turn more at the side" } },
+  },
+  {
+    id = "solar_round", like = { "planets" }, point = "preposition", idea = "planets",
+    prompt = "What do all the planets go round?",
+    answers = { "they go (round|around) [the] {star}", "[all] [the] planets go (round|around) [the] {star}", "[it is] [the] {star}" },
+    nearly = { "(they|planets|the planets) (goes|going|is go|are go|turn) [(round|around)] [the] {star}" },
+    lists = { star = { "Sun", "Moon", "Earth" } },
+    right = function(a) return a.star == "Sun" end,
+    hint = "It is in the middle, and it is hot.",
+    solution = "They go round the Sun.",
+    examples = { right = { "they go round the Sun", "the Sun" }, wrong = { "they go round the moon" },
+                 form = { "they goes round the Sun" } },
+  },
+  {
+    id = "solar_day", like = { "your_turn" }, point = "noun_number", idea = "planets",
+    prompt = "How many hours does the Earth need to turn once?",
+    answers = { "(it|the Earth) needs {number} <plural:hour>", "it takes {number} <plural:hour>", "{number} <plural:hour>" },
+    nearly = { "(it|Earth|the Earth) (need|take|is|has) {number} (hour|hours)" },
+    lists = { number = how_many },
+    right = function(a) return numbers.value(a.number) == math.floor(planets.facts("Earth").day / 3600 + 0.5) end,
+    hint = "It is a day and a night.",
+    solution = "It needs twenty four hours.",
+    examples = { right = { "it needs twenty four hours", "24 hours" }, wrong = { "it needs twelve hours" },
+                 form = { "it needs 24 hour" } },
+  },
+}

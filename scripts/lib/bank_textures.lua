@@ -1,0 +1,117 @@
+--- Questions for revision on materials: the texture lesson's, asked again elsewhere. See `bank`.
+
+-- What each is like: as `body.material` says it of the program's own materials (hardness, roughness and slipperiness).
+local like = {
+  metal = { hard = true, smooth = true, slippery = true },
+  wood = { hard = true, rough = true },
+  rock = { hard = true, rough = true },
+  rubber = { soft = true, smooth = true, sticky = true },
+  glass = { hard = true, smooth = true, slippery = true },
+  sandpaper = { hard = true, rough = true, sticky = true },
+}
+-- The materials in order, the most so first.
+local order = {
+  hard = { "glass", "metal", "rock", "wood", "rubber" },
+  rough = { "rock", "sandpaper", "wood", "rubber", "glass" },
+  slippery = { "metal", "glass", "wood", "rock", "rubber" },
+}
+local adjectives = { "hard", "soft", "smooth", "rough", "slippery", "sticky" }
+local called = { "metal", "wood", "rock|stone", "rubber", "glass", "sandpaper" }
+
+local function place_in(list, name)
+  for i, each in ipairs(list) do
+    if each == name then return i end
+  end
+end
+
+-- "What is metal like?"
+local function what_like(name, first, second, wrong, slip)
+  local known = like[name]
+  return {
+    id = "textures_like_" .. name, like = { "like_" .. name }, point = "adjective", idea = "materials",
+    prompt = ("What is %s like?"):format(name),
+    answers = { "{material} is <adjective:{feel}> [and <adjective:{feel:also}>]",
+                "{material} (is|feels) <adjective:{feel}> [and <adjective:{feel:also}>]",
+                "(it|this) feels <adjective:{feel}> [and <adjective:{feel:also}>]" },
+    lists = { material = called, feel = adjectives },
+    right = function(a)
+      return (a.material or name) == name and known[a.feel] == true and (a.also == nil or known[a.also] == true)
+    end,
+    hint = "Is it hard or soft? Is it smooth or rough?",
+    solution = ("%s is %s and %s."):format(name:gsub("^%l", string.upper), first, second),
+    examples = {
+      right = { ("%s is %s and %s"):format(name, first, second), "it is " .. first, first .. " and " .. second },
+      wrong = { ("%s is %s"):format(name, wrong) },
+      form = { slip },
+    },
+  }
+end
+
+-- "Which is harder: metal or rubber?"
+local function which(adjective, more, first, second)
+  local best = order[adjective]
+  local right, wrong = first, second
+  if place_in(best, second) < place_in(best, first) then right, wrong = second, first end
+  return {
+    id = ("textures_%s_%s_%s"):format(adjective, first, second), like = { "like_" .. first, "like_" .. second },
+    point = "comparison", idea = "materials",
+    prompt = ("Which one is %s: %s or %s?"):format(more, first, second),
+    answers = { "{material} is <comparative:" .. adjective .. "> [than {other}]", "it is {material}" },
+    lists = { material = { first, second }, other = { first, second } },
+    right = function(a) return a.material == right and a.other ~= right end,
+    hint = ("Remember how %s and %s felt."):format(first, second),
+    solution = ("%s is %s than %s."):format(right:gsub("^%l", string.upper), more, wrong),
+    examples = {
+      right = { ("%s is %s than %s"):format(right, more, wrong), right },
+      wrong = { ("%s is %s than %s"):format(wrong, more, right) },
+      form = { ("%s is the %s than %s"):format(right, more, wrong) },
+    },
+  }
+end
+
+-- "What is a spaceship made of?"
+local function made_of(name, material, wrong, wooden)
+  local thing = name:gsub("^the ", "")
+  return {
+    id = "textures_made_" .. thing, like = { "made_" .. thing }, point = "passive_voice", idea = "materials",
+    prompt = ("What is %s made of?"):format(name),
+    answers = { "[a|an|the] {thing} <made_of:{material}>", "it is {wooden}" },
+    lists = { thing = { thing }, material = called, wooden = { "wooden" } },
+    right = function(a) return (a.wooden and "wood" or a.material) == material end,
+    hint = "Remember how it felt: hard, smooth or rough?",
+    solution = ("%s is made of %s."):format(name:gsub("^%l", string.upper), material),
+    examples = {
+      right = { ("%s is made of %s"):format(name, material), material, wooden },
+      wrong = { ("%s is made of %s"):format(name, wrong) },
+      form = { ("%s is made by %s"):format(name, material), ("%s made of %s"):format(name, material) },
+    },
+  }
+end
+
+return {
+  what_like("metal", "hard", "smooth", "soft", "metal is hard smooth"),
+  what_like("wood", "hard", "rough", "slippery", "wood is hardly"),
+  what_like("rock", "hard", "rough", "smooth", "rock is hard or rough"),
+  what_like("rubber", "soft", "sticky", "hard", "rubber is a soft"),
+  what_like("glass", "smooth", "slippery", "rough", "glass is smoothly"),
+  which("hard", "harder", "metal", "rubber"),
+  which("hard", "harder", "wood", "rubber"),
+  which("rough", "rougher", "sandpaper", "glass"),
+  which("rough", "rougher", "rock", "rubber"),
+  which("slippery", "more slippery", "metal", "rubber"),
+  made_of("the spaceship", "metal", "wood"),
+  made_of("the table", "wood", "metal", "it is wooden"),
+  made_of("the statue", "rock", "rubber"),
+  {
+    id = "textures_paper", like = { "made_table" }, point = "passive_voice", idea = "materials",
+    prompt = "What is paper made from?",
+    answers = { "paper is made from {material}", "it is made from {material}", "[from] {material}" },
+    nearly = { "(paper|it) [is] (made|make|makes) (of|by|from) {material}" },
+    lists = { material = { "wood|trees|tree", "metal", "rock|stone", "glass" } },
+    right = function(a) return a.material == "wood" end,
+    hint = "It grows.",
+    solution = "Paper is made from wood.",
+    examples = { right = { "paper is made from wood", "from trees" }, wrong = { "paper is made from metal" },
+                 form = { "paper made from wood" } },
+  },
+}

@@ -1,0 +1,135 @@
+// scripts/lib/bank.lua, run in a lesson as teachers use it. That each question is marked as its examples say is checked by
+// `fulcrum check maze-park`, which tests/lessons plays.
+#include "tests/unit/runtime/lua/lesson_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace fulcrum::runtime {
+namespace {
+
+using test::lesson_text;
+using test::LessonFolder;
+
+/// What the lines print in the first frame of a lesson that recalls `past`.
+std::string printed(const std::string& lines, const std::vector<PastAnswers>& past = {},
+                    std::uint64_t seed = 1) {
+    const LessonFolder folder;
+    folder.write(
+        "lesson.lua",
+        lesson_text("local bank = require 'bank'\nbank.declare(L)\nfunction L:start(world) "
+                    "world:recall() end\nlocal done\nfunction L:update(world)\nif done then return "
+                    "end\ndone = true\n" +
+                    lines + "\nend"));
+    LessonProcessOptions options = LessonFolder::options();
+    options.seed = seed;
+    auto process = LessonProcess::start(folder.files(), options);
+    if (!process) {
+        return to_sentence(process.error());
+    }
+    LessonFrame frame = test::frame_for((*process)->description(), 0.0);
+    ReadyEvent ready;
+    ready.past = past;
+    frame.events = {ready};
+    const auto reply = (*process)->exchange(frame);
+    if (!reply) {
+        return to_sentence(reply.error());
+    }
+    std::string prints;
+    for (const LessonCommand& command : reply->commands) {
+        if (const auto* print = std::get_if<PrintCommand>(&command)) {
+            prints += print->text + ';';
+        }
+    }
+    return prints;
+}
+
+const std::string kChosen =
+    "for _, q in ipairs(bank.choose(world, 6)) do print(q.lesson .. '/' .. q.id) end";
+
+std::set<std::string> chosen(const std::vector<PastAnswers>& past, std::uint64_t seed) {
+    std::istringstream text(printed(kChosen, past, seed));
+    std::set<std::string> names;
+    for (std::string name; std::getline(text, name, ';');) {
+        names.insert(name);
+    }
+    return names;
+}
+
+TEST_CASE(
+    "bank: more than sixty questions, of every lesson, each complete and with a name of its own") {
+    const LessonFolder folder;
+    auto process = folder.start(lesson_text("require('bank').declare(L)"));
+    INFO((process ? "" : to_sentence(process.error())));
+    REQUIRE(process);
+    const auto& questions = (*process)->description().questions;
+    CHECK(questions.size() >= 60);
+    std::set<std::string> prompts;
+    std::set<std::string> lessons;
+    for (const QuestionDescription& question : questions) {
+        INFO(question.id);
+        CHECK(prompts.insert(question.prompt).second);
+        lessons.insert(question.id.substr(0, question.id.find('_')));
+        CHECK_FALSE(question.again.empty());
+        CHECK_FALSE(question.examples.right.empty());
+        CHECK_FALSE(question.examples.wrong.empty());
+        CHECK_FALSE(question.examples.form.empty());
+    }
+    CHECK(lessons ==
+          std::set<std::string>{"gravity", "kite", "lever", "solar", "stacks", "textures"});
+    CHECK(printed("for _, q in ipairs(bank.all()) do assert(#q.like > 0 and q.point and q.idea and "
+                  "q.hint and "
+                  "q.solution, q.id) end print 'all'") == "all;");
+}
+
+TEST_CASE("bank: only lessons that were played are asked about, and all where none was") {
+    std::set<std::string> lessons;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const auto names = chosen({{"lever", "near_far", 2, 1, 0, 3.0, {}}}, seed);
+        REQUIRE(names.size() == 6);
+        for (const std::string& name : names) {
+            CHECK(name.starts_with("lever/"));
+        }
+        for (const std::string& name : chosen({}, seed)) {
+            lessons.insert(name.substr(0, name.find('/')));
+        }
+    }
+    CHECK(lessons.size() >= 5);
+}
+
+// 1 - p is 0 for what was right a moment ago many times, 1 for what was never met.
+TEST_CASE("bank: what was got wrong or has not been heard for long comes first") {
+    const auto times_asked = [](const PastAnswers& last) {
+        int n = 0;
+        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+            n += static_cast<int>(chosen({{"lever", "near_far", 1, 1, 0, 1.0, {}}, last}, seed)
+                                      .count("lever/lever_torque"));
+        }
+        return n;
+    };
+    const int known = times_asked({"maze-park", "lever_torque", 6, 6, 0, 0.1, {}});
+    const int forgotten = times_asked({"maze-park", "lever_torque", 6, 6, 0, 400.0, {}});
+    const int wrong = times_asked({"maze-park", "lever_torque", 3, 0, 3, 0.1, {}});
+    CHECK(known < 10);
+    CHECK(forgotten > known + 5);
+    CHECK(wrong > known + 5);
+}
+
+TEST_CASE("bank: the same seed asks the same, another something else") {
+    CHECK(chosen({}, 3) == chosen({}, 3));
+    CHECK(chosen({}, 3) != chosen({}, 4));
+}
+
+TEST_CASE("bank: what cannot be is one sentence at the lesson's line") {
+    CHECK(printed("bank.choose(world, 1000)").find("takes a number of questions from 1 to") !=
+          std::string::npos);
+    CHECK(printed("bank.ask(5)").find("takes a question that bank.choose gave; got 5") !=
+          std::string::npos);
+    CHECK(printed("bank.chose(world, 1)").find("choose") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime
