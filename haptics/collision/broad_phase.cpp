@@ -10,9 +10,14 @@ namespace {
 // How much more another axis has to be spread to be taken.
 constexpr double kMoreSpread = 2.0;
 
+// Below 0 where they overlap, by the axis along which they do least.
+double find_box_gap(const Box& a, const Box& b) noexcept {
+    return (a.lower - b.upper).cwiseMax(b.lower - a.upper).maxCoeff();
+}
+
 }  // namespace
 
-BroadPhase::BroadPhase(int max_bodies, int max_pairs) : order_(max_bodies), pairs_(max_pairs) {}
+BroadPhase::BroadPhase(int max_bodies, int max_pairs) : order_(max_bodies), near_(max_pairs), pairs_(max_pairs) {}
 
 void BroadPhase::take_order(std::size_t n_boxes) noexcept {
     if (order_.count() == n_boxes) {
@@ -65,13 +70,30 @@ void BroadPhase::sort(std::span<const Box> boxes) noexcept {
     }
 }
 
-void BroadPhase::add(std::int32_t a, std::int32_t b) noexcept {
-    n_dropped_ += pairs_.add({std::min(a, b), std::max(a, b)}) ? 0 : 1;
+// Once there is no more room they are a heap, the farthest first, which goes where another one is nearer.
+void BroadPhase::add(const NearPair& pair) noexcept {
+    if (near_.add(pair)) {
+        return;
+    }
+    const auto all = near_.all();
+    if (n_dropped_++ == 0) {
+        std::make_heap(all.begin(), all.end());
+    }
+    if (!all.empty() && pair < all.front()) {
+        std::pop_heap(all.begin(), all.end());
+        all.back() = pair;
+        std::push_heap(all.begin(), all.end());
+    }
 }
 
 std::span<const BodyPair> BroadPhase::find_pairs(std::span<const Box> boxes,
-                                                 std::span<const std::uint8_t> moves) noexcept {
+                                                 std::span<const std::uint8_t> moves,
+                                                 std::span<const double> reaches_m) noexcept {
     boxes = boxes.first(std::min(boxes.size(), order_.capacity()));
+    const auto reach_of = [&](std::size_t i) noexcept {
+        return i < reaches_m.size() ? reaches_m[i] : 0.0;
+    };
+    near_.clear();
     pairs_.clear();
     n_dropped_ = 0;
     take_order(boxes.size());
@@ -86,9 +108,13 @@ std::span<const BodyPair> BroadPhase::find_pairs(std::span<const Box> boxes,
                 break;
             }
             if ((moves[a] != 0 || moves[b] != 0) && box.overlaps(boxes[b])) {
-                add(order_[i], order_[k]);
+                add({find_box_gap(box, boxes[b]) + reach_of(a) + reach_of(b),
+                     {std::min(order_[i], order_[k]), std::max(order_[i], order_[k])}});
             }
         }
+    }
+    for (const NearPair& pair : near_.all()) {
+        pairs_.add(pair.bodies);
     }
     std::sort(pairs_.all().begin(), pairs_.all().end());
     return pairs_.all();

@@ -81,6 +81,7 @@ void RigidWorld::place_bodies(double reach_s) noexcept {
         place_body(body);
         find_reach(body, settings_.gravity_W, reach_s);
         boxes_[i] = find_box(body);
+        reaches_m_[i] = body.reach_m;
     }
 }
 
@@ -128,7 +129,7 @@ void RigidWorld::find_contacts_of(int i, double reach_s) noexcept {
 
 void RigidWorld::find_touching(double reach_s) noexcept {
     near_.clear();
-    for (const BodyPair& pair : broad_phase_.find_pairs(boxes_.all(), moves_.all())) {
+    for (const BodyPair& pair : broad_phase_.find_pairs(boxes_.all(), moves_.all(), reaches_m_.all())) {
         if (!is_joined(pair)) {
             add_near(pair);
         }

@@ -152,6 +152,7 @@ class RigidWorld {
     RigidScene scene_;
     BroadPhase broad_phase_;
     BoundedList<Box> boxes_;
+    BoundedList<double> reaches_m_;
     BoundedList<std::uint8_t> moves_;
     BoundedList<BodyPair> near_;    // but for what joints keep from touching
     std::vector<BodyPair> joined_;  // ascending

@@ -243,6 +243,7 @@ RigidWorld::RigidWorld(const RigidWorldPlan& plan)
       scene_(make_scene(plan)),
       broad_phase_(n_bodies(), plan.settings.most_pairs),
       boxes_(n_bodies()),
+      reaches_m_(n_bodies()),
       moves_(n_bodies()),
       near_(plan.settings.most_pairs),
       islands_(n_bodies()),
@@ -260,6 +261,7 @@ RigidWorld::RigidWorld(const RigidWorldPlan& plan)
     }
     for (const RigidWorldBody& body : scene_.bodies) {
         boxes_.add({});
+        reaches_m_.add(0.0);
         moves_.add(body.moves ? 1 : 0);
     }
     for (const Joint& joint : scene_.joints) {

@@ -48,7 +48,7 @@ struct RigidWorldSettings {
     double slow_period_s =
         0.0;  ///< islands that no hand touches are stepped this seldom, 0 to 0.02; 0: each step
     /// Of bodies near each other, to 1e6; a pair with a mesh counts as eight. 0: 1024 or eight a body, whichever is more, but no more than
-    /// there are.
+    /// there are. Of more the nearest count.
     int most_pairs = 0;
     int n_threads =
         1;  ///< that solve islands, the caller's among them, 1 to 16; the result is the same

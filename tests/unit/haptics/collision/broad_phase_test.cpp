@@ -74,6 +74,37 @@ TEST_CASE(
     CHECK(broad_phase.find_pairs(boxes, moves).size() == 6);
 }
 
+TEST_CASE("broad phase: of more pairs than there is room for the nearest stay, reaches left out") {
+    Random random(4);
+    constexpr std::size_t kRoom = 40;
+    BroadPhase few(60, static_cast<int>(kRoom));
+    for (int trial = 0; trial < 20; ++trial) {
+        std::vector<Box> bodies;
+        std::vector<Box> boxes;
+        std::vector<double> reaches_m;
+        const std::vector<std::uint8_t> moves(60, 1);
+        for (int i = 0; i < 60; ++i) {
+            bodies.push_back(make_box_round(2.0 * random.in_cube(), Vector3::Constant(0.1)));
+            reaches_m.push_back(random.uniform() + 1.0);
+            const Vector3 reach = Vector3::Constant(reaches_m.back());
+            boxes.push_back({bodies.back().lower - reach, bodies.back().upper + reach});
+        }
+        const auto gap_of = [&](const BodyPair& pair) {
+            const Box& a = bodies[static_cast<std::size_t>(pair.first)];
+            const Box& b = bodies[static_cast<std::size_t>(pair.second)];
+            return (a.lower - b.upper).cwiseMax(b.lower - a.upper).maxCoeff();
+        };
+        auto expected = try_all(boxes, moves);
+        REQUIRE(expected.size() > 2 * kRoom);
+        const auto n_dropped = static_cast<int>(expected.size() - kRoom);
+        std::ranges::sort(expected, {}, gap_of);
+        expected.resize(kRoom);
+        std::sort(expected.begin(), expected.end());
+        REQUIRE(std::ranges::equal(few.find_pairs(boxes, moves, reaches_m), expected));
+        REQUIRE(few.n_dropped() == n_dropped);
+    }
+}
+
 TEST_CASE("broad phase: what has no room is counted, and a box that is none meets nobody") {
     std::vector<Box> boxes(5, make_box_round(Vector3::Zero(), Vector3::Ones()));
     const std::vector<std::uint8_t> moves(5, 1);

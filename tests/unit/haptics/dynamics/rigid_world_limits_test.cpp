@@ -133,6 +133,29 @@ TEST_CASE("rigid world: two thousand balls lie on level ground, and none is drop
     CHECK(high->contacts().count() == 1);
 }
 
+// Each of two that fly reaches all others within the step; there is room for one pair.
+TEST_CASE("rigid world: where there is no room for all pairs what lies on the ground keeps its own") {
+    RigidWorldPlan plan;
+    plan.settings.most_pairs = 1;
+    for (const double side : {-1.0, 1.0}) {
+        plan.bodies.push_back({.shape = SphereShape{0.05},
+                               .pose_W = Pose::at({0.3 * side, 0.6, 0.0}),
+                               .velocity_W = {{0.0, 0.0, 400.0}, Vector3::Zero()}});
+    }
+    plan.bodies.push_back({.shape = SphereShape{0.05}, .pose_W = Pose::at({0.0, 0.05, 0.0})});
+    plan.bodies.push_back({.role = BodyRole::ground});
+    auto world = make_limited(plan);
+    for (int i = 0; i < 200; ++i) {
+        for (const std::int32_t flying : {0, 1}) {
+            const auto body = static_cast<std::size_t>(flying);
+            world->place(flying, plan.bodies[body].pose_W, plan.bodies[body].velocity_W);
+        }
+        world->step(kLimitStep_s);
+        REQUIRE(world->report().n_dropped > 0);
+    }
+    CHECK(world->shape_pose_W(2).position.y() == Approx(0.05).margin(1.0e-4));
+}
+
 TEST_CASE("rigid world: a plan that would take more memory than there is likely to be is refused") {
     RigidWorldPlan plan = make_joined(JointKind::hinge, {});
     CHECK(validate(plan));
