@@ -143,6 +143,61 @@ TEST_CASE("sampled contacts: what is held from several sides has a patch for eac
     CHECK((sum - Vector3::UnitY()).norm() < 1.0e-2);
 }
 
+// Beside each other's edges, a little out and a little up: the edges meet, and no face faces anything.
+TEST_CASE("sampled contacts: edges beside each other touch slantwise, and no face does") {
+    const auto cube = sampled(SolidShape(touchable(make_box({0.1, 0.1, 0.1}))));
+    const auto table = sampled(BoxShape{{0.05, 0.05, 0.05}});
+    constexpr double kApart_m = 2.0e-3;
+    for (const double lean_rad : {0.0, 0.02, -0.02}) {
+        CAPTURE(lean_rad);
+        const Quaternion lean(Eigen::AngleAxisd(lean_rad, Vector3::UnitZ()));
+        const Vector3 edge(0.05 + kApart_m, 0.05 + kApart_m, 0.0);
+        Patched found;
+        found.find(*cube, at(edge + lean * Vector3(0.05, 0.05, 0.0), lean), *table,
+                   at(Vector3::Zero()), 0.012);
+        const auto used = found.used();
+        REQUIRE(used.size() == 1);
+        CHECK(used[0].normal_W.dot(Vector3(1.0, 1.0, 0.0).normalized()) > 0.999);
+        for (const ContactPoint& point : used[0].points()) {
+            CHECK(point.gap_m == Approx(kApart_m * std::numbers::sqrt2).epsilon(0.02));
+            CHECK(std::abs(point.place_W.x() - 0.05 - 0.5 * kApart_m) < 2.0e-4);
+            CHECK(std::abs(point.place_W.y() - 0.05 - 0.5 * kApart_m) < 2.0e-4);
+        }
+    }
+}
+
+TEST_CASE("sampled contacts: what stands flush on its like touches upwards alone") {
+    const auto cube = sampled(SolidShape(touchable(make_box({0.1, 0.1, 0.1}))));
+    Random random(11);
+    for (int i = 0; i < 20; ++i) {
+        const Vector3 off = 2.0e-5 * random.in_cube();
+        Patched found;
+        found.find(*cube, at(Vector3(0.0, 0.1, 0.0) + off), *cube, at(Vector3::Zero()), 5.0e-4);
+        const auto used = found.used();
+        REQUIRE(used.size() == 1);
+        CHECK(used[0].normal_W.y() > 0.9999);
+        CHECK(used[0].count == 4);
+    }
+}
+
+TEST_CASE("sampled contacts: a patch keeps its place whichever side is nearer") {
+    const auto channel = sampled(SolidShape(touchable(make_channel(0.1, 0.02, 0.3))));
+    const auto ball = sampled(SphereShape{0.0499});
+    Patched found;
+    std::array<Vector3, kMostPatches> first{};
+    for (int i = 0; i < 40; ++i) {
+        const double beside_m = 8.0e-5 * std::cos(0.7 * i);
+        const double up_m = 8.0e-5 * std::sin(1.9 * i);
+        found.find(*ball, at({beside_m, 0.02 + 0.05 + up_m, 0.01}), *channel, at(Vector3::Zero()),
+                   5.0e-4);
+        REQUIRE(found.used().size() == 3);
+        for (std::size_t j = 0; j < 3; ++j) {
+            first[j] = i == 0 ? found.manifolds[j].normal_W : first[j];
+            REQUIRE(found.manifolds[j].normal_W.dot(first[j]) > 0.99);
+        }
+    }
+}
+
 TEST_CASE("sampled contacts: what trembles keeps its ids, and a patch its place") {
     const auto cube = sampled(SolidShape(touchable(make_box({0.1, 0.1, 0.1}))));
     const auto channel = sampled(SolidShape(touchable(make_channel(0.12, 0.02, 0.3))));
