@@ -154,6 +154,8 @@ void find_after_there(const FreeSentence& sentence, int i, Proposals& proposals)
     if (one && (plural || (amount && noun.noun_count > 0)) &&
         !sentence.is(first, {"a", "an", "the", "this", "that", "one", "each", "every", "no"})) {
         proposals.replace(be, ErrorCode::agreement, sentence.text(be) == "is" ? "are" : "were");
+    } else if (!one && sentence.is(first, {"no"}) && is_mass_noun(noun.text)) {
+        proposals.replace(be, ErrorCode::agreement, sentence.text(be) == "are" ? "is" : "was");
     } else if (!one && (noun.singular_noun() || (bare && is_bare_singular(noun))) && !amount &&
                !followed_by_and && !sentence.is(first, {"no", "the"}) &&
                plural_of(noun.text) != noun.text && sentence.is(be, {"are", "were"})) {

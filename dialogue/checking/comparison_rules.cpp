@@ -72,12 +72,15 @@ void find_doubled(const FreeSentence& sentence, int i, Proposals& proposals) {
     if (!plain) {
         return;
     }
+    const bool before_noun = sentence.is(i - 1, {"a", "an"}) && is_physical(word.text) &&
+                             sentence[i + 2].noun_count > 0 && sentence.is_head(i + 2);
     const bool than = sentence.is(i + 2, {"than"}) && !sentence[i + 1].before_stop &&
                       !sentence[i + 3].mainly_adjective();
-    const bool alone = sentence.ends_at(i + 1) || sentence[i + 2].closed;
+    const bool alone = sentence.ends_at(i + 1) || sentence[i + 2].closed ||
+                       sentence.is(i + 2, {"far", "near", "here"});
     const bool superlative = degree == Degree::superlative;
     const bool fits = superlative ? sentence.is(i - 1, {"the"}) || (alone && behind_be(sentence, i))
-                                  : than || (alone && behind_be(sentence, i));
+                                  : than || before_noun || (alone && behind_be(sentence, i));
     if (fits) {
         proposals.replace(i, i + 2, ErrorCode::adjective_form, first_form(word.text, degree));
     }

@@ -77,8 +77,9 @@ void find_adverb(const FreeSentence& sentence, int i, Proposals& proposals) {
 void find_adjective_behind(const FreeSentence& sentence, int i, Proposals& proposals) {
     const FreeWord& noun = sentence[i];
     const FreeWord& adjective = sentence[i + 1];
-    const bool fits = noun.singular_noun() && !noun.before_stop && is_physical(adjective.text) &&
-                      adjective.mainly_adjective() && !is_time_or_amount(noun.text);
+    const bool fits = noun.singular_noun() && !noun.before_stop &&
+                      is_physical(adjective.adjective) && adjective.mainly_adjective() &&
+                      !is_time_or_amount(noun.text);
     const bool measure = sentence.is(
         i + 1, {"long", "tall", "wide", "deep", "old", "high", "thick", "full", "free", "light"});
     if (!fits || measure) {
@@ -161,6 +162,17 @@ std::string be_of(std::string_view pronoun) {
     return pronoun == "i" ? "am" : (is_third_singular(pronoun) ? "is" : "are");
 }
 
+/// A finite verb stands at `i` or behind it.
+bool has_verb_from(const FreeSentence& sentence, int i) {
+    for (; i < sentence.size(); ++i) {
+        if (sentence.be_at(i) || sentence.is(i, {"has", "have", "does", "do"}) ||
+            (sentence[i].verb_in_s && sentence[i].mainly_verb())) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// there no wind; there two moons.
 void find_missing_after_there(const FreeSentence& sentence, int i, Proposals& proposals) {
     const bool there =
@@ -216,13 +228,22 @@ void find_missing_verb(const FreeSentence& sentence, int i, Proposals& proposals
         sentence.is(at, {"the"}) &&
         (sentence[at + 1].degree == Degree::superlative || sentence.is(at + 1, {"most"})) &&
         sentence.ends_at(sentence.is(at + 1, {"most"}) ? at + 2 : at + 1);
+    // "The tallest block the metal block", "the apple heavier": no word could be a verb.
+    const bool named = i == 0 && (subject.determined || is_planet(sentence.text(0))) &&
+                       !sentence.asks() && subject.last < sentence.size();
+    const bool equal =
+        named && !has_verb_from(sentence, 0) &&
+        ((sentence.is(at, {"the"}) && (sentence.is(at + 1, {"same"}) ||
+                                       noun_phrase_at(sentence, at).last == sentence.size())) ||
+         (word.degree == Degree::comparative && is_physical(word.adjective) &&
+          at + 1 == sentence.size()));
     const bool the_one = sentence.is(at, {"the"}) && sentence[at + 1].degree != Degree::positive &&
                          sentence.is(at + 2, {"one"}) && sentence.ends_at(at + 2);
     const bool last =
         at + 1 >= sentence.size() || (sentence.is(at + 1, {"and"}) && at + 3 >= sentence.size());
     const bool plain = is_physical(word.text) && word.mainly_adjective() &&
                        word.degree == Degree::positive && last;
-    if (compared || with_more || superlative || the_one || plain) {
+    if (compared || with_more || equal || superlative || the_one || plain) {
         proposals.insert(at, ErrorCode::missing_verb, be);
     }
 }
@@ -256,21 +277,15 @@ void find_missing_pronoun(const FreeSentence& sentence, int i, Proposals& propos
     const bool adjective =
         word.mainly_adjective() &&
         (sentence.ends_at(at) || sentence.is(at + 1, {"and", "because", "to", "for", "than"}));
-    if (made || adjective) {
+    const bool more = sentence.is(i + 1, {"more"}) && sentence[i + 2].adjective_count > 0 &&
+                      !sentence[i + 2].mainly_noun() &&
+                      sentence.is(i + 3, {"to", "than", "when", "if"});
+    const bool compared = word.degree == Degree::comparative && is_physical(word.adjective) &&
+                          !sentence[at + 1].mainly_noun();
+    if (made || adjective || more || compared) {
         const bool plural = sentence.is(i, {"are", "were"});
         proposals.insert(i, ErrorCode::missing_pronoun, plural ? "they" : "it");
     }
-}
-
-/// A finite verb stands at `i` or behind it.
-bool has_verb_from(const FreeSentence& sentence, int i) {
-    for (; i < sentence.size(); ++i) {
-        if (sentence.be_at(i) || sentence.is(i, {"has", "have", "does", "do"}) ||
-            (sentence[i].verb_in_s && sentence[i].mainly_verb())) {
-            return true;
-        }
-    }
-    return false;
 }
 
 /// the rock it is hard; the lift it pulls the kite.

@@ -258,7 +258,8 @@ NounPhrase noun_phrase_at(const FreeSentence& sentence, int first) {
     int head = i - 1;
     while (i < sentence.size() && !sentence[i].closed && !sentence[i].number &&
            (sentence[i].mainly_noun() ||
-            (i == first_noun && phrase.determined && is_weak_noun(sentence, i)))) {
+            (i == first_noun && (is_material(sentence.text(i)) ||
+                                 (phrase.determined && is_weak_noun(sentence, i)))))) {
         head = i;
         if (sentence[i].before_stop) {
             break;
@@ -277,8 +278,8 @@ NounPhrase noun_phrase_at(const FreeSentence& sentence, int first) {
     if (noun.plural_noun()) {
         phrase.sure = true;
         phrase.number = Number::plural;
-    } else if (noun.mainly_noun() && noun.can_be_singular && noun.singular.empty() &&
-               plural_of(noun.text) != noun.text) {
+    } else if ((noun.mainly_noun() || phrase.determined || is_material(noun.text)) &&
+               noun.can_be_singular && noun.singular.empty() && plural_of(noun.text) != noun.text) {
         phrase.sure = true;
     }
     const bool one =

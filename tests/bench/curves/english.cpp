@@ -4,6 +4,7 @@
 #include "dialogue/checking/reading.h"
 #include "runtime/lesson/questions.h"
 #include "runtime/lua/process/lesson_process.h"
+#include "tests/bench/curves/english_errors.h"
 #include "tests/bench/curves/english_scores.h"
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/measure.h"
@@ -95,8 +96,7 @@ void show(const char* what, const std::string& code, const CheckedText& checked)
 void add_rows(const EnglishScores& scores, Sheet& sheet) {
     EnglishScore all;
     for (const auto& [code, score] : scores) {
-        if (score.alarms == 0 && score.named == 0 && sheet.name != "english-lessons") {
-            all.there += 0;
+        if (score.alarms == 0 && score.named == 0 && !sheet.name.starts_with("english-l")) {
             continue;
         }
         sheet.rows.push_back({code, std::to_string(score.there), percent(score.found, score.there),
@@ -111,15 +111,44 @@ void add_rows(const EnglishScores& scores, Sheet& sheet) {
                           std::to_string(all.alarms), percent(all.right_place, all.alarms)});
 }
 
-/// Sentences of the lessons: every error is one that their templates label.
-Sheet check_lessons(EnglishChecker& checker, Run& run) {
+/// Counts what was found in a sentence with one error.
+void add_sentence(const ErroneousSentence& wrong, const CheckedText& checked,
+                  EnglishScores& scores) {
+    bool found = false;
+    bool named = false;
+    for (const FreeError& error : checked.errors) {
+        // What is missing has no letters: its neighbours' are as good.
+        const bool touches = error.begin <= wrong.end + 1 && wrong.begin <= error.end + 1;
+        EnglishScore& alarmed = scores[std::string(errant_code(error.code))];
+        ++alarmed.alarms;
+        alarmed.right_place += touches ? 1 : 0;
+        found = found || touches;
+        named = named || (touches && errant_code(error.code) == wrong.code);
+    }
+    EnglishScore& score = scores[wrong.code];
+    ++score.there;
+    score.found += found ? 1 : 0;
+    score.named += named ? 1 : 0;
+    if (!found) {
+        show("missed", wrong.code, checked);
+    }
+}
+
+Sheet lesson_sheet(const char* name, const char* title) {
     Sheet sheet;
-    sheet.name = "english-lessons";
-    sheet.title = "Free English: what the lessons teach";
+    sheet.name = name;
+    sheet.title = title;
     sheet.columns = {"error", "n", "found %", "alarms", "alarms in the right place %"};
-    EnglishScores scores;
+    sheet.advice = "What a template foresees it marks itself; this is for what is said beside it.";
+    return sheet;
+}
+
+/// Sentences of the lessons: right ones, those with an error put in, and those with an error that a template labels.
+std::array<Sheet, 2> check_lessons(EnglishChecker& checker, Run& run) {
+    std::array<EnglishScores, 2> scores;  // put in, labelled
     int right = 0;
     int false_alarms = 0;
+    auto lexicon = Lexicon::open();
     for (const auto& entry : fs::directory_iterator(fs::path(FULCRUM_SOURCE_DIR) / "scenarios")) {
         if (!fs::exists(entry.path() / "lesson.lua")) {
             continue;
@@ -130,42 +159,31 @@ Sheet check_lessons(EnglishChecker& checker, Run& run) {
             for (const std::string& sentence : made.right) {
                 const CheckedText checked = checker.check(sentence);
                 ++right;
-                false_alarms += checked.errors.empty() ? 0 : 1;
+                false_alarms += static_cast<int>(checked.errors.size());
                 if (!checked.errors.empty()) {
                     show("alarm", std::string(errant_code(checked.errors.front().code)), checked);
                 }
+                for (const ErroneousSentence& wrong : spoil(*lexicon, sentence)) {
+                    add_sentence(wrong, checker.check(wrong.text), scores[0]);
+                }
             }
             for (const ErroneousSentence& wrong : made.wrong) {
-                const CheckedText checked = checker.check(wrong.text);
-                EnglishScore& score = scores[wrong.code];
-                ++score.there;
-                bool found = false;
-                bool named = false;
-                for (const FreeError& error : checked.errors) {
-                    // What is missing has no letters: its neighbours' are as good.
-                    const bool touches =
-                        error.begin <= wrong.end + 1 && wrong.begin <= error.end + 1;
-                    EnglishScore& alarmed = scores[std::string(errant_code(error.code))];
-                    ++alarmed.alarms;
-                    alarmed.right_place += touches ? 1 : 0;
-                    found = found || touches;
-                    named = named || (touches && errant_code(error.code) == wrong.code);
-                }
-                score.found += found ? 1 : 0;
-                score.named += named ? 1 : 0;
-                if (!found) {
-                    show("missed", wrong.code, checked);
-                }
+                add_sentence(wrong, checker.check(wrong.text), scores[1]);
             }
         }
     }
-    sheet.work =
-        "Every way through the lessons' templates, sampled: right sentences, and such with "
-        "exactly one labelled error. Alarms in right sentences: " +
+    Sheet put_in = lesson_sheet("english-lessons", "Free English: what the lessons teach");
+    put_in.work =
+        "Every way through the lessons' templates, sampled, and every such sentence with "
+        "one error put in. Alarms in the right sentences: " +
         point_of_alarms(false_alarms, right) + ".";
-    sheet.advice = "What a template foresees it marks itself; this is for what is said beside it.";
-    add_rows(scores, sheet);
-    return sheet;
+    Sheet labelled = lesson_sheet("english-labelled", "Free English: what templates label");
+    labelled.work =
+        "The same with one error that a template labels. Some of these are good English for "
+        "something else (\"It was easy\"), which only the question tells.";
+    add_rows(scores[0], put_in);
+    add_rows(scores[1], labelled);
+    return {std::move(put_in), std::move(labelled)};
 }
 
 /// Learners' text from a file.
@@ -264,7 +282,9 @@ Report run_english(Run& run) {
     report.emplace_back(measure_checker(run));
     EnglishChecker checker = make_checker(judge_or_stop());
     run.progress(0.2);
-    report.emplace_back(check_lessons(checker, run));
+    for (Sheet& sheet : check_lessons(checker, run)) {
+        report.emplace_back(std::move(sheet));
+    }
     if (!run.text_file().empty()) {
         run.progress(0.6);
         report.emplace_back(check_text(checker, run.text_file(), false));

@@ -12,6 +12,9 @@ TEST_CASE("free agreement: pronouns and nouns with their verbs") {
                 {"I think it have a ring.", "R:VERB:SVA => I think it *has* a ring."},
                 {"The planets is round.", "R:VERB:SVA => The planets *are* round."},
                 {"Jupiter have a ring.", "R:VERB:SVA => Jupiter *has* a ring."},
+                {"Rock are rough.", "R:VERB:SVA => Rock *is* rough."},
+                {"The kite have a tail.", "R:VERB:SVA => The kite *has* a tail."},
+                {"There are no wind.", "R:VERB:SVA => There *is* no wind."},
                 {"The moon are small.", "R:VERB:SVA => The moon *is* small."}});
 }
 

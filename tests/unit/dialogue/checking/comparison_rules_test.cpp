@@ -9,6 +9,8 @@ TEST_CASE("free comparison: degrees that are formed twice or in the wrong way") 
          {"It is the most heaviest fruit.", "R:ADJ:FORM => It is the *heaviest* fruit."},
          {"The watermelon is the most heavy.", "R:ADJ:FORM => The watermelon is the *heaviest*."},
          {"The red car is more fast.", "R:ADJ:FORM => The red car is *faster*."},
+         {"It is more easy far from it.", "R:ADJ:FORM => It is *easier* far from it."},
+         {"It needs a more long tail.", "R:ADJ:FORM => It needs a *longer* tail."},
          {"This one is more better.", "R:ADJ:FORM => This one is *better*."},
          {"It is most best.", "R:ADJ:FORM => It is *best*."},
          {"Rock is gooder.", "R:ADJ:FORM => Rock is *better*."},

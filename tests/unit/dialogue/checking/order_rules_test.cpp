@@ -21,6 +21,10 @@ TEST_CASE("free order: an adverb or a noun where the adjective belongs") {
 TEST_CASE("free order: a verb or a pronoun that is missing or said twice") {
     check_rows({{"It heavy.", "M:VERB => It *is* heavy."},
                 {"They very small.", "M:VERB => They *are* very small."},
+                {"The tallest block the metal block.",
+                 "M:VERB => The tallest block *is* the metal block."},
+                {"The apple heavier.", "M:VERB => The apple *is* heavier."},
+                {"Rock rough.", "M:VERB => Rock *is* rough."},
                 {"There no wind.", "M:VERB => There *is* no wind."},
                 {"Watermelon heavier than apple.", "M:VERB => Watermelon *is* heavier than apple."},
                 {"Is very heavy.", "M:PRON => *it* Is very heavy."},
