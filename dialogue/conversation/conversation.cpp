@@ -4,6 +4,7 @@
 #include "dialogue/template/tokens.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace fulcrum::dialogue {
 
@@ -57,13 +58,14 @@ std::vector<std::string> Conversation::prompt_again() const {
     return question_ ? sentences_of(question_->prompt) : std::vector<std::string>{};
 }
 
-Mark Conversation::hear(std::string_view text, double confidence) {
+Mark Conversation::hear(std::string_view text, double confidence, bool form) {
     if (!question_ || state_ == State::idle) {
         return {};
     }
     repeating_ = state_ == State::invited || (state_ == State::heard && repeating_);
     state_ = State::heard;
-    return mark_answer(*question_, text, confidence);
+    Mark mark = mark_answer(*question_, text, confidence);
+    return form ? mark : without_form(std::move(mark));
 }
 
 Feedback Conversation::respond(const Mark& mark, bool meaning_right) {

@@ -87,8 +87,8 @@ class Conversation {
     /// Asks; returns the prompt's sentences, a line each. `number` of `of` adds "Question 2 of 5." before them; 0 doesn't.
     std::vector<std::string> ask(const Question& question, int number = 0, int of = 0);
 
-    /// Marks an answer; pure but for the state. Before any question an empty mark.
-    [[nodiscard]] Mark hear(std::string_view text, double confidence = 1.0);
+    /// Marks an answer; pure but for the state. Before any question an empty mark. Without `form` the meaning alone is marked.
+    [[nodiscard]] Mark hear(std::string_view text, double confidence = 1.0, bool form = true);
 
     /// Answers; `meaning_right` is the simulation's verdict and doesn't matter for a mark that isn't understood.
     [[nodiscard]] Feedback respond(const Mark& mark, bool meaning_right);

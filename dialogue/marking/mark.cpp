@@ -219,6 +219,15 @@ std::string sentence_frame(const Question& question) {
     return render(pieces);
 }
 
+Mark without_form(Mark mark) {
+    mark.form_errors.clear();
+    mark.emphasised = mark.corrected;
+    mark.emphasis.clear();
+    mark.gapped.clear();
+    mark.short_answer = true;  // which shows nothing of it either
+    return mark;
+}
+
 std::vector<std::string> choices(const Question& question) {
     const TemplateSet& set = *question.templates;
     std::vector<std::string> result;

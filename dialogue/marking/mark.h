@@ -77,6 +77,9 @@ struct Mark {
 [[nodiscard]] Mark mark_answer(const Question& question, std::string_view text,
                                double confidence = 1.0);
 
+/// The same for somebody of whom only the meaning was heard: no errors of form, and no proof of a right form.
+[[nodiscard]] Mark without_form(Mark mark);
+
 /// The whole right sentence of the question's first answer with every slot as "…": "… is the heaviest."; empty when it is
 /// nothing but slots.
 [[nodiscard]] std::string sentence_frame(const Question& question);

@@ -20,6 +20,8 @@ namespace fulcrum::dialogue {
 struct Hypothesis {
     std::string text;
     double confidence = 1.0;  ///< 0 to 1; 1 for what was typed
+    bool form =
+        true;  ///< the words are the learner's own; false: they mean the same, and show no error of form
 };
 
 /// The interface of all recognisers.

@@ -122,6 +122,7 @@ void ExternalRecogniser::take_lines() {
 void ExternalRecogniser::take(const dialogue::HearingAnswer& answer) {
     if (const auto* const ready = std::get_if<dialogue::ReadyLine>(&answer)) {
         name_ = ready->name;
+        hears_form_ = ready->form;
     } else if (const auto* const listening = std::get_if<dialogue::ListeningLine>(&answer)) {
         for (const std::string& word : listening->unknown) {
             tell("Nobody knows how \"" + word + "\" sounds, so it is never heard.");
@@ -135,7 +136,7 @@ void ExternalRecogniser::take(const dialogue::HearingAnswer& answer) {
                 return;
             }
             // What fits nothing is asked for again, as what is not sure is.
-            heard_ = {{heard->text, heard->text.empty() ? 0.0 : heard->confidence}};
+            heard_ = {{heard->text, heard->text.empty() ? 0.0 : heard->confidence, hears_form_}};
         }
     } else {
         awaits_ = false;

@@ -58,6 +58,7 @@ class ExternalRecogniser final : public dialogue::Recogniser {
     HearingSettings settings_;
     std::unique_ptr<LineProgram> program_;
     std::string name_ = "external";
+    bool hears_form_ = true;
     std::size_t next_recording_ = 0;
     int question_ = 0;
     bool listening_ = false;

@@ -54,11 +54,12 @@ QuestionTurn QuestionDialogue::ask(const std::string& question, double time_s) {
     return turn;
 }
 
-QuestionTurn QuestionDialogue::hear(std::string_view words, double confidence, double time_s) {
+QuestionTurn QuestionDialogue::hear(std::string_view words, double confidence, double time_s,
+                                    bool form) {
     if (!listens()) {
         return {};
     }
-    heard_ = conversation_.hear(words, confidence);
+    heard_ = conversation_.hear(words, confidence, form);
     state_ =
         state_ == QuestionState::invited ? QuestionState::judging_again : QuestionState::judging;
     // What a slot would hold is no word of its list: it can't be right, and the lesson is not asked.

@@ -74,7 +74,9 @@ class QuestionDialogue {
     /// Asks a declared question; its prompt and perhaps the answer to the one before.
     [[nodiscard]] QuestionTurn ask(const std::string& question, double time_s);
     /// The learner's words, clean UTF-8, and how sure the recogniser is (0 to 1). Nothing comes of them unless somebody listens.
-    [[nodiscard]] QuestionTurn hear(std::string_view words, double confidence, double time_s);
+    /// Without `form` they show the meaning alone.
+    [[nodiscard]] QuestionTurn hear(std::string_view words, double confidence, double time_s,
+                                    bool form = true);
     /// The lesson's verdict about the meaning.
     [[nodiscard]] QuestionTurn judge(const std::string& question, bool right, double time_s);
     /// Time has passed; nobody is held back for form: an invitation to say it once more ends by itself.

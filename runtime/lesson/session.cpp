@@ -180,7 +180,7 @@ void LessonSession::hear(const dialogue::Hypothesis& heard) {
     if (words.size() > kLongestAnswer_bytes) {
         words = kept_text(std::string_view(words).substr(0, kLongestAnswer_bytes));
     }
-    take(dialogue_.hear(words, heard.confidence, time_s_));
+    take(dialogue_.hear(words, heard.confidence, time_s_, heard.form));
 }
 
 // What the dialogue came to: the lesson is told, and the learner hears, sees and is kept.

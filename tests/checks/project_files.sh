@@ -20,7 +20,7 @@ done
 while read -r folder; do
     [[ -d $folder ]] || complain "README.md: the folder table names $folder, which is not there"
 done < <(sed -nE 's/^\| *\[?`([a-z]+\/)`.*/\1/p' README.md)
-if grep -rnI --exclude-dir=build --exclude-dir=.git -E '(^|[^A-Za-z0-9_.}])/(tm[p]|hom[e]|roo[t])/' .; then
+if grep -rnI --exclude-dir=build --exclude-dir=node_modules --exclude-dir=.git -E '(^|[^A-Za-z0-9_.}])/(tm[p]|hom[e]|roo[t])/' .; then
     complain "fixed paths of one machine: make scratch folders with mktemp"
 fi
 exit "$bad"

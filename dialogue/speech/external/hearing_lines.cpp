@@ -202,7 +202,9 @@ std::string write_line(const HearingOrder& order) {
 Expected<HearingAnswer> read_answer(std::string_view line) {
     const Json object = parse_line(line);
     if (whole_number(object, "ready") == 1) {
-        return ReadyLine{text_of(object, "name").value_or("")};
+        const auto form = object.find("form");
+        const bool hears_form = form == object.end() || !form->is_boolean() || form->get<bool>();
+        return ReadyLine{text_of(object, "name").value_or(""), hears_form};
     }
     if (const auto question = whole_number(object, "listening")) {
         return ListeningLine{*question,
@@ -226,7 +228,7 @@ Expected<HearingAnswer> read_answer(std::string_view line) {
 std::string write_line(const HearingAnswer& answer) {
     Json object;
     if (const auto* const ready = std::get_if<ReadyLine>(&answer)) {
-        object = {{"ready", 1}, {"name", ready->name}};
+        object = {{"ready", 1}, {"name", ready->name}, {"form", ready->form}};
     } else if (const auto* const listening = std::get_if<ListeningLine>(&answer)) {
         object = {{"listening", listening->question}, {"unknown", listening->unknown}};
     } else if (const auto* const heard = std::get_if<HeardLine>(&answer)) {

@@ -5,6 +5,8 @@
 //             {"end": 3}                      that was all of the utterance
 //             {"stop": 3}                     nobody wants to know any more
 //   from it   {"ready": 1, "name": "pocketsphinx"}                            once, when it can hear
+//             {"ready": 1, "name": "moonshine", "form": false}              what it hears means what was said, and its grammar is not the
+//                                                                             learner's: the meaning is marked, and no error of form
 //             {"listening": 3, "unknown": ["zzyzx"]}                          words that it will never hear
 //             {"heard": 3, "text": "the egg is heavier", "confidence": 0.97}  text empty: nothing that fits
 //             {"trouble": "one sentence"}                                     about the line before it
@@ -50,6 +52,7 @@ using HearingOrder = std::variant<ListenLine, AudioLine, EndLine, StopLine>;
 
 struct ReadyLine {
     std::string name;
+    bool form = true;  ///< it hears the learner's own words
 };
 struct ListeningLine {
     int question = 0;

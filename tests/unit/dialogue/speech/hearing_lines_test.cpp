@@ -50,6 +50,10 @@ TEST_CASE("hearing lines: every order is read as it was written, on one line") {
 
 TEST_CASE("hearing lines: every answer is read as it was written") {
     CHECK(told_again(ReadyLine{"ear"}).name == "ear");
+    CHECK(told_again(ReadyLine{"ear"}).form);
+    CHECK_FALSE(told_again(ReadyLine{"ear", false}).form);
+    CHECK(std::get<ReadyLine>(read_answer(R"({"ready":1,"name":"ear"})").value()).form);
+    CHECK(std::get<ReadyLine>(read_answer(R"({"ready":1,"form":"no"})").value()).form);
     CHECK(told_again(ListeningLine{3, {"zyx"}}).unknown == std::vector<std::string>{"zyx"});
     const HeardLine heard = told_again(HeardLine{4, "the egg", 0.75});
     CHECK(heard.question == 4);

@@ -164,6 +164,21 @@ TEST_CASE("hearing: a program that talks nonsense or ends is told once, and noth
     CHECK(recogniser->take_trouble().empty());
 }
 
+TEST_CASE("hearing: a program that hears the meaning alone says so of each answer") {
+    for (const char* ready :
+         {"{\"ready\":1,\"name\":\"a\"}", "{\"ready\":1,\"name\":\"a\",\"form\":false}"}) {
+        const auto recogniser = start(
+            shell("echo '" + std::string(ready) +
+                  "'; while read -r line; do case $line in *end*) "
+                  "echo '{\"heard\":1,\"text\":\"the egg\",\"confidence\":0.9}';; esac; done"));
+        REQUIRE(recogniser->listen(make_question().templates));
+        recogniser->hear(std::vector<std::int16_t>(100, 1));
+        const auto heard = recogniser->poll();
+        REQUIRE(heard.size() == 1);
+        CHECK(heard.front().form == (std::string_view(ready).find("form") == std::string::npos));
+    }
+}
+
 TEST_CASE("hearing: an utterance is given in pieces, and only while somebody listens") {
     // Tells how many lines of audio came before the end.
     const auto recogniser = start(
