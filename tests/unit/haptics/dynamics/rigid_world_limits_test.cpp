@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -134,7 +135,8 @@ TEST_CASE("rigid world: two thousand balls lie on level ground, and none is drop
 }
 
 // Each of two that fly reaches all others within the step; there is room for one pair.
-TEST_CASE("rigid world: where there is no room for all pairs what lies on the ground keeps its own") {
+TEST_CASE(
+    "rigid world: where there is no room for all pairs what lies on the ground keeps its own") {
     RigidWorldPlan plan;
     plan.settings.most_pairs = 1;
     for (const double side : {-1.0, 1.0}) {
@@ -154,6 +156,47 @@ TEST_CASE("rigid world: where there is no room for all pairs what lies on the gr
         REQUIRE(world->report().n_dropped > 0);
     }
     CHECK(world->shape_pose_W(2).position.y() == Approx(0.05).margin(1.0e-4));
+}
+
+// A cube of 1 kg on four points, of which the second is nowhere: half its weight is on the first, a quarter on each of the last two.
+TEST_CASE(
+    "rigid world: of a contact that is refused nothing is remembered, and others keep theirs") {
+    RigidScene scene{
+        {RigidWorldBody{}, RigidWorldBody{}}, ContactPairs(1), {}, BoundedList<HeldBody>(0)};
+    RigidWorldBody& cube = scene.bodies[0];
+    cube.shape = make_contact_shape(BoxShape{Vector3::Constant(0.05)}).value();
+    cube.inertia = make_box_inertia(1.0, Vector3::Constant(0.1));
+    cube.inertia_W = cube.inertia.moments_kg_m2.asDiagonal();
+    cube.moves = true;
+    cube.state.pose_W.position.y() = 0.05;
+    scene.bodies[1].shape = make_half_space();
+    const std::array<BodyPair, 1> touching{BodyPair{0, 1}};
+    scene.pairs.update(touching);
+    ContactPair& pair = scene.pairs.at(0);
+    pair.remember({12, Vector3::UnitY(), false});
+    const std::array<Vector3, 4> places{Vector3(-0.05, 0.0, 0.0), Vector3::Constant(std::nan("")),
+                                        Vector3(0.05, 0.0, -0.05), Vector3(0.05, 0.0, 0.05)};
+    for (const Vector3& place : places) {
+        const auto i = static_cast<std::size_t>(pair.manifold.count++);
+        pair.manifold.contacts[i].place_W = place;
+        pair.manifold.contacts[i].id = static_cast<std::uint32_t>(11 + i);
+    }
+    IslandSolver solver({}, {.bodies = 1, .contacts = 4, .rows = 0});
+    const std::array<std::int32_t, 1> first{0};
+    const IslandReport report = solver.solve({first, first, {}}, kLimitStep_s, scene);
+    CHECK(report.n_dropped == 1);
+    CHECK(report.n_contacts == 3);
+    CHECK(pair.n_memories == 3);
+    CHECK(pair.recall(12) == nullptr);
+    const double weight_Ns = 9.81 * kLimitStep_s;
+    const auto bears = [&](std::uint32_t id, double share) {
+        const ContactMemory* memory = pair.recall(id);
+        return memory != nullptr &&
+               std::abs(memory->impulse_W.y() - share * weight_Ns) < 1.0e-6 * weight_Ns;
+    };
+    CHECK(bears(11, 0.5));
+    CHECK(bears(13, 0.25));
+    CHECK(bears(14, 0.25));
 }
 
 TEST_CASE("rigid world: a plan that would take more memory than there is likely to be is refused") {
