@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <memory>
 
 namespace fulcrum::bench {
@@ -167,32 +169,131 @@ std::vector<Course> make_courses() {
     return courses;
 }
 
+// Every 20 steps all bodies are where they began, as fast.
+std::function<void(RigidWorld&, int)> begin_again(const RigidWorldPlan& plan) {
+    return [bodies = plan.bodies](RigidWorld& world, int i) {
+        for (std::size_t body = 0; i % 20 == 0 && body < bodies.size(); ++body) {
+            if (bodies[body].role == BodyRole::moves) {
+                world.place(static_cast<std::int32_t>(body), bodies[body].pose_W,
+                            bodies[body].velocity_W);
+            }
+        }
+    };
+}
+
+Course make_passing(const std::string& name, double speed_m_per_s) {
+    Course course{name, {}, {}};
+    course.plan.settings.gravity_W.setZero();
+    course.plan.settings.sleep_after_s = 0.0;
+    for (int i = 0; i < 64; ++i) {
+        const double way = i / 8 % 2 == 0 ? 1.0 : -1.0;
+        course.plan.bodies.push_back(
+            {.shape = SphereShape{0.02},
+             .mass_kg = 0.1,
+             .pose_W = Pose::at({0.1 * (i % 8), 0.0, 0.045 * (i / 8)}),
+             .velocity_W = {{way * speed_m_per_s, 0.0, 0.0}, Vector3::Zero()}});
+    }
+    course.disturb = begin_again(course.plan);
+    return course;
+}
+
+// Each hits one that stands before a wall, which is farther than anybody had looked for.
+Course make_held_back() {
+    Course course{"8 balls that are hit by others at 100 m/s before a wall", {}, {}};
+    course.plan.settings.gravity_W.setZero();
+    course.plan.settings.sleep_after_s = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        for (const double side : {0.0, 1.0}) {
+            course.plan.bodies.push_back({.shape = SphereShape{0.02},
+                                          .mass_kg = 0.1,
+                                          .pose_W = Pose::at({-0.0437 * side, 0.0, 0.1 * i}),
+                                          .velocity_W = {{100.0 * side, 0.0, 0.0}, Vector3::Zero()},
+                                          .restitution = 1.0});
+        }
+    }
+    course.plan.bodies.push_back({.shape = BoxShape{{0.0005, 1.0, 1.0}},
+                                  .role = BodyRole::stays,
+                                  .pose_W = Pose::at({0.0825, 0.0, 0.0})});
+    course.disturb = begin_again(course.plan);
+    return course;
+}
+
+Course make_chain(const std::string& name, double spin_rad_per_s) {
+    Course course{name, {}, [](RigidWorld&, int) {}};
+    course.plan.settings.gravity_W.setZero();
+    course.plan.settings.sleep_after_s = 0.0;
+    for (int i = 0; i < 10; ++i) {
+        const double at_m = 0.1 * i - 0.45;
+        course.plan.bodies.push_back(
+            {.shape = SphereShape{0.03},
+             .mass_kg = 0.1,
+             .pose_W = Pose::at({at_m, 0.0, 0.0}),
+             .velocity_W = {{0.0, at_m * spin_rad_per_s, 0.0}, {0.0, 0.0, spin_rad_per_s}}});
+        if (i > 0) {
+            course.plan.joints.push_back({.kind = JointKind::ball,
+                                          .body_a = i - 1,
+                                          .body_b = i,
+                                          .anchor_W = {at_m - 0.05, 0.0, 0.0}});
+        }
+    }
+    return course;
+}
+
+// What looking ahead, holding back, hands and parts of a step cost, beside the same without.
+std::vector<Course> make_costly_courses() {
+    std::vector<Course> courses{make_passing("64 balls that pass each other at 0.2 m/s", 0.2),
+                                make_passing("64 balls that pass each other at 20 m/s", 20.0),
+                                make_held_back(),
+                                make_chain("a chain of 10 that goes round at 30 rad/s", 30.0),
+                                make_chain("a chain of 10 that goes round at 300 rad/s", 300.0)};
+    courses.push_back({"10 at rest, each gripped by a hand", make_stack_plan({10, 1.0}),
+                       [](RigidWorld& world, int) {
+                           for (std::int32_t cube = 1; cube <= 10; ++cube) {
+                               BodyHold hold{.at_W = world.shape_pose_W(cube).position};
+                               hold.slopes = {600.0, 5.0, 0.5, 0.01, 0.04};
+                               hold.bounds = {.most_N = 9.0, .most_Nm = 0.2};
+                               world.hold(cube, hold);
+                           }
+                       }});
+    return courses;
+}
+
 Sheet measure_courses(Run& run) {
     Sheet sheet;
     sheet.name = "rigid-courses";
-    sheet.title = "Steps of stacks that are left alone, dropped and hit";
+    sheet.title =
+        "Steps of stacks that are left alone, dropped and hit, and of what is looked ahead for";
     sheet.work =
-        "The same cubes at 1 ms a step, collision detection included, one thread, nothing sleeps.";
+        "The same cubes, and what flies, hits, goes round or is held, at 1 ms a step, collision "
+        "detection included, one thread, nothing sleeps.";
     sheet.advice = "Worst steps are those of this machine too, which is interrupted now and then.";
-    sheet.columns = {"course", "median µs", "99 % µs", "worst µs", "deepest mm", "unconverged"};
+    sheet.columns = {"course",     "median µs",   "99 % µs",   "worst µs",
+                     "deepest mm", "unconverged", "held back", "in parts"};
     const int n_steps = run.pick(5000, 500);
-    for (const Course& course : make_courses()) {
+    std::vector<Course> courses = make_courses();
+    std::ranges::move(make_costly_courses(), std::back_inserter(courses));
+    for (const Course& course : courses) {
         run.progress(0.5, course.name);
         const auto world = make_rigid_world(course.plan);
         double deepest_m = 0.0;
         int n_unconverged = 0;
+        int n_held = 0;
+        int n_in_parts = 0;
         std::vector<double> us = time_steps(n_steps, [&](int i) {
             course.disturb(*world, i);
             world->step(kStackStep_s);
             deepest_m = std::max(deepest_m, world->report().deepest_m);
             n_unconverged += world->report().n_unconverged;
+            n_held += world->report().n_held;
+            n_in_parts += world->report().n_in_parts;
         });
         const double worst_us = *std::max_element(us.begin(), us.end());
         const Cost cost = summarise(std::move(us));
         const auto shown = [](double value) { return to_text(std::round(100.0 * value) / 100.0); };
         sheet.rows.push_back({course.name, shown(cost.median_us), shown(cost.p99_us),
                               shown(worst_us), to_text(1.0e3 * deepest_m),
-                              std::to_string(n_unconverged)});
+                              std::to_string(n_unconverged), std::to_string(n_held),
+                              std::to_string(n_in_parts)});
     }
     return sheet;
 }
