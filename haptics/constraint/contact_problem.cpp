@@ -48,7 +48,7 @@ ContactProblem::ContactProblem(const ContactCapacity& capacity)
 void ContactProblem::clear() noexcept {
     n_bodies_ = n_contacts_ = n_rows_ = 0;
     n_dropped_ = 0;
-    settled_ = false;
+    settled_ = bounded_ = false;
 }
 
 bool ContactProblem::refuse() noexcept {

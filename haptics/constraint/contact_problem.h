@@ -90,6 +90,9 @@ class ContactProblem {
     /// step alone, and may be taken again where they are within the tolerance. Not so after `clear`.
     void set_settled(bool settled) noexcept { settled_ = settled; }
     [[nodiscard]] bool is_settled() const noexcept { return settled_; }
+    /// Whether a step's time counts for more than the answer where there are many contacts (contact_solver.h). Not so after `clear`.
+    void set_bounded(bool bounded) noexcept { bounded_ = bounded; }
+    [[nodiscard]] bool is_bounded() const noexcept { return bounded_; }
     /// The body's number. kGround where there is no room, where the body's numbers or their inverses are none, or `inertia_W` is
     /// not symmetric and positive definite; counted.
     int add_body(double mass_kg, const Matrix3& inertia_W, const Vector6& free_velocity_W) noexcept;
@@ -135,6 +138,7 @@ class ContactProblem {
     std::size_t n_rows_ = 0;
     int n_dropped_ = 0;
     bool settled_ = false;
+    bool bounded_ = false;
 };
 
 /// Unit normal and two tangents, right-handed; the tangents turn evenly with the normal almost everywhere.

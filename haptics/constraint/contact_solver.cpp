@@ -29,6 +29,35 @@ constexpr double kSlipTolerances = 100.0;
 // Bodies that are left approaching this fast, m/s at velocities of 1 m/s, were not solved.
 constexpr double kPoor = 1.0e-3;
 
+// The greatest share of all impulses that gives no energy.
+double find_passive_share(const ContactProblem& problem) noexcept {
+    const std::span<const ConstrainedBody> bodies = problem.bodies();
+    const Vector6 still = Vector6::Zero();
+    const auto before = [&](int body) -> const Vector6& {
+        return body == kGround ? still : bodies[static_cast<std::size_t>(body)].free_velocity_W;
+    };
+    const auto after = [&](int body) -> const Vector6& {
+        return body == kGround ? still : bodies[static_cast<std::size_t>(body)].velocity_W;
+    };
+    double first_J = 0.0;
+    double last_J = 0.0;
+    for (const ContactConstraint& c : problem.contacts()) {
+        const Vector3& p = c.impulse_Ns;
+        const double asked = p.dot(c.target_m_per_s);
+        first_J += p.dot(compute_relative_velocity(c, before(c.body_a), before(c.body_b))) - asked;
+        last_J += p.dot(compute_relative_velocity(c, after(c.body_a), after(c.body_b))) - asked;
+    }
+    for (const RowConstraint& r : problem.rows()) {
+        const double asked = r.impulse * r.target;
+        first_J +=
+            r.impulse * compute_relative_velocity(r, before(r.body_a), before(r.body_b)) - asked;
+        last_J +=
+            r.impulse * compute_relative_velocity(r, after(r.body_a), after(r.body_b)) - asked;
+    }
+    const double twice_J = first_J + last_J;
+    return twice_J <= 0.0 ? 1.0 : std::clamp(-2.0 * first_J / (last_J - first_J), 0.0, 1.0);
+}
+
 }  // namespace
 
 bool ContactSolver::note_sliding(ContactProblem& problem, double uncertain_m_per_s,
@@ -88,8 +117,37 @@ bool ContactSolver::pivot(ContactProblem& problem, std::span<const double> frict
     return true;
 }
 
+void ContactSolver::hold_energy(ContactProblem& problem, std::span<const double> friction,
+                                SolveReport& report) noexcept {
+    const double share = find_passive_share(problem);
+    if (share == 1.0) {
+        return;
+    }
+    ++report.n_regularised;
+    for (ContactConstraint& c : problem.contacts()) {
+        c.impulse_Ns *= share;
+    }
+    for (RowConstraint& row : problem.rows()) {
+        row.impulse = std::clamp(share * row.impulse, row.least, row.most);
+    }
+    apply_impulses(problem, motion_);
+    report.residual_m_per_s = compute_residual(problem, settings_.friction_shape, friction);
+}
+
+SolveReport ContactSolver::solve_bounded(ContactProblem& problem, std::span<const double> friction,
+                                         double tolerance) noexcept {
+    SolveReport report = bounded_->solve(problem, friction, tolerance);
+    ++report.n_bounded;
+    hold_energy(problem, friction, report);
+    report.converged = report.residual_m_per_s <= tolerance;
+    return report;
+}
+
 SolveReport ContactSolver::solve_once(ContactProblem& problem, std::span<const double> friction,
                                       double tolerance) noexcept {
+    if (is_bounded(problem)) {
+        return solve_bounded(problem, friction, tolerance);
+    }
     std::size_t i = 0;
     for (const ContactConstraint& c : problem.contacts()) {
         kept_contacts_[i++] = c.impulse_Ns;
@@ -141,13 +199,14 @@ SolveReport ContactSolver::solve(ContactProblem& problem) noexcept {
     const std::span<const double> friction(friction_.data(), contacts.size());
     SolveReport report = solve_once(problem, friction, tolerance);
     const auto uncertain = [&] { return std::max(tolerance, report.residual_m_per_s); };
-    for (int round = 1; note_sliding(problem, uncertain(), round < settings_.friction_rounds);
-         ++round) {
+    const int most_rounds = is_bounded(problem) ? 1 : settings_.friction_rounds;
+    for (int round = 1; note_sliding(problem, uncertain(), round < most_rounds); ++round) {
         const SolveReport next = solve_once(problem, friction, tolerance);
         report = {next.residual_m_per_s,
                   report.n_iterations + next.n_iterations,
                   report.n_pivots + next.n_pivots,
                   report.n_regularised + next.n_regularised,
+                  report.n_bounded + next.n_bounded,
                   report.n_pivoted + next.n_pivoted,
                   next.converged};
     }

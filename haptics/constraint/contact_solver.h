@@ -15,6 +15,12 @@
 // sides), that is counted as regularised, and rounds contact after contact from the last step's impulses, or from what pivoting
 // left, are tried instead; what is nearer is taken.
 //
+// A problem that may be answered by bounded work (`set_bounded`) and has more contacts than `most_exact_contacts` gets kBoundedRounds
+// rounds from last step's impulses alone, so that a step keeps its time and errors go within the next steps. What such rounds leave gives
+// no energy: with u_0 and u the velocities before and after, impulses count by the greatest share s in 0..1 with
+//   s p.u_0 + s^2 p.(u - u_0) / 2 <= 0     their work against what surfaces and rows ask for
+// and that is counted as bounded, and as not converged.
+//
 // Answers are finite whatever comes in. What has none, is redundant or would take too long is answered as nearly as it can be:
 // `converged` and `residual` say so, and what had to be regularised is counted.
 //
@@ -51,6 +57,7 @@ struct ContactSolverSettings {
     int max_iterations = 60;
     int friction_rounds = 4;  ///< solves at most where contacts begin to slide, 1 to 100
     double relaxation = 1.0;  ///< iterative: how far each contact goes to its answer, 0.1 to 1.9
+    int most_exact_contacts = 256;  ///< 1 to 1000000
     double stiffening =
         1.0e-5;  ///< newton: compliance of a contact within a step, of its weight; 1e-9 to 1
 };
@@ -60,9 +67,13 @@ struct SolveReport {
     int n_iterations = 0;           ///< linear solves or rounds; 0: last step's impulses were right
     int n_pivots = 0;               ///< dantzig: rows that changed their set
     int n_regularised = 0;          ///< pivots that were zero, sets that had no answer
+    int n_bounded = 0;              ///< solves of too many contacts, by rounds alone
     int n_pivoted = 0;              ///< newton: solves whose answer is that of pivoting
     bool converged = true;          ///< within the tolerance
 };
+
+/// Of contacts that are too many.
+inline constexpr int kBoundedRounds = 12;
 
 /// Three a contact and one a row: more are not solved by pivoting in Newton's place.
 inline constexpr int kMostPivotRows = 200;
@@ -101,6 +112,14 @@ class ContactSolver {
   private:
     SolveReport solve_once(ContactProblem& problem, std::span<const double> friction,
                            double tolerance) noexcept;
+    SolveReport solve_bounded(ContactProblem& problem, std::span<const double> friction,
+                              double tolerance) noexcept;
+    void hold_energy(ContactProblem& problem, std::span<const double> friction,
+                     SolveReport& report) noexcept;
+    [[nodiscard]] bool is_bounded(const ContactProblem& problem) const noexcept {
+        return bounded_ && problem.is_bounded() &&
+               problem.contacts().size() > static_cast<std::size_t>(settings_.most_exact_contacts);
+    }
     bool pivot(ContactProblem& problem, std::span<const double> friction, double tolerance,
                SolveReport& report) noexcept;
     void exchange_impulses(ContactProblem& problem) noexcept;
@@ -108,8 +127,9 @@ class ContactSolver {
     ContactSolverSettings settings_;
     ContactCapacity capacity_;
     std::unique_ptr<ContactMethodSolver> method_;
-    std::unique_ptr<ContactMethodSolver> pivots_;  // where Newton ends outside the tolerance
-    std::unique_ptr<ContactMethodSolver> rounds_;  // where that ends far from an answer
+    std::unique_ptr<ContactMethodSolver> pivots_;   // where Newton ends outside the tolerance
+    std::unique_ptr<ContactMethodSolver> rounds_;   // where that ends far from an answer
+    std::unique_ptr<ContactMethodSolver> bounded_;  // where contacts are too many
     BodyMotion motion_;
     std::vector<Vector3> kept_contacts_;  // impulses put aside
     std::vector<double> kept_rows_;

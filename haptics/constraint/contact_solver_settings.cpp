@@ -57,6 +57,7 @@ Expected<void> validate(const ContactSolverSettings& settings) {
         {"tolerance_m_per_s", settings.tolerance_m_per_s, 1.0e-12, 1.0},
         {"max_iterations", static_cast<double>(settings.max_iterations), 1.0, 10000.0},
         {"friction_rounds", static_cast<double>(settings.friction_rounds), 1.0, 100.0},
+        {"most_exact_contacts", static_cast<double>(settings.most_exact_contacts), 1.0, 1.0e6},
         {"relaxation", settings.relaxation, 0.1, 1.9},
         {"stiffening", settings.stiffening, 1.0e-9, 1.0},
     };
@@ -82,6 +83,11 @@ ContactSolver::ContactSolver(const ContactSolverSettings& settings, const Contac
     rounds.method = ContactMethod::iterative;
     rounds.max_iterations = kRounds;
     rounds_ = make_method(rounds, capacity);
+    if (settings.method == ContactMethod::newton &&
+        capacity.contacts > settings.most_exact_contacts) {
+        rounds.max_iterations = kBoundedRounds;
+        bounded_ = make_method(rounds, capacity);
+    }
 }
 
 }  // namespace fulcrum

@@ -10,17 +10,21 @@ namespace {
 
 constexpr double kSettled = 0.1;  // of the tolerance, a round's largest change
 
-// How fast a body turns by a unit impulse along each axis at the arm.
-Matrix3 find_turning(const ContactProblem& problem, int body, const Vector3& arm,
-                     const Matrix3& axes) noexcept {
-    if (body == kGround) {
-        return Matrix3::Zero();
-    }
-    Matrix3 moments;
+// Columns r x e.
+Matrix3 find_lever(const Vector3& arm, const Matrix3& axes) noexcept {
+    Matrix3 lever;
     for (int i = 0; i < 3; ++i) {
-        moments.col(i) = arm.cross(axes.col(i));
+        lever.col(i) = arm.cross(axes.col(i));
     }
-    return problem.bodies()[static_cast<std::size_t>(body)].inverse_inertia_W * moments;
+    return lever;
+}
+
+// How fast a body turns by a unit impulse along each axis.
+Matrix3 find_turning(const ContactProblem& problem, int body, const Matrix3& lever) noexcept {
+    return body == kGround
+               ? Matrix3(Matrix3::Zero())
+               : Matrix3(problem.bodies()[static_cast<std::size_t>(body)].inverse_inertia_W *
+                         lever);
 }
 
 double find_inverse_mass(const ContactProblem& problem, int body) noexcept {
@@ -33,24 +37,33 @@ IterativeSolver::IterativeSolver(const ContactSolverSettings& settings,
                                  const ContactCapacity& capacity)
     : settings_(settings),
       motion_(capacity.bodies),
-      contacts_(static_cast<std::size_t>(std::max(capacity.contacts, 0))),
+      contact_room_(static_cast<std::size_t>(std::max(capacity.contacts, 0))),
       rows_(static_cast<std::size_t>(std::max(capacity.rows, 0))) {}
 
-void IterativeSolver::prepare(const ContactProblem& problem) noexcept {
-    for (std::size_t i = 0; i < problem.contacts().size(); ++i) {
+void IterativeSolver::prepare(const ContactProblem& problem,
+                              std::span<const double> friction) noexcept {
+    contacts_ = {contact_room_.data(), problem.contacts().size()};
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const ContactConstraint& c = problem.contacts()[i];
         Contact& contact = contacts_[i];
-        contact.turning_a = find_turning(problem, c.body_a, c.arm_a, c.axes_W);
-        contact.turning_b = find_turning(problem, c.body_b, c.arm_b, c.axes_W);
+        contact.axes_W = c.axes_W;
+        contact.lever_a = find_lever(c.arm_a, c.axes_W);
+        contact.lever_b = find_lever(c.arm_b, c.axes_W);
+        contact.turning_a = find_turning(problem, c.body_a, contact.lever_a);
+        contact.turning_b = find_turning(problem, c.body_b, contact.lever_b);
+        contact.target = c.target_m_per_s;
+        contact.p = c.impulse_Ns;
         contact.inverse_a = find_inverse_mass(problem, c.body_a);
         contact.inverse_b = find_inverse_mass(problem, c.body_b);
+        contact.softness = c.softness_per_kg;
+        contact.friction = friction[i];
+        contact.body_a = c.body_a;
+        contact.body_b = c.body_b;
         // W = axes^T (...) axes; of the turning part (r x e_i) . I^-1 (r x e_j).
         Matrix3 weight =
             (contact.inverse_a + contact.inverse_b + c.softness_per_kg) * Matrix3::Identity();
-        for (int k = 0; k < 3; ++k) {
-            weight.col(k) += c.axes_W.transpose() * (contact.turning_a.col(k).cross(c.arm_a) +
-                                                     contact.turning_b.col(k).cross(c.arm_b));
-        }
+        weight += contact.lever_a.transpose() * contact.turning_a;
+        weight += contact.lever_b.transpose() * contact.turning_b;
         contact.inverse_normal = 1.0 / weight(0, 0);
         // The larger eigenvalue: a step that is a number keeps the drag against the slip.
         const double mean = 0.5 * (weight(1, 1) + weight(2, 2));
@@ -58,6 +71,10 @@ void IterativeSolver::prepare(const ContactProblem& problem) noexcept {
         contact.inverse_tangent =
             1.0 / (mean + std::sqrt(apart * apart + weight(1, 2) * weight(2, 1)));
     }
+    prepare_rows(problem);
+}
+
+void IterativeSolver::prepare_rows(const ContactProblem& problem) noexcept {
     const std::span<const ConstrainedBody> bodies = problem.bodies();
     const auto change = [&](int body, const Vector6& jacobian) {
         return body == kGround
@@ -74,33 +91,47 @@ void IterativeSolver::prepare(const ContactProblem& problem) noexcept {
     }
 }
 
-double IterativeSolver::relax(ContactConstraint& constraint, const Contact& contact,
-                              double friction) noexcept {
-    Vector6& a = motion_.velocity(constraint.body_a);
-    Vector6& b = motion_.velocity(constraint.body_b);
-    const Matrix3& axes = constraint.axes_W;
-    Vector3& p = constraint.impulse_Ns;
-    const auto give = [&](const Vector3& change) {
-        const Vector3 impulse_W = axes * change;
-        a.head<3>() -= contact.inverse_a * impulse_W;
-        a.tail<3>() -= contact.turning_a * change;
-        b.head<3>() += contact.inverse_b * impulse_W;
-        b.tail<3>() += contact.turning_b * change;
+double IterativeSolver::relax(Contact& contact) noexcept {
+    Vector6& a = motion_.velocity(contact.body_a);
+    Vector6& b = motion_.velocity(contact.body_b);
+    Vector3 apart = b.head<3>() - a.head<3>();
+    Vector3 spin_a = a.tail<3>();
+    Vector3 spin_b = b.tail<3>();
+    const auto find_slip = [&](int axis) noexcept {
+        return contact.axes_W.col(axis).dot(apart) + contact.lever_b.col(axis).dot(spin_b) -
+               contact.lever_a.col(axis).dot(spin_a) - contact.target[axis] +
+               contact.softness * contact.p[axis];
+    };
+    Vector3 impulse_W = Vector3::Zero();
+    const auto give = [&](int axis, double change) noexcept {
+        impulse_W += change * contact.axes_W.col(axis);
+        spin_a -= change * contact.turning_a.col(axis);
+        spin_b += change * contact.turning_b.col(axis);
     };
     const double omega = settings_.relaxation;
-    const Vector3 before = p;
-    // The tangents first: the normal that comes after them leaves no approach.
-    Vector3 y = compute_relative_velocity(constraint, a, b) - constraint.target_m_per_s +
-                constraint.softness_per_kg * p;
-    p.tail<2>() -= omega * (contact.inverse_tangent * y.tail<2>());
-    clamp_friction(settings_.friction_shape, friction, p);
-    give(p - before);
-    const double held = p.x();
-    y = compute_relative_velocity(constraint, a, b) - constraint.target_m_per_s +
-        constraint.softness_per_kg * p;
-    p.x() = std::max(held - omega * contact.inverse_normal * y.x(), 0.0);
-    give({p.x() - held, 0.0, 0.0});
-    return (p - before).cwiseAbs().maxCoeff() / contact.inverse_normal;
+    const Vector3 before = contact.p;
+    // The tangents first: the normal that comes after them leaves no approach. What does not push holds nothing by friction.
+    if (before.x() > 0.0 && contact.friction > 0.0) {
+        const double step = omega * contact.inverse_tangent;
+        const Vector3 wanted(before.x(), before.y() - step * find_slip(1),
+                             before.z() - step * find_slip(2));
+        contact.p = wanted;
+        clamp_friction(settings_.friction_shape, contact.friction, contact.p);
+        give(1, contact.p.y() - before.y());
+        give(2, contact.p.z() - before.z());
+        apart += (contact.inverse_a + contact.inverse_b) * impulse_W;
+    }
+    contact.p.x() = std::max(before.x() - omega * contact.inverse_normal * find_slip(0), 0.0);
+    const Vector3 change = contact.p - before;
+    if (change.isZero(0.0)) {
+        return 0.0;
+    }
+    give(0, change.x());
+    a.head<3>() -= contact.inverse_a * impulse_W;
+    a.tail<3>() = spin_a;
+    b.head<3>() += contact.inverse_b * impulse_W;
+    b.tail<3>() = spin_b;
+    return change.cwiseAbs().maxCoeff() / contact.inverse_normal;
 }
 
 double IterativeSolver::relax(RowConstraint& constraint, const Row& row) noexcept {
@@ -120,18 +151,16 @@ double IterativeSolver::relax(RowConstraint& constraint, const Row& row) noexcep
     return std::abs(change) / row.inverse;
 }
 
-double IterativeSolver::sweep(ContactProblem& problem, std::span<const double> friction,
-                              bool backwards) noexcept {
+double IterativeSolver::sweep(ContactProblem& problem, bool backwards) noexcept {
     double most = 0.0;
     const std::size_t n_rows = problem.rows().size();
     for (std::size_t k = 0; k < n_rows; ++k) {
         const std::size_t i = backwards ? n_rows - 1 - k : k;
         most = std::max(most, relax(problem.rows()[i], rows_[i]));
     }
-    const std::size_t n = problem.contacts().size();
+    const std::size_t n = contacts_.size();
     for (std::size_t k = 0; k < n; ++k) {
-        const std::size_t i = backwards ? n - 1 - k : k;
-        most = std::max(most, relax(problem.contacts()[i], contacts_[i], friction[i]));
+        most = std::max(most, relax(contacts_[backwards ? n - 1 - k : k]));
     }
     return most;
 }
@@ -144,17 +173,18 @@ SolveReport IterativeSolver::solve(ContactProblem& problem, std::span<const doub
     for (RowConstraint& row : problem.rows()) {
         row.impulse = std::clamp(row.impulse, row.least, row.most);
     }
-    prepare(problem);
+    prepare(problem, friction);
     apply_impulses(problem, motion_);
     SolveReport report;
     double change = HUGE_VAL;
     while (report.n_iterations < settings_.max_iterations && change > kSettled * tolerance) {
-        change = sweep(problem, friction, report.n_iterations % 2 != 0);
+        change = sweep(problem, report.n_iterations % 2 != 0);
         ++report.n_iterations;
     }
     // A contact whose normal came after its tangents, or after another's normal, may hold too much.
-    for (std::size_t i = 0; i < friction.size(); ++i) {
-        clamp_friction(settings_.friction_shape, friction[i], problem.contacts()[i].impulse_Ns);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        clamp_friction(settings_.friction_shape, contacts_[i].friction, contacts_[i].p);
+        problem.contacts()[i].impulse_Ns = contacts_[i].p;
     }
     apply_impulses(problem, motion_);
     report.residual_m_per_s = compute_residual(problem, settings_.friction_shape, friction);

@@ -28,27 +28,33 @@ class IterativeSolver final : public ContactMethodSolver {
                       double tolerance) noexcept override;
 
   private:
+    /// All that a round asks for, in one piece.
     struct Contact {
-        Matrix3 turning_a{Matrix3::Zero()},
-            turning_b{Matrix3::Zero()};           // spin that a unit impulse along each axis gives
-        double inverse_a = 0.0, inverse_b = 0.0;  // 1/kg
-        double inverse_normal = 0.0;              // 1 / (w_n + R)
-        double inverse_tangent = 0.0;             // 1 / (w_t + R)
+        Matrix3 axes_W;
+        Matrix3 lever_a, lever_b;  // columns r x e of each axis e
+        Matrix3 turning_a,
+            turning_b;  // I^-1 (r x e): how fast a body turns by a unit impulse along each axis
+        Vector3 target, p;
+        double inverse_a, inverse_b;             // masses
+        double inverse_normal, inverse_tangent;  // of weights
+        double softness, friction;
+        int body_a, body_b;
     };
     struct Row {
         Vector6 change_a{Vector6::Zero()},
             change_b{Vector6::Zero()};  // velocities that a unit impulse gives
         double inverse = 0.0;
     };
-    void prepare(const ContactProblem& problem) noexcept;
-    double relax(ContactConstraint& constraint, const Contact& contact, double friction) noexcept;
+    void prepare(const ContactProblem& problem, std::span<const double> friction) noexcept;
+    void prepare_rows(const ContactProblem& problem) noexcept;
+    double relax(Contact& contact) noexcept;
     double relax(RowConstraint& constraint, const Row& row) noexcept;
-    double sweep(ContactProblem& problem, std::span<const double> friction,
-                 bool backwards) noexcept;
+    double sweep(ContactProblem& problem, bool backwards) noexcept;
 
     ContactSolverSettings settings_;
     BodyMotion motion_;
-    std::vector<Contact> contacts_;
+    std::vector<Contact> contact_room_;
+    std::span<Contact> contacts_;  // of this problem
     std::vector<Row> rows_;
 };
 

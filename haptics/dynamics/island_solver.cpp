@@ -289,7 +289,9 @@ SolveReport IslandSolver::solve_problem() noexcept {
     for (const ConstrainedBody& body : problem_.bodies()) {
         fastest = std::max(fastest, body.free_velocity_W.head<3>().norm());
     }
-    if (!report.converged && !(report.residual_m_per_s <= kBadAnswer * fastest)) {
+    // Bounded work gives none, and has no time for more.
+    if (!report.converged && report.n_bounded == 0 &&
+        !(report.residual_m_per_s <= kBadAnswer * fastest)) {
         for (ContactConstraint& contact : problem_.contacts()) {
             contact.impulse_Ns.setZero();
         }
@@ -368,6 +370,11 @@ IslandReport IslandSolver::solve(const IslandParts& parts, double dt_s,
     }
     problem_.set_settled(std::ranges::all_of(
         parts.bodies, [&](std::int32_t i) { return scene.bodies[index_of(i)].settled; }));
+    // A great heap in motion is answered in bounded time; what is as slow as what sleeps rests, and that exactly.
+    problem_.set_bounded(std::ranges::any_of(parts.bodies, [&](std::int32_t i) {
+        return scene.bodies[index_of(i)].state.velocity_W.linear.norm() >
+               settings_.sleep_speed_m_per_s;
+    }));
     report_.solve = solve_problem();
     if (shorten_hands()) {
         solve_again();

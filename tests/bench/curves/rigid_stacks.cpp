@@ -165,6 +165,16 @@ std::vector<Course> make_courses() {
              .mass_kg = 1.0,
              .pose_W = Pose::at({0.2 * (i % 10) + 0.1 * (row % 2), 0.05 + 0.1 * row, 0.0})});
     }
+    courses.push_back(wall);
+    wall.name = "the wall, hit by 2 kg at 3 m/s";
+    wall.plan.bodies.push_back({.shape = BoxShape{Vector3::Constant(kCubeHalf_m)},
+                                .mass_kg = 2.0,
+                                .pose_W = Pose::at({0.93, 0.53, 5.0})});
+    wall.disturb = [](RigidWorld& world, int i) {
+        if (i == 100) {
+            world.place(101, Pose::at({0.93, 0.53, 0.4}), {{0.0, 0.3, -3.0}, {0.0, 0.0, 0.0}});
+        }
+    };
     courses.push_back(std::move(wall));
     return courses;
 }

@@ -317,6 +317,7 @@ TEST_CASE("contact solver: methods are found by name, and settings outside their
     CHECK(refused([](ContactSolverSettings& s) { s.tolerance_m_per_s = 0.0; }));
     CHECK(refused([](ContactSolverSettings& s) { s.max_iterations = 0; }));
     CHECK(refused([](ContactSolverSettings& s) { s.friction_rounds = 0; }));
+    CHECK(refused([](ContactSolverSettings& s) { s.most_exact_contacts = 0; }));
     CHECK(refused([](ContactSolverSettings& s) { s.relaxation = 2.0; }));
     CHECK(refused([](ContactSolverSettings& s) { s.stiffening = 0.0; }));
 }
