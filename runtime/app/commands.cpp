@@ -10,6 +10,7 @@
 #include "runtime/app/question_examples.h"
 #include "runtime/app/run_request.h"
 #include "runtime/app/stage_clock.h"
+#include "runtime/lesson/question_notes.h"
 #include "runtime/progress/database_path.h"
 #include "runtime/progress/report.h"
 #include "runtime/progress/sqlite/sqlite_store.h"
@@ -205,6 +206,9 @@ int check_command(const Installation& installation, const Options& options) {
                             }
                         }
                         say_of_pictures(run.description(), folder);
+                        for (const std::string& note : question_notes(run.description())) {
+                            std::printf("%s\n", note.c_str());
+                        }
                         for (const std::string& notice : run.plan().notices) {
                             std::printf("%s\n", notice.c_str());
                         }

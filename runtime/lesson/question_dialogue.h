@@ -32,6 +32,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace fulcrum::runtime {
@@ -68,6 +69,10 @@ class QuestionDialogue {
     /// The catalogue outlives the dialogue.
     QuestionDialogue(Questions questions, const dialogue::Catalogue& catalogue);
 
+    /// What fits no answer is checked from now on.
+    void set_form_check(dialogue::FormCheck check) {
+        conversation_.set_form_check(std::move(check));
+    }
     [[nodiscard]] bool declares(const std::string& question) const {
         return questions_.count(question) > 0;
     }

@@ -1,5 +1,6 @@
 #include "runtime/lesson/session.h"
 
+#include "runtime/lesson/free_english.h"
 #include "runtime/lesson/questions.h"
 #include "runtime/progress/text_rules.h"
 
@@ -48,6 +49,14 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
     if (!questions) {
         return tl::unexpected(questions.error());
     }
+    QuestionDialogue dialogue(std::move(*questions), catalogue);
+    if (plan.free_english) {
+        auto check = open_free_english();
+        if (!check) {
+            return tl::unexpected(check.error());
+        }
+        dialogue.set_form_check(std::move(*check));
+    }
     SessionRecord record;
     record.id = random_record_id();
     record.learner = std::move(learner);
@@ -57,9 +66,9 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
     record.started_utc_ms = utc_now_ms();
     record.settings = {{"force_limit_N", std::to_string(plan.haptic.safety.max_force_N)},
                        {"felt_scale", std::to_string(plan.felt_scale)}};
-    return std::unique_ptr<LessonSession>(new LessonSession(
-        std::move(description), plan, QuestionDialogue(std::move(*questions), catalogue),
-        SessionLog(store, std::move(record)), std::move(past)));
+    return std::unique_ptr<LessonSession>(
+        new LessonSession(std::move(description), plan, std::move(dialogue),
+                          SessionLog(store, std::move(record)), std::move(past)));
 }
 
 const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {

@@ -196,8 +196,9 @@ struct LessonTestDescription {
 struct LessonDescription {
     std::string id;
     std::string title;
-    std::string level;    ///< one of kEnglishLevels
-    double minutes = 10;  ///< planned length
+    std::string level;          ///< one of kEnglishLevels
+    double minutes = 10;        ///< planned length
+    bool free_english = false;  ///< what no template of a question takes is checked for its form
     Vector3 gravity_W{0.0, -9.81, 0.0};
     double ground_height_m = 0.0;
     std::vector<MaterialDescription> materials;

@@ -15,6 +15,8 @@
 namespace fulcrum::runtime {
 namespace {
 
+constexpr std::size_t kFreeEnglish_bytes = 16'000'000;  // fulcrum bench english measures it
+
 Expected<void> check_counts(const LessonDescription& lesson) {
     if (lesson.bodies.size() > static_cast<std::size_t>(kMaxBodies)) {
         return fail("the lesson has " + std::to_string(lesson.bodies.size()) + " bodies",
@@ -164,6 +166,11 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
             "it asks questions, answered as " + std::string(name_of(plan.speech)),
             lesson.questions.front().line);
     }
+    if (plan.free_english) {
+        add("lesson", "free English", 0.0, "it checks what fits no answer",
+            lesson.questions.front().line);
+        plan.stages.back().memory_bytes = kFreeEnglish_bytes;
+    }
     if (plan.recogniser) {
         add("speech", "recogniser", 0.0, "answers are spoken", lesson.questions.front().line);
     }
@@ -309,6 +316,7 @@ void take_options(const LessonDescription& lesson, const PlanOptions& options, P
     plan.record = options.record;
     plan.day = options.day;
     plan.dialogue = !lesson.questions.empty();
+    plan.free_english = plan.dialogue && lesson.free_english;
     plan.speech = options.speech;
     plan.recogniser = plan.dialogue && options.speech != SpeechInput::text;
     if (plan.recogniser) {

@@ -100,6 +100,7 @@ struct Plan {
     bool record = false;
     double day = 0.0;                        ///< today: days since noon of 1 January 2000
     bool dialogue = false;                   ///< the lesson asks questions
+    bool free_english = false;               ///< and wants what fits none of their answers checked
     SpeechInput speech = SpeechInput::text;  ///< how answers arrive, when there are any
     bool recogniser = false;         ///< a speech recogniser listens; never with SpeechInput::text
     HearingOrder hearing{};          ///< what that is

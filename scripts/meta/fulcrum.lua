@@ -134,6 +134,7 @@ local Force = {}
 ---@field title string what the list of lessons shows; of at most 200 letters
 ---@field level? string level of English: A1, A2, B1, B2, C1 or C2; of at most 16 letters; default A1
 ---@field minutes? number how long it takes; in minutes, 0 to 1000; default 10
+---@field free_english? boolean what is said beside a question's answers is checked, and good English for it is shown; default false
 
 ---Begins a lesson. The file ends with `return` of what this gives.
 ---@param options LessonOptions

@@ -55,6 +55,7 @@ int make_lesson(lua_State* lua, LessonContext& context, const Arguments& argumen
                                  clean_text(context.description.level, 16) + '"');
     }
     context.description.minutes = arguments["minutes"].number;
+    context.description.free_english = arguments["free_english"].flag;
     lua_newtable(lua);
     luaL_setmetatable(lua, "fulcrum.lesson");
     lua_pushvalue(lua, -1);
@@ -156,7 +157,10 @@ void add_lesson_api(ApiTable& table) {
          {{"id", name, "", 0, 0, kRequired, "short name, used in reports"},
           {"title", text, "", 0, 200, kRequired, "what the list of lessons shows"},
           {"level", text, "", 0, 16, "A1", "level of English: A1, A2, B1, B2, C1 or C2"},
-          {"minutes", number, "minutes", 0, 1000, "10", "how long it takes"}},
+          {"minutes", number, "minutes", 0, 1000, "10", "how long it takes"},
+          {"free_english", flag, "", 0, 0, "false",
+           "what is said beside a question's answers is checked, and good English for it is "
+           "shown"}},
          "Lesson",
          "Begins a lesson. The file ends with `return` of what this gives.",
          &make_lesson});

@@ -56,6 +56,7 @@ void description(Archive& a, Description& d) {
     a.text("the title", d.title, 200);
     a.text("the level", d.level, 16);
     a.number("the minutes", d.minutes, 0.0, 1000.0);
+    a.flag("free English", d.free_english);
     vector(a, "gravity", d.gravity_W, 100.0);
     a.number("the ground", d.ground_height_m, -100.0, 100.0);
     a.list("materials", d.materials, kMaxMaterials, [](auto& each, auto& m) { material(each, m); });

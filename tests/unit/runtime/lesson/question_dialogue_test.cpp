@@ -303,3 +303,20 @@ TEST_CASE("question dialogue: a number that no list has is wrong without asking 
     CHECK_FALSE(answers[0].over);
     CHECK(answers[0].slots.empty());
 }
+
+TEST_CASE("question dialogue: words that fit no answer are checked where a lesson wants it") {
+    QuestionDialogue dialogue = make_dialogue();
+    (void)dialogue.ask("heaviest", 0.0);
+    CHECK(dialogue.hear("it have a ring", 1.0, 0.0).answer->feedback.free_errors.empty());
+    dialogue.set_form_check([](std::string_view text) {
+        fulcrum::dialogue::CheckedText checked;
+        checked.corrected = checked.marked = std::string(text);
+        checked.errors.resize(1);
+        return checked;
+    });
+    const QuestionTurn turn = dialogue.hear("it have a ring", 1.0, 0.0);
+    REQUIRE(turn.answer);
+    CHECK(turn.answer->feedback.free_errors.size() == 1);
+    CHECK_FALSE(turn.answer->mark.understood);
+    CHECK(dialogue.state() == State::open);
+}
