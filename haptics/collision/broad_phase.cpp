@@ -17,7 +17,8 @@ double find_box_gap(const Box& a, const Box& b) noexcept {
 
 }  // namespace
 
-BroadPhase::BroadPhase(int max_bodies, int max_pairs) : order_(max_bodies), near_(max_pairs), pairs_(max_pairs) {}
+BroadPhase::BroadPhase(int max_bodies, int max_pairs)
+    : order_(max_bodies), near_(max_pairs), pairs_(max_pairs) {}
 
 void BroadPhase::take_order(std::size_t n_boxes) noexcept {
     if (order_.count() == n_boxes) {

@@ -20,8 +20,7 @@ Vector3 cut_to(double most, const Vector3& v) noexcept {
 }
 
 Vector3 find_held_velocity(const RigidState& state, const Vector3& at_W) noexcept {
-    return state.velocity_W.linear +
-           state.velocity_W.angular.cross(at_W - state.pose_W.position);
+    return state.velocity_W.linear + state.velocity_W.angular.cross(at_W - state.pose_W.position);
 }
 
 // One axis of a hold.
@@ -130,8 +129,7 @@ void add_couple(const BodyHold& hold, const Inertia& inertia, const RigidState& 
     const PushSlopes& slopes = hold.slopes;
     const double most_Nm = hold.bounds.most_Nm;
     const double k_dt = dt_s * slopes.turn_stiffness_Nm_per_rad;
-    const Vector3 couple =
-        cut_to(most_Nm, hold.push_W.torque - k_dt * state.velocity_W.angular);
+    const Vector3 couple = cut_to(most_Nm, hold.push_W.torque - k_dt * state.velocity_W.angular);
     const double moment_kg_m2 = dt_s * (k_dt + slopes.turn_damping_Nms_per_rad);
     const int first = rows.count;
     for (int i = 0; i < 3; ++i) {
@@ -159,12 +157,11 @@ HandRows make_hand_rows(const BodyHold& hold, const Inertia& inertia, const Rigi
 void carry_hold(const RigidState& before, const RigidState& after, BodyHold& hold) noexcept {
     const PushSlopes& slopes = hold.slopes;
     const Vector3 at_W = after.pose_W * (before.pose_W.inverse() * hold.at_W);
-    const Vector3 sped_up =
-        find_held_velocity(after, at_W) - find_held_velocity(before, hold.at_W);
+    const Vector3 sped_up = find_held_velocity(after, at_W) - find_held_velocity(before, hold.at_W);
     const Vector3 turned =
         compute_log(after.pose_W.orientation * before.pose_W.orientation.conjugate());
-    hold.push_W.force -= slopes.stiffness_N_per_m * (at_W - hold.at_W) +
-                         slopes.damping_Ns_per_m * sped_up;
+    hold.push_W.force -=
+        slopes.stiffness_N_per_m * (at_W - hold.at_W) + slopes.damping_Ns_per_m * sped_up;
     hold.push_W.torque -=
         slopes.turn_stiffness_Nm_per_rad * turned +
         slopes.turn_damping_Nms_per_rad * (after.velocity_W.angular - before.velocity_W.angular);

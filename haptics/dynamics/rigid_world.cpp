@@ -129,7 +129,8 @@ void RigidWorld::find_contacts_of(int i, double reach_s) noexcept {
 
 void RigidWorld::find_touching(double reach_s) noexcept {
     near_.clear();
-    for (const BodyPair& pair : broad_phase_.find_pairs(boxes_.all(), moves_.all(), reaches_m_.all())) {
+    for (const BodyPair& pair :
+         broad_phase_.find_pairs(boxes_.all(), moves_.all(), reaches_m_.all())) {
         if (!is_joined(pair)) {
             add_near(pair);
         }

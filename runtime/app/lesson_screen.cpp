@@ -45,6 +45,7 @@ void LessonScreen::begin() {
     stop();
     error_.clear();
     typing_.clear();
+    asking_ = false;
     input_ = {};
     files_.watch_folder(request_.folder);
     RunRequest request = request_;
@@ -164,7 +165,7 @@ void LessonScreen::take_input(const WindowEvents& events) {
         if (press.text.empty()) {
             take_key(press);
         } else if (run_ && error_.empty() && !keys_.stopped() &&
-                   run_->session().hud().question_open) {
+                   (run_->session().hud().question_open || asking_)) {
             typing_.add(press.text);
         }
     }
@@ -192,14 +193,18 @@ void LessonScreen::take_playing_key(const KeyPress& press) {
         desktop_.window->set_fullscreen(!desktop_.window->fullscreen());
     } else if (press.key == "f2") {
         desktop_.repeat();
+    } else if (press.key == "tab" && run_->session().hud().may_ask) {
+        asking_ = !asking_;
+        typing_.clear();
     } else if (press.key == "backspace") {
         typing_.backspace();
-    } else if (question_open && press.key == "return") {
+    } else if ((question_open || asking_) && press.key == "return") {
         // While the lesson has not heard the last line yet, this one stays in the box.
         if (!input_.typed) {
             input_.typed = typing_.take();
+            asking_ = false;
         }
-    } else if (!press.repeat && !question_open) {
+    } else if (!press.repeat && !question_open && !asking_) {
         input_.keys.push_back(press.key);
     }
 }
@@ -271,6 +276,7 @@ void LessonScreen::exchange() {
         fail_with(report->error());
         return;
     }
+    asking_ = asking_ && run_->session().hud().may_ask;
     desktop_.play((*report)->sounds);
     desktop_.say((*report)->spoken);
     print_lines((*report)->printed);
@@ -296,6 +302,7 @@ void LessonScreen::watch_files() {
 View LessonScreen::compose() const {
     View view = run_ ? run_->view(catalogue_) : last_view_;
     view.input = typing_.text();
+    view.input_visible = view.input_visible || asking_;
     if (ear_) {
         ear_->show(view, catalogue_);
     }

@@ -74,6 +74,7 @@ class LessonScreen {
     WatchedFiles files_;
     double next_watch_s_ = 0.0;
 
+    bool asking_ = false;  // the learner has opened the line to ask something
     TypedLine typing_;
     std::unique_ptr<LiveEar> ear_;  // null where the plan hears no microphone
     FrameInput input_{};

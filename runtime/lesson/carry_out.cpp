@@ -145,6 +145,14 @@ Expected<void> LessonSession::carry_out(const VerdictCommand& command, SessionOu
     return {};
 }
 
+Expected<void> LessonSession::carry_out(const TellCommand& command, SessionOutput&) {
+    if (asked_for_ && asked_for_->knowledge == command.knowledge) {
+        tell(asked_for_->mark.said, knowledge_->told(*asked_for_, command.text));
+        asked_for_.reset();
+    }
+    return {};
+}
+
 Expected<void> LessonSession::carry_out(const ScoreCommand& command, SessionOutput&) {
     hud_.score = result_.score = command.score;
     return {};

@@ -133,6 +133,10 @@ void QuestionDialogue::listen(QuestionState state, double time_s) {
     ++turns_;
 }
 
+bool QuestionDialogue::understands(std::string_view words) const {
+    return question() != nullptr && dialogue::mark_answer(*question(), words).understood;
+}
+
 const dialogue::Question* QuestionDialogue::question() const {
     const auto question = questions_.find(question_);
     return question == questions_.end() ? nullptr : &question->second;

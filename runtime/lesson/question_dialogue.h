@@ -17,6 +17,7 @@
 //                                  the lesson is told so before another question begins.
 //   any             close          closed; what has not been told by then never is.
 //   judging(_again) end_exchange   open (invited): the verdict did not come with the reply.
+//   closed, set_aside: where the lesson knows things (knowledge.h), the learner may ask; in all other states that is put off.
 //   A verdict in any other state is late, and dropped. So only the two states that wait for a verdict shut the learner's
 //   mouth, and neither outlives the exchange of one frame with the lesson.
 //
@@ -108,6 +109,8 @@ class QuestionDialogue {
     [[nodiscard]] double asked_at_s() const { return asked_at_s_; }
     /// How often the learner has been asked to speak.
     [[nodiscard]] int turns() const { return turns_; }
+    /// Would these words be an answer to the question of now, right or wrong?
+    [[nodiscard]] bool understands(std::string_view words) const;
     /// The question of now; null when there is none.
     [[nodiscard]] const dialogue::Question* question() const;
     /// The sentences that answer it; null when there is none.

@@ -21,9 +21,7 @@ std::vector<std::string> nouns_of(const LessonDescription& lesson) {
 /// The lists that the teacher need not give: they mean the things of the scene.
 constexpr std::array<const char*, 2> kThingsOfTheScene = {"thing", "other"};
 
-dialogue::NamedLists lists_of(const QuestionDescription& question,
-                              const std::vector<std::string>& nouns) {
-    dialogue::NamedLists lists = question.lists;
+void add_nouns(const std::vector<std::string>& nouns, dialogue::NamedLists& lists) {
     for (const std::string name : kThingsOfTheScene) {
         const bool given = std::any_of(lists.begin(), lists.end(),
                                        [&](const auto& list) { return list.first == name; });
@@ -31,7 +29,6 @@ dialogue::NamedLists lists_of(const QuestionDescription& question,
             lists.emplace_back(name, nouns);
         }
     }
-    return lists;
 }
 
 /// "question "heavier", answer 1, letter 9: there is no list …".
@@ -63,6 +60,10 @@ std::string unused_list(const QuestionDescription& question) {
 
 }  // namespace
 
+void add_things_of_the_scene(const LessonDescription& lesson, dialogue::NamedLists& lists) {
+    add_nouns(nouns_of(lesson), lists);
+}
+
 Expected<std::map<std::string, dialogue::Question>> compile_questions(
     const LessonDescription& lesson) {
     std::map<std::string, dialogue::Question> compiled;
@@ -74,7 +75,8 @@ Expected<std::map<std::string, dialogue::Question>> compile_questions(
         source.answers = question.answers;
         source.nearly = question.nearly;
         source.again = question.again;
-        source.lists = lists_of(question, nouns);
+        source.lists = question.lists;
+        add_nouns(nouns, source.lists);
         for (const auto& [name, words] : source.lists) {
             if (name.size() > kLongestSlot_bytes) {
                 return fail("the name {" + name + "} is too long",

@@ -15,4 +15,7 @@ namespace fulcrum::runtime {
 [[nodiscard]] Expected<std::map<std::string, dialogue::Question>> compile_questions(
     const LessonDescription& lesson);
 
+/// Adds the lists that need not be given: {thing} and {other}, the nouns of the scene's bodies.
+void add_things_of_the_scene(const LessonDescription& lesson, dialogue::NamedLists& lists);
+
 }  // namespace fulcrum::runtime

@@ -18,9 +18,11 @@ constexpr std::size_t kLongestAnswer_bytes = 400;
 
 LessonSession::LessonSession(LessonDescription description, const Plan& plan,
                              QuestionDialogue dialogue, SessionLog log,
-                             std::vector<PastAnswers> past)
+                             std::optional<Knowledge> knowledge, std::vector<PastAnswers> past)
     : description_(std::move(description)),
       dialogue_(std::move(dialogue)),
+      knowledge_(std::move(knowledge)),
+      told_about_(description_.bodies.size(), false),
       log_(std::move(log)),
       speech_(Speech::build(plan)) {
     // Until the lesson says otherwise every declared force is on, where it was declared.
@@ -57,6 +59,10 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
         }
         dialogue.set_form_check(std::move(*check));
     }
+    auto knowledge = Knowledge::compile(description, catalogue);
+    if (!knowledge) {
+        return tl::unexpected(knowledge.error());
+    }
     SessionRecord record;
     record.id = random_record_id();
     record.learner = std::move(learner);
@@ -66,9 +72,9 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
     record.started_utc_ms = utc_now_ms();
     record.settings = {{"force_limit_N", std::to_string(plan.haptic.safety.max_force_N)},
                        {"felt_scale", std::to_string(plan.felt_scale)}};
-    return std::unique_ptr<LessonSession>(
-        new LessonSession(std::move(description), plan, std::move(dialogue),
-                          SessionLog(store, std::move(record)), std::move(past)));
+    return std::unique_ptr<LessonSession>(new LessonSession(
+        std::move(description), plan, std::move(dialogue), SessionLog(store, std::move(record)),
+        std::move(*knowledge), std::move(past)));
 }
 
 const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
@@ -174,6 +180,7 @@ void LessonSession::queue_touch_events(std::int32_t touched_body) {
     }
     if (touched_body != kNoBody) {
         queued_.push_back(BodyEvent{BodyEvent::Kind::touched, touched_body, 0.0});
+        tell_about(touched_body);
     }
     touched_body_ = touched_body;
 }
@@ -189,7 +196,47 @@ void LessonSession::hear(const dialogue::Hypothesis& heard) {
     if (words.size() > kLongestAnswer_bytes) {
         words = kept_text(std::string_view(words).substr(0, kLongestAnswer_bytes));
     }
-    take(dialogue_.hear(words, heard.confidence, time_s_, heard.form));
+    if (!knowledge_ || dialogue_.understands(words) || !ask_for(words)) {
+        take(dialogue_.hear(words, heard.confidence, time_s_, heard.form));
+    }
+}
+
+// The learner asks: true when these words are none of an answer. A question that is open comes first.
+bool LessonSession::ask_for(const std::string& words) {
+    auto asked = knowledge_->find(words);
+    if (dialogue_.is_open()) {
+        if (asked) {
+            tell(words, knowledge_->first_mine());
+        }
+        return asked.has_value();
+    }
+    if (!asked) {
+        tell(words, knowledge_->unknown());
+        return true;
+    }
+    queued_.push_back(AskedEvent{asked->knowledge, asked->mark.slots});
+    asked_for_ = std::move(asked);
+    return true;
+}
+
+// To somebody who asked.
+void LessonSession::tell(const std::string& said, const std::string& answer) {
+    speech_.reply(answer);
+    transcript_.tell(time_s_, said, answer);
+    show();
+}
+
+// What there is to say of a thing, when it is touched for the first time and nobody is waited for.
+void LessonSession::tell_about(std::int32_t body) {
+    const auto i = static_cast<std::size_t>(body);
+    if (i >= told_about_.size() || told_about_[i] || dialogue_.is_open() ||
+        description_.bodies[i].about.empty()) {
+        return;
+    }
+    told_about_[i] = true;
+    speech_.reply(description_.bodies[i].about);
+    transcript_.explain(time_s_, description_.bodies[i].about);
+    show();
 }
 
 // What the dialogue came to: the lesson is told, and the learner hears, sees and is kept.
@@ -215,6 +262,7 @@ void LessonSession::show() {
     hud_.caption = speech_.instruction();
     hud_.feedback = speech_.last_reply();
     hud_.question_open = dialogue_.is_open();
+    hud_.may_ask = knowledge_.has_value() && !dialogue_.is_open();
     hud_.invited = dialogue_.is_invited();
     hud_.question_asked_at_s = dialogue_.asked_at_s();
 }
@@ -222,14 +270,29 @@ void LessonSession::show() {
 // The recogniser listens while the learner may speak, and anew each time that they are asked to.
 Expected<void> LessonSession::keep_listening() {
     if (!dialogue_.listens()) {
-        speech_.stop_listening();
-        return {};
+        return keep_listening_for_asking();
     }
-    if (speech_.listening() && turn_ == dialogue_.turns()) {
+    if (speech_.listening() && turn_ == dialogue_.turns() && !listens_for_asking_) {
         return {};
     }
     turn_ = dialogue_.turns();
+    listens_for_asking_ = false;
     return speech_.listen(dialogue_.templates());
+}
+
+// Between questions a learner may ask, where the lesson knows anything.
+Expected<void> LessonSession::keep_listening_for_asking() {
+    const bool may_ask = knowledge_ && !dialogue_.is_open() && !asked_for_;
+    if (!may_ask) {
+        listens_for_asking_ = false;
+        speech_.stop_listening();
+        return {};
+    }
+    if (speech_.listening() && listens_for_asking_) {
+        return {};
+    }
+    listens_for_asking_ = true;
+    return speech_.listen(knowledge_->templates());
 }
 
 void LessonSession::end(EndReason reason) {

@@ -14,6 +14,7 @@
 #include "haptics/flight/kite_loop.h"
 #include "haptics/handover/axle_messages.h"
 #include "haptics/handover/messages.h"
+#include "runtime/lesson/knowledge.h"
 #include "runtime/lesson/question_dialogue.h"
 #include "runtime/lesson/session_log.h"
 #include "runtime/lesson/speech.h"
@@ -73,6 +74,7 @@ struct SessionHud {
     int level = 0;
     std::string level_title;
     int stars = -1;        ///< 0 to 3 once the lesson is over
+    bool may_ask = false;  ///< the lesson knows things, and no question is open
     bool invited = false;  ///< the answer was right; it may be said once more, and need not be
     std::vector<bool> covered{};  ///< by body: under a cloth
     bool shows_kite_forces = false;
@@ -125,7 +127,8 @@ class LessonSession {
 
   private:
     LessonSession(LessonDescription description, const Plan& plan, QuestionDialogue dialogue,
-                  SessionLog log, std::vector<PastAnswers> past);
+                  SessionLog log, std::optional<Knowledge> knowledge,
+                  std::vector<PastAnswers> past);
 
     void take_hinges(const AxleFrame& axles);
     void take_kite(const SessionInput& input);
@@ -133,7 +136,11 @@ class LessonSession {
     void queue_touch_events(std::int32_t touched_body);
     [[nodiscard]] std::string catch_sound(std::int32_t body) const;
     void hear(const dialogue::Hypothesis& heard);
+    [[nodiscard]] bool ask_for(const std::string& words);
+    void tell(const std::string& said, const std::string& answer);
+    void tell_about(std::int32_t body);
     [[nodiscard]] Expected<void> keep_listening();
+    [[nodiscard]] Expected<void> keep_listening_for_asking();
     void take(QuestionTurn turn);
     void show();
 
@@ -148,6 +155,7 @@ class LessonSession {
     Expected<void> carry_out(const CaptionCommand& command, SessionOutput& output);
     Expected<void> carry_out(const AskCommand& command, SessionOutput& output);
     Expected<void> carry_out(const VerdictCommand& command, SessionOutput& output);
+    Expected<void> carry_out(const TellCommand& command, SessionOutput& output);
     Expected<void> carry_out(const ScoreCommand& command, SessionOutput& output);
     Expected<void> carry_out(const LevelCommand& command, SessionOutput& output);
     Expected<void> carry_out(const SoundCommand& command, SessionOutput& output);
@@ -156,6 +164,10 @@ class LessonSession {
 
     LessonDescription description_;
     QuestionDialogue dialogue_;
+    std::optional<Knowledge> knowledge_;  // what may be asked for; nothing for most lessons
+    std::optional<AskedFor> asked_for_;   // until the lesson has told it
+    bool listens_for_asking_ = false;
+    std::vector<bool> told_about_;  // by body
     SessionLog log_;
     Speech speech_;
     Transcript transcript_;

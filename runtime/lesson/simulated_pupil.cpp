@@ -34,11 +34,12 @@ Expected<std::optional<std::string>> SimulatedPupil::answer(double asked_at_s, d
                                                             const dialogue::Question& question,
                                                             const Verdict& verdict) {
     const bool already_answered = asked_at_s == answered_question_asked_at_s_;
-    const bool has_nothing = !model_ && lines_.empty();
+    const bool has_nothing = !model_ && (lines_.empty() || lines_.front().starts_with('?'));
     if (already_answered || has_nothing || now_s - asked_at_s < thinking_s_) {
         return std::optional<std::string>();
     }
     answered_question_asked_at_s_ = asked_at_s;
+    spoke_at_s_ = now_s;
     if (model_) {
         return model_->answer(question, verdict).map([](std::string said) {
             return std::optional(std::move(said));
@@ -47,6 +48,17 @@ Expected<std::optional<std::string>> SimulatedPupil::answer(double asked_at_s, d
     std::string line = std::move(lines_.front());
     lines_.pop_front();
     return std::optional(std::move(line));
+}
+
+std::optional<std::string> SimulatedPupil::ask(double now_s) {
+    constexpr double kPause_s = 3.0;
+    if (lines_.empty() || !lines_.front().starts_with('?') || now_s - spoke_at_s_ < kPause_s) {
+        return std::nullopt;
+    }
+    spoke_at_s_ = now_s;
+    std::string line = lines_.front().substr(1);
+    lines_.pop_front();
+    return line;
 }
 
 }  // namespace fulcrum::runtime

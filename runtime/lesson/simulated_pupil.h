@@ -1,4 +1,4 @@
-// A pupil who answers from a list, one line to each question in turn, or as a simulated learner; after a moment's thought.
+// A pupil who answers from a list, one line to each question in turn (a line that begins with "?" is asked in between), or as a simulated learner; after a moment's thought.
 // An invitation to say a right answer once more is no question: it is left to pass.
 // Used by --say, by lessons' tests and by headless runs; the words go the same way as typed ones.
 #pragma once
@@ -27,11 +27,16 @@ class SimulatedPupil {
                                                               const dialogue::Question& question,
                                                               const Verdict& verdict);
 
+    /// What the pupil asks while no question is open: a line that begins with "?", once it is its turn and the pause since the last
+    /// thing said is over.
+    [[nodiscard]] std::optional<std::string> ask(double now_s);
+
   private:
     std::deque<std::string> lines_;
     std::optional<LearnerModel> model_;
     double thinking_s_;
     double answered_question_asked_at_s_ = -1.0;
+    double spoke_at_s_ = 0.0;
 };
 
 }  // namespace fulcrum::runtime

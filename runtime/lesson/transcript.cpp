@@ -26,6 +26,15 @@ void Transcript::answer(double time_s, const MarkedAnswer& answer) {
     add(time_s, "answers", answer.feedback.text);
 }
 
+void Transcript::tell(double time_s, std::string_view asked, std::string_view told) {
+    add(time_s, "learner", std::string(asked) + " (asks)");
+    add(time_s, "tells", told);
+}
+
+void Transcript::explain(double time_s, std::string_view text) {
+    add(time_s, "tells", text);
+}
+
 std::vector<std::string> Transcript::take() {
     return std::exchange(lines_, {});
 }

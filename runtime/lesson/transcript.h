@@ -23,6 +23,9 @@ class Transcript {
     void show(double time_s, std::string_view caption);  ///< an empty caption says nothing
     void ask(double time_s, std::string_view prompt);
     void answer(double time_s, const MarkedAnswer& answer);  ///< the learner's words and the reply
+    void tell(double time_s, std::string_view asked,
+              std::string_view told);  ///< what the learner asked, and was told
+    void explain(double time_s, std::string_view text);
     /// The lines since the last call.
     [[nodiscard]] std::vector<std::string> take();
 

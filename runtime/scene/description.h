@@ -88,6 +88,7 @@ struct BodyDescription {
     std::optional<AxleSettings> hinge{};      ///< a solid body that turns, and does nothing else
     std::optional<RigidDescription> rigid{};  ///< a solid body that all forces move
     Vector3 size_m{Vector3::Zero()};  ///< edges of a box, each 0.002 to 10; zero: twice the radius
+    std::string about{};              ///< what is said when it is first touched; may be empty
     std::vector<PlacedBox> boxes{};   ///< that it is made of instead of one, with the model "box"
 };
 
@@ -169,6 +170,14 @@ struct QuestionDescription {
     QuestionExamples examples{};  ///< what its answers must come to, for `check` and `test`
 };
 
+/// Something that a learner may ask for; `answer` stays in Lua and is asked by an AskedEvent.
+struct KnowledgeDescription {
+    std::string id;
+    std::vector<std::string> asked;  ///< templates of the questions that ask for it
+    std::vector<std::pair<std::string, std::vector<std::string>>> lists;  ///< as a question's
+    SourceLine line = 0;
+};
+
 /// What L:test { expect = … } may name: "finished" is true or false, the others are whole numbers.
 inline constexpr std::array<std::string_view, 7> kTestFacts{
     "finished", "stars", "score", "level", "attempts", "caught", "form_errors"};
@@ -211,6 +220,7 @@ struct LessonDescription {
     std::optional<KiteDescription> kite{};  ///< on a line that the hand holds
     WindDescription wind{};                 ///< for it
     std::vector<QuestionDescription> questions;
+    std::vector<KnowledgeDescription> knowledge;
     bool wants_past =
         false;  ///< world:recall(): what this learner has answered in earlier sessions
     std::vector<LessonTestDescription> tests;

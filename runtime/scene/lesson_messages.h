@@ -53,6 +53,12 @@ struct AnsweredEvent {
         false;  ///< thing and material changed places: "Metal is made of a spaceship."
 };
 
+/// The learner asks for something that the lesson knows. The lesson answers with a TellCommand in the same reply.
+struct AskedEvent {
+    std::string knowledge;
+    std::vector<std::pair<std::string, std::string>> slots;
+};
+
 /// What can be said of a material, each from 0 to 1; from 0.5 on it is hard, rough, slippery (haptics/surface/material.h).
 struct MaterialGrades {
     double hardness = 0.0;
@@ -84,7 +90,8 @@ struct ReadyEvent {
     std::vector<PastAnswers> past{};          ///< where the description wants it, the newest last
 };
 
-using LessonEvent = std::variant<BodyEvent, KeyEvent, JudgeEvent, AnsweredEvent, ReadyEvent>;
+using LessonEvent =
+    std::variant<BodyEvent, KeyEvent, JudgeEvent, AnsweredEvent, ReadyEvent, AskedEvent>;
 
 /// How a body on a hinge stands.
 struct HingeState {
@@ -176,6 +183,11 @@ struct VerdictCommand {
     std::string question;
     bool right = false;
 };
+/// The answer to what a learner has asked; empty: the lesson does not know.
+struct TellCommand {
+    std::string knowledge;
+    std::string text;
+};
 struct ScoreCommand {
     std::int32_t score = 0;
 };
@@ -198,7 +210,7 @@ struct PrintCommand {
 using LessonCommand =
     std::variant<MoveCommand, FieldChangeCommand, LessonForceCommand, CaptionCommand, AskCommand,
                  VerdictCommand, ScoreCommand, LevelCommand, SoundCommand, FinishCommand,
-                 PrintCommand, CoverCommand, TurnCommand, KiteCommand, WindCommand>;
+                 PrintCommand, CoverCommand, TurnCommand, KiteCommand, WindCommand, TellCommand>;
 
 struct LessonReply {
     std::vector<LessonCommand> commands;

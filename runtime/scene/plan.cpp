@@ -125,6 +125,11 @@ SourceLine first_rigid_line(const LessonDescription& lesson) {
     return found == lesson.bodies.end() ? 0 : found->line;
 }
 
+/// Of the first question, or of the first thing that may be asked for.
+SourceLine line_of_dialogue(const LessonDescription& lesson) {
+    return lesson.questions.empty() ? lesson.knowledge.front().line : lesson.questions.front().line;
+}
+
 /// Of the first solid body that is made of something.
 SourceLine first_material_line(const LessonDescription& lesson) {
     const auto found = std::ranges::find_if(lesson.bodies, [](const BodyDescription& body) {
@@ -164,7 +169,7 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
     if (plan.dialogue) {
         add("lesson", "dialogue", 0.0,
             "it asks questions, answered as " + std::string(name_of(plan.speech)),
-            lesson.questions.front().line);
+            line_of_dialogue(lesson));
     }
     if (plan.free_english) {
         add("lesson", "free English", 0.0, "it checks what fits no answer",
@@ -172,11 +177,10 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
         plan.stages.back().memory_bytes = kFreeEnglish_bytes;
     }
     if (plan.recogniser) {
-        add("speech", "recogniser", 0.0, "answers are spoken", lesson.questions.front().line);
+        add("speech", "recogniser", 0.0, "answers are spoken", line_of_dialogue(lesson));
     }
     if (plan.microphone) {
-        add("speech", "microphone", 100.0, "somebody is there to speak",
-            lesson.questions.front().line);
+        add("speech", "microphone", 100.0, "somebody is there to speak", line_of_dialogue(lesson));
     }
     if (plan.picture) {
         add("picture", "scene", 60.0, "there is somebody to see it", 0);
@@ -315,8 +319,8 @@ void take_options(const LessonDescription& lesson, const PlanOptions& options, P
     plan.sound = options.sound;
     plan.record = options.record;
     plan.day = options.day;
-    plan.dialogue = !lesson.questions.empty();
-    plan.free_english = plan.dialogue && lesson.free_english;
+    plan.dialogue = !lesson.questions.empty() || !lesson.knowledge.empty();
+    plan.free_english = !lesson.questions.empty() && lesson.free_english;
     plan.speech = options.speech;
     plan.recogniser = plan.dialogue && options.speech != SpeechInput::text;
     if (plan.recogniser) {

@@ -4,10 +4,13 @@
 -- answers change with it.
 
 local game = require "game"
+local know = require "know"
 local story = require "story"
 local wait, wait_for = story.wait, story.wait_for
 
 local L = lesson { id = "gravity", title = "Which one is the heaviest?", level = "A1", minutes = 10 }
+
+know.things(L)
 
 -- True masses in kilograms. `exaggeration` makes the felt weights easy to tell apart; Fulcrum then shrinks all of them by
 -- one factor until they fit under the arm's limit. With a limit of 10 N the apple weighs 6 N in the hand and the egg 3 N.

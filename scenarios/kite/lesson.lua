@@ -55,6 +55,8 @@ end
 local function flies() return kite.altitude > 0.5 * kite.line and not kite.snapped end
 local function lies() return kite.altitude < 0.5 and kite.speed < 0.2 end
 
+require "asked" (L, function() return kite end)
+
 local stays, may_reel = false, false   -- stays: it is launched again whenever it has come down
 local down, quiet = 0, 0               -- seconds
 

@@ -116,6 +116,25 @@ local function lift_for_a_point(world, x, explain)
   if lift(world, x, explain) then game.point() else game.miss() end
 end
 
+-- ---- what may be asked ----------------------------------------------------------------------------------------------------
+
+L:knows "weight" {
+  asked = { "how heavy is (it|the Earth|the toy Earth)", "how much does (it|the Earth|the toy Earth) weigh" },
+  answer = function() return ("The toy Earth weighs %.4g newtons."):format(level.weight) end,
+}
+
+L:knows "arm" {
+  asked = { "how long is my arm", "how long is the arm", "how long is the arm of the Earth" },
+  answer = function()
+    return ("Your arm is at most %.2f metres, the Earth's is %.3f metres."):format(end_x - support_x, support_x - earth_x)
+  end,
+}
+
+L:knows "force" {
+  asked = { "how much force do I need", "how strong must I be", "how many newtons do I need" },
+  answer = function() return level.ratio < 1000 and ("At the end of the lever you need %.1f newtons."):format(needed(end_x, support_x)) or nil end,
+}
+
 -- ---- questions ----------------------------------------------------------------------------------------------------------
 
 local places = { near = 0.12, far = end_x }

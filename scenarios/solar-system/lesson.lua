@@ -133,12 +133,13 @@ local function turn(world, place, at, degrees, explain)
   wait(0.5)
   body:turn { spin = 0 }
 end
-
 local function at_the_side() return { near[1], near[2], near[3] + big_radius(shown) + 0.03 } end
 local function near_the_pole()
   local r = big_radius(shown) + 0.03
   return { near[1], near[2] + r * math.cos(0.35), near[3] + r * math.sin(0.35) }
 end
+
+require "asked" (L, function() return shown end)
 
 -- ---- questions ------------------------------------------------------------------------------------------------------------
 

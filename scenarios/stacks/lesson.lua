@@ -3,10 +3,13 @@
 -- The answer key is the simulated world: what is heavier follows from the masses, what lies on what from where the blocks are.
 
 local game = require "game"
+local know = require "know"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
 
 local L = lesson { id = "stacks", title = "Blocks", level = "A1", minutes = 10 }
+
+know.things(L)
 
 local edge = 0.08             -- of the cubes, metres
 local lifted = 0.04           -- so high above where it lay a block is lifted

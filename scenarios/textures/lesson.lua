@@ -5,10 +5,13 @@
 -- Give a block another material below and the right answers change with it.
 
 local game = require "game"
+local know = require "know"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
 
 local L = lesson { id = "textures", title = "What is it made of?", level = "A1", minutes = 12 }
+
+know.things(L)
 
 local names = { "metal", "wood", "rock" }
 

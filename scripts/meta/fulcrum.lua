@@ -40,6 +40,7 @@ local Lesson = {}
 ---@field time number seconds; since the lesson began
 ---@field day number days; today, since noon of 1 January 2000, as planets.day counts; tests and simulated hands have 22 June 2026
 ---@field past table[] what this learner has answered before, where L:start calls world:recall(); see bank
+---@field touched Body the solid body that the tool touches or touched last; nil before
 local World = {}
 
 ---The learner's hand: what world:hand { … } gives.
@@ -160,6 +161,16 @@ function lesson(options) end
 ---@return fun(options: QuestionOptions)
 function Lesson:question(name) end
 
+---@class KnowsOptions
+---@field asked string[] templates of the questions that ask for it, such as "how heavy is (it|the {thing})"
+---@field lists? table<string, string[]> as a question's; a name means the same in all of them
+---@field answer function function(asked, world): the answer as a text, or nil where that is not known; asked has the {slots}, and asked.bodies the bodies that they name
+
+---Declares something that a learner may ask for while no question is open: with the Tab key, or aloud.
+---@param name string what it is about
+---@return fun(options: KnowsOptions)
+function Lesson:knows(name) end
+
 ---@class TestLearner
 ---@field wrong? number wrong in meaning; 0 to 1; default 0
 ---@field form? number right in meaning, with an error of form; 0 to 1; default 0
@@ -239,6 +250,7 @@ function World:camera(options) end
 ---@field drag_area? number drag coefficient × cross-section, for falling in air; in square metres, 0 to 10; default 0
 ---@field hinge? BodyHinge an axis that a solid body turns about, pushed by the hand; while it is, arm, force and torque are drawn
 ---@field size? Vector|Body|Tool edges of a body with model = "box": width, height, depth; twice the radius by default; in metres, 0 to 10
+---@field about? string what is said of a solid body when it is first touched, while no question is open; of at most 300 letters
 ---@field boxes? table[] what a body with model = "box" is made of instead of one: a list of { at = {x, y, z}, size = {x, y, z} }, from the body's place; up to 200, as of a house or a maze
 ---@field rigid? boolean a thing with a mass that lies, falls, is pushed, gripped with the button, lifted and stacked; can be touched, and is seen unless visible = false; default false
 ---@field shape? string what a rigid body collides as; by default a box or a ball as its model, else the hull of its model; mesh is the model itself with its hollows, as of a ring or a bowl; "box", "ball", "cylinder", "capsule", "hull" or "mesh"

@@ -94,11 +94,13 @@ inline LessonDescription full_description() {
                     "Lift it.",
                     18,
                     {{"the egg"}, {"the apple"}, {"a egg", "egg"}}}};
+    d.knowledge = {{"weight", {"how heavy is the {thing}"}, {{"thing", {"apple"}}}, 23}};
     d.wants_past = true;
     d.tests = {{"sweep.lua", {"an apple"}, LearnerRates{0.25, 0.5, 0.125}, {{"score", "7"}}, 19}};
     BodyDescription hedges;
     hedges.name = hedges.noun = "hedges";
     hedges.model = "box";
+    hedges.about = "These are hedges.";
     hedges.boxes = {{Vector3(1, 2, 3), Vector3(0.1, 0.2, 0.3)},
                     {Vector3(-4, 0, 0), Vector3(1, 1, 1)}};
     d.bodies.push_back(hedges);
@@ -133,7 +135,8 @@ inline LessonReply full_reply() {
                   CoverCommand{1, true},
                   TurnCommand{0, 0.5, std::nullopt, Vector3(0.1, 0, 0), 4.0},
                   KiteCommand{KiteSettings{.tail_m = 4.0}, 0.5, 25.0, true, true},
-                  WindCommand{8.5}};
+                  WindCommand{8.5},
+                  TellCommand{"weight", "2 newtons."}};
     r.has_hand_target = true;
     r.hand_target_W.position = Vector3(0.1, 0.2, 0.3);
     r.hand_buttons = 5;
@@ -166,6 +169,7 @@ inline LessonFrame full_frame() {
                    {{0.75, 0.5, 0.25}},
                    9669.0,
                    {{"lever", "near_far", 3, 2, 1, 0.5, {{"article", 4}}}}}};
+    f.events.push_back(AskedEvent{"weight", {{"thing", "apple"}}});
     f.only_asks = true;
     return f;
 }

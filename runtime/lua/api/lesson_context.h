@@ -53,9 +53,11 @@ struct LessonContext {
     int lesson_ref = LUA_NOREF;           ///< the table that lesson{} gave
     bool has_hand = false;                ///< world:hand was called
     int force_function_ref = LUA_NOREF;
-    std::vector<std::pair<std::string, int>> judges;  ///< question -> its `right`
-    std::vector<int> listeners;                       ///< L:listen
-    std::vector<std::pair<Need, ScriptError>> needs;  ///< noted in L:start, judged after it
+    std::vector<std::pair<std::string, int>> judges;   ///< question -> its `right`
+    std::vector<std::pair<std::string, int>> tellers;  ///< what is known -> its `answer`
+    std::int32_t touched = kNoBody;                    ///< the body that was touched last
+    std::vector<int> listeners;                        ///< L:listen
+    std::vector<std::pair<Need, ScriptError>> needs;   ///< noted in L:start, judged after it
 };
 
 /// The context of the script that runs.

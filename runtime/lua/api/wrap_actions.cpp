@@ -152,6 +152,15 @@ int get_past(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
     return 1;
 }
 
+int get_touched(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    if (context.touched == kNoBody) {
+        lua_pushnil(lua);
+    } else {
+        push_handle(lua, Handle::Kind::body, context.touched);
+    }
+    return 1;
+}
+
 template <int kAxis>
 int get_tool_position(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
     lua_pushnumber(lua, context.frame.tool_pose_W.position[kAxis]);
@@ -195,6 +204,9 @@ void add_properties(ApiTable& table) {
         {"world", "past", "table[]", "",
          "what this learner has answered before, where L:start calls world:recall(); see bank",
          &get_past});
+    table.properties.push_back({"world", "touched", "Body", "",
+                                "the solid body that the tool touches or touched last; nil before",
+                                &get_touched});
     table.properties.push_back(
         {"tool", "x", "number", "metres", "to the right", &get_tool_position<0>});
     table.properties.push_back({"tool", "y", "number", "metres", "up", &get_tool_position<1>});

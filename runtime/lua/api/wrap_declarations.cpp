@@ -117,6 +117,7 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
     body.visible = arguments["visible"].flag;
     body.position_W = arguments["at"].vector;
     body.line = place_in_lesson(lua).line;
+    body.about = arguments["about"].text;
     take_rigid(lua, context, arguments, body);
     if (body.movable && std::ranges::any_of(bodies, [](const BodyDescription& other) {
             return other.rigid.has_value();
@@ -301,6 +302,8 @@ void add_scene_rows(ApiTable& table) {
           {"size", vector, "metres", 0, 10, "nil",
            "edges of a body with model = \"box\": width, height, depth; twice the radius by "
            "default"},
+          {"about", text, "", 0, 300, "",
+           "what is said of a solid body when it is first touched, while no question is open"},
           {"boxes", boxes, "", 0, 0, "nil",
            "what a body with model = \"box\" is made of instead of one: a list of { at = {x, y, "
            "z}, "

@@ -108,6 +108,29 @@ int add_question(lua_State* lua, LessonContext& context, const Arguments& argume
     return 0;
 }
 
+int add_knowledge(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    KnowledgeDescription knowledge;
+    knowledge.id = arguments["name"].text;
+    knowledge.asked = arguments["asked"].texts;
+    knowledge.lists = arguments["lists"].lists;
+    knowledge.line = place_in_lesson(lua).line;
+    auto& known = context.description.knowledge;
+    if (std::any_of(known.begin(), known.end(),
+                    [&](const auto& k) { return k.id == knowledge.id; })) {
+        raise_in_lesson(lua, "the lesson knows \"" + knowledge.id + "\" already");
+    }
+    if (known.size() >= kMaxQuestions) {
+        raise_in_lesson(lua, "a lesson knows at most " + std::to_string(kMaxQuestions) + " things");
+    }
+    if (knowledge.asked.empty()) {
+        raise_in_lesson(lua, "knows.asked is empty; give at least one question that asks for it");
+    }
+    lua_pushvalue(lua, arguments["answer"].stack_index);
+    context.tellers.emplace_back(knowledge.id, luaL_ref(lua, LUA_REGISTRYINDEX));
+    known.push_back(std::move(knowledge));
+    return 0;
+}
+
 int add_test(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     LessonTestDescription test;
     test.hand = arguments["hand"].text;
@@ -195,6 +218,25 @@ void add_lesson_api(ApiTable& table) {
          "",
          "Declares a question.",
          &add_question});
+    table.functions.push_back(
+        {"lesson",
+         "knows",
+         CallShape::named_record,
+         CallTime::loading,
+         {{"name", name, "", 0, 0, kRequired, "what it is about"},
+          {"asked", texts, "", 0, 0, kRequired,
+           "templates of the questions that ask for it, such as \"how heavy is (it|the {thing})\""},
+          {"lists", lists, "", 0, 0, "nil",
+           "as a question's; a name means the same in all of them"},
+          {"answer", function, "", 0, 0, kRequired,
+           "function(asked, world): the answer as a text, or nil where that is not known; asked "
+           "has the "
+           "{slots}, and asked.bodies the bodies that they name"}},
+         "",
+         "Declares something that a learner may ask for while no question is open: with the Tab "
+         "key, "
+         "or aloud.",
+         &add_knowledge});
     table.functions.push_back(
         {"lesson",
          "test",

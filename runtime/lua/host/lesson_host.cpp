@@ -308,6 +308,14 @@ void LessonHost::deliver(lua_State* lua, const LessonEvent& event) {
         }
         return;
     }
+    if (const auto* asked = std::get_if<AskedEvent>(&event)) {
+        tell(lua, *asked);
+        return;
+    }
+    if (const auto* about = std::get_if<BodyEvent>(&event);
+        about != nullptr && about->kind == BodyEvent::Kind::touched) {
+        lesson_.touched = about->body;
+    }
     // The lesson's own function first, in its own words; then whoever listens.
     push_event(lua, lesson_, event);
     lua_getfield(lua, -1, "name");

@@ -53,6 +53,7 @@ class LessonHost {
     [[nodiscard]] std::optional<ScriptError> load_lesson();
     [[nodiscard]] std::optional<ScriptError> load_hand();
     void deliver(lua_State* lua, const LessonEvent& event);
+    void tell(lua_State* lua, const AskedEvent& asked);
     void run_callbacks(lua_State* lua);
     void run_hand(lua_State* lua, LessonReply& reply);
     [[nodiscard]] bool frame_fits(const LessonFrame& frame) const;

@@ -35,6 +35,7 @@ void body(Archive& a, Body& b) {
     for (int i = 0; i < 3; ++i) {
         a.number("a body's size", b.size_m[i], 0.0, 10.0);
     }
+    a.text("what is said of a body", b.about, kMaxTextBytes);
     boxes(a, b.boxes);
 }
 
@@ -83,6 +84,8 @@ void description(Archive& a, Description& d) {
     optional(a, "a kite", d.kite, [](auto& each, auto& k) { kite(each, k); });
     wind(a, d.wind);
     a.list("questions", d.questions, kMaxQuestions, [](auto& each, auto& q) { question(each, q); });
+    a.list("what is known", d.knowledge, kMaxQuestions,
+           [](auto& each, auto& k) { knowledge(each, k); });
     a.flag("the past", d.wants_past);
     a.list("tests", d.tests, kMaxListItems, [](auto& each, auto& t) { test(each, t); });
 }
@@ -112,6 +115,9 @@ template <class Things, class NameOf>
     }
     if (has_twin(d.forces, [](const auto& f) -> const std::string& { return f.name; })) {
         return "has two forces of one name";
+    }
+    if (has_twin(d.knowledge, [](const auto& k) -> const std::string& { return k.id; })) {
+        return "knows two things of one name";
     }
     if (has_twin(d.questions, [](const auto& q) -> const std::string& { return q.id; })) {
         return "has two questions of one name";
@@ -155,6 +161,9 @@ void event(Archive& a, Event& e) {
         a.flag("over", e.over);
         a.integer("the attempt", e.attempt, 0, 1'000'000);
         a.flag("turned round", e.turned_round);
+    } else if constexpr (std::is_same_v<Kind, AskedEvent>) {
+        a.name("what is asked for", e.knowledge);
+        pairs(a, "slots", e.slots);
     } else {
         static_assert(std::is_same_v<Kind, ReadyEvent>);
         a.list("felt weights", e.felt_weight_N, static_cast<std::size_t>(kMaxBodies),
@@ -318,6 +327,9 @@ void command(Archive& a, Command& c, const ReplyBounds& bounds) {
     } else if constexpr (std::is_same_v<Kind, WindCommand>) {
         a.number("the wind", c.speed_m_per_s, 0.0, kFastestWind_m_per_s);
         known_kite(a, bounds);
+    } else if constexpr (std::is_same_v<Kind, TellCommand>) {
+        a.name("what is told", c.knowledge);
+        a.text("what is told", c.text, kMaxTextBytes);
     } else {
         static_assert(std::is_same_v<Kind, FinishCommand>);
         a.integer("stars", c.stars, 0, 3);

@@ -20,21 +20,34 @@ void pairs(Archive& a, const char* what, Pairs& values) {
     });
 }
 
+template <class Archive, class Lists>
+void lists(Archive& a, Lists& values) {
+    a.list("lists", values, kMaxListItems, [](auto& each, auto& value) {
+        each.name("a list's name", value.first);
+        texts(each, "a list", value.second);
+    });
+}
+
 template <class Archive, class Question>
 void question(Archive& a, Question& q) {
     a.name("a question's name", q.id);
     a.text("a prompt", q.prompt, kMaxTextBytes);
     texts(a, "answers", q.answers);
     texts(a, "what is nearly an answer", q.nearly);
-    a.list("lists", q.lists, kMaxListItems, [](auto& each, auto& value) {
-        each.name("a list's name", value.first);
-        texts(each, "a list", value.second);
-    });
+    lists(a, q.lists);
     a.text("what is said after a wrong meaning", q.again, kMaxTextBytes);
     a.integer("a line", q.line, 0, kMaxLine);
     texts(a, "examples that are right", q.examples.right);
     texts(a, "examples that are wrong", q.examples.wrong);
     texts(a, "examples of a wrong form", q.examples.form);
+}
+
+template <class Archive, class Knowledge>
+void knowledge(Archive& a, Knowledge& k) {
+    a.name("the name of what is known", k.id);
+    texts(a, "ways to ask", k.asked);
+    lists(a, k.lists);
+    a.integer("a line", k.line, 0, kMaxLine);
 }
 
 /// The hand of a test is a file beside the lesson: "name.lua", nothing that leads elsewhere.

@@ -127,8 +127,7 @@ double swing_on_late_spring(double step_s, double stiffness_N_per_m, double mass
         channels.pushes.publish(pushes);
         loop->step(i * step_s);
         const RigidState& after = loop->world().state(1);
-        const Vector3 impulse_Ns =
-            mass_kg * (after.velocity_W.linear - before.velocity_W.linear);
+        const Vector3 impulse_Ns = mass_kg * (after.velocity_W.linear - before.velocity_W.linear);
         given_J += impulse_Ns.dot(after.pose_W.position - before.pose_W.position) / step_s;
         worst = worse(worst, given_J / held_J);
     }

@@ -228,7 +228,9 @@ TEST_CASE("rigid loop: a push as old as the step takes energy and gives none") {
         for (const double k : {100.0, 1000.0, 4000.0}) {
             CAPTURE(step_s, k);
             CubesLoop cubes = make_pushed_once(make_push(kHigh_W, kHigh_W, Vector3::Zero()));
-            const auto energy_J = [&](double x, double v) { return 0.5 * (0.5 * v * v + k * x * x); };
+            const auto energy_J = [&](double x, double v) {
+                return 0.5 * (0.5 * v * v + k * x * x);
+            };
             double x = 0.0;
             double v = 0.0;
             double most_J = energy_J(0.01, 0.0);

@@ -222,7 +222,8 @@ TEST_CASE("rigid world: a push is along its direction, however long that is writ
         const auto world = make_world_of(make_held_plan({0.0, -9.81, 0.0}));
         BodyHold hold = make_hold({0.01, 0.0, 0.0}, {{1.0, 3.0, 0.5}, Vector3::Zero()},
                                   {600.0, 5.0, 0.0, 0.0, 0.04});
-        hold.bounds = {.along_W = length * Vector3(0.6, 0.8, 0.0), .friction_N = 0.5, .most_N = 9.0};
+        hold.bounds = {
+            .along_W = length * Vector3(0.6, 0.8, 0.0), .friction_N = 0.5, .most_N = 9.0};
         world->hold(0, hold);
         world->step(0.01);
         const Vector3& now_W = world->state(0).velocity_W.linear;

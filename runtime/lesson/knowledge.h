@@ -1,0 +1,58 @@
+// What a lesson knows of its things, as far as a learner may ask for it: which words ask for what.
+//
+//   words --find--> which L:knows, its slots, the question said rightly        the lesson's own function gives the answer
+//
+// Thread: load to compile, lesson loop to find.  Cost: one match.
+#pragma once
+
+#include "dialogue/catalogue.h"
+#include "dialogue/marking/mark.h"
+#include "haptics/base/error.h"
+#include "runtime/scene/description.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// What was asked for.
+struct AskedFor {
+    std::string knowledge;  ///< the name that L:knows gave it
+    dialogue::Mark mark;    ///< its slots and errors of form
+};
+
+class Knowledge {
+  public:
+    /// Nothing for a lesson that knows nothing. The catalogue lives longer. All that it knows shares its lists: one name with two meanings is the lesson's error,
+    /// at its line.
+    [[nodiscard]] static Expected<std::optional<Knowledge>> compile(
+        const LessonDescription& lesson, const dialogue::Catalogue& catalogue);
+
+    /// Nothing where the words ask for nothing that the lesson knows.
+    [[nodiscard]] std::optional<AskedFor> find(std::string_view words) const;
+    /// What a recogniser listens for while nothing else is asked.
+    [[nodiscard]] std::shared_ptr<const dialogue::TemplateSet> templates() const {
+        return question_.templates;
+    }
+    /// What is said to who asked for it: the lesson's answer, or that it is not known; before it the question as it is said rightly,
+    /// where it was not.
+    [[nodiscard]] std::string told(const AskedFor& asked, const std::string& answer) const;
+    /// To words that ask for nothing: what might be asked, another thing each time.
+    [[nodiscard]] std::string unknown();
+    /// To who asks while a question is open.
+    [[nodiscard]] std::string first_mine() const { return catalogue_->say("knowledge.first_mine"); }
+
+  private:
+    explicit Knowledge(const dialogue::Catalogue& catalogue) : catalogue_(&catalogue) {}
+
+    const dialogue::Catalogue* catalogue_;
+    dialogue::Question question_;        // each way to ask is one of its answers
+    std::vector<std::string> names_;     // by answer
+    std::vector<std::string> examples_;  // one each
+    std::size_t next_example_ = 0;
+};
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,115 @@
+--- What a learner may ask about the things of a scene while no question is open, answered from the simulation: what it is, what it is
+--- made of, how heavy it is, how it feels.
+---
+---   local know = require "know"
+---   know.things(L)                        -- at the top of the file
+---   know.things(L, { weight = false })    -- not what the lesson is about to ask
+---
+--- "It" and "this" are what the hand holds, else what it touches or touched last. Other things a lesson tells by L:knows.
+
+local module_name, program = ...
+local mistake, shown = program.mistake, program.shown
+
+local know = {}
+
+local function upper(text) return (text:gsub("^%l", string.upper)) end
+
+local function with_article(noun)
+  return (noun:match "^[aeiou]" and "an " or "a ") .. noun
+end
+
+-- The body that is asked about; nil where the hand has met none.
+local function meant(asked, world)
+  if asked.bodies.thing then return asked.bodies.thing end
+  for _, body in ipairs(world:bodies()) do
+    if body.where == "held" then return body end
+  end
+  return world.touched
+end
+
+local function called(asked, body)
+  return asked.bodies.thing and "The " .. body.noun or "It"
+end
+
+-- What can truly be said of a material, two words: hard and smooth.
+local function feel_of(material)
+  return material.hardness >= 0.5 and "hard" or "soft", material.roughness >= 0.5 and "rough" or "smooth"
+end
+
+local feels = {
+  hard = function(m) return m.hardness >= 0.5 end,
+  soft = function(m) return m.hardness < 0.5 end,
+  rough = function(m) return m.roughness >= 0.5 end,
+  smooth = function(m) return m.roughness < 0.5 end,
+  slippery = function(m) return m.slipperiness >= 0.5 end,
+  sticky = function(m) return m.slipperiness < 0.5 end,
+}
+
+local known = {
+  this = {
+    asked = { "what is (this|that|it) [called]", "what am I (holding|touching)", "what do I have [in my hand]" },
+    answer = function(asked, world)
+      local body = meant(asked, world)
+      return body and ("This is %s."):format(with_article(body.noun))
+    end,
+  },
+  made_of = {
+    asked = { "what is (it|this|that) made (of|from)", "what is (the|this|that) {thing} made (of|from)",
+              "what material is (it|this|that)" },
+    answer = function(asked, world)
+      local body = meant(asked, world)
+      if not body then return nil end
+      if body.covered then return "I can't see it. Feel it!" end
+      return body.material and ("%s is made of %s."):format(called(asked, body), body.material.name)
+    end,
+  },
+  weight = {
+    asked = { "how heavy is (it|this|that)", "how heavy is (the|this|that) {thing}", "how much does (it|this|that) weigh",
+              "how much does (the|this|that) {thing} weigh", "what is the weight of (it|this|that|the {thing})" },
+    answer = function(asked, world)
+      local body = meant(asked, world)
+      return body and ("%s weighs %.1f newtons."):format(called(asked, body), body.weight)
+    end,
+  },
+  feel = {
+    asked = { "how does (it|this|that) feel", "how does (the|this|that) {thing} feel", "what is (it|this|that) like",
+              "what is (the|this|that) {thing} like" },
+    answer = function(asked, world)
+      local body = meant(asked, world)
+      if not (body and body.material) then return nil end
+      return ("%s is %s and %s."):format(called(asked, body), feel_of(body.material))
+    end,
+  },
+  is_it = {
+    asked = { "is (it|this|that) {feel}", "is (the|this|that) {thing} {feel}" },
+    lists = { feel = { "hard", "soft", "rough", "smooth", "slippery", "sticky" } },
+    answer = function(asked, world)
+      local body = meant(asked, world)
+      if not (body and body.material) then return nil end
+      return feels[asked.feel](body.material) and "Yes, it is." or "No, it isn't."
+    end,
+  },
+}
+
+local order = { "this", "made_of", "weight", "feel", "is_it" }
+
+--- Lets a learner ask about the scene's things. Options leave some of it out: `this`, `made_of`, `weight`, `feel`, `is_it`, each
+--- true by default.
+---@param lesson Lesson
+---@param options table|nil
+function know.things(lesson, options)
+  if type(lesson) ~= "table" then mistake("know.things takes the lesson, know.things(L); got " .. shown(lesson)) end
+  options = options or {}
+  if type(options) ~= "table" then mistake("know.things's options are a table, such as { weight = false }; got " .. shown(options)) end
+  for name, value in pairs(options) do
+    if known[name] == nil then program.unknown("know.things", known, name) end
+    if type(value) ~= "boolean" then mistake("know.things's " .. name .. " is true or false; got " .. shown(value)) end
+  end
+  for _, name in ipairs(order) do
+    if options[name] ~= false then lesson:knows(name) { asked = known[name].asked, lists = known[name].lists, answer = known[name].answer } end
+  end
+end
+
+return setmetatable(know, {
+  __index = function(_, field) program.unknown(module_name, know, field) end,
+})

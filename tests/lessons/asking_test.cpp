@@ -1,0 +1,162 @@
+// A learner asks: what the lesson knows is answered from the simulation, what it does not know politely, and a question that is open
+// comes first.
+#include "tests/lessons/program.h"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+const std::string kLesson = R"(
+local know = require "know"
+local story = require "story"
+local L = lesson { id = "odd", title = "Odd", minutes = 1 }
+know.things(L)
+L:knows "sky" { asked = { "what colour is the sky" }, answer = function() return "It is blue." end }
+L:knows "sea" { asked = { "what colour is the sea" }, answer = function() return nil end }
+L:question "q" { prompt = "Is it an egg?", answers = { "it is an egg" }, right = function() return true end }
+function L:start(world)
+  world:hand { centre = { 0, 0.2, 0 } }
+  world:body { name = "block", noun = "block", model = "box", size = { 0.1, 0.1, 0.1 }, solid = true, visible = true,
+    material = "metal", mass = 2, at = { 0, 0.2, 0 }, about = "This is a block of metal." }
+  story(L, function()
+    story.wait(30)
+    world:ask "q"
+    story.wait_for "answered"
+    world:finish { stars = 3 }
+  end)
+end
+return L
+)";
+
+const std::string kHand = R"(
+local motion = require "motion"
+return motion.play(function()
+  motion.start_at { 0, 0.35, 0 }
+  motion.wait(1)
+  motion.move_to({ 0, 0.245, 0 }, 0.5)
+  motion.wait(1)
+  motion.move_to({ 0, 0.35, 0 }, 0.5)
+  motion.move_to({ 0, 0.245, 0 }, 0.5)
+  motion.move_to({ 0, 0.35, 0 }, 0.5)
+end)
+)";
+
+std::string play(const std::string& say) {
+    const Sandbox sandbox;
+    sandbox.write("odd/lesson.lua", kLesson);
+    sandbox.write("hand.lua", kHand);
+    sandbox.write("say.txt", say + "\nit is an egg\n");
+    const ProgramRun run = sandbox.run("run odd --headless --hand hand.lua --say say.txt");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(run.output.find("finished after") != std::string::npos);
+    return run.output;
+}
+
+std::size_t count(const std::string& text, const std::string& words) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(words); at != std::string::npos;
+         at = text.find(words, at + 1)) {
+        ++n;
+    }
+    return n;
+}
+
+}  // namespace
+
+TEST_CASE("asking: what is in the hand is answered from the simulation") {
+    const std::string told = play(
+        "?What is this?\n?What is it made of?\n?how heavy is the block\n?is it hard\n?is it "
+        "sticky\n"
+        "?How does it feel?");
+    for (const char* words :
+         {"This is a block.", "It is made of metal.", "The block weighs 19.6 newtons.",
+          "Yes, it is.", "No, it isn't.", "It is hard and smooth."}) {
+        INFO(told << words);
+        CHECK(told.find(words) != std::string::npos);
+    }
+}
+
+TEST_CASE("asking: what is asked with an error of form is said rightly, and answered") {
+    const std::string told = play("?what is the block make of");
+    INFO(told);
+    CHECK((told.find("We say: ") != std::string::npos ||
+           told.find("I don't know that") != std::string::npos));
+}
+
+TEST_CASE("asking: what nobody knows is said politely, with what may be asked") {
+    const std::string told = play("?what colour is the sea\n?who are you\n?\x01\xff");
+    INFO(told);
+    CHECK(told.find("I don't know that.") != std::string::npos);
+    CHECK(told.find("I don't know that. You can ask: What is ") != std::string::npos);
+}
+
+TEST_CASE("asking: a thing is explained when it is first touched, and only then") {
+    const std::string told = play("?what colour is the sky");
+    INFO(told);
+    CHECK(count(told, "This is a block of metal.") == 1);
+    CHECK(told.find("It is blue.") != std::string::npos);
+}
+
+TEST_CASE(
+    "asking: who asks while a question is open is told that it comes first, and nothing is "
+    "counted") {
+    const Sandbox sandbox;
+    std::string lesson = kLesson;
+    lesson.replace(lesson.find("story.wait(30)"), 14, "story.wait(0.5)");
+    sandbox.write("odd/lesson.lua", lesson);
+    sandbox.write("say.txt", "what colour is the sky\n");
+    const ProgramRun run =
+        sandbox.run("run odd --headless --say say.txt --learner Mina --db p.db --seconds 10");
+    INFO(run.output);
+    CHECK(run.output.find("Good question! But first answer mine.") != std::string::npos);
+    CHECK(run.output.find("It is blue.") == std::string::npos);
+    CHECK(run.output.find("0 answers") != std::string::npos);
+}
+
+TEST_CASE("asking: a lesson's mistakes in what it knows are one sentence with their line") {
+    const auto refused = [](const std::string& body, const std::string& words) {
+        const Sandbox sandbox;
+        sandbox.write("odd/lesson.lua", "local L = lesson { id = \"odd\", title = \"Odd\" }\n" +
+                                            body + "\nreturn L\n");
+        const ProgramRun run = sandbox.run("check odd");
+        INFO(run.output);
+        CHECK(run.exit_code != 0);
+        CHECK(run.output.find("lesson.lua:2") != std::string::npos);
+        CHECK(run.output.find(words) != std::string::npos);
+    };
+    refused("L:knows 'a' { asked = {}, answer = print }", "knows.asked is empty");
+    refused("L:knows 'a' { asked = { 'what is {it' }, answer = print }", "what a learner may ask");
+    refused(
+        "L:knows 'a' { asked = { 'x' }, answer = print } L:knows 'a' { asked = { 'y' }, answer = "
+        "print }",
+        "knows \"a\" already");
+    refused(
+        "L:knows 'a' { asked = { 'is it {c}' }, lists = { c = { 'red' } }, answer = print } "
+        "L:knows 'b' { asked = { 'was it {c}' }, lists = { c = { 'blue' } }, answer = print }",
+        "has other words elsewhere");
+}
+
+TEST_CASE("asking: in every lesson that knows things some of it can be asked for") {
+    const Sandbox sandbox;
+    sandbox.write("say.txt",
+                  "?how many moons does Jupiter have\n?how big is Mars\n?how heavy is it\n?how "
+                  "long is my arm\n?how strong is the wind\n");
+    const std::string solar =
+        sandbox.run("run solar-system --headless --seconds 30 --say say.txt").output;
+    CHECK(solar.find("Jupiter has ") != std::string::npos);
+    CHECK(solar.find("kilometres wide.") != std::string::npos);
+    sandbox.write("say.txt", "?how heavy is the Earth\n?how long is my arm\n");
+    const std::string lever = sandbox.run("run lever --headless --seconds 20 --say say.txt").output;
+    CHECK(lever.find("The toy Earth weighs 2 newtons.") != std::string::npos);
+    CHECK(lever.find("Your arm is at most 0.50 metres") != std::string::npos);
+    sandbox.write("say.txt", "?how long is the line\n");
+    CHECK(
+        sandbox.run("run kite --headless --seconds 20 --say say.txt").output.find("metres long.") !=
+        std::string::npos);
+}

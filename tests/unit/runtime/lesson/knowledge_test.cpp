@@ -1,0 +1,99 @@
+#include "runtime/lesson/knowledge.h"
+
+#include <catch2/catch.hpp>
+
+namespace fulcrum::runtime {
+namespace {
+
+dialogue::Catalogue words() {
+    const auto catalogue = dialogue::Catalogue::parse(
+        "knowledge.recast = We say: {sentence} {answer}\nknowledge.unknown = No. Ask: {example}\n"
+        "knowledge.not_known = No.\nknowledge.first_mine = First mine.\n");
+    REQUIRE(catalogue);
+    return *catalogue;
+}
+
+LessonDescription planets() {
+    LessonDescription lesson;
+    BodyDescription apple;
+    apple.name = apple.noun = "apple";
+    lesson.bodies = {apple};
+    lesson.knowledge = {
+        {"moons",
+         {"how many <plural:moon> does {planet} have", "how many <plural:moon> has {planet} got"},
+         {{"planet", {"Mars", "Earth|the Earth"}}},
+         7},
+        {"weight", {"how heavy is (it|the {thing})"}, {}, 9}};
+    return lesson;
+}
+
+Knowledge compiled(const LessonDescription& lesson, const dialogue::Catalogue& catalogue) {
+    auto knowledge = Knowledge::compile(lesson, catalogue);
+    REQUIRE(knowledge);
+    REQUIRE(*knowledge);
+    return std::move(**knowledge);
+}
+
+TEST_CASE("knowledge: words find what they ask for, with its slots") {
+    const dialogue::Catalogue catalogue = words();
+    const Knowledge knowledge = compiled(planets(), catalogue);
+    const auto moons = knowledge.find("How many moons does the Earth have?");
+    REQUIRE(moons);
+    CHECK(moons->knowledge == "moons");
+    CHECK(moons->mark.slot("planet") == "Earth");
+    CHECK(moons->mark.form_right());
+    CHECK(knowledge.find("how many moons has Mars got")->knowledge == "moons");
+    const auto weight = knowledge.find("how heavy is the apple");
+    REQUIRE(weight);
+    CHECK(weight->knowledge == "weight");
+    CHECK(weight->mark.slot("thing") == "apple");
+    CHECK(knowledge.find("how heavy is it")->mark.slots.empty());
+    for (const char* nothing :
+         {"", "apple", "the apple", "how many moons", "who are you", "it is heavy", "\x01\xff"}) {
+        INFO(nothing);
+        CHECK_FALSE(knowledge.find(nothing));
+    }
+}
+
+TEST_CASE("knowledge: an error of form is said back rightly before the answer") {
+    const dialogue::Catalogue catalogue = words();
+    const Knowledge knowledge = compiled(planets(), catalogue);
+    const auto right = knowledge.find("how many moons does Mars have");
+    REQUIRE(right);
+    CHECK(knowledge.told(*right, "Two.") == "Two.");
+    CHECK(knowledge.told(*right, "") == "No.");
+    const auto wrong = knowledge.find("how many moon does Mars have");
+    REQUIRE(wrong);
+    CHECK(knowledge.told(*wrong, "Two.") == "We say: How many *moons* does Mars have? Two.");
+    CHECK(knowledge.first_mine() == "First mine.");
+}
+
+TEST_CASE("knowledge: who asks for nothing is told another thing each time that may be asked") {
+    const dialogue::Catalogue catalogue = words();
+    Knowledge knowledge = compiled(planets(), catalogue);
+    const std::string first = knowledge.unknown();
+    const std::string second = knowledge.unknown();
+    CHECK(first == "No. Ask: How many moons does Mars have?");
+    CHECK(second.starts_with("No. Ask: How heavy is "));
+    CHECK(knowledge.unknown() == first);
+}
+
+TEST_CASE("knowledge: a lesson that knows nothing has none, and mistakes are told at their line") {
+    const dialogue::Catalogue catalogue = words();
+    const auto nothing = Knowledge::compile({}, catalogue);
+    REQUIRE(nothing);
+    CHECK_FALSE(*nothing);
+    LessonDescription broken = planets();
+    broken.knowledge[1].asked = {"how {heavy is it"};
+    const auto refused = Knowledge::compile(broken, catalogue);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().where == "lesson.lua:9");
+    LessonDescription two_meanings = planets();
+    two_meanings.knowledge[1].lists = {{"planet", {"Venus"}}};
+    const auto clash = Knowledge::compile(two_meanings, catalogue);
+    REQUIRE_FALSE(clash);
+    CHECK(clash.error().where == "lesson.lua:9");
+}
+
+}  // namespace
+}  // namespace fulcrum::runtime
