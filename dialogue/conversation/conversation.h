@@ -56,6 +56,18 @@ enum class FeedbackKind : std::uint8_t {
 /// What was made of an invitation to say it once more.
 enum class Uptake : std::uint8_t { none, repaired, not_repaired };
 
+/// For files and databases: "praise", "wrong_meaning"; "repaired", and nothing where there was no invitation.
+[[nodiscard]] constexpr std::string_view name_of(FeedbackKind kind) noexcept {
+    constexpr std::string_view kNames[] = {"praise",      "recast",        "prompt",
+                                           "rule",        "wrong_meaning", "not_understood",
+                                           "heard_badly", "moved_on"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+[[nodiscard]] constexpr std::string_view name_of(Uptake uptake) noexcept {
+    constexpr std::string_view kNames[] = {"", "repaired", "not_repaired"};
+    return kNames[static_cast<std::size_t>(uptake)];
+}
+
 /// The program's answer to an answer.
 struct Feedback {
     FeedbackKind kind = FeedbackKind::praise;

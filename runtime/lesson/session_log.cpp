@@ -23,6 +23,10 @@ void SessionLog::keep_attempt(const MarkedAnswer& answer) {
     attempt.understood = mark.understood;
     attempt.meaning_right = answer.right;
     attempt.form_right = mark.understood && mark.form_right();
+    attempt.target_right = mark.understood && mark.target_right();
+    attempt.confidence = mark.confidence;
+    attempt.feedback = name_of(answer.feedback.kind);
+    attempt.uptake = name_of(answer.feedback.uptake);
     for (const auto& [name, value] : mark.slots) {
         attempt.slots.append(attempt.slots.empty() ? "" : " ")
             .append(name)

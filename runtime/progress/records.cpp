@@ -110,6 +110,9 @@ Expected<void> validate(const AttemptRecord& attempt) {
     if (!std::isfinite(attempt.answer_s) || attempt.answer_s < 0.0) {
         return fail("an attempt's time to answer is no time", {}, "give seconds from 0");
     }
+    if (!(attempt.confidence >= 0.0 && attempt.confidence <= 1.0)) {
+        return fail("an attempt's confidence is none", {}, "give it 0 to 1");
+    }
     for (const ErrorRecord& error : attempt.errors) {
         if (error.code.empty()) {
             return fail("an attempt has an error without a code", {}, "give each error a code");

@@ -96,8 +96,15 @@ struct AttemptRecord {
     bool understood = true;  ///< false: no template fitted, the learner was asked to say it again
     bool meaning_right = false;  ///< by the lesson's own verdict
     bool form_right = false;     ///< no error of form was found
-    std::string slots;           ///< what was understood, as text: "thing=watermelon"
-    double answer_s = 0.0;       ///< seconds from the question to the answer, finite, not negative
+    bool target_right =
+        false;                ///< the form that the question teaches is right, whatever else is not
+    double confidence = 1.0;  ///< of the recogniser, 0 to 1; 1 for what was typed
+    std::string
+        feedback{};  ///< what was answered: "recast", "moved_on" for who was let go on; empty in older ones
+    std::string
+        uptake{};  ///< to an invitation to say it once more: "repaired", "not_repaired"; else empty
+    std::string slots;      ///< what was understood, as text: "thing=watermelon"
+    double answer_s = 0.0;  ///< seconds from the question to the answer, finite, not negative
     std::int64_t said_utc_ms = 0;
     std::vector<ErrorRecord> errors;
 

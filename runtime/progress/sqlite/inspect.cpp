@@ -59,11 +59,11 @@ void check_columns(Database& database) {
         const char* name;
         std::int64_t since;  // the version
     };
-    constexpr Column kColumns[] = {{"learner", "nickname", 1},   {"session", "lesson_version", 1},
-                                   {"session_end", "stars", 1},  {"attempt", "said", 1},
-                                   {"attempt_error", "code", 1}, {"opening", "opened_utc_ms", 1},
-                                   {"attempt", "understood", 2}, {"session_setting", "value", 2},
-                                   {"attempt_error", "point", 3}};
+    constexpr Column kColumns[] = {{"learner", "nickname", 1},    {"session", "lesson_version", 1},
+                                   {"session_end", "stars", 1},   {"attempt", "said", 1},
+                                   {"attempt_error", "code", 1},  {"opening", "opened_utc_ms", 1},
+                                   {"attempt", "understood", 2},  {"session_setting", "value", 2},
+                                   {"attempt_error", "point", 3}, {"attempt", "uptake", 4}};
     const std::int64_t version = database.number("PRAGMA user_version");
     for (const Column& column : kColumns) {
         Statement find(database, "SELECT 1 FROM pragma_table_info(?) WHERE name = ?");

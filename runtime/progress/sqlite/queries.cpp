@@ -23,7 +23,8 @@ SessionRecord as_kept(SessionRecord session) {
 }
 
 AttemptRecord as_kept(AttemptRecord attempt) {
-    for (std::string* text : {&attempt.question, &attempt.said, &attempt.slots}) {
+    for (std::string* text :
+         {&attempt.question, &attempt.said, &attempt.slots, &attempt.feedback, &attempt.uptake}) {
         *text = kept_text(*text);
     }
     for (ErrorRecord& error : attempt.errors) {
@@ -176,9 +177,11 @@ void keep(Database& database, const AttemptRecord& given) {
         return;
     }
     require(database, "SELECT 1 FROM session WHERE id = ?", attempt.session, "session");
-    Statement(database,
-              "INSERT INTO attempt(id, session, question, attempt, said, understood, meaning_right,"
-              " form_right, slots, answer_s, said_utc_ms) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+    Statement(
+        database,
+        "INSERT INTO attempt(id, session, question, attempt, said, understood, meaning_right,"
+        " form_right, slots, answer_s, said_utc_ms, target_right, confidence, feedback, uptake)"
+        " VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .bind(attempt.id)
         .bind(attempt.session)
         .bind(attempt.question)
@@ -190,6 +193,10 @@ void keep(Database& database, const AttemptRecord& given) {
         .bind(attempt.slots)
         .bind(attempt.answer_s)
         .bind(attempt.said_utc_ms)
+        .bind(attempt.target_right)
+        .bind(attempt.confidence)
+        .bind(attempt.feedback)
+        .bind(attempt.uptake)
         .run();
     std::int64_t position = 0;
     for (const ErrorRecord& error : attempt.errors) {

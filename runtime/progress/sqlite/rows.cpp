@@ -45,6 +45,10 @@ AttemptRecord attempt_of(Statement& row) {
     attempt.slots = row.text();
     attempt.answer_s = row.real();
     attempt.said_utc_ms = row.number();
+    attempt.target_right = row.flag();
+    attempt.confidence = row.real();
+    attempt.feedback = row.text();
+    attempt.uptake = row.text();
     return attempt;
 }
 

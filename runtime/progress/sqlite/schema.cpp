@@ -85,10 +85,18 @@ constexpr const char* kStep2 = R"sql(
 ALTER TABLE attempt_error ADD COLUMN point TEXT NOT NULL DEFAULT '';
 )sql";
 
+// The form that was taught is told from other forms, and what came of an answer is kept; of those kept before only what was known.
+constexpr const char* kStep3 = R"sql(
+ALTER TABLE attempt ADD COLUMN target_right INTEGER NOT NULL DEFAULT 0 CHECK(target_right IN (0, 1));
+ALTER TABLE attempt ADD COLUMN confidence REAL NOT NULL DEFAULT 1.0;
+ALTER TABLE attempt ADD COLUMN feedback TEXT NOT NULL DEFAULT '';
+ALTER TABLE attempt ADD COLUMN uptake TEXT NOT NULL DEFAULT '';
+)sql";
+
 }  // namespace
 
 const std::array<const char*, kSchemaVersion>& migrations() noexcept {
-    static constexpr std::array<const char*, kSchemaVersion> kSteps{kStep0, kStep1, kStep2};
+    static constexpr std::array<const char*, kSchemaVersion> kSteps{kStep0, kStep1, kStep2, kStep3};
     return kSteps;
 }
 

@@ -30,6 +30,9 @@ MarkedAnswer some_answer() {
     answer.mark.form_errors[0].said = "most heavy";
     answer.mark.form_errors[0].right = "heaviest";
     answer.feedback.attempt = 3;
+    answer.feedback.kind = dialogue::FeedbackKind::rule;
+    answer.feedback.uptake = dialogue::Uptake::not_repaired;
+    answer.mark.confidence = 0.75;
     answer.right = true;
     answer.answer_s = 2.5;
     return answer;
@@ -78,6 +81,10 @@ TEST_CASE("session log: beginning, answers and end are kept as they were") {
     CHECK(attempt.attempt == 3);
     CHECK(attempt.meaning_right);
     CHECK_FALSE(attempt.form_right);
+    CHECK(attempt.target_right);  // the error is none of the taught form's
+    CHECK(attempt.confidence == 0.75);
+    CHECK(attempt.feedback == "rule");
+    CHECK(attempt.uptake == "not_repaired");
     CHECK(attempt.answer_s == 2.5);
     REQUIRE(attempt.errors.size() == 1);
     CHECK(attempt.errors[0].span == "most heavy");

@@ -50,6 +50,11 @@ TEST_CASE("store: bad records are refused in one sentence by either store") {
         attempt.answer_s = -1.0;
         CHECK_FALSE(store->add_attempt(attempt));
         attempt.answer_s = 1.0;
+        for (const double none : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
+            attempt.confidence = none;
+            CHECK_FALSE(store->add_attempt(attempt));
+        }
+        attempt.confidence = 1.0;
         attempt.errors = {{"", "a", "b"}};
         CHECK_FALSE(store->add_attempt(attempt));
         attempt.errors.clear();

@@ -11,15 +11,19 @@ namespace {
 using test::Classroom;
 using test::TemporaryFolder;
 
-TEST_CASE("rows: an attempt's three verdicts are not mixed up") {
+TEST_CASE("rows: an attempt's four verdicts, and what came of it, are not mixed up") {
     const TemporaryFolder folder;
     Classroom room(folder.file("progress.db"));
-    for (unsigned bits = 0; bits < 8; ++bits) {
+    for (unsigned bits = 0; bits < 16; ++bits) {
         AttemptRecord attempt =
             test::attempt_for(room.session.id, "q", 1 + static_cast<int>(bits), false);
         attempt.understood = (bits & 1U) != 0;
         attempt.meaning_right = (bits & 2U) != 0;
         attempt.form_right = (bits & 4U) != 0;
+        attempt.target_right = (bits & 8U) != 0;
+        attempt.confidence = 0.0625 * bits;
+        attempt.feedback = "prompt";
+        attempt.uptake = "repaired";
         REQUIRE(room.store->add_attempt(attempt));
         CHECK(room.store->read({})->attempts.back() == attempt);
     }

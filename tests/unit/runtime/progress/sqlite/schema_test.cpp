@@ -53,6 +53,9 @@ TEST_CASE("opening: version 1 becomes the newest and keeps every fact") {
         REQUIRE(data->attempts.size() == 2);
         CHECK(data->attempts[0].understood);
         CHECK(data->attempts[0].said == "an egg");
+        CHECK_FALSE(data->attempts[0].target_right);  // nobody knows
+        CHECK(data->attempts[0].confidence == 1.0);
+        CHECK((data->attempts[0].feedback.empty() && data->attempts[0].uptake.empty()));
         CHECK(data->attempts[1].errors == std::vector{ErrorRecord{"M:DET", "", "the"}});
         // What later versions brought works on what version 1 kept.
         SessionRecord session{
@@ -61,7 +64,7 @@ TEST_CASE("opening: version 1 becomes the newest and keeps every fact") {
         CHECK((*store)->begin_session(session));
         CHECK((*store)->read({})->sessions.back() == session);
     }
-    CHECK(query(path, "PRAGMA user_version") == "3");
+    CHECK(query(path, "PRAGMA user_version") == "4");
     CHECK(query(path, "PRAGMA integrity_check") == "ok");
 }
 
