@@ -77,6 +77,7 @@ spoilt vendor_headers '<nlohmann/json.hpp> belongs' haptics/loop/bad.h '#include
 spoilt vendor_headers 'from no library that the house knows' haptics/loop/bad.h '#include <boost/any.hpp>'
 spoilt same_bits 'use compute_length' haptics/loop/bad.cpp 'const double n = (a - b).stableNorm();'
 spoilt unfinished 'later' runtime/app/bad.h '// TO''DO: later'
+spoilt unfinished 'CHECK(rc::check' tests/unit/bad_test.cpp '    rc::che''ck([] {});'
 spoilt unfinished 'bad.lua' scenarios/bad.lua '-- not yet imple''mented'
 spoilt file_length 'long.cpp: 401 lines' haptics/math/long.cpp "$(printf 'x\\n%.0s' {1..400})"
 spoilt sources_have_tests 'runtime/app/lonely.cpp: no test' runtime/app/lonely.cpp ''
