@@ -42,6 +42,10 @@ class Knowledge {
     [[nodiscard]] std::string told(const AskedFor& asked, const std::string& answer) const;
     /// To words that ask for nothing: what might be asked, another thing each time.
     [[nodiscard]] std::string unknown();
+    /// To what was not heard well.
+    [[nodiscard]] std::string heard_badly() const {
+        return catalogue_->say("feedback.heard_badly");
+    }
     /// To who asks while a question is open.
     [[nodiscard]] std::string first_mine() const { return catalogue_->say("knowledge.first_mine"); }
 

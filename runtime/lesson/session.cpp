@@ -196,14 +196,15 @@ void LessonSession::hear(const dialogue::Hypothesis& heard) {
     if (words.size() > kLongestAnswer_bytes) {
         words = kept_text(std::string_view(words).substr(0, kLongestAnswer_bytes));
     }
-    if (!knowledge_ || dialogue_.understands(words) || !ask_for(words)) {
+    if (!knowledge_ || dialogue_.understands(words) || !ask_for(words, heard.confidence)) {
         take(dialogue_.hear(words, heard.confidence, time_s_, heard.form));
     }
 }
 
 // The learner asks: true when these words are none of an answer. A question that is open comes first.
-bool LessonSession::ask_for(const std::string& words) {
-    auto asked = knowledge_->find(words);
+bool LessonSession::ask_for(const std::string& words, double confidence) {
+    const bool heard_well = confidence >= dialogue::ConversationSettings{}.least_confidence;
+    auto asked = heard_well ? knowledge_->find(words) : std::nullopt;
     if (dialogue_.is_open()) {
         if (asked) {
             tell(words, knowledge_->first_mine());
@@ -211,7 +212,7 @@ bool LessonSession::ask_for(const std::string& words) {
         return asked.has_value();
     }
     if (!asked) {
-        tell(words, knowledge_->unknown());
+        tell(words, heard_well ? knowledge_->unknown() : knowledge_->heard_badly());
         return true;
     }
     queued_.push_back(AskedEvent{asked->knowledge, asked->mark.slots});
@@ -292,7 +293,7 @@ Expected<void> LessonSession::keep_listening_for_asking() {
         return {};
     }
     listens_for_asking_ = true;
-    return speech_.listen(knowledge_->templates());
+    return speech_.listen_for_asking(knowledge_->templates());
 }
 
 void LessonSession::end(EndReason reason) {

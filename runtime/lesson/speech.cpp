@@ -17,6 +17,7 @@ void say_anew(dialogue::Voice& voice, std::string_view text) {
 Speech Speech::build(const Plan& plan) {
     Speech speech;
     speech.asks_ = plan.dialogue;
+    speech.has_recordings_ = !plan.hearing.recordings.empty();
     if (plan.recogniser) {
         auto hearing = ExternalRecogniser::create(
             {plan.hearing.words, plan.hearing.recordings, plan.waits_for_hearing,
@@ -43,12 +44,20 @@ void Speech::hear(std::span<const std::int16_t> utterance) {
 }
 
 Expected<void> Speech::listen(std::shared_ptr<const dialogue::TemplateSet> templates) {
+    return listen(std::move(templates), true);
+}
+
+Expected<void> Speech::listen_for_asking(std::shared_ptr<const dialogue::TemplateSet> templates) {
+    return listen(std::move(templates), !has_recordings_);
+}
+
+Expected<void> Speech::listen(std::shared_ptr<const dialogue::TemplateSet> templates, bool hears) {
     stop_listening();
     if (!asks_) {
         return {};
     }
     auto listening = typed_->listen(templates);
-    if (listening && hearing_) {
+    if (listening && hearing_ && hears) {
         listening = hearing_->listen(std::move(templates));
     }
     if (!listening) {

@@ -38,6 +38,9 @@ class Speech {
     void hear(std::span<const std::int16_t> utterance);
     /// Listens for one answer; what was half said before is forgotten. The error says why it cannot.
     [[nodiscard]] Expected<void> listen(std::shared_ptr<const dialogue::TemplateSet> templates);
+    /// Likewise for what the learner may ask. Recordings are answers, and are not spent on it.
+    [[nodiscard]] Expected<void> listen_for_asking(
+        std::shared_ptr<const dialogue::TemplateSet> templates);
     void stop_listening();
     [[nodiscard]] bool listening() const { return typed_->listening(); }
     /// The answer, once, as far as the recogniser is sure of it.
@@ -61,8 +64,11 @@ class Speech {
   private:
     Speech() = default;
     void end_past_reply();
+    [[nodiscard]] Expected<void> listen(std::shared_ptr<const dialogue::TemplateSet> templates,
+                                        bool hears);
 
-    bool asks_ = false;  // the lesson has questions
+    bool has_recordings_ = false;  // they are heard instead of a microphone
+    bool asks_ = false;            // the lesson has questions
     std::unique_ptr<dialogue::TextRecogniser> typed_ = std::make_unique<dialogue::TextRecogniser>();
     std::unique_ptr<ExternalRecogniser> hearing_;  // null where answers are typed alone
     std::vector<std::string> troubles_;

@@ -1,6 +1,7 @@
 #include "runtime/scene/plan.h"
 
 #include "haptics/field/field.h"
+#include "runtime/scene/asked_by.h"
 #include "runtime/scene/plan_kite.h"
 #include "runtime/scene/plan_rigid.h"
 #include "runtime/scene/plan_tool.h"
@@ -117,25 +118,6 @@ const BodyDescription* first_movable(const LessonDescription& lesson) {
     const auto found = std::find_if(lesson.bodies.begin(), lesson.bodies.end(),
                                     [](const BodyDescription& body) { return body.movable; });
     return found == lesson.bodies.end() ? nullptr : &*found;
-}
-
-SourceLine first_rigid_line(const LessonDescription& lesson) {
-    const auto found = std::ranges::find_if(
-        lesson.bodies, [](const BodyDescription& body) { return body.rigid.has_value(); });
-    return found == lesson.bodies.end() ? 0 : found->line;
-}
-
-/// Of the first question, or of the first thing that may be asked for.
-SourceLine line_of_dialogue(const LessonDescription& lesson) {
-    return lesson.questions.empty() ? lesson.knowledge.front().line : lesson.questions.front().line;
-}
-
-/// Of the first solid body that is made of something.
-SourceLine first_material_line(const LessonDescription& lesson) {
-    const auto found = std::ranges::find_if(lesson.bodies, [](const BodyDescription& body) {
-        return body.solid && body.material != kNoMaterial;
-    });
-    return found == lesson.bodies.end() ? 0 : found->line;
 }
 
 std::string_view name_of(ProxyKind kind) {

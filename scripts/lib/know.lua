@@ -81,7 +81,7 @@ local known = {
     end,
   },
   is_it = {
-    asked = { "is (it|this|that) {feel}", "is (the|this|that) {thing} {feel}" },
+    asked = { "is (it|this|that) <adjective:{feel}>", "is (the|this|that) {thing} <adjective:{feel}>" },
     lists = { feel = { "hard", "soft", "rough", "smooth", "slippery", "sticky" } },
     answer = function(asked, world)
       local body = meant(asked, world)

@@ -148,7 +148,7 @@ TEST_CASE("examples: one that comes out otherwise is one sentence with its line"
     const Sandbox sandbox;
     sandbox.write("odd/lesson.lua", R"(local L = lesson { id = "odd", title = "Odd" }
 L:question "q" {
-  prompt = "Which one?", answers = { "[a|an|the] {thing} is heavy" }, lists = { thing = { "apple", "egg" } },
+  prompt = "Which one?", again = "Lift both.", answers = { "[a|an|the] {thing} is heavy" }, lists = { thing = { "apple", "egg" } },
   right = function(a) return a.thing == "apple" end,
   examples = { right = { "an apple is heavy", "an egg is heavy", "a apple is heavy", "no" }, wrong = { "an apple is heavy" },
                form = { "an apple is heavy", "a apple is heavy" } },

@@ -52,6 +52,14 @@ TEST_CASE("word graph: has what is right, what learners say, and nothing that ca
     CHECK_FALSE(said.contains("the heaviest is the egg"));
 }
 
+TEST_CASE("word graph: what sounds alike is heard as what is right") {
+    const auto said =
+        sentences_of(make_word_graph(compile({"the {thing} is <comparative:heavy> than the egg"})));
+    CHECK(said.contains("the apple is heavier than the egg"));
+    CHECK(said.contains("the apple is heavier from the egg"));
+    CHECK_FALSE(said.contains("the apple is heavier then the egg"));
+}
+
 TEST_CASE("word graph: each word and each arc is there once, from 0 to the last node") {
     const WordGraph graph =
         make_word_graph(compile({"the {thing} is the <superlative:beautiful>", "the {thing}"}));
