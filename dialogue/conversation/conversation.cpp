@@ -165,12 +165,12 @@ Feedback Conversation::not_understood(const Mark& mark) {
         feedback = say(FeedbackKind::not_understood, "feedback.which_one");
     } else if (rung == 1) {
         feedback = say(FeedbackKind::not_understood, "feedback.not_understood.1");
-    } else if (const std::string frame = sentence_frame(*question_); rung == 2 && !frame.empty()) {
+    } else if (const std::string frame = sentence_frame(*question_);
+               !frame.empty() && (rung == 2 || choices(*question_).size() > kMostListed)) {
         feedback =
             say(FeedbackKind::not_understood, "feedback.not_understood.2", {{"frame", frame}});
     } else if (const std::string example = example_sentence(*question_);
-               asks(example) || choices(*question_).empty() ||
-               choices(*question_).size() > kMostListed) {
+               asks(example) || choices(*question_).empty()) {
         feedback = say(FeedbackKind::not_understood, "feedback.not_understood.example",
                        {{"sentence", example}});
     } else {

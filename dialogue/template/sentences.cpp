@@ -14,8 +14,9 @@ constexpr std::string_view kGap = "…";
 
 /// A sentence that asks ends with a question mark.
 bool asks(const std::string& sentence) {
-    constexpr std::array<std::string_view, 7> kAsking = {"how", "what",  "which", "where",
-                                                         "who", "whose", "why"};
+    constexpr std::array<std::string_view, 14> kAsking = {"how",   "what", "which", "where", "who",
+                                                          "whose", "why",  "is",    "are",   "am",
+                                                          "was",   "were", "does",  "can"};
     std::string first = lower_case(sentence.substr(0, sentence.find(' ')));
     std::erase(first, '*');
     return std::find(kAsking.begin(), kAsking.end(), first) != kAsking.end();

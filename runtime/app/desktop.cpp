@@ -92,10 +92,16 @@ void Desktop::say(const std::vector<std::string>& texts) {
     }
 }
 
-void Desktop::repeat() {
-    if (voice) {
-        voice->repeat();
+void Desktop::say_again(const std::vector<std::string>& standing) {
+    if (!voice) {
+        return;
     }
+    if (standing.empty()) {
+        voice->repeat();
+        return;
+    }
+    voice->stop();
+    say(standing);
 }
 
 void Desktop::hush() {

@@ -33,8 +33,8 @@ struct Desktop {
     void play(const std::vector<std::string>& names);
     /// Says texts aloud, one after the other, after what is still to be said.
     void say(const std::vector<std::string>& texts);
-    /// Says the last one again.
-    void repeat();
+    /// Says again what stands there; where nothing does, the last one that was said.
+    void say_again(const std::vector<std::string>& standing);
     /// Somebody speaks now.
     [[nodiscard]] bool speaks() const { return sound && sound->is_speaking(); }
     /// Nothing more is said.

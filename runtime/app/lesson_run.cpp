@@ -174,7 +174,8 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
     auto past = recalls ? read_past_answers(store, *learner, utc_now_ms())
                         : Expected<std::vector<PastAnswers>>{};
     if (!past) {
-        return tl::unexpected(past.error());
+        std::fprintf(stderr, "%s\n", to_sentence(past.error()).c_str());
+        past = std::vector<PastAnswers>{};
     }
     auto session =
         LessonSession::create(std::move(description), plan_, catalogue, store, learner->id,

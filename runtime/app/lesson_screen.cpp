@@ -192,7 +192,14 @@ void LessonScreen::take_playing_key(const KeyPress& press) {
     if (press.key == "f11") {
         desktop_.window->set_fullscreen(!desktop_.window->fullscreen());
     } else if (press.key == "f2") {
-        desktop_.repeat();
+        std::vector<std::string> standing;
+        for (const std::string& text :
+             {run_->session().hud().feedback, run_->session().hud().caption}) {
+            if (!text.empty()) {
+                standing.push_back(text);
+            }
+        }
+        desktop_.say_again(standing);
     } else if (press.key == "tab" && run_->session().hud().may_ask) {
         asking_ = !asking_;
         typing_.clear();
@@ -329,6 +336,9 @@ View LessonScreen::compose() const {
         }
         if (view.banner.empty() && says_how_to_move()) {
             view.banner = catalogue_.say(run_->plan().kite ? "hud.reel_help" : "hud.mouse_help");
+            if (run_->session().hud().may_ask) {
+                view.banner += " " + catalogue_.say("hud.ask_help", {{"key", "Tab"}});
+            }
         }
     }
     return view;

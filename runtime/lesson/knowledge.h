@@ -42,6 +42,8 @@ class Knowledge {
     [[nodiscard]] std::string told(const AskedFor& asked, const std::string& answer) const;
     /// To words that ask for nothing: what might be asked, another thing each time.
     [[nodiscard]] std::string unknown();
+    /// To who answers a question that is to be asked again.
+    [[nodiscard]] std::string not_now() const { return catalogue_->say("knowledge.not_now"); }
     /// To what was not heard well.
     [[nodiscard]] std::string heard_badly() const {
         return catalogue_->say("feedback.heard_badly");

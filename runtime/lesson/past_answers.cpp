@@ -1,5 +1,7 @@
 #include "runtime/lesson/past_answers.h"
 
+#include "runtime/lua/wire/wire.h"
+
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -39,6 +41,10 @@ void count_attempt(const AttemptRecord& attempt, Count& count) {
     }
 }
 
+bool is_told(const std::string& text) {
+    return text.size() <= kMaxTextBytes && is_clean_utf8(text);
+}
+
 }  // namespace
 
 std::vector<PastAnswers> find_past_answers(const ProgressData& data, const LearnerId& learner,
@@ -62,8 +68,15 @@ std::vector<PastAnswers> find_past_answers(const ProgressData& data, const Learn
         count.past.question = name.second;
         count.past.days =
             std::max(0.0, static_cast<double>(now_utc_ms - count.last_utc_ms) / kMillisecondsADay);
-        count.past.points.assign(count.points.begin(), count.points.end());
-        all.push_back(std::move(count));
+        for (const auto& point : count.points) {
+            if (is_told(point.first) && count.past.points.size() < kMaxListItems) {
+                count.past.points.push_back(point);
+            }
+        }
+        // What no lesson can be told, by a damaged database, is left out.
+        if (is_told(name.first) && is_told(name.second)) {
+            all.push_back(std::move(count));
+        }
     }
     std::stable_sort(all.begin(), all.end(), [](const Count& one, const Count& other) {
         return one.last_utc_ms < other.last_utc_ms;

@@ -196,6 +196,10 @@ void LessonSession::hear(const dialogue::Hypothesis& heard) {
     if (words.size() > kLongestAnswer_bytes) {
         words = kept_text(std::string_view(words).substr(0, kLongestAnswer_bytes));
     }
+    if (knowledge_ && !dialogue_.listens() && dialogue_.understands(words)) {
+        tell(words, knowledge_->not_now());  // it was set aside, to be felt again
+        return;
+    }
     if (!knowledge_ || dialogue_.understands(words) || !ask_for(words, heard.confidence)) {
         take(dialogue_.hear(words, heard.confidence, time_s_, heard.form));
     }

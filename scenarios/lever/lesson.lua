@@ -120,7 +120,7 @@ end
 
 L:knows "weight" {
   asked = { "how heavy is (it|the Earth|the toy Earth)", "how much does (it|the Earth|the toy Earth) weigh" },
-  answer = function() return ("The toy Earth weighs %.4g newtons."):format(level.weight) end,
+  answer = function() return level and ("The toy Earth weighs %.4g newtons."):format(level.weight) end,
 }
 
 L:knows "arm" {
@@ -132,7 +132,7 @@ L:knows "arm" {
 
 L:knows "force" {
   asked = { "how much force do I need", "how strong must I be", "how many newtons do I need" },
-  answer = function() return level.ratio < 1000 and ("At the end of the lever you need %.1f newtons."):format(needed(end_x, support_x)) or nil end,
+  answer = function() return level and level.ratio < 1000 and ("At the end of the lever you need %.1f newtons."):format(needed(end_x, support_x)) or nil end,
 }
 
 -- ---- questions ----------------------------------------------------------------------------------------------------------

@@ -193,8 +193,11 @@ function play(world, round)
   local spot = place_of(goal)
   walker:place { at = { spot[1] + cell_size, 0, spot[3] } }
   world:sound "level_up"
-  world:caption(bank.summary())
-  wait(8)
+  local ideas, points = bank.summary()
+  world:caption(ideas)
+  wait(6)
+  world:caption(points)
+  wait(6)
 end
 
 L:test { hand = "gardener.lua", learner = { wrong = 0.2, form = 0.3, unclear = 0.1 }, expect = { finished = true } }

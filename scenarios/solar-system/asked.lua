@@ -10,7 +10,7 @@ return function(L, shown)
   local function named(name) return name == "Earth" and "The Earth" or name end
 
   L:knows "moons" {
-    asked = { "how many <plural:moon> does {planet} have", "how many <plural:moon> has {planet} got" },
+    asked = { "how many <plural:moon> does {planet} have", "how many <plural:moon> has {planet} got", "how many <plural:moon> has {planet}" },
     lists = { planet = asked_of },
     answer = function(asked)
       local n = planets.facts(asked.planet).moons
@@ -36,6 +36,15 @@ return function(L, shown)
     asked = { "how long is a year on {planet}" },
     answer = function(asked)
       return ("A year on %s has %.0f of our days."):format(asked.planet == "Earth" and "the Earth" or asked.planet, planets.facts(asked.planet).year)
+    end,
+  }
+
+  L:knows "day" {
+    asked = { "how long is a day on {planet}" },
+    answer = function(asked)
+      local hours = planets.facts(asked.planet).day / 3600
+      local turns = named(asked.planet) .. " turns round once in "
+      return turns .. (hours < 48 and ("%.0f hours."):format(hours) or ("%.0f of our days."):format(hours / 24))
     end,
   }
 

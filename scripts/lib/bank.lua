@@ -7,7 +7,8 @@
 ---     world:recall()                      -- what this learner has answered before
 ---     …
 ---     for _, question in ipairs(bank.choose(world, 6)) do bank.ask(question) end    -- inside game.play
----     world:caption(bank.summary())
+---     local ideas, points = bank.summary()
+---     world:caption(ideas)
 ---   end
 ---
 --- Chosen is what a learner has most likely forgotten, of the lessons that were played: after so many days an answer is still
@@ -33,12 +34,12 @@ local sources = {
 
 -- As the summary says them.
 local points = {
-  comparison = "heavier, the heaviest", article = "a, an, the", passive_voice = "made of", adjective = "hard and smooth",
-  noun_number = "one and many", preposition = "in, on, under, from", verb = "what things do",
+  comparison = "comparing", article = "articles", passive_voice = "\"made of\"", adjective = "adjectives", noun_number = "plurals",
+  preposition = "prepositions", verb = "verbs",
 }
 local ideas = {
-  weight = "weight", materials = "what things are made of", planets = "the planets", turning = "what is hard to turn",
-  lever = "levers", flight = "how a kite flies", place = "where things are",
+  weight = "weight", materials = "materials", planets = "planets", turning = "turning", lever = "levers", flight = "kites",
+  place = "places",
 }
 
 local all = {}
@@ -164,15 +165,17 @@ end
 local function told(tally, words, row_text)
   local lines = {}
   for i, row in ipairs(tally) do lines[i] = row_text(words[row.name] or row.name, row) end
-  return table.concat(lines, "\n")
+  return table.concat(lines, ", ")
 end
 
---- What was asked since the lesson began: a line for each idea of physics and one for each point of grammar.
----@return string text
+--- What was asked since the lesson began, as two texts: how much was right of each idea of physics, and how much was well said of each
+--- point of grammar. Both say so where nothing was asked.
+---@return string ideas, string points
 function bank.summary()
-  local function right_of(name, row) return ("%s: %d of %d"):format(name, row.right, row.asked) end
-  local function formed(name, row) return ("%s: %d of %d well said"):format(name, row.right - row.form, row.asked) end
-  return told(by_idea, ideas, right_of) .. "\n" .. told(by_point, points, formed)
+  if #by_idea == 0 then return "No question was asked.", "No question was asked." end
+  local function right_of(name, row) return ("%s %d of %d"):format(name, row.right, row.asked) end
+  local function formed(name, row) return ("%s %d of %d"):format(name, row.right - row.form, row.asked) end
+  return "You know: " .. told(by_idea, ideas, right_of) .. ".", "Well said: " .. told(by_point, points, formed) .. "."
 end
 
 return setmetatable(bank, {

@@ -3,7 +3,7 @@
 local numbers = require "numbers"
 
 -- Kilograms, as the toy fruit of the gravity game weigh.
-local mass = { watermelon = 2, apple = 0.2, banana = 0.15, egg = 0.06 }
+local mass = { watermelon = 3, apple = 0.2039, banana = 0.12, egg = 0.0612 }
 local fruit = { "watermelon", "apple", "banana", "egg" }
 
 local function heaviest(names, sign)
@@ -42,7 +42,7 @@ local function comparative(adjective, sign, more, first, second)
   local right = heaviest({ first, second }, sign)
   local wrong = right == first and second or first
   return {
-    id = ("gravity_%s_%s_%s"):format(more, first, second), like = { "heavier", "lighter" }, point = "comparison", idea = "weight",
+    id = ("gravity_%s_%s_%s"):format(more, first, second), like = { "heavier", "lightest" }, point = "comparison", idea = "weight",
     prompt = ("Which one is %s, %s or %s?"):format(more, one(first), one(second)),
     answers = { "[a|an|the] {thing} is <comparative:" .. adjective .. "> [than [a|an|the] {other}]",
                 "[a|an|the] {thing} is the <comparative:" .. adjective .. "> one" },
@@ -92,7 +92,7 @@ return {
                  form = { "the Earth pull it down" } },
   },
   {
-    id = "gravity_moon", like = { "heavier", "lighter" }, point = "comparison", idea = "weight",
+    id = "gravity_moon", like = { "heavier", "lightest" }, point = "comparison", idea = "weight",
     prompt = "Where does an apple weigh less: on the Earth or on the Moon?",
     answers = { "(it|an apple|the apple) weighs less on the {place} [than on the {other}]",
                 "(it|an apple|the apple) is <comparative:light> on the {place} [than on the {other}]", "on the {place} [it weighs less]" },
@@ -118,8 +118,8 @@ return {
   },
   {
     id = "gravity_three", like = { "heavier" }, point = "noun_number", idea = "weight",
-    prompt = "An egg weighs one newton in this game. How many newtons do four eggs weigh?",
-    answers = { "they weigh {number} <plural:newton>", "(four eggs|the eggs|the four eggs) weigh {number} <plural:newton>",
+    prompt = "A toy egg weighs one newton. How many newtons do four toy eggs weigh?",
+    answers = { "they weigh {number} <plural:newton>", "([the] four [toy] eggs|the eggs) weigh {number} <plural:newton>",
                 "it is {number} <plural:newton>", "{number} <plural:newton>" },
     nearly = { "(they|eggs|it) (weighs|is|are|have|has) {number} (newton|newtons)" },
     lists = { number = numbers.words(0, 12) },
@@ -132,7 +132,7 @@ return {
   {
     id = "gravity_yes", like = { "heavier" }, point = "comparison", idea = "weight",
     prompt = "Is a watermelon heavier than an egg?",
-    answers = { "{yes} [it is [<comparative:heavy> [than (an egg|the egg)]]]", "{yes} a watermelon is <comparative:heavy> [than an egg]",
+    answers = { "{yes} [it is [<comparative:heavy> [than (an egg|the egg)]]]", "{yes} (a|the) watermelon is <comparative:heavy> [than (an|the) egg]",
                 "{no} [(it isn't|it is not)]", "(a|the) watermelon is <comparative:heavy> [than (an|the) egg]" },
     nearly = { "{yes} (it does|is)", "{no} (it doesn't|is not)" },
     lists = { yes = { "yes|yeah|sure" }, no = { "no" } },

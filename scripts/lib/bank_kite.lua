@@ -75,7 +75,7 @@ return {
   {
     id = "kite_tail", like = { "change" }, point = "article", idea = "flight",
     prompt = "A kite turns and swings. What does it need?",
-    answers = { "it needs a {part}", "it needs a <comparative:long> {part}", "a {part}", "a <comparative:long> {part}" },
+    answers = { "it needs a {part}", "it needs a <comparative:long> {part}", "it needs a long {part}", "a {part}", "a <comparative:long> {part}", "a long {part}" },
     nearly = { "it (need|is need) [a] [longer] {part}", "it needs {part}", "{part}" },
     lists = { part = { "tail", "wheel", "window", "door" } },
     right = function(a) return a.part == "tail" end,

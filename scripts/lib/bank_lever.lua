@@ -57,7 +57,7 @@ return {
   {
     id = "lever_torque", like = { "near_far" }, point = "passive_voice", idea = "lever",
     prompt = "What is force times arm called?",
-    answers = { "it is called {name}", "it is called the {name}", "(we|people) call it [the] {name}", "[it is] [the] {name}" },
+    answers = { "it is called {name}", "(we|people) call it {name}", "[it is] {name}" },
     nearly = { "it [is] (call|calls|calling) [the] {name}", "it called [the] {name}" },
     lists = { name = { "torque", "weight", "speed", "energy" } },
     right = function(a) return a.name == "torque" end,

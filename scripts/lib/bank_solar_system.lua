@@ -34,11 +34,11 @@ local function moons(name)
     id = "solar_moons_" .. name:lower(), like = { "moons_" .. name:lower(), "your_turn" }, point = "noun_number", idea = "planets",
     prompt = ("How many moons does %s have?"):format(called(name)),
     answers = { called(name) .. " has {number} <plural:moon>", "(it|[the] " .. name .. ") has [got] {number} [<plural:moon>]",
-                "there are {number} <plural:moon>", "{number} <plural:moon>" },
+                "there are {number} [<plural:moon>]", "{number} <plural:moon>" },
     nearly = { "(it|there|[the] " .. name .. ") [(is|are|has|have)] {number} [(moon|moons)]", "[it] (have|is|are) {number} [(moon|moons)]" },
     lists = { number = how_many },
     right = function(a) return numbers.value(a.number) == n end,
-    hint = ("Ask about %s in the solar system lesson."):format(called(name)),
+    hint = "Is it none, one, two or many?",
     solution = ("%s has %s %s."):format(upper(called(name)), words, thing),
     examples = {
       right = { ("%s has %s %s"):format(called(name), words, thing) },
@@ -58,7 +58,7 @@ local function most(id, adjective, superlative, of, sign)
     answers = { "[the] {planet} is the <superlative:" .. adjective .. "> [planet|one] [to the Sun]", "[the] {planet} is", "[it is] [the] {planet}" },
     lists = { planet = names },
     right = function(a) return a.planet == right end,
-    hint = "Look at the sky of the solar system lesson again.",
+    hint = "Think of the sky: the small planets are near the Sun, the big ones far away.",
     solution = ("%s is %s."):format(upper(called(right)), superlative),
     examples = {
       right = { ("%s is %s"):format(called(right), superlative), called(right) .. " is", right },

@@ -53,7 +53,7 @@ return {
   {
     id = "stacks_bottom", like = { "on_top" }, point = "adjective", idea = "weight",
     prompt = "You build a tower. Should the heavy block be at the top or at the bottom?",
-    answers = { "(it|the heavy block) should be at the {place}", "at the {place}", "(I|you|we) should put (it|the heavy block) at the {place}", "the {place}" },
+    answers = { "(it|the heavy block) (should|must) be at the {place}", "at the {place}", "(I|you|we) should put (it|the heavy block) at the {place}", "the {place}" },
     nearly = { "(it|the heavy block|heavy block) (should|must) [be] (in|on|at) [the] {place}", "(in|on) [the] {place}" },
     lists = { place = { "bottom", "top" } },
     right = function(a) return a.place == "bottom" end,

@@ -5,15 +5,12 @@ local like = {
   metal = { hard = true, smooth = true, slippery = true },
   wood = { hard = true, rough = true },
   rock = { hard = true, rough = true },
-  rubber = { soft = true, smooth = true, sticky = true },
-  glass = { hard = true, smooth = true, slippery = true },
-  sandpaper = { hard = true, rough = true, sticky = true },
 }
 -- The materials in order, the most so first.
 local order = {
-  hard = { "glass", "metal", "rock", "wood", "rubber" },
-  rough = { "rock", "sandpaper", "wood", "rubber", "glass" },
-  slippery = { "metal", "glass", "wood", "rock", "rubber" },
+  hard = { "metal", "rock", "wood" },
+  rough = { "rock", "wood", "metal" },
+  slippery = { "metal", "wood", "rock" },
 }
 local adjectives = { "hard", "soft", "smooth", "rough", "slippery", "sticky" }
 local called = { "metal", "wood", "rock|stone", "rubber", "glass", "sandpaper" }
@@ -92,13 +89,13 @@ return {
   what_like("metal", "hard", "smooth", "soft", "metal is hard smooth"),
   what_like("wood", "hard", "rough", "slippery", "wood is hardly"),
   what_like("rock", "hard", "rough", "smooth", "rock is hard or rough"),
-  what_like("rubber", "soft", "sticky", "hard", "rubber is a soft"),
-  what_like("glass", "smooth", "slippery", "rough", "glass is smoothly"),
-  which("hard", "harder", "metal", "rubber"),
-  which("hard", "harder", "wood", "rubber"),
-  which("rough", "rougher", "sandpaper", "glass"),
-  which("rough", "rougher", "rock", "rubber"),
-  which("slippery", "more slippery", "metal", "rubber"),
+  which("hard", "harder", "metal", "wood"),
+  which("hard", "harder", "rock", "wood"),
+  which("rough", "rougher", "rock", "metal"),
+  which("rough", "rougher", "wood", "metal"),
+  which("rough", "rougher", "rock", "wood"),
+  which("slippery", "more slippery", "metal", "wood"),
+  which("slippery", "more slippery", "metal", "rock"),
   made_of("the spaceship", "metal", "wood"),
   made_of("the table", "wood", "metal", "it is wooden"),
   made_of("the statue", "rock", "rubber"),

@@ -18,6 +18,8 @@ local function with_article(noun)
   return (noun:match "^[aeiou]" and "an " or "a ") .. noun
 end
 
+local nothing_yet = "Take something in your hand, or touch it. Then ask me."
+
 -- The body that is asked about; nil where the hand has met none.
 local function meant(asked, world)
   if asked.bodies.thing then return asked.bodies.thing end
@@ -42,7 +44,7 @@ local feels = {
   rough = function(m) return m.roughness >= 0.5 end,
   smooth = function(m) return m.roughness < 0.5 end,
   slippery = function(m) return m.slipperiness >= 0.5 end,
-  sticky = function(m) return m.slipperiness < 0.5 end,
+  sticky = function(m) return m.slipperiness < 0.15 end,   -- between the two it is neither
 }
 
 local known = {
@@ -50,42 +52,49 @@ local known = {
     asked = { "what is (this|that|it) [called]", "what am I (holding|touching)", "what do I have [in my hand]" },
     answer = function(asked, world)
       local body = meant(asked, world)
-      return body and ("This is %s."):format(with_article(body.noun))
+      if not body then return nothing_yet end
+      if body.covered then return "I can't see it. Feel it!" end
+      -- A block of metal that is called so: "This is metal."
+      local is_material = body.material and body.material.name == body.noun
+      return ("This is %s."):format(is_material and body.noun or with_article(body.noun))
     end,
   },
   made_of = {
-    asked = { "what is (it|this|that) made (of|from)", "what is (the|this|that) {thing} made (of|from)",
+    asked = { "what is (it|this|that) made (of|from)", "what is [the|a|an] {thing} made (of|from)",
               "what material is (it|this|that)" },
     answer = function(asked, world)
       local body = meant(asked, world)
-      if not body then return nil end
+      if not body then return nothing_yet end
       if body.covered then return "I can't see it. Feel it!" end
       return body.material and ("%s is made of %s."):format(called(asked, body), body.material.name)
     end,
   },
   weight = {
-    asked = { "how heavy is (it|this|that)", "how heavy is (the|this|that) {thing}", "how much does (it|this|that) weigh",
-              "how much does (the|this|that) {thing} weigh", "what is the weight of (it|this|that|the {thing})" },
+    asked = { "how heavy is (it|this|that)", "how heavy is [the|a|an] {thing}", "how much does (it|this|that) weigh",
+              "how much does [the|a|an] {thing} weigh", "what is the weight of (it|this|that)" },
     answer = function(asked, world)
       local body = meant(asked, world)
-      return body and ("%s weighs %.1f newtons."):format(called(asked, body), body.weight)
+      -- A body of which nobody said what it weighs has a kilogram, and no hand can carry it.
+      if body and body.mass == 1 and body.felt_weight == 0 then return nil end
+      return body and ("%s weighs %.1f newtons."):format(called(asked, body), body.weight) or nothing_yet
     end,
   },
   feel = {
-    asked = { "how does (it|this|that) feel", "how does (the|this|that) {thing} feel", "what is (it|this|that) like",
-              "what is (the|this|that) {thing} like" },
+    asked = { "how does (it|this|that) feel", "how does [the|a|an] {thing} feel", "what is (it|this|that) like",
+              "what is [the|a|an] {thing} like" },
     answer = function(asked, world)
       local body = meant(asked, world)
-      if not (body and body.material) then return nil end
-      return ("%s is %s and %s."):format(called(asked, body), feel_of(body.material))
+      if not body then return nothing_yet end
+      return body.material and ("%s is %s and %s."):format(called(asked, body), feel_of(body.material))
     end,
   },
   is_it = {
-    asked = { "is (it|this|that) <adjective:{feel}>", "is (the|this|that) {thing} <adjective:{feel}>" },
+    asked = { "is (it|this|that) <adjective:{feel}>", "is [the|a|an] {thing} <adjective:{feel}>" },
     lists = { feel = { "hard", "soft", "rough", "smooth", "slippery", "sticky" } },
     answer = function(asked, world)
       local body = meant(asked, world)
-      if not (body and body.material) then return nil end
+      if not body then return nothing_yet end
+      if not body.material then return nil end
       return feels[asked.feel](body.material) and "Yes, it is." or "No, it isn't."
     end,
   },

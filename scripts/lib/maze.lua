@@ -19,7 +19,7 @@ local steps = { left = { -1, 0 }, right = { 1, 0 }, up = { 0, -1 }, down = { 0, 
 local back = { left = "right", right = "left", up = "down", down = "up" }
 local directions = { "left", "right", "up", "down" }
 
-local most_cells = 400
+local most_cells = 200    -- as many boxes as a body may have make the walls of any
 local most_tries = 50
 
 -- Whole numbers from 1 to n, the same ones for the same seed: D. Knuth's linear congruential generator MMIX (The Art of Computer
@@ -100,8 +100,12 @@ function maze.make(how)
     if math.type(value) ~= "integer" then mistake("maze.make's " .. name .. " is a whole number; got " .. shown(value)) end
   end
   local columns, rows = how.columns or 7, how.rows or 5
-  if columns < 2 or rows < 2 or columns * rows > most_cells then
+  if columns < 2 or rows < 2 or columns > most_cells or rows > most_cells or columns * rows > most_cells then
     mistake(("maze.make makes 2 columns and 2 rows at least, and %d cells at most; got %d and %d"):format(most_cells, columns, rows))
+  end
+  -- A tree of n cells has at most n - 1 ends.
+  if (how.dead_ends or 0) >= columns * rows then
+    mistake(("maze.make: %d by %d cells have no room for %d dead ends; make it larger"):format(columns, rows, how.dead_ends))
   end
   local garden = { columns = columns, rows = rows }
   local roll = make_dice(how.seed or 1)
@@ -222,6 +226,11 @@ function maze.walls(garden, size, gates)
   check_garden("maze.walls", garden)
   if type(size) ~= "table" or type(size.cell) ~= "number" or type(size.thick) ~= "number" or type(size.high) ~= "number" then
     mistake("maze.walls takes { cell = 0.12, thick = 0.02, high = 0.05 }; got " .. shown(size))
+  end
+  for _, gate in ipairs(gates or {}) do
+    if type(gate) ~= "table" then mistake("maze.walls's gates are { cell = 1, direction = \"left\" }; got " .. shown(gate)) end
+    check_cell("maze.walls's gate", garden, gate.cell)
+    check_direction("maze.walls's gate", gate.direction)
   end
   local function is_gate(cell, direction)
     for _, gate in ipairs(gates or {}) do

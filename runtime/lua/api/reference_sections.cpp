@@ -125,7 +125,8 @@ constexpr const char* kTests = R"(
 ## Tests
 
 `./fulcrum test FOLDER` plays the first `L:test` without a window: the hand is the file `hand`, a Lua file beside the lesson
-(see `motion` below), the answers are `say` in turn, and the lesson must end as `expect` says.
+(see `motion` below), the answers are `say` in turn, and the lesson must end as `expect` says. A line of `say` that begins with a question mark, "?What is this",
+is asked while no question is open.
 
 ```lua
 L:test { hand = "catcher.lua", say = { "the apple is the heaviest" }, expect = { finished = true, stars = 3 } }

@@ -131,6 +131,9 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
         // Only a mass that the lesson gives is known to be that of its inertia.
         body.hinge->mass_kg = arguments["mass"].given ? body.mass_kg : 0.0;
     }
+    if (!body.about.empty() && !body.solid) {
+        raise_in_lesson(lua, body.name + " has about but can't be touched; add solid = true");
+    }
     if (body.solid && body.model == kOrbitModel) {
         raise_in_lesson(
             lua, body.name + " is an orbit, a thin line, seen and not felt; leave out solid");

@@ -65,6 +65,12 @@ TEST_CASE("knowledge: an error of form is said back rightly before the answer") 
     const auto wrong = knowledge.find("how many moon does Mars have");
     REQUIRE(wrong);
     CHECK(knowledge.told(*wrong, "Two.") == "We say: How many *moons* does Mars have? Two.");
+    LessonDescription heavy = planets();
+    heavy.knowledge = {{"heavy", {"is the {thing} <adjective:heavy>"}, {}, 3}};
+    const Knowledge asks = compiled(heavy, catalogue);
+    const auto hard = asks.find("is apple heavy");
+    REQUIRE(hard);
+    CHECK(asks.told(*hard, "Yes.") == "We say: Is *the apple* heavy? Yes.");
     CHECK(knowledge.first_mine() == "First mine.");
 }
 

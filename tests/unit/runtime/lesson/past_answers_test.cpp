@@ -81,6 +81,15 @@ TEST_CASE("past answers: of very many questions the newest are left") {
     CHECK(past.back().question == "q" + std::to_string(n - 1));
 }
 
+TEST_CASE("past answers: names that no lesson can be told are left out") {
+    Diary mina("Mina");
+    mina.session("gravity").answers("heaviest", "R").answers(std::string(2000, 'x'), "R");
+    mina.answers("bad\xff", "R").answers("bell\x07", "R");
+    const auto past = find_past_answers(dated(mina), "id-of-Mina", 0);
+    REQUIRE(past.size() == 1);
+    CHECK(past[0].question == "heaviest");
+}
+
 TEST_CASE("past answers: a store gives them for its learner, and nothing where nothing is kept") {
     const auto nothing = make_null_store();
     const auto learner = nothing->enrol("Mina");
