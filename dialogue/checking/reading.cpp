@@ -238,6 +238,16 @@ bool is_weak_noun(const FreeSentence& sentence, int i) {
            !(word.verb_in_s && sentence.is(i - 1, {"this", "that", "which", "what"}));
 }
 
+/// May this word stand among the nouns of a phrase, whose first noun is at `first_noun`?
+bool is_among_nouns(const FreeSentence& sentence, int i, int first_noun, bool determined) {
+    const FreeWord& word = sentence[i];
+    if (word.closed || word.number) {
+        return false;
+    }
+    return word.mainly_noun() || (i == first_noun && (is_material(sentence.text(i)) ||
+                                                      (determined && is_weak_noun(sentence, i))));
+}
+
 }  // namespace
 
 NounPhrase noun_phrase_at(const FreeSentence& sentence, int first) {
@@ -256,10 +266,7 @@ NounPhrase noun_phrase_at(const FreeSentence& sentence, int first) {
     }
     const int first_noun = i;
     int head = i - 1;
-    while (i < sentence.size() && !sentence[i].closed && !sentence[i].number &&
-           (sentence[i].mainly_noun() ||
-            (i == first_noun && (is_material(sentence.text(i)) ||
-                                 (phrase.determined && is_weak_noun(sentence, i)))))) {
+    while (i < sentence.size() && is_among_nouns(sentence, i, first_noun, phrase.determined)) {
         head = i;
         if (sentence[i].before_stop) {
             break;

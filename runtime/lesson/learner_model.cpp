@@ -49,6 +49,13 @@ Expected<std::string> LearnerModel::answer(const dialogue::Question& question,
     }
     std::string right;  // to fall back on
     std::map<AnswerSlots, bool> judged;
+    const auto judge = [&](const AnswerSlots& slots) -> Expected<bool> {
+        const auto known = judged.find(slots);
+        return known != judged.end() ? Expected<bool>(known->second)
+                                     : verdict(slots).map([&](bool is_right) {
+                                           return judged.emplace(slots, is_right).first->second;
+                                       });
+    };
     for (int walk = 0; walk < kMostWalks; ++walk) {
         const bool errs = kind == Kind::form && !(walk > kMostWalks / 2 && right.empty());
         const std::string said = draw_sentence(*question.templates, errs);
@@ -56,23 +63,18 @@ Expected<std::string> LearnerModel::answer(const dialogue::Question& question,
         if (!mark.understood || !mark.other_number.empty()) {
             continue;
         }
-        auto known = judged.find(mark.slots);
-        if (known == judged.end()) {
-            const auto judgement = verdict(mark.slots);
-            if (!judgement) {
-                return tl::unexpected(judgement.error());
-            }
-            known = judged.emplace(mark.slots, *judgement).first;
+        const auto is_right = judge(mark.slots);
+        if (!is_right) {
+            return tl::unexpected(is_right.error());
         }
-        const bool is_right = known->second;
-        if (is_right && mark.form_right()) {
-            right = said;
-        }
-        const bool fits = kind == Kind::wrong  ? !is_right
-                          : kind == Kind::form ? is_right && !mark.form_right()
-                                               : is_right && mark.form_right();
-        if (fits) {
+        const Kind said_kind = !*is_right          ? Kind::wrong
+                               : mark.form_right() ? Kind::right
+                                                   : Kind::form;
+        if (said_kind == kind) {
             return said;
+        }
+        if (said_kind == Kind::right) {
+            right = said;
         }
     }
     return right.empty() ? std::string(kGivesUp) : right;
