@@ -8,6 +8,8 @@
 #include <array>
 #include <utility>
 
+// Each rule is one chain of conditions, told in the order in which the grammar has them.
+// NOLINTBEGIN(readability-function-cognitive-complexity,bugprone-branch-clone)
 namespace fulcrum::dialogue {
 namespace {
 
@@ -307,3 +309,4 @@ void find_agreement_errors(const FreeSentence& sentence, Proposals& proposals) {
 }
 
 }  // namespace fulcrum::dialogue
+// NOLINTEND(readability-function-cognitive-complexity,bugprone-branch-clone)

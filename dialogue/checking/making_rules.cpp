@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+// Each rule is one chain of conditions, told in the order in which the grammar has them.
+// NOLINTBEGIN(readability-function-cognitive-complexity,bugprone-branch-clone)
 namespace fulcrum::dialogue {
 namespace {
 
@@ -98,3 +100,4 @@ void find_making_errors(const FreeSentence& sentence, Proposals& proposals) {
 }
 
 }  // namespace fulcrum::dialogue
+// NOLINTEND(readability-function-cognitive-complexity,bugprone-branch-clone)

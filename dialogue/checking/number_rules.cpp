@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+// Each rule is one chain of conditions, told in the order in which the grammar has them.
+// NOLINTBEGIN(readability-function-cognitive-complexity,bugprone-branch-clone)
 namespace fulcrum::dialogue {
 namespace {
 
@@ -191,3 +193,4 @@ void find_number_errors(const Lexicon& lexicon, const FreeSentence& sentence,
 }
 
 }  // namespace fulcrum::dialogue
+// NOLINTEND(readability-function-cognitive-complexity,bugprone-branch-clone)

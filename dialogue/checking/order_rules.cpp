@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+// Each rule is one chain of conditions, told in the order in which the grammar has them.
+// NOLINTBEGIN(readability-function-cognitive-complexity,bugprone-branch-clone)
 namespace fulcrum::dialogue {
 namespace {
 
@@ -344,3 +346,4 @@ void find_order_errors(const FreeSentence& sentence, Proposals& proposals) {
 }
 
 }  // namespace fulcrum::dialogue
+// NOLINTEND(readability-function-cognitive-complexity,bugprone-branch-clone)
