@@ -35,10 +35,10 @@ class IterativeSolver final : public ContactMethodSolver {
         Matrix3 turning_a,
             turning_b;  // I^-1 (r x e): how fast a body turns by a unit impulse along each axis
         Vector3 target, p;
-        double inverse_a, inverse_b;             // masses
-        double inverse_normal, inverse_tangent;  // of weights
-        double softness, friction;
-        int body_a, body_b;
+        double inverse_a{}, inverse_b{};             // masses
+        double inverse_normal{}, inverse_tangent{};  // of weights
+        double softness{}, friction{};
+        int body_a{}, body_b{};
     };
     struct Row {
         Vector6 change_a{Vector6::Zero()},

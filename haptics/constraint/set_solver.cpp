@@ -237,6 +237,7 @@ void SetSolver::keep(ContactProblem& problem) const noexcept {
     }
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one round of guesses after the other
 SetSolver::Answer SetSolver::solve(ContactProblem& problem, std::span<const double> friction,
                                    double tolerance, int most_guesses, BlockSystem& matrix,
                                    BodyMotion& motion) noexcept {
