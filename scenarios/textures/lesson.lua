@@ -19,15 +19,6 @@ local names = { "metal", "wood", "rock" }
 local called = { "metal", "wood", "rock|stone" }
 local function said_material(a) return a.wooden and "wood" or a.material end
 
--- What is true of a material, from its stiffness, the tone of a tap, its relief and its friction: 0 to 1 each.
-local is = {
-  hard     = function(m) return m.hardness >= 0.5 end,
-  soft     = function(m) return m.hardness < 0.5 end,
-  rough    = function(m) return m.roughness >= 0.5 end,
-  smooth   = function(m) return m.roughness < 0.5 end,
-  slippery = function(m) return m.slipperiness >= 0.5 end,
-  sticky   = function(m) return m.slipperiness < 0.15 end,   -- between the two it is neither
-}
 local adjectives = { "hard", "soft", "rough", "smooth", "slippery", "sticky" }
 
 -- The things of the third level, and what each is made of.
@@ -123,7 +114,7 @@ end
 
 -- Is all that was said true of that material?
 local function all_true(material, one, also)
-  return is[one](material) and (also == nil or is[also](material))
+  return know.feels(material, one) and (also == nil or know.feels(material, also))
 end
 
 for _, name in ipairs(names) do
@@ -169,8 +160,8 @@ end
 -- "Metal is hard and smooth."
 local function description_of(name)
   local m = blocks[name].material
-  return name:sub(1, 1):upper() .. name:sub(2) .. " is " .. (is.hard(m) and "hard" or "soft") .. " and "
-    .. (is.rough(m) and "rough" or "smooth") .. "."
+  return name:sub(1, 1):upper() .. name:sub(2) .. " is " .. (know.feels(m, "hard") and "hard" or "soft") .. " and "
+    .. (know.feels(m, "rough") and "rough" or "smooth") .. "."
 end
 
 -- After a wrong answer the hand is led back and feels again; after two there is a hint.

@@ -33,11 +33,7 @@ local function called(asked, body)
   return asked.bodies.thing and "The " .. body.noun or "It"
 end
 
--- What can truly be said of a material, two words: hard and smooth.
-local function feel_of(material)
-  return material.hardness >= 0.5 and "hard" or "soft", material.roughness >= 0.5 and "rough" or "smooth"
-end
-
+-- What is true of a material, from its stiffness, the tone of a tap, its relief and its friction: 0 to 1 each.
 local feels = {
   hard = function(m) return m.hardness >= 0.5 end,
   soft = function(m) return m.hardness < 0.5 end,
@@ -46,6 +42,21 @@ local feels = {
   slippery = function(m) return m.slipperiness >= 0.5 end,
   sticky = function(m) return m.slipperiness < 0.15 end,   -- between the two it is neither
 }
+
+--- Is that adjective true of a material: "hard", "soft", "rough", "smooth", "slippery" or "sticky"?
+---@param material Material
+---@param adjective string
+---@return boolean
+function know.feels(material, adjective)
+  if type(material) ~= "userdata" then mistake("know.feels takes a material, such as body.material; got " .. shown(material)) end
+  if feels[adjective] == nil then program.unknown("know.feels", feels, adjective) end
+  return feels[adjective](material)
+end
+
+-- What can truly be said of a material, two words: hard and smooth.
+local function feel_of(material)
+  return feels.hard(material) and "hard" or "soft", feels.rough(material) and "rough" or "smooth"
+end
 
 local known = {
   this = {
@@ -95,7 +106,7 @@ local known = {
       local body = meant(asked, world)
       if not body then return nothing_yet end
       if not body.material then return nil end
-      return feels[asked.feel](body.material) and "Yes, it is." or "No, it isn't."
+      return know.feels(body.material, asked.feel) and "Yes, it is." or "No, it isn't."
     end,
   },
 }
