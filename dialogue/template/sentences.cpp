@@ -109,6 +109,15 @@ void describe(const TemplateSet& set, bool errors, Sample& sample) {
     }
 }
 
+/// Says what the arc has; the node that it leads to.
+int go_on(const TemplateSet& set, const Graph& graph, const Arc& arc, Sample& sample) {
+    if (arc.element != kNone) {
+        sample.pieces.push_back(right_piece(set, graph, arc));
+        sample.pieces.back().said = said_by(set, graph, arc);
+    }
+    return arc.to;
+}
+
 }  // namespace
 
 std::vector<Piece> canonical_pieces(const TemplateSet& set, int number,
@@ -248,12 +257,7 @@ Sample walk_plainly(const TemplateSet& set, int number, bool error,
         const bool errs = wanted && !wrong.empty() && (right.empty() || choose(kOneIn) == 0);
         const std::vector<const Arc*>& ways = errs ? wrong : right;
         wanted = wanted && !errs;
-        const Arc& arc = *ways[choose(ways.size()) % ways.size()];
-        node = arc.to;
-        if (arc.element != kNone) {
-            sample.pieces.push_back(right_piece(set, graph, arc));
-            sample.pieces.back().said = said_by(set, graph, arc);
-        }
+        node = go_on(set, graph, *ways[choose(ways.size()) % ways.size()], sample);
     }
     resolve(sample.pieces);
     describe(set, error, sample);
@@ -274,12 +278,7 @@ Sample walk(const TemplateSet& set, int number, bool errors,
                 ways.push_back(&arc);
             }
         }
-        const Arc& arc = *ways[choose(ways.size()) % ways.size()];
-        node = arc.to;
-        if (arc.element != kNone) {
-            sample.pieces.push_back(right_piece(set, graph, arc));
-            sample.pieces.back().said = said_by(set, graph, arc);
-        }
+        node = go_on(set, graph, *ways[choose(ways.size()) % ways.size()], sample);
     }
     resolve(sample.pieces);
     describe(set, errors, sample);
