@@ -141,10 +141,12 @@ SolidLoader make_solid_loader(const Places& places, const fs::path& lesson_folde
     const auto made = std::make_shared<std::map<Key, std::shared_ptr<const CollisionMesh>>>();
     return [places, lesson_folder,
             made](const BodyDescription& body) -> Expected<std::shared_ptr<const CollisionMesh>> {
+        const auto load = [&] {
+            return load_solid_mesh(places, lesson_folder, body)
+                .and_then([](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); });
+        };
         if (!body.boxes.empty()) {
-            return make_boxes(body.boxes).and_then([](const TriangleMesh& mesh) {
-                return CollisionMesh::create(mesh);
-            });
+            return load();  // its own, of no other body
         }
         const Vector3 size_m =
             is_shape_model(body.model) ? box_size_m(body) : Vector3(Vector3::Zero());
@@ -152,11 +154,9 @@ SolidLoader make_solid_loader(const Places& places, const fs::path& lesson_folde
         if (const auto known = made->find(key); known != made->end()) {
             return known->second;
         }
-        return load_solid_mesh(places, lesson_folder, body)
-            .and_then([](const TriangleMesh& mesh) { return CollisionMesh::create(mesh); })
-            .map([&](const std::shared_ptr<const CollisionMesh>& mesh) {
-                return made->emplace(key, mesh).first->second;
-            });
+        return load().map([&](const std::shared_ptr<const CollisionMesh>& mesh) {
+            return made->emplace(key, mesh).first->second;
+        });
     };
 }
 

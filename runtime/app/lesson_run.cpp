@@ -192,10 +192,13 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
 Expected<std::optional<std::string>> LessonRun::hear_pupil(double time_s) {
     const SessionHud& hud = session_->hud();
     const dialogue::Question* const question = session_->question();
-    if (pupil_ && hud.may_ask) {
+    if (!pupil_) {
+        return std::optional<std::string>();
+    }
+    if (hud.may_ask) {
         return pupil_->ask(time_s);
     }
-    if (!pupil_ || question == nullptr || !hud.question_open || hud.invited) {
+    if (question == nullptr || !hud.question_open || hud.invited) {
         return std::optional<std::string>();
     }
     return pupil_->answer(hud.question_asked_at_s, time_s, *question,

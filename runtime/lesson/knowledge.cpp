@@ -29,6 +29,19 @@ Expected<void> add_lists(const KnowledgeDescription& knowledge, dialogue::NamedL
     return {};
 }
 
+/// The error of what cannot be compiled together, at the line of the one that cannot be compiled by itself.
+Error find_culprit(const LessonDescription& lesson, dialogue::QuestionSource source,
+                   const dialogue::Error& together) {
+    for (const KnowledgeDescription& knowledge : lesson.knowledge) {
+        source.id = knowledge.id;
+        source.answers = knowledge.asked;
+        if (const auto alone = dialogue::compile_question(source); !alone) {
+            return {"what a learner may ask: " + alone.error().message, at(knowledge), {}};
+        }
+    }
+    return {together.message, at(lesson.knowledge.front()), {}};
+}
+
 }  // namespace
 
 Expected<std::optional<Knowledge>> Knowledge::compile(const LessonDescription& lesson,
@@ -49,18 +62,9 @@ Expected<std::optional<Knowledge>> Knowledge::compile(const LessonDescription& l
         }
     }
     add_things_of_the_scene(lesson, source.lists);
-    // By itself first, so that an error is told at its own line.
-    for (const KnowledgeDescription& knowledge : lesson.knowledge) {
-        dialogue::QuestionSource one = source;
-        one.id = knowledge.id;
-        one.answers = knowledge.asked;
-        if (const auto compiled = dialogue::compile_question(one); !compiled) {
-            return fail("what a learner may ask: " + compiled.error().message, at(knowledge), {});
-        }
-    }
     auto compiled = dialogue::compile_question(source);
     if (!compiled) {
-        return fail(compiled.error().message, at(lesson.knowledge.front()), {});
+        return tl::unexpected(find_culprit(lesson, std::move(source), compiled.error()));
     }
     made.question_ = std::move(*compiled);
     for (std::size_t i = 0; i < made.names_.size(); ++i) {

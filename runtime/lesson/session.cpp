@@ -196,11 +196,10 @@ void LessonSession::hear(const dialogue::Hypothesis& heard) {
     if (words.size() > kLongestAnswer_bytes) {
         words = kept_text(std::string_view(words).substr(0, kLongestAnswer_bytes));
     }
-    if (knowledge_ && !dialogue_.listens() && dialogue_.understands(words)) {
+    const bool may_be_asking = knowledge_ && !dialogue_.understands(words);
+    if (knowledge_ && !may_be_asking && !dialogue_.listens()) {
         tell(words, knowledge_->not_now());  // it was set aside, to be felt again
-        return;
-    }
-    if (!knowledge_ || dialogue_.understands(words) || !ask_for(words, heard.confidence)) {
+    } else if (!may_be_asking || !ask_for(words, heard.confidence)) {
         take(dialogue_.hear(words, heard.confidence, time_s_, heard.form));
     }
 }
