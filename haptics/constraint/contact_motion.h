@@ -74,6 +74,18 @@ inline double compute_relative_velocity(const RowConstraint& row, const Vector6&
     return row.jacobian_a.dot(a) + row.jacobian_b.dot(b);
 }
 
+/// How far the bodies' relative velocity is from the one that is asked for: along the axes of a contact, along a row.
+inline Vector3 compute_miss(const ContactConstraint& contact, const BodyMotion& motion) noexcept {
+    return compute_relative_velocity(contact, motion.velocity(contact.body_a),
+                                     motion.velocity(contact.body_b)) -
+           contact.target_m_per_s;
+}
+inline double compute_miss(const RowConstraint& row, const BodyMotion& motion) noexcept {
+    return compute_relative_velocity(row, motion.velocity(row.body_a),
+                                     motion.velocity(row.body_b)) -
+           row.target;
+}
+
 /// What an impulse along the axes gives both bodies.
 inline void add_impulse(const ContactConstraint& contact, const Vector3& impulse_Ns, Vector6& a,
                         Vector6& b) noexcept {

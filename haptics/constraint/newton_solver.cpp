@@ -98,9 +98,7 @@ double NewtonSolver::measure(const ContactProblem& problem) noexcept {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const ContactConstraint& c = problem.contacts()[i];
         Contact& contact = contacts_[i];
-        contact.u =
-            compute_relative_velocity(c, motion_.velocity(c.body_a), motion_.velocity(c.body_b)) -
-            c.target_m_per_s;
+        contact.u = compute_miss(c, motion_);
         const Vector3 y = contact.u + c.softness_per_kg * c.impulse_Ns;
         worst = take_worse(worst, compute_residual(settings_.friction_shape, contact.friction,
                                                    c.weight_per_kg, y, c.impulse_Ns));
@@ -108,9 +106,7 @@ double NewtonSolver::measure(const ContactProblem& problem) noexcept {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const RowConstraint& r = problem.rows()[i];
         Row& row = rows_[i];
-        row.u =
-            compute_relative_velocity(r, motion_.velocity(r.body_a), motion_.velocity(r.body_b)) -
-            r.target;
+        row.u = compute_miss(r, motion_);
         if (r.weight > 0.0) {
             worst = take_worse(
                 worst, compute_residual(r, r.weight, row.u + r.softness * r.impulse, r.impulse));
@@ -156,9 +152,7 @@ void NewtonSolver::follow_slip(Contact& contact) const noexcept {
 
 void NewtonSolver::evaluate_contact(const ContactConstraint& c, Contact& contact,
                                     Fit& fit) noexcept {
-    contact.u =
-        compute_relative_velocity(c, motion_.velocity(c.body_a), motion_.velocity(c.body_b)) -
-        c.target_m_per_s;
+    contact.u = compute_miss(c, motion_);
     if (coulomb_) {
         follow_slip(contact);
     } else {
@@ -184,9 +178,7 @@ NewtonSolver::Fit NewtonSolver::evaluate(const ContactProblem& problem) noexcept
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const RowConstraint& r = problem.rows()[i];
         Row& row = rows_[i];
-        row.u =
-            compute_relative_velocity(r, motion_.velocity(r.body_a), motion_.velocity(r.body_b)) -
-            r.target;
+        row.u = compute_miss(r, motion_);
         project(r, row, 0.0);
         if (r.weight > 0.0) {
             fit.residual = take_worse(

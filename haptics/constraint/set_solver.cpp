@@ -114,16 +114,13 @@ void SetSolver::follow(const ContactProblem& problem, const BodyMotion& motion) 
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const ContactConstraint& c = problem.contacts()[i];
         Contact& contact = contacts_[i];
-        contact.u =
-            compute_relative_velocity(c, motion.velocity(c.body_a), motion.velocity(c.body_b)) -
-            c.target_m_per_s;
+        contact.u = compute_miss(c, motion);
         contact.p = contact.rest - contact.slope * contact.u;
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const RowConstraint& r = problem.rows()[i];
         Row& row = rows_[i];
-        row.u = compute_relative_velocity(r, motion.velocity(r.body_a), motion.velocity(r.body_b)) -
-                r.target;
+        row.u = compute_miss(r, motion);
         row.p = row.rest - (row.free ? row.stiffness * row.u : 0.0);
     }
 }
