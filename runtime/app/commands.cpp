@@ -201,8 +201,9 @@ int check_command(const Installation& installation, const Options& options) {
                     [&](LessonRun& run, const auto& folder) {
                         std::set<std::string> told;  // bodies of one model are alike
                         for (const BodyDescription& body : run.description().bodies) {
-                            if (body.solid && told.insert(body.model).second) {
-                                say_of_mesh(installation.places, folder, body);
+                            const BodyDescription felt = as_felt(body);
+                            if (body.solid && told.insert(felt.model).second) {
+                                say_of_mesh(installation.places, folder, felt);
                             }
                         }
                         say_of_pictures(run.description(), folder);

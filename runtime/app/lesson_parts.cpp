@@ -68,8 +68,10 @@ Expected<void> check_models(const Places& places, const fs::path& lesson_folder,
         return is_shape_model(model) || !find_model(places, lesson_folder, model).empty();
     };
     for (const BodyDescription& body : lesson.bodies) {
-        if (!is_there(body.model)) {
-            return no_model(places, lesson_folder, body.model, body.name, body.line);
+        for (const std::string& model : {body.model, body.felt_model, body.simulated_model}) {
+            if (!model.empty() && !is_there(model)) {
+                return no_model(places, lesson_folder, model, body.name, body.line);
+            }
         }
     }
     const std::string tool = lesson.hand.tool ? lesson.hand.tool->model : "";

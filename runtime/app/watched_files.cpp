@@ -44,7 +44,9 @@ std::vector<fs::path> files_of_lesson(const Places& places, const fs::path& fold
         add_model(lesson.bucket.model);
     }
     for (const BodyDescription& body : lesson.bodies) {
-        add_model(body.model);
+        for (const std::string& model : {body.model, body.felt_model, body.simulated_model}) {
+            add_model(model);
+        }
     }
     return files;
 }

@@ -38,7 +38,7 @@ struct MaterialDescription {
     SourceLine line = 0;
 };
 
-/// What a rigid body collides as; `model`: as its model is, a ball, a box, or the hull of one from a file; `mesh`: its closed mesh itself,
+/// What a body collides as among rigid ones; `model`: as its model is, a ball, a box, or the hull of one from a file; `mesh`: its closed mesh itself,
 /// with its hollows.
 enum class RigidShape : std::uint8_t { model, box, ball, cylinder, capsule, hull, mesh };
 /// A joint's end that is farther than this is none; degrees are radians here.
@@ -60,7 +60,6 @@ struct JointDescription {
 
 /// A body that lies, falls, is pushed and gripped, with its mass.
 struct RigidDescription {
-    RigidShape shape = RigidShape::model;
     std::optional<JointDescription> joint{};
 };
 
@@ -90,7 +89,29 @@ struct BodyDescription {
     Vector3 size_m{Vector3::Zero()};  ///< edges of a box, each 0.002 to 10; zero: twice the radius
     std::string about{};              ///< what is said when it is first touched; may be empty
     std::vector<PlacedBox> boxes{};   ///< that it is made of instead of one, with the model "box"
+    // Three shapes in one frame: `model` is seen, these are felt by the hand and simulated among rigid bodies.
+    std::string felt_model{};                    ///< empty: as it is seen
+    std::string simulated_model{};               ///< empty: as it is felt
+    RigidShape collides_as = RigidShape::model;  ///< what is made of the simulated one
 };
+
+/// The body with what the hand feels of it as its model.
+[[nodiscard]] inline BodyDescription as_felt(BodyDescription body) {
+    if (!body.felt_model.empty()) {
+        body.model = body.felt_model;
+        body.boxes.clear();
+    }
+    return body;
+}
+/// The same of what is simulated.
+[[nodiscard]] inline BodyDescription as_simulated(BodyDescription body) {
+    if (body.simulated_model.empty()) {
+        return as_felt(std::move(body));
+    }
+    body.model = body.simulated_model;
+    body.boxes.clear();
+    return body;
+}
 
 /// The edges of a body that is a box; of other shapes twice the radius.
 [[nodiscard]] inline Vector3 box_size_m(const BodyDescription& body) {

@@ -356,7 +356,7 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
                          std::min(options.force_limit_N, options.device_force_limit_N));
     plan.felt_weight_N = felt.newtons;
     plan.felt_scale = felt.scale;
-    if (auto rigid = add_rigid_bodies(lesson, options, plan); !rigid) {
+    if (auto rigid = add_rigid_bodies(lesson, load_solid, options, plan); !rigid) {
         return tl::unexpected(rigid.error());
     }
     if (first_movable(lesson) != nullptr) {

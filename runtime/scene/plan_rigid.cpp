@@ -39,7 +39,7 @@ ModelBounds find_bounds(const CollisionMesh& mesh) {
 }
 
 RigidShape find_kind(const BodyDescription& body) {
-    const RigidShape asked = body.rigid ? body.rigid->shape : RigidShape::model;
+    const RigidShape asked = body.collides_as;
     return asked != RigidShape::model  ? asked
            : is_ball_model(body.model) ? RigidShape::ball
            : body.model == kBoxModel   ? RigidShape::box
@@ -63,13 +63,13 @@ std::vector<Vector3> find_corners(const ModelBounds& bounds) {
     return corners;
 }
 
-/// What it collides as, from the model that is felt: an upright cylinder, capsule or ball round the model's own axis y.
-Expected<SolidShape> make_shape(const BodyDescription& body, const MeshShape& felt) {
-    const CollisionMesh& mesh = *felt;
+/// What it collides as, from the model that is simulated: an upright cylinder, capsule or ball round the model's own axis y.
+Expected<SolidShape> make_shape(const BodyDescription& body, const MeshShape& simulated) {
+    const CollisionMesh& mesh = *simulated;
     const ModelBounds bounds = find_bounds(mesh);
     const RigidShape kind = find_kind(body);
     if (kind == RigidShape::mesh) {
-        return felt;
+        return simulated;
     }
     if (kind == RigidShape::hull) {
         return to_shape(make_hull_shape({mesh.vertices_B().begin(), mesh.vertices_B().end()}));
@@ -106,9 +106,17 @@ RigidBodyPlan make_ground(const LessonDescription& lesson) {
 }
 
 /// A solid of the haptic plan as the world has it: it moves, or stays where it is.
-Expected<RigidBodyPlan> make_world_body(const LessonDescription& lesson, const SolidPlan& solid) {
+Expected<RigidBodyPlan> make_world_body(const LessonDescription& lesson, const SolidPlan& solid,
+                                        const SolidLoader& load_solid) {
     const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
-    const auto shape = make_shape(body, *find_mesh(solid.shape));
+    const BodyDescription simulated = as_simulated(body);
+    // What is felt has been loaded already.
+    const auto mesh = body.simulated_model.empty() ? Expected<MeshShape>(*find_mesh(solid.shape))
+                                                   : load_solid(simulated);
+    if (!mesh) {
+        return tl::unexpected(mesh.error());
+    }
+    const auto shape = make_shape(simulated, *mesh);
     if (!shape) {
         return tl::unexpected(about(body, shape.error()));
     }
@@ -185,6 +193,19 @@ Expected<void> add_joints(const LessonDescription& lesson, RigidLoopPlan& rigid)
     return {};
 }
 
+/// What is simulated of a body counts among rigid ones alone.
+Expected<void> refuse_simulated(const LessonDescription& lesson) {
+    for (const BodyDescription& body : lesson.bodies) {
+        if (!body.simulated_model.empty() || body.collides_as != RigidShape::model) {
+            return fail("the " + body.noun + " has a " +
+                            (body.simulated_model.empty() ? "shape" : "simulated_model") +
+                            ", and no body of the lesson is rigid",
+                        at_line(body.line), "leave it out, or add rigid = true");
+        }
+    }
+    return {};
+}
+
 /// How the hand meets it, and what a teacher should know of that.
 Expected<void> add_touch(const BodyDescription& body, const RigidBodyPlan& simulated,
                          std::size_t solid, double most_N, Plan& plan, double gravity_m_per_s2) {
@@ -208,11 +229,11 @@ Expected<void> add_touch(const BodyDescription& body, const RigidBodyPlan& simul
 
 }  // namespace
 
-Expected<void> add_rigid_bodies(const LessonDescription& lesson, const PlanOptions& options,
-                                Plan& plan) {
+Expected<void> add_rigid_bodies(const LessonDescription& lesson, const SolidLoader& load_solid,
+                                const PlanOptions& options, Plan& plan) {
     if (std::ranges::none_of(lesson.bodies,
                              [](const BodyDescription& body) { return body.rigid.has_value(); })) {
-        return {};
+        return refuse_simulated(lesson);
     }
     RigidLoopPlan rigid;
     rigid.world.settings.gravity_W = lesson.gravity_W;
@@ -228,7 +249,7 @@ Expected<void> add_rigid_bodies(const LessonDescription& lesson, const PlanOptio
         if (body.hinge) {
             continue;
         }
-        const auto simulated = make_world_body(lesson, solid);
+        const auto simulated = make_world_body(lesson, solid, load_solid);
         if (!simulated) {
             return tl::unexpected(simulated.error());
         }

@@ -106,7 +106,7 @@ Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& lo
             return fail("the lesson has more than " + std::to_string(kMaxSolids) + " solid bodies",
                         at_line(body.line), "make fewer bodies solid");
         }
-        auto mesh = load_solid(body);
+        auto mesh = load_solid(as_felt(body));
         if (!mesh) {
             return tl::unexpected(mesh.error());
         }

@@ -81,6 +81,11 @@ TEST_CASE("broken lessons: check finds models, sounds, expectations and hands th
                  "return L\n",
          "lesson.lua:3: there is no model \"zebra\" for zebra; put zebra.glb beside the lesson, or "
          "use sphere or box.\n"},
+        {kHead + "function L:start(world)\n  world:body { name = \"apple\", rigid = true, "
+                 "simulated_model = \"buckte\" }\nend\nreturn L\n",
+         "lesson.lua:3: there is no model \"buckte\" for apple; did you mean \"bucket\"? If not, "
+         "put "
+         "buckte.glb beside the lesson.\n"},
         {kHead + "function L:start(world)\n  world:bucket { model = \"buckte\" }\nend\nreturn L\n",
          "lesson.lua:3: there is no model \"buckte\" for the bucket; did you mean \"bucket\"? If "
          "not, put buckte.glb beside the lesson.\n"},

@@ -54,8 +54,10 @@ inline LessonDescription full_description() {
     block.name = block.noun = block.model = "block";
     block.solid = true;
     block.size_m = Vector3(0.1, 0.2, 0.3);
-    block.rigid = RigidDescription{.shape = RigidShape::cylinder,
-                                   .joint = JointDescription{.kind = JointKind::distance,
+    block.felt_model = "rough_block";
+    block.simulated_model = "plain_block";
+    block.collides_as = RigidShape::cylinder;
+    block.rigid = RigidDescription{.joint = JointDescription{.kind = JointKind::distance,
                                                              .to = "post",
                                                              .at_W = Vector3(1, 2, 3),
                                                              .other_at_W = Vector3(4, 5, 6),

@@ -117,10 +117,11 @@ JointDescription take_joint(lua_State* lua, const LessonContext& context,
 
 /// The volume of a shape whose size the lesson knows.
 double find_volume_m3(lua_State* lua, const BodyDescription& body) {
-    if (body.model == kBoxModel) {
+    const std::string model = as_simulated(body).model;
+    if (model == kBoxModel) {
         return box_size_m(body).prod();
     }
-    if (!is_ball_model(body.model)) {
+    if (!is_ball_model(model)) {
         raise_in_lesson(lua, body.name +
                                  " has a density, and only a box or a ball has a known volume; "
                                  "give it a mass instead");
@@ -132,7 +133,8 @@ void take_size(lua_State* lua, const Argument& size, BodyDescription& body) {
     if (!size.given) {
         return;
     }
-    if (body.model != kBoxModel) {
+    if (body.model != kBoxModel && body.felt_model != kBoxModel &&
+        body.simulated_model != kBoxModel) {
         raise_in_lesson(lua, body.name +
                                  " has a size, and only a body with model = \"box\" can; "
                                  "give it a radius");
@@ -165,6 +167,42 @@ void take_boxes(lua_State* lua, const Arguments& arguments, BodyDescription& bod
     body.radius_m = std::min(farthest_m, 10.0);
 }
 
+// What is felt of it and what is simulated, beside what is seen.
+void take_models(lua_State* lua, const Arguments& arguments, BodyDescription& body) {
+    const bool is_touched = body.solid || arguments["rigid"].flag;
+    const auto take = [&](const char* name, const char* does, std::string& model) {
+        const Argument& given = arguments[name];
+        if (!given.given) {
+            return;
+        }
+        if (!is_touched) {
+            raise_in_lesson(lua, body.name + " has a " + name +
+                                     " but can't be touched; add solid = true or rigid = true");
+        }
+        if (given.text == kOrbitModel) {
+            raise_in_lesson(lua, "an orbit is a thin line, which cannot be " + std::string(does) +
+                                     "; give " + body.name + " another " + name);
+        }
+        model = given.text;
+    };
+    take("felt_model", "felt", body.felt_model);
+    take("simulated_model", "simulated", body.simulated_model);
+    if (arguments["shape"].given) {
+        if (!is_touched) {
+            raise_in_lesson(lua, body.name + " has a shape and is not rigid; add rigid = true");
+        }
+        body.collides_as = shape_of(arguments["shape"].text);
+    }
+    for (const char* name : {"simulated_model", "shape"}) {
+        if (arguments[name].given && arguments["hinge"].given) {
+            raise_in_lesson(lua, body.name +
+                                     " turns on a hinge of the hand and meets no rigid "
+                                     "body; leave out " +
+                                     name);
+        }
+    }
+}
+
 }  // namespace
 
 std::span<const Parameter> joint_parameters() {
@@ -173,10 +211,11 @@ std::span<const Parameter> joint_parameters() {
 
 void take_rigid(lua_State* lua, const LessonContext& context, const Arguments& arguments,
                 BodyDescription& body) {
+    take_models(lua, arguments, body);
     take_size(lua, arguments["size"], body);
     take_boxes(lua, arguments, body);
     if (!arguments["rigid"].flag) {
-        for (const char* name : {"shape", "density", "joint"}) {
+        for (const char* name : {"density", "joint"}) {
             if (arguments[name].given) {
                 raise_in_lesson(
                     lua, body.name + " has a " + name + " and is not rigid; add rigid = true");
@@ -199,9 +238,6 @@ void take_rigid(lua_State* lua, const LessonContext& context, const Arguments& a
     body.rigid.emplace();
     body.solid = true;
     body.visible = arguments["visible"].given ? arguments["visible"].flag : true;
-    if (arguments["shape"].given) {
-        body.rigid->shape = shape_of(arguments["shape"].text);
-    }
     if (arguments["density"].given) {
         if (arguments["mass"].given) {
             raise_in_lesson(lua, body.name + " has a mass and a density; leave out one of them");

@@ -134,7 +134,7 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
     if (!body.about.empty() && !body.solid) {
         raise_in_lesson(lua, body.name + " has about but can't be touched; add solid = true");
     }
-    if (body.solid && body.model == kOrbitModel) {
+    if (body.solid && as_felt(body).model == kOrbitModel) {
         raise_in_lesson(
             lua, body.name + " is an orbit, a thin line, seen and not felt; leave out solid");
     }
@@ -314,9 +314,16 @@ void add_scene_rows(ApiTable& table) {
           {"rigid", flag, "", 0, 0, "false",
            "a thing with a mass that lies, falls, is pushed, gripped with the button, lifted and "
            "stacked; can be touched, and is seen unless visible = false"},
+          {"felt_model", name, "", 0, 0, "nil",
+           "model that the hand feels instead of the one that is drawn; of a box or a ball with "
+           "its size or radius"},
+          {"simulated_model", name, "", 0, 0, "nil",
+           "model that rigid bodies meet instead of the one that is felt, as a simple one of many "
+           "triangles"},
           {"shape", choice, "", 0, 0, "nil",
-           "what a rigid body collides as; by default a box or a ball as its model, else the hull "
-           "of its model; mesh is the model itself with its hollows, as of a ring or a bowl",
+           "what a rigid body, or a solid one among them, collides as; by default a box or a ball "
+           "as its model, else the hull of its model; mesh is the model itself with its hollows, "
+           "as of a ring or a bowl",
            "box ball cylinder capsule hull mesh"},
           {"density", number, "kilograms per cubic metre", 1, 25000, "nil",
            "of a rigid box or ball, instead of its mass: wood 600, water 1000, iron 7900"},

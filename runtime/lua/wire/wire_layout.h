@@ -37,6 +37,9 @@ void body(Archive& a, Body& b) {
     }
     a.text("what is said of a body", b.about, kMaxTextBytes);
     boxes(a, b.boxes);
+    a.name("what is felt of a body", b.felt_model);
+    a.name("what is simulated of a body", b.simulated_model);
+    a.choice("what a body collides as", b.collides_as, RigidShape::mesh);
 }
 
 template <class Archive, class Force>

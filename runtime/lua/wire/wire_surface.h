@@ -110,7 +110,6 @@ void joint(Archive& a, Joint& j) {
 
 template <class Archive, class Rigid>
 void rigid(Archive& a, Rigid& r) {
-    a.choice("a rigid body's shape", r.shape, RigidShape::mesh);
     optional(a, "a joint", r.joint, [](auto& each, auto& j) { joint(each, j); });
 }
 

@@ -112,7 +112,7 @@ TEST_CASE("plan: what is not seen at first is not there, and joints are between 
 TEST_CASE("plan: shapes follow the model, or what the lesson says") {
     LessonDescription lesson = make_blocks();
     const auto shape_as = [&](RigidShape shape) {
-        lesson.bodies[1].rigid->shape = shape;
+        lesson.bodies[1].collides_as = shape;
         return compile(lesson).rigid->world.bodies[2].shape;
     };
     CHECK(std::get<SphereShape>(shape_as(RigidShape::ball)).radius_m == Approx(0.1));
@@ -125,9 +125,66 @@ TEST_CASE("plan: shapes follow the model, or what the lesson says") {
     CHECK(std::holds_alternative<MeshShape>(shape_as(RigidShape::mesh)));
 }
 
+TEST_CASE("plan: a body is felt as one model and simulated as another, in one frame") {
+    LessonDescription lesson = make_blocks();
+    lesson.bodies[0].simulated_model = "top";
+    lesson.bodies[1].felt_model = "rough";
+    lesson.bodies[2].felt_model = "rough";
+    lesson.bodies[2].simulated_model = "coarse";
+    const auto load = [](const BodyDescription& body) {
+        const double half_m = body.model == "rough"    ? 0.03
+                              : body.model == "coarse" ? 0.02
+                              : body.model == "top"    ? 0.4
+                                                       : 0.05;
+        return make_box(Vector3::Constant(2.0 * half_m)).and_then([](const TriangleMesh& mesh) {
+            return CollisionMesh::create(mesh);
+        });
+    };
+    const auto plan = compile_plan(lesson, {}, load);
+    REQUIRE(plan);
+    const auto felt_m = [&](std::size_t solid) {
+        return (*find_mesh(plan->haptic.solids[solid].shape))->vertices_B()[0].cwiseAbs().x();
+    };
+    const auto farthest_m = [&](std::size_t body) {
+        const auto& hull = std::get<HullShape>(plan->rigid->world.bodies[body].shape);
+        return hull.mesh->vertices_B()[0].cwiseAbs().x();
+    };
+    CHECK(felt_m(0) == Approx(0.05));
+    CHECK(farthest_m(1) == Approx(0.4));
+    CHECK(felt_m(1) == Approx(0.03));
+    CHECK(farthest_m(2) == Approx(0.03));
+    CHECK(felt_m(2) == Approx(0.03));
+    CHECK(farthest_m(3) == Approx(0.02));
+    CHECK(plan->haptic.solids[2].initial_pose_W.position ==
+          plan->rigid->world.bodies[3].pose_W.position);
+    // How hard it is to turn is that of what is simulated: m a^2 / 6.
+    REQUIRE(plan->haptic.rigid.size() == 2);
+    CHECK(plan->haptic.rigid[1].moment_kg_m2 == Approx(2.0 * 0.04 * 0.04 / 6.0));
+}
+
+TEST_CASE(
+    "plan: what is simulated of a body is refused where no body is rigid, or it is not there") {
+    LessonDescription lesson = make_blocks();
+    lesson.bodies.resize(1);
+    lesson.bodies[0].simulated_model = "coarse";
+    const auto alone = compile_plan(lesson, {}, box_mesh);
+    REQUIRE_FALSE(alone);
+    CHECK(to_sentence(alone.error()).find("no body of the lesson is rigid") != std::string::npos);
+    CHECK(to_sentence(alone.error()).find("lesson.lua:3") != std::string::npos);
+    LessonDescription missing = make_blocks();
+    missing.bodies[1].simulated_model = "coarse";
+    const auto refused = compile_plan(
+        missing, {},
+        [](const BodyDescription& body) -> Expected<std::shared_ptr<const CollisionMesh>> {
+            return body.model == "coarse" ? fail("it is not there", {}, {}) : box_mesh(body);
+        });
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message == "it is not there");
+}
+
 TEST_CASE("plan: a mesh is made ready once, and an open one is refused with the body's line") {
     LessonDescription lesson = make_blocks();
-    lesson.bodies[1].rigid->shape = RigidShape::mesh;
+    lesson.bodies[1].collides_as = RigidShape::mesh;
     const Plan plan = compile(lesson);
     REQUIRE(plan.rigid->world.bodies[2].sampled);
     CHECK(plan.rigid->world.bodies[2].sampled->is_mesh());

@@ -35,14 +35,48 @@ TEST_CASE("rigid bodies: one is solid and seen, with its size, shape and mass") 
     CHECK(bodies[0].visible);
     CHECK(bodies[0].size_m == Vector3(0.1, 0.2, 0.05));
     CHECK(bodies[0].mass_kg == Approx(0.6));
-    CHECK(bodies[0].rigid->shape == RigidShape::model);
+    CHECK(bodies[0].collides_as == RigidShape::model);
     REQUIRE(bodies[1].rigid);
     CHECK_FALSE(bodies[1].visible);
-    CHECK(bodies[1].rigid->shape == RigidShape::capsule);
+    CHECK(bodies[1].collides_as == RigidShape::capsule);
     CHECK_FALSE(bodies[1].rigid->joint);
     CHECK_FALSE(bodies[2].rigid);
     CHECK(box_size_m(bodies[2]) == Vector3(1, 0.1, 1));
     CHECK(box_size_m(bodies[1]) == Vector3::Constant(0.2));
+}
+
+TEST_CASE("rigid bodies: one is seen, felt and simulated as three models") {
+    HostedLesson lesson;
+    REQUIRE(lesson.start("world:body { name = 'vase', felt_model = 'sphere', simulated_model = "
+                         "'box', size = { 0.1, 0.2, 0.1 }, density = 1000, rigid = true }\n"
+                         "world:body { name = 'table', model = 'box', solid = true, "
+                         "simulated_model = 'bucket', shape = 'mesh' }\n"
+                         "world:body { name = 'egg', solid = true, felt_model = 'apple' }") == "");
+    const auto& bodies = lesson.host->description().bodies;
+    CHECK(bodies[0].model == "vase");
+    CHECK(as_felt(bodies[0]).model == "sphere");
+    CHECK(as_simulated(bodies[0]).model == "box");
+    // The volume is that of what is simulated, the ball reaches as far as its longest edge.
+    CHECK(bodies[0].mass_kg == Approx(2.0));
+    CHECK(bodies[0].radius_m == Approx(0.1));
+    CHECK(as_felt(bodies[1]).model == "box");
+    CHECK(as_simulated(bodies[1]).model == "bucket");
+    CHECK(bodies[1].collides_as == RigidShape::mesh);
+    // What is not said is as what stands before it.
+    CHECK(as_simulated(bodies[2]).model == "apple");
+}
+
+TEST_CASE("rigid bodies: what is felt and simulated of what cannot be touched is refused") {
+    CHECK(says(refusal_of_block("felt_model = 'apple'"), "has a felt_model but can't be touched"));
+    CHECK(says(refusal_of_block("simulated_model = 'apple'"), "add solid = true or rigid = true"));
+    CHECK(says(refusal_of_block("rigid = true, felt_model = 'orbit'"), "cannot be felt"));
+    CHECK(says(refusal_of_block("solid = true, simulated_model = 'orbit'"), "cannot be simulated"));
+    CHECK(says(refusal_of_block("rigid = true, felt_model = 'a/b'"), "lesson.lua:"));
+    CHECK(says(refusal_of_block("rigid = true, felt_model = 'apple', size = { 1, 1, 1 }"),
+               "model = \"box\""));
+    const std::string hinge = "solid = true, hinge = { axis = { 0, 1, 0 }, inertia = 1 }, ";
+    CHECK(says(refusal_of_block(hinge + "simulated_model = 'box'"), "leave out simulated_model"));
+    CHECK(says(refusal_of_block(hinge + "shape = 'hull'"), "leave out shape"));
 }
 
 TEST_CASE("rigid bodies: a joint is in radians, or metres of a slider, from where the body is") {
