@@ -18,9 +18,29 @@ inline constexpr double kNearPart = 2.0e-3;
     return kNearPart * (a.shape.bounding_radius_m + b.shape.bounding_radius_m);
 }
 
+/// How near two bodies bounce: the same of the smaller one alone, for a large one may be near from far.
+[[nodiscard]] inline double find_bounce_gap(const RigidWorldBody& a,
+                                            const RigidWorldBody& b) noexcept {
+    const double size_a = a.shape.bounding_radius_m;
+    const double size_b = b.shape.bounding_radius_m;
+    return kNearPart *
+           (size_a > 0.0 && size_b > 0.0 ? std::min(size_a, size_b) : std::max(size_a, size_b));
+}
+
 /// How far the farthest of a body comes in a second, or with a way, in all.
 [[nodiscard]] inline double find_farthest(const Twist& velocity_W, double lever_m) noexcept {
     return compute_length(velocity_W.linear) + compute_length(velocity_W.angular) * lever_m;
+}
+
+/// Of a's points over b's at a place and time on their ways: below 0 they approach.
+[[nodiscard]] inline double find_apart(const Vector3& normal_W, const Vector3& place_W,
+                                       double time_s, const RigidWorldBody& a,
+                                       const RigidWorldBody& b) noexcept {
+    const auto velocity_of = [&](const RigidWorldBody& body) noexcept {
+        const Vector3 arm = place_W - body.state.pose_W.position - time_s * body.ahead_W.linear;
+        return Vector3(body.ahead_W.linear + body.ahead_W.angular.cross(arm));
+    };
+    return normal_W.dot(velocity_of(a) - velocity_of(b));
 }
 
 /// Of its shape, and its inertia in the world, from its state.

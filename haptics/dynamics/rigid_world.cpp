@@ -7,7 +7,6 @@
 #include "haptics/math/rotation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -106,25 +105,11 @@ void RigidWorld::add_near(BodyPair pair) noexcept {
 // Where the pair touches, and of one with patches in those that follow as well.
 void RigidWorld::find_contacts_of(int i, double reach_s) noexcept {
     ContactPair& pair = scene_.pairs.at(i);
-    const RigidWorldBody& first = scene_.bodies[to_place_in(pair.bodies.first)];
-    const RigidWorldBody& second = scene_.bodies[to_place_in(pair.bodies.second)];
-    if (!meets_in_patches(pair.bodies)) {
+    if (meets_in_patches(pair.bodies)) {
+        look_ahead_in_patches(i, reach_s);
+    } else {
         look_ahead(pair, reach_s);
-        return;
     }
-    std::array<ContactManifold*, kMostPatches> patches{};
-    std::size_t n = 0;
-    BodyPair next = pair.bodies;
-    for (int j = i; j < scene_.pairs.count() && scene_.pairs.at(j).bodies == next; ++j) {
-        patches[n++] = &scene_.pairs.at(j).manifold;
-        ++next.patch;
-    }
-    const double size_m = std::min(first.shape.bounding_radius_m, second.shape.bounding_radius_m);
-    const double margin_m = first.reach_m + second.reach_m;
-    find_sampled_contacts({*first.shape.sampled, first.place},
-                          {*second.shape.sampled, second.place}, size_m,
-                          {.margin_m = margin_m, .ahead_m = margin_m - find_near(first, second)},
-                          std::span(patches).first(n));
 }
 
 void RigidWorld::find_touching(double reach_s) noexcept {
@@ -180,11 +165,18 @@ void RigidWorld::find_islands() noexcept {
     const auto island_of = [&](std::int32_t a, std::int32_t b) noexcept {
         return std::max(islands_.island_of(a), islands_.island_of(b));
     };
+    // Those that pass each other are looked at again where their island goes in parts, unless each is in one of its own.
+    const auto may_meet = [&](const ContactPair& pair, int i) noexcept {
+        const std::int32_t first = islands_.island_of(pair.bodies.first);
+        const std::int32_t second = islands_.island_of(pair.bodies.second);
+        return scene_.pairs.at(i - pair.bodies.patch).passes &&
+               (first == second || first < 0 || second < 0);
+    };
     island_of_pair_.clear();
     for (int i = 0; i < scene_.pairs.count(); ++i) {
         const ContactPair& pair = scene_.pairs.at(i);
-        island_of_pair_.add(
-            pair.manifold.count > 0 ? island_of(pair.bodies.first, pair.bodies.second) : -1);
+        const bool is_part = pair.manifold.count > 0 || may_meet(pair, i);
+        island_of_pair_.add(is_part ? island_of(pair.bodies.first, pair.bodies.second) : -1);
     }
     pairs_.sort(island_of_pair_.all(), islands_.count());
     island_of_joint_.clear();
@@ -213,7 +205,9 @@ bool RigidWorld::may_rest(const IslandParts& parts) const noexcept {
         const JointDrive& drive = scene_.joints[to_place_in(i)].drive;
         return drive.motor_force > 0.0 && drive.motor_speed != 0.0;
     };
-    return settings_.sleep_after_s > 0.0 && !(parts.pairs.empty() && parts.joints.empty()) &&
+    const bool touches = std::ranges::any_of(
+        parts.pairs, [&](std::int32_t i) { return scene_.pairs.at(i).manifold.count > 0; });
+    return settings_.sleep_after_s > 0.0 && (touches || !parts.joints.empty()) &&
            std::ranges::none_of(parts.joints, is_driven);
 }
 
@@ -257,6 +251,7 @@ void RigidWorld::step(double dt_s) noexcept {
     report_.n_solved = static_cast<int>(due_.count());
     for (const SolvedIsland& one : solved_.all()) {
         report_.n_contacts += one.report.n_contacts;
+        report_.n_held += one.is_cut ? 1 : 0;
         report_.n_in_parts += one.n_parts > 1 ? 1 : 0;
         report_.n_dropped += one.report.n_dropped + one.n_dropped;
         report_.n_iterations += one.report.solve.n_iterations;

@@ -6,7 +6,8 @@
 //   solve     each island by itself (island_solver.h)
 //   move      x += h v_drift;  q turns freely with its angular momentum (integrator.h: the drift of verlet), and by what pushes it
 // Contacts are looked for as far ahead as bodies can come in the step, so what is fast meets what is thin: where and when their ways meet
-// (contact_sweep.h), not where they pass. Of what a body meets only the first bounces. What the step itself gives a way that nobody
+// (contact_sweep.h, of meshes sampled_sweep.h), not where they pass. Of what a body meets only the first bounces, and where it is met: its
+// island goes as far as that, to within 2e-3 of the smaller one's size, bounces there, and goes on by what is left of the step. What the step itself gives a way that nobody
 // looked along is looked along before it is gone: an island whose bodies would meet something there goes that far, all of it together,
 // and loses the rest of the step; that is counted. An island that has been slower
 // than the settings say for a while sleeps: it costs its boxes alone until something awake touches it or a load is put on it.
@@ -53,10 +54,11 @@ struct RigidWorldReport {
     int n_contacts = 0;
     int n_dropped =
         0;  ///< pairs, contacts, holds and bodies for which there was no room, or which held no numbers
-    int n_iterations = 0;   ///< of all solves together
-    int n_pivoted = 0;      ///< solves that Newton left to pivoting (contact_solver.h)
-    int n_held = 0;         ///< islands that went only a part of the step's way
-    int n_in_parts = 0;     ///< islands that were solved in parts, for a joint turned far
+    int n_iterations = 0;  ///< of all solves together
+    int n_pivoted = 0;     ///< solves that Newton left to pivoting (contact_solver.h)
+    int n_held = 0;        ///< islands that lost a part of their step
+    int n_in_parts =
+        0;  ///< islands that were solved in parts: a joint turned far, or something bounced on the way
     int n_unconverged = 0;  ///< islands whose answer is not within the tolerance
     double deepest_m = 0.0;
     double residual_m_per_s = 0.0;  ///< the greatest of all islands
@@ -118,6 +120,7 @@ class RigidWorld {
         IslandReport report{};
         int n_dropped = 0;
         int n_parts = 1;
+        bool is_cut = false;  // the rest of its step is lost
     };
     explicit RigidWorld(const RigidWorldPlan& plan);
     void place_bodies(double reach_s) noexcept;
@@ -126,7 +129,12 @@ class RigidWorld {
     void add_near(BodyPair pair) noexcept;
     void find_contacts_of(int i, double reach_s) noexcept;
     void look_ahead(ContactPair& pair, double reach_s) noexcept;
+    void look_ahead_in_patches(int i, double reach_s) noexcept;
+    [[nodiscard]] int count_patches(int i) const noexcept;
+    [[nodiscard]] bool is_apart(int i) const noexcept;
     void find_first_met() noexcept;
+    void find_first_met(const IslandParts& parts) noexcept;
+    [[nodiscard]] bool bounces_at_all() const noexcept;
     void find_ways() noexcept;
     void hold_back() noexcept;
     void hold_pair(const BodyPair& bodies) noexcept;
@@ -138,7 +146,10 @@ class RigidWorld {
                                               IslandSolver& solver) noexcept;
     [[nodiscard]] IslandParts parts_of(std::int32_t island) const noexcept;
     [[nodiscard]] int count_parts(const DueIsland& due) const noexcept;
-    [[nodiscard]] int move_part(const IslandParts& parts, double part_s) noexcept;
+    [[nodiscard]] double find_bounce_s(const IslandParts& parts, double time_s) const noexcept;
+    void solve_part(const IslandParts& parts, double part_s, IslandSolver& solver,
+                    SolvedIsland& solved) noexcept;
+    [[nodiscard]] int move_part(const IslandParts& parts, double part_s, double next_s) noexcept;
     void end_parts(const IslandParts& parts, double dt_s) noexcept;
     [[nodiscard]] int move_island(const DueIsland& due, const SolvedIsland& solved) noexcept;
     void rest_bodies(const IslandParts& parts, double dt_s) noexcept;

@@ -1,11 +1,15 @@
 // What the bodies of rigid_world.h meet within a step, and how far they go where the step's own answer leads to what nobody looked for.
 #include "haptics/collision/contact_sweep.h"
+#include "haptics/collision/sampled_contacts.h"
+#include "haptics/collision/sampled_sweep.h"
 #include "haptics/dynamics/rigid_reach.h"
 #include "haptics/dynamics/rigid_world.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 namespace fulcrum {
 namespace {
@@ -22,14 +26,13 @@ MovingShape make_moving(const RigidWorldBody& body, const Twist& velocity_W) noe
     return {&body.shape, body.place, body.state.pose_W.position, velocity_W, body.lever_m};
 }
 
-// Of a's points over b's there, on their ways: below 0 they approach.
-double find_apart(const Vector3& normal_W, const Vector3& place_W, double time_s,
-                  const RigidWorldBody& a, const RigidWorldBody& b) noexcept {
-    const auto velocity_of = [&](const RigidWorldBody& body) noexcept {
-        const Vector3 arm = place_W - body.state.pose_W.position - time_s * body.ahead_W.linear;
-        return Vector3(body.ahead_W.linear + body.ahead_W.angular.cross(arm));
-    };
-    return normal_W.dot(velocity_of(a) - velocity_of(b));
+// Where they meet the gaps are those of then; with what their ways take of them they are those of now.
+void tell_from_now(double meet_s, const RigidWorldBody& first, const RigidWorldBody& second,
+                   ContactManifold& manifold) noexcept {
+    for (int i = 0; i < manifold.count; ++i) {
+        ContactPoint& point = manifold.contacts[static_cast<std::size_t>(i)];
+        point.gap_m -= meet_s * find_apart(manifold.normal_W, point.place_W, meet_s, first, second);
+    }
 }
 
 // What does not move has no way to lose.
@@ -37,6 +40,34 @@ void meet_at(double at_s, RigidWorldBody& body) noexcept {
     if (body.moves) {
         body.meets_s = std::min(body.meets_s, at_s);
     }
+}
+
+// When each body first meets anything faster than what does not bounce, and which pairs that is true of.
+template <class Pairs>
+void find_first_of(const Pairs& pairs, double least_m_per_s, RigidScene& scene) noexcept {
+    const auto each_pair = [&](auto&& visit) {
+        for (const std::int32_t i : pairs) {
+            ContactPair& pair = scene.pairs.at(i);
+            if (pair.manifold.count > 0) {
+                visit(pair, scene.bodies[to_body_place(pair.bodies.first)],
+                      scene.bodies[to_body_place(pair.bodies.second)]);
+            }
+        }
+    };
+    each_pair([&](const ContactPair& pair, RigidWorldBody& first, RigidWorldBody& second) {
+        for (const ContactPoint& point : pair.manifold.points()) {
+            const double speed =
+                -find_apart(pair.manifold.normal_W, point.place_W, pair.meet_s, first, second);
+            if (speed > least_m_per_s) {
+                const double at_s = std::max(point.gap_m, 0.0) / speed;
+                meet_at(at_s, first);
+                meet_at(at_s, second);
+            }
+        }
+    });
+    each_pair([&](ContactPair& pair, const RigidWorldBody& first, const RigidWorldBody& second) {
+        pair.is_first = pair.meet_s <= kSameTime * std::min(first.meets_s, second.meets_s);
+    });
 }
 
 void grow(const Vector3& by_m, Box& box) noexcept {
@@ -72,44 +103,85 @@ void RigidWorld::look_ahead(ContactPair& pair, double reach_s) noexcept {
     pair.meet_s = meet_s;
     find_contacts(first.shape, a.find_place(meet_s), second.shape, b.find_place(meet_s), margin_m,
                   manifold);
-    for (int i = 0; i < manifold.count; ++i) {
-        ContactPoint& point = manifold.contacts[static_cast<std::size_t>(i)];
-        point.gap_m -= meet_s * find_apart(manifold.normal_W, point.place_W, meet_s, first, second);
+    tell_from_now(meet_s, first, second, manifold);
+}
+
+// Of the pair that begins there.
+int RigidWorld::count_patches(int i) const noexcept {
+    BodyPair next = scene_.pairs.at(i).bodies;
+    int n = 0;
+    for (int j = i; j < scene_.pairs.count() && n < kMostPatches; ++j, ++n) {
+        if (!(scene_.pairs.at(j).bodies == next)) {
+            break;
+        }
+        ++next.patch;
+    }
+    return n;
+}
+
+// The same in patches: what comes no farther than touches tell is found as it is, and what touches already.
+void RigidWorld::look_ahead_in_patches(int i, double reach_s) noexcept {
+    const BodyPair bodies = scene_.pairs.at(i).bodies;
+    const RigidWorldBody& first = scene_.bodies[to_body_place(bodies.first)];
+    const RigidWorldBody& second = scene_.bodies[to_body_place(bodies.second)];
+    const auto n = static_cast<std::size_t>(count_patches(i));
+    std::array<ContactManifold*, kMostPatches> all{};
+    for (std::size_t k = 0; k < n; ++k) {
+        ContactPair& pair = scene_.pairs.at(i + static_cast<int>(k));
+        pair.meet_s = 0.0;
+        pair.passes = false;
+        all[k] = &pair.manifold;
+    }
+    const auto patches = std::span(all).first(n);
+    const double size_m = std::min(first.shape.bounding_radius_m, second.shape.bounding_radius_m);
+    const double margin_m = first.reach_m + second.reach_m;
+    const double near_m = find_near(first, second);
+    const auto find_at = [&](const ContactPlace& a, const ContactPlace& b, double within_m) {
+        find_sampled_contacts({*first.shape.sampled, a}, {*second.shape.sampled, b}, size_m,
+                              {.margin_m = within_m, .ahead_m = within_m - near_m}, patches);
+    };
+    const double slack_m = find_sampled_slack_m(first.shape, second.shape);
+    const MovingShape a = make_moving(first, first.ahead_W);
+    const MovingShape b = make_moving(second, second.ahead_W);
+    const bool is_far = margin_m > slack_m + near_m;
+    const double meet_s = is_far ? find_sampled_meeting_s(a, b, near_m, reach_s) : 0.0;
+    if (!(meet_s < reach_s)) {
+        std::ranges::for_each(patches, [](ContactManifold* patch) { patch->count = 0; });
+        scene_.pairs.at(i).passes = true;
+        return;
+    }
+    if (!(meet_s > 0.0)) {
+        find_at(first.place, second.place, margin_m);
+        return;
+    }
+    find_at(a.find_place(meet_s), b.find_place(meet_s), std::min(margin_m, slack_m + near_m));
+    for (std::size_t k = 0; k < n; ++k) {
+        scene_.pairs.at(i + static_cast<int>(k)).meet_s = meet_s;
+        tell_from_now(meet_s, first, second, *patches[k]);
     }
 }
 
-// When each body first meets anything faster than what does not bounce, and which pairs that is true of.
+bool RigidWorld::bounces_at_all() const noexcept {
+    return std::ranges::any_of(scene_.bodies,
+                               [](const RigidWorldBody& body) { return body.restitution > 0.0; });
+}
+
 void RigidWorld::find_first_met() noexcept {
-    if (std::ranges::none_of(scene_.bodies,
-                             [](const RigidWorldBody& body) { return body.restitution > 0.0; })) {
+    if (!bounces_at_all()) {
         return;
     }
     for (RigidWorldBody& body : scene_.bodies) {
         body.meets_s = kNotMet;
     }
-    const auto each_pair = [&](auto&& visit) {
-        for (int i = 0; i < scene_.pairs.count(); ++i) {
-            ContactPair& pair = scene_.pairs.at(i);
-            if (pair.manifold.count > 0) {
-                visit(pair, scene_.bodies[to_body_place(pair.bodies.first)],
-                      scene_.bodies[to_body_place(pair.bodies.second)]);
-            }
-        }
-    };
-    each_pair([&](const ContactPair& pair, RigidWorldBody& first, RigidWorldBody& second) {
-        for (const ContactPoint& point : pair.manifold.points()) {
-            const double speed =
-                -find_apart(pair.manifold.normal_W, point.place_W, pair.meet_s, first, second);
-            if (speed > settings_.least_bounce_m_per_s) {
-                const double at_s = std::max(point.gap_m, 0.0) / speed;
-                meet_at(at_s, first);
-                meet_at(at_s, second);
-            }
-        }
-    });
-    each_pair([&](ContactPair& pair, const RigidWorldBody& first, const RigidWorldBody& second) {
-        pair.is_first = pair.meet_s <= kSameTime * std::min(first.meets_s, second.meets_s);
-    });
+    find_first_of(std::views::iota(0, scene_.pairs.count()), settings_.least_bounce_m_per_s,
+                  scene_);
+}
+
+void RigidWorld::find_first_met(const IslandParts& parts) noexcept {
+    for (const std::int32_t i : parts.bodies) {
+        scene_.bodies[to_body_place(i)].meets_s = kNotMet;
+    }
+    find_first_of(parts.pairs, settings_.least_bounce_m_per_s, scene_);
 }
 
 void RigidWorld::find_ways() noexcept {
@@ -128,9 +200,11 @@ void RigidWorld::find_ways() noexcept {
 void RigidWorld::hold_pair(const BodyPair& bodies) noexcept {
     const RigidWorldBody& first = scene_.bodies[to_body_place(bodies.first)];
     const RigidWorldBody& second = scene_.bodies[to_body_place(bodies.second)];
-    const double part =
-        find_meeting_s(make_moving(first, first.way_W), make_moving(second, second.way_W),
-                       find_near(first, second), 1.0);
+    const MovingShape a = make_moving(first, first.way_W);
+    const MovingShape b = make_moving(second, second.way_W);
+    const double near_m = find_near(first, second);
+    const double part = meets_in_patches(bodies) ? find_sampled_meeting_s(a, b, near_m, 1.0)
+                                                 : find_meeting_s(a, b, near_m, 1.0);
     // What is near already has contacts, or is kept from having any.
     if (!(part > 0.0 && part < 1.0)) {
         return;
@@ -161,6 +235,19 @@ void RigidWorld::hold_far() noexcept {
     report_.n_dropped += broad_phase_.n_dropped();
 }
 
+// In none of its patches, told at the first of them.
+bool RigidWorld::is_apart(int i) const noexcept {
+    if (scene_.pairs.at(i).bodies.patch > 0) {
+        return false;
+    }
+    for (int k = 0; k < count_patches(i); ++k) {
+        if (scene_.pairs.at(i + k).manifold.count > 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void RigidWorld::hold_back() noexcept {
     parts_.set_count(static_cast<std::size_t>(islands_.count()));
     std::ranges::fill(parts_.all(), 1.0);
@@ -170,7 +257,7 @@ void RigidWorld::hold_back() noexcept {
     };
     for (int i = 0; i < scene_.pairs.count(); ++i) {
         const ContactPair& pair = scene_.pairs.at(i);
-        if (pair.manifold.count == 0 && !meets_in_patches(pair.bodies) &&
+        if (is_apart(i) &&
             (pair.passes || goes_far(scene_.bodies[to_body_place(pair.bodies.first)]) ||
              goes_far(scene_.bodies[to_body_place(pair.bodies.second)]))) {
             hold_pair(pair.bodies);

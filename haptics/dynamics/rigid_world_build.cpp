@@ -170,18 +170,6 @@ ContactCapacity find_capacity(const RigidWorldPlan& plan) {
                     kMostHandRows * find_most_held(plan)};
 }
 
-// What the solvers of all threads reserve, roughly: a body's graph, order and blocks, a contact's and a row's places, and of the method
-// that keeps a matrix of all rows that matrix.
-double estimate_bytes(const RigidWorldPlan& plan) {
-    const ContactCapacity capacity = find_capacity(plan);
-    const double n_bodies = capacity.bodies;
-    const double n_rows = 3.0 * capacity.contacts + capacity.rows;
-    const bool is_dense = plan.settings.solver.method == ContactMethod::dantzig;
-    return plan.settings.n_threads *
-           (5.0 * n_bodies * n_bodies + 2.0e4 * n_bodies + 1.5e3 * capacity.contacts +
-            1.0e3 * capacity.rows + (is_dense ? 16.0 * n_rows * n_rows : 0.0));
-}
-
 Expected<void> check_size(const RigidWorldPlan& plan) {
     if (plan.bodies.size() > kMostBodies || plan.joints.size() > kMostBodies) {
         return fail("a world has more than 10000 bodies or joints", {}, "make it smaller");
@@ -198,6 +186,30 @@ Expected<void> check_size(const RigidWorldPlan& plan) {
 }
 
 }  // namespace
+
+// A body's graph, order and blocks, a contact's and a row's places, the matrix of all rows that pivots are found in; and what all threads
+// share of a pair. As measured, rounded up.
+double estimate_bytes(const RigidWorldPlan& plan) {
+    const ContactCapacity capacity = find_capacity(plan);
+    const double n_bodies = capacity.bodies;
+    const double n_rows = 3.0 * capacity.contacts + capacity.rows;
+    const double n_pivots = std::min<double>(n_rows, kMostPivotRows);
+    double solver = 0.0;
+    switch (plan.settings.solver.method) {
+        case ContactMethod::newton:
+            solver = 5.0 * n_bodies * n_bodies + 2.15e4 * n_bodies + 2.45e3 * capacity.contacts +
+                     1.15e3 * capacity.rows + 10.0 * n_pivots * n_pivots;
+            break;
+        case ContactMethod::dantzig:
+            solver = 2.15e4 * n_bodies + 2.45e3 * capacity.contacts + 1.15e3 * capacity.rows +
+                     16.0 * n_rows * n_rows;
+            break;
+        case ContactMethod::iterative:
+            solver = 2.0e3 * n_bodies + 1.4e3 * capacity.contacts + 1.0e3 * capacity.rows;
+            break;
+    }
+    return 1.0e5 + 950.0 * find_most_pairs(plan) + plan.settings.n_threads * solver;
+}
 
 Expected<void> validate(const RigidWorldPlan& plan) {
     if (auto checked = check_settings(plan.settings); !checked) {

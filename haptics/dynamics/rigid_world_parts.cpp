@@ -1,6 +1,8 @@
-// How an island of rigid_world.h is solved and moved: in one step, or in parts of it where its joints turn far.
+// How an island of rigid_world.h is solved and moved: in one step, or in parts of it where its joints turn far or something bounces.
 //
-// A joint's rows hold where its bodies turn little (joint.h). An island of which one turns by more goes in as many parts as keep each
+// What bounces off what it does not touch yet goes there first: a part ends half of `find_bounce_gap` before they meet. The bounce has a
+// part of its own, a gap's way, so that what comes after it is looked along as it goes then. What would take more than kMostBounceParts
+// loses the rest. A joint's rows hold where its bodies turn little (joint.h). An island of which one turns by more goes in as many parts as keep each
 // below, at most kMostParts: solved, moved, placed and touched anew each time. Others see it where it began until all islands are
 // solved; then it stands where its parts led, or where it was held back on the straight way there.
 #include "haptics/base/flush_to_zero.h"
@@ -19,6 +21,8 @@ namespace {
 
 constexpr double kPartTurn = 0.2;  // rad
 constexpr int kMostParts = 32;
+// To where something bounces, and the bounce itself.
+constexpr int kMostBounceParts = 8;
 // rad; where joints turn by more, what their pull makes swing is followed too: h^2 K <= I / 2 (island_solver.h).
 constexpr double kSwingTurn = 0.05;
 constexpr double kMostSwing = 0.5;
@@ -161,11 +165,59 @@ RigidWorld::SolvedIsland RigidWorld::solve_island(const DueIsland& due,
                                                   IslandSolver& solver) noexcept {
     // On each thread alike, whatever that of the caller does.
     const ScopedFlushToZero flush_to_zero;
+    const IslandParts parts = parts_of(due.island);
     const int n_parts = count_parts(due);
-    if (n_parts > 1) {
+    if (n_parts > 1 || find_bounce_s(parts, due.dt_s) < due.dt_s) {
         return solve_in_parts(due, n_parts, solver);
     }
-    return {.report = solver.solve(parts_of(due.island), due.dt_s, scene_)};
+    return {.report = solver.solve(parts, due.dt_s, scene_)};
+}
+
+// When something is as good as where it will bounce within the time, or from there when it has bounced; the time where nothing will.
+double RigidWorld::find_bounce_s(const IslandParts& parts, double time_s) const noexcept {
+    double bounce_s = time_s;
+    for (const std::int32_t i : parts.pairs) {
+        const ContactPair& pair = scene_.pairs.at(i);
+        const RigidWorldBody& first = scene_.bodies[place_at(pair.bodies.first)];
+        const RigidWorldBody& second = scene_.bodies[place_at(pair.bodies.second)];
+        if (!pair.is_first || !(std::max(first.restitution, second.restitution) > 0.0)) {
+            continue;
+        }
+        const double near_m = find_bounce_gap(first, second);
+        for (const ContactPoint& point : pair.manifold.points()) {
+            const double speed =
+                -find_apart(pair.manifold.normal_W, point.place_W, pair.meet_s, first, second);
+            if (!(speed > settings_.least_bounce_m_per_s && point.gap_m <= speed * time_s)) {
+                continue;
+            }
+            const double way_m = point.gap_m > near_m ? point.gap_m - 0.5 * near_m
+                                                      : std::max(point.gap_m, 0.0) + near_m;
+            bounce_s = std::min(bounce_s, way_m / speed);
+        }
+    }
+    return bounce_s;
+}
+
+void RigidWorld::solve_part(const IslandParts& parts, double part_s, IslandSolver& solver,
+                            SolvedIsland& solved) noexcept {
+    double left_s = part_s;
+    for (int bounce = 0; bounce < kMostBounceParts; ++bounce) {
+        const double to_s = find_bounce_s(parts, left_s);
+        if (!(to_s < left_s)) {
+            break;
+        }
+        left_s -= to_s;
+        add_report(solver.solve(parts, to_s, scene_), solved.report);
+        solved.n_dropped += move_part(parts, to_s, left_s);
+        find_first_met(parts);
+        ++solved.n_parts;
+    }
+    // What would bounce once more goes there, and loses the rest.
+    const double last_s = find_bounce_s(parts, left_s);
+    solved.is_cut = solved.is_cut || last_s < left_s;
+    add_report(solver.solve(parts, last_s, scene_), solved.report);
+    solved.n_dropped += move_part(parts, last_s, part_s);
+    ++solved.n_parts;
 }
 
 // What begins to turn faster on the way goes on in smaller parts.
@@ -176,23 +228,20 @@ RigidWorld::SolvedIsland RigidWorld::solve_in_parts(const DueIsland& due, int n_
         RigidWorldBody& body = scene_.bodies[place_at(i)];
         body.ends_W = body.state.pose_W;
     }
-    SolvedIsland solved;
+    SolvedIsland solved{.n_parts = 0};
     for (int n_left = n_parts; n_left > 0;) {
-        const double part_s = due.dt_s / n_parts;
-        add_report(solver.solve(parts, part_s, scene_), solved.report);
-        solved.n_dropped += move_part(parts, part_s);
+        solve_part(parts, due.dt_s / n_parts, solver, solved);
         --n_left;
         for (const int n_asked = count_parts(due); n_parts < n_asked; n_parts *= 2) {
             n_left *= 2;
         }
     }
-    solved.n_parts = n_parts;
     end_parts(parts, due.dt_s);
     return solved;
 }
 
-// And sees where it touches there.
-int RigidWorld::move_part(const IslandParts& parts, double part_s) noexcept {
+// And sees where it touches there, and in the next part.
+int RigidWorld::move_part(const IslandParts& parts, double part_s, double next_s) noexcept {
     int n_dropped = 0;
     for (const std::int32_t i : parts.bodies) {
         RigidWorldBody& body = scene_.bodies[place_at(i)];
@@ -202,14 +251,14 @@ int RigidWorld::move_part(const IslandParts& parts, double part_s) noexcept {
             carry_hold(before, body.state, scene_.held[place_at(k)].hold);
         }
         place_body(body);
-        find_ahead(body, settings_.gravity_W, part_s);
+        find_ahead(body, settings_.gravity_W, next_s);
     }
     std::int32_t last = -1;
     for (const std::int32_t i : parts.pairs) {
         // Of one with patches the first, which finds them all.
         const std::int32_t first = i - scene_.pairs.at(i).bodies.patch;
         if (first != last) {
-            find_contacts_of(first, 2.0 * part_s);
+            find_contacts_of(first, 2.0 * next_s);
             last = first;
         }
     }

@@ -61,6 +61,10 @@ struct RigidWorldPlan {
     std::vector<JointPlan> joints;      ///< at most 10000
 };
 
+/// What a world of this plan reserves for its bodies, pairs and solvers, no less and no more than twice; meshes and their samples come on
+/// top. More than 4 GB is refused.
+[[nodiscard]] double estimate_bytes(const RigidWorldPlan& plan);
+
 /// Refuses what is out of its range, with the number of the body or joint.
 [[nodiscard]] Expected<void> validate(const RigidWorldPlan& plan);
 

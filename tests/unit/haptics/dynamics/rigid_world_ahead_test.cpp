@@ -126,6 +126,69 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("rigid world ahead: a ball bounces where it touches, in whatever phase of the step") {
+    constexpr double kRadius_m = 0.02;
+    // 2e-3 of the smaller one's size.
+    constexpr double kTolerance_m = 2.0e-3 * kRadius_m;
+    for (const double restitution : {1.0, 0.5}) {
+        for (const double speed : {2.0, 17.0, 100.0}) {
+            for (const double phase : {0.03, 0.31, 0.77, 0.99}) {
+                CAPTURE(restitution, speed, phase);
+                RigidWorldPlan plan = make_weightless();
+                const double way_m = (2.0 + phase) * speed * kAheadStep_s;
+                const double wall_m = 0.0005 + kRadius_m + way_m;
+                plan.bodies = {
+                    make_ball(kRadius_m, Vector3::Zero(), {speed, 0.0, 0.0}, restitution),
+                    make_wall(0.0005, wall_m)};
+                const auto world = begin(plan);
+                double before_m_per_s = speed;
+                for (int i = 1; i <= 6; ++i) {
+                    world->step(kAheadStep_s);
+                    const double on_m = i * speed * kAheadStep_s;
+                    const double at_m = on_m < way_m ? on_m : way_m - restitution * (on_m - way_m);
+                    CHECK(world->state(0).pose_W.position.x() ==
+                          Approx(at_m).margin(1.05 * kTolerance_m));
+                    // It goes back only once it has been there.
+                    const double now_m_per_s = world->state(0).velocity_W.linear.x();
+                    if (now_m_per_s < 0.0 && before_m_per_s > 0.0) {
+                        CHECK(i == 3);
+                    }
+                    before_m_per_s = now_m_per_s;
+                }
+                CHECK(before_m_per_s == Approx(-restitution * speed));
+            }
+        }
+    }
+}
+
+TEST_CASE("rigid world ahead: of two balls that meet within a step both are where they would be") {
+    for (const double phase : {0.1, 0.5, 0.9}) {
+        CAPTURE(phase);
+        RigidWorldPlan plan = make_weightless();
+        plan.bodies = {make_ball(0.01, {-phase * 0.05 - 0.02, 0.0, 0.0}, {50.0, 0.0, 0.0}, 1.0),
+                       make_ball(0.01, Vector3::Zero(), Vector3::Zero(), 1.0)};
+        const auto world = begin(plan);
+        world->step(kAheadStep_s);
+        // The one stands where they touched, the other goes on by what was left of the step.
+        CHECK(world->state(0).pose_W.position.x() == Approx(-0.02).margin(4.0e-5));
+        CHECK(world->state(1).pose_W.position.x() == Approx((1.0 - phase) * 0.05).margin(4.0e-5));
+        CHECK(world->state(1).velocity_W.linear.x() == Approx(50.0));
+    }
+}
+
+TEST_CASE("rigid world ahead: a ball in a narrow gap bounces to and fro within a step") {
+    // 4 mm to go at 20 m/s: five bounces a step, more than are followed.
+    RigidWorldPlan plan = make_weightless();
+    plan.bodies = {make_ball(0.01, Vector3::Zero(), {20.0, 0.0, 0.0}, 1.0), make_wall(0.01, 0.022),
+                   make_wall(0.01, -0.022)};
+    const auto world = begin(plan);
+    for (int i = 0; i < 100; ++i) {
+        world->step(kAheadStep_s);
+        REQUIRE(std::abs(world->state(0).pose_W.position.x()) <= 0.002 + 2.0e-5);
+        REQUIRE(std::abs(world->state(0).velocity_W.linear.x()) == Approx(20.0));
+    }
+}
+
 TEST_CASE("rigid world ahead: what flies off with nothing before it is not held") {
     RigidWorldPlan plan = make_weightless();
     plan.bodies = {make_ball(0.02, {-0.05, 0.0, 0.0}, {100.0, 0.0, 0.0}, 1.0),

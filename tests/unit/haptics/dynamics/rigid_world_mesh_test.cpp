@@ -144,6 +144,74 @@ TEST_CASE("rigid world: a cone of triangles stands on its tip no deeper than on 
     }
 }
 
+RigidBodyPlan make_flying(const SolidShape& shape, const Vector3& at, const Vector3& velocity) {
+    return {.shape = shape,
+            .mass_kg = 0.1,
+            .pose_W = Pose::at(at),
+            .velocity_W = {velocity, Vector3::Zero()}};
+}
+
+TEST_CASE("rigid world: what is flung at a thin plate of triangles stops at it, in any phase") {
+    RigidWorldPlan plan;
+    plan.settings.gravity_W.setZero();
+    const SolidShape plate = mesh_of(make_box({0.3, 0.008, 0.3}));
+    const auto sampled = SampledShape::make(plate).value();
+    const SolidShape ring = mesh_of(make_torus(0.03, 0.012, 32, 16));
+    for (const bool is_ring : {false, true}) {
+        const SolidShape flung = is_ring ? ring : SolidShape(SphereShape{0.012});
+        for (const double phase_m : {0.0, 0.021, 0.052, 0.097}) {
+            CAPTURE(is_ring, phase_m);
+            plan.bodies = {{.shape = plate, .sampled = sampled, .role = BodyRole::stays},
+                           make_flying(flung, {0.01, 0.2 + phase_m, 0.02}, {0.0, -100.0, 0.0})};
+            auto world = make_world(plan);
+            run(*world, 0.02);
+            CHECK(world->shape_pose_W(1).position.y() == Approx(0.016).margin(4.0e-4));
+            // A thousandth of its speed is left along the plate, for samples tell its normal so nearly.
+            CHECK(world->state(1).velocity_W.linear.norm() < 0.1);
+        }
+    }
+}
+
+TEST_CASE("rigid world: what is flung through a ring or past it feels nothing") {
+    RigidWorldPlan plan;
+    plan.settings.gravity_W.setZero();
+    const SolidShape ring = mesh_of(make_torus(0.06, 0.02, 48, 24));
+    const auto sampled = SampledShape::make(ring).value();
+    for (const double aside_m : {0.0, 0.015, 0.11, 0.15}) {
+        for (const double phase_m : {0.0, 0.033, 0.071}) {
+            CAPTURE(aside_m, phase_m);
+            const Vector3 velocity(0.0, -100.0, 0.0);
+            plan.bodies = {
+                {.shape = ring, .sampled = sampled, .mass_kg = 0.3},
+                make_flying(SphereShape{0.02}, {aside_m, 0.25 + phase_m, 0.0}, velocity)};
+            auto world = make_world(plan);
+            run(*world, 0.006);
+            CHECK(world->state(1).velocity_W.linear == velocity);
+            CHECK(world->state(0).velocity_W.linear.isZero(0.0));
+            CHECK(world->shape_pose_W(1).position.y() ==
+                  Approx(0.25 + phase_m - 0.6).margin(1.0e-9));
+        }
+    }
+}
+
+TEST_CASE("rigid world: a ball that bounces off a ring of triangles does so where it touches") {
+    RigidWorldPlan plan;
+    plan.settings.gravity_W.setZero();
+    const SolidShape ring = mesh_of(make_torus(0.06, 0.02, 48, 24));
+    for (const double phase_m : {0.013, 0.05, 0.085}) {
+        CAPTURE(phase_m);
+        plan.bodies = {
+            {.shape = ring, .role = BodyRole::stays},
+            make_flying(SphereShape{0.02}, {0.06, 0.04 + phase_m, 0.0}, {0.0, -100.0, 0.0})};
+        plan.bodies[1].restitution = 1.0;
+        auto world = make_world(plan);
+        world->step(kStep_s);
+        // Down by the phase, and up again by what is left of 0.1 m.
+        CHECK(world->shape_pose_W(1).position.y() == Approx(0.04 + 0.1 - phase_m).margin(2.0e-3));
+        CHECK(world->state(1).velocity_W.linear.y() == Approx(100.0).epsilon(0.01));
+    }
+}
+
 TEST_CASE("rigid world: a wall thinner than a cell is refused") {
     RigidWorldPlan plan;
     plan.bodies = {{.shape = mesh_of(make_bowl(0.1, 0.099, 48, 12)), .role = BodyRole::stays},
