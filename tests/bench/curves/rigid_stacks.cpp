@@ -21,33 +21,44 @@ constexpr double kFallen_m = 0.02;
 RigidWorldPlan make_bare_plan() {
     RigidWorldPlan plan;
     plan.settings.sleep_after_s = 0.0;
-    plan.bodies.push_back({.role = BodyRole::ground});
+    plan.bodies.push_back({.role = BodyRole::ground,
+                           .static_friction = kStackFriction,
+                           .dynamic_friction = kStackFriction});
     return plan;
 }
 
-void add_cube(RigidWorldPlan& plan, const Vector3& at, double mass_kg = 1.0) {
-    plan.bodies.push_back({.shape = BoxShape{Vector3::Constant(kCubeHalf_m)},
-                           .mass_kg = mass_kg,
-                           .pose_W = Pose::at(at),
+void add_box(RigidWorldPlan& plan, const StackBox& box) {
+    plan.bodies.push_back({.shape = BoxShape{box.half_m},
+                           .mass_kg = box.mass_kg,
+                           .pose_W = Pose::at(box.at_W),
                            .static_friction = kStackFriction,
                            .dynamic_friction = kStackFriction});
 }
 
-RigidWorldPlan make_stack_plan(const StackScene& scene) {
+void add_cube(RigidWorldPlan& plan, const Vector3& at) {
+    add_box(plan, {.at_W = at});
+}
+
+RigidWorldPlan make_plan(const StackScene& scene) {
     RigidWorldPlan plan = make_bare_plan();
-    for (int i = 0; i < scene.n_cubes; ++i) {
-        add_cube(plan, {0.0, scene.height_m(i), 0.0}, scene.mass_kg(i));
+    for (const StackBox& box : scene.boxes) {
+        add_box(plan, box);
     }
     return plan;
 }
 
 class FulcrumStack final : public StackEngine {
   public:
-    explicit FulcrumStack(const StackScene& scene)
-        : world_(make_rigid_world(make_stack_plan(scene))) {}
+    explicit FulcrumStack(const StackScene& scene) : world_(make_rigid_world(make_plan(scene))) {}
     void step() override { world_->step(kStackStep_s); }
-    [[nodiscard]] Vector3 place(int cube) const override {
-        return world_->shape_pose_W(cube + 1).position;
+    [[nodiscard]] Vector3 place(int box) const override {
+        return world_->shape_pose_W(box + 1).position;
+    }
+    void push(int box, const Vector3& force_W) override {
+        world_->push(box + 1, {force_W, Vector3::Zero()});
+    }
+    void throw_from(int box, const Vector3& at_W, const Vector3& velocity_W) override {
+        world_->place(box + 1, Pose::at(at_W), {velocity_W, Vector3::Zero()});
     }
 
   private:
@@ -76,16 +87,16 @@ CostPoint measure_stack_of(const std::string& name, const StackScene& scene,
     double drift_m = 0.0;
     double below_m = -kCubeHalf_m;
     bool stands = true;
-    for (int i = 0; i < scene.n_cubes; ++i) {
-        const Vector3 at = engine->place(i);
+    for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
+        const Vector3 at = engine->place(static_cast<int>(i));
         sunk_m = std::max(sunk_m, 2.0 * kCubeHalf_m - (at.y() - below_m));
         drift_m = std::max(drift_m, std::hypot(at.x(), at.z()));
-        stands = stands && std::abs(at.y() - scene.height_m(i)) <= kFallen_m;
+        stands = stands && std::abs(at.y() - scene.boxes[i].at_W.y()) <= kFallen_m;
         below_m = at.y();
     }
     const auto told = [&](double m) { return stands ? 1.0e3 * m : kNone; };
     return {name,
-            static_cast<double>(scene.n_cubes),
+            static_cast<double>(scene.boxes.size()),
             told(std::max(sunk_m, drift_m)),
             summarise(us),
             {told(sunk_m), told(drift_m)}};
@@ -93,14 +104,39 @@ CostPoint measure_stack_of(const std::string& name, const StackScene& scene,
 
 }  // namespace
 
+StackScene make_stack(int n_cubes, double top_kg, double apart_m) {
+    StackScene scene;
+    for (int i = 0; i < n_cubes; ++i) {
+        const double height_m = kCubeHalf_m * (2 * i + 1) + apart_m * (i + 1);
+        scene.boxes.push_back(
+            {.mass_kg = i + 1 == n_cubes ? top_kg : 1.0, .at_W = {0.0, height_m, 0.0}});
+    }
+    return scene;
+}
+
+StackScene make_wall() {
+    StackScene scene;
+    for (int i = 0; i < 100; ++i) {
+        const int row = i / 10;
+        scene.boxes.push_back({.half_m = {0.1, 0.05, 0.05},
+                               .at_W = {0.2 * (i % 10) + 0.1 * (row % 2), 0.05 + 0.1 * row, 0.0}});
+    }
+    return scene;
+}
+
+std::unique_ptr<StackEngine> make_fulcrum_stack(const StackScene& scene) {
+    return std::make_unique<FulcrumStack>(scene);
+}
+
 std::vector<CostPoint> measure_stacks(const std::string& name, const MakeStackEngine& make,
                                       const Run& run) {
     const int n_steps = run.pick(10000, 1000);
     std::vector<CostPoint> points;
     for (const int n : {6, 10, 20}) {
-        points.push_back(measure_stack_of(name, {n, 1.0}, make, n_steps));
+        points.push_back(measure_stack_of(name, make_stack(n), make, n_steps));
     }
-    points.push_back(measure_stack_of(name + ", 100:1 on top", {20, 100.0}, make, n_steps));
+    points.push_back(
+        measure_stack_of(name + ", 100:1 on top", make_stack(20, 100.0), make, n_steps));
     return points;
 }
 
@@ -121,9 +157,7 @@ CostCurve measure_standing(Run& run) {
     curve.extras = {{"penetration", "mm", true}, {"sideways drift", "mm", true}};
     curve.default_series = "Fulcrum";
     curve.default_knob = 10.0;
-    curve.points = measure_stacks(
-        "Fulcrum", [](const StackScene& scene) { return std::make_unique<FulcrumStack>(scene); },
-        run);
+    curve.points = measure_stacks("Fulcrum", make_fulcrum_stack, run);
     return curve;
 }
 
@@ -135,14 +169,10 @@ struct Course {
 
 std::vector<Course> make_courses() {
     const auto leave = [](RigidWorld&, int) {};
-    std::vector<Course> courses{{"10 at rest", make_stack_plan({10, 1.0}), leave}};
-    Course dropped{"10 dropped 5 mm apart", make_bare_plan(), leave};
-    for (int i = 0; i < 10; ++i) {
-        add_cube(dropped.plan, {0.0, kCubeHalf_m * (2 * i + 1) + 0.005 * (i + 1), 0.0});
-    }
-    courses.push_back(std::move(dropped));
+    std::vector<Course> courses{{"10 at rest", make_plan(make_stack(10)), leave}};
+    courses.push_back({"10 dropped 5 mm apart", make_plan(make_stack(10, 1.0, 0.005)), leave});
     courses.push_back(
-        {"10, one after the other hit sideways by 15 N for 5 ms", make_stack_plan({10, 1.0}),
+        {"10, one after the other hit sideways by 15 N for 5 ms", make_plan(make_stack(10)),
          [](RigidWorld& world, int i) {
              if (i % 500 < 5) {
                  const double side = i / 500 % 2 == 0 ? 1.0 : -1.0;
@@ -150,26 +180,17 @@ std::vector<Course> make_courses() {
              }
          }});
     Course thrown{"10, and a cube that falls on them from 1 m each second",
-                  make_stack_plan({10, 1.0}), [](RigidWorld& world, int i) {
+                  make_plan(make_stack(10)), [](RigidWorld& world, int i) {
                       if (i % 1000 == 999) {
                           world.place(11, Pose::at({0.02, 2.0, 0.01}), {});
                       }
                   }};
     add_cube(thrown.plan, {0.02, 2.0, 0.01});
     courses.push_back(std::move(thrown));
-    Course wall{"a wall of 100 bricks", make_bare_plan(), leave};
-    for (int i = 0; i < 100; ++i) {
-        const int row = i / 10;
-        wall.plan.bodies.push_back(
-            {.shape = BoxShape{{0.1, 0.05, 0.05}},
-             .mass_kg = 1.0,
-             .pose_W = Pose::at({0.2 * (i % 10) + 0.1 * (row % 2), 0.05 + 0.1 * row, 0.0})});
-    }
+    Course wall{"a wall of 100 bricks", make_plan(make_wall()), leave};
     courses.push_back(wall);
     wall.name = "the wall, hit by 2 kg at 3 m/s";
-    wall.plan.bodies.push_back({.shape = BoxShape{Vector3::Constant(kCubeHalf_m)},
-                                .mass_kg = 2.0,
-                                .pose_W = Pose::at({0.93, 0.53, 5.0})});
+    add_box(wall.plan, {.mass_kg = 2.0, .at_W = {0.93, 0.53, 5.0}});
     wall.disturb = [](RigidWorld& world, int i) {
         if (i == 100) {
             world.place(101, Pose::at({0.93, 0.53, 0.4}), {{0.0, 0.3, -3.0}, {0.0, 0.0, 0.0}});
@@ -256,7 +277,7 @@ std::vector<Course> make_costly_courses() {
                                 make_held_back(),
                                 make_chain("a chain of 10 that goes round at 30 rad/s", 30.0),
                                 make_chain("a chain of 10 that goes round at 300 rad/s", 300.0)};
-    courses.push_back({"10 at rest, each gripped by a hand", make_stack_plan({10, 1.0}),
+    courses.push_back({"10 at rest, each gripped by a hand", make_plan(make_stack(10)),
                        [](RigidWorld& world, int) {
                            for (std::int32_t cube = 1; cube <= 10; ++cube) {
                                BodyHold hold{.at_W = world.shape_pose_W(cube).position};
@@ -355,7 +376,8 @@ LineChart measure_growth(Run& run) {
 Report run_rigid_stacks(Run& run) {
     CostCurve standing = measure_standing(run);
     Sheet courses = measure_courses(run);
-    return {std::move(standing), std::move(courses), measure_growth(run)};
+    Sheet engines = measure_engines(run);
+    return {std::move(standing), std::move(courses), std::move(engines), measure_growth(run)};
 }
 
 const Registration kRigidStacks{{"rigid-stacks",

@@ -104,20 +104,28 @@ class Progress {
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-// Lets the peers join the curve that carries their name.
+void join_peer(const Peer& peer, Run& run, CostCurve& curve) {
+    std::ranges::copy(peer.points(run), std::back_inserter(curve.points));
+    // Peers of one kind carry one note.
+    if (curve.work.find(peer.note) == std::string::npos) {
+        curve.work += ". " + peer.note;
+    }
+}
+
+// Lets the peers join the curve or sheet that carries their name.
 void join_peers(Exhibit& exhibit, Run& run) {
     auto* const curve = std::get_if<CostCurve>(&exhibit);
-    if (curve == nullptr) {
-        return;
-    }
+    auto* const sheet = std::get_if<Sheet>(&exhibit);
     for (const Peer& peer : all_peers()) {
-        if (peer.curve == curve->name) {
-            run.progress(1.0, peer.name);
-            std::ranges::copy(peer.points(run), std::back_inserter(curve->points));
-            // Peers of one kind carry one note.
-            if (curve->work.find(peer.note) == std::string::npos) {
-                curve->work += ". " + peer.note;
-            }
+        if (peer.curve != name_of(exhibit)) {
+            continue;
+        }
+        run.progress(1.0, peer.name);
+        if (curve != nullptr && peer.points) {
+            join_peer(peer, run, *curve);
+        }
+        if (sheet != nullptr && peer.rows) {
+            std::ranges::copy(peer.rows(run), std::back_inserter(sheet->rows));
         }
     }
 }

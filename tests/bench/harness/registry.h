@@ -63,14 +63,15 @@ struct Registration {
 /// All of them, by name.
 [[nodiscard]] const std::vector<Bench>& all_benches();
 
-/// Another library's points for one of our curves, measured in the same run. Peers live under tests/bench/peers and are
-/// built only where their packages are installed.
+/// Another library's points for one of our curves, or rows for one of our sheets, measured in the same run. Peers live under
+/// tests/bench/peers and are built only where their packages are installed.
 struct Peer {
     std::string name;   ///< "ODE 0.16.2"
-    std::string curve;  ///< CostCurve::name that it joins
-    std::function<std::vector<CostPoint>(Run&)> points;
+    std::string curve;  ///< name of the CostCurve or Sheet that it joins
+    std::function<std::vector<CostPoint>(Run&)> points;  ///< of a curve
     /// What a reader must know to compare, joined to the curve's `work` once; empty: nothing.
     std::string note{};
+    std::function<std::vector<std::vector<std::string>>(Run&)> rows{};  ///< of a sheet
 };
 
 /// Adds to the list while the program starts.

@@ -1,11 +1,9 @@
 // MuJoCo: one free joint, with its semi-implicit Euler and its Runge-Kutta integrator.
+#include "tests/bench/peers/mujoco_model.h"
 #include "tests/bench/peers/rigid_peer.h"
 
 #include <array>
 #include <cstdio>
-#include <cstdlib>
-#include <mujoco/mujoco.h>
-#include <stdexcept>
 
 namespace fulcrum::bench {
 namespace {
@@ -13,13 +11,6 @@ namespace {
 class MujocoBody final : public RigidPeer {
   public:
     MujocoBody(const Inertia& inertia, const RigidState& state, int integrator) {
-        // Left alone, MuJoCo writes its words into a log file where it was started. A run out of bounds is seen by its
-        // error; from an error MuJoCo must not return.
-        mju_user_warning = [](const char*) {};
-        mju_user_error = [](const char* message) {
-            std::fprintf(stderr, "MuJoCo: %s\n", message);
-            std::exit(1);
-        };
         const Vector3& moments = inertia.moments_kg_m2;
         std::array<char, 512> xml{};
         std::snprintf(xml.data(), xml.size(),
@@ -27,7 +18,7 @@ class MujocoBody final : public RigidPeer {
                       "pos=\"0 0 0\" mass=\"%.17g\" diaginertia=\"%.17g %.17g %.17g\"/></body>"
                       "</worldbody></mujoco>",
                       inertia.mass_kg, moments.x(), moments.y(), moments.z());
-        model_ = load(xml.data());
+        model_ = load_mujoco_model(xml.data());
         model_->opt.integrator = integrator;
         data_ = mj_makeData(model_);
         const Quaternion& q = state.pose_W.orientation;
@@ -63,21 +54,6 @@ class MujocoBody final : public RigidPeer {
     }
 
   private:
-    static mjModel* load(const char* xml) {
-        const std::string text = xml;
-        const auto files = std::make_unique<mjVFS>();
-        mj_defaultVFS(files.get());
-        mj_makeEmptyFileVFS(files.get(), "body.xml", static_cast<int>(text.size()));
-        std::copy(text.begin(), text.end(), static_cast<char*>(files->filedata[files->nfile - 1]));
-        std::array<char, 500> error{};
-        mjModel* const model = mj_loadXML("body.xml", files.get(), error.data(), error.size());
-        mj_deleteVFS(files.get());
-        if (model == nullptr) {
-            throw std::runtime_error(error.data());
-        }
-        return model;
-    }
-
     mjModel* model_;
     mjData* data_;
 };

@@ -17,15 +17,15 @@ class OdeStack final : public StackEngine {
         dWorldSetGravity(world_, 0.0, -9.81, 0.0);
         dWorldSetQuickStepNumIterations(world_, 50);
         dCreatePlane(space_, 0.0, 1.0, 0.0, 0.0);
-        constexpr double kEdge_m = 2.0 * kCubeHalf_m;
-        for (int i = 0; i < scene.n_cubes; ++i) {
+        for (const StackBox& box : scene.boxes) {
             const dBodyID body = dBodyCreate(world_);
+            const Vector3 edges_m = 2.0 * box.half_m;
             dMass mass;
-            dMassSetBoxTotal(&mass, scene.mass_kg(i), kEdge_m, kEdge_m, kEdge_m);
+            dMassSetBoxTotal(&mass, box.mass_kg, edges_m.x(), edges_m.y(), edges_m.z());
             dBodySetMass(body, &mass);
             dBodySetAutoDisableFlag(body, 0);
-            dBodySetPosition(body, 0.0, scene.height_m(i), 0.0);
-            dGeomSetBody(dCreateBox(space_, kEdge_m, kEdge_m, kEdge_m), body);
+            dBodySetPosition(body, box.at_W.x(), box.at_W.y(), box.at_W.z());
+            dGeomSetBody(dCreateBox(space_, edges_m.x(), edges_m.y(), edges_m.z()), body);
             bodies_.push_back(body);
         }
     }
@@ -45,12 +45,23 @@ class OdeStack final : public StackEngine {
         }
         dJointGroupEmpty(group_);
     }
-    [[nodiscard]] Vector3 place(int cube) const override {
-        const dReal* at = dBodyGetPosition(bodies_[static_cast<std::size_t>(cube)]);
+    [[nodiscard]] Vector3 place(int box) const override {
+        const dReal* at = dBodyGetPosition(body(box));
         return {at[0], at[1], at[2]};
+    }
+    void push(int box, const Vector3& force_W) override {
+        dBodyAddForce(body(box), force_W.x(), force_W.y(), force_W.z());
+    }
+    void throw_from(int box, const Vector3& at_W, const Vector3& velocity_W) override {
+        constexpr dQuaternion kUpright = {1.0, 0.0, 0.0, 0.0};
+        dBodySetPosition(body(box), at_W.x(), at_W.y(), at_W.z());
+        dBodySetQuaternion(body(box), kUpright);
+        dBodySetLinearVel(body(box), velocity_W.x(), velocity_W.y(), velocity_W.z());
+        dBodySetAngularVel(body(box), 0.0, 0.0, 0.0);
     }
 
   private:
+    [[nodiscard]] dBodyID body(int box) const { return bodies_[static_cast<std::size_t>(box)]; }
     static void touch(void* self, dGeomID first, dGeomID second) {
         auto& stack = *static_cast<OdeStack*>(self);
         constexpr int kMost = 8;
