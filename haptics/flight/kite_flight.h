@@ -2,7 +2,7 @@
 //
 //   gusts -> line's first half -> kite: air, weight, line, ground -> line's second half -> does it snap? -> what the hand feels
 // Kite and line move in one implicit step (line.h): backward Euler by Newton for the kite (integrator.h), linearised once for the
-// line, stable at any wind and any step. The kite's corners push off the ground as springs (loads.h) that hold it up and nothing
+// line: stable in any wind in steps of 2 ms on lines of 10 N to 1 MN of stretch, in steps of 50 ms on lines up to 500 N. The kite's corners push off the ground as springs (loads.h) that hold it up and nothing
 // sideways.
 //
 // Thread: that of the step. Cost: 10 us with 16 segments (`fulcrum bench kite`). No allocation after construction.

@@ -1,10 +1,17 @@
 // The step path of kite_loop.h.
 #include "haptics/flight/kite_loop.h"
 
+#include "haptics/math/length.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace fulcrum {
+namespace {
+
+constexpr double kFarthestHand_m = 1.0e4;  // from the middle of the world
+
+}  // namespace
 
 void KiteLoop::step(double now_s) noexcept {
     if (!std::isfinite(now_s)) {
@@ -14,20 +21,48 @@ void KiteLoop::step(double now_s) noexcept {
     started_ = true;
     now_s_ = now_s;
     const double dt_s = std::clamp(since_s, 0.0, kLongestKiteStep_s);
-    // A hand that is nowhere leaves the line where it was.
     const bool had_hand = has_hand_;
-    if (channels_.hand_W.take() && is_finite(channels_.hand_W.value())) {
-        hand_W_ = channels_.hand_W.value();
-        has_hand_ = true;
-    }
+    take_hand();
     take_kite();
-    take_orders(dt_s);
+    take_orders();
     if (has_hand_ && !had_hand) {
         launch();
     }
     if (has_hand_) {
-        flight_->step(dt_s, hand_W_);
+        fly(dt_s);
         publish(now_s);
+    }
+}
+
+// A hand that is nowhere, or where none goes, stays where it was.
+void KiteLoop::take_hand() noexcept {
+    if (!channels_.hand_W.take()) {
+        return;
+    }
+    const Vector3& told_W = channels_.hand_W.value();
+    if (!is_finite(told_W) || told_W.cwiseAbs().maxCoeff() > kFarthestHand_m) {
+        return;
+    }
+    hand_aim_W_ = told_W;
+    if (!has_hand_) {
+        hand_W_ = hand_aim_W_;
+        has_hand_ = true;
+    }
+}
+
+// In parts as long as a round in time; the hand goes evenly meanwhile, and the reel turns.
+void KiteLoop::fly(double dt_s) noexcept {
+    const int n_parts = std::max(static_cast<int>(std::lround(dt_s / period_s_)), 1);
+    const double part_s = dt_s / n_parts;
+    const Vector3 way_W = hand_aim_W_ - hand_W_;
+    const double way_m = compute_length(way_W);
+    const double most_m = kFastestLineHand_m_per_s * dt_s;
+    const Vector3 part_W = (way_m > most_m ? most_m / way_m : 1.0) / n_parts * way_W;
+    for (int i = 0; i < n_parts; ++i) {
+        // There to the bit in a round in time: a hand at rest rests.
+        hand_W_ = i + 1 == n_parts && way_m <= most_m ? hand_aim_W_ : Vector3(hand_W_ + part_W);
+        turn_reel(part_s);
+        flight_->step(part_s, hand_W_);
     }
 }
 
@@ -53,7 +88,7 @@ void KiteLoop::take_kite() noexcept {
     }
 }
 
-void KiteLoop::take_orders(double dt_s) noexcept {
+void KiteLoop::take_orders() noexcept {
     if (channels_.orders.take()) {
         const KiteOrders& newest = channels_.orders.value();
         const bool is_launch = newest.n_launches != orders_.n_launches;
@@ -68,6 +103,9 @@ void KiteLoop::take_orders(double dt_s) noexcept {
             flight_->snap_line();
         }
     }
+}
+
+void KiteLoop::turn_reel(double dt_s) noexcept {
     if (has_orders_ && std::isfinite(orders_.line_m)) {
         const double length_m = flight_->line().length_m();
         const double most_m = kReel_m_per_s * dt_s;

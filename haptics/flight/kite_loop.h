@@ -1,7 +1,12 @@
 // The kite's round: takes the lesson's orders and the hand, flies on, publishes what is seen and what is felt.
 //
-// Thread: `step` on one thread beside the haptic one (or a virtual clock). Cost: that of KiteFlight::step, and one copy of the
-// frame. No allocation after construction.
+// A round that comes late is made up for in parts as long as one in time, in which the hand goes evenly to where it is now: a step is
+// linearised (line.h), and a stiff line in a long one would be flung by what it bends within it. So a world that is starved to 20 Hz
+// flies as at its own rate, and the hand feels it late, by line_feel.h. The line's end follows a hand at most at
+// kFastestLineHand_m_per_s: a hand that has been put elsewhere draws it there, and throws nothing.
+//
+// Thread: `step` on one thread beside the haptic one (or a virtual clock). Cost: that of KiteFlight::step, for each
+// period that has passed, and one copy of the frame. No allocation after construction.
 #pragma once
 
 #include "haptics/base/periodic_task.h"
@@ -44,6 +49,8 @@ struct KiteChannels {
 
 /// How fast a reel turns.
 inline constexpr double kReel_m_per_s = 2.0;
+/// Faster no hand draws a line; in the world, where a hand may be drawn larger than it is.
+inline constexpr double kFastestLineHand_m_per_s = 10.0;
 /// After a longer pause it flies on from where it was instead of leaping.
 inline constexpr double kLongestKiteStep_s = 0.05;
 
@@ -67,14 +74,18 @@ class KiteLoop final : public PeriodicTask {
   private:
     void launch() noexcept;
     void take_kite() noexcept;
-    void take_orders(double dt_s) noexcept;
+    void take_hand() noexcept;
+    void take_orders() noexcept;
+    void turn_reel(double dt_s) noexcept;
+    void fly(double dt_s) noexcept;
     void publish(double now_s) noexcept;
 
     KiteFlight* flight_;  // its own; raw, for nothing is freed in a step
     KiteChannels& channels_;
     double period_s_;
     KiteOrders orders_{};
-    Vector3 hand_W_{Vector3::Zero()};
+    Vector3 hand_W_{Vector3::Zero()};      // where the line ends
+    Vector3 hand_aim_W_{Vector3::Zero()};  // where the hand was last
     std::uint32_t n_launches_ = 0;
     bool has_orders_ = false;
     bool has_hand_ = false;

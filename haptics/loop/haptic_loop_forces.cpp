@@ -111,6 +111,10 @@ void HapticLoop::add_line() noexcept {
     const bool is_open = phase == GatePhase::rising || phase == GatePhase::open;
     constexpr double kSilent_s = std::numeric_limits<double>::infinity();
     const double line_now_s = is_open ? now_s_ : +kSilent_s;
+    // Nobody's hand jumps: where it is then the next round tells.
+    if (!any(state_.faults & Fault::device_invalid)) {
+        line_->tell_hand(state_.tool_pose_W.position);
+    }
     const LineForce felt = line_->step(state_.tool_pose_W, line_now_s, dt_s_);
     demand_.wrench_W.force += felt.wrench_W.force;
     demand_.wrench_W.torque += felt.wrench_W.torque;

@@ -1,5 +1,5 @@
 // A line in the hand as a stage of the haptic loop: takes the newest state of the line, gives its wrench, and tells the line's own
-// loop where the hand is.
+// loop where the hand is, when that is known: a pose that is no hand's must not draw a line.
 //
 // Thread: haptic loop. Cost: 60 ns. No allocation.
 #pragma once
@@ -23,6 +23,8 @@ class LineStage {
     LineStage(const LineFeelSettings& settings, KiteChannels* channels) noexcept
         : feel_(settings), channels_(channels) {}
 
+    /// Where the hand is: the line's own loop goes on from there.
+    void tell_hand(const Vector3& hand_W) noexcept;
     [[nodiscard]] LineForce step(const Pose& tool_W, double now_s, double dt_s) noexcept;
 
   private:

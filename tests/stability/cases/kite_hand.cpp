@@ -12,12 +12,18 @@ namespace {
 
 constexpr double kHapticDt_s = 0.001;
 constexpr double kScale = 4.0;  // world metres a metre of the arm
+constexpr double kWorld_Hz = 500.0;
 
 // A mass on the spring and damper of whoever holds it; limp: 0.2 kg on 50 N/m.
 class Holder {
   public:
-    Holder(const KiteFlightSettings& settings, double world_Hz)
-        : loop_(settings, world_Hz, *channels_), rounds_(rounds_of(world_Hz)) {}
+    // A world made for 500 Hz that comes to a round so many times a second.
+    Holder(const KiteFlightSettings& settings, double world_Hz, double share = 1.0)
+        : loop_(settings, kWorld_Hz, *channels_), rounds_(rounds_of(world_Hz)) {
+        LineFeelSettings feel;
+        feel.share = share;
+        feel_ = LineFeel(feel);
+    }
 
     void slow_down(double world_Hz) { rounds_ = rounds_of(world_Hz); }
 
@@ -41,6 +47,7 @@ class Holder {
     [[nodiscard]] bool is_flying() const {
         return loop_.flight().report().centre_W.y() > 5.0 && loop_.flight().report().n_failed == 0;
     }
+    [[nodiscard]] const KiteReport& report() const { return loop_.flight().report(); }
 
   private:
     static int rounds_of(double world_Hz) {
@@ -94,6 +101,75 @@ Finding hold_still() {
     return finding;
 }
 
+struct Launch {
+    double stretch_N;
+    double gustiness;
+    double wind_m_per_s;
+};
+
+// What came of it in twenty seconds.
+struct Flown {
+    Vector3 centre_W{Vector3::Zero()};
+    double fastest_m_per_s = 0.0;
+    double largest_step_N = 0.0;  // of what is felt, in a millisecond
+    bool is_flying = false;
+};
+
+// The world's rounds come at that rate from the launch on. A stiff line is felt at the share that a scene may have of it.
+Flown fly_from_launch(const Launch& launch, double world_Hz) {
+    constexpr double kStiffest_N_per_m = 2000.0;
+    constexpr double kShortest_m = 5.0;
+    KiteFlightSettings settings = make_kite_of(launch.stretch_N);
+    settings.wind.gustiness = launch.gustiness;
+    settings.wind.speed_m_per_s = launch.wind_m_per_s;
+    settings.line.strength_N = 1.0e6;
+    Holder holder(settings, world_Hz,
+                  std::min(1.0, kStiffest_N_per_m * kShortest_m / (kScale * launch.stretch_N)));
+    Flown flown;
+    double last_N = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+        holder.step(0.0, true);
+        flown.fastest_m_per_s =
+            std::max(flown.fastest_m_per_s, compute_length(holder.report().velocity_W));
+        flown.largest_step_N = std::max(flown.largest_step_N, std::abs(holder.felt_N() - last_N));
+        last_N = holder.felt_N();
+    }
+    flown.centre_W = holder.report().centre_W;
+    flown.is_flying = holder.is_flying();
+    return flown;
+}
+
+// How far from where it is at 500 Hz; no number where it is thrown, comes down or jolts the hand.
+double compare_starved(const Launch& launch) {
+    constexpr double kFaster = 1.5;
+    constexpr double kJolt_N = 0.5;
+    const Flown in_time = fly_from_launch(launch, kWorld_Hz);
+    double farthest_m = 0.0;
+    for (const double world_Hz : {100.0, 20.0}) {
+        const Flown late = fly_from_launch(launch, world_Hz);
+        const bool is_good = in_time.is_flying && late.is_flying &&
+                             late.fastest_m_per_s <= kFaster * in_time.fastest_m_per_s &&
+                             std::max(late.largest_step_N, in_time.largest_step_N) <= kJolt_N;
+        farthest_m =
+            worse(farthest_m, is_good ? compute_length(Vector3(late.centre_W - in_time.centre_W))
+                                      : std::nan(""));
+    }
+    return farthest_m;
+}
+
+// From soft to stiff lines, in a breeze and a strong wind, steady and gusty: a world that is starved from the first moment flies as
+// one in time.
+Finding launch_starved() {
+    Finding finding{0.0, 1.0, {}};
+    for (const double stretch_N : {100.0, 500.0, 5.0e3, 5.0e4, 1.0e6}) {
+        for (const Launch& launch : {Launch{stretch_N, 0.0, 6.0}, Launch{stretch_N, 2.0, 6.0},
+                                     Launch{stretch_N, 0.0, 12.0}, Launch{stretch_N, 2.0, 12.0}}) {
+            finding.worst = worse(finding.worst, compare_starved(launch));
+        }
+    }
+    return finding;
+}
+
 // The hand goes to and fro in gusts; then the world stands still for ever.
 Finding lose_the_world() {
     Finding finding{0.0, 0.0, {}};
@@ -125,6 +201,11 @@ const HardCase kStill{
     {"kite's line in a hand",
      "a limp hand, a kite whose world slows to 100 and 20 Hz, lines from soft to stiff",
      "movement of the hand in a second of steady wind", "m", hold_still}};
+const HardCase kStarved{
+    {"kite launched in a starved world",
+     "rounds at 500, 100 and 20 Hz from the launch on; lines of 100 N to 1 MN of "
+     "stretch, winds of 6 and 12 m/s, steady and gusty",
+     "distance from where it is at 500 Hz, 20 s later", "m", launch_starved}};
 const HardCase kLost{{"kite whose world stops",
                       "gusts and a hand that goes to and fro; then the kite's loop ends",
                       "force on the hand from 0.2 s later", "N", lose_the_world}};

@@ -127,3 +127,25 @@ TEST_CASE("line stage: a strong pull engages, and comes back after a fault") {
     bench.run(6000, {4.5, 0.0, 0.0});
     CHECK(bench.device.written_D.force.norm() > 4.4);
 }
+
+TEST_CASE("line stage: of a pose that jumps or is none the kite is not told") {
+    LineBench bench;
+    bench.run(100, Vector3::Zero());
+    REQUIRE(bench.kite->hand_W.take());
+    // One sample from a metre away, and back: neither way is a hand's.
+    bench.device.pose_D.position.x() = 1.0;
+    bench.run(1, Vector3::Zero());
+    bench.device.pose_D.position.x() = std::numeric_limits<double>::quiet_NaN();
+    bench.run(3, Vector3::Zero());
+    bench.device.pose_D.position.x() = 0.0;
+    bench.run(1, Vector3::Zero());
+    CHECK_FALSE(bench.kite->hand_W.take());
+    bench.run(1, Vector3::Zero());
+    REQUIRE(bench.kite->hand_W.take());
+    CHECK(bench.kite->hand_W.value() == Vector3::Zero());
+    // Who stays there is there.
+    bench.device.pose_D.position.x() = 1.0;
+    bench.run(2, Vector3::Zero());
+    REQUIRE(bench.kite->hand_W.take());
+    CHECK(bench.kite->hand_W.value().x() == 1.0);
+}
