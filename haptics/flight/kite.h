@@ -43,7 +43,7 @@ struct KiteMaterial {
 };
 inline constexpr std::array<KiteMaterial, 6> kKiteCloths{{{"plastic", 0.0209},
                                                           {"tissue", 0.0201},
-                                                          {"ripstop", 0.0420},
+                                                          {"nylon", 0.0420},
                                                           {"paper", 0.0564},
                                                           {"silk", 0.0169},
                                                           {"cellophane", 0.0288}}};

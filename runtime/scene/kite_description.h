@@ -16,8 +16,8 @@ inline constexpr double kReelByNotch_m = 0.5;
 inline constexpr double kMostKiteScale = 10.0;
 
 struct KiteDescription {
-    KiteFlightSettings flight{};    ///< its wind, gravity and ground are the lesson's, see below
-    std::string cloth = "ripstop";  ///< names of what it is made of
+    KiteFlightSettings flight{};  ///< its wind, gravity and ground are the lesson's, see below
+    std::string cloth = "nylon";  ///< names of what it is made of
     std::string spar = "balsa";
     double share = 1.0;          ///< felt newtons a newton of the line, 0.01 to 10
     double seen_scale = 1.0;     ///< drawn so many times larger than it is, 1 to kMostKiteScale

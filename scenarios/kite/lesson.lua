@@ -77,7 +77,7 @@ end
 
 local function give_tail(world)
   world:caption "I give it a tail of two metres."
-  kite:build { tail = 2, knot = good_knot, cloth = "ripstop" }
+  kite:build { tail = 2, knot = good_knot, cloth = "nylon" }
   wait(10)
 end
 
@@ -134,7 +134,7 @@ L:question "change" {
   lists = {
     size = { "longer|long|bigger", "shorter|short|smaller" }, tail_size = { "longer|long|bigger", "shorter|short|smaller" },
     missing = { "tail|kite tail" }, way = { "up|higher|further up", "down|lower|further down" },
-    weight = { "lighter|light", "heavier|heavy" }, cloth = { "silk", "paper", "plastic", "ripstop" },
+    weight = { "lighter|light", "heavier|heavy" }, cloth = { "silk", "paper", "plastic", "nylon" },
   },
   -- Anything may be tried that can be done: the flight is the judge.
   right = function(a) return next((change_of(a))) ~= nil end,
@@ -165,7 +165,7 @@ local function change_it(world)
     change, part = { tail = 2 }, "tail"
   else
     world:caption "Let's tie the knot where it was, with the first cloth."
-    change, part = { knot = good_knot, cloth = "ripstop" }, "knot"
+    change, part = { knot = good_knot, cloth = "nylon" }, "knot"
   end
   wait(1.5)
   kite:build(change)
@@ -382,7 +382,7 @@ function play(world)
   stays, may_reel = false, false
   kite:show_forces(false)
   world:wind_speed(breeze)
-  kite:build { tail = 0, knot = good_knot, cloth = "ripstop" }
+  kite:build { tail = 0, knot = good_knot, cloth = "nylon" }
   kite:reel(short)
   build_one_that_flies(world)
   show_forces(world)

@@ -101,27 +101,27 @@ local Tool = {}
 ---A kite on the line that the hand holds: what world:kite { … } gives.
 ---@class Kite
 ---@field shape string as it is now, like all that follows up to tail
----@field cloth string
----@field spar string
----@field height number metres; of the kite itself
----@field width number metres
----@field bridle number metres
----@field knot number metres
----@field tail number metres
+---@field cloth string what it is covered with: its name
+---@field spar string what its spars are made of: its name
+---@field height number metres; of the kite itself, from foot to top
+---@field width number metres; unfolded
+---@field bridle number metres; the string from the foot over the knot to the top
+---@field knot number metres; where on the bridle the line is tied, from the foot
+---@field tail number metres; 0: it has none
 ---@field altitude number metres; how high it is above the ground
----@field position Vector metres; {x, y, z}
+---@field position Vector metres; {x, y, z} of its centre of mass
 ---@field x number metres; to the right
 ---@field y number metres; up
 ---@field z number metres; towards the viewer
 ---@field speed number metres per second; how fast it goes
----@field wind number metres per second; at the kite
+---@field wind number metres per second; at the kite, gusts and all
 ---@field angle number degrees; between the wind and the kite: its angle of attack
 ---@field lift number newtons; the air's force across the wind; below 0 when it presses the kite down
 ---@field drag number newtons; the air's force along the wind
 ---@field weight number newtons; of kite and tail
 ---@field tension number newtons; of the line, at the kite
----@field pull number newtons; of the line on the hand, before it is made milder
----@field line number metres; how much line is let out
+---@field pull number newtons; of the line on the hand, before `felt` makes it milder
+---@field line number metres; how much line is let out, unstretched
 ---@field snapped boolean the line broke or was cut; kite:fly ties it again
 local Kite = {}
 
@@ -469,14 +469,14 @@ function Force:strength(factor) end
 ---@field height? number from foot to top, 0.8 at first; bridle and knot are made for it; in metres, 0.1 to 5
 ---@field width? number unfolded, 0.75 at first, of a box 0.4; in metres, 0.1 to 5
 ---@field fold? number how far each half is bent back, 14 at first; a sled's keels outwards; in degrees, 0 to 57
----@field cloth? string ripstop at first; paper is the heaviest, silk the lightest; "plastic", "tissue", "ripstop", "paper", "silk" or "cellophane"
----@field spar? string balsa at first; birch and tube are heavier; "balsa", "birch", "tube" or "skewer"
+---@field cloth? string nylon at first; from the lightest: silk, tissue, plastic, cellophane, nylon, paper; "plastic", "tissue", "nylon", "paper", "silk" or "cellophane"
+---@field spar? string balsa at first; skewers are a little lighter, birch and tube five times as heavy; "balsa", "birch", "tube" or "skewer"
 ---@field bridle? number the string from the foot over the knot to the top; 1.25 times the height at first; in metres, 0.1 to 50
 ---@field knot? number where on the bridle the line is tied, from the foot; 0.85 times the height at first. Lower, the kite stands steeper in the wind; in metres, 0 to 50
 ---@field tail? number how long it is; 2 at first, 0 for none; in metres, 0 to 50
 ---@field line? number let out at first; in metres, 5 to 200; default 20
 ---@field strength? number the line breaks above it; in newtons, 1 to 1000000; default 150
----@field stretch? number what would make the line twice as long; in newtons, 10 to 1000000; default 500
+---@field stretch? number what would make the line twice as long; stretch / 5 times felt times the hand's scale at most 2000; in newtons, 10 to 1000000; default 500
 ---@field segments? integer pieces that the line is computed in; 1 to 64; default 16
 ---@field felt? number newtons in the hand for a newton of the line; where the site allows less than 5 N, less in the same measure; 0.01 to 10; default 1
 ---@field seen? number drawn so many times larger than it is, for it is far away; 1 to 10; default 1
@@ -497,7 +497,7 @@ function World:kite(options) end
 ---@param options WindOptions
 function World:wind(options) end
 
----Changes how fast the wind blows.
+---Changes how fast the wind blows, at once; its direction and gusts stay.
 ---@param speed number 10 metres above the ground; in metres per second, 0 to 60
 function World:wind_speed(speed) end
 
@@ -506,13 +506,13 @@ function World:wind_speed(speed) end
 ---@field height? number from foot to top, 0.8 at first; bridle and knot are made for it; in metres, 0.1 to 5
 ---@field width? number unfolded, 0.75 at first, of a box 0.4; in metres, 0.1 to 5
 ---@field fold? number how far each half is bent back, 14 at first; a sled's keels outwards; in degrees, 0 to 57
----@field cloth? string ripstop at first; paper is the heaviest, silk the lightest; "plastic", "tissue", "ripstop", "paper", "silk" or "cellophane"
----@field spar? string balsa at first; birch and tube are heavier; "balsa", "birch", "tube" or "skewer"
+---@field cloth? string nylon at first; from the lightest: silk, tissue, plastic, cellophane, nylon, paper; "plastic", "tissue", "nylon", "paper", "silk" or "cellophane"
+---@field spar? string balsa at first; skewers are a little lighter, birch and tube five times as heavy; "balsa", "birch", "tube" or "skewer"
 ---@field bridle? number the string from the foot over the knot to the top; 1.25 times the height at first; in metres, 0.1 to 50
 ---@field knot? number where on the bridle the line is tied, from the foot; 0.85 times the height at first. Lower, the kite stands steeper in the wind; in metres, 0 to 50
 ---@field tail? number how long it is; 2 at first, 0 for none; in metres, 0 to 50
 
----Makes it anew with what is given changed, and launches it.
+---Makes it anew with what is given changed, and launches it on as much line as before.
 ---@param options BuildOptions
 function Kite:build(options) end
 
@@ -524,10 +524,10 @@ function Kite:fly(elevation) end
 ---@param length number of line, at most four times what was let out at first; in metres, 5 to 200
 function Kite:reel(length) end
 
----Cuts the line.
+---Cuts the line at the kite, until kite:fly ties it again.
 function Kite:cut() end
 
 ---Shows lift, drag, weight and tension as arrows, or hides them.
----@param shown? boolean default true
+---@param shown? boolean false hides them; default true
 function Kite:show_forces(shown) end
 

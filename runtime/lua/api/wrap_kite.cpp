@@ -244,9 +244,10 @@ std::vector<Parameter> design_parameters() {
             {"fold", number, "degrees", 0, 57, "nil",
              "how far each half is bent back, 14 at first; a sled's keels outwards"},
             {"cloth", choice, "", 0, 0, "nil",
-             "ripstop at first; paper is the heaviest, silk the lightest",
-             "plastic tissue ripstop paper silk cellophane"},
-            {"spar", choice, "", 0, 0, "nil", "balsa at first; birch and tube are heavier",
+             "nylon at first; from the lightest: silk, tissue, plastic, cellophane, nylon, paper",
+             "plastic tissue nylon paper silk cellophane"},
+            {"spar", choice, "", 0, 0, "nil",
+             "balsa at first; skewers are a little lighter, birch and tube five times as heavy",
              "balsa birch tube skewer"},
             {"bridle", number, "metres", 0.1, 50, "nil",
              "the string from the foot over the knot to the top; 1.25 times the height at first"},
@@ -264,22 +265,25 @@ void add_kite_properties(ApiTable& table) {
         table.properties.push_back({"kite", name, type, unit, text, get});
     };
     add("shape", "string", "", "as it is now, like all that follows up to tail", &get_shape);
-    add("cloth", "string", "", "", &get_cloth);
-    add("spar", "string", "", "", &get_spar);
-    add("height", "number", "metres", "of the kite itself",
+    add("cloth", "string", "", "what it is covered with: its name", &get_cloth);
+    add("spar", "string", "", "what its spars are made of: its name", &get_spar);
+    add("height", "number", "metres", "of the kite itself, from foot to top",
         &get_of_design<&KiteSettings::height_m>);
-    add("width", "number", "metres", "", &get_of_design<&KiteSettings::width_m>);
-    add("bridle", "number", "metres", "", &get_of_design<&KiteSettings::bridle_m>);
-    add("knot", "number", "metres", "", &get_of_design<&KiteSettings::knot_m>);
-    add("tail", "number", "metres", "", &get_of_design<&KiteSettings::tail_m>);
+    add("width", "number", "metres", "unfolded", &get_of_design<&KiteSettings::width_m>);
+    add("bridle", "number", "metres", "the string from the foot over the knot to the top",
+        &get_of_design<&KiteSettings::bridle_m>);
+    add("knot", "number", "metres", "where on the bridle the line is tied, from the foot",
+        &get_of_design<&KiteSettings::knot_m>);
+    add("tail", "number", "metres", "0: it has none", &get_of_design<&KiteSettings::tail_m>);
     add("altitude", "number", "metres", "how high it is above the ground", &get_altitude);
-    add("position", "Vector", "metres", "{x, y, z}", &get_kite_position);
+    add("position", "Vector", "metres", "{x, y, z} of its centre of mass", &get_kite_position);
     add("x", "number", "metres", "to the right", &get_kite_axis<0>);
     add("y", "number", "metres", "up", &get_kite_axis<1>);
     add("z", "number", "metres", "towards the viewer", &get_kite_axis<2>);
     add("speed", "number", "metres per second", "how fast it goes",
         &get_newtons<&KiteState::velocity_W>);
-    add("wind", "number", "metres per second", "at the kite", &get_newtons<&KiteState::wind_W>);
+    add("wind", "number", "metres per second", "at the kite, gusts and all",
+        &get_newtons<&KiteState::wind_W>);
     add("angle", "number", "degrees", "between the wind and the kite: its angle of attack",
         &get_angle);
     add("lift", "number", "newtons",
@@ -289,9 +293,9 @@ void add_kite_properties(ApiTable& table) {
     add("weight", "number", "newtons", "of kite and tail", &get_newtons<&KiteState::weight_W>);
     add("tension", "number", "newtons", "of the line, at the kite",
         &get_newtons<&KiteState::tension_W>);
-    add("pull", "number", "newtons", "of the line on the hand, before it is made milder",
+    add("pull", "number", "newtons", "of the line on the hand, before `felt` makes it milder",
         &get_newtons<&KiteState::hand_force_W>);
-    add("line", "number", "metres", "how much line is let out", &get_line);
+    add("line", "number", "metres", "how much line is let out, unstretched", &get_line);
     add("snapped", "boolean", "", "the line broke or was cut; kite:fly ties it again",
         &get_snapped);
 }
@@ -306,7 +310,8 @@ void add_kite_api(ApiTable& table) {
                     "let out at first"},
           Parameter{"strength", number, "newtons", 1, 1e6, "150", "the line breaks above it"},
           Parameter{"stretch", number, "newtons", 10, 1e6, "500",
-                    "what would make the line twice as long"},
+                    "what would make the line twice as long; stretch / 5 times felt times the "
+                    "hand's scale at most 2000"},
           Parameter{"segments", integer, "", 1, kMostLineSegments, "16",
                     "pieces that the line is computed in"},
           Parameter{"felt", number, "", 0.01, 10, "1",
@@ -339,18 +344,20 @@ void add_kite_api(ApiTable& table) {
          "",
          "Declares the wind for the kite.",
          &set_wind});
-    table.functions.push_back({"world",
-                               "wind_speed",
-                               CallShape::positional,
-                               CallTime::acting,
-                               {{"speed", number, "metres per second", 0, kFastestWind_m_per_s,
-                                 kRequired, "10 metres above the ground"}},
-                               "",
-                               "Changes how fast the wind blows.",
-                               &set_wind_speed});
+    table.functions.push_back(
+        {"world",
+         "wind_speed",
+         CallShape::positional,
+         CallTime::acting,
+         {{"speed", number, "metres per second", 0, kFastestWind_m_per_s, kRequired,
+           "10 metres above the ground"}},
+         "",
+         "Changes how fast the wind blows, at once; its direction and gusts stay.",
+         &set_wind_speed});
     table.functions.push_back(
         {"kite", "build", CallShape::record, CallTime::acting, design_parameters(), "",
-         "Makes it anew with what is given changed, and launches it.", &build_kite});
+         "Makes it anew with what is given changed, and launches it on as much line as before.",
+         &build_kite});
     table.functions.push_back({"kite",
                                "fly",
                                CallShape::positional,
@@ -376,13 +383,13 @@ void add_kite_api(ApiTable& table) {
                                CallTime::acting,
                                {},
                                "",
-                               "Cuts the line.",
+                               "Cuts the line at the kite, until kite:fly ties it again.",
                                &cut_line});
     table.functions.push_back({"kite",
                                "show_forces",
                                CallShape::positional,
                                CallTime::acting,
-                               {{"shown", flag, "", 0, 0, "true", ""}},
+                               {{"shown", flag, "", 0, 0, "true", "false hides them"}},
                                "",
                                "Shows lift, drag, weight and tension as arrows, or hides them.",
                                &show_forces});

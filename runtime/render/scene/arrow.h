@@ -2,7 +2,8 @@
 //
 //   length = kLengthPerNewton F D, D the camera's distance to its target, so that an arrow looks
 //   alike in a lesson about fruit and in one about planets; never shorter than its head. Forces that are compared
-//   are drawn to one scale: where the largest would be too long, all are shortened by the same factor.
+//   are drawn to one scale: where the largest would be too long, all are shortened by the same factor; those that act on one thing
+//   are lengthened as well where they are short, and slim, so that none hides another.
 //
 // Thread: any; values. Cost: a few dozen multiplications.
 #pragma once
@@ -34,14 +35,23 @@ struct Arrow {
     ForceLook look = ForceLook::hand;
 };
 
-/// The arrow of a force, its length `scale` times as long as it would be alone. Nothing when it is not visible, too small, or
-/// not finite.
+/// How an arrow is drawn beside others.
+struct ArrowStyle {
+    double scale = 1.0;  ///< so many times as long as alone
+    double girth = 1.0;  ///< so many times as thick, its head likewise
+};
+
+/// The arrow of a force. Nothing when it is not visible, too small, or not finite.
 [[nodiscard]] std::optional<Arrow> arrow_for(const ViewForce& force, const Camera& camera,
-                                             double scale = 1.0);
+                                             const ArrowStyle& style = {});
+
+/// Of forces that act on one thing near each other: slim, and to one scale, at which the largest is as long as an arrow may be, but no
+/// more than kMostStretch times as long as alone.
+[[nodiscard]] ArrowStyle style_of_balance(const std::vector<ViewForce>& forces);
+inline constexpr double kMostStretch = 2.0;
 
 /// The scale to which forces are drawn that are compared: 1, or less when the largest would be too long.
 [[nodiscard]] double common_scale(const std::vector<ViewTorque>& torques);
-[[nodiscard]] double common_scale(const std::vector<ViewForce>& forces);
 
 /// The lever arm of a torque: a bar from the axis to where the force acts, for make_arrow_shaft. Nothing when it has no length
 /// or is not finite.

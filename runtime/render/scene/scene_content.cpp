@@ -129,7 +129,7 @@ void add_force_label(SceneContent& content, const Camera& camera, const ViewForc
 // The arrow of the force, and the bar from the axis to it.
 void add_torque(SceneContent& content, const Camera& camera, const ViewTorque& torque,
                 double scale) {
-    const auto arrow = arrow_for(torque.force, camera, scale);
+    const auto arrow = arrow_for(torque.force, camera, {.scale = scale});
     if (!arrow || content.arrows.size() >= kMostForces) {
         return;
     }
@@ -185,13 +185,14 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
     if (view.in_space) {
         content.marks.clear();  // nothing lands there
     }
-    content.arrow = arrow_for(view.force, camera);
+    // The hand's own beside them, so that equal forces are equally long.
+    const ArrowStyle style = view.forces.empty() ? ArrowStyle{} : style_of_balance(view.forces);
+    content.arrow = arrow_for(view.force, camera, style);
     if (content.arrow) {
         add_force_label(content, camera, view.force, *content.arrow);
     }
-    const double forces_scale = common_scale(view.forces);
     for (std::size_t i = 0; i < std::min(view.forces.size(), kMostForces); ++i) {
-        if (const auto arrow = arrow_for(view.forces[i], camera, forces_scale)) {
+        if (const auto arrow = arrow_for(view.forces[i], camera, style)) {
             content.arrows.push_back(*arrow);
             add_force_label(content, camera, view.forces[i], *arrow);
         }

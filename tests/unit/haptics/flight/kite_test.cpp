@@ -57,6 +57,49 @@ TEST_CASE("kite: strips converge with the square of their number") {
     CHECK((balance_m(2) - fine) / (balance_m(8) - fine) > 10.0);
 }
 
+TEST_CASE("kite: delta, sled and box have the areas, spans and balance of their sheets") {
+    const double H = 0.8;
+    const double W = 0.75;
+    const auto make = [](KiteShape shape) {
+        KiteSettings settings = make_cloth(64);
+        settings.shape = shape;
+        return make_kite(settings);
+    };
+    constexpr double kStrips = 2.0e-3;  // and what little the spars weigh
+    // A triangle, and a keel under four tenths of its spine: half as long as the spine, a quarter as deep.
+    const Kite delta = make(KiteShape::delta);
+    const double wings_m2 = 0.5 * W * H;
+    const double keel_m2 = 0.5 * 0.5 * H * 0.25 * H;
+    CHECK(delta.area_m2 == Approx(wings_m2).epsilon(kStrips));
+    CHECK(delta.aspect_ratio == Approx(W * W / wings_m2).epsilon(kStrips));
+    CHECK(delta.inertia.mass_kg == Approx(wings_m2 + keel_m2).epsilon(kStrips));
+    CHECK(
+        delta.X_KB.position.y() ==
+        Approx((wings_m2 * H / 3.0 + keel_m2 * (0.8 + 0.3 + 0.55) / 3.0 * H) / (wings_m2 + keel_m2))
+            .epsilon(kStrips));
+    CHECK(delta.X_KB.position.z() ==
+          Approx(keel_m2 * 0.25 * H / 3.0 / (wings_m2 + keel_m2)).epsilon(0.01));
+    // Six tenths are the sheet, and two triangles in front of it take the rest.
+    const Kite sled = make(KiteShape::sled);
+    CHECK(sled.area_m2 == Approx(0.6 * W * H).epsilon(kStrips));
+    CHECK(sled.aspect_ratio == Approx(0.6 * W / H).epsilon(kStrips));
+    CHECK(sled.inertia.mass_kg == Approx(0.8 * W * H).epsilon(kStrips));
+    CHECK(sled.X_KB.position.y() ==
+          Approx((0.6 * 0.5 + 0.2 * 1.7 / 3.0) / 0.8 * H).epsilon(kStrips));
+    CHECK(sled.X_KB.position.z() == Approx(0.2 * 0.2 * W / 3.0 / 0.8).epsilon(0.01));
+    // Two cells of four sheets, half across the wind each.
+    const Kite box = make(KiteShape::box);
+    CHECK(box.area_m2 == Approx(4.0 / 3.0 * W * H).epsilon(kStrips));
+    CHECK(box.aspect_ratio == Approx(W * W / (4.0 / 3.0 * W * H)).epsilon(kStrips));
+    CHECK(box.inertia.mass_kg == Approx(4.0 / 3.0 * std::sqrt(2.0) * W * H).epsilon(kStrips));
+    CHECK(box.X_KB.position.y() == Approx(0.5 * H).epsilon(kStrips));
+    // Both cells as far as they can be from each other: their middles stand a third from the kite's.
+    const double cell_kg = 0.5 * box.inertia.mass_kg;
+    const double up = 2.0 * cell_kg * (std::pow(H / 3.0, 2) + std::pow(H / 3.0, 2) / 12.0) +
+                      box.inertia.mass_kg * (0.25 * W * W) / 6.0 * 2.0;
+    CHECK(box.inertia.moments_kg_m2.x() == Approx(up).epsilon(0.01));
+}
+
 TEST_CASE("kite: folded back it is smaller seen from the front") {
     KiteSettings settings = make_cloth(8);
     settings.fold_rad = 0.3;
@@ -129,7 +172,7 @@ TEST_CASE(
     for (const KiteShape shape : kKiteShapes) {
         CHECK(find_kite_shape(to_string(shape)).value() == shape);
     }
-    CHECK(find_kite_cloth("ripstop").value().weight == Approx(0.042));
+    CHECK(find_kite_cloth("nylon").value().weight == Approx(0.042));
     CHECK(find_kite_spar("balsa").value().weight == Approx(0.0044));
     CHECK(find_kite_shape("cube").error().what_to_do == "take one of diamond, delta, sled, box");
     CHECK(find_kite_cloth("lead").error().message == "there is no cloth \"lead\"");

@@ -144,7 +144,7 @@ TEST_CASE("arrow: forces that are compared are drawn to one scale") {
     torques[1].force.force_W = Vector3(0, -20, 0);
     const double scale = common_scale(torques);
     const auto length_m = [&](const ViewTorque& torque) {
-        const auto arrow = arrow_for(torque.force, camera, scale);
+        const auto arrow = arrow_for(torque.force, camera, {.scale = scale});
         REQUIRE(arrow);
         return (arrow->tip_W - arrow->tail_W).norm();
     };
@@ -155,4 +155,32 @@ TEST_CASE("arrow: forces that are compared are drawn to one scale") {
     torques[1].force.look = ForceLook::load;
     torques[1].force.force_W = Vector3(0, -1, 0);
     CHECK(arrow_for(torques[1].force, camera)->look == ForceLook::load);
+}
+
+TEST_CASE("arrow: forces on one thing are slim, as long as may be, and keep their proportions") {
+    const Camera camera({}, 1280, 720);
+    const double most_m = kLongestArrow * camera.distance_m();
+    std::vector<ViewForce> forces{force({0.0, 4.0, 0.0}), force({1.0, 0.0, 0.0}),
+                                  force({0.0, -0.3, 0.0})};
+    const auto draw = [&](const ViewForce& one) {
+        return *arrow_for(one, camera, style_of_balance(forces));
+    };
+    const auto length_m = [&](const ViewForce& one) {
+        const Arrow arrow = draw(one);
+        return (arrow.tip_W - arrow.tail_W).norm();
+    };
+    CHECK(length_m(forces[0]) == Approx(most_m));
+    CHECK(length_m(forces[1]) == Approx(most_m / 4.0));
+    // The weight of a kite is shorter than the head of an arrow alone.
+    CHECK(length_m(forces[2]) < length_m(forces[1]));
+    CHECK(draw(forces[0]).radius_m < 0.6 * arrow_for(forces[0], camera)->radius_m);
+    // Weak ones are not blown up without end, strong ones shrink, and what cannot be drawn counts for nothing.
+    forces[0].force_W.y() = 0.5;
+    CHECK(style_of_balance(forces).scale == kMostStretch);
+    forces[0].force_W.y() = 12.0;
+    CHECK(length_m(forces[0]) == Approx(most_m));
+    forces[1].force_W.x() = kNan;
+    forces[2].visible = false;
+    CHECK(style_of_balance(forces).scale == Approx(kLongestForce_N / 12.0));
+    CHECK(std::isfinite(style_of_balance({}).scale));
 }
