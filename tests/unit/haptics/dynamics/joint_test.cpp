@@ -59,6 +59,38 @@ TEST_CASE("joint: errors grow as the rows say, on the joint's place and a little
     }
 }
 
+TEST_CASE(
+    "joint: a slider that is far out turns with its rail: its rows say how errors and travel "
+    "grow") {
+    Random random(5);
+    constexpr double kStep_s = 1.0e-6;
+    for (int i = 0; i < 40; ++i) {
+        const Pose a{random.in_cube(), random.turn(3.0)};
+        const Pose start{random.in_cube(), random.turn(3.0)};
+        JointPlan plan = make_plan(JointKind::slider, random);
+        plan.drive.motor_force = 1.0;
+        const Joint joint = make_joint(plan, a, start);
+        const Pose b{start.position + 0.8 * plan.axis_W.normalized(), start.orientation};
+        CHECK(compute_joint_travel(joint, a, b) == Approx(0.8));
+        const Vector6 v_a = velocity_by_chance(random);
+        const Vector6 v_b = velocity_by_chance(random);
+        JointRows before;
+        JointRows after;
+        make_joint_rows(joint, a, b, 0.001, before);
+        const Pose later_a = moved(a, v_a, kStep_s);
+        const Pose later_b = moved(b, v_b, kStep_s);
+        make_joint_rows(joint, later_a, later_b, 0.001, after);
+        REQUIRE(before.count == 6);
+        for (std::size_t row = 0; row < 6; ++row) {
+            const double rate =
+                before.rows[row].jacobian_a.dot(v_a) + before.rows[row].jacobian_b.dot(v_b);
+            const double grown = row == 5 ? compute_joint_travel(joint, later_a, later_b) - 0.8
+                                          : after.errors[row] - before.errors[row];
+            REQUIRE(grown / kStep_s == Approx(rate).margin(2.0e-5));
+        }
+    }
+}
+
 TEST_CASE("joint: as many rows as it takes degrees of freedom") {
     Random random(2);
     const int taken[] = {3, 5, 5, 6, 1};

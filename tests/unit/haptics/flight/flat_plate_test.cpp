@@ -97,6 +97,14 @@ TEST_CASE("flat plate: the centre of pressure goes from the quarter chord to the
     CHECK(upstream_share(PlateLaw::cross_flow, 1.0e-6) == Approx(0.25).epsilon(1.0e-5));
     CHECK(upstream_share(PlateLaw::thin_plate, 0.3) == Approx(0.25));
     CHECK(upstream_share(PlateLaw::separated, 1.0e-6) == Approx(3.0 / 16.0).epsilon(1.0e-5));
+    // Rayleigh's and the flow's own in between, from the plate's coefficients: K/4 sin a cos a / C_N, 3 cos a / (16 + 4 pi sin a).
+    for (const double a : {0.2, 0.6, 1.1}) {
+        const double attached = compute_lift_slope(1.0) * std::sin(a) * std::cos(a);
+        CHECK(upstream_share(PlateLaw::cross_flow, a) ==
+              Approx(0.25 * attached / (attached + 1.128 * std::sin(a) * std::sin(a))));
+        CHECK(upstream_share(PlateLaw::separated, a) ==
+              Approx(3.0 * std::cos(a) / (16.0 + 4.0 * kPi * std::sin(a))));
+    }
     double last = 0.25;
     for (double angle_rad = 0.1; angle_rad < 0.5 * kPi; angle_rad += 0.1) {
         const double share = upstream_share(PlateLaw::cross_flow, angle_rad);

@@ -235,9 +235,13 @@ TEST_CASE("kite flight: a line that is too weak snaps, and then nothing pulls") 
     settings.line.strength_N = 2.0;
     KiteFlight flight(settings);
     double elapsed_s = 0.0;
+    double most_N = 0.0;
     for (; !flight.report().is_snapped && elapsed_s < 20.0; elapsed_s += kDt_s) {
         fly(flight, kDt_s);
+        most_N = std::max(most_N, flight.report().tension_W.norm());
     }
+    CHECK(most_N <= 2.0);
+    CHECK(most_N > 1.9);                                  // it held until then
     CHECK(flight.report().tension_W == Vector3::Zero());  // in the very step already
     fly(flight, 20.0 - elapsed_s);
     const KiteReport& report = flight.report();
@@ -280,6 +284,37 @@ TEST_CASE("kite flight: the same flight twice to the bit, gusts and all") {
     fly(other, 10.0);
     CHECK(one.report().centre_W == other.report().centre_W);
     CHECK(one.report().hand_force_W == other.report().hand_force_W);
+}
+
+TEST_CASE("kite flight: on land that lies higher it flies alike, gusts and all") {
+    KiteFlightSettings settings;
+    settings.wind.gustiness = 1.5;
+    KiteFlight low(settings);
+    constexpr double kRaised_m = 64.0;  // to the bit
+    settings.wind.ground_m = kRaised_m;
+    KiteFlight high(settings);
+    low.launch(kHand_W, 0.7, 1.1);
+    high.launch(kHand_W + Vector3(0.0, kRaised_m, 0.0), 0.7, 1.1);
+    for (int i = 0; i < 5000; ++i) {
+        low.step(kDt_s, kHand_W);
+        high.step(kDt_s, kHand_W + Vector3(0.0, kRaised_m, 0.0));
+    }
+    CHECK((high.report().centre_W - low.report().centre_W - Vector3(0.0, kRaised_m, 0.0)).norm() <
+          1.0e-6);
+    CHECK((high.report().wind_W - low.report().wind_W).norm() < 1.0e-6);
+}
+
+TEST_CASE("kite flight: what the wind carries goes with the mean wind, whatever the kite does") {
+    KiteFlight flight{KiteFlightSettings{}};
+    fly(flight, 2.0);
+    CHECK(flight.report().air_way_m == Approx(12.0));
+    flight.set_wind_speed_m_per_s(0.0);
+    fly(flight, 1.0);
+    CHECK(flight.report().air_way_m == Approx(12.0));
+    flight.launch(kHand_W, 0.7, 1.1);
+    flight.set_wind_speed_m_per_s(3.0);
+    fly(flight, 1.0);
+    CHECK(flight.report().air_way_m == Approx(15.0));
 }
 
 TEST_CASE("kite flight: a time or a hand that is none moves nothing") {

@@ -220,6 +220,10 @@ TEST_CASE("line feel: a line's state is its pull, its stretch and its tension ov
     LineState now = state;
     const Vector3 told_W = feel.step(now, Pose::at(moved_W), 1.5, kDt_s).force;
     CHECK((told_W - line.hand_force_W()).norm() < 1.0e-3 * told_W.norm());
+    // Let out it is softer.
+    line.set_length_m(25.0);
+    CHECK(make_line_state(line, Vector3::Zero(), 2.0).stiffness_N_per_m == Approx(20.0));
+    CHECK(make_line_state(line, Vector3::Zero(), 2.0).length_m == Approx(25.0));
     line.snap();
     CHECK(make_line_state(line, Vector3::Zero(), 2.0).stiffness_N_per_m == 0.0);
 }

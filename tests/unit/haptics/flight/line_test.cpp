@@ -271,6 +271,32 @@ TEST_CASE("line: a snapped one falls, gains no energy, and comes to lie on the g
     }
 }
 
+TEST_CASE(
+    "line: the ground pushes out what is in it, and its grass holds what moves, in closed form") {
+    Scene scene;
+    scene.gravity_W.setZero();
+    scene.wind.ground_m = 0.0;
+    LineSettings settings;
+    settings.segments = 1;
+    settings.drag_coefficient = 0.0;
+    KiteLine line(settings);
+    // Slack and five centimetres deep, its end goes sideways at 1 m/s, and then is free.
+    constexpr double kDepth_m = 0.05;
+    const Vector3 hand_W(0.0, -kDepth_m, 0.0);
+    const Vector3 end_W(5.0, -kDepth_m, kDt_s);
+    line.lay(hand_W, {5.0, -kDepth_m, 0.0});
+    (void)line.begin_step(hand_W, kDt_s, scene.around());
+    line.end_step(end_W);
+    line.snap();
+    (void)line.begin_step(hand_W, kDt_s, scene.around());
+    line.end_step(Vector3::Zero());
+    // (m/h^2 + 2 m omega / h) d = m v / h;  upwards (m/h^2 + 2 m omega / h + m omega^2) d = m omega^2 depth.
+    constexpr double kOmega_h = 60.0 * kDt_s;
+    CHECK(line.velocities_W()[1].z() == Approx(1.0 / (1.0 + 2.0 * kOmega_h)));
+    CHECK(line.nodes_W()[1].y() + kDepth_m ==
+          Approx(kDepth_m * kOmega_h * kOmega_h / std::pow(1.0 + kOmega_h, 2)));
+}
+
 TEST_CASE("line: let out, it slackens; its length stays within bounds") {
     Scene scene;
     KiteLine line(LineSettings{});
