@@ -36,6 +36,10 @@ passivity   (PassivityStage::|PassivityController::)
 kalman      KalmanVelocity::
 flight      (step_flight|compute_falling_velocity)
 catcher     Catcher::
+line        (LineStage::|LineFeel::)
+kite        (KiteFlight::|KiteLine::|KiteAirLoad::|compute_plate_force|step_gusts)
+bodies      BodyStage::
+rigid       (RigidWorld::|IslandSolver::|ContactProblem::|ContactSolver::)
 '
 # A scene, and the effects that it calls for.
 scenes='
@@ -53,6 +57,9 @@ kalman     kalman
 rest-4
 fall-4     flight
 caught-4   flight catcher
+line       line passivity
+flown      kite
+pushed     god-object coupling bodies rigid passivity
 '
 rounds=400
 
@@ -65,7 +72,8 @@ count() {
     cp "$1" "$place/probe"
     (cd "$place" && env -i PATH="$PATH" LD_BIND_NOW=1 valgrind --tool=callgrind --callgrind-out-file=account \
         --compress-strings=no --compress-pos=no --toggle-collect='fulcrum::HapticLoop::step*' \
-        --toggle-collect='fulcrum::WorldLoop::step*' ./probe "$2" "$3" >said 2>&1) ||
+        --toggle-collect='fulcrum::WorldLoop::step*' \
+        --toggle-collect='fulcrum::KiteLoop::step*' --toggle-collect='fulcrum::RigidLoop::step*' ./probe "$2" "$3" >said 2>&1) ||
         { cat "$place/said" && return 1; }
 }
 export -f count

@@ -1,9 +1,12 @@
 // economy_probe SCENE ROUNDS: steps one loop with fixed inputs, so that its instructions can be counted (economy.sh).
 // A scene of the haptic loop calls for one effect and leads the hand through it; one of the world, "rest-N", "fall-N" or
-// "caught-N", has N bodies that lie, fall past the tool, or fall into it.
+// "caught-N", has N bodies that lie, fall past the tool, or fall into it. "flown" is a kite's own loop, "pushed" a hand and the
+// rigid bodies that it pushes.
 #include "haptics/dynamics/world_loop.h"
+#include "haptics/flight/kite_loop.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/loop/haptic_loop.h"
+#include "tests/support/hands_in_world.h"
 #include "tests/support/scripted_device.h"
 #include "tests/support/touchable.h"
 
@@ -79,6 +82,12 @@ const std::map<std::string, HapticPlan (*)()> kHapticScenes{
          plan.solids[0].surface.shading.on = true;
          return plan;
      }},
+    {"line",
+     [] {
+         HapticPlan plan;
+         plan.line = LineFeelSettings{};
+         return plan;
+     }},
     {"kalman",
      [] {
          HapticPlan plan;
@@ -116,9 +125,14 @@ void run_haptics(const HapticPlan& plan, int n_rounds) {
     check(plan);
     const auto channels = std::make_unique<HapticChannels>();
     const auto device = std::make_unique<ScriptedDevice>();
+    const auto kite = std::make_unique<KiteChannels>();
+    channels->kite = plan.line ? kite.get() : nullptr;
     const auto loop = std::make_unique<HapticLoop>(plan, *device, *channels);
     for (int k = 1; k <= n_rounds; ++k) {
         speak(*channels, k - 1);
+        if (plan.line && k % 2 == 0) {
+            kite->line.publish({k * kDt_s, Vector3::Zero(), {2.0, 1.0, 0.0}, 25.0, 20.0});
+        }
         // In and out of the ball, and aside.
         device->pose_D.position = {kBall_m + 0.01 * std::cos(0.1 * k), 0.01 * std::sin(0.07 * k),
                                    0.0};
@@ -148,7 +162,35 @@ void run_world(const std::string& what, int n_bodies, int n_rounds) {
     }
 }
 
+// A kite, its world's rounds alone.
+void run_kite(int n_rounds) {
+    const auto channels = std::make_unique<KiteChannels>();
+    const auto loop = std::make_unique<KiteLoop>(KiteFlightSettings{}, 500.0, *channels);
+    for (int k = 1; k <= n_rounds; ++k) {
+        channels->hand_W.publish({0.0, 1.0, 0.0});
+        loop->step(2.0 * kDt_s * k);
+    }
+}
+
+// A hand that comes from beside and pushes a box against another.
+void run_rigid(int n_rounds) {
+    test::BoxScene scene;
+    scene.boxes.push_back({.at_W = {0.065, 0.03, 0.0}});
+    const auto hands =
+        std::make_unique<test::HandsInWorld>(scene, std::vector<Vector3>{{-0.045, 0.03, 0.0}});
+    for (int k = 1; k <= n_rounds; ++k) {
+        hands->aim(0, {-0.045 + 1.0e-4 * k, 0.03, 0.0});
+        hands->step();
+    }
+}
+
 void run(const std::string& scene, int n_rounds) {
+    if (scene == "flown") {
+        return run_kite(n_rounds);
+    }
+    if (scene == "pushed") {
+        return run_rigid(n_rounds);
+    }
     const std::size_t dash = scene.find('-');
     if (dash != std::string::npos) {
         run_world(scene.substr(0, dash), std::stoi(scene.substr(dash + 1)), n_rounds);

@@ -1,0 +1,80 @@
+// What starts with a lesson: beside what every lesson has, the stages that it asks for and no other, whatever else the library knows.
+#include "tests/lessons/program.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+using Stages = std::set<std::string>;
+
+const Stages kEvery{"take inputs", "read", "estimate", "passivity", "limits", "write",
+                    "publish",     "lua",  "dialogue", "scene",     "mixer"};
+// What is touched with a fingertip.
+const Stages kTouch{"proxy", "forces: coupling", "forces: texture", "touch"};
+
+const std::map<std::string, Stages> kAsked{
+    {"gravity", {"forces: weight", "falling bodies", "bucket"}},
+    {"textures", {"forces: weight", "falling bodies", "forces: transient", "forces: spring"}},
+    {"solar-system", {"forces: weight", "falling bodies", "turning"}},
+    {"lever", {"forces: weight", "falling bodies", "turning", "tool"}},
+    {"kite", {"forces: weight", "falling bodies", "forces: line", "flight"}},
+    {"stacks", {"rigid bodies", "pushing", "forces: transient"}},
+    {"maze-park", {"forces: weight", "falling bodies", "forces: transient", "forces: spring"}},
+};
+const Stages kTouched{"textures", "solar-system", "stacks", "maze-park"};
+
+Stages find_stages(const std::string& json) {
+    const std::string key = "\"stage\": \"";
+    Stages stages;
+    for (auto at = json.find(key); at != std::string::npos; at = json.find(key, at + 1)) {
+        const auto begin = at + key.size();
+        stages.insert(json.substr(begin, json.find('"', begin) - begin));
+    }
+    return stages;
+}
+
+std::string list(const Stages& stages) {
+    std::string text;
+    for (const std::string& stage : stages) {
+        text += stage + "; ";
+    }
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("stages: each lesson starts what it asks for and nothing else") {
+    const Sandbox sandbox;
+    for (const auto& [lesson, asked] : kAsked) {
+        Stages expected = kEvery;
+        expected.insert(asked.begin(), asked.end());
+        if (kTouched.contains(lesson)) {
+            expected.insert(kTouch.begin(), kTouch.end());
+        }
+        const ProgramRun run = sandbox.run("explain " + lesson + " --json");
+        REQUIRE(run.exit_code == 0);
+        INFO(lesson);
+        CHECK(list(find_stages(run.output)) == list(expected));
+    }
+}
+
+TEST_CASE("stages: what costs time when it is played is what was said before") {
+    const Sandbox sandbox;
+    for (const char* lesson : {"gravity", "lever", "kite"}) {
+        const ProgramRun told = sandbox.run(std::string("explain ") + lesson + " --json");
+        const ProgramRun played =
+            sandbox.run(std::string("explain ") + lesson + " --analyze --json --seconds 2");
+        INFO(lesson << played.output);
+        REQUIRE(played.exit_code == 0);
+        CHECK(list(find_stages(told.output)) == list(find_stages(played.output)));
+    }
+}
