@@ -74,6 +74,7 @@ RigidLoop::RigidLoop(const RigidLoopPlan& plan, std::unique_ptr<RigidWorld> worl
         told_[static_cast<std::size_t>(body)].is_present = false;
         world_->set_present(body, false);
     }
+    world_->prepare(period_s_);
 }
 
 RigidLoop::~RigidLoop() = default;

@@ -229,11 +229,8 @@ void RigidWorld::rest_bodies(const IslandParts& parts, double dt_s) noexcept {
     }
 }
 
-void RigidWorld::step(double dt_s) noexcept {
-    if (!(dt_s > 0.0) || !std::isfinite(dt_s)) {
-        return;
-    }
-    report_ = {.n_dropped = std::exchange(n_refused_, 0)};
+// What moves all, without moving it.
+void RigidWorld::solve_all(double dt_s) noexcept {
     const double slow_s = std::max(settings_.slow_period_s, dt_s) + dt_s;
     place_bodies(slow_s);
     find_touching(slow_s);
@@ -243,6 +240,32 @@ void RigidWorld::step(double dt_s) noexcept {
     pool_.run(static_cast<int>(due_.count()), [this](int i, int worker) noexcept {
         solved_[to_place_in(i)] = solve_island(due_[to_place_in(i)], solvers_[to_place_in(worker)]);
     });
+}
+
+// Impulses are remembered; velocities and times are what they were.
+void RigidWorld::prepare(double dt_s) noexcept {
+    if (n_steps_ > 0 || !(dt_s > 0.0) || !std::isfinite(dt_s)) {
+        return;
+    }
+    for (RigidWorldBody& body : scene_.bodies) {
+        body.way_W = body.state.velocity_W;
+    }
+    // What no hand touches is stepped by so much.
+    solve_all(std::max(dt_s, settings_.slow_period_s));
+    for (RigidWorldBody& body : scene_.bodies) {
+        body.state.velocity_W = body.way_W;
+        body.drift_W = body.way_W = {};
+        body.behind_s = 0.0;
+    }
+    report_ = {};
+}
+
+void RigidWorld::step(double dt_s) noexcept {
+    if (!(dt_s > 0.0) || !std::isfinite(dt_s)) {
+        return;
+    }
+    report_ = {.n_dropped = std::exchange(n_refused_, 0)};
+    solve_all(dt_s);
     hold_back();
     pool_.run(static_cast<int>(due_.count()), [this](int i, int) noexcept {
         SolvedIsland& solved = solved_[to_place_in(i)];

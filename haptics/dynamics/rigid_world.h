@@ -71,6 +71,9 @@ class RigidWorld {
 
     /// Moves all on by `dt_s`; nothing where it is not above 0 and finite.
     void step(double dt_s) noexcept;
+    /// Load path: finds the impulses of the first step of `dt_s`, so that a great heap that rests costs that step no more than those after it.
+    /// Nothing moves. After the first step, or of no such time, it does nothing.
+    void prepare(double dt_s) noexcept;
 
     /// A load of the next step, about the centre of mass: it adds to what was told before, wakes the body and marks its island as
     /// touched. A body that is not there or does not move, and loads that are not finite, are passed over.
@@ -123,6 +126,7 @@ class RigidWorld {
         bool is_cut = false;  // the rest of its step is lost
     };
     explicit RigidWorld(const RigidWorldPlan& plan);
+    void solve_all(double dt_s) noexcept;
     void place_bodies(double reach_s) noexcept;
     void find_touching(double reach_s) noexcept;
     [[nodiscard]] bool meets_in_patches(const BodyPair& pair) const noexcept;

@@ -49,7 +49,9 @@ RigidWorldPlan make_plan(const StackScene& scene) {
 
 class FulcrumStack final : public StackEngine {
   public:
-    explicit FulcrumStack(const StackScene& scene) : world_(make_rigid_world(make_plan(scene))) {}
+    explicit FulcrumStack(const StackScene& scene) : world_(make_rigid_world(make_plan(scene))) {
+        world_->prepare(kStackStep_s);
+    }
     void step() override { world_->step(kStackStep_s); }
     [[nodiscard]] Vector3 place(int box) const override {
         return world_->shape_pose_W(box + 1).position;
@@ -306,6 +308,7 @@ Sheet measure_courses(Run& run) {
     for (const Course& course : courses) {
         run.progress(0.5, course.name);
         const auto world = make_rigid_world(course.plan);
+        world->prepare(kStackStep_s);
         double deepest_m = 0.0;
         int n_unconverged = 0;
         int n_held = 0;
@@ -376,7 +379,7 @@ LineChart measure_growth(Run& run) {
 Report run_rigid_stacks(Run& run) {
     CostCurve standing = measure_standing(run);
     Sheet courses = measure_courses(run);
-    Sheet engines = measure_engines(run);
+    Sheet engines = measure_stack_engines(run);
     return {std::move(standing), std::move(courses), std::move(engines), measure_growth(run)};
 }
 

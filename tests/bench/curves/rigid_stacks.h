@@ -57,12 +57,11 @@ using MakeStackEngine = std::function<std::unique_ptr<StackEngine>(const StackSc
 [[nodiscard]] std::vector<CostPoint> measure_stacks(const std::string& name,
                                                     const MakeStackEngine& make, const Run& run);
 
-/// The same of the sheet "rigid-engines", a row a course (rigid_engines.cpp).
-[[nodiscard]] std::vector<std::vector<std::string>> measure_engine(const std::string& name,
-                                                                   const MakeStackEngine& make,
-                                                                   const Run& run);
+/// The same of the sheet "rigid-engines", a row a course (rigid_stacks_engines.cpp).
+[[nodiscard]] std::vector<std::vector<std::string>> measure_stack_engine(
+    const std::string& name, const MakeStackEngine& make, const Run& run);
 /// The sheet, with our own rows.
-[[nodiscard]] Sheet measure_engines(const Run& run);
+[[nodiscard]] Sheet measure_stack_engines(const Run& run);
 
 /// Lets another engine join both; static, one a way of stepping.
 struct StackPeerRegistration {
@@ -71,7 +70,7 @@ struct StackPeerRegistration {
             {name, "rigid-stacks", [=](Run& run) { return measure_stacks(name, make, run); }});
         PeerRegistration(
             {.name = name, .curve = "rigid-engines", .points = {}, .rows = [=](Run& run) {
-                 return measure_engine(name, make, run);
+                 return measure_stack_engine(name, make, run);
              }});
     }
 };

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
+#include <cmath>
 #include <malloc.h>
 #include <vector>
 
@@ -64,6 +64,72 @@ TEST_CASE("rigid world build: what a world reserves is what was estimated, to a 
         const double estimated = estimate_bytes(plan);
         CHECK(reserved <= estimated);
         CHECK(estimated <= 2.0 * reserved);
+    }
+}
+
+RigidWorldPlan make_stack_and_ball() {
+    RigidWorldPlan plan;
+    plan.bodies.push_back({.role = BodyRole::ground});
+    for (int i = 0; i < 10; ++i) {
+        plan.bodies.push_back({.shape = BoxShape{Vector3::Constant(0.05)},
+                               .mass_kg = 1.0,
+                               .pose_W = Pose::at({0.0, 0.05 + 0.1 * i, 0.0})});
+    }
+    plan.bodies.push_back({.shape = SphereShape{0.02},
+                           .mass_kg = 0.1,
+                           .pose_W = Pose::at({1.0, 0.03, 0.0}),
+                           .velocity_W = {{0.0, -20.0, 0.0}, Vector3::Zero()},
+                           .restitution = 0.5});
+    return plan;
+}
+
+TEST_CASE("rigid world build: what is prepared does not move, and its first step is as the next") {
+    for (const double slow_s : {0.0, 0.01}) {
+        CAPTURE(slow_s);
+        RigidWorldPlan plan = make_stack_and_ball();
+        plan.settings.slow_period_s = slow_s;
+        const auto prepared = RigidWorld::create(plan).value();
+        const auto plain = RigidWorld::create(plan).value();
+        constexpr double kStep_s = 1.0e-3;
+        prepared->prepare(kStep_s);
+        int n_prepared = 0;
+        int n_plain = 0;
+        for (std::int32_t i = 0; i < prepared->n_bodies(); ++i) {
+            CHECK(prepared->state(i).pose_W.position == plain->state(i).pose_W.position);
+            CHECK(prepared->state(i).velocity_W.linear == plain->state(i).velocity_W.linear);
+            CHECK(prepared->state(i).velocity_W.angular == plain->state(i).velocity_W.angular);
+            CHECK(prepared->behind_s(i) == 0.0);
+        }
+        for (int i = 0; i < 100; ++i) {
+            prepared->step(kStep_s);
+            plain->step(kStep_s);
+            n_prepared += i < 10 ? prepared->report().n_iterations : 0;
+            n_plain += i < 10 ? plain->report().n_iterations : 0;
+        }
+        // What of the ball is to be solved both have.
+        CHECK(n_prepared < n_plain);
+        for (std::int32_t i = 0; i < prepared->n_bodies(); ++i) {
+            const Vector3 apart =
+                prepared->state(i).pose_W.position - plain->state(i).pose_W.position;
+            CHECK(apart.norm() < 1.0e-7);
+        }
+    }
+}
+
+TEST_CASE("rigid world build: a world is prepared before its first step alone, and for a time") {
+    RigidWorldPlan plan = make_stack_and_ball();
+    const auto world = RigidWorld::create(plan).value();
+    const auto plain = RigidWorld::create(plan).value();
+    world->prepare(std::nan(""));
+    world->prepare(-1.0);
+    for (int i = 0; i < 20; ++i) {
+        world->step(1.0e-3);
+        world->prepare(1.0e-3);
+        plain->step(1.0e-3);
+        CHECK(world->report().n_iterations == plain->report().n_iterations);
+    }
+    for (std::int32_t i = 0; i < world->n_bodies(); ++i) {
+        CHECK(world->state(i).pose_W.position == plain->state(i).pose_W.position);
     }
 }
 

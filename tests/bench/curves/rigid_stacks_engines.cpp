@@ -177,8 +177,9 @@ std::vector<std::string> measure_course(const std::string& name, const EngineCou
 
 }  // namespace
 
-std::vector<std::vector<std::string>> measure_engine(const std::string& name,
-                                                     const MakeStackEngine& make, const Run& run) {
+std::vector<std::vector<std::string>> measure_stack_engine(const std::string& name,
+                                                           const MakeStackEngine& make,
+                                                           const Run& run) {
     std::vector<std::vector<std::string>> rows;
     for (const EngineCourse& course : make_engine_courses()) {
         run.progress(0.9, name + ": " + course.name);
@@ -187,7 +188,7 @@ std::vector<std::vector<std::string>> measure_engine(const std::string& name,
     return rows;
 }
 
-Sheet measure_engines(const Run& run) {
+Sheet measure_stack_engines(const Run& run) {
     Sheet sheet;
     sheet.name = "rigid-engines";
     sheet.title = "The same stacks and the same wall, whoever steps them";
@@ -201,7 +202,7 @@ Sheet measure_engines(const Run& run) {
     sheet.advice = "Ours is the one in which all of these stand exactly where they were put.";
     sheet.columns = {"engine",  "course",      "median µs", "99 % µs", "worst µs",
                      "deep mm", "sideways mm", "moved",     "steps"};
-    sheet.rows = measure_engine("Fulcrum", make_fulcrum_stack, run);
+    sheet.rows = measure_stack_engine("Fulcrum", make_fulcrum_stack, run);
     return sheet;
 }
 
