@@ -34,10 +34,7 @@ std::string listed(const Catalogue& catalogue, const std::vector<std::string>& w
 }  // namespace
 
 Conversation::Conversation(const Catalogue& catalogue, ConversationSettings settings)
-    : catalogue_(&catalogue), settings_(settings) {
-    settings_.prompt_from = std::max(settings_.prompt_from, 1);
-    settings_.rule_from = std::max(settings_.rule_from, settings_.prompt_from);
-}
+    : catalogue_(&catalogue), settings_(std::move(settings)) {}
 
 std::vector<std::string> Conversation::ask(const Question& question, int number, int of) {
     question_ = question;
@@ -93,42 +90,55 @@ Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
 Feedback Conversation::respond_to_form(const Mark& mark) {
     state_ = State::done;
     const FormError* error = mark.main_error();
-    const CatalogueSlots sentence{{"sentence", mark.emphasised}, {"gap", mark.gapped}};
     if (error == nullptr) {
-        if (mark.short_answer) {
-            return say(FeedbackKind::praise, "feedback.praise_short", sentence);
+        return praise(mark);
+    }
+    const CatalogueSlots sentence{{"sentence", mark.emphasised}, {"gap", mark.gapped}};
+    const char* recast = asks(mark.corrected) ? "feedback.recast_question" : "feedback.recast";
+    const FeedbackLadder& ladder = question_->ladder.empty() ? settings_.ladder : question_->ladder;
+    Feedback feedback;
+    switch (step_at(ladder, ++seen_[ladder_key(*error)])) {
+        case FeedbackStep::recast:
+            feedback = say(FeedbackKind::recast, recast, sentence);
+            break;
+        case FeedbackStep::prompt:
+            feedback = say(FeedbackKind::prompt, "feedback.prompt", sentence);
+            feedback.may_repeat = true;
+            accepted_ = mark;
+            state_ = State::invited;
+            break;
+        case FeedbackStep::rule: {
+            const std::string key = rule_key(*error);
+            const CatalogueSlots words{{"base", error->base},
+                                       {"right", error->right},
+                                       {"said", error->said},
+                                       {"phrase", "*" + error->phrase + "*"}};
+            feedback = say(FeedbackKind::rule, "feedback.rule",
+                           {{"sentence", mark.emphasised}, {"rule", catalogue_->say(key, words)}});
+            feedback.keys.push_back(key);
+            break;
         }
-        seen_.clear();  // a whole right sentence: the ladder begins anew
-        if (asks(mark.corrected)) {
-            return say(FeedbackKind::praise, "feedback.praise_question", sentence);
-        }
-        const std::vector<std::string> praises = catalogue_->series("feedback.praise");
-        const std::string key =
-            praises.empty() ? "feedback.praise.1" : praises[praise_++ % praises.size()];
-        return say(FeedbackKind::praise, key, sentence);
+        case FeedbackStep::replay:
+            feedback = say(FeedbackKind::replay, recast, sentence);
+            feedback.replay = true;
+            break;
     }
-    const int seen = ++seen_[ladder_key(*error)];
-    if (seen >= settings_.rule_from) {
-        const std::string key = rule_key(*error);
-        const CatalogueSlots words{{"base", error->base},
-                                   {"right", error->right},
-                                   {"said", error->said},
-                                   {"phrase", "*" + error->phrase + "*"}};
-        Feedback feedback =
-            say(FeedbackKind::rule, "feedback.rule",
-                {{"sentence", mark.emphasised}, {"rule", catalogue_->say(key, words)}});
-        feedback.keys.push_back(key);
-        return feedback;
+    return feedback;
+}
+
+Feedback Conversation::praise(const Mark& mark) {
+    const CatalogueSlots sentence{{"sentence", mark.emphasised}};
+    if (mark.short_answer) {
+        return say(FeedbackKind::praise, "feedback.praise_short", sentence);
     }
-    if (seen >= settings_.prompt_from) {
-        Feedback feedback = say(FeedbackKind::prompt, "feedback.prompt", sentence);
-        feedback.may_repeat = true;
-        accepted_ = mark;
-        state_ = State::invited;
-        return feedback;
+    seen_.clear();  // a whole right sentence: the ladder begins anew
+    if (asks(mark.corrected)) {
+        return say(FeedbackKind::praise, "feedback.praise_question", sentence);
     }
-    return say(FeedbackKind::recast,
-               asks(mark.corrected) ? "feedback.recast_question" : "feedback.recast", sentence);
+    const std::vector<std::string> praises = catalogue_->series("feedback.praise");
+    const std::string key =
+        praises.empty() ? "feedback.praise.1" : praises[praise_++ % praises.size()];
+    return say(FeedbackKind::praise, key, sentence);
 }
 
 Feedback Conversation::respond_to_repeat(const Mark& mark, bool meaning_right) {

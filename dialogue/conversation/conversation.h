@@ -6,8 +6,9 @@
 //                  |                      |---------------> invited    right meaning, and the form may be said once more
 //                  +-- after `tries` ---> done               invited --hear--> heard --> done, always
 //
-// Feedback on form climbs a ladder by how often the same error has been made: a recast ("Yes. A watermelon is *the
-// heaviest*."), then a prompt ("A watermelon is …?"), then a rule in one line. Nobody is held back for form alone.
+// Feedback on form climbs a ladder (marking/feedback_ladder.h) by how often the same error has been made: by default a
+// recast ("Yes. A watermelon is *the heaviest*."), then a prompt ("A watermelon is …?"), then a rule in one line. A question
+// may have a ladder of its own. Nobody is held back for form alone.
 // A wrong meaning never tells the right one. The same marks give the same feedback: praise goes round in turn.
 //
 // Thread: one.  Cost: one match an answer.
@@ -33,8 +34,7 @@ namespace fulcrum::dialogue {
 
 /// How a conversation goes; fixed at its start.
 struct ConversationSettings {
-    int prompt_from = 2;  ///< sighting of the same error from which a prompt is given, 1 or more
-    int rule_from = 3;    ///< sighting from which the rule is told, at least `prompt_from`
+    FeedbackLadder ladder = default_ladder();  ///< of questions that have none of their own
     int tries =
         4;  ///< answers of wrong meaning after which the question is left, 1 or more; 0: never
     int unheard_tries = 6;  ///< answers not understood after which it is left, 1 or more; 0: never
@@ -47,6 +47,7 @@ enum class FeedbackKind : std::uint8_t {
     recast,          ///< meaning right; the right sentence is said back
     prompt,          ///< meaning right; the learner may say it once more
     rule,            ///< meaning right; the right sentence and its rule
+    replay,          ///< meaning right; the right sentence, and what it is about is felt again
     wrong_meaning,   ///< asked again, with what the question itself says then
     not_understood,  ///< no sentence fits; asked again
     heard_badly,     ///< the recogniser isn't sure; asked again
@@ -58,9 +59,9 @@ enum class Uptake : std::uint8_t { none, repaired, not_repaired };
 
 /// For files and databases: "praise", "wrong_meaning"; "repaired", and nothing where there was no invitation.
 [[nodiscard]] constexpr std::string_view name_of(FeedbackKind kind) noexcept {
-    constexpr std::string_view kNames[] = {"praise",      "recast",        "prompt",
-                                           "rule",        "wrong_meaning", "not_understood",
-                                           "heard_badly", "moved_on"};
+    constexpr std::string_view kNames[] = {"praise",         "recast",      "prompt",
+                                           "rule",           "replay",      "wrong_meaning",
+                                           "not_understood", "heard_badly", "moved_on"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 [[nodiscard]] constexpr std::string_view name_of(Uptake uptake) noexcept {
@@ -75,7 +76,7 @@ struct Feedback {
     std::vector<std::string> keys;  ///< the catalogue's keys it is made of
     bool ask_again = false;         ///< the question stays open
     bool may_repeat = false;  ///< one more `hear` is welcome; the question is done even without it
-    bool replay = false;      ///< let the hand feel the contrast again
+    bool replay = false;  ///< let the hand feel the contrast again: a wrong meaning, or that step
     Uptake uptake = Uptake::none;
     int attempt = 0;  ///< the number of this answer to the question, from 1
     std::vector<FreeError>
@@ -113,6 +114,7 @@ class Conversation {
 
   private:
     Feedback respond_to_form(const Mark& mark);
+    Feedback praise(const Mark& mark);
     Feedback respond_to_repeat(const Mark& mark, bool meaning_right);
     Feedback not_understood(const Mark& mark);
     /// The catalogue's help.said.1, … have these words.

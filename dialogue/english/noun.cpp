@@ -76,22 +76,27 @@ constexpr std::array kIrregularPlurals = {
     PluralPair{"grandchild", "grandchildren"},
 };
 
-constexpr std::array<std::string_view, 101> kMass = {
-    "water",   "air",       "wood",      "metal",     "iron",      "steel",     "gold",
-    "silver",  "copper",    "plastic",   "paper",     "rubber",    "cotton",    "wool",
-    "leather", "glass",     "sand",      "oil",       "milk",      "juice",     "tea",
-    "coffee",  "rice",      "bread",     "butter",    "cheese",    "meat",      "sugar",
-    "salt",    "flour",     "soup",      "honey",     "snow",      "ice",       "rain",
-    "wind",    "weather",   "gravity",   "energy",    "light",     "heat",      "electricity",
-    "music",   "homework",  "furniture", "luggage",   "money",     "advice",    "information",
-    "news",    "knowledge", "equipment", "traffic",   "software",  "clothing",  "jewellery",
-    "jewelry", "concrete",  "granite",   "marble",    "sandpaper", "clay",      "dust",
-    "grass",   "hair",      "lava",      "mud",       "oxygen",    "hydrogen",  "helium",
-    "silk",    "foam",      "aluminium", "aluminum",  "titanium",  "tin",       "brass",
-    "bronze",  "velvet",    "nylon",     "bamboo",    "cardboard", "porcelain", "cork",
-    "wax",     "chalk",     "fur",       "denim",     "ivory",     "gravel",    "cement",
-    "soil",    "lace",      "linen",     "polyester", "silicone",  "plaster",   "dough",
-    "straw",   "ceramic",   "fibreglass"};
+constexpr std::array<std::string_view, 137> kMass = {
+    "water",      "air",       "wood",       "metal",     "iron",      "steel",     "gold",
+    "silver",     "copper",    "plastic",    "paper",     "rubber",    "cotton",    "wool",
+    "leather",    "glass",     "sand",       "oil",       "milk",      "juice",     "tea",
+    "coffee",     "rice",      "bread",      "butter",    "cheese",    "meat",      "sugar",
+    "salt",       "flour",     "soup",       "honey",     "snow",      "ice",       "rain",
+    "wind",       "weather",   "gravity",    "energy",    "light",     "heat",      "electricity",
+    "music",      "homework",  "furniture",  "luggage",   "money",     "advice",    "information",
+    "news",       "knowledge", "equipment",  "traffic",   "software",  "clothing",  "jewellery",
+    "jewelry",    "concrete",  "granite",    "marble",    "sandpaper", "clay",      "dust",
+    "grass",      "hair",      "lava",       "mud",       "oxygen",    "hydrogen",  "helium",
+    "silk",       "foam",      "aluminium",  "aluminum",  "titanium",  "tin",       "brass",
+    "bronze",     "velvet",    "nylon",      "bamboo",    "cardboard", "porcelain", "cork",
+    "wax",        "chalk",     "fur",        "denim",     "ivory",     "gravel",    "cement",
+    "soil",       "lace",      "linen",      "polyester", "silicone",  "plaster",   "dough",
+    "straw",      "ceramic",   "fibreglass", "corn",      "wheat",     "barley",    "popcorn",
+    "pasta",      "spaghetti", "garlic",     "ham",       "bacon",     "beef",      "pork",
+    "lemonade",   "petrol",    "coal",       "zinc",      "nickel",    "sulphur",   "carbon",
+    "nitrogen",   "steam",     "smoke",      "fog",       "ink",       "glue",      "soap",
+    "toothpaste", "hay",       "lightning",  "thunder",   "sunlight",  "sunshine",  "rubbish",
+    "garbage",    "blood",     "vinegar",    "spinach"};
 
 /// Materials whose plural means kinds of them: metals are hard. (Glasses and papers are other things.)
 constexpr std::array<std::string_view, 4> kHasKinds = {"metal", "plastic", "juice", "cheese"};
@@ -114,16 +119,30 @@ constexpr std::array<std::string_view, 22> kSingularInS = {
 constexpr std::array<std::string_view, 2> kNamedThe = {"moon", "sun"};
 
 /// Places, amounts and answers that are no things.
-constexpr std::array<std::string_view, 27> kNoNouns = {
-    "near", "nearer", "far",   "farther", "further", "close",   "closer", "up",      "down",
-    "here", "there",  "above", "below",   "inside",  "outside", "away",   "forward", "backwards",
-    "yes",  "no",     "more",  "less",    "both",    "neither", "never",  "always",  "none"};
+constexpr std::array<std::string_view, 33> kNoNouns = {
+    "near",    "nearer", "far",     "farther",   "further", "close", "closer",
+    "up",      "down",   "here",    "there",     "above",   "below", "inside",
+    "outside", "away",   "forward", "backwards", "yes",     "no",    "more",
+    "less",    "both",   "neither", "never",     "always",  "none",  "together",
+    "again",   "slowly", "quickly", "faster",    "slower"};
 
 /// With one of these a phrase begins that is no thing: "to the left", "near the support".
-constexpr std::array<std::string_view, 22> kPrepositions = {
-    "to",   "at",      "on",      "in",    "near",    "nearer", "close", "closer",
-    "far",  "further", "farther", "under", "over",    "behind", "from",  "by",
-    "with", "without", "between", "next",  "towards", "into"};
+constexpr std::array<std::string_view, 37> kPrepositions = {
+    "to",    "at",      "on",      "in",      "near",    "nearer", "close",  "closer",
+    "far",   "further", "farther", "under",   "over",    "behind", "from",   "by",
+    "with",  "without", "between", "next",    "towards", "into",   "beside", "below",
+    "above", "beneath", "inside",  "outside", "against", "along",  "across", "around",
+    "onto",  "off",     "up",      "down",    "through"};
+
+/// Adjectives that lessons ask for: "it should be heavy".
+constexpr std::array<std::string_view, 58> kDescribing = {
+    "heavy",   "big",     "small",  "little", "large",  "tall",      "short",    "long",   "high",
+    "low",     "hard",    "soft",   "rough",  "smooth", "fast",      "slow",     "strong", "weak",
+    "hot",     "cold",    "warm",   "wide",   "narrow", "thick",     "thin",     "deep",   "wet",
+    "dry",     "full",    "empty",  "open",   "shut",   "new",       "old",      "young",  "red",
+    "blue",    "green",   "yellow", "white",  "black",  "brown",     "grey",     "purple", "pink",
+    "right",   "wrong",   "true",   "false",  "easy",   "difficult", "slippery", "sticky", "wooden",
+    "heavier", "lighter", "higher", "lower"};
 
 /// "one", "two hundred and five", "a hundred".
 bool is_number(std::string_view phrase) {
@@ -143,10 +162,8 @@ bool is_number(std::string_view phrase) {
 
 bool is_no_noun(const std::string& phrase) {
     const std::size_t space = phrase.find(' ');
-    return space == std::string::npos
-               ? contains(kNoNouns, phrase) || is_number(phrase)
-               : contains(kPrepositions, std::string_view(phrase).substr(0, space)) ||
-                     is_number(phrase);
+    return (space == std::string::npos && contains(kNoNouns, phrase)) ||
+           contains(kPrepositions, std::string_view(phrase).substr(0, space)) || is_number(phrase);
 }
 
 /// The word that carries the number: pair of scissors -> pair; big apple -> apple.
@@ -253,6 +270,10 @@ bool is_mass_noun(std::string_view noun) {
 
 bool has_kinds(std::string_view noun) {
     return contains(kHasKinds, lower_case(head_word(noun)));
+}
+
+bool describes(std::string_view word) {
+    return contains(kDescribing, lower_case(word));
 }
 
 Noun understand_noun(std::string_view entry) {

@@ -43,6 +43,9 @@ struct Noun {
     }
 };
 
+/// True for adjectives that stand alone in lists, "heavy", "red": no nouns where no noun follows and no article was asked for.
+[[nodiscard]] bool describes(std::string_view word);
+
 /// Understands a list's entry: "watermelon", "an egg", "the Moon", "Jupiter" (a capital makes a name, as digits do), "water", "scissors".
 [[nodiscard]] Noun understand_noun(std::string_view entry);
 

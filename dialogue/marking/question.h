@@ -7,6 +7,7 @@
 // Thread: immutable, may be copied and shared.  Cost: compiled once, at load.
 #pragma once
 
+#include "dialogue/marking/feedback_ladder.h"
 #include "dialogue/result.h"
 #include "dialogue/template/compile.h"
 
@@ -18,13 +19,16 @@ namespace fulcrum::dialogue {
 
 /// What an author writes for one question.
 struct QuestionSource {
-    std::string id;                     ///< unique in its lesson
-    std::string prompt;                 ///< what is asked; sentences part the lines
-    std::vector<std::string> answers;   ///< templates
-    NamedLists lists{};                 ///< {name} -> its words
-    NamedTexts rules{};                 ///< <name> -> a template
-    std::vector<std::string> nearly{};  ///< what learners say for them that is no good English
-    std::string again{};                ///< said after "Not yet."; empty: the catalogue's own line
+    std::string id;                      ///< unique in its lesson
+    std::string prompt;                  ///< what is asked; sentences part the lines
+    std::vector<std::string> answers;    ///< templates
+    NamedLists lists{};                  ///< {name} -> its words
+    NamedTexts rules{};                  ///< <name> -> a template
+    std::vector<std::string> nearly{};   ///< what learners say for them that is no good English
+    std::string again{};                 ///< said after "Not yet."; empty: the catalogue's own line
+    FeedbackLadder ladder{};             ///< of feedback on form; empty: the conversation's own
+    std::vector<int> subjects{};         ///< by answer, see TemplateSource
+    std::vector<int> nearly_subjects{};  ///< by `nearly`
 };
 
 /// A compiled question.
@@ -33,6 +37,7 @@ struct Question {
     std::string prompt;
     std::string again;
     std::shared_ptr<const TemplateSet> templates;
+    FeedbackLadder ladder{};  ///< empty: the conversation's own
 };
 
 /// Compiles a question; an error names the question, the answer or rule, and its column.

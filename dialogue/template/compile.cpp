@@ -100,9 +100,18 @@ Expected<ParsedRules> parse_rules(const NamedTexts& rules) {
     return result;
 }
 
-/// The first answer that has a place for all that `graph` means; kNone when none has.
-int said_rightly(const TemplateSet& set, const Graph& graph) {
+/// Number `i`, or 0 where all are about one thing.
+int subject_of(const std::vector<int>& subjects, std::size_t i) {
+    return i < subjects.size() ? subjects[i] : 0;
+}
+
+/// The first answer about `subject` that has a place for all that `graph` means; kNone when none has.
+int said_rightly(const TemplateSet& set, const Graph& graph, const std::vector<int>& subjects,
+                 int subject) {
     for (int i = 0; i < set.answers; ++i) {
+        if (subject_of(subjects, static_cast<std::size_t>(i)) != subject) {
+            continue;
+        }
         const Graph& answer = set.graphs[static_cast<std::size_t>(i)];
         const bool fits =
             (graph.slots & ~answer.slots) == 0 && (answer.required & ~graph.required) == 0;
@@ -114,15 +123,16 @@ int said_rightly(const TemplateSet& set, const Graph& graph) {
 }
 
 Expected<bool> add_nearly(TemplateSet& set, const ParsedRules& rules,
-                          const std::vector<std::string>& sentences) {
-    for (std::size_t i = 0; i < sentences.size(); ++i) {
+                          const TemplateSource& source) {
+    for (std::size_t i = 0; i < source.nearly.size(); ++i) {
         const std::string where = "nearly " + std::to_string(i + 1);
-        auto sentence = build_sentence(set, rules, sentences[i]);
+        auto sentence = build_sentence(set, rules, source.nearly[i]);
         if (!sentence) {
             return within(where, sentence.error());
         }
         Graph& graph = sentence->graph;
-        graph.answer = said_rightly(set, graph);
+        graph.answer =
+            said_rightly(set, graph, source.subjects, subject_of(source.nearly_subjects, i));
         if (graph.answer == kNone) {
             return fail(where +
                         ": no answer says the same rightly; give one with the same {slots}");
@@ -167,7 +177,7 @@ Expected<TemplateSet> compile_templates(const TemplateSource& source) {
     }
     set.answers = static_cast<int>(set.graphs.size());
 
-    if (const auto added = add_nearly(set, *rules, source.nearly); !added) {
+    if (const auto added = add_nearly(set, *rules, source); !added) {
         return tl::unexpected(added.error());
     }
     if (const auto added = add_short_answers(set, *rules, forms); !added) {

@@ -38,6 +38,10 @@ struct TemplateSource {
     NamedTexts rules;
     std::vector<std::string>
         nearly{};  ///< understood, and said back as the first sentence that fits
+    /// What each of `sentences` and each of `nearly` is about: the latter are said back as one about the same. Empty: all are
+    /// about one thing.
+    std::vector<int> subjects{};
+    std::vector<int> nearly_subjects{};
 };
 
 /// Compiles; an error names the sentence or rule, and its column.

@@ -175,6 +175,12 @@ class ArticleWriter {
     int element_, from_, to_;
 };
 
+/// "It should be {weight}": an adjective alone, of which there are neither one nor several.
+bool describes_alone(const Noun& noun, ArticlePolicy policy) {
+    return policy == ArticlePolicy::bare && noun.noun_class == NounClass::count &&
+           describes(noun.text);
+}
+
 Branch branch_of(const Noun& noun) {
     switch (noun.noun_class) {
         case NounClass::mass:
@@ -298,6 +304,10 @@ void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticleP
             ArcText arc{noun.text, noun.text, ErrorCode::none, 0, &noun == spoken.data()};
             arc.item = static_cast<int>(i);
             arc.number = noun.number();
+            if (describes_alone(noun, policy)) {
+                writer.add_arc(node_of(Branch::name), to, place, arc);
+                continue;
+            }
             const Branch branch = branch_of(noun);
             writer.add_arc(node_of(branch), to, place, arc);
             other_number.add(noun, static_cast<int>(i), branch);

@@ -125,7 +125,10 @@ void count(std::vector<Piece>& pieces, int at) {
     const int number = before(pieces, at);
     const std::string counted =
         number == kNone ? "" : lower_case(pieces[static_cast<std::size_t>(number)].right);
-    const bool is_one = counted == "one" || counted == "1" || counted == "a" || counted == "an";
+    // "No moon" is as good as "no moons", and is said back as it was said.
+    const bool is_none = counted == "no" && noun.code == ErrorCode::noun_number;
+    const bool is_one =
+        is_none || counted == "one" || counted == "1" || counted == "a" || counted == "an";
     if (number != kNone) {
         agree_there(pieces, number, is_one ? Number::singular : Number::plural);
     }

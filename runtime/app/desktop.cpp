@@ -92,16 +92,11 @@ void Desktop::say(const std::vector<std::string>& texts) {
     }
 }
 
-void Desktop::say_again(const std::vector<std::string>& standing) {
-    if (!voice) {
-        return;
+void Desktop::say_again(const std::vector<std::string>& texts) {
+    if (!texts.empty()) {
+        hush();
+        say(texts);
     }
-    if (standing.empty()) {
-        voice->repeat();
-        return;
-    }
-    voice->stop();
-    say(standing);
 }
 
 void Desktop::hush() {

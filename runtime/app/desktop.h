@@ -33,8 +33,8 @@ struct Desktop {
     void play(const std::vector<std::string>& names);
     /// Says texts aloud, one after the other, after what is still to be said.
     void say(const std::vector<std::string>& texts);
-    /// Says again what stands there; where nothing does, the last one that was said.
-    void say_again(const std::vector<std::string>& standing);
+    /// Says these at once, whatever was being said.
+    void say_again(const std::vector<std::string>& texts);
     /// Somebody speaks now.
     [[nodiscard]] bool speaks() const { return sound && sound->is_speaking(); }
     /// Nothing more is said.

@@ -5,6 +5,7 @@
 #include "runtime/files/shape_cache.h"
 #include "runtime/lesson/compose_view.h"
 #include "runtime/lesson/past_answers.h"
+#include "runtime/lesson/questions.h"
 #include "runtime/text/progress_line.h"
 
 #include <algorithm>
@@ -152,6 +153,7 @@ void LessonRun::build_touch_sound() {
 Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore& store,
                                         const dialogue::Catalogue& catalogue) {
     LessonDescription description = process_->description();
+    choose_feedback(description, request.feedback);
     const auto learner = store.enrol(request.learner.empty() ? kGuest : request.learner);
     if (!learner) {
         return tl::unexpected(learner.error());
@@ -269,22 +271,6 @@ Expected<FrameReport> LessonRun::exchange_frame(const FrameInput& input) {
         return tl::unexpected(reply.error());
     }
     return conclude(*reply);
-}
-
-Expected<bool> LessonRun::ask_verdict(const JudgeEvent& judge) {
-    LessonFrame frame = session_->newest_frame();
-    frame.dt_s = 0.0;
-    frame.events = {judge};
-    frame.only_asks = true;
-    const auto reply = process_->exchange(frame);
-    if (!reply) {
-        return tl::unexpected(reply.error());
-    }
-    return std::any_of(reply->commands.begin(), reply->commands.end(),
-                       [](const LessonCommand& command) {
-                           const auto* verdict = std::get_if<VerdictCommand>(&command);
-                           return verdict != nullptr && verdict->right;
-                       });
 }
 
 Expected<void> LessonRun::begin_frame(const FrameInput& input) {

@@ -72,6 +72,8 @@ class LessonRun {
     [[nodiscard]] const LessonProcess& process() const { return *process_; }
     /// The lesson's verdict about a meaning, as things stand; nothing else comes of it. Not between `begin_frame` and its reply.
     [[nodiscard]] Expected<bool> ask_verdict(const JudgeEvent& judge);
+    /// Likewise what the lesson tells who asks for something; empty where it does not know that.
+    [[nodiscard]] Expected<std::string> ask_knowledge(const AskedEvent& asked);
     [[nodiscard]] const Device& device() const { return hand_->device(); }
     /// What strokes and taps sound like; null when the plan has no sound of touch.
     [[nodiscard]] SoundStream* touch_sound() { return touch_sound_.get(); }
@@ -104,6 +106,8 @@ class LessonRun {
 
   private:
     LessonRun() = default;
+    /// What the lesson replies to that event alone.
+    [[nodiscard]] Expected<LessonReply> ask_aside(const LessonEvent& event);
     // In this order.
     [[nodiscard]] Expected<void> load(const Places& places, const RunRequest& request);
     [[nodiscard]] Expected<void> build_loops(const RunRequest& request);

@@ -46,6 +46,7 @@ void LessonScreen::begin() {
     error_.clear();
     typing_.clear();
     asking_ = false;
+    said_before_ = {};
     input_ = {};
     files_.watch_folder(request_.folder);
     RunRequest request = request_;
@@ -192,14 +193,7 @@ void LessonScreen::take_playing_key(const KeyPress& press) {
     if (press.key == "f11") {
         desktop_.window->set_fullscreen(!desktop_.window->fullscreen());
     } else if (press.key == "f2") {
-        std::vector<std::string> standing;
-        for (const std::string& text :
-             {run_->session().hud().feedback, run_->session().hud().caption}) {
-            if (!text.empty()) {
-                standing.push_back(text);
-            }
-        }
-        desktop_.say_again(standing);
+        say_again();
     } else if (press.key == "tab" && run_->session().hud().may_ask) {
         asking_ = !asking_;
         typing_.clear();
@@ -214,6 +208,18 @@ void LessonScreen::take_playing_key(const KeyPress& press) {
     } else if (!press.repeat && !question_open && !asking_) {
         input_.keys.push_back(press.key);
     }
+}
+
+// What stands there; pressed again, what was said before that.
+void LessonScreen::say_again() {
+    std::vector<std::string> standing;
+    for (const std::string& text :
+         {run_->session().hud().feedback, run_->session().hud().caption}) {
+        if (!text.empty()) {
+            standing.push_back(text);
+        }
+    }
+    desktop_.say_again(said_before_.look_back(standing, monotonic_now_s()));
 }
 
 void LessonScreen::move_pointer(const WindowEvents& events) {
@@ -286,6 +292,9 @@ void LessonScreen::exchange() {
     asking_ = asking_ && run_->session().hud().may_ask;
     desktop_.play((*report)->sounds);
     desktop_.say((*report)->spoken);
+    for (const std::string& text : (*report)->spoken) {
+        said_before_.add(text);
+    }
     print_lines((*report)->printed);
     if (const int level = run_->session().hud().level; level != level_) {
         level_ = level;
@@ -333,6 +342,10 @@ View LessonScreen::compose() const {
     if (run_ && error_.empty()) {
         if (view.caption.empty() && run_->session().result().finished) {
             view.caption = catalogue_.say("hud.leave", {{"key", "Escape"}});
+        }
+        const std::string before = said_before_.shown(monotonic_now_s());
+        if (view.banner.empty() && !before.empty()) {
+            view.banner = catalogue_.say("hud.said_before", {{"text", before}});
         }
         if (view.banner.empty() && says_how_to_move()) {
             view.banner = catalogue_.say(run_->plan().kite ? "hud.reel_help" : "hud.mouse_help");

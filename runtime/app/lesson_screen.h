@@ -13,6 +13,7 @@
 #include "runtime/app/stop_keys.h"
 #include "runtime/app/typing.h"
 #include "runtime/app/watched_files.h"
+#include "runtime/lesson/said_before.h"
 #include "runtime/progress/store.h"
 
 #include <memory>
@@ -48,6 +49,7 @@ class LessonScreen {
     void take_input(const WindowEvents& events);
     void take_key(const KeyPress& press);
     void take_playing_key(const KeyPress& press);
+    void say_again();
     void move_pointer(const WindowEvents& events);
     void exchange();
     void listen();
@@ -76,6 +78,7 @@ class LessonScreen {
 
     bool asking_ = false;  // the learner has opened the line to ask something
     TypedLine typing_;
+    SaidBefore said_before_;
     std::unique_ptr<LiveEar> ear_;  // null where the plan hears no microphone
     FrameInput input_{};
     double wheel_m_ = 0.0;

@@ -21,7 +21,7 @@ constexpr std::array<CommandWord, 11> kCommands{{
     {"run", Command::run, true,
      " --headless --seconds --seed --errors --hand --say --learner --db --record --screenshot "
      "--screenshot-at --speech --hear --listen --voice --voice-speed --watch"
-     " --mute --force-limit "},
+     " --mute --force-limit --feedback "},
     {"list", Command::list, false, " "},
     {"check", Command::check, true, " --force-limit "},
     {"test", Command::test, true, " --force-limit --seed --errors --hand "},
@@ -35,7 +35,8 @@ constexpr std::array<CommandWord, 11> kCommands{{
     {"-h", Command::help, false, " "},
     {"--version", Command::version, false, " "},
     {"menu", Command::menu, false,
-     " --learner --db --force-limit --mute --speech --listen --voice --voice-speed --watch "},
+     " --learner --db --force-limit --feedback --mute --speech --listen --voice --voice-speed "
+     "--watch "},
 }};
 
 Expected<double> number_in(const std::string& flag, const std::string& text, double low,
@@ -69,6 +70,23 @@ Expected<void> set_speech(Options& options, const std::string& value) {
         }
     }
     return fail("--speech " + value + " is not known", "", "use text, sphinx or exec:COMMAND");
+}
+
+// "recast,prompt,rule".
+Expected<void> set_feedback(Options& options, const std::string& value) {
+    std::vector<std::string> names;
+    for (std::size_t at = 0; at <= value.size();) {
+        const std::size_t end = std::min(value.find(',', at), value.size());
+        names.push_back(value.substr(at, end - at));
+        at = end + 1;
+    }
+    auto ladder = dialogue::read_ladder(names);
+    if (!ladder) {
+        return fail("--feedback " + value + ": " + ladder.error().message, "",
+                    "write for instance --feedback recast,prompt,rule");
+    }
+    options.feedback = std::move(*ladder);
+    return {};
 }
 
 // Each flag that takes a value, and where the value goes.
@@ -113,6 +131,9 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
     }
     if (flag == "--speech") {
         return set_speech(options, value);
+    }
+    if (flag == "--feedback") {
+        return set_feedback(options, value);
     }
     if (flag == "--listen") {
         if (value != "hold" && value != "always") {
@@ -295,6 +316,8 @@ std::string usage() {
       --seconds N            end early
       --seed N               what the lesson leaves to chance goes as it went with this number; without a window 1
       --force-limit N        newtons this site allows, 0.5 to 10 (5)
+      --feedback STEP,…      what is done about an error of form the first time, the second …: recast, prompt, rule, replay
+                             (as the lesson says, else recast,prompt,rule)
       --mute                 without sound
       --watch                runs again whenever a file of the lesson is saved, not only after a mistake
       --speech NAME          how answers come beside typing: text, not at all (text); sphinx, spoken, heard by PocketSphinx;

@@ -1,6 +1,7 @@
 // The command line: what was asked for, or one sentence on what is wrong with it.
 #pragma once
 
+#include "dialogue/marking/feedback_ladder.h"
 #include "haptics/base/error.h"
 #include "runtime/audio/voice/voice_program.h"
 #include "runtime/scene/plan.h"
@@ -36,11 +37,12 @@ struct Options {
     VoiceSettings voice{};                 ///< likewise
     bool watch = false;                    ///< start again whenever the lesson's files change
     bool mute = false;
-    bool analyze = false;         ///< explain: play it too, and tell what each stage cost
-    bool json = false;            ///< explain: for programs
-    double force_limit_N = 5.0;   ///< of this site, 0.5 to 10
-    std::string format = "text";  ///< report: text or csv
-    std::string out;              ///< report: file instead of the screen
+    bool analyze = false;                 ///< explain: play it too, and tell what each stage cost
+    bool json = false;                    ///< explain: for programs
+    double force_limit_N = 5.0;           ///< of this site, 0.5 to 10
+    dialogue::FeedbackLadder feedback{};  ///< of this site; empty: as each lesson says
+    std::string format = "text";          ///< report: text or csv
+    std::string out;                      ///< report: file instead of the screen
 };
 
 /// Parses the words after the program's name. Unknown words name the nearest known one.

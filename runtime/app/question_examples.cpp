@@ -1,6 +1,7 @@
 #include "runtime/app/question_examples.h"
 
 #include "dialogue/marking/mark.h"
+#include "runtime/lesson/knowledge.h"
 #include "runtime/lesson/questions.h"
 
 #include <utility>
@@ -50,6 +51,63 @@ Expected<std::string> find_difference(LessonRun& run, const dialogue::Question& 
     return std::string();
 }
 
+/// The same of what is asked for; `knowledge` is what it should be, `kind` how.
+std::string find_difference(const Knowledge& known, const std::string& knowledge,
+                            const std::string& said, bool asks, bool has_right_form) {
+    const auto asked = known.find(said);
+    const bool asks_for_it = asked && asked->knowledge == knowledge;
+    if (asks != asks_for_it) {
+        return !asked ? "it is not understood" : "it asks for \"" + asked->knowledge + "\"";
+    }
+    if (asks && asked->mark.form_right() != has_right_form) {
+        return has_right_form ? "its form has " + errors_of(asked->mark)
+                              : "no error of form is found";
+    }
+    return {};
+}
+
+/// Its examples that come out otherwise.
+void add_unmet(const Knowledge& known, const KnowledgeDescription& described,
+               std::vector<std::string>& unmet) {
+    struct AskedKind {
+        const std::vector<std::string>& examples;
+        bool asks;
+        bool has_right_form;
+        const char* text;
+    };
+    const AskedKind kinds[] = {
+        {described.examples.right, true, true, "to ask for it"},
+        {described.examples.form, true, false, "to ask for it with an error of form"},
+        {described.examples.other, false, true, "not to ask for it"}};
+    for (const AskedKind& kind : kinds) {
+        for (const std::string& said : kind.examples) {
+            const std::string difference =
+                find_difference(known, described.id, said, kind.asks, kind.has_right_form);
+            if (!difference.empty()) {
+                unmet.push_back(
+                    to_sentence({"what the lesson knows as \"" + described.id + "\": \"" + said +
+                                     "\" is said " + kind.text + ", but " + difference,
+                                 "lesson.lua:" + std::to_string(described.line),
+                                 "mend the ways to ask or the example"}));
+            }
+        }
+    }
+}
+
+/// All that a learner may ask, asked once each: an error is that of the lesson's own function.
+Expected<void> ask_everything(LessonRun& run, const Knowledge& known) {
+    for (const AskingSentence& sentence : known.every_way()) {
+        const auto asked = known.find(sentence.said);
+        if (!asked) {
+            continue;
+        }
+        if (const auto told = run.ask_knowledge({asked->knowledge, asked->mark.slots}); !told) {
+            return tl::unexpected(told.error());
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 Expected<std::vector<std::string>> find_unmet_examples(LessonRun& run) {
@@ -74,6 +132,14 @@ Expected<std::vector<std::string>> find_unmet_examples(LessonRun& run) {
                                      "mend the question's sentences or the example"}));
                 }
             }
+        }
+    }
+    if (const auto& known = run.session().knowledge()) {
+        for (const KnowledgeDescription& described : run.description().knowledge) {
+            add_unmet(*known, described, unmet);
+        }
+        if (const auto asked = ask_everything(run, *known); !asked) {
+            return tl::unexpected(asked.error());
         }
     }
     return unmet;

@@ -1,7 +1,8 @@
 // The examples of a lesson's questions, each marked as a learner's answer would be: understood? right in meaning, by the lesson's
-// own verdict? right in form?
+// own verdict? right in form? And of what a learner may ask: is it asked for, and rightly? For every way to ask the lesson's own
+// function is called, so that its mistakes come out before a learner finds them.
 //
-// Thread: that of the run.  Cost: one match and one exchange with the lesson's process an example.
+// Thread: that of the run.  Cost: one match and one exchange with the lesson's process an example, or a way to ask.
 #pragma once
 
 #include "runtime/app/lesson_run.h"

@@ -130,6 +130,7 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     request.plan.day = in_window ? today() : kTestDay;
     request.seed = options.seed.value_or(in_window ? std::random_device{}() : request.seed);
     request.record_file = options.record;
+    request.feedback = options.feedback;
     return choose_hand(options, in_window, request)
         .and_then([&] { return choose_answers(options, in_window, request); })
         .and_then([&] { return choose_hearing(options, request); })

@@ -25,6 +25,7 @@ struct RunRequest {
     std::string record_file;  ///< empty: nothing is recorded
     std::string learner;      ///< nickname; empty: "guest"
     std::uint64_t seed = 1;   ///< of the lesson's math.random
+    dialogue::FeedbackLadder feedback{};  ///< instead of what the lesson says; empty: as it says
 };
 
 /// Of a simulated learner who errs in so many parts of the answers: half in form, a third in meaning, else unclear.

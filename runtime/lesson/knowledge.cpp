@@ -29,17 +29,57 @@ Expected<void> add_lists(const KnowledgeDescription& knowledge, dialogue::NamedL
     return {};
 }
 
-/// The error of what cannot be compiled together, at the line of the one that cannot be compiled by itself.
-Error find_culprit(const LessonDescription& lesson, dialogue::QuestionSource source,
-                   const dialogue::Error& together) {
+/// The ways to ask for `knowledge`, beside what is there already.
+Expected<void> add_ways(const KnowledgeDescription& knowledge, int subject,
+                        dialogue::QuestionSource& source) {
+    for (const std::string& way : knowledge.asked) {
+        source.answers.push_back(way);
+        source.subjects.push_back(subject);
+    }
+    for (const std::string& way : knowledge.nearly) {
+        source.nearly.push_back(way);
+        source.nearly_subjects.push_back(subject);
+    }
+    return add_lists(knowledge, source.lists);
+}
+
+Expected<dialogue::Question> compile_ways(const LessonDescription& lesson,
+                                          dialogue::QuestionSource source,
+                                          const KnowledgeDescription& newest) {
+    source.id = newest.id;
+    add_things_of_the_scene(lesson, source.lists);
+    auto compiled = dialogue::compile_question(source);
+    if (!compiled) {
+        return fail("what a learner may ask: " + with_letter(compiled.error()), at(newest), {});
+    }
+    return std::move(*compiled);
+}
+
+/// The error of what cannot be compiled together, at the line of the first that cannot be compiled with those before it; first of
+/// all what cannot be compiled by itself.
+Error find_culprit(const LessonDescription& lesson, Error together) {
+    dialogue::QuestionSource before;
+    before.prompt = "?";
     for (const KnowledgeDescription& knowledge : lesson.knowledge) {
-        source.id = knowledge.id;
-        source.answers = knowledge.asked;
-        if (const auto alone = dialogue::compile_question(source); !alone) {
-            return {"what a learner may ask: " + alone.error().message, at(knowledge), {}};
+        dialogue::QuestionSource alone;
+        alone.prompt = "?";
+        if (!add_ways(knowledge, 0, alone)) {
+            continue;
+        }
+        if (auto compiled = compile_ways(lesson, std::move(alone), knowledge); !compiled) {
+            return compiled.error();
         }
     }
-    return {together.message, at(lesson.knowledge.front()), {}};
+    int subject = 0;
+    for (const KnowledgeDescription& knowledge : lesson.knowledge) {
+        if (auto added = add_ways(knowledge, subject++, before); !added) {
+            return added.error();
+        }
+        if (auto compiled = compile_ways(lesson, before, knowledge); !compiled) {
+            return compiled.error();
+        }
+    }
+    return together;
 }
 
 }  // namespace
@@ -51,20 +91,17 @@ Expected<std::optional<Knowledge>> Knowledge::compile(const LessonDescription& l
     }
     Knowledge made(catalogue);
     dialogue::QuestionSource source;
-    source.id = source.prompt = "knowledge";  // nobody asks it: the learner does
+    source.prompt = "?";  // nobody asks it: the learner does
+    int subject = 0;
     for (const KnowledgeDescription& knowledge : lesson.knowledge) {
-        if (auto added = add_lists(knowledge, source.lists); !added) {
+        if (auto added = add_ways(knowledge, subject++, source); !added) {
             return tl::unexpected(added.error());
         }
-        for (const std::string& way : knowledge.asked) {
-            source.answers.push_back(way);
-            made.names_.push_back(knowledge.id);
-        }
+        made.names_.resize(source.answers.size(), knowledge.id);
     }
-    add_things_of_the_scene(lesson, source.lists);
-    auto compiled = dialogue::compile_question(source);
+    auto compiled = compile_ways(lesson, std::move(source), lesson.knowledge.back());
     if (!compiled) {
-        return tl::unexpected(find_culprit(lesson, std::move(source), compiled.error()));
+        return tl::unexpected(find_culprit(lesson, compiled.error()));
     }
     made.question_ = std::move(*compiled);
     for (std::size_t i = 0; i < made.names_.size(); ++i) {
@@ -74,6 +111,32 @@ Expected<std::optional<Knowledge>> Knowledge::compile(const LessonDescription& l
         }
     }
     return std::optional(std::move(made));
+}
+
+std::vector<AskingSentence> Knowledge::every_way() const {
+    std::vector<AskingSentence> all;
+    const dialogue::TemplateSet& set = *question_.templates;
+    const auto add = [&](std::size_t way,
+                         const std::vector<std::pair<std::string, std::string>>& slots) {
+        std::string said =
+            dialogue::render(dialogue::canonical_pieces(set, static_cast<int>(way), slots));
+        if (all.empty() || all.back().said != said) {
+            all.push_back({names_[way], std::move(said)});
+        }
+    };
+    for (std::size_t way = 0; way < names_.size(); ++way) {
+        add(way, {});
+        for (std::size_t slot = 0; slot < set.slots.size(); ++slot) {
+            if ((set.graphs[way].slots & (1U << slot)) == 0) {
+                continue;
+            }
+            for (const dialogue::ListItem& item :
+                 set.lists[static_cast<std::size_t>(set.slot_lists[slot])].items) {
+                add(way, {{set.slots[slot], item.value}});
+            }
+        }
+    }
+    return all;
 }
 
 std::optional<AskedFor> Knowledge::find(std::string_view words) const {

@@ -24,15 +24,23 @@ struct AskedFor {
     dialogue::Mark mark;    ///< its slots and errors of form
 };
 
+/// A sentence that asks for something.
+struct AskingSentence {
+    std::string knowledge;
+    std::string said;
+};
+
 class Knowledge {
   public:
-    /// Nothing for a lesson that knows nothing. The catalogue lives longer. All that it knows shares its lists: one name with two meanings is the lesson's error,
-    /// at its line.
+    /// Nothing for a lesson that knows nothing. The catalogue lives longer. All that it knows shares its lists: one name with two
+    /// meanings is the lesson's error, as all that cannot be compiled with what stands before it, at its line.
     [[nodiscard]] static Expected<std::optional<Knowledge>> compile(
         const LessonDescription& lesson, const dialogue::Catalogue& catalogue);
 
     /// Nothing where the words ask for nothing that the lesson knows.
     [[nodiscard]] std::optional<AskedFor> find(std::string_view words) const;
+    /// All ways to ask, each one of its answers.
+    [[nodiscard]] const dialogue::Question& question() const { return question_; }
     /// What a recogniser listens for while nothing else is asked.
     [[nodiscard]] std::shared_ptr<const dialogue::TemplateSet> templates() const {
         return question_.templates;
@@ -50,6 +58,8 @@ class Knowledge {
     }
     /// To who asks while a question is open.
     [[nodiscard]] std::string first_mine() const { return catalogue_->say("knowledge.first_mine"); }
+    /// Each way to ask as it is said rightly, with each word of its lists, in the lesson's order.
+    [[nodiscard]] std::vector<AskingSentence> every_way() const;
 
   private:
     explicit Knowledge(const dialogue::Catalogue& catalogue) : catalogue_(&catalogue) {}

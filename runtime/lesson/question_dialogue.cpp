@@ -19,6 +19,7 @@ AnsweredEvent answered_event(const MarkedAnswer& answer) {
     answered.turned_round = answer.mark.turned_round;
     answered.over = !answer.feedback.ask_again;
     answered.attempt = answer.feedback.attempt;
+    answered.replay = answer.feedback.replay;
     return answered;
 }
 

@@ -2,11 +2,15 @@
 
 #include "dialogue/marking/question_review.h"
 #include "dialogue/speech/sphinx/pronunciation.h"
+#include "runtime/lesson/knowledge.h"
 #include "runtime/lesson/questions.h"
 
+#include <algorithm>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace fulcrum::runtime {
 namespace {
@@ -32,6 +36,44 @@ std::string listed(const std::vector<std::string>& words) {
     return text;
 }
 
+std::string tell_unheard(const std::vector<std::string>& words) {
+    return "nobody can hear " + listed(words) +
+           "; write other words beside, as in \"bike|bicycle\".";
+}
+
+/// Of what a learner may ask: sentences that ask for something else first, words without pronunciation.
+void add_knowledge_notes(const LessonDescription& lesson,
+                         const std::function<bool(std::string_view)>& can_be_heard,
+                         std::vector<std::string>& notes) {
+    const dialogue::Catalogue no_words;
+    const auto compiled = Knowledge::compile(lesson, no_words);
+    if (!compiled || !*compiled) {
+        return;
+    }
+    const Knowledge& knowledge = **compiled;
+    const auto line_of = [&](const std::string& id) {
+        const auto described = std::ranges::find(lesson.knowledge, id, &KnowledgeDescription::id);
+        return "lesson.lua:" + std::to_string(described->line) + ": ";
+    };
+    std::set<std::string> told;
+    for (const AskingSentence& sentence : knowledge.every_way()) {
+        const auto asked = knowledge.find(sentence.said);
+        if ((asked && asked->knowledge == sentence.knowledge) ||
+            !told.insert(sentence.knowledge).second) {
+            continue;
+        }
+        notes.push_back(
+            line_of(sentence.knowledge) + "\"" + sentence.said + "\" asks for \"" +
+            sentence.knowledge + "\", but " +
+            (asked ? "\"" + asked->knowledge + "\" takes it first." : "nobody understands it."));
+    }
+    const auto unheard = dialogue::unheard_words(knowledge.question(), can_be_heard);
+    if (!unheard.empty()) {
+        notes.push_back(line_of(lesson.knowledge.front().id) +
+                        "what a learner may ask: " + tell_unheard(unheard));
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> question_notes(const LessonDescription& lesson,
@@ -46,6 +88,9 @@ std::vector<std::string> question_notes(const LessonDescription& lesson,
         const auto found = sounds.find(word);
         return found == sounds.end() ? std::nullopt : std::optional<std::string>(found->second);
     };
+    const auto can_be_heard = [&](std::string_view word) {
+        return sounds.empty() || dialogue::pronounce(word, look_up).has_value();
+    };
     for (const QuestionDescription& described : lesson.questions) {
         const dialogue::Question& question = questions->at(described.id);
         const std::string head = "lesson.lua:" + std::to_string(described.line) + ": question \"" +
@@ -53,17 +98,15 @@ std::vector<std::string> question_notes(const LessonDescription& lesson,
         for (const std::string& found : dialogue::review_question(question)) {
             notes.push_back(head + found + ".");
         }
-        const auto unheard = dialogue::unheard_words(question, [&](std::string_view word) {
-            return sounds.empty() || dialogue::pronounce(word, look_up).has_value();
-        });
+        const auto unheard = dialogue::unheard_words(question, can_be_heard);
         if (!unheard.empty()) {
-            notes.push_back(head + "nobody can hear " + listed(unheard) +
-                            "; write other words beside, as in \"bike|bicycle\".");
+            notes.push_back(head + tell_unheard(unheard));
         }
         if (described.again.empty()) {
             notes.push_back(head + "it has no `again`, so after a wrong answer no hint is given.");
         }
     }
+    add_knowledge_notes(lesson, can_be_heard, notes);
     return notes;
 }
 

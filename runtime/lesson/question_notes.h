@@ -15,7 +15,8 @@ inline constexpr const char* kHeardWords = "/usr/share/pocketsphinx/model/en-us/
 
 /// One sentence each, beginning with the question's line, "lesson.lua:12: question …": answers that are never taken, sentences
 /// that mean two things, opposites that count alike, words without pronunciation, a question without `again`. Nothing of
-/// sounds where `heard_words` cannot be read. The questions compile.
+/// sounds where `heard_words` cannot be read. Of what a learner may ask: ways that ask for something else, and such words too. The
+/// questions compile.
 [[nodiscard]] std::vector<std::string> question_notes(const LessonDescription& lesson,
                                                       const std::string& heard_words = kHeardWords);
 

@@ -31,16 +31,6 @@ void add_nouns(const std::vector<std::string>& nouns, dialogue::NamedLists& list
     }
 }
 
-/// "question "heavier", answer 1, letter 9: there is no list …".
-std::string with_letter(const dialogue::Error& error) {
-    std::string message = error.message;
-    if (const std::size_t colon = message.find(": ");
-        error.column > 0 && colon != std::string::npos) {
-        message.insert(colon, ", letter " + std::to_string(error.column));
-    }
-    return message;
-}
-
 bool uses_list(const std::vector<std::string>& sentences, const std::string& list) {
     return std::any_of(sentences.begin(), sentences.end(), [&](const std::string& sentence) {
         return sentence.find('{' + list + '}') != std::string::npos ||
@@ -64,6 +54,25 @@ void add_things_of_the_scene(const LessonDescription& lesson, dialogue::NamedLis
     add_nouns(nouns_of(lesson), lists);
 }
 
+std::string with_letter(const dialogue::Error& error) {
+    std::string message = error.message;
+    if (const std::size_t colon = message.find(": ");
+        error.column > 0 && colon != std::string::npos) {
+        message.insert(colon, ", letter " + std::to_string(error.column));
+    }
+    return message;
+}
+
+void choose_feedback(LessonDescription& lesson, const dialogue::FeedbackLadder& ladder) {
+    if (ladder.empty()) {
+        return;
+    }
+    lesson.feedback = ladder;
+    for (QuestionDescription& question : lesson.questions) {
+        question.feedback.clear();
+    }
+}
+
 Expected<std::map<std::string, dialogue::Question>> compile_questions(
     const LessonDescription& lesson) {
     std::map<std::string, dialogue::Question> compiled;
@@ -76,6 +85,7 @@ Expected<std::map<std::string, dialogue::Question>> compile_questions(
         source.nearly = question.nearly;
         source.again = question.again;
         source.lists = question.lists;
+        source.ladder = question.feedback.empty() ? lesson.feedback : question.feedback;
         add_nouns(nouns, source.lists);
         for (const auto& [name, words] : source.lists) {
             if (name.size() > kLongestSlot_bytes) {

@@ -18,4 +18,11 @@ namespace fulcrum::runtime {
 /// Adds the lists that need not be given: {thing} and {other}, the nouns of the scene's bodies.
 void add_things_of_the_scene(const LessonDescription& lesson, dialogue::NamedLists& lists);
 
+/// What is wrong with a template, with the letter where: "question "heavier", answer 1, letter 9: there is no list …".
+[[nodiscard]] std::string with_letter(const dialogue::Error& error);
+
+/// Whoever stands beside the learner knows best how errors are to be told: that ladder holds for all questions. An empty one
+/// changes nothing.
+void choose_feedback(LessonDescription& lesson, const dialogue::FeedbackLadder& ladder);
+
 }  // namespace fulcrum::runtime

@@ -168,6 +168,9 @@ void LessonSession::queue_world_events(const std::vector<WorldEvent>& events) {
                                     event.body, event.speed_m_per_s});
         sounds_.push_back(caught ? catch_sound(event.body) : "landed");
         result_.caught += caught ? 1 : 0;
+        if (caught) {
+            tell_about(event.body);
+        }
     }
 }
 
@@ -230,10 +233,11 @@ void LessonSession::tell(const std::string& said, const std::string& answer) {
     show();
 }
 
-// What there is to say of a thing, when it is touched for the first time and nobody is waited for.
+// What there is to say of a thing, when it is touched or caught for the first time and nobody is waited for; under a cloth it would
+// give it away.
 void LessonSession::tell_about(std::int32_t body) {
     const auto i = static_cast<std::size_t>(body);
-    if (i >= told_about_.size() || told_about_[i] || dialogue_.is_open() ||
+    if (i >= told_about_.size() || told_about_[i] || hud_.covered[i] || dialogue_.is_open() ||
         description_.bodies[i].about.empty()) {
         return;
     }
@@ -256,7 +260,8 @@ void LessonSession::take(QuestionTurn turn) {
         const MarkedAnswer& answer = *turn.answer;
         sounds_.push_back(answer.right ? "right" : "try_again");
         ++result_.attempts;
-        result_.form_errors += static_cast<int>(answer.mark.form_errors.size());
+        result_.form_errors +=
+            static_cast<int>(answer.mark.form_errors.size() + answer.feedback.free_errors.size());
         log_.keep_attempt(answer);
     }
     show();

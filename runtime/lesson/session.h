@@ -118,6 +118,8 @@ class LessonSession {
     [[nodiscard]] const SessionResult& result() const { return result_; }
     /// The question that is asked now; null when there is none.
     [[nodiscard]] const dialogue::Question* question() const { return dialogue_.question(); }
+    /// What the learner may ask for; nothing for most lessons.
+    [[nodiscard]] const std::optional<Knowledge>& knowledge() const { return knowledge_; }
     /// Keeps the session's end, once; a session that is dropped without it counts as left.
     void end(EndReason reason);
     /// Waits until the store has kept everything, at most so long; call it when the hand feels nothing any more.

@@ -7,6 +7,29 @@
 
 namespace fulcrum::runtime {
 
+namespace {
+
+/// What the rules of English found in words that fit no answer, as the questions' own errors are kept.
+dialogue::FormError to_form_error(const dialogue::FreeError& found) {
+    dialogue::FormError error;
+    error.code = found.code;
+    error.said = found.said;
+    error.begin = found.begin;
+    error.end = found.end;
+    error.right = found.right;
+    // "More heavier": of adjectives the rules find forms of comparison alone.
+    const bool compares = found.code == dialogue::ErrorCode::adjective_form;
+    error.degree = compares ? dialogue::Degree::comparative : dialogue::Degree::positive;
+    return error;
+}
+
+ErrorRecord to_record(const dialogue::FormError& error) {
+    return {std::string(error.errant()), error.said, error.right,
+            std::string(dialogue::grammar_point_id(dialogue::grammar_point(error)))};
+}
+
+}  // namespace
+
 SessionLog::SessionLog(ProgressStore& store, SessionRecord session)
     : store_(&store), session_(std::move(session)) {
     keep([&] { return store_->begin_session(session_); });
@@ -36,9 +59,10 @@ void SessionLog::keep_attempt(const MarkedAnswer& answer) {
     attempt.answer_s = answer.answer_s;
     attempt.said_utc_ms = utc_now_ms();
     for (const dialogue::FormError& error : mark.form_errors) {
-        attempt.errors.push_back(
-            {std::string(error.errant()), error.said, error.right,
-             std::string(dialogue::grammar_point_id(dialogue::grammar_point(error)))});
+        attempt.errors.push_back(to_record(error));
+    }
+    for (const dialogue::FreeError& error : answer.feedback.free_errors) {
+        attempt.errors.push_back(to_record(to_form_error(error)));
     }
     keep([&] { return store_->add_attempt(attempt); });
 }

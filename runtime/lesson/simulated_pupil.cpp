@@ -34,9 +34,12 @@ Expected<std::optional<std::string>> SimulatedPupil::answer(double asked_at_s, d
                                                             const dialogue::Question& question,
                                                             const Verdict& verdict) {
     const bool already_answered = asked_at_s == answered_question_asked_at_s_;
-    const bool has_nothing = !model_ && (lines_.empty() || lines_.front().starts_with('?'));
+    const bool has_nothing = !model_ && lines_.empty();
     if (already_answered || has_nothing || now_s - asked_at_s < thinking_s_) {
         return std::optional<std::string>();
+    }
+    if (!model_ && lines_.front().starts_with('?')) {
+        return ask(now_s);
     }
     answered_question_asked_at_s_ = asked_at_s;
     spoke_at_s_ = now_s;

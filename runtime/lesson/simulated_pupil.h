@@ -1,4 +1,6 @@
-// A pupil who answers from a list, one line to each question in turn (a line that begins with "?" is asked in between), or as a simulated learner; after a moment's thought.
+// A pupil who answers from a list, one line to each question in turn, or as a simulated learner; after a moment's thought.
+// A line that begins with "?" is asked instead when its turn has come, between questions or, where the next one came first,
+// while it is open; that question waits for the line after it.
 // An invitation to say a right answer once more is no question: it is left to pass.
 // Used by --say, by lessons' tests and by headless runs; the words go the same way as typed ones.
 #pragma once
@@ -21,14 +23,13 @@ class SimulatedPupil {
     /// Reads one answer a line; blank lines and lines that begin with # are passed over.
     [[nodiscard]] static Expected<std::vector<std::string>> read_lines(const std::string& path);
 
-    /// The answer to a question that has been open since `asked_at_s`, when it is time for it; at
-    /// most one a question. An error is the lesson's own, from its verdict.
+    /// The answer to a question that has been open since `asked_at_s`, when it is time for it, or what is asked instead; at
+    /// most one answer a question. An error is the lesson's own, from its verdict.
     [[nodiscard]] Expected<std::optional<std::string>> answer(double asked_at_s, double now_s,
                                                               const dialogue::Question& question,
                                                               const Verdict& verdict);
 
-    /// What the pupil asks while no question is open: a line that begins with "?", once it is its turn and the pause since the last
-    /// thing said is over.
+    /// What the pupil asks: a line that begins with "?", once it is its turn and the pause since the last thing said is over.
     [[nodiscard]] std::optional<std::string> ask(double now_s);
 
   private:

@@ -48,6 +48,13 @@ class QuestionTally {
         ++report_.attempts;
         report_.not_understood += attempt.understood ? 0 : 1;
         report_.form_wrong += attempt.understood && !attempt.form_right ? 1 : 0;
+        // The names are those of dialogue/conversation/conversation.h, as they were kept.
+        report_.moved_on += attempt.feedback == "moved_on" ? 1 : 0;
+        report_.invited += attempt.feedback == "prompt" ? 1 : 0;
+        report_.repaired += attempt.uptake == "repaired" ? 1 : 0;
+        if (!right) {
+            report_.last_wrong = attempt.said;
+        }
         wrong_run_ = right ? 0 : wrong_run_ + 1;
         report_.wrong_in_a_row = std::max(report_.wrong_in_a_row, wrong_run_);
         for (auto& [name, point] : points_) {

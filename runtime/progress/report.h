@@ -7,6 +7,8 @@
 //   of `asked`, those whose first attempt was right;   right_in_the_end: whose last attempt was
 //   wrong_in_a_row    longest run of attempts that were not right, over all sessions, in the order
 //   of their writing          wrong_now    the run that the last attempt belongs to, 0 when that was right
+//   moved_on, invited, repaired    what was said to the answers, and what the learner made of it; answers that were kept before
+//   that was kept count for none
 //   stuck             wrong_in_a_row ≥ 3: `now` while the last three attempts are not right, else `before`
 //
 // The simulated pupil is no learner of the class: it is left out unless it is asked for by its nickname.
@@ -63,6 +65,10 @@ struct QuestionReport {
     std::int64_t form_wrong = 0;      ///< attempts that were understood and had an error of form
     std::int64_t wrong_in_a_row = 0;
     std::int64_t wrong_now = 0;
+    std::int64_t moved_on = 0;  ///< times the learner was let go on without a right answer
+    std::int64_t invited = 0;   ///< times a right answer was to be said once more
+    std::int64_t repaired = 0;  ///< of these, those that were then said rightly
+    std::string last_wrong{};  ///< the newest words that were not right; empty where there are none
     Stuck stuck = Stuck::no;
     std::vector<FormErrorReport> form_errors;  ///< the most frequent first
     std::vector<GrammarPointReport> points;    ///< the most frequent first

@@ -13,8 +13,8 @@ constexpr const char* kHeader =
     "learner,learner_id,lesson,played,finished,last_played,best_stars,best_score,question,asked,"
     "attempts,right_first_time,right_in_the_end,not_understood,form_wrong,wrong_now,wrong_in_a_row,"
     "stuck,"
-    "form_errors,examples,grammar_points,answers_since";
-constexpr std::size_t kColumns = 22;
+    "form_errors,examples,grammar_points,answers_since,moved_on,invited,repaired,last_wrong";
+constexpr std::size_t kColumns = 26;
 constexpr std::size_t kQuestionColumn = 8;
 
 using Row = std::array<std::string, kColumns>;
@@ -88,6 +88,10 @@ void fill_question(const QuestionReport& question, Row& row) {
     row[at++] = text_cell(examples);
     row[at++] = text_cell(points);
     row[at++] = text_cell(since);
+    for (const std::int64_t number : {question.moved_on, question.invited, question.repaired}) {
+        row[at++] = std::to_string(number);
+    }
+    row[at++] = text_cell(question.last_wrong);
 }
 
 void write_lesson(const LessonReport& lesson, const ReportStyle& style, Row row, std::string& csv) {

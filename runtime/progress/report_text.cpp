@@ -98,6 +98,15 @@ void write_notes(const QuestionReport& question, std::string& out) {
     for (const FormErrorReport& error : question.form_errors) {
         write_wrapped(printable(plain_words(error)), kNoteIndent, out);
     }
+    if (question.invited > 0) {
+        write_wrapped("said once more when asked to: right " + std::to_string(question.repaired) +
+                          " of " + times(question.invited),
+                      kNoteIndent, out);
+    }
+    if (question.moved_on > 0) {
+        write_wrapped("let go on without a right answer " + times(question.moved_on), kNoteIndent,
+                      out);
+    }
     if (question.stuck == Stuck::now) {
         write_wrapped(
             "STUCK now: the last " + std::to_string(question.wrong_now) + " answers were not right",
@@ -169,9 +178,10 @@ void write_stuck(const Report& report, std::string& out) {
         for (const LessonReport& lesson : learner.lessons) {
             for (const QuestionReport& question : lesson.questions) {
                 if (question.stuck == Stuck::now) {
+                    const std::string said = printable(question.last_wrong);
                     names += (names.empty() ? "" : ", ") + printable(learner.learner.nickname) +
                              " (" + printable(lesson.lesson) + ": " + printable(question.question) +
-                             ")";
+                             (said.empty() ? "" : ", said \"" + said + "\"") + ")";
                 }
             }
         }

@@ -2,6 +2,7 @@
 // Every item knows the line of the lesson that asked for it.
 #pragma once
 
+#include "dialogue/marking/feedback_ladder.h"
 #include "haptics/dynamics/axle.h"
 #include "haptics/dynamics/integrator.h"
 #include "haptics/dynamics/joint_plan.h"
@@ -188,7 +189,15 @@ struct QuestionDescription {
         lists;          ///< {name} -> words; {thing}, {other}: bodies' nouns by default
     std::string again;  ///< said after a wrong meaning, behind "Not yet."; empty: "Try again."
     SourceLine line = 0;
-    QuestionExamples examples{};  ///< what its answers must come to, for `check` and `test`
+    QuestionExamples examples{};          ///< what its answers must come to, for `check` and `test`
+    dialogue::FeedbackLadder feedback{};  ///< on form; empty: the lesson's own
+};
+
+/// Ways to ask of which is known what they come to.
+struct KnowledgeExamples {
+    std::vector<std::string> right;  ///< ask for it in good English
+    std::vector<std::string> form;   ///< ask for it with an error of form
+    std::vector<std::string> other;  ///< do not ask for it
 };
 
 /// Something that a learner may ask for; `answer` stays in Lua and is asked by an AskedEvent.
@@ -197,6 +206,8 @@ struct KnowledgeDescription {
     std::vector<std::string> asked;  ///< templates of the questions that ask for it
     std::vector<std::pair<std::string, std::vector<std::string>>> lists;  ///< as a question's
     SourceLine line = 0;
+    std::vector<std::string> nearly{};  ///< the same of what is understood and no good English
+    KnowledgeExamples examples{};       ///< for `check` and `test`
 };
 
 /// What L:test { expect = … } may name: "finished" is true or false, the others are whole numbers.
@@ -229,6 +240,8 @@ struct LessonDescription {
     std::string level;          ///< one of kEnglishLevels
     double minutes = 10;        ///< planned length
     bool free_english = false;  ///< what no template of a question takes is checked for its form
+    dialogue::FeedbackLadder
+        feedback{};  ///< on form, of questions without their own; empty: the usual
     Vector3 gravity_W{0.0, -9.81, 0.0};
     double ground_height_m = 0.0;
     std::vector<MaterialDescription> materials;

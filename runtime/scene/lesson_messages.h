@@ -50,7 +50,8 @@ struct AnsweredEvent {
     bool over = true;         ///< the question is done: right, or left after many tries
     std::int32_t attempt = 1;
     bool turned_round =
-        false;  ///< thing and material changed places: "Metal is made of a spaceship."
+        false;            ///< thing and material changed places: "Metal is made of a spaceship."
+    bool replay = false;  ///< what the question is about should be felt again
 };
 
 /// The learner asks for something that the lesson knows. The lesson answers with a TellCommand in the same reply.

@@ -8,7 +8,10 @@ local know = require "know"
 local story = require "story"
 local wait, wait_for = story.wait, story.wait_for
 
-local L = lesson { id = "gravity", title = "Which one is the heaviest?", level = "A1", minutes = 10 }
+local L = lesson {
+  id = "gravity", title = "Which one is the heaviest?", level = "A1", minutes = 10,
+  feedback = { "recast", "prompt", "replay", "rule" },   -- of an error that comes again the bucket shows once more what is meant
+}
 
 know.things(L)
 
@@ -16,10 +19,14 @@ know.things(L)
 -- one factor until they fit under the arm's limit. With a limit of 10 N the apple weighs 6 N in the hand and the egg 3 N.
 local names = { "watermelon", "apple", "banana", "egg" }
 local fruit = {
-  watermelon = { a = "a watermelon", mass = 3.0,    exaggeration = 0.3, radius = 0.095, drag_area = 0.013 },
-  apple      = { a = "an apple",     mass = 0.2039, exaggeration = 3.0, radius = 0.04,  drag_area = 0.0024 },
-  banana     = { a = "a banana",     mass = 0.12,   exaggeration = 3.5, radius = 0.045, drag_area = 0.004 },
-  egg        = { a = "an egg",       mass = 0.0612, exaggeration = 5.0, radius = 0.026, drag_area = 0.001 },
+  watermelon = { a = "a watermelon", mass = 3.0,    exaggeration = 0.3, radius = 0.095, drag_area = 0.013,
+                 about = "A watermelon is full of water." },
+  apple      = { a = "an apple",     mass = 0.2039, exaggeration = 3.0, radius = 0.04,  drag_area = 0.0024,
+                 about = "Apples grow on trees." },
+  banana     = { a = "a banana",     mass = 0.12,   exaggeration = 3.5, radius = 0.045, drag_area = 0.004,
+                 about = "Bananas grow where it is hot." },
+  egg        = { a = "an egg",       mass = 0.0612, exaggeration = 5.0, radius = 0.026, drag_area = 0.001,
+                 about = "A hen laid this egg." },
 }
 
 -- What falls in each level, and what is asked then.
@@ -43,14 +50,14 @@ function L:start(world)
   world:camera { eye = { 0, 1.0, 1.95 }, target = { 0, 0.45, 0 } }
   world:hand { centre = { 0, 0.3, 0 }, scale = 2 }
   world:bucket { model = "bucket", radius = 0.11, depth = 0.04 }
-  world:body { name = "tree", model = "tree", visible = true, at = { 0.95, 0, -1.3 } }
-  world:body { name = "hill", model = "hill", visible = true, at = { -1.5, -0.2, -5.5 } }
-  world:body { name = "flower", model = "flower", visible = true, at = { -0.6, 0, -0.3 } }
+  world:body { name = "tree", noun = "", model = "tree", visible = true, at = { 0.95, 0, -1.3 } }
+  world:body { name = "hill", noun = "", model = "hill", visible = true, at = { -1.5, -0.2, -5.5 } }
+  world:body { name = "flower", noun = "", model = "flower", visible = true, at = { -0.6, 0, -0.3 } }
   for _, name in ipairs(names) do
     local f = fruit[name]
     bodies[name] = world:body {
       name = name, noun = name, model = name, movable = true,
-      mass = f.mass, exaggeration = f.exaggeration, radius = f.radius, drag_area = f.drag_area,
+      mass = f.mass, exaggeration = f.exaggeration, radius = f.radius, drag_area = f.drag_area, about = f.about,
     }
   end
   game.play(L, world, function() play(world) end)
@@ -129,13 +136,17 @@ local function weigh(world, things)
   end
 end
 
--- After a wrong answer both things are weighed again.
+-- What is weighed against the right one: what was said instead of it, else another thing that was caught.
+local function contrast(answer, right)
+  local said = bodies[answer.thing]
+  if said and said ~= right then return said end
+  return in_play[1] ~= right and in_play[1] or in_play[2]
+end
+
+-- After a wrong answer, and where the right one keeps an error of form, two things are weighed again.
 local function ask(world, question, key)
   game.ask(question, {
-    again = function(answer)
-      local said = bodies[answer.thing]
-      weigh(world, said and said ~= key() and { said, key() } or { key() })
-    end,
+    again = function(answer) weigh(world, { contrast(answer, key()), key() }) end,
     solution = function()
       return "The " .. key().noun .. " is " .. (question == "heavier" and question or "the " .. question) .. "."
     end,

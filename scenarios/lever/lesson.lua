@@ -47,6 +47,7 @@ function L:start(world)
     at = { 0, height - 0.02, 0 } }
   lever = world:body {
     name = "lever", model = "lever", visible = true, solid = true, at = { 0, height, 0 },
+    about = "This is a lever. It turns on its support.",
     hinge = { axis = { 0, 0, 1 }, at = { 0, height - 0.02, 0 }, inertia = 0.4, friction = 0.01, lowest = -7, highest = 7,
               load = levels[1].weight, load_at = { earth_x, height - 0.02, 0 } },
   }
@@ -118,20 +119,32 @@ end
 
 -- ---- what may be asked ----------------------------------------------------------------------------------------------------
 
+L:knows "this" {
+  asked = { "what is (this|that|it)", "what am I (touching|pressing)" },
+  examples = { right = { "What is this?" } },
+  answer = function() return "This is a lever. It lies on a support, and the toy Earth is on the other end." end,
+}
+
 L:knows "weight" {
-  asked = { "how heavy is (it|the Earth|the toy Earth)", "how much does (it|the Earth|the toy Earth) weigh" },
+  asked = { "how heavy is (it|the Earth|the toy Earth)", "how much does (it|the Earth|the toy Earth) weigh", "what does the Earth weigh" },
+  nearly = { "how heavy (it|Earth|the Earth) [is]", "how much (weigh|weighs) (it|the Earth)" },
+  examples = { right = { "How heavy is it?", "how much does the Earth weigh" }, form = { "how heavy the Earth is" } },
   answer = function() return level and ("The toy Earth weighs %.4g newtons."):format(level.weight) end,
 }
 
 L:knows "arm" {
-  asked = { "how long is my arm", "how long is the arm", "how long is the arm of the Earth" },
+  asked = { "how long is my arm", "how long is the arm", "how long is the arm of the Earth", "how long is the lever" },
+  nearly = { "how long (my arm|the arm|arm) [is]", "how long is arm" },
+  examples = { right = { "How long is my arm?" }, form = { "how long my arm is" } },
   answer = function()
     return ("Your arm is at most %.2f metres, the Earth's is %.3f metres."):format(end_x - support_x, support_x - earth_x)
   end,
 }
 
 L:knows "force" {
-  asked = { "how much force do I need", "how strong must I be", "how many newtons do I need" },
+  asked = { "how much force do I need", "how strong must I be", "how many newtons do I need", "how hard must I press" },
+  nearly = { "how (much|many) force I need", "how many (newton|newtons) I need", "how many newton do I need" },
+  examples = { right = { "How much force do I need?", "how many newtons do I need" }, form = { "how much force I need" } },
   answer = function() return level and level.ratio < 1000 and ("At the end of the lever you need %.1f newtons."):format(needed(end_x, support_x)) or nil end,
 }
 

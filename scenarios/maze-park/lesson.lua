@@ -63,6 +63,41 @@ local function gems_left(done)
   return left == 1 and "one more gem" or ("%d more gems"):format(left)
 end
 
+-- ---- what may be asked ------------------------------------------------------------------------------------------------
+
+local found = 0         -- gems in this round
+
+L:knows "gems" {
+  asked = { "how many <plural:gem> (are there|are left|do I need|must I find)", "how many <plural:gem> do I have to find",
+            "how many questions are left" },
+  nearly = { "how many (gem|gems) (I need|left|is left|is there)" },
+  examples = { right = { "How many gems do I need?", "how many gems are left" }, form = { "how many gem do I need", "how many gems left" } },
+  answer = function() return found < asked and "Find " .. gems_left(found) .. "." or "You have them all. Go to the castle!" end,
+}
+
+L:knows "way" {
+  asked = { "where is the (castle|gate|way out|exit)", "how do I get out", "where must I go", "where do I have to go" },
+  nearly = { "where (the castle|castle|the gate) is", "where is (castle|gate|exit)", "where I must go", "where I (have|need) to go" },
+  examples = { right = { "Where is the castle?", "where must I go" }, form = { "where is castle" } },
+  answer = function()
+    if found < asked then return "The castle is behind the gate, at the right. But first find " .. gems_left(found) .. "." end
+    return "The gate is open: to the castle, at the right."
+  end,
+}
+
+L:knows "here" {
+  asked = { "where am I", "what is this", "what is this place" },
+  examples = { right = { "Where am I?", "what is this" } },
+  answer = function() return "You are in a maze of hedges. Gems lie in its dead ends." end,
+}
+
+L:knows "hedge" {
+  asked = { "what are (these|the hedges) made of", "what is (it|this|the hedge) made of" },
+  nearly = { "what is (it|this|hedge|the hedge) (make|made) (of|from|by)" },
+  examples = { right = { "What is this made of?" }, form = { "what is the hedge made by" } },
+  answer = function() return "A hedge is made of leaves and branches." end,
+}
+
 -- ---- walking ----------------------------------------------------------------------------------------------------------
 
 local arrows = { left = true, right = true, up = true, down = true }
@@ -164,6 +199,7 @@ end
 function play(world, round)
   local questions = bank.choose(world, asked)
   local done = 0
+  found = 0
   at = start
   walker:place { at = place_of(start) }
   gate:place {}
@@ -178,6 +214,7 @@ function play(world, round)
   repeat
     walk_on(world, done)
     done = done + 1
+    found = done
     ask(world, questions[done])
     gems[at]:hide()
     gems[at] = nil

@@ -48,7 +48,7 @@ function L:start(world)
     small[name] = world:body { name = model .. "-far", noun = name, model = model, radius = small_radius(name), movable = true }
     big[name] = world:body {
       name = model, noun = name, model = model, radius = big_radius(name), solid = true, material = ground, at = near,
-      hinge = { axis = { 0, 1, 0 }, inertia = felt_inertia(name), friction = 0.004 },
+      hinge = { axis = { 0, 1, 0 }, inertia = felt_inertia(name), friction = 0.004 }, about = (require "about")[name],
     }
     big[name]:hide()
   end

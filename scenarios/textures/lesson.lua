@@ -48,6 +48,7 @@ function L:start(world)
     blocks[name] = world:body {
       name = name, model = "box", radius = side, material = name,
       solid = true, movable = true, visible = true, at = { places[i], top + side, 0 },
+      about = "A block of " .. name .. ". Stroke it, and tap it.",
     }
   end
   for i, thing in ipairs(things) do

@@ -51,7 +51,7 @@ return {
                  form = { "the green block is most tall" } },
   },
   {
-    id = "stacks_bottom", like = { "on_top" }, point = "adjective", idea = "weight",
+    id = "stacks_bottom", like = { "on_top" }, point = "preposition", idea = "weight",
     prompt = "You build a tower. Should the heavy block be at the top or at the bottom?",
     answers = { "(it|the heavy block) (should|must) be at the {place}", "at the {place}", "(I|you|we) should put (it|the heavy block) at the {place}", "the {place}" },
     nearly = { "(it|the heavy block|heavy block) (should|must) [be] (in|on|at) [the] {place}", "(in|on) [the] {place}" },
@@ -81,7 +81,7 @@ return {
     answers = { "[a|an|the] {thing} <made_of:{material}>" },
     lists = { thing = { "wooden block", "block" }, material = { "metal", "wood", "rock|stone", "rubber" } },
     right = function(a) return a.material == "wood" end,
-    hint = "It comes from a tree.",
+    hint = "It was a tree.",
     solution = "A wooden block is made of wood.",
     examples = { right = { "a wooden block is made of wood", "wood", "it is made of wood" }, wrong = { "it is made of metal" },
                  form = { "it is made by wood", "it made of wood" } },

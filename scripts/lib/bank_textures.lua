@@ -66,12 +66,12 @@ local function which(adjective, more, first, second)
   }
 end
 
--- "What is a spaceship made of?"
-local function made_of(name, material, wrong, wooden)
-  local thing = name:gsub("^the ", "")
+-- "A spaceship is … What is it made of?"
+local function made_of(name, told, material, wrong, wooden)
+  local thing = name:gsub("^a ", "")
   return {
     id = "textures_made_" .. thing, like = { "made_" .. thing }, point = "passive_voice", idea = "materials",
-    prompt = ("What is %s made of?"):format(name),
+    prompt = told .. " What is it made of?",
     answers = { "[a|an|the] {thing} <made_of:{material}>", "it is {wooden}" },
     lists = { thing = { thing }, material = called, wooden = { "wooden" } },
     right = function(a) return (a.wooden and "wood" or a.material) == material end,
@@ -96,9 +96,9 @@ return {
   which("rough", "rougher", "rock", "wood"),
   which("slippery", "more slippery", "metal", "wood"),
   which("slippery", "more slippery", "metal", "rock"),
-  made_of("the spaceship", "metal", "wood"),
-  made_of("the table", "wood", "metal", "it is wooden"),
-  made_of("the statue", "rock", "rubber"),
+  made_of("a spaceship", "A spaceship is hard, smooth and slippery.", "metal", "wood"),
+  made_of("a table", "A table feels a little rough, and once it was a tree.", "wood", "metal", "it is wooden"),
+  made_of("a statue", "A statue is hard and rough, and comes from the mountains.", "rock", "rubber"),
   {
     id = "textures_paper", like = { "made_table" }, point = "passive_voice", idea = "materials",
     prompt = "What is paper made from?",

@@ -86,6 +86,7 @@ end
 ---   })
 ---
 --- `solution`, a text or a function that gives one, is said when the last try was wrong too, so that nobody is left without it.
+--- Where the ladder of feedback has "replay", `again` lets the hand feel it after a right answer with an error of form, too.
 ---@param question string
 ---@param options table|nil
 ---@return Answer answer
@@ -111,6 +112,7 @@ function game.ask(question, options)
   until answer.over
   add(answer.right and points or 0, points_a_question)
   story.wait(2.5)
+  if answer.right and answer.replay and options.again then options.again(answer) end
   local solution = not answer.right and options.solution
   if solution then
     scene:caption(type(solution) == "function" and solution() or solution)

@@ -11,6 +11,7 @@
 ---@field right boolean the meaning is right, by the question's own `right`
 ---@field form_right boolean the English was right: no error of form was found
 ---@field turned_round boolean thing and material changed places, "Metal is made of a spaceship.": nothing to feel again, only to say
+---@field replay boolean what the question is about should be felt again: its meaning was wrong, or its form and the step of feedback is "replay"
 ---@field over boolean the question is done: right, or left after many tries
 ---@field attempt integer 1 for the first try
 ---@field bodies table<string, Body> the body that a slot speaks of, by its noun; nil when no body or several have it
@@ -136,6 +137,7 @@ local Force = {}
 ---@field level? string level of English: A1, A2, B1, B2, C1 or C2; of at most 16 letters; default A1
 ---@field minutes? number how long it takes; in minutes, 0 to 1000; default 10
 ---@field free_english? boolean what is said beside a question's answers is checked, and good English for it is shown; default false
+---@field feedback? string[] what is done about an error of form, by how often it has been made: the first time the first of these, and so on, from then on the last; "recast" (the right sentence), "prompt" (say it once more), "rule" (and why), "replay" (and feel it again); { "recast", "prompt", "rule" } by default
 
 ---Begins a lesson. The file ends with `return` of what this gives.
 ---@param options LessonOptions
@@ -151,20 +153,28 @@ function lesson(options) end
 ---@field prompt string what the learner is asked; of at most 1000 letters
 ---@field answers string[] templates of the sentences that answer it; the first of several articles is the one that is said back: "[a|an|the] {thing}" gives "An apple is …", "[the|a|an] {thing}" gives "The apple is …"
 ---@field nearly? string[] templates of what learners say for them that is no good English: understood, and said back as the first answer with the same {slots}
----@field lists? table<string, string[]> words that {name} in a template may stand for; {thing} and {other} are by default the nouns of all bodies of the scene, whether they move, are solid or neither
+---@field lists? table<string, string[]> words that {name} in a template may stand for; {thing} and {other} are by default the nouns of all bodies of the scene, whether they move, are solid or neither; not of those with noun = ""
 ---@field again? string what is said after "Not yet." when the meaning is wrong, such as "Let's weigh both again."; "Try again." by default; of at most 200 letters
 ---@field right function function(answer): is the meaning right? see answer
 ---@field examples? QuestionExamples answers that are marked by ./fulcrum check and test, and must come out as said
+---@field feedback? string[] as the lesson's, for this question alone
 
 ---Declares a question.
 ---@param name string what world:ask and game.ask call it
 ---@return fun(options: QuestionOptions)
 function Lesson:question(name) end
 
+---@class KnowsExamples
+---@field right? string[] ask for it in good English
+---@field form? string[] ask for it with an error of form
+---@field other? string[] do not ask for it
+
 ---@class KnowsOptions
 ---@field asked string[] templates of the questions that ask for it, such as "how heavy is (it|the {thing})"
+---@field nearly? string[] templates of what learners say for them that is no good English: understood, said back as the first of `asked` with the same {slots}, and answered
 ---@field lists? table<string, string[]> as a question's; a name means the same in all of them
----@field answer function function(asked, world): the answer as a text, or nil where that is not known; asked has the {slots}, and asked.bodies the bodies that they name
+---@field answer function function(asked, world): the answer as a text, or nil where that is not known; asked has the {slots}, and asked.bodies the bodies that they name; ./fulcrum check and test call it for each way to ask with each word of its lists
+---@field examples? KnowsExamples questions that are looked at by ./fulcrum check and test, and must come out as said
 
 ---Declares something that a learner may ask for while no question is open: with the Tab key, or aloud.
 ---@param name string what it is about
@@ -237,7 +247,7 @@ function World:camera(options) end
 
 ---@class BodyOptions
 ---@field name string unique; how the lesson calls it, never the learner
----@field noun? string English noun, as answers give it; the name by default; seen beside a movable body, and beside a solid one where it is not just its name; of at most 64 letters
+---@field noun? string English noun, as answers give it; the name by default, "" for scenery that no answer names; seen beside a movable body, and beside a solid one where it is not just its name; of at most 64 letters
 ---@field model? string model to draw, see Models; the name by default
 ---@field radius? number in metres, 0.001 to 10; default 0.05
 ---@field mass? number the true mass; in kilograms, 0 to 10000; default 1
@@ -250,7 +260,7 @@ function World:camera(options) end
 ---@field drag_area? number drag coefficient × cross-section, for falling in air; in square metres, 0 to 10; default 0
 ---@field hinge? BodyHinge an axis that a solid body turns about, pushed by the hand; while it is, arm, force and torque are drawn
 ---@field size? Vector|Body|Tool edges of a body with model = "box": width, height, depth; twice the radius by default; in metres, 0 to 10
----@field about? string what is said of a solid body when it is first touched, while no question is open; of at most 300 letters
+---@field about? string what is said of a solid body when it is first touched, of a movable one when it is first caught, while no question is open; of at most 300 letters
 ---@field boxes? table[] what a body with model = "box" is made of instead of one: a list of { at = {x, y, z}, size = {x, y, z} }, from the body's place; up to 200, as of a house or a maze
 ---@field rigid? boolean a thing with a mass that lies, falls, is pushed, gripped with the button, lifted and stacked; can be touched, and is seen unless visible = false; default false
 ---@field felt_model? string model that the hand feels instead of the one that is drawn; of a box or a ball with its size or radius

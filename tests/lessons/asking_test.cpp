@@ -119,6 +119,69 @@ TEST_CASE(
     CHECK(run.output.find("0 answers") != std::string::npos);
 }
 
+TEST_CASE("asking: a file may ask while a question is open, which then waits for the next line") {
+    const Sandbox sandbox;
+    std::string lesson = kLesson;
+    lesson.replace(lesson.find("story.wait(30)"), 14, "story.wait(0.5)");
+    sandbox.write("odd/lesson.lua", lesson);
+    sandbox.write("say.txt", "?what colour is the sky\n?who are you\nit is an egg\n");
+    const ProgramRun run = sandbox.run("run odd --headless --say say.txt");
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    CHECK(count(run.output, "Good question! But first answer mine.") == 1);
+    CHECK(run.output.find("nobody answered") == std::string::npos);
+    CHECK(run.output.find("finished after") != std::string::npos);
+}
+
+TEST_CASE("asking: examples of what is known come out as they are said to be, or check says so") {
+    const auto check = [](const std::string& knows) {
+        const Sandbox sandbox;
+        sandbox.write("odd/lesson.lua",
+                      "local L = lesson { id = \"odd\", title = \"Odd\" }\nL:knows \"size\" { " +
+                          knows +
+                          " }\nL:knows \"sky\" { asked = { \"what colour is the sky\" }, answer = "
+                          "function() return \"Blue.\" end }\nfunction L:start(world) end\nreturn "
+                          "L\n");
+        ProgramRun run = sandbox.run("check odd");
+        INFO(run.output);
+        if (run.exit_code != 0) {
+            CHECK(run.output.find("lesson.lua:2") != std::string::npos);
+        }
+        return run.output;
+    };
+    const auto says = [](const std::string& output, const std::string& words) {
+        INFO(output);
+        CHECK(output.find(words) != std::string::npos);
+    };
+    const std::string asked =
+        "asked = { \"how big is {planet}\" }, lists = { planet = { \"Mars\", \"Venus\" } }, "
+        "nearly = { \"how big {planet} is\" }, ";
+    const std::string answer = "answer = function(a) return a.planet .. \" is big.\" end, ";
+    says(check(asked + answer +
+               "examples = { right = { \"How big is Mars?\" }, form = { \"how big Venus is\" }, "
+               "other = { \"what colour is the sky\", \"how are you\" } }"),
+         "no mistakes found");
+    says(check(asked + answer + "examples = { right = { \"how large is Mars\" } }"),
+         "\"how large is Mars\" is said to ask for it, but it is not understood");
+    says(check(asked + answer + "examples = { right = { \"what colour is the sky\" } }"),
+         "but it asks for \"sky\"");
+    says(check(asked + answer + "examples = { right = { \"how big Mars is\" } }"),
+         "but its form has R:OTHER");
+    says(check(asked + answer + "examples = { form = { \"how big is Mars\" } }"),
+         "but no error of form is found");
+    says(check(asked + answer + "examples = { other = { \"how big is Mars\" } }"),
+         "is said not to ask for it, but it asks for \"size\"");
+    // The lesson's own function is called, with each word of its lists.
+    says(check(asked +
+               "answer = function(a) return a.planet == \"Venus\" and nothing.here or nil end"),
+         "nothing");
+    says(check(asked + "answer = function(a) return 5 end"), "is answered with a text, or nil");
+    // What another one takes first is told, and so is the line of what does not go together.
+    says(check("asked = { \"how big is Mars\", \"what is the colour\" }, answer = function() end } "
+               "L:knows \"other\" { asked = { \"how big is Mars\" }, answer = function() end"),
+         "asks for \"other\", but \"size\" takes it first.");
+}
+
 TEST_CASE("asking: a lesson's mistakes in what it knows are one sentence with their line") {
     const auto refused = [](const std::string& body, const std::string& words) {
         const Sandbox sandbox;

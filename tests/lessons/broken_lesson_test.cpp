@@ -277,3 +277,31 @@ TEST_CASE("program: what the lesson's own test answers is nobody's progress") {
     sandbox.write("empty.txt", "\n\n");
     CHECK(sandbox.run("run gravity --headless --say empty.txt").exit_code == 2);
 }
+
+TEST_CASE(
+    "broken lessons: one that declares too much, and a learner who errs too often, are told why") {
+    const auto refused = [](const std::string& body, const std::string& words) {
+        const Sandbox sandbox;
+        sandbox.write("broken/lesson.lua", kHead + body + "\nreturn L\n");
+        const ProgramRun run = sandbox.run("check broken");
+        INFO(run.output);
+        CHECK(run.exit_code == 1);
+        CHECK(std::count(run.output.begin(), run.output.end(), '\n') == 1);
+        CHECK(run.output.find("lesson.lua") != std::string::npos);
+        CHECK(run.output.find(words) != std::string::npos);
+    };
+    refused(
+        "for i = 1, 20 do\n  local answers = {}\n  for j = 1, 60 do answers[j] = (\"big "
+        "\"):rep(200) .. "
+        "j end\n  L:question(\"q\" .. i) { prompt = \"?\", answers = answers, right = print }\nend",
+        "kB of text in all, and 512 kB are the most; take some out, or make two lessons of it");
+    refused(
+        "L:test { learner = { wrong = 0.5, form = 0.5, unclear = 0.2 } }",
+        "test.learner errs in 1.2 of its answers, wrong, form and unclear together; 1 is all of "
+        "them");
+    const Sandbox sandbox;
+    sandbox.write(
+        "fine/lesson.lua",
+        kHead + "L:test { learner = { wrong = 0.7, form = 0.2, unclear = 0.1 } }\nreturn L\n");
+    CHECK(sandbox.run("check fine").exit_code == 0);
+}

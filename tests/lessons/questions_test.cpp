@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <string>
 
 using namespace fulcrum;
@@ -82,4 +83,80 @@ end
     INFO(run.output);
     CHECK(run.exit_code == 0);
     CHECK(run.output.find("2 of 3 stars") != std::string::npos);
+}
+
+namespace {
+
+// One question four times, felt again where the ladder says so.
+std::string climb(const std::string& lesson_fields, const std::string& question_fields,
+                  const std::string& options = "") {
+    const Sandbox sandbox;
+    sandbox.write("odd/lesson.lua", R"(
+local game = require "game"
+local L = lesson { id = "q", title = "Q", minutes = 1)" +
+                                        lesson_fields +
+                                        R"( }
+function L:start(world)
+  world:body { name = "egg", visible = true, model = "sphere" }
+  game.play(L, world, function()
+    for i = 1, 4 do
+      game.ask("q", { again = function(answer) world:caption("Felt again: " .. answer.thing) end })
+    end
+  end)
+end
+L:question "q" { prompt = "Which one is the heaviest?", answers = { "the {thing} is the <superlative:heavy>" },
+  right = function(a) return true end)" +
+                                        question_fields + " }\nreturn L\n");
+    sandbox.write("say.txt",
+                  "the egg is most heavy\nthe egg is most heavy\nthe egg is most heavy\nthe egg is "
+                  "most heavy\n");
+    const ProgramRun run = sandbox.run("run odd --headless --say say.txt " + options);
+    INFO(run.output);
+    CHECK(run.exit_code == 0);
+    std::string steps;
+    for (std::size_t at = 0; at < run.output.size();) {
+        const std::size_t end = std::min(run.output.find('\n', at), run.output.size());
+        const std::string line = run.output.substr(at, end - at);
+        at = end + 1;
+        steps += line.find("Felt again: egg") != std::string::npos     ? "felt "
+                 : line.find("Say it once more") != std::string::npos  ? "prompt "
+                 : line.find("A short word gets") != std::string::npos ? "rule "
+                 : line.find("answers  Yes.") != std::string::npos     ? "recast "
+                                                                       : "";
+    }
+    return steps;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "questions: a lesson, a question and who starts the program choose the steps of feedback") {
+    CHECK(climb("", "") == "recast prompt rule rule ");
+    const std::string of_lesson = ", feedback = { \"rule\", \"recast\" }";
+    CHECK(climb(of_lesson, "") == "rule recast recast recast ");
+    const std::string of_question = ", feedback = { \"replay\", \"prompt\" }";
+    CHECK(climb(of_lesson, of_question) == "recast felt prompt prompt prompt ");
+    CHECK(climb(of_lesson, of_question, "--feedback recast,replay") ==
+          "recast recast felt recast felt recast felt ");
+}
+
+TEST_CASE("questions: steps of feedback that there are not are one sentence with their line") {
+    for (const char* wrong : {"feedback = { \"recats\" }", "feedback = {}", "feedback = 3",
+                              "feedback = \"rule\"", "feedback = { \"rule\", 1 }"}) {
+        const Sandbox sandbox;
+        sandbox.write("odd/lesson.lua",
+                      std::string("local L = lesson { id = \"q\", title = \"Q\",\n") + wrong +
+                          " }\nreturn L\n");
+        const ProgramRun run = sandbox.run("check odd");
+        INFO(run.output);
+        CHECK(run.exit_code == 1);
+        CHECK(run.output.find("lesson.lua:") != std::string::npos);
+        CHECK(run.output.find("lesson.feedback") != std::string::npos);
+    }
+    const Sandbox sandbox;
+    const ProgramRun run = sandbox.run("run gravity --headless --feedback recast,,rule");
+    CHECK(run.exit_code == 2);
+    CHECK(run.output.find(
+              "there is no step of feedback \"\"; steps are recast, prompt, rule and replay") !=
+          std::string::npos);
 }

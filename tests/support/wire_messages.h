@@ -14,6 +14,7 @@ inline LessonDescription full_description() {
     d.level = "A1";
     d.minutes = 15;
     d.free_english = true;
+    d.feedback = {dialogue::FeedbackStep::prompt};
     d.gravity_W = Vector3(0, -1.62, 0);
     d.ground_height_m = 0.25;
     MaterialDescription felt;
@@ -95,8 +96,14 @@ inline LessonDescription full_description() {
                     {{"thing", {"apple", "egg"}}},
                     "Lift it.",
                     18,
-                    {{"the egg"}, {"the apple"}, {"a egg", "egg"}}}};
-    d.knowledge = {{"weight", {"how heavy is the {thing}"}, {{"thing", {"apple"}}}, 23}};
+                    {{"the egg"}, {"the apple"}, {"a egg", "egg"}},
+                    {dialogue::FeedbackStep::rule, dialogue::FeedbackStep::replay}}};
+    d.knowledge = {{"weight",
+                    {"how heavy is the {thing}"},
+                    {{"thing", {"apple"}}},
+                    23,
+                    {"how heavy {thing}"},
+                    {{"how heavy is the apple"}, {"how heavy is apple"}, {"how big is it"}}}};
     d.wants_past = true;
     d.tests = {{"sweep.lua", {"an apple"}, LearnerRates{0.25, 0.5, 0.125}, {{"score", "7"}}, 19}};
     BodyDescription hedges;
@@ -165,7 +172,8 @@ inline LessonFrame full_frame() {
     f.events = {
         BodyEvent{BodyEvent::Kind::landed, 1, 3.5}, KeyEvent{"space"},
         JudgeEvent{"heaviest", {{"thing", "egg"}}},
-        AnsweredEvent{"heaviest", "an egg", {{"thing", "egg"}}, true, false, true, false, 3, true},
+        AnsweredEvent{
+            "heaviest", "an egg", {{"thing", "egg"}}, true, false, true, false, 3, true, true},
         ReadyEvent{{6.0, 3.0},
                    0.5,
                    {{0.75, 0.5, 0.25}},

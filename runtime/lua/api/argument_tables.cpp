@@ -118,6 +118,23 @@ void for_each_name(lua_State* lua, const Place& place, Each each) {
     }
 }
 
+/// A box has a place and a size, and nothing else.
+void check_box_names(lua_State* lua, const Place& box) {
+    for (lua_pushnil(lua); lua_next(lua, box.index) != 0; lua_pop(lua, 1)) {
+        const bool is_text = lua_type(lua, -2) == LUA_TSTRING;
+        const std::string name = is_text ? clean_text(lua_tostring(lua, -2), kMaxShownBytes) : "";
+        if (name == "at" || name == "size") {
+            continue;
+        }
+        const std::string near = nearest_word(name, {"at", "size"});
+        raise_in_lesson(lua, box.label +
+                                 (is_text ? " has no field \"" + name + "\"; "
+                                          : " has " + given_text(lua, -1) + " without a name; ") +
+                                 (near.empty() ? "a box is { at = {x, y, z}, size = {x, y, z} }"
+                                               : "did you mean \"" + near + "\"?"));
+    }
+}
+
 /// A field of the box on top of the stack.
 Vector3 check_box_field(lua_State* lua, const Place& box, const Parameter& field) {
     lua_getfield(lua, box.index, field.name);
@@ -147,6 +164,7 @@ std::vector<PlacedBox> check_boxes(lua_State* lua, const Place& place) {
                                      " is a box { at = {x, y, z}, size = {x, y, z} }; got " +
                                      given_text(lua, box.index));
         }
+        check_box_names(lua, box);
         boxes.push_back({check_box_field(lua, box, kAt), check_box_field(lua, box, kSize)});
         lua_pop(lua, 1);
     }

@@ -21,6 +21,9 @@ constexpr std::array kAnswerFields = {
         "turned_round", "boolean",
         "thing and material changed places, \"Metal is made of a spaceship.\": nothing to feel "
         "again, only to say"},
+    FieldText{"replay", "boolean",
+              "what the question is about should be felt again: its meaning was wrong, or its form "
+              "and the step of feedback is \"replay\""},
     FieldText{"over", "boolean", "the question is done: right, or left after many tries"},
     FieldText{"attempt", "integer", "1 for the first try"},
     FieldText{"bodies", "table<string, Body>",

@@ -131,7 +131,7 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
         // Only a mass that the lesson gives is known to be that of its inertia.
         body.hinge->mass_kg = arguments["mass"].given ? body.mass_kg : 0.0;
     }
-    if (!body.about.empty() && !body.solid) {
+    if (!body.about.empty() && !body.solid && !body.movable) {
         raise_in_lesson(lua, body.name + " has about but can't be touched; add solid = true");
     }
     if (body.solid && as_felt(body).model == kOrbitModel) {
@@ -283,7 +283,8 @@ void add_scene_rows(ApiTable& table) {
          CallTime::declaring,
          {{"name", name, "", 0, 0, kRequired, "unique; how the lesson calls it, never the learner"},
           {"noun", text, "", 0, 64, "nil",
-           "English noun, as answers give it; the name by default; seen beside a movable body, and "
+           "English noun, as answers give it; the name by default, \"\" for scenery that no answer "
+           "names; seen beside a movable body, and "
            "beside a solid one where it is not just its name"},
           {"model", name, "", 0, 0, "nil", "model to draw, see Models; the name by default"},
           {"radius", number, "metres", 0.001, 10, "0.05", ""},
@@ -306,7 +307,8 @@ void add_scene_rows(ApiTable& table) {
            "edges of a body with model = \"box\": width, height, depth; twice the radius by "
            "default"},
           {"about", text, "", 0, 300, "",
-           "what is said of a solid body when it is first touched, while no question is open"},
+           "what is said of a solid body when it is first touched, of a movable one when it is "
+           "first caught, while no question is open"},
           {"boxes", boxes, "", 0, 0, "nil",
            "what a body with model = \"box\" is made of instead of one: a list of { at = {x, y, "
            "z}, "

@@ -43,6 +43,18 @@ void check_expected(lua_State* lua, const std::string& name, const std::string& 
     }
 }
 
+/// The steps of feedback that were given; none where there were none.
+dialogue::FeedbackLadder take_ladder(lua_State* lua, const char* called, const Argument& given) {
+    if (!given.given) {
+        return {};
+    }
+    auto ladder = dialogue::read_ladder(given.texts);
+    if (!ladder) {
+        raise_in_lesson(lua, std::string(called) + ": " + ladder.error().message);
+    }
+    return std::move(*ladder);
+}
+
 int make_lesson(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     if (context.lesson_ref != LUA_NOREF) {
         raise_in_lesson(lua, "a file makes one lesson; this is the second lesson{…}");
@@ -56,6 +68,7 @@ int make_lesson(lua_State* lua, LessonContext& context, const Arguments& argumen
     }
     context.description.minutes = arguments["minutes"].number;
     context.description.free_english = arguments["free_english"].flag;
+    context.description.feedback = take_ladder(lua, "lesson.feedback", arguments["feedback"]);
     lua_newtable(lua);
     luaL_setmetatable(lua, "fulcrum.lesson");
     lua_pushvalue(lua, -1);
@@ -87,6 +100,7 @@ int add_question(lua_State* lua, LessonContext& context, const Arguments& argume
         question.examples = {examples["right"].texts, examples["wrong"].texts,
                              examples["form"].texts};
     }
+    question.feedback = take_ladder(lua, "question.feedback", arguments["feedback"]);
     question.line = place_in_lesson(lua).line;
     auto& known = context.description.questions;
     if (std::any_of(known.begin(), known.end(),
@@ -108,11 +122,23 @@ int add_question(lua_State* lua, LessonContext& context, const Arguments& argume
     return 0;
 }
 
+// Ways to ask of which is known what they come to.
+constexpr Parameter kAskedExamples[] = {
+    {"right", ParameterType::texts, "", 0, 0, "nil", "ask for it in good English"},
+    {"form", ParameterType::texts, "", 0, 0, "nil", "ask for it with an error of form"},
+    {"other", ParameterType::texts, "", 0, 0, "nil", "do not ask for it"}};
+
 int add_knowledge(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     KnowledgeDescription knowledge;
     knowledge.id = arguments["name"].text;
     knowledge.asked = arguments["asked"].texts;
     knowledge.lists = arguments["lists"].lists;
+    knowledge.nearly = arguments["nearly"].texts;
+    if (arguments["examples"].given) {
+        const Arguments examples = arguments.record("examples");
+        knowledge.examples = {examples["right"].texts, examples["form"].texts,
+                              examples["other"].texts};
+    }
     knowledge.line = place_in_lesson(lua).line;
     auto& known = context.description.knowledge;
     if (std::any_of(known.begin(), known.end(),
@@ -131,6 +157,19 @@ int add_knowledge(lua_State* lua, LessonContext& context, const Arguments& argum
     return 0;
 }
 
+/// Wrong, in form and unclear are parts of one whole.
+void check_parts(lua_State* lua, const LearnerRates& rates) {
+    constexpr double kRounding = 1e-9;  // 0.7 + 0.2 + 0.1
+    const double sum = rates.wrong + rates.form + rates.unclear;
+    if (sum > 1.0 + kRounding) {
+        lua_pushfstring(lua,
+                        "test.learner errs in %f of its answers, wrong, form and unclear together; "
+                        "1 is all of them",
+                        sum);
+        raise_in_lesson(lua, lua_tostring(lua, -1));
+    }
+}
+
 int add_test(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     LessonTestDescription test;
     test.hand = arguments["hand"].text;
@@ -143,6 +182,7 @@ int add_test(lua_State* lua, LessonContext& context, const Arguments& arguments)
         if (!test.say.empty()) {
             raise_in_lesson(lua, "test has say and learner; leave out one of them");
         }
+        check_parts(lua, *test.learner);
     }
     test.line = place_in_lesson(lua).line;
     for (const auto& [name, value] : test.expect) {
@@ -183,7 +223,12 @@ void add_lesson_api(ApiTable& table) {
           {"minutes", number, "minutes", 0, 1000, "10", "how long it takes"},
           {"free_english", flag, "", 0, 0, "false",
            "what is said beside a question's answers is checked, and good English for it is "
-           "shown"}},
+           "shown"},
+          {"feedback", texts, "", 0, 0, "nil",
+           "what is done about an error of form, by how often it has been made: the first time "
+           "the first of these, and so on, from then on the last; \"recast\" (the right "
+           "sentence), \"prompt\" (say it once more), \"rule\" (and why), \"replay\" (and "
+           "feel it again); { \"recast\", \"prompt\", \"rule\" } by default"}},
          "Lesson",
          "Begins a lesson. The file ends with `return` of what this gives.",
          &make_lesson});
@@ -206,7 +251,8 @@ void add_lesson_api(ApiTable& table) {
           {"lists", lists, "", 0, 0, "nil",
            "words that {name} in a template may stand for; {thing} and {other} are by default the "
            "nouns "
-           "of all bodies of the scene, whether they move, are solid or neither"},
+           "of all bodies of the scene, whether they move, are solid or neither; not of those with "
+           "noun = \"\""},
           {"again", text, "", 0, 200, "",
            "what is said after \"Not yet.\" when the meaning is wrong, such as \"Let's weigh both "
            "again.\"; \"Try again.\" by default"},
@@ -214,7 +260,8 @@ void add_lesson_api(ApiTable& table) {
            "function(answer): is the meaning right? see answer"},
           {"examples", record, "", 0, 0, "nil",
            "answers that are marked by ./fulcrum check and test, and must come out as said", "",
-           kExamples, std::size(kExamples)}},
+           kExamples, std::size(kExamples)},
+          {"feedback", texts, "", 0, 0, "nil", "as the lesson's, for this question alone"}},
          "",
          "Declares a question.",
          &add_question});
@@ -226,12 +273,20 @@ void add_lesson_api(ApiTable& table) {
          {{"name", name, "", 0, 0, kRequired, "what it is about"},
           {"asked", texts, "", 0, 0, kRequired,
            "templates of the questions that ask for it, such as \"how heavy is (it|the {thing})\""},
+          {"nearly", texts, "", 0, 0, "nil",
+           "templates of what learners say for them that is no good English: understood, said "
+           "back "
+           "as the first of `asked` with the same {slots}, and answered"},
           {"lists", lists, "", 0, 0, "nil",
            "as a question's; a name means the same in all of them"},
           {"answer", function, "", 0, 0, kRequired,
            "function(asked, world): the answer as a text, or nil where that is not known; asked "
            "has the "
-           "{slots}, and asked.bodies the bodies that they name"}},
+           "{slots}, and asked.bodies the bodies that they name; ./fulcrum check and test call it "
+           "for each way to ask with each word of its lists"},
+          {"examples", record, "", 0, 0, "nil",
+           "questions that are looked at by ./fulcrum check and test, and must come out as said",
+           "", kAskedExamples, std::size(kAskedExamples)}},
          "",
          "Declares something that a learner may ask for while no question is open: with the Tab "
          "key, "

@@ -112,6 +112,7 @@ void push_answer(lua_State* lua, const LessonContext& context, const AnsweredEve
     set_flag(lua, "form_right", answer.form_right);
     set_flag(lua, "over", answer.over);
     set_flag(lua, "turned_round", answer.turned_round);
+    set_flag(lua, "replay", answer.replay);
     lua_pushinteger(lua, answer.attempt);
     lua_setfield(lua, -2, "attempt");
     guard_slots(lua, context, answer.question);

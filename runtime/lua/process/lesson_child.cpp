@@ -31,6 +31,22 @@ class Talk {
         encode(message, out_);
         return channel_.send(out_) == out_.size();
     }
+    /// The program takes no longer message: then why, and false.
+    [[nodiscard]] bool tell(const LessonDescription& description) {
+        out_.clear();
+        encode(description, out_);
+        constexpr std::size_t kKilobyte = 1U << 10U;
+        if (out_.size() > kMaxAnswerBytes) {
+            static_cast<void>(tell(ScriptError{
+                "the lesson's questions, bodies and tests are " +
+                    std::to_string(out_.size() / kKilobyte) + " kB of text in all, and " +
+                    std::to_string(kMaxAnswerBytes / kKilobyte) +
+                    " kB are the most; take some out, or make two lessons of it",
+                "lesson.lua", 0}));
+            return false;
+        }
+        return channel_.send(out_) == out_.size();
+    }
     /// Waits for a message of that kind; anything else is the end.
     [[nodiscard]] std::optional<std::span<const std::uint8_t>> hear(WireKind kind) {
         RawMessage message;

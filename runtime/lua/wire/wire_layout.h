@@ -61,6 +61,7 @@ void description(Archive& a, Description& d) {
     a.text("the level", d.level, 16);
     a.number("the minutes", d.minutes, 0.0, 1000.0);
     a.flag("free English", d.free_english);
+    ladder(a, d.feedback);
     vector(a, "gravity", d.gravity_W, 100.0);
     a.number("the ground", d.ground_height_m, -100.0, 100.0);
     a.list("materials", d.materials, kMaxMaterials, [](auto& each, auto& m) { material(each, m); });
@@ -164,6 +165,7 @@ void event(Archive& a, Event& e) {
         a.flag("over", e.over);
         a.integer("the attempt", e.attempt, 0, 1'000'000);
         a.flag("turned round", e.turned_round);
+        a.flag("to be felt again", e.replay);
     } else if constexpr (std::is_same_v<Kind, AskedEvent>) {
         a.name("what is asked for", e.knowledge);
         pairs(a, "slots", e.slots);

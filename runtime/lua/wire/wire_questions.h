@@ -1,6 +1,7 @@
 // Layout and limits of questions, tests, and what a learner has answered before.
 #pragma once
 
+#include "dialogue/marking/feedback_ladder.h"
 #include "runtime/lua/wire/wire_archive.h"
 #include "runtime/lua/wire/wire_surface.h"
 
@@ -28,6 +29,14 @@ void lists(Archive& a, Lists& values) {
     });
 }
 
+/// Steps of feedback on form; none is the usual ladder.
+template <class Archive, class Ladder>
+void ladder(Archive& a, Ladder& steps) {
+    a.list("steps of feedback", steps, dialogue::kLongestLadder, [](auto& each, auto& step) {
+        each.choice("a step of feedback", step, dialogue::FeedbackStep::replay);
+    });
+}
+
 template <class Archive, class Question>
 void question(Archive& a, Question& q) {
     a.name("a question's name", q.id);
@@ -40,6 +49,7 @@ void question(Archive& a, Question& q) {
     texts(a, "examples that are right", q.examples.right);
     texts(a, "examples that are wrong", q.examples.wrong);
     texts(a, "examples of a wrong form", q.examples.form);
+    ladder(a, q.feedback);
 }
 
 template <class Archive, class Knowledge>
@@ -48,6 +58,10 @@ void knowledge(Archive& a, Knowledge& k) {
     texts(a, "ways to ask", k.asked);
     lists(a, k.lists);
     a.integer("a line", k.line, 0, kMaxLine);
+    texts(a, "what nearly asks", k.nearly);
+    texts(a, "examples that ask rightly", k.examples.right);
+    texts(a, "examples that ask with an error", k.examples.form);
+    texts(a, "examples that do not ask", k.examples.other);
 }
 
 /// The hand of a test is a file beside the lesson: "name.lua", nothing that leads elsewhere.

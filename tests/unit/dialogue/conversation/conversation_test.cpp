@@ -102,21 +102,6 @@ TEST_CASE("conversation: the ladder is recast, prompt, rule, and a right sentenc
     CHECK(answer(talk, heaviest(), "an egg is the most heavy").kind == FeedbackKind::recast);
 }
 
-TEST_CASE("conversation: the ladder can be set") {
-    ConversationSettings settings;
-    settings.prompt_from = 1;
-    settings.rule_from = 2;
-    Conversation talk(words(), settings);
-    CHECK(answer(talk, heaviest(), "watermelon is heaviest").kind == FeedbackKind::prompt);
-    const Feedback rule = answer(talk, heaviest(), "watermelon is heaviest");
-    CHECK(rule.kind == FeedbackKind::rule);
-    CHECK_THAT(rule.text, Catch::Contains("There is only one, so we say the: *the heaviest*."));
-    settings.prompt_from = -3;
-    settings.rule_from = -9;
-    Conversation strict(words(), settings);
-    CHECK(answer(strict, heaviest(), "watermelon is heaviest").kind == FeedbackKind::rule);
-}
-
 TEST_CASE("conversation: what is said after a prompt is taken up and never holds back") {
     Conversation talk(words());
     const auto invite = [&] {
@@ -127,7 +112,7 @@ TEST_CASE("conversation: what is said after a prompt is taken up and never holds
         REQUIRE(talk.state() == Conversation::State::invited);
     };
     ConversationSettings settings;
-    settings.rule_from = 1000;
+    settings.ladder = {FeedbackStep::recast, FeedbackStep::prompt};
     talk = Conversation(words(), settings);
     invite();
     Feedback feedback = talk.respond(talk.hear("A watermelon is the heaviest"), true);

@@ -145,3 +145,76 @@ TEST_CASE("noun phrase: a noun in the number that its list doesn't give") {
         CHECK(codes(there, row.said) == row.there);
     }
 }
+
+TEST_CASE("noun phrase: a word of a list that is no thing has no determiner") {
+    const TemplateSet set = compiled_templates(
+        {{"[it is] {place} the {thing}", "it should be {weight}"},
+         {{"place", {"under|below", "on top of|on", "next to|beside", "between"}},
+          {"thing", {"red block", "blue block"}},
+          {"weight", {"heavy", "soft"}}},
+         {}});
+    const auto codes = [&](std::string_view said) {
+        const auto parse = match(set, said);
+        std::string found = parse ? "" : "?";
+        for (const Piece& piece : parse ? parse->pieces : std::vector<Piece>{}) {
+            if (piece.code != ErrorCode::none) {
+                found += std::string(errant_code(piece.code)) + "->" + piece.right + " ";
+            }
+        }
+        return found;
+    };
+    for (const char* right : {"under the red block", "it is on top of the blue block",
+                              "it is beside the red block", "it should be heavy"}) {
+        INFO(right);
+        CHECK(codes(right).empty());
+    }
+    for (const char* wrong :
+         {"an under the red block", "a under the red block", "the under the red block",
+          "it is a below the red block", "it is the on the red block", "this beside the red block",
+          "it should be a heavy", "it should be the soft"}) {
+        INFO(wrong);
+        CHECK(codes(wrong) == "U:DET-> ");
+    }
+    CHECK(codes("under the a red block") == "U:DET->the ");
+}
+
+TEST_CASE("noun phrase: an adjective before a thing keeps the thing's article") {
+    const TemplateSet set = compiled_templates(
+        {{"the {who} child must sit"}, {{"who", {"heavy|heavier", "light|lighter"}}}, {}});
+    const auto parse = match(set, "the heavy child must sit");
+    REQUIRE(parse);
+    CHECK(parse->cost == 0);
+}
+
+TEST_CASE("noun phrase: food and stuff that cannot be counted takes no a") {
+    const TemplateSet set = compiled_templates(
+        {{"[a|an|the] {thing} is the <superlative:heavy>"}, {{"thing", {"corn", "apple"}}}, {}});
+    const auto cost = [&](std::string_view said) {
+        const auto parse = match(set, said);
+        return parse ? parse->cost : -1;
+    };
+    CHECK(cost("corn is the heaviest") == 0);
+    CHECK(cost("the corn is the heaviest") == 0);
+    CHECK(cost("a corn is the heaviest") > 0);
+    CHECK(cost("an apple is the heaviest") == 0);
+}
+
+TEST_CASE("noun phrase: the Sun and the Earth may be written small") {
+    const TemplateSet set =
+        compiled_templates({{"they go round [the] {star}", "[the] {star} is big"},
+                            {{"star", {"Sun", "the Moon", "Earth|the Earth"}}},
+                            {}});
+    for (const char* right : {"they go round the sun", "they go round the Sun", "the earth is big",
+                              "the moon is big", "Earth is big", "earth is big"}) {
+        INFO(right);
+        const auto parse = match(set, right);
+        REQUIRE(parse);
+        CHECK(parse->cost == 0);
+    }
+    for (const char* wrong : {"they go round sun", "sun is big", "a sun is big", "moon is big"}) {
+        INFO(wrong);
+        const auto parse = match(set, wrong);
+        REQUIRE(parse);
+        CHECK(parse->cost > 0);
+    }
+}

@@ -1,5 +1,6 @@
 #include "dialogue/template/resolve.h"
 
+#include "dialogue/marking/mark.h"
 #include "dialogue/template/sentences.h"
 #include "tests/unit/dialogue/questions.h"
 
@@ -97,4 +98,24 @@ TEST_CASE("resolve: made from is right where the material was changed, in either
     CHECK(put_right(made, "paper is made by wood") == "Paper is made of wood. 20");
     CHECK(put_right(made, "the table is made from wood") == "The table is made of wood. 20");
     CHECK(put_right(made, "it is made from wood") == "It is made of wood. 20");
+}
+
+TEST_CASE("resolve: no moon is as good as no moons, and is said back as it was said") {
+    const Question question =
+        compiled({"moons",
+                  "How many moons has Venus?",
+                  {"Venus has {number} <plural:moon>", "there (is|are) {number} <plural:moon>"},
+                  {{"number", {"no", "one", "two"}}}});
+    for (const char* right : {"Venus has no moon.", "Venus has no moons.", "There is no moon.",
+                              "There are no moons.", "Venus has one moon."}) {
+        INFO(right);
+        const Mark mark = mark_answer(question, right);
+        REQUIRE(mark.understood);
+        CHECK(mark.form_right());
+        CHECK(mark.corrected == right);
+    }
+    for (const char* wrong : {"Venus has two moon.", "Venus has one moons."}) {
+        INFO(wrong);
+        CHECK_FALSE(mark_answer(question, wrong).form_right());
+    }
 }

@@ -84,6 +84,71 @@ TEST_CASE("knowledge: who asks for nothing is told another thing each time that 
     CHECK(knowledge.unknown() == first);
 }
 
+TEST_CASE("knowledge: what is nearly a question is said rightly as one about the same") {
+    const dialogue::Catalogue catalogue = words();
+    LessonDescription lesson = planets();
+    lesson.knowledge[0].nearly = {"how many moons {planet} has"};
+    // Both ask without a slot; each belongs to its own.
+    lesson.knowledge[1].nearly = {"how heavy it is"};
+    lesson.knowledge.push_back({"age", {"how old are you"}, {}, 11, {"how old you are"}});
+    const Knowledge knowledge = compiled(lesson, catalogue);
+    const auto moons = knowledge.find("how many moons Mars has");
+    REQUIRE(moons);
+    CHECK(moons->knowledge == "moons");
+    CHECK(moons->mark.slot("planet") == "Mars");
+    CHECK(knowledge.told(*moons, "Two.") == "We say: *How many moons does Mars have*? Two.");
+    REQUIRE(knowledge.find("how heavy it is"));
+    CHECK(knowledge.find("how heavy it is")->knowledge == "weight");
+    REQUIRE(knowledge.find("how old you are"));
+    CHECK(knowledge.find("how old you are")->knowledge == "age");
+}
+
+TEST_CASE("knowledge: every way to ask comes with each word of its lists, and asks for its own") {
+    const dialogue::Catalogue catalogue = words();
+    const Knowledge knowledge = compiled(planets(), catalogue);
+    std::vector<std::string> said;
+    for (const AskingSentence& sentence : knowledge.every_way()) {
+        said.push_back(sentence.said);
+        REQUIRE(knowledge.find(sentence.said));
+        CHECK(knowledge.find(sentence.said)->knowledge == sentence.knowledge);
+        CHECK(knowledge.find(sentence.said)->mark.form_right());
+    }
+    CHECK(said == std::vector<std::string>{
+                      "How many moons does Mars have?", "How many moons does the Earth have?",
+                      "How many moons has Mars got?", "How many moons has the Earth got?",
+                      "How heavy is it?", "How heavy is the apple?"});
+}
+
+TEST_CASE("knowledge: a mistake is told at the line of what has it, also where it needs another") {
+    const dialogue::Catalogue catalogue = words();
+    const auto refusal = [&](const LessonDescription& lesson) {
+        const auto refused = Knowledge::compile(lesson, catalogue);
+        REQUIRE_FALSE(refused);
+        return to_sentence(refused.error());
+    };
+    LessonDescription lesson = planets();
+    lesson.knowledge.push_back({"last", {"what is {colour}"}, {}, 12});
+    CHECK_THAT(refusal(lesson), Catch::StartsWith("lesson.lua:12: ") &&
+                                    Catch::Contains("answer 1, letter 9: there is no list"));
+    // Each by itself may be asked in 40 ways, both together in no more than 64.
+    const auto many = [](const std::string& word) {
+        std::vector<std::string> ways;
+        for (int i = 0; i < 40; ++i) {
+            ways.push_back(word + " number " + std::to_string(i));
+        }
+        return ways;
+    };
+    lesson = planets();
+    lesson.knowledge = {
+        {"one", many("apple"), {}, 20}, {"two", many("egg"), {}, 30}, {"three", {"pear"}, {}, 40}};
+    CHECK_THAT(refusal(lesson), Catch::StartsWith("lesson.lua:30: "));
+    lesson = planets();
+    lesson.knowledge[1].nearly = {"how {planet}"};
+    lesson.knowledge[1].lists = lesson.knowledge[0].lists;
+    CHECK_THAT(refusal(lesson), Catch::StartsWith("lesson.lua:9: ") &&
+                                    Catch::Contains("no answer says the same rightly"));
+}
+
 TEST_CASE("knowledge: a lesson that knows nothing has none, and mistakes are told at their line") {
     const dialogue::Catalogue catalogue = words();
     const auto nothing = Knowledge::compile({}, catalogue);

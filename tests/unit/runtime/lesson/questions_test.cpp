@@ -147,3 +147,36 @@ TEST_CASE(
     CHECK(feels.slot("feel") == "hard");
     CHECK(feels.slot("also") == "soft");
 }
+
+TEST_CASE("questions: scenery without a noun is no answer") {
+    LessonDescription lesson = two_things();
+    BodyDescription tree;
+    tree.name = tree.noun = "tree";
+    lesson.bodies.push_back(tree);
+    const auto understands = [&](const char* said) {
+        const auto questions = compile_questions(lesson);
+        REQUIRE(questions.has_value());
+        return fulcrum::dialogue::mark_answer(questions->at("heaviest"), said).understood;
+    };
+    CHECK(understands("a tree is the heaviest"));
+    lesson.bodies.back().noun.clear();
+    CHECK_FALSE(understands("a tree is the heaviest"));
+    CHECK(understands("an egg is the heaviest"));
+}
+
+TEST_CASE(
+    "questions: each has its own ladder of feedback, the lesson's, or the one that is chosen") {
+    using enum fulcrum::dialogue::FeedbackStep;
+    using Ladder = fulcrum::dialogue::FeedbackLadder;
+    LessonDescription lesson = two_things();
+    const auto ladder = [&] { return compile_questions(lesson)->at("heaviest").ladder; };
+    CHECK(ladder().empty());
+    lesson.feedback = {rule};
+    CHECK(ladder() == Ladder{rule});
+    lesson.questions[0].feedback = {prompt, replay};
+    CHECK(ladder() == Ladder{prompt, replay});
+    choose_feedback(lesson, {});
+    CHECK(ladder() == Ladder{prompt, replay});
+    choose_feedback(lesson, {recast});
+    CHECK(ladder() == Ladder{recast});
+}

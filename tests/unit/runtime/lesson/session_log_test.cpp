@@ -38,6 +38,18 @@ MarkedAnswer some_answer() {
     return answer;
 }
 
+MarkedAnswer some_free_answer() {
+    MarkedAnswer answer;
+    answer.question = "heaviest";
+    answer.mark.said = "I think apple more heavier";
+    answer.feedback.attempt = 1;
+    answer.feedback.kind = dialogue::FeedbackKind::not_understood;
+    answer.feedback.free_errors = {
+        {dialogue::ErrorCode::missing_determiner, 8, 8, "", "an"},
+        {dialogue::ErrorCode::adjective_form, 14, 26, "more heavier", "heavier"}};
+    return answer;
+}
+
 // Takes everything in and tells later that one write was not kept.
 class LateStore final : public ProgressStore {
   public:
@@ -60,6 +72,20 @@ class LateStore final : public ProgressStore {
 };
 
 }  // namespace
+
+TEST_CASE("session log: what the rules of English find is kept with its point of grammar") {
+    MemoryStore store;
+    SessionLog log(store, some_session());
+    log.keep_attempt(some_free_answer());
+    REQUIRE(store.data.attempts.size() == 1);
+    const AttemptRecord& attempt = store.data.attempts[0];
+    CHECK_FALSE(attempt.understood);
+    CHECK_FALSE(attempt.form_right);
+    CHECK(attempt.errors ==
+          std::vector<ErrorRecord>{{"M:DET", "", "an", "article"},
+                                   {"R:ADJ:FORM", "more heavier", "heavier", "comparison"}});
+    CHECK(validate(attempt));
+}
 
 TEST_CASE("session log: beginning, answers and end are kept as they were") {
     MemoryStore store;

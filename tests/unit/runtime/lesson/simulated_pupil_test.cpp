@@ -42,6 +42,20 @@ TEST_CASE("simulated pupil: one who is a model never runs out of answers, and th
     }
 }
 
+TEST_CASE(
+    "simulated pupil: what is to be asked is asked in its turn, and a question that is open "
+    "waits") {
+    SimulatedPupil pupil({"first", "?how heavy is it", "?what is this", "second"}, 1.0);
+    CHECK(answer(pupil, 10.0, 11.0) == "first");
+    CHECK_FALSE(answer(pupil, 12.0, 13.5));
+    CHECK(answer(pupil, 12.0, 14.0) == "how heavy is it");
+    CHECK_FALSE(answer(pupil, 12.0, 16.0));
+    CHECK(pupil.ask(17.0) == "what is this");
+    CHECK_FALSE(pupil.ask(30.0));
+    CHECK(answer(pupil, 12.0, 18.0) == "second");
+    CHECK_FALSE(answer(pupil, 12.0, 30.0));
+}
+
 TEST_CASE("simulated pupil: blank lines and remarks in the file are passed over") {
     char path[] = "pupil_XXXXXX";
     const int file = mkstemp(path);

@@ -34,7 +34,8 @@ class Diary {
         data.ends.push_back({data.sessions.back().id, kMorning_utc_ms, reason, stars, score, 1});
         return *this;
     }
-    // One letter an answer: R right, F right with a wrong form, W wrong, U not understood.
+    // One letter an answer: R right, F right with a wrong form, P the same, to be said once more, S said rightly then, W wrong,
+    // U not understood, M the same, and let go on.
     Diary& answers(const std::string& question, const std::string& letters) {
         std::int32_t number = 0;
         for (const char letter : letters) {
@@ -42,10 +43,14 @@ class Diary {
             attempt.session = data.sessions.back().id;
             attempt.question = question;
             attempt.attempt = ++number;
-            attempt.understood = letter != 'U';
-            attempt.meaning_right = letter == 'R' || letter == 'F';
-            attempt.form_right = letter == 'R' || letter == 'W';
-            if (letter == 'F') {
+            const bool form_wrong = letter == 'F' || letter == 'P';
+            attempt.understood = letter != 'U' && letter != 'M';
+            attempt.meaning_right = letter == 'R' || letter == 'S' || form_wrong;
+            attempt.form_right = letter == 'R' || letter == 'S' || letter == 'W';
+            attempt.feedback = letter == 'P' ? "prompt" : letter == 'M' ? "moved_on" : "";
+            attempt.uptake = letter == 'S' ? "repaired" : "";
+            attempt.said = letter == 'W' ? "the egg" : letter == 'M' ? "hm" : "";
+            if (form_wrong) {
                 attempt.errors = {{"R:ADJ:FORM", "most heavy", "heaviest", "comparison"}};
             }
             data.attempts.push_back(attempt);

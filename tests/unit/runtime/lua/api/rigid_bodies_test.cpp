@@ -173,6 +173,14 @@ TEST_CASE("bodies of boxes: they are where they are said to be, and stand still"
     CHECK(says(refusal_of_block("model = 'box', boxes = {}"), "has 0 boxes; give it 1 to 200"));
     CHECK(says(refusal_of_block("model = 'box', boxes = { 5 }"), "body.boxes[1] is a box"));
     CHECK(says(refusal_of_block("model = 'box', boxes = 5"), "is a list of boxes"));
+    CHECK(says(refusal_of_block("model = 'box', boxes = { { at = { 0, 0, 0 }, size = { 1, 1, 1 }, "
+                                "sise = { 1, 1, 1 } } }"),
+               "body.boxes[1] has no field \"sise\"; did you mean \"size\"?"));
+    CHECK(says(refusal_of_block("model = 'box', boxes = { { at = { 0, 0, 0 }, size = { 1, 1, 1 }, "
+                                "colour = 'red' } }"),
+               "body.boxes[1] has no field \"colour\"; a box is { at = {x, y, z}"));
+    CHECK(says(refusal_of_block("model = 'box', boxes = { { { 0, 0, 0 }, { 1, 1, 1 } } }"),
+               "body.boxes[1] has a table without a name; a box is"));
     CHECK(says(refusal_of_block("model = 'box', boxes = { { at = { 0, 0, 0 } } }"),
                "body.boxes[1].size"));
     CHECK(says(
