@@ -9,7 +9,7 @@ local planets = require "planets"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
 
-local L = lesson { id = "solar-system", title = "Can you turn a planet?", level = "A2", minutes = 15 }
+local L = lesson { id = "solar-system", title = "Can you turn a planet?", level = "A2", minutes = 15, free_english = true }
 
 local middle = { 0, 0.36, 0 }      -- of the Sun
 local near = { 0, 0.5, 0.3 }      -- where a planet is looked at and turned
@@ -392,9 +392,9 @@ end
 
 L:test {
   hand = "turner.lua",
-  say = { "eight planets", "one moon", "it has two moons", "how many moons does Saturn have", "at the side",
-          "Jupiter is harder to turn" },
-  expect = { finished = true, stars = 3, form_errors = 0 },
+  say = { "eight planets", "one moon", "it has two moons", "how many moons does Saturn have",
+          "I think it turns more faster there", "at the side", "Jupiter is harder to turn" },
+  expect = { finished = true, stars = 3, form_errors = 1 },   -- in a sentence of the pupil's own
 }
 
 return L

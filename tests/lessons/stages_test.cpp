@@ -24,7 +24,7 @@ const Stages kTouch{"proxy", "forces: coupling", "forces: texture", "touch"};
 const std::map<std::string, Stages> kAsked{
     {"gravity", {"forces: weight", "falling bodies", "bucket"}},
     {"textures", {"forces: weight", "falling bodies", "forces: transient", "forces: spring"}},
-    {"solar-system", {"forces: weight", "falling bodies", "turning"}},
+    {"solar-system", {"forces: weight", "falling bodies", "turning", "free English"}},
     {"lever", {"forces: weight", "falling bodies", "turning", "tool"}},
     {"kite", {"forces: weight", "falling bodies", "forces: line", "flight"}},
     {"stacks", {"rigid bodies", "pushing", "forces: transient"}},
