@@ -3,7 +3,7 @@
 #   preset fuzz      fuzz_NAME, driven by libFuzzer; tests/fuzz/run.sh runs them (target fuzz_all builds them all)
 #   other presets    replay_NAME, a test: the seeds and a fixed set of mutations of them, with any compiler
 # The libraries that read what strangers wrote; the others need not be built for this.
-set(libraries fulcrum::haptics fulcrum::dialogue fulcrum::scene fulcrum::lua fulcrum::audio)
+set(libraries fulcrum::haptics fulcrum::dialogue fulcrum::scene fulcrum::lua fulcrum::audio fulcrum::hearing)
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/fuzz/*_fuzz.cpp)
 if(FULCRUM_FUZZ)
   add_custom_target(fuzz_all)

@@ -10,16 +10,39 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kVoiceNames{"none", "flite", "espeak-ng"};
 constexpr std::size_t kMostSpoken_bytes = 2000;  // some minutes
+constexpr std::size_t kLongestWord_bytes = 40;
 constexpr double kEspeakWords_per_min = 150.0;
 
-// What is said aloud of a text: no emphasis marks, nothing that a program might take for a command.
+bool goes_on(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+// As much of it as is said, without half a letter at its end.
+std::string_view cut(std::string_view text) {
+    std::size_t end = std::min(text.size(), kMostSpoken_bytes);
+    while (end > 0 && end < text.size() && goes_on(text[end])) {
+        --end;
+    }
+    return text.substr(0, end);
+}
+
+// What is said aloud of a text: no emphasis marks, nothing that a program might take for a command, no word without an end, over which
+// flite thinks for minutes.
 std::string to_spoken(std::string_view text) {
     std::string spoken;
-    for (const char letter : text.substr(0, kMostSpoken_bytes)) {
+    std::size_t word = 0;
+    for (const char letter : cut(text)) {
         const bool is_control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F;
-        if (letter != '*') {
-            spoken += is_control ? ' ' : letter;
+        const char said = is_control ? ' ' : letter;
+        if (letter == '*') {
+            continue;
         }
+        word = said == ' ' ? 0 : word + 1;
+        if (word > kLongestWord_bytes && !goes_on(said)) {
+            spoken += ' ';
+            word = 1;
+        }
+        spoken += said;
     }
     return spoken;
 }

@@ -102,3 +102,74 @@ TEST_CASE("speech maker: forgets what nobody wants, and ends in the midst of it"
     }
     CHECK(monotonic_now_s() - begun_s < kPatience_s);
 }
+
+TEST_CASE(
+    "speech maker: a voice that is killed in the midst of a sentence is one sentence, and the next "
+    "is said") {
+    // Kills itself behind half of its file, the first time.
+    OwnProgram program(
+        "d=${0%/*}; if [ -e $d/once ]; then cat $d/sound.wav; else : >$d/once; head -c 60 "
+        "$d/sound.wav; kill -9 $$; fi");
+    REQUIRE(write_wav(program.folder() / "sound.wav", std::array<float, 64>{0.5F}, 1, 48'000));
+    SpeechMaker maker(VoiceSettings{});
+    maker.ask("one");
+    const auto cut = wait_for(maker);
+    REQUIRE(cut);
+    CHECK(cut->samples.empty());
+    CHECK(maker.take_trouble().find("the program flite failed") == 0);
+    maker.ask("two");
+    const auto whole = wait_for(maker);
+    REQUIRE(whole);
+    CHECK(whole->samples.size() == 64);
+    CHECK(maker.take_trouble().empty());
+}
+
+TEST_CASE(
+    "speech maker: while a voice hangs nobody waits, and what is wanted instead is made at once") {
+    OwnProgram program(
+        "for last; do :; done; [ \"$last\" = hang ] && sleep 100; cat \"${0%/*}/sound.wav\"");
+    REQUIRE(write_wav(program.folder() / "sound.wav", std::array<float, 4>{0.5F}, 1, 48'000));
+    SpeechMaker maker(VoiceSettings{});
+    maker.ask("hang");
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    // What the picture's loop calls in each frame comes back although the voice hangs.
+    const double begun_s = monotonic_now_s();
+    for (int i = 0; i < 1000; ++i) {
+        CHECK_FALSE(maker.take());
+        CHECK(maker.n_waiting() == 1);
+    }
+    maker.forget();
+    maker.ask("well");
+    const auto made = wait_for(maker);
+    REQUIRE(made);
+    CHECK(made->text == "well");
+    CHECK(made->samples.size() == 4);
+    // Long before the hanging one would have been given up.
+    CHECK(monotonic_now_s() - begun_s < 9.0);
+    CHECK(maker.take_trouble().empty());
+}
+
+TEST_CASE(
+    "speech maker: a voice that is not installed, or says what is no sound, is one sentence each") {
+    {
+        const ScratchFolder empty;
+        const std::string before = std::getenv("PATH");
+        setenv("PATH", empty.path().c_str(), 1);
+        SpeechMaker maker(VoiceSettings{});
+        maker.ask("one");
+        const auto made = wait_for(maker);
+        setenv("PATH", before.c_str(), 1);
+        REQUIRE(made);
+        CHECK(made->samples.empty());
+        const std::string trouble = maker.take_trouble();
+        CHECK(trouble.find("the program flite") == 0);
+        CHECK(trouble.find('\n') == std::string::npos);
+    }
+    OwnProgram program("echo this is no sound at all");
+    SpeechMaker maker(VoiceSettings{});
+    maker.ask("one");
+    const auto made = wait_for(maker);
+    REQUIRE(made);
+    CHECK(made->samples.empty());
+    CHECK(maker.take_trouble().find("it is no WAV file") == 0);
+}

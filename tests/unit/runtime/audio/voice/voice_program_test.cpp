@@ -29,7 +29,30 @@ TEST_CASE(
     CHECK(espeak[espeak.size() - 2] == "--");
     const auto flite = make_voice_words({.kind = VoiceKind::flite}, "-o file");
     CHECK(flite[flite.size() - 2] == "-t");
-    CHECK(make_voice_words({}, std::string(5000, 'a')).back().size() == 2000);
+}
+
+TEST_CASE("voice program: a huge text is cut at a letter, and a word without an end at forty") {
+    const auto said = [](const std::string& text) { return make_voice_words({}, text).back(); };
+    std::string words;
+    while (words.size() < 5000) {
+        words += "word ";
+    }
+    CHECK(said(words).size() == 2000);
+    // Three bytes a letter: 1998 of 2000 are whole letters.
+    std::string letters;
+    for (int i = 0; i < 2000; ++i) {
+        letters += i % 10 == 9 ? "\xEB\xAF\xBC " : "\xEB\xAF\xBC";
+    }
+    const std::string cut = said(letters);
+    CHECK(cut.size() > 1990);
+    CHECK(cut.size() <= 2000);
+    CHECK(letters.compare(0, cut.size(), cut) == 0);
+    CHECK((static_cast<unsigned char>(letters[cut.size()]) & 0xC0U) != 0x80U);
+
+    const std::string nines = said(std::string(1000, '9'));
+    CHECK(nines.find(std::string(41, '9')) == std::string::npos);
+    CHECK(std::count(nines.begin(), nines.end(), '9') == 1000);
+    CHECK(said(std::string(40, 'a')) == std::string(40, 'a'));
 }
 
 TEST_CASE("voice program: half the speed takes twice the time, and no speed is out of range") {
