@@ -1,0 +1,105 @@
+// What a round of a simulated arm costs, beside the other hands without hardware: a read and a write at 1 kHz, held by a hand that
+// goes round, with a force. The devices take turns, and each keeps the pass with its least median.
+#include "haptics/device/arm/simulated_wam.h"
+#include "haptics/device/simulated/simulated_arm.h"
+#include "haptics/device/simulated/simulated_hand.h"
+#include "tests/bench/harness/csv.h"
+#include "tests/bench/harness/measure.h"
+#include "tests/bench/harness/registry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace fulcrum::bench {
+namespace {
+
+constexpr double kRound_s = 0.001;
+
+// One device, led round a circle of 50 mm once a second.
+class LedDevice {
+  public:
+    LedDevice(std::string name, Device& device, LatestValue<HandTarget>& target)
+        : name_(std::move(name)), device_(device), target_(target) {}
+
+    void step() {
+        ++round_;
+        const double angle = 6.283185307179586 * kRound_s * round_;
+        HandTarget wanted;
+        wanted.pose_D.position = 0.05 * Vector3(std::sin(angle), std::cos(angle) - 1.0, 0.0);
+        target_.publish(wanted);
+        DeviceReading reading;
+        (void)device_.read(kRound_s * round_, reading);
+        (void)device_.write(kRound_s * round_,
+                            {Vector3(1.0, std::cos(3.0 * angle), 0.5), Vector3(0.0, 0.05, 0.0)});
+        keep(reading);
+    }
+    void take(const Cost& cost) {
+        if (!(best_.median_us <= cost.median_us)) {
+            best_ = cost;
+        }
+    }
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] const Cost& best() const { return best_; }
+
+  private:
+    std::string name_;
+    Device& device_;
+    LatestValue<HandTarget>& target_;
+    Cost best_{};
+    int round_ = 0;
+};
+
+std::string round_to_10ns(double us) {
+    return to_text(std::round(100.0 * us) / 100.0);
+}
+
+std::unique_ptr<SimulatedWam> make_wam(double longest_step_s, LatestValue<HandTarget>& target) {
+    SimulatedWamSettings settings;
+    settings.longest_step_s = longest_step_s;
+    return SimulatedWam::create(settings, target).value();
+}
+
+Report run_simulated_arms(Run& run) {
+    LatestValue<HandTarget> targets[4];
+    SimulatedHand hand(SimulatedHandSettings{}, targets[0]);
+    SimulatedArm arm(make_desktop_arm(), targets[1]);
+    const auto wam = make_wam(0.0005, targets[2]);
+    const auto coarse = make_wam(0.001, targets[3]);
+    std::vector<LedDevice> devices;
+    devices.emplace_back("a hand alone", hand, targets[0]);
+    devices.emplace_back("a desktop arm of three axes", arm, targets[1]);
+    devices.emplace_back("the WAM, two steps a round", *wam, targets[2]);
+    devices.emplace_back("the WAM, one step a round", *coarse, targets[3]);
+    const int n_passes = run.pick(20, 4);
+    for (int pass = 0; pass < n_passes; ++pass) {
+        for (LedDevice& device : devices) {
+            device.take(measure_cost([&] { device.step(); }, {.samples = 500, .batch = 4}));
+        }
+        run.progress((pass + 1.0) / n_passes);
+    }
+    Sheet sheet;
+    sheet.name = "simulated-arms";
+    sheet.title = "Simulated arms";
+    sheet.work =
+        "A read and a write at 1 kHz, the handle led round a circle against a changing force.";
+    sheet.advice =
+        "The arm of three axes where only its wall matters; the WAM where joints, stops and motors "
+        "do.";
+    sheet.columns = {"device", "median, us", "p99, us", "times the three axes"};
+    for (const LedDevice& device : devices) {
+        sheet.rows.push_back(
+            {device.name(), round_to_10ns(device.best().median_us),
+             round_to_10ns(device.best().p99_us),
+             round_to_10ns(device.best().median_us / devices[1].best().median_us)});
+    }
+    return {sheet};
+}
+
+const Registration kSimulatedArms{
+    {"simulated-arms", "what a round of a simulated arm costs", run_simulated_arms}};
+
+}  // namespace
+}  // namespace fulcrum::bench

@@ -1,0 +1,151 @@
+#include "haptics/device/arm/arm_control.h"
+
+#include "tests/unit/haptics/device/arm/arm_fixture.h"
+
+#include <catch2/catch.hpp>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+using namespace fulcrum;
+using namespace fulcrum::arm_test;
+
+namespace {
+
+ArmControl make_control(const ArmModel& model, double posture_per_s = 0.0) {
+    return ArmControl(model, {make_wam_home(), posture_per_s});
+}
+
+double find_most(const ArmModel& model, const JointVector& motors) {
+    double most = 0.0;
+    for (int k = 0; k < model.n; ++k) {
+        most = std::max(
+            most, std::abs(motors(k)) / model.motors[static_cast<std::size_t>(k)].max_torque_Nm);
+    }
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("arm control: without a wrench it gives the weight's torque, so nothing moves") {
+    const ArmModel wam = make_free_wam();
+    ArmControl control = make_control(wam);
+    const JointVector q = make_wam_home();
+    const Place place(wam, q);
+    const ArmCommand command = control.step(q, JointVector::Zero(7), {});
+    CHECK((command.torque_Nm - compute_weight_torque(wam, place.posture)).norm() < 1e-12);
+    CHECK(command.wrench_share == 1.0);
+}
+
+TEST_CASE("arm control: the wrench does at the joints the work that it does at the handle") {
+    const ArmModel wam = make_barrett_wam();
+    ArmControl control = make_control(wam);
+    std::mt19937 random(41);
+    for (int k = 0; k < 200; ++k) {
+        const JointVector q = make_wam_home() + draw(random, 7, 0.5);
+        const JointVector v = draw(random, 7, 1.0);
+        const Wrench wrench{Vector3(draw(random, 3, 5.0)), Vector3(draw(random, 3, 0.1))};
+        const Place place(wam, q);
+        const ArmCommand command = control.step(q, JointVector::Zero(7), wrench);
+        REQUIRE(command.wrench_share == 1.0);
+        const double joints_W =
+            v.dot(command.torque_Nm - compute_weight_torque(wam, place.posture));
+        const Vector6 motion = place.posture.jacobian_B * v;
+        REQUIRE(joints_W == Approx(stack(wrench).dot(motion)).margin(1e-10));
+    }
+}
+
+TEST_CASE(
+    "arm control: no motor gives more than it can, and a wrench too large keeps its direction") {
+    const ArmModel wam = make_barrett_wam();
+    ArmControl control = make_control(wam, 3.0);
+    std::mt19937 random(42);
+    int n_scaled = 0;
+    for (int k = 0; k < 2000; ++k) {
+        const JointVector q = draw(random, 7, 2.0);
+        const double size = std::pow(10.0, (k % 7) - 1);
+        const Wrench wrench{Vector3(draw(random, 3, size)), Vector3(draw(random, 3, size))};
+        const ArmCommand command = control.step(q, draw(random, 7, 3.0), wrench);
+        const JointVector motors = control.compute_motor_torque(command.torque_Nm);
+        REQUIRE(find_most(wam, motors) <= 1.0 + 1e-12);
+        if (command.wrench_share < 1.0) {
+            ++n_scaled;
+            // One motor is at its end, and nothing is left for the posture that would need more of it.
+            const Place place(wam, q);
+            const JointVector given =
+                compute_weight_torque(wam, place.posture) +
+                command.wrench_share * place.posture.jacobian_B.transpose() * stack(wrench);
+            REQUIRE(find_most(wam, control.compute_motor_torque(given)) == Approx(1.0));
+        }
+    }
+    CHECK(n_scaled > 500);
+}
+
+TEST_CASE("arm control: a share is the room over what is asked, whichever way") {
+    const ArmModel model = make_pendulum(1.0, 0.5);  // one motor, 1 Nm
+    const ArmControl control(model, {JointVector::Zero(1), 0.0});
+    const auto share = [&](double given, double more) {
+        return control.compute_share(JointVector::Constant(1, given),
+                                     JointVector::Constant(1, more));
+    };
+    CHECK(share(0.0, 0.5) == 1.0);
+    CHECK(share(0.0, 2.0) == 0.5);
+    CHECK(share(0.6, 0.8) == Approx(0.5));
+    CHECK(share(0.6, -3.2) == Approx(0.5));
+    CHECK(share(1.0, 0.1) == 0.0);
+    CHECK(share(1.5, 0.1) == 0.0);
+    CHECK(share(1.0, 0.0) == 1.0);
+}
+
+TEST_CASE("arm control: bringing the elbow home does not accelerate the handle") {
+    const ArmModel wam = make_barrett_wam();
+    ArmControl control = make_control(wam, 3.0);
+    std::mt19937 random(43);
+    for (int k = 0; k < 200; ++k) {
+        const JointVector q = make_wam_home() + draw(random, 7, 0.4);
+        const JointVector v = draw(random, 7, 0.2);
+        const Place place(wam, q);
+        const ArmCommand command = control.step(q, v, {});
+        REQUIRE(command.posture_share == 1.0);
+        const JointVector posture = command.torque_Nm - compute_weight_torque(wam, place.posture);
+        const Eigen::VectorXd accelerated = Eigen::MatrixXd(place.inertia()).llt().solve(posture);
+        const Eigen::VectorXd wanted = -9.0 * (q - make_wam_home()) - 6.0 * v;
+        const Vector6 felt = place.posture.jacobian_B * accelerated;
+        const Vector6 unheld = place.posture.jacobian_B * wanted;
+        // The inverse is damped by a millionth of what a kilogram would need.
+        REQUIRE(felt.norm() < 1e-4 * unheld.norm());
+        REQUIRE(accelerated.norm() > 1e-3 * wanted.norm());
+    }
+}
+
+TEST_CASE("arm control: singular postures are like any other to it") {
+    const ArmModel wam = make_barrett_wam();
+    ArmControl control = make_control(wam, 3.0);
+    const JointVector straight = JointVector::Zero(7);
+    ArmPosture posture;
+    compute_posture(wam, straight, posture);
+    REQUIRE(Eigen::FullPivLU<Eigen::MatrixXd>(posture.jacobian_B).rank() < 6);
+    const ArmCommand command =
+        control.step(straight, JointVector::Ones(7), {Vector3(3.0, 3.0, 3.0), Vector3::Zero()});
+    CHECK(command.torque_Nm.allFinite());
+    CHECK(find_most(wam, control.compute_motor_torque(command.torque_Nm)) <= 1.0 + 1e-12);
+    // A force along the straight arm is carried by its links: only those joints that it passes by feel it.
+    ArmControl still = make_control(wam);
+    const JointVector pushed =
+        still.step(straight, JointVector::Zero(7), {Vector3(0.0, 0.0, 5.0), Vector3::Zero()})
+            .torque_Nm -
+        compute_weight_torque(wam, posture);
+    CHECK(std::abs(pushed(0)) < 1e-12);
+    CHECK(std::abs(pushed(1)) < 1e-12);
+}
+
+TEST_CASE("arm control: an arm too heavy for its motors gets what they have") {
+    ArmModel wam = make_barrett_wam();
+    wam.links[3].mass_kg = 200.0;
+    ArmControl control = make_control(wam, 3.0);
+    const ArmCommand command =
+        control.step(make_wam_home(), JointVector::Zero(7), {Vector3::Ones(), Vector3::Zero()});
+    CHECK(find_most(wam, control.compute_motor_torque(command.torque_Nm)) <= 1.0 + 1e-12);
+}
