@@ -124,7 +124,12 @@ TEST_CASE("arm motion: the WAM's error falls with the square of the step") {
 }
 
 TEST_CASE("arm motion: without friction the WAM keeps its energy for ten seconds of free fall") {
-    const ArmModel wam = make_free_wam();
+    ArmModel wam = make_free_wam();
+    // The last joint turns some fifty times: farther than stops may be.
+    for (ArmLink& link : wam.links) {
+        link.low_rad = -1.0e4;
+        link.high_rad = 1.0e4;
+    }
     ArmMotion motion(wam);
     motion.hold(kNoGrip);
     JointVector start(7);
@@ -141,7 +146,7 @@ TEST_CASE("arm motion: without friction the WAM keeps its energy for ten seconds
     INFO("worst drift " << worst_J << " J, fastest joint " << most_rad_per_s << " rad/s");
     // It tumbles; its weight has tens of joules to give.
     CHECK(most_rad_per_s > 10.0);
-    CHECK(worst_J < 0.5);
+    CHECK(worst_J < 2.0e-3);
 }
 
 TEST_CASE("arm motion: what a held arm loses is what friction and the hand's damper took") {
