@@ -71,33 +71,36 @@ JointHold mend_sliding(const StickSlipProblem& problem, JointHold hold, int i, d
     return w < problem.low(i) ? JointHold::at_low : hold;
 }
 
+// Whether a joint leaves its upper stop under the impulse r: a stop only pushes, and a joint that stands at it may be held
+// by friction too. The lower stop is the same with all signs turned.
+bool leaves_stop(double r, double dry, double rounding, bool stands) noexcept {
+    return r > (stands ? dry : -dry) + rounding;
+}
+
+JointHold mend_stuck(const StickSlipProblem& problem, int i, double r, double rounding) noexcept {
+    const double dry = problem.dry(i) + rounding;
+    if (r < -dry) {
+        return problem.high(i) == 0.0 ? JointHold::at_high : JointHold::forward;
+    }
+    if (r > dry) {
+        return problem.low(i) == 0.0 ? JointHold::at_low : JointHold::backward;
+    }
+    return JointHold::stuck;
+}
+
 // What a held joint should rather do that is given the impulse r.
 JointHold mend_held(const StickSlipProblem& problem, JointHold hold, int i, double r,
                     double rounding) noexcept {
-    const double dry = problem.dry(i) + rounding;
-    const bool stands_high = problem.high(i) == 0.0;
-    const bool stands_low = problem.low(i) == 0.0;
-    switch (hold) {
-        case JointHold::at_high:
-            // A stop only pushes; a joint that stands at it may be held by friction too.
-            if (r > (stands_high ? dry : -problem.dry(i) + rounding)) {
-                return stands_high ? JointHold::backward : JointHold::forward;
-            }
-            return hold;
-        case JointHold::at_low:
-            if (r < (stands_low ? -dry : problem.dry(i) - rounding)) {
-                return stands_low ? JointHold::forward : JointHold::backward;
-            }
-            return hold;
-        default:
-            if (r < -dry) {
-                return stands_high ? JointHold::at_high : JointHold::forward;
-            }
-            if (r > dry) {
-                return stands_low ? JointHold::at_low : JointHold::backward;
-            }
-            return JointHold::stuck;
+    if (hold == JointHold::stuck) {
+        return mend_stuck(problem, i, r, rounding);
     }
+    const bool high = hold == JointHold::at_high;
+    const bool stands = (high ? problem.high(i) : problem.low(i)) == 0.0;
+    if (!leaves_stop(high ? r : -r, problem.dry(i), rounding, stands)) {
+        return hold;
+    }
+    // Standing it leaves the stop; moving it was slower than the stop would let it be.
+    return high == stands ? JointHold::backward : JointHold::forward;
 }
 
 // True when no joint should do something else; else its set is changed.
