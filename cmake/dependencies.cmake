@@ -20,6 +20,7 @@ endforeach()
 target_link_libraries(pocketsphinx::pocketsphinx INTERFACE pocketsphinx sphinxbase)
 # Opened while running, where a lesson calls for it (dialogue/checking/link_grammar).
 pkg_check_modules(link_grammar REQUIRED link-grammar)
+pkg_check_modules(hidapi REQUIRED IMPORTED_TARGET hidapi-hidraw)
 pkg_check_modules(openal REQUIRED IMPORTED_TARGET openal)
 pkg_check_modules(sqlite REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(png REQUIRED IMPORTED_TARGET libpng)

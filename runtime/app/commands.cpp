@@ -1,6 +1,8 @@
 #include "runtime/app/commands.h"
 
 #include "haptics/collision/self_intersection.h"
+#include "haptics/device/hid/hidapi/hidapi_bus.h"
+#include "runtime/app/device_list.h"
 #include "runtime/app/headless.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/lesson_parts.h"
@@ -330,6 +332,13 @@ int report_command(const Options& options) {
         return complain(
             {"the report cannot be written", options.out, "choose another file with --out"}, 2);
     }
+    return 0;
+}
+
+int devices_command(const Options& options) {
+    const auto entries = list_devices(hid::make_hidapi_bus()->list(), display_available());
+    const std::string text = options.json ? devices_json(entries) : devices_text(entries);
+    std::fputs(text.c_str(), stdout);
     return 0;
 }
 

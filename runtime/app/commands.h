@@ -30,5 +30,6 @@ int complain_of_loading(const Error& error);
 [[nodiscard]] int test_command(const Installation& installation, const Options& options);
 [[nodiscard]] int explain_command(const Installation& installation, const Options& options);
 [[nodiscard]] int report_command(const Options& options);
+[[nodiscard]] int devices_command(const Options& options);
 
 }  // namespace fulcrum::runtime

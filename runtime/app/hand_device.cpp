@@ -25,9 +25,17 @@ Expected<std::unique_ptr<HandDevice>> HandDevice::open(const RunRequest& request
     return hand;
 }
 
-double HandDevice::force_limit_N(HandKind kind) {
-    return kind == HandKind::scripted ? SimulatedHandSettings{}.max_force_N
-                                      : std::numeric_limits<double>::infinity();
+double HandDevice::force_limit_N(const RunRequest& request) {
+    switch (request.hand) {
+        case HandKind::scripted:
+            return SimulatedHandSettings{}.max_force_N;
+        case HandKind::hid:
+            return runtime::force_limit_N(request.hid);
+        case HandKind::mouse:
+        case HandKind::replay:
+            break;
+    }
+    return std::numeric_limits<double>::infinity();
 }
 
 Expected<void> HandDevice::make(const RunRequest& request) {
@@ -51,6 +59,11 @@ Expected<void> HandDevice::make(const RunRequest& request) {
                 pointer_target_.publish({});
             });
         }
+        case HandKind::hid:
+            return open_hid_hand(request.hid, workspace_).map([&](auto&& opened) {
+                hid_ = opened.get();
+                device_ = std::move(opened);
+            });
         case HandKind::replay:
             return load_record(request.hand_file.string()).map([&](auto&& record) {
                 device_ = std::make_unique<ReplayDevice>(record);
@@ -64,6 +77,10 @@ std::optional<Vector3> HandDevice::true_velocity_W() const {
         return std::nullopt;
     }
     return workspace_.pose_WD.orientation * (workspace_.scale * simulated_->velocity_D());
+}
+
+std::string HandDevice::take_notice() {
+    return hid_ != nullptr ? hid_->take_notice() : std::string();
 }
 
 void HandDevice::follow(const Pose& target_W, std::uint32_t buttons) {

@@ -5,6 +5,7 @@
 
 #include "haptics/base/error.h"
 #include "haptics/device/device.h"
+#include "haptics/device/hid/hid_hand.h"
 #include "haptics/device/mouse/pointer_device.h"
 #include "haptics/device/simulated/simulated_hand.h"
 #include "haptics/loop/haptic_plan.h"
@@ -12,6 +13,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace fulcrum::runtime {
 
@@ -21,8 +23,8 @@ class HandDevice {
     [[nodiscard]] static Expected<std::unique_ptr<HandDevice>> open(const RunRequest& request,
                                                                     const HapticPlan& plan);
 
-    /// The most that this kind can give, in newtons, before it is opened; infinite for one that renders none or repeats a run.
-    [[nodiscard]] static double force_limit_N(HandKind kind);
+    /// The most that the request's device can give, in newtons, before it is opened; infinite for one that renders none or repeats a run.
+    [[nodiscard]] static double force_limit_N(const RunRequest& request);
 
     [[nodiscard]] Device& device() noexcept { return *device_; }
     [[nodiscard]] const Device& device() const noexcept { return *device_; }
@@ -33,6 +35,11 @@ class HandDevice {
     void point_at(const Vector3& position_W, std::uint32_t buttons);
     /// Where the mouse pointed last, whatever the hand on the screen does.
     [[nodiscard]] const Pose& pointer_W() const noexcept { return pointer_W_; }
+
+    /// True where a pointer stands for the hand, false where the device itself tells its place.
+    [[nodiscard]] bool points() const noexcept { return hid_ == nullptr; }
+    /// What has happened to the device since the last call that people should know, a sentence; empty when nothing has.
+    [[nodiscard]] std::string take_notice();
 
     /// How fast a simulated hand really moves, in the world, m/s; nothing of another device. Only where loops take turns under
     /// a virtual clock: it reads what the haptic thread writes.
@@ -49,6 +56,7 @@ class HandDevice {
     Pose pointer_W_;
     std::unique_ptr<Device> device_;
     const SimulatedHand* simulated_ = nullptr;  // the device, where it is one
+    hid::HidHand* hid_ = nullptr;               // likewise
 };
 
 }  // namespace fulcrum::runtime

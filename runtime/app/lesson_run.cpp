@@ -68,7 +68,7 @@ Expected<void> LessonRun::load(const Places& places, const RunRequest& request) 
         return models;
     }
     PlanOptions options = request.plan;
-    options.device_force_limit_N = HandDevice::force_limit_N(request.hand);
+    options.device_force_limit_N = HandDevice::force_limit_N(request);
     const LessonDescription& lesson = process_->description();
     auto plan = compile_shown(lesson, std::move(options), make_solid_loader(places, request.folder),
                               make_picture_loader(request.folder, lesson.hand.scale));
@@ -361,8 +361,9 @@ View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     scenery.axles = newest_axles();
     scenery.kite = newest_kite();
     scenery.renders_force = device().traits().renders_force;
-    scenery.ghost = !scenery.renders_force || plan_.haptic.tool != nullptr;
-    scenery.ghost_pose_W = scenery.renders_force ? scenery.hand.tool_pose_W : hand_->pointer_W();
+    const bool points = !scenery.renders_force && hand_->points();
+    scenery.ghost = points || plan_.haptic.tool != nullptr;
+    scenery.ghost_pose_W = points ? hand_->pointer_W() : scenery.hand.tool_pose_W;
     return compose_view(session_->description(), plan_, session_->hud(), scenery, catalogue);
 }
 

@@ -97,6 +97,8 @@ class LessonRun {
     [[nodiscard]] double fade_shown_s() const;
     /// True while the device gives no poses or takes no forces.
     [[nodiscard]] bool device_is_lost() const;
+    /// What has happened to the hand's device since the last call, a sentence; empty when nothing has.
+    [[nodiscard]] std::string take_device_notice() { return hand_->take_notice(); }
     /// What got lost between the loops, a sentence each; none in a good run. Call it when the loops stand still.
     [[nodiscard]] std::vector<std::string> losses() const;
     /// Closes the record.

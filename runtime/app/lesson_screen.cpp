@@ -265,6 +265,9 @@ void LessonScreen::exchange() {
     if (!run_ || !error_.empty()) {
         return;
     }
+    if (const std::string notice = run_->take_device_notice(); !notice.empty()) {
+        std::fprintf(stderr, "%s\n", notice.c_str());
+    }
     const double now_s = monotonic_now_s() - epoch_s_;
     if (!run_->process().waits_for_reply() && now_s >= next_frame_s_) {
         input_.time_s = now_s;
@@ -348,7 +351,7 @@ View LessonScreen::compose() const {
             view.banner = catalogue_.say("hud.said_before", {{"text", before}});
         }
         if (view.banner.empty() && says_how_to_move()) {
-            view.banner = catalogue_.say(run_->plan().kite ? "hud.reel_help" : "hud.mouse_help");
+            view.banner = catalogue_.say(how_to_move());
             if (run_->session().hud().may_ask) {
                 view.banner += " " + catalogue_.say("hud.ask_help", {{"key", "Tab"}});
             }
@@ -359,8 +362,17 @@ View LessonScreen::compose() const {
 
 // What somebody with a mouse must know who sees this for the first time, or the first thing to do of a level.
 bool LessonScreen::says_how_to_move() const {
-    return request_.hand == HandKind::mouse && !run_->session().result().finished &&
+    const bool is_new = request_.hand == HandKind::mouse || request_.hand == HandKind::hid;
+    return is_new && !run_->session().result().finished &&
            monotonic_now_s() - level_began_s_ < kHelp_s;
+}
+
+// In the words of what is held.
+const char* LessonScreen::how_to_move() const {
+    if (request_.hand == HandKind::hid) {
+        return request_.hid.form == hid::HandForm::space_mouse ? "hud.cap_help" : "hud.stick_help";
+    }
+    return run_->plan().kite ? "hud.reel_help" : "hud.mouse_help";
 }
 
 void LessonScreen::save_wanted_screenshot(bool last_frame) {

@@ -41,6 +41,9 @@ int run_program(int argc, char** argv) {
     if (options->command == Command::report) {
         return report_command(*options);
     }
+    if (options->command == Command::devices) {
+        return devices_command(*options);
+    }
 
     const auto installation = open_installation(started_s);
     if (!installation) {
@@ -61,6 +64,7 @@ int run_program(int argc, char** argv) {
         case Command::help:
         case Command::version:
         case Command::report:
+        case Command::devices:
             break;
     }
     return menu_command(*installation, *options);

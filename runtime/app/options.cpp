@@ -17,7 +17,7 @@ struct CommandWord {
     std::string_view flags;  // the flags it understands, each between spaces
 };
 
-constexpr std::array<CommandWord, 11> kCommands{{
+constexpr std::array<CommandWord, 12> kCommands{{
     {"run", Command::run, true,
      " --headless --seconds --seed --errors --hand --say --learner --db --record --screenshot "
      "--screenshot-at --speech --hear --listen --voice --voice-speed --watch"
@@ -30,6 +30,7 @@ constexpr std::array<CommandWord, 11> kCommands{{
      "--say "
      "--seconds "},
     {"report", Command::report, false, " --learner --lesson --db --format --out "},
+    {"devices", Command::devices, false, " --json "},
     {"help", Command::help, false, " "},
     {"--help", Command::help, false, " "},
     {"-h", Command::help, false, " "},
@@ -307,7 +308,7 @@ std::string usage() {
   fulcrum                    the list of lessons, in a window  (--learner NAME --db FILE --force-limit N --mute --watch)
   fulcrum run LESSON         play a lesson
       --headless             without a window, faster than real time, repeatable to the byte; tells what is said
-      --hand FILE.lua|mouse|replay:FILE
+      --hand FILE.lua|mouse|hid|hid:PATH|replay:FILE
       --say FILE             one answer a line, given to the questions in turn
       --learner NAME         whose progress this is
       --db FILE              where progress is kept
@@ -335,6 +336,7 @@ std::string usage() {
       --analyze              plays it without a window and says what each stage cost  (--hand --say --seconds)
       --json                 for programs
   fulcrum report             what learners did  (--learner NAME --lesson ID --format text|csv --out FILE)
+  fulcrum devices            what can be a hand here, what each can do, what is missing  (--json)
   fulcrum bench [NAME…]      what accuracy costs in time  (--out DIR --quick --list --draw FILE.csv)
 
 Exit codes: 0 done, 1 the lesson or a test failed, 2 wrong usage or unreadable input, 130 Ctrl-C before a lesson began.

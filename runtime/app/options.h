@@ -12,7 +12,18 @@
 
 namespace fulcrum::runtime {
 
-enum class Command : std::uint8_t { menu, run, list, check, test, explain, report, help, version };
+enum class Command : std::uint8_t {
+    menu,
+    run,
+    list,
+    check,
+    test,
+    explain,
+    report,
+    devices,
+    help,
+    version
+};
 
 /// Everything the command line can say. Fields that a command does not use are refused for it.
 struct Options {
@@ -20,8 +31,9 @@ struct Options {
     std::string lesson;             ///< a name under scenarios/ or a folder
     bool headless = false;          ///< no window: virtual clock, faster than real time
     std::optional<double> seconds;  ///< end the run after this long, 0 to 86 400
-    std::string hand;  ///< FILE.lua, mouse or replay:FILE; empty: chosen by what is there
-    std::string say;   ///< file with one answer a line
+    std::string
+        hand;  ///< FILE.lua, mouse, hid, hid:PATH or replay:FILE; empty: chosen by what is there
+    std::string say;  ///< file with one answer a line
     std::optional<double>
         errors;            ///< a simulated learner answers, and errs in so many parts, 0 to 0.9
     std::string learner;   ///< nickname
@@ -38,7 +50,7 @@ struct Options {
     bool watch = false;                    ///< start again whenever the lesson's files change
     bool mute = false;
     bool analyze = false;                 ///< explain: play it too, and tell what each stage cost
-    bool json = false;                    ///< explain: for programs
+    bool json = false;                    ///< explain, devices: for programs
     double force_limit_N = 5.0;           ///< of this site, 0.5 to 10
     dialogue::FeedbackLadder feedback{};  ///< of this site; empty: as each lesson says
     std::string format = "text";          ///< report: text or csv

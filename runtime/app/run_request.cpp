@@ -12,6 +12,16 @@
 namespace fulcrum::runtime {
 namespace {
 
+Expected<void> choose_hid(const std::string& word, bool in_window, RunRequest& request) {
+    if (!in_window) {
+        return fail(
+            "no hand can keep up with a lesson that runs without a window, faster than real time",
+            {}, "leave --headless out, or give --hand a hand's file");
+    }
+    request.hand = HandKind::hid;
+    return choose_hid_hand(word).map([&](HidChoice&& choice) { request.hid = std::move(choice); });
+}
+
 // Whose hand: what was asked for, else the mouse in a window and the lesson's own simulated hand without.
 Expected<void> choose_hand(const Options& options, bool in_window, RunRequest& request) {
     constexpr std::string_view kReplay = "replay:";
@@ -23,11 +33,13 @@ Expected<void> choose_hand(const Options& options, bool in_window, RunRequest& r
             return fail("there is no such record", request.hand_file.string(),
                         "give --hand replay: a file that --record wrote");
         }
+    } else if (asks_for_hid(options.hand)) {
+        return choose_hid(options.hand, in_window, request);
     } else if (options.hand == "mouse" || (options.hand.empty() && in_window)) {
         request.hand = HandKind::mouse;
     } else if (!options.hand.empty() && !options.hand.ends_with(".lua")) {
         return fail("there is no hand \"" + options.hand + "\"", "",
-                    "give --hand mouse, replay:FILE, or a Lua file's name");
+                    "give --hand mouse, hid, replay:FILE, or a Lua file's name");
     } else {
         request.hand_file = options.hand;
     }

@@ -1,6 +1,7 @@
 // What is to be played, how and by whom.
 #pragma once
 
+#include "runtime/app/hid_hands.h"
 #include "runtime/app/options.h"
 #include "runtime/app/places.h"
 #include "runtime/scene/plan.h"
@@ -11,7 +12,7 @@
 
 namespace fulcrum::runtime {
 
-enum class HandKind : std::uint8_t { scripted, mouse, replay };
+enum class HandKind : std::uint8_t { scripted, mouse, replay, hid };
 
 struct RunRequest {
     std::filesystem::path folder;  ///< of the lesson
@@ -19,6 +20,7 @@ struct RunRequest {
     HandKind hand = HandKind::scripted;
     /// Scripted: a Lua file, empty for the lesson's own test. Replay: a record.
     std::filesystem::path hand_file;
+    HidChoice hid{};               ///< the device of HandKind::hid
     std::vector<std::string> say;  ///< answers of a simulated pupil; empty: somebody types
     std::optional<LearnerRates> learner_rates;  ///< a simulated learner answers instead
     bool own_test = false;    ///< use the hand and the answers of the lesson's first L:test

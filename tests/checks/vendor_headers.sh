@@ -18,7 +18,7 @@ BEGIN {
     home["^(tiny_gltf|stb_)"] = "^runtime/scene/gltf/"
     home["^(png|jpeglib)[.]h$"] = "^runtime/scene/picture/"
     home["^nlohmann/"] = "^(runtime|dialogue/speech/external)/"
-    home["^(hidapi|libusb)"] = "^haptics/device/hid/"
+    home["^(hidapi|libusb)"] = "^haptics/device/hid/hidapi/"
     home["^(pocketsphinx|ps_search|sphinxbase|flite|onnxruntime)"] = "^dialogue/speech/"
     home["^link-grammar/"] = "^dialogue/checking/link_grammar/"
     home["^Eigen/"] = "^(haptics|runtime)/"

@@ -84,7 +84,12 @@ TEST_CASE("hand device: a record plays again, and one that is none is refused in
 TEST_CASE("hand device: its limit is known before it is opened, and is what the opened one has") {
     const auto hand = HandDevice::open({}, plan_with_workspace());
     REQUIRE(hand);
-    CHECK(HandDevice::force_limit_N(RunRequest{}.hand) == (*hand)->device().traits().max_force_N);
-    CHECK(HandDevice::force_limit_N(HandKind::mouse) > 1e9);
-    CHECK(HandDevice::force_limit_N(HandKind::replay) > 1e9);
+    CHECK(HandDevice::force_limit_N({}) == (*hand)->device().traits().max_force_N);
+    RunRequest request;
+    for (const HandKind unlimited : {HandKind::mouse, HandKind::replay, HandKind::hid}) {
+        request.hand = unlimited;
+        CHECK(HandDevice::force_limit_N(request) > 1e9);
+    }
+    request.hid.has_force = true;
+    CHECK(HandDevice::force_limit_N(request) == hid::HidHandSettings{}.full_force_N);
 }

@@ -42,6 +42,14 @@ TEST_CASE("options: run takes a lesson and every documented flag") {
     CHECK(options->force_limit_N == 10.0);
 }
 
+TEST_CASE("options: devices are listed for people or for programs, and nothing else is asked") {
+    CHECK(parse({"devices"})->command == Command::devices);
+    CHECK(parse({"devices", "--json"})->json);
+    CHECK_FALSE(parse({"devices", "gravity"}));
+    CHECK_FALSE(parse({"devices", "--hand", "hid"}));
+    CHECK(parse({"run", "gravity", "--hand", "hid:/dev/hidraw3"})->hand == "hid:/dev/hidraw3");
+}
+
 TEST_CASE("options: explain can play the lesson, and speak to programs") {
     const auto options =
         parse({"explain", "gravity", "--analyze", "--json", "--seconds", "2", "--hand", "h.lua"});

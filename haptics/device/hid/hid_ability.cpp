@@ -1,0 +1,152 @@
+#include "haptics/device/hid/hid_ability.h"
+
+#include "haptics/device/hid/space_mouse.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace fulcrum::hid {
+namespace {
+
+constexpr Usage kMultiAxis = usage_of(0x01, 0x08);
+constexpr std::array<Usage, 2> kSticks{usage_of(0x01, 0x04), usage_of(0x01, 0x05)};
+constexpr Usage kFirstPush = usage_of(0x01, 0x30);
+constexpr std::uint16_t kButtonPage = 0x09;
+constexpr double kLeastCap = 100.0;  // less than this is no range of a cap
+
+// The number that X gives at the end of its way.
+double find_full_cap(const ReportDescriptor& descriptor) {
+    for (const ReportField& field : descriptor.fields()) {
+        if (field.type == ReportType::input && field.usage == kFirstPush &&
+            static_cast<double>(field.logical_max) >= kLeastCap && field.bit_size == 16) {
+            return static_cast<double>(field.logical_max);
+        }
+    }
+    return kFullCap;
+}
+
+int count_buttons(const ReportDescriptor& descriptor) {
+    const auto& fields = descriptor.fields();
+    return static_cast<int>(std::count_if(fields.begin(), fields.end(), [](const ReportField& f) {
+        return f.type == ReportType::input && !f.is_array && f.usage >> 16U == kButtonPage;
+    }));
+}
+
+void find_stick(HidAbility& ability) {
+    auto stick = Stick::find(ability.descriptor);
+    if (!stick) {
+        ability.missing = stick.error().message;
+        return;
+    }
+    ability.form = HandForm::stick;
+    ability.n_axes = stick->n_axes();
+    ability.n_buttons = stick->n_buttons();
+    ability.stick = std::move(*stick);
+    if (!mentions_force(ability.descriptor)) {
+        return;
+    }
+    if (const auto force = ForceLayout::find(ability.descriptor)) {
+        ability.force = *force;
+        ability.n_force_axes = (force->has_x ? 1 : 0) + (force->has_y ? 1 : 0);
+    } else {
+        ability.missing = force.error().message;
+    }
+}
+
+// What is better comes first.
+int rank(const HidAbility& ability) {
+    return ability.n_force_axes > 0                ? 3
+           : ability.form == HandForm::space_mouse ? 2
+           : ability.form == HandForm::stick       ? 1
+                                                   : 0;
+}
+
+std::string hexadecimal(std::uint16_t number) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "%04x", number);
+    return text.data();
+}
+
+tl::unexpected<Error> no_permission(const HidNode& node) {
+    return fail(call(node) + " is there, but this user may not open it", node.path,
+                "add the line " + udev_rule(node) + " to " + kUdevRules +
+                    ", then unplug it and plug it in again");
+}
+
+}  // namespace
+
+HidAbility find_ability(const HidNode& node) {
+    HidAbility ability;
+    auto descriptor = ReportDescriptor::parse(node.descriptor);
+    const bool is_known = is_space_mouse(node.vendor, node.product);
+    if (!descriptor) {
+        ability.missing = node.descriptor.empty() ? "its report descriptor cannot be read"
+                                                  : to_sentence(descriptor.error());
+    } else {
+        ability.descriptor = std::move(*descriptor);
+    }
+    const auto& collections = ability.descriptor.collections();
+    const auto has = [&](Usage usage) {
+        return std::any_of(collections.begin(), collections.end(),
+                           [&](const Collection& c) { return c.usage == usage; });
+    };
+    // The table speaks for old ones whose descriptor tells nothing; a receiver has interfaces that are none.
+    if (is_known && (has(kMultiAxis) || node.descriptor.empty())) {
+        ability.form = HandForm::space_mouse;
+        ability.n_axes = 6;
+        ability.n_buttons = count_buttons(ability.descriptor);
+        ability.full_cap = find_full_cap(ability.descriptor);
+    } else if (std::any_of(kSticks.begin(), kSticks.end(), has)) {
+        find_stick(ability);
+    }
+    return ability;
+}
+
+std::string call(const HidNode& node) {
+    return node.name.empty()
+               ? "the device " + hexadecimal(node.vendor) + ":" + hexadecimal(node.product)
+               : node.name;
+}
+
+Expected<HidNode> choose_hand(HidBus& bus, const std::string& path) {
+    if (!path.empty()) {
+        return bus.look(path).and_then([](HidNode&& node) -> Expected<HidNode> {
+            if (!node.may_open) {
+                return no_permission(node);
+            }
+            const HidAbility ability = find_ability(node);
+            if (ability.form == HandForm::none) {
+                return fail(call(node) + " is no hand" +
+                                (ability.missing.empty() ? "" : ": " + ability.missing),
+                            node.path, "fulcrum devices lists what can be used");
+            }
+            return std::move(node);
+        });
+    }
+    std::vector<HidNode> nodes = bus.list();
+    const auto by_rank = [](const HidNode& a, const HidNode& b) {
+        return rank(find_ability(a)) < rank(find_ability(b));
+    };
+    std::vector<HidNode> open;
+    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(open),
+                 [](const HidNode& node) { return node.may_open; });
+    const auto best = std::max_element(open.begin(), open.end(), by_rank);
+    if (best != open.end() && rank(find_ability(*best)) > 0) {
+        // As it is told when it is opened, so that it is known again.
+        return bus.look(best->path);
+    }
+    const auto closed = std::max_element(nodes.begin(), nodes.end(), by_rank);
+    if (closed != nodes.end() && rank(find_ability(*closed)) > 0) {
+        return no_permission(*closed);
+    }
+    return fail("no SpaceMouse and no joystick is plugged in", {},
+                "plug one in; fulcrum devices lists what is there");
+}
+
+std::string udev_rule(const HidNode& node) {
+    return R"(KERNEL=="hidraw*", ATTRS{idVendor}==")" + hexadecimal(node.vendor) +
+           R"(", ATTRS{idProduct}==")" + hexadecimal(node.product) + R"(", TAG+="uaccess")";
+}
+
+}  // namespace fulcrum::hid

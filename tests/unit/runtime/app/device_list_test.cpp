@@ -1,0 +1,92 @@
+#include "runtime/app/device_list.h"
+
+#include "tests/support/virtual_hid.h"
+
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+using namespace fulcrum::test_support;
+
+namespace {
+
+hid::HidNode force_stick() {
+    return make_hid_node("/dev/hidraw2", force_stick_descriptor({}), 0x45e, 0x1b, "Force stick");
+}
+
+}  // namespace
+
+TEST_CASE("device list: with nothing plugged in, the mouse and the simulated hand are there") {
+    const auto entries = list_devices({}, true);
+    CHECK(devices_text(entries) ==
+          "mouse: 3 axes, 3 buttons, no force: it is shown and heard.  --hand mouse\n"
+          "simulated hand: 6 axes, force along 6 axes.  --hand FILE.lua\n"
+          "No SpaceMouse and no joystick is plugged in.\n");
+    CHECK(devices_text(list_devices({}, false))
+              .find("    there is no display; start the program "
+                    "where there is a screen.\n") != std::string::npos);
+}
+
+TEST_CASE("device list: what each can do, and how to play with it") {
+    const std::string text = devices_text(list_devices(
+        {force_stick(), make_hid_node("/dev/hidraw3", plain_stick_descriptor(), 1, 2, ""),
+         make_hid_node("/dev/hidraw4", space_mouse_descriptor(true), 0x256f, 0xc635, "SpaceMouse")},
+        true));
+    CHECK(text.find("Force stick (045e:001b): 3 axes, 8 buttons, force along 2 axes.  --hand "
+                    "hid:/dev/hidraw2\n") != std::string::npos);
+    CHECK(text.find("the device 0001:0002 (0001:0002): 3 axes, 4 buttons, no force") !=
+          std::string::npos);
+    CHECK(text.find("SpaceMouse (256f:c635): 6 axes, 2 buttons, no force: it is shown and heard.  "
+                    "--hand hid:/dev/hidraw4\n") != std::string::npos);
+    CHECK(text.find("No SpaceMouse") == std::string::npos);
+}
+
+TEST_CASE("device list: without permission the line for udev and its place are told") {
+    hid::HidNode closed = force_stick();
+    closed.may_open = false;
+    const auto entries = list_devices({closed}, true);
+    REQUIRE(entries.size() == 3);
+    CHECK_FALSE(entries[2].usable);
+    CHECK(devices_text({entries[2]}) ==
+          "Force stick (045e:001b): 3 axes, 8 buttons, force along 2 axes.\n"
+          "    /dev/hidraw2: this user may not open it; add the line below to "
+          "/etc/udev/rules.d/70-fulcrum.rules, then unplug it and plug it in again.\n"
+          "    KERNEL==\"hidraw*\", ATTRS{idVendor}==\"045e\", ATTRS{idProduct}==\"001b\", "
+          "TAG+=\"uaccess\"\n");
+}
+
+TEST_CASE("device list: a keyboard is none, a broken device is told of with what is wrong") {
+    DescriptorBuilder keys;
+    keys.page(1).usage(6).open(1).close();
+    const auto entries =
+        list_devices({make_hid_node("/dev/hidraw0", keys.bytes(), 1, 1, "Keyboard"),
+                      make_hid_node("/dev/hidraw1", {0xC0}, 1, 2, "Broken")},
+                     true);
+    REQUIRE(entries.size() == 3);
+    CHECK(entries[2].name == "Broken");
+    CHECK(entries[2].kind == "unknown");
+    CHECK_FALSE(entries[2].usable);
+    CHECK(devices_text(entries).find("/dev/hidraw1: byte 0: the report descriptor is wrong") !=
+          std::string::npos);
+}
+
+TEST_CASE("device list: programs read the same") {
+    hid::HidNode closed = force_stick();
+    closed.may_open = false;
+    closed.name = "Quote \" and \xff";
+    const auto json = nlohmann::json::parse(devices_json(list_devices({closed}, false)));
+    CHECK(json["udev_file"] == "/etc/udev/rules.d/70-fulcrum.rules");
+    REQUIRE(json["devices"].size() == 3);
+    CHECK(json["devices"][0]["hand"] == "mouse");
+    CHECK(json["devices"][0]["usable"] == false);
+    const auto& stick = json["devices"][2];
+    CHECK(stick["kind"] == "joystick");
+    CHECK(stick["ids"] == "045e:001b");
+    CHECK(stick["force_axes"] == 2);
+    CHECK(stick["path"] == "/dev/hidraw2");
+    CHECK(stick["udev_rule"].get<std::string>().find("ATTRS{idVendor}==\"045e\"") !=
+          std::string::npos);
+}
