@@ -351,7 +351,7 @@ View LessonScreen::compose() const {
             view.banner = catalogue_.say("hud.said_before", {{"text", before}});
         }
         if (view.banner.empty() && says_how_to_move()) {
-            view.banner = catalogue_.say(how_to_move());
+            view.banner = catalogue_.say(how_to_move(request_, run_->plan().kite.has_value()));
             if (run_->session().hud().may_ask) {
                 view.banner += " " + catalogue_.say("hud.ask_help", {{"key", "Tab"}});
             }
@@ -365,14 +365,6 @@ bool LessonScreen::says_how_to_move() const {
     const bool is_new = request_.hand == HandKind::mouse || request_.hand == HandKind::hid;
     return is_new && !run_->session().result().finished &&
            monotonic_now_s() - level_began_s_ < kHelp_s;
-}
-
-// In the words of what is held.
-const char* LessonScreen::how_to_move() const {
-    if (request_.hand == HandKind::hid) {
-        return request_.hid.form == hid::HandForm::space_mouse ? "hud.cap_help" : "hud.stick_help";
-    }
-    return run_->plan().kite ? "hud.reel_help" : "hud.mouse_help";
 }
 
 void LessonScreen::save_wanted_screenshot(bool last_frame) {

@@ -56,7 +56,6 @@ class LessonScreen {
     void watch_files();
     [[nodiscard]] View compose() const;
     [[nodiscard]] bool says_how_to_move() const;
-    [[nodiscard]] const char* how_to_move() const;
     void save_wanted_screenshot(bool last_frame);
 
     const Places& places_;

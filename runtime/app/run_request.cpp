@@ -123,6 +123,13 @@ double today() {
 
 }  // namespace
 
+const char* how_to_move(const RunRequest& request, bool has_reel) noexcept {
+    if (request.hand == HandKind::hid) {
+        return request.hid.form == hid::HandForm::space_mouse ? "hud.cap_help" : "hud.stick_help";
+    }
+    return has_reel ? "hud.reel_help" : "hud.mouse_help";
+}
+
 LearnerRates rates_of(double errors) {
     return {.wrong = errors / 3.0, .form = errors / 2.0, .unclear = errors / 6.0};
 }

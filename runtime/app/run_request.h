@@ -30,6 +30,9 @@ struct RunRequest {
     dialogue::FeedbackLadder feedback{};  ///< instead of what the lesson says; empty: as it says
 };
 
+/// Which words say how the hand is moved: the catalogue's key, in the words of what is held; `has_reel` where a kite flies.
+[[nodiscard]] const char* how_to_move(const RunRequest& request, bool has_reel) noexcept;
+
 /// Of a simulated learner who errs in so many parts of the answers: half in form, a third in meaning, else unclear.
 [[nodiscard]] LearnerRates rates_of(double errors);
 

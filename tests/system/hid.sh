@@ -43,12 +43,14 @@ ask() {
     read -r -t 60 -u "${virtual[0]}" answer
     printf '%s\n' "$answer"
 }
-# felt_more_than N: until the device has felt more than so much.
-felt_more_than() {
-    local deadline=$((SECONDS + 30)) felt
-    until felt=$(ask felt) && awk -v felt="${felt#felt }" -v least="$1" 'BEGIN { exit !(felt > least) }'; do
-        ((SECONDS <= deadline)) || { echo "felt $felt, not more than $1"; exit 1; }
-        sleep 0.1
+# pushes: until a force is felt that begins where it is small, as it must after every stop and every fade.
+pushes() {
+    local deadline=$((SECONDS + 60)) felt
+    until tell stick 0 0 && sleep 1 && tell stick 511 0 && sleep 1 && felt=$(ask felt) &&
+        awk -v felt="${felt#felt }" 'BEGIN { exit !(felt > 0.3) }'; do
+        ((SECONDS <= deadline)) || { echo "$felt, not more than 0.3"; exit 1; }
+        # An arm with force is stopped while nobody could press Escape: the window gets the keys, and Return lifts the stop.
+        xdotool search --onlyvisible --name Fulcrum windowfocus && sleep 0.5 && xdotool key Return
     done
 }
 
@@ -81,15 +83,6 @@ read -r -t 30 -u "${virtual[0]}" said && [[ $said == plugged ]]
 LD_PRELOAD=$shim "$program" run "$folder/x" --hand "hid:$path" --mute --seconds 120 >"$folder/said" 2>&1 &
 child=$!
 wait_for "hand "
-if [[ $kind == stick ]]; then
-    # An arm with force is stopped while nobody could press Escape: the window gets the keys, and Return lifts the stop.
-    sleep 3
-    xdotool search --onlyvisible --name Fulcrum windowfocus
-    sleep 1
-    xdotool key Return
-    sleep 1
-fi
-sleep 1 # a force begins where it is small
 
 if [[ $kind == cap ]]; then
     tell push 350 0 0 # to the right
@@ -102,7 +95,7 @@ if [[ $kind == cap ]]; then
 else
     tell stick 511 0
     wait_until "the hand goes to the right" '$2 > 0.25'
-    felt_more_than 0.3 # 40 N/m over 0.3 m, of 3 N, in the hand's own measure
+    pushes # 40 N/m over 0.3 m, held to 3 N
 fi
 
 tell unplug
@@ -120,9 +113,7 @@ if [[ $kind == cap ]]; then
     wait "$child" || true
 else
     wait_until "the hand comes back" '$2 < 0.05'
-    sleep 1
-    tell stick 511 0
-    felt_more_than 0.3
+    pushes
     kill -KILL "$child"
     wait "$child" 2>/dev/null || true
     # Nobody renews the effect any more.

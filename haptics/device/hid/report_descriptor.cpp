@@ -3,7 +3,8 @@
 #include <optional>
 
 namespace fulcrum::hid {
-namespace {
+// What the parser below is made of; it has a name because the parser, a friend, has one.
+namespace parsing {
 
 constexpr std::uint8_t kLongItem = 0xFE;
 constexpr std::uint32_t kMostReportCount = 8 * 4096;
@@ -41,7 +42,7 @@ struct Globals {
 };
 
 // A maximum beside a minimum below zero is signed, else it is not: devices write 0xFF for 255.
-std::int64_t maximum(std::int64_t minimum, const Item& item) noexcept {
+inline std::int64_t maximum(std::int64_t minimum, const Item& item) noexcept {
     return minimum < 0 ? item.as_signed() : static_cast<std::int64_t>(item.value);
 }
 
@@ -52,7 +53,9 @@ struct LocalUsages {
     bool has_page = false;
 };
 
-}  // namespace
+}  // namespace parsing
+
+using namespace parsing;
 
 // Reads item after item; what an item does stands in one function each.
 class DescriptorParser {

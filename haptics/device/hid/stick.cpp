@@ -10,8 +10,8 @@ namespace {
 constexpr std::uint16_t kDesktop = 0x01;
 constexpr std::uint16_t kSimulation = 0x02;
 constexpr std::uint16_t kButton = 0x09;
-constexpr Usage kX = usage_of(kDesktop, 0x30);
-constexpr Usage kY = usage_of(kDesktop, 0x31);
+constexpr Usage kAxisX = usage_of(kDesktop, 0x30);
+constexpr Usage kAxisY = usage_of(kDesktop, 0x31);
 constexpr Usage kGamepad = usage_of(kDesktop, 0x05);
 constexpr std::uint32_t kMostButtons = 32;
 
@@ -35,9 +35,9 @@ std::optional<ReportField> find_axis(const ReportDescriptor& descriptor, Usage u
 }  // namespace
 
 Expected<Stick> Stick::find(const ReportDescriptor& descriptor) {
-    const auto x = find_axis(descriptor, kX, 0);
+    const auto x = find_axis(descriptor, kAxisX, 0);
     const Usage application = x ? descriptor.application_of(*x) : 0;
-    const auto y = find_axis(descriptor, kY, application);
+    const auto y = find_axis(descriptor, kAxisY, application);
     if (!x || !y) {
         return fail("the device has no two axes", {}, "use a joystick, a gamepad or a SpaceMouse");
     }
