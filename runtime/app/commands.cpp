@@ -19,6 +19,7 @@
 #include "runtime/scene/explain.h"
 #include "runtime/scene/picture/grey_picture.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -230,10 +231,14 @@ int check_command(const Installation& installation, const Options& options) {
                     });
 }
 
-int test_command(const Installation& installation, const Options& options) {
+namespace {
+
+// The lesson's own test, played by this; gives the exit code.
+int test_by(const Installation& installation, const Options& options, PlayedBy by) {
     RunRequest request = quiet_request(options);
     request.hand_file = options.hand;
     request.seed = options.seed.value_or(request.seed);
+    play_by(by, request);
     if (options.errors) {
         request.learner_rates = rates_of(*options.errors);
     }
@@ -243,7 +248,10 @@ int test_command(const Installation& installation, const Options& options) {
                 {"the lesson has no test", (folder / "lesson.lua").string(), "add L:test { … }"},
                 1);
         }
-        const auto outcome = run_headless(run, {});
+        HeadlessSettings settings;
+        const auto desk = seat_player(run, request);
+        settings.desk = desk.get();
+        const auto outcome = run_headless(run, settings);
         if (!outcome) {
             return complain(outcome.error(), 1);
         }
@@ -259,10 +267,27 @@ int test_command(const Installation& installation, const Options& options) {
             test.expect = {{"finished", "true"}};
         }
         const int unmet = count_unmet(test, run.session().result());
-        std::printf("%s: %s after %.1f s of play.\n", run.description().id.c_str(),
-                    unmet == 0 ? "passed" : "failed", outcome->simulated_s);
+        std::printf("%s: %s by %s after %.1f s of play.\n", run.description().id.c_str(),
+                    unmet == 0 ? "passed" : "failed", std::string(name_of(by)).c_str(),
+                    outcome->simulated_s);
         return unmet == 0 ? 0 : 1;
     });
+}
+
+}  // namespace
+
+int test_command(const Installation& installation, const Options& options) {
+    if (options.by) {
+        return test_by(installation, options, *options.by);
+    }
+    int worst = 0;
+    for (const PlayedBy by : kAllPlayers) {
+        worst = std::max(worst, test_by(installation, options, by));
+        if (interrupted()) {
+            break;
+        }
+    }
+    return worst;
 }
 
 int explain_command(const Installation& installation, const Options& options) {

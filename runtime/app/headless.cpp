@@ -15,9 +15,10 @@ constexpr double kLeastMinutes = 1.0;
 // The virtual clock: time is a count of haptic ticks, so that nothing drifts and nothing depends on the machine.
 class VirtualClock {
   public:
-    VirtualClock(LessonRun& run, StageClock* stages)
+    VirtualClock(LessonRun& run, const HeadlessSettings& settings)
         : run_(run),
-          stages_(stages),
+          stages_(settings.clock),
+          desk_(settings.desk),
           rate_hz_(run.plan().haptic.rate_hz),
           world_every_(
               run.world_loop() != nullptr ? std::lround(rate_hz_ / run.plan().world_rate_hz()) : 0),
@@ -50,10 +51,20 @@ class VirtualClock {
     Expected<FrameReport> exchange_frame() {
         FrameInput input;
         input.time_s = now_s();
+        if (desk_ != nullptr) {
+            auto done = desk_->step(now_s(), 1.0 / frame_rate_hz_);
+            if (!done) {
+                return tl::unexpected(done.error());
+            }
+            input = std::move(*done);
+        }
         if (stages_ != nullptr) {
             stages_->begin();
         }
         auto report = run_.exchange_frame(input);
+        if (desk_ != nullptr && report) {
+            desk_->look_again();
+        }
         if (stages_ != nullptr) {
             stages_->passed_lesson();
         }
@@ -79,6 +90,7 @@ class VirtualClock {
 
     LessonRun& run_;
     StageClock* stages_;
+    SimulatedDesk* desk_;
     double rate_hz_;
     long world_every_;
     long kite_every_;
@@ -137,7 +149,7 @@ std::string trouble_of(const LessonRun& run, const HeadlessOutcome& outcome, boo
 
 Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& settings) {
     HeadlessOutcome outcome;
-    VirtualClock clock(run, settings.clock);
+    VirtualClock clock(run, settings);
     const double began_s = monotonic_now_s();
     const double longest_s =
         60.0 * std::max(run.description().minutes, kLeastMinutes) * settings.most_lengths;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "runtime/app/lesson_run.h"
+#include "runtime/app/simulated_desk.h"
 #include "runtime/app/stage_clock.h"
 
 #include <functional>
@@ -21,6 +22,8 @@ struct HeadlessSettings {
     double most_lengths = 3.0;
     /// Called after each frame with the run's time; for pictures on the way. May be empty.
     std::function<void(double)> after_frame;
+    /// Who plays at a desk; null where the simulated hand is an arm.
+    SimulatedDesk* desk = nullptr;
     /// Times every stage; null for a plain run, which is the same to the byte.
     StageClock* clock = nullptr;
     bool shows_prints = true;  ///< what the lesson prints goes to standard output

@@ -90,13 +90,14 @@ Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
     LessonFiles files;
     files.folder = request.folder;
     files.library = places.scripts_lib;
-    if (request.hand == HandKind::scripted) {
+    const bool has_script = request.hand == HandKind::scripted || request.by != PlayedBy::arm;
+    if (has_script) {
         files.hand = request.hand_file;
     }
     LessonProcessOptions options;
     options.seed = request.seed;
     auto process = LessonProcess::start(files, options);
-    const bool wants_own_hand = process && request.own_test && request.hand == HandKind::scripted &&
+    const bool wants_own_hand = process && request.own_test && has_script &&
                                 request.hand_file.empty() &&
                                 !(*process)->description().tests.empty() &&
                                 !(*process)->description().tests.front().hand.empty();

@@ -4,6 +4,7 @@
 #include "runtime/app/lesson_parts.h"
 #include "runtime/files/shape_cache.h"
 #include "runtime/lesson/compose_view.h"
+#include "runtime/lesson/learner_throat.h"
 #include "runtime/lesson/past_answers.h"
 #include "runtime/lesson/questions.h"
 #include "runtime/text/progress_line.h"
@@ -154,6 +155,7 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
                                         const dialogue::Catalogue& catalogue) {
     LessonDescription description = process_->description();
     choose_feedback(description, request.feedback);
+    at_desk_ = request.by != PlayedBy::arm;
     const auto learner = store.enrol(request.learner.empty() ? kGuest : request.learner);
     if (!learner) {
         return tl::unexpected(learner.error());
@@ -179,6 +181,10 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
         std::fprintf(stderr, "%s\n", to_sentence(past.error()).c_str());
         past = std::vector<PastAnswers>{};
     }
+    if (plan_.recogniser && plan_.hearing.takes_throat && plan_.hearing.throat == 0.0 &&
+        !request.learner.empty() && learner->nickname != kSimulatedPupil) {
+        plan_.hearing.throat = read_throat(store, *learner).value_or(0.0);
+    }
     auto session =
         LessonSession::create(std::move(description), plan_, catalogue, store, learner->id,
                               version_of(process_->files_read()), std::move(*past));
@@ -188,25 +194,6 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
     session_ = std::move(*session);
     place_visible_bodies();
     return {};
-}
-
-// What the simulated pupil says to the question that is open, once it has thought.
-Expected<std::optional<std::string>> LessonRun::hear_pupil(double time_s) {
-    const SessionHud& hud = session_->hud();
-    const dialogue::Question* const question = session_->question();
-    if (!pupil_) {
-        return std::optional<std::string>();
-    }
-    if (hud.may_ask) {
-        return pupil_->ask(time_s);
-    }
-    if (question == nullptr || !hud.question_open || hud.invited) {
-        return std::optional<std::string>();
-    }
-    return pupil_->answer(hud.question_asked_at_s, time_s, *question,
-                          [&](const AnswerSlots& slots) {
-                              return ask_verdict({question->id, slots});
-                          });
 }
 
 Expected<SessionInput> LessonRun::gather(const FrameInput& input) {
@@ -235,7 +222,10 @@ Expected<SessionInput> LessonRun::gather(const FrameInput& input) {
     gathered.wheel = input.wheel;
     gathered.keys = input.keys;
     gathered.heard = input.typed;
-    if (!gathered.heard) {
+    if (wish_ && !at_desk_ && !wish_->key.empty()) {
+        gathered.keys.push_back(std::exchange(wish_->key, {}));
+    }
+    if (!gathered.heard && !at_desk_) {
         auto said = hear_pupil(input.time_s);
         if (!said) {
             return tl::unexpected(said.error());
@@ -307,6 +297,7 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
     }
     if (output->has_hand_target) {
         hand_->follow(output->hand_target_W, output->hand_buttons);
+        wish_ = HandWish{output->hand_target_W, output->hand_buttons, output->hand_key};
     }
     if (output->printed.size() > kMostPrints) {
         output->printed.resize(kMostPrints);

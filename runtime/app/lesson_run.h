@@ -18,6 +18,7 @@
 #include "runtime/app/run_recorder.h"
 #include "runtime/app/run_request.h"
 #include "runtime/audio/touch_sound.h"
+#include "runtime/lesson/answer_choices.h"
 #include "runtime/lesson/session.h"
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/lua/process/lesson_process.h"
@@ -38,6 +39,13 @@ struct FrameInput {
     std::vector<std::string> keys;
     std::optional<std::string> typed;
     double wheel = 0.0;  ///< notches, away from the user is +
+};
+
+/// What the lesson's simulated hand wants of somebody at a desk.
+struct HandWish {
+    Pose target_W{};
+    std::uint32_t buttons = 0;
+    std::string key;  ///< to be pressed once; empty for none
 };
 
 /// What a frame asks of the driver.
@@ -87,6 +95,13 @@ class LessonRun {
     [[nodiscard]] Expected<void> begin_frame(const FrameInput& input);
     [[nodiscard]] std::optional<Expected<FrameReport>> poll_frame();
 
+    /// What the simulated pupil says to the question that is open, or asks while none is, when it is time for it; given once.
+    [[nodiscard]] Expected<std::optional<std::string>> hear_pupil(double time_s);
+    /// Somebody at a desk plays: what the newest reply of the simulated hand wants; nothing before the first. Taken, its key is pressed.
+    [[nodiscard]] std::optional<HandWish> take_wish();
+    /// Answers to the question of now to choose from; none where nothing is asked. Not between `begin_frame` and its reply.
+    [[nodiscard]] Expected<std::vector<AnswerChoice>> make_choices();
+
     /// Where the mouse points, in the world; for HandKind::mouse.
     void point_at(const Vector3& position_W, std::uint32_t buttons);
     /// Makes the force fade at once and stay away: the lesson has failed with this sentence.
@@ -121,7 +136,6 @@ class LessonRun {
 
     void place_visible_bodies();
     [[nodiscard]] Expected<SessionInput> gather(const FrameInput& input);
-    [[nodiscard]] Expected<std::optional<std::string>> hear_pupil(double time_s);
     [[nodiscard]] Expected<FrameReport> conclude(const LessonReply& reply);
     [[nodiscard]] Expected<void> command_world(const std::vector<WorldCommand>& commands);
     [[nodiscard]] const WorldSnapshot* newest_world() const;
@@ -147,6 +161,8 @@ class LessonRun {
     std::unique_ptr<RunRecorder> recorder_;  // null when nothing is recorded
     std::unique_ptr<LessonSession> session_;
     std::optional<SimulatedPupil> pupil_;
+    bool at_desk_ = false;  // who plays types and chooses the pupil's answers
+    std::optional<HandWish> wish_;
     SourceLine say_line_ = 0;
     double last_frame_s_ = 0.0;
 };

@@ -3,7 +3,6 @@
 #include "haptics/base/clock.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/audio/openal/openal_microphone.h"
-#include "runtime/render/camera.h"
 
 #include <algorithm>
 #include <array>
@@ -18,9 +17,8 @@ namespace {
 constexpr double kWatchPeriod_s = 0.25;  // how often the lesson's files are looked at
 // For what the disk still has to keep when a play is over.
 constexpr double kStorePatience_s = 15.0;
-constexpr double kWheelStep_m = 0.02;  // depth of one notch
-constexpr double kWheelReach_m = 0.3;  // either way
-constexpr double kHelp_s = 15.0;       // how long a level says how to move
+constexpr double kHelp_s = 15.0;        // how long a level says how to move
+constexpr double kLongestStep_s = 0.1;  // of keys that are held, when the picture stalled
 // A frame waits so long for Lua before it draws without it.
 constexpr double kAnswerPatience_s = 0.004;
 
@@ -34,7 +32,8 @@ LessonScreen::LessonScreen(const Places& places, Desktop& desktop, ProgressStore
       store_(store),
       catalogue_(catalogue),
       request_(std::move(request)),
-      options_(options) {}
+      options_(options),
+      input_(request_.hand) {}
 
 LessonScreen::~LessonScreen() {
     stop();
@@ -44,10 +43,7 @@ LessonScreen::~LessonScreen() {
 void LessonScreen::begin() {
     stop();
     error_.clear();
-    typing_.clear();
-    asking_ = false;
     said_before_ = {};
-    input_ = {};
     files_.watch_folder(request_.folder);
     RunRequest request = request_;
     if (++plays_ > 1 && !request.record_file.empty()) {
@@ -76,7 +72,7 @@ void LessonScreen::begin() {
     if (run_->plan().microphone) {
         ear_ = std::make_unique<LiveEar>(run_->plan().hearing.listen, microphone_opener());
     }
-    keys_.watch(&run_->channels());
+    input_.begin(run_.get());
     epoch_s_ = level_began_s_ = monotonic_now_s();
     level_ = 0;
     first_epoch_s_ = first_epoch_s_.value_or(epoch_s_);
@@ -108,7 +104,7 @@ void LessonScreen::stop() {
             std::fprintf(stderr, "%s\n", to_sentence(kept.error()).c_str());
         }
         say_losses(*run_);
-        keys_.watch(nullptr);
+        input_.begin(nullptr);
         run_.reset();
     }
 }
@@ -156,57 +152,39 @@ void LessonScreen::take_input(const WindowEvents& events) {
     if (events.close || interrupted()) {
         left_ = Left::closed;
     }
-    if (events.lost_focus && run_) {
-        keys_.lose_focus(run_->device().traits().renders_force);
-    }
     if (ear_ && ear_->take_keys(events)) {
         desktop_.hush();
     }
-    for (const KeyPress& press : events.pressed) {
-        if (press.text.empty()) {
-            take_key(press);
-        } else if (run_ && error_.empty() && !keys_.stopped() &&
-                   (run_->session().hud().question_open || asking_)) {
-            typing_.add(press.text);
-        }
+    const auto picked = events.button_press[0] && run_ && error_.empty()
+                            ? desktop_.picture->spot_at(events.press_x_px, events.press_y_px)
+                            : std::nullopt;
+    if (picked) {
+        input_.pick(*picked);
     }
-    move_pointer(events);
+    const double now_s = monotonic_now_s();
+    const double dt_s = std::clamp(now_s - polled_s_, 0.0, kLongestStep_s);
+    polled_s_ = now_s;
+    const PictureSize size{desktop_.window->width_px(), desktop_.window->height_px()};
+    input_.take(events, !run_ || !error_.empty(), size, dt_s);
+    take_orders();
 }
 
-// The emergency stop's keys go before all others; return runs a lesson that failed again.
-void LessonScreen::take_key(const KeyPress& press) {
-    const bool failed = !run_ || !error_.empty();
-    const RunState state{.failed = failed,
-                         .finished = !failed && run_->session().result().finished};
-    const StopKey done = keys_.take(press.key, press.repeat, state);
-    if (done == StopKey::leave) {
-        left_ = Left::to_menu;
-    } else if (failed && press.key == "return" && !press.repeat) {
-        begin();
-    } else if (done == StopKey::nothing && !failed && !keys_.stopped()) {
-        take_playing_key(press);
-    }
-}
-
-void LessonScreen::take_playing_key(const KeyPress& press) {
-    const bool question_open = run_->session().hud().question_open;
-    if (press.key == "f11") {
-        desktop_.window->set_fullscreen(!desktop_.window->fullscreen());
-    } else if (press.key == "f2") {
-        say_again();
-    } else if (press.key == "tab" && run_->session().hud().may_ask) {
-        asking_ = !asking_;
-        typing_.clear();
-    } else if (press.key == "backspace") {
-        typing_.backspace();
-    } else if ((question_open || asking_) && press.key == "return") {
-        // While the lesson has not heard the last line yet, this one stays in the box.
-        if (!input_.typed) {
-            input_.typed = typing_.take();
-            asking_ = false;
+void LessonScreen::take_orders() {
+    for (const ScreenOrder order : input_.take_orders()) {
+        switch (order) {
+            case ScreenOrder::begin_again:
+                begin();
+                return;
+            case ScreenOrder::leave:
+                left_ = Left::to_menu;
+                break;
+            case ScreenOrder::switch_fullscreen:
+                desktop_.window->set_fullscreen(!desktop_.window->fullscreen());
+                break;
+            case ScreenOrder::say_again:
+                say_again();
+                break;
         }
-    } else if (!press.repeat && !question_open && !asking_) {
-        input_.keys.push_back(press.key);
     }
 }
 
@@ -222,36 +200,12 @@ void LessonScreen::say_again() {
     desktop_.say_again(said_before_.look_back(standing, monotonic_now_s()));
 }
 
-void LessonScreen::move_pointer(const WindowEvents& events) {
-    // The wheel is the reel of a kite, where there is one.
-    if (run_ && run_->plan().kite) {
-        input_.wheel += events.wheel;
-    } else {
-        wheel_m_ =
-            std::clamp(wheel_m_ + kWheelStep_m * events.wheel, -kWheelReach_m, kWheelReach_m);
-    }
-    if (!run_ || request_.hand != HandKind::mouse) {
-        return;
-    }
-    const Camera camera(run_->description().camera, desktop_.window->width_px(),
-                        desktop_.window->height_px());
-    const auto place_W =
-        pointer_on_plane(camera, {events.pointer_x_px, events.pointer_y_px}, wheel_m_);
-    std::uint32_t buttons = 0;
-    for (std::size_t i = 0; i < events.button_down.size(); ++i) {
-        buttons |= events.button_down[i] ? 1U << i : 0U;
-    }
-    if (place_W) {
-        run_->point_at(*place_W, buttons);
-    }
-}
-
 // What the learner says while somebody listens; never what the program says itself.
 void LessonScreen::listen() {
     if (!ear_) {
         return;
     }
-    const bool wanted = error_.empty() && !keys_.stopped() && run_->session().listens();
+    const bool wanted = error_.empty() && !input_.stopped() && run_->session().listens();
     if (const auto utterance = ear_->step(wanted, desktop_.speaks())) {
         run_->session().hear_utterance(*utterance);
     }
@@ -270,9 +224,8 @@ void LessonScreen::exchange() {
     }
     const double now_s = monotonic_now_s() - epoch_s_;
     if (!run_->process().waits_for_reply() && now_s >= next_frame_s_) {
-        input_.time_s = now_s;
-        const auto sent = run_->begin_frame(input_);
-        input_ = {};
+        const auto sent = input_.take_frame(now_s).and_then(
+            [&](const FrameInput& input) { return run_->begin_frame(input); });
         if (!sent) {
             fail_with(sent.error());
             return;
@@ -292,7 +245,7 @@ void LessonScreen::exchange() {
         fail_with(report->error());
         return;
     }
-    asking_ = asking_ && run_->session().hud().may_ask;
+    input_.look_again();
     desktop_.play((*report)->sounds);
     desktop_.say((*report)->spoken);
     for (const std::string& text : (*report)->spoken) {
@@ -320,10 +273,17 @@ void LessonScreen::watch_files() {
 
 View LessonScreen::compose() const {
     View view = run_ ? run_->view(catalogue_) : last_view_;
-    view.input = typing_.text();
-    view.input_visible = view.input_visible || asking_;
+    if (run_) {
+        input_.show(view);
+    }
     if (ear_) {
         ear_->show(view, catalogue_);
+    }
+    // Before anything is typed the line says what else there is.
+    if (!view.choices.empty()) {
+        view.microphone.words = catalogue_.say("hud.choose_here");
+    } else if (view.input_visible && view.microphone.words.empty()) {
+        view.microphone.words = catalogue_.say("hud.type_here");
     }
     if (!error_.empty()) {
         view.banner = catalogue_.say("banner.stopped") + " " +
@@ -332,8 +292,9 @@ View LessonScreen::compose() const {
         view.caption = catalogue_.say("banner.retry");
         view.feedback.clear();
         view.input_visible = false;
+        view.choices.clear();
         view.force.visible = false;
-    } else if (keys_.stopped()) {
+    } else if (input_.stopped()) {
         view.banner = catalogue_.say("hud.emergency", {{"key", "Enter"}});
         view.banner_is_error = true;
     } else if (run_ && run_->device_is_lost()) {

@@ -6,12 +6,11 @@
 
 #include "dialogue/catalogue.h"
 #include "runtime/app/desktop.h"
+#include "runtime/app/lesson_input.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/live_ear.h"
 #include "runtime/app/live_loops.h"
 #include "runtime/app/options.h"
-#include "runtime/app/stop_keys.h"
-#include "runtime/app/typing.h"
 #include "runtime/app/watched_files.h"
 #include "runtime/lesson/said_before.h"
 #include "runtime/progress/store.h"
@@ -47,10 +46,8 @@ class LessonScreen {
     void stop();
     void fail_with(const Error& error);
     void take_input(const WindowEvents& events);
-    void take_key(const KeyPress& press);
-    void take_playing_key(const KeyPress& press);
+    void take_orders();
     void say_again();
-    void move_pointer(const WindowEvents& events);
     void exchange();
     void listen();
     void watch_files();
@@ -76,13 +73,10 @@ class LessonScreen {
     WatchedFiles files_;
     double next_watch_s_ = 0.0;
 
-    bool asking_ = false;  // the learner has opened the line to ask something
-    TypedLine typing_;
     SaidBefore said_before_;
     std::unique_ptr<LiveEar> ear_;  // null where the plan hears no microphone
-    FrameInput input_{};
-    double wheel_m_ = 0.0;
-    StopKeys keys_;
+    LessonInput input_;
+    double polled_s_ = 0.0;  // when the window was asked last, monotonic clock
     bool has_begun_ = false;
     std::optional<Left> left_;
     View last_view_{};

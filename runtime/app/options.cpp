@@ -19,12 +19,12 @@ struct CommandWord {
 
 constexpr std::array<CommandWord, 12> kCommands{{
     {"run", Command::run, true,
-     " --headless --seconds --seed --errors --hand --say --learner --db --record --screenshot "
-     "--screenshot-at --speech --hear --listen --voice --voice-speed --watch"
-     " --mute --force-limit --feedback "},
+     " --headless --seconds --seed --errors --hand --by --say --learner --db --record --screenshot "
+     "--screenshot-at --speech --hear --listen --throat --voice --voice-speed "
+     "--watch --mute --force-limit --feedback "},
     {"list", Command::list, false, " "},
     {"check", Command::check, true, " --force-limit "},
-    {"test", Command::test, true, " --force-limit --seed --errors --hand "},
+    {"test", Command::test, true, " --force-limit --seed --errors --hand --by "},
     {"explain", Command::explain, true,
      " --mute --headless --speech --hear --listen --record --force-limit --analyze --json --hand "
      "--say "
@@ -36,7 +36,8 @@ constexpr std::array<CommandWord, 12> kCommands{{
     {"-h", Command::help, false, " "},
     {"--version", Command::version, false, " "},
     {"menu", Command::menu, false,
-     " --learner --db --force-limit --feedback --mute --speech --listen --voice --voice-speed "
+     " --learner --db --force-limit --feedback --mute --speech --listen --throat --voice "
+     "--voice-speed "
      "--watch "},
 }};
 
@@ -106,6 +107,9 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
     if (flag == "--errors") {
         return into_number(options.errors, 0.0, 0.9);
     }
+    if (flag == "--throat") {
+        return into_number(options.throat, 1.0, 2.0);
+    }
     if (flag == "--screenshot-at") {
         return into_number(options.screenshot_at_s, 0.0, 86400.0);
     }
@@ -135,6 +139,15 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
     }
     if (flag == "--feedback") {
         return set_feedback(options, value);
+    }
+    if (flag == "--by") {
+        const auto by =
+            std::ranges::find(kAllPlayers, value, [](PlayedBy player) { return name_of(player); });
+        if (by == kAllPlayers.end()) {
+            return fail("--by " + value + " is not known", "", "use arm, mouse or keyboard");
+        }
+        options.by = *by;
+        return {};
     }
     if (flag == "--listen") {
         if (value != "hold" && value != "always") {
@@ -309,6 +322,7 @@ std::string usage() {
   fulcrum run LESSON         play a lesson
       --headless             without a window, faster than real time, repeatable to the byte; tells what is said
       --hand FILE.lua|mouse|hid|hid:PATH|replay:FILE
+      --by arm|mouse|keyboard  without a window: how the simulated hand plays, by an arm or as somebody at a desk (arm)
       --say FILE             one answer a line, given to the questions in turn
       --learner NAME         whose progress this is
       --db FILE              where progress is kept
@@ -325,11 +339,13 @@ std::string usage() {
                              exec:COMMAND, heard by a program of your own (dialogue/README.md)
       --hear FILE            one recording (WAV) a line, heard for the questions in turn instead of a microphone
       --listen hold|always   when the microphone is heard: while Control is held, or whenever somebody speaks (hold)
+      --throat N             with --speech sphinx: how much smaller than a grown-up's the pupil's throat is, 1 to 2; without it
+                             as it was heard the last time, kept with the pupil's progress
       --voice NAME           who says aloud what stands there: flite, espeak-ng or none (flite)
       --voice-speed N        0.5 to 2, 1 is as a teacher speaks (0.9)
   fulcrum list               the lessons
   fulcrum check LESSON       look for mistakes, and play the first ten seconds
-  fulcrum test LESSON        play the lesson's own tests  (--hand FILE.lua)
+  fulcrum test LESSON        play the lesson's own tests, by arm, by mouse and by keyboard  (--by NAME: by this one; --hand FILE.lua)
       --errors N             a simulated learner answers, who knows what is right and errs in so many parts of the answers, 0 to 0.9:
                              half of that in form, a third in meaning, else unclear; the lesson must come to its end  (--seed N)
   fulcrum explain LESSON     what runs for it, how often, and which line asked for it

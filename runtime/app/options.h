@@ -3,6 +3,7 @@
 
 #include "dialogue/marking/feedback_ladder.h"
 #include "haptics/base/error.h"
+#include "runtime/app/played_by.h"
 #include "runtime/audio/voice/voice_program.h"
 #include "runtime/scene/plan.h"
 
@@ -31,9 +32,9 @@ struct Options {
     std::string lesson;             ///< a name under scenarios/ or a folder
     bool headless = false;          ///< no window: virtual clock, faster than real time
     std::optional<double> seconds;  ///< end the run after this long, 0 to 86 400
-    std::string
-        hand;  ///< FILE.lua, mouse, hid, hid:PATH or replay:FILE; empty: chosen by what is there
-    std::string say;  ///< file with one answer a line
+    std::string hand;            ///< FILE.lua, mouse, hid, hid:PATH or replay:FILE; empty: chosen by what is there
+    std::optional<PlayedBy> by;  ///< how a simulated hand plays; test: by all where none is named
+    std::string say;             ///< file with one answer a line
     std::optional<double>
         errors;            ///< a simulated learner answers, and errs in so many parts, 0 to 0.9
     std::string learner;   ///< nickname
@@ -43,6 +44,8 @@ struct Options {
     std::string screenshot;             ///< PNG to write when the run ends
     double screenshot_at_s = -1.0;      ///< or at this time of the run; negative: at its end
     SpeechInput speech = SpeechInput::text;
+    std::optional<double>
+        throat;  ///< with --speech sphinx: the learner's, 1 to 2 times smaller than a grown-up's
     std::string hearing;                   ///< with --speech exec: the command
     std::string hear;                      ///< file with the name of one recording a line
     ListenMode listen = ListenMode::hold;  ///< in a window: when the microphone is heard

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,11 @@ class Picture {
     /// Where `draw` puts the cards of a view's list of lessons.
     [[nodiscard]] MenuLayout menu_layout(const View& view, int width, int height) const {
         return renderer_->menu_layout(view, width, height);
+    }
+
+    /// What of the answer was at this place of the picture that was drawn last: a choice, or -1 for the line to type in; nothing elsewhere.
+    [[nodiscard]] std::optional<int> spot_at(double x_px, double y_px) const {
+        return renderer_->spot_at(x_px, y_px);
     }
 
   private:

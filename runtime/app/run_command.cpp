@@ -81,6 +81,8 @@ int run_without_window(const Installation& installation, const Options& options,
     HeadlessSettings settings;
     settings.end_s = options.seconds;
     settings.shows_talk = true;
+    const auto desk = seat_player(**run, request);
+    settings.desk = desk.get();
     if (!options.screenshot.empty()) {
         settings.after_frame = [&](double now_s) { screenshot.after_frame(now_s); };
     }

@@ -22,6 +22,19 @@ Expected<void> choose_hid(const std::string& word, bool in_window, RunRequest& r
     return choose_hid_hand(word).map([&](HidChoice&& choice) { request.hid = std::move(choice); });
 }
 
+// By what the simulated hand plays.
+Expected<void> choose_player(const Options& options, bool in_window, RunRequest& request) {
+    if (!options.by) {
+        return {};
+    }
+    if (in_window || request.hand != HandKind::scripted) {
+        return fail("--by says how a simulated hand plays, and there is none", "",
+                    "add --headless, and give --hand a Lua file or nothing");
+    }
+    play_by(*options.by, request);
+    return {};
+}
+
 // Whose hand: what was asked for, else the mouse in a window and the lesson's own simulated hand without.
 Expected<void> choose_hand(const Options& options, bool in_window, RunRequest& request) {
     constexpr std::string_view kReplay = "replay:";
@@ -45,9 +58,9 @@ Expected<void> choose_hand(const Options& options, bool in_window, RunRequest& r
     }
     if (!in_window && request.hand == HandKind::mouse) {
         return fail("there is no mouse without a window", "",
-                    "leave --hand out, or give it a hand's file");
+                    "leave --hand out, give it a hand's file, or add --by mouse");
     }
-    return {};
+    return choose_player(options, in_window, request);
 }
 
 // Whose answers: a file's, the lesson's own when nobody could type, else the keyboard's.
@@ -67,7 +80,8 @@ Expected<void> choose_answers(const Options& options, bool in_window, RunRequest
         }
         request.say = *lines;
     }
-    const bool has_answers = !request.say.empty() || request.learner_rates.has_value();
+    const bool has_answers =
+        !request.say.empty() || request.learner_rates.has_value() || !options.hear.empty();
     if (in_window || (has_answers && !request.learner.empty())) {
         return {};
     }
@@ -97,6 +111,8 @@ Expected<void> choose_hearing(const Options& options, RunRequest& request) {
         std::error_code error;
         const auto own = std::filesystem::read_symlink("/proc/self/exe", error);
         hearing.words = {(own.parent_path() / "fulcrum-sphinx").string()};
+        hearing.takes_throat = true;
+        hearing.throat = options.throat.value_or(0.0);
     }
     if (options.hear.empty()) {
         return {};
@@ -128,6 +144,11 @@ const char* how_to_move(const RunRequest& request, bool has_reel) noexcept {
         return request.hid.form == hid::HandForm::space_mouse ? "hud.cap_help" : "hud.stick_help";
     }
     return has_reel ? "hud.reel_help" : "hud.mouse_help";
+}
+
+void play_by(PlayedBy by, RunRequest& request) {
+    request.by = by;
+    request.hand = by == PlayedBy::arm ? HandKind::scripted : HandKind::mouse;
 }
 
 LearnerRates rates_of(double errors) {

@@ -4,8 +4,10 @@
 #include "runtime/app/hid_hands.h"
 #include "runtime/app/options.h"
 #include "runtime/app/places.h"
+#include "runtime/app/played_by.h"
 #include "runtime/scene/plan.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,7 +20,8 @@ struct RunRequest {
     std::filesystem::path folder;  ///< of the lesson
     PlanOptions plan{};
     HandKind hand = HandKind::scripted;
-    /// Scripted: a Lua file, empty for the lesson's own test. Replay: a record.
+    PlayedBy by = PlayedBy::arm;  ///< at a desk the hand is a mouse
+    /// Scripted or at a desk: a Lua file, empty for the lesson's own test. Replay: a record.
     std::filesystem::path hand_file;
     HidChoice hid{};               ///< the device of HandKind::hid
     std::vector<std::string> say;  ///< answers of a simulated pupil; empty: somebody types
@@ -32,6 +35,8 @@ struct RunRequest {
 
 /// Which words say how the hand is moved: the catalogue's key, in the words of what is held; `has_reel` where a kite flies.
 [[nodiscard]] const char* how_to_move(const RunRequest& request, bool has_reel) noexcept;
+/// Lets the lesson's simulated hand play by this.
+void play_by(PlayedBy by, RunRequest& request);
 
 /// Of a simulated learner who errs in so many parts of the answers: half in form, a third in meaning, else unclear.
 [[nodiscard]] LearnerRates rates_of(double errors);

@@ -130,6 +130,7 @@ void ExternalRecogniser::take(const dialogue::HearingAnswer& answer) {
     } else if (const auto* const heard = std::get_if<dialogue::HeardLine>(&answer)) {
         if (heard->question == question_) {
             awaits_ = false;
+            throat_ = heard->throat > 0.0 ? heard->throat : throat_;
             constexpr double kToSomebodyElse = 0.02;
             if (settings_.passes_over &&
                 (heard->text.empty() || heard->confidence < kToSomebodyElse)) {

@@ -47,6 +47,8 @@ class ExternalRecogniser final : public dialogue::Recogniser {
     void hear(std::span<const std::int16_t> utterance);
     /// What somebody should know of it, once each: words that it cannot hear, that it has ended; empty otherwise.
     [[nodiscard]] std::string take_trouble();
+    /// How much smaller than a grown-up's the learner's throat is, as the program has heard it; 0: it has not told.
+    [[nodiscard]] double throat() const { return throat_; }
 
   private:
     ExternalRecogniser(HearingSettings settings, std::unique_ptr<LineProgram> program);
@@ -59,6 +61,7 @@ class ExternalRecogniser final : public dialogue::Recogniser {
     std::unique_ptr<LineProgram> program_;
     std::string name_ = "external";
     bool hears_form_ = true;
+    double throat_ = 0.0;
     std::size_t next_recording_ = 0;
     int question_ = 0;
     bool listening_ = false;

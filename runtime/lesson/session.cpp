@@ -1,6 +1,7 @@
 #include "runtime/lesson/session.h"
 
 #include "runtime/lesson/free_english.h"
+#include "runtime/lesson/learner_throat.h"
 #include "runtime/lesson/questions.h"
 #include "runtime/progress/text_rules.h"
 
@@ -72,6 +73,9 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
     record.started_utc_ms = utc_now_ms();
     record.settings = {{"force_limit_N", std::to_string(plan.haptic.safety.max_force_N)},
                        {"felt_scale", std::to_string(plan.felt_scale)}};
+    if (plan.recogniser && plan.hearing.throat > 0.0) {
+        record.settings.emplace_back(kThroat, throat_text(plan.hearing.throat));
+    }
     return std::unique_ptr<LessonSession>(new LessonSession(
         std::move(description), plan, std::move(dialogue), SessionLog(store, std::move(record)),
         std::move(*knowledge), std::move(past)));
@@ -305,6 +309,11 @@ Expected<void> LessonSession::keep_listening_for_asking() {
 }
 
 void LessonSession::end(EndReason reason) {
+    // What was found of the learner's throat, for the next time.
+    if (const double throat = speech_.throat(); throat > 0.0 && !ended_) {
+        log_.keep_setting(kThroatHeard, throat_text(throat));
+    }
+    ended_ = true;
     log_.keep_end(reason, hud_.stars, hud_.score, hud_.level);
 }
 
@@ -339,8 +348,8 @@ Expected<SessionOutput> LessonSession::finish_frame(const LessonReply& reply) {
         output.has_hand_target = true;
     }
     // As in a window: while a question is open, keys are letters of its answer.
-    if (!reply.hand_key.empty() && !dialogue_.is_open()) {
-        queued_.push_back(KeyEvent{reply.hand_key});
+    if (!dialogue_.is_open()) {
+        output.hand_key = reply.hand_key;
     }
     return output;
 }

@@ -59,6 +59,7 @@ struct SessionOutput {
     bool has_hand_target = false;  ///< the simulated hand's Lua gave one
     Pose hand_target_W{};
     std::uint32_t hand_buttons = 0;
+    std::string hand_key;  ///< that its other hand presses, once; none while a question is open
     std::vector<std::string> printed;
     std::vector<std::string> spoken;  ///< what is to be said aloud
     std::vector<std::string> said;    ///< what was shown, asked and answered, see transcript.h
@@ -171,6 +172,7 @@ class LessonSession {
     bool listens_for_asking_ = false;
     std::vector<bool> told_about_;  // by body
     SessionLog log_;
+    bool ended_ = false;  // its end is kept
     Speech speech_;
     Transcript transcript_;
     int turn_ = 0;  // of the dialogue's, the one that is listened for

@@ -67,6 +67,11 @@ void SessionLog::keep_attempt(const MarkedAnswer& answer) {
     keep([&] { return store_->add_attempt(attempt); });
 }
 
+void SessionLog::keep_setting(const std::string& name, const std::string& value) {
+    const SessionSetting setting{session_.id, name, value};
+    keep([&] { return store_->add_setting(setting); });
+}
+
 void SessionLog::keep_end(EndReason reason, int stars, int score, int level) {
     if (std::exchange(ended_, true)) {
         return;

@@ -21,6 +21,8 @@ class SessionLog {
     SessionLog(ProgressStore& store, SessionRecord session);
 
     void keep_attempt(const MarkedAnswer& answer);
+    /// Keeps what turned out in the session, before its end; a name once.
+    void keep_setting(const std::string& name, const std::string& value);
     /// Keeps the end, once.
     void keep_end(EndReason reason, int stars, int score, int level);
     /// Asks a store that keeps later whether it could.

@@ -1,5 +1,7 @@
 #include "runtime/lesson/speech.h"
 
+#include "runtime/lesson/learner_throat.h"
+
 #include <utility>
 #include <vector>
 
@@ -19,8 +21,12 @@ Speech Speech::build(const Plan& plan) {
     speech.asks_ = plan.dialogue;
     speech.has_recordings_ = !plan.hearing.recordings.empty();
     if (plan.recogniser) {
+        std::vector<std::string> words = plan.hearing.words;
+        if (plan.hearing.takes_throat && plan.hearing.throat > 0.0) {
+            words.insert(words.end(), {"--throat", throat_text(plan.hearing.throat)});
+        }
         auto hearing = ExternalRecogniser::create(
-            {plan.hearing.words, plan.hearing.recordings, plan.waits_for_hearing,
+            {std::move(words), plan.hearing.recordings, plan.waits_for_hearing,
              plan.microphone && plan.hearing.listen == ListenMode::always});
         if (hearing) {
             speech.hearing_ = std::move(*hearing);

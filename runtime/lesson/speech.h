@@ -47,6 +47,8 @@ class Speech {
     [[nodiscard]] std::optional<dialogue::Hypothesis> poll();
     /// "text" or "null", or as the program that hears calls itself.
     [[nodiscard]] std::string_view recogniser_name() const;
+    /// How much smaller than a grown-up's the learner's throat was heard to be; 0: not heard.
+    [[nodiscard]] double throat() const { return hearing_ ? hearing_->throat() : 0.0; }
     /// What somebody should know of who hears, a sentence each, once.
     [[nodiscard]] std::vector<std::string> take_troubles();
 

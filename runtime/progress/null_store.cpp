@@ -19,6 +19,9 @@ class NullStore final : public ProgressStore {
     [[nodiscard]] Expected<void> begin_session(const SessionRecord& session) override {
         return validate(session);
     }
+    [[nodiscard]] Expected<void> add_setting(const SessionSetting& setting) override {
+        return validate(setting);
+    }
     [[nodiscard]] Expected<void> end_session(const SessionEnd& end) override {
         return validate(end);
     }

@@ -28,6 +28,9 @@ Expected<void> write_to(ProgressStore& store, const Learner& learner) {
 Expected<void> write_to(ProgressStore& store, const SessionRecord& session) {
     return store.begin_session(session);
 }
+Expected<void> write_to(ProgressStore& store, const SessionSetting& setting) {
+    return store.add_setting(setting);
+}
 Expected<void> write_to(ProgressStore& store, const SessionEnd& end) {
     return store.end_session(end);
 }
@@ -78,6 +81,9 @@ Expected<void> QueuedStore::add_learner(const Learner& learner) {
 }
 Expected<void> QueuedStore::begin_session(const SessionRecord& session) {
     return take_in(session);
+}
+Expected<void> QueuedStore::add_setting(const SessionSetting& setting) {
+    return take_in(setting);
 }
 Expected<void> QueuedStore::end_session(const SessionEnd& end) {
     return take_in(end);

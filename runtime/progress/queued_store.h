@@ -53,6 +53,7 @@ class QueuedStore final : public ProgressStore {
     [[nodiscard]] Expected<Learner> enrol(std::string_view nickname) override;
     [[nodiscard]] Expected<void> add_learner(const Learner& learner) override;
     [[nodiscard]] Expected<void> begin_session(const SessionRecord& session) override;
+    [[nodiscard]] Expected<void> add_setting(const SessionSetting& setting) override;
     [[nodiscard]] Expected<void> end_session(const SessionEnd& end) override;
     [[nodiscard]] Expected<void> add_attempt(const AttemptRecord& attempt) override;
     [[nodiscard]] Expected<ProgressData> read(const ProgressFilter& filter) override;
@@ -62,7 +63,7 @@ class QueuedStore final : public ProgressStore {
     [[nodiscard]] QueuedStoreStatus status() const;
 
   private:
-    using Record = std::variant<Learner, SessionRecord, SessionEnd, AttemptRecord>;
+    using Record = std::variant<Learner, SessionRecord, SessionSetting, SessionEnd, AttemptRecord>;
 
     template <class R>
     Expected<void> take_in(const R& record);

@@ -90,6 +90,12 @@ Expected<void> validate(const SessionRecord& session) {
         .and_then([&] { return check_named(session.lesson, "session's lesson"); });
 }
 
+Expected<void> validate(const SessionSetting& setting) {
+    return check_id(setting.session, "setting's session").and_then([&] {
+        return check_named(setting.name, "session's setting");
+    });
+}
+
 Expected<void> validate(const SessionEnd& end) {
     if (end.stars < 0 || end.stars > kMaxStars) {
         return fail("a session ended with " + std::to_string(end.stars) + " stars", {},

@@ -59,6 +59,15 @@ struct SessionRecord {
     bool operator==(const SessionRecord&) const = default;
 };
 
+/// What turned out in a session, kept with its settings; a name once a session.
+struct SessionSetting {
+    RecordId session;
+    std::string name;  ///< not empty
+    std::string value;
+
+    bool operator==(const SessionSetting&) const = default;
+};
+
 /// How a session came to its end.
 enum class EndReason : std::uint8_t { finished, left, failed };
 
@@ -115,6 +124,7 @@ struct AttemptRecord {
 /// sentence.
 [[nodiscard]] Expected<void> validate(const Learner& learner);
 [[nodiscard]] Expected<void> validate(const SessionRecord& session);
+[[nodiscard]] Expected<void> validate(const SessionSetting& setting);
 [[nodiscard]] Expected<void> validate(const SessionEnd& end);
 [[nodiscard]] Expected<void> validate(const AttemptRecord& attempt);
 

@@ -58,6 +58,9 @@ class ProgressStore {
     /// Keeps the beginning of a session with its settings. The learner must be known.
     [[nodiscard]] virtual Expected<void> begin_session(const SessionRecord& session) = 0;
 
+    /// Keeps what turned out in a session, beside its settings. The session must be known.
+    [[nodiscard]] virtual Expected<void> add_setting(const SessionSetting& setting) = 0;
+
     /// Keeps a session's end. The session must be known and have no other end.
     [[nodiscard]] virtual Expected<void> end_session(const SessionEnd& end) = 0;
 

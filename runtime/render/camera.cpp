@@ -97,14 +97,16 @@ Eigen::Matrix4f Camera::clip_from_world() const {
     return (clip * view).cast<float>();
 }
 
+// Upright, so that moving the pointer up moves the hand up, not towards the wall.
+Vector3 pointer_plane_normal(const Camera& camera) {
+    const Vector3 forward = camera.forward_W();
+    const Vector3 level(forward.x(), 0.0, forward.z());
+    return level.norm() > kSteep ? Vector3(level.normalized()) : forward;
+}
+
 std::optional<Vector3> pointer_on_plane(const Camera& camera, const Eigen::Vector2d& position_px,
                                         double wheel_m) {
-    // Upright, so that moving the pointer up moves the hand up, not towards the wall.
-    Vector3 normal = camera.forward_W();
-    const Vector3 level(normal.x(), 0.0, normal.z());
-    if (level.norm() > kSteep) {
-        normal = level.normalized();
-    }
+    const Vector3 normal = pointer_plane_normal(camera);
     const Vector3 on_plane = camera.target_W() + wheel_m * normal;
     const Ray ray = camera.ray(position_px);
     const double towards = normal.dot(ray.direction_W);

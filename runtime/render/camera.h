@@ -75,6 +75,9 @@ class Camera {
     double focal_px_ = 1.0;
 };
 
+/// The unit normal of the pointer's plane, away from the eye: level, or along the view when looking steeply down or up.
+[[nodiscard]] Vector3 pointer_plane_normal(const Camera& camera);
+
 /// Where the pointer is in the world: on the upright plane through the camera's target that faces
 /// the camera (when looking steeply down or up, the plane across the view), moved `wheel_m` away
 /// from the eye. Nothing when the pointer's ray runs along the plane or away from it.

@@ -12,6 +12,7 @@
 #include "runtime/render/scene/scene_painter.h"
 #include "runtime/render/text/font.h"
 
+#include <algorithm>
 #include <epoxy/gl.h>
 #include <optional>
 #include <utility>
@@ -71,6 +72,7 @@ struct Renderer::Parts {
     Font font;
     DrawList list;
     FeedbackPlace feedback_place;
+    std::vector<Box> spots;  ///< of the view drawn last: the line to type in, then the choices
     std::vector<std::string> notices;
     std::optional<KiteSettings> kite;  ///< as it was drawn last
 
@@ -83,6 +85,22 @@ struct Renderer::Parts {
         for (const LoadedModel& model : make_kite_models(*kite)) {
             if (auto added = painter.add_model(model); !added) {
                 notices.push_back(to_sentence(added.error()));
+            }
+        }
+    }
+
+    /// Answers to choose from lie over the scene, each with a picture of its own.
+    void draw_choices(const View& view, const PanelLayout& panels, const Measure& measure,
+                      int width, int height) {
+        if (panels.choices.empty()) {
+            return;
+        }
+        draw_overlay([&] { draw_choice_papers(view, panels, measure, list); }, width, height);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        for (std::size_t i = 0; i < panels.choices.size(); ++i) {
+            if (!view.choices[i].picture.empty()) {
+                painter.draw_icon(view.choices[i].picture,
+                                  choice_picture(panels.choices[i], measure), width, height);
             }
         }
     }
@@ -141,6 +159,17 @@ MenuLayout Renderer::menu_layout(const View& view, int width, int height) const 
     return lay_out_menu(view, measure, lay_out_panels(view, parts_->font, measure).shown());
 }
 
+std::optional<int> Renderer::spot_at(double x_px, double y_px) const {
+    const auto x = static_cast<float>(x_px);
+    const auto y = static_cast<float>(y_px);
+    const auto found = std::ranges::find_if(parts_->spots, [&](const Box& box) {
+        return x >= box.x && x < box.right() && y >= box.y && y < box.bottom();
+    });
+    return found == parts_->spots.end()
+               ? std::nullopt
+               : std::optional(static_cast<int>(found - parts_->spots.begin()) - 1);
+}
+
 void Renderer::draw(const View& view, int width, int height) {
     if (width <= 0 || height <= 0) {
         return;
@@ -161,11 +190,16 @@ void Renderer::draw(const View& view, int width, int height) {
     const PanelLayout panels =
         lay_out_panels(view, parts_->font, measure, hand, parts_->feedback_place);
     parts_->feedback_place = panels.feedback_place;
+    parts_->spots = {panels.input.box};
+    for (const Panel& choice : panels.choices) {
+        parts_->spots.push_back(choice.box);
+    }
     const MenuLayout menu = lay_out_menu(view, measure, panels.shown());
     std::vector<SceneLabel> labels;
 
     if (view.menu.empty()) {
         labels = parts_->painter.draw_scene(view, camera, parts_->target, width, height);
+        parts_->draw_choices(view, panels, measure, width, height);
     } else {
         parts_->painter.draw_wall(camera, parts_->target);
         parts_->draw_overlay([&] { draw_menu_papers(menu, measure, parts_->list); }, width, height);

@@ -44,6 +44,9 @@ struct HearingOrder {
     std::vector<std::string>
         recordings;  ///< WAV files that are heard instead of a microphone, one a question
     ListenMode listen = ListenMode::hold;  ///< with a microphone
+    bool takes_throat = false;             ///< the program understands --throat
+    double throat =
+        0.0;  ///< how much smaller than a grown-up's the learner's is, 1 to 2; 0: to be found
 };
 
 /// Told how much of what takes long to load is done, 0 to 1, and what it is; false stops the loading. May be empty.

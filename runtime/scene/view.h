@@ -56,6 +56,12 @@ struct ViewMicrophone {
     std::string words;     ///< what to do, where nothing is typed yet
 };
 
+/// An answer to choose.
+struct ViewChoice {
+    std::string said;
+    std::string picture;  ///< name of a model drawn small before it; empty for none
+};
+
 struct View {
     double time_s = 0.0;
     CameraDescription camera{};
@@ -75,7 +81,9 @@ struct View {
     std::string
         feedback;  ///< what was answered to the learner; words between asterisks are emphasised
     bool input_visible = false;
-    std::string input;  ///< what the learner is typing
+    std::string input;                ///< what the learner is typing
+    std::vector<ViewChoice> choices;  ///< answers to choose from, above the line to type in
+    int chosen = -1;                  ///< of these; -1: none
     ViewMicrophone microphone{};
     int score = 0;
     int level = 0;

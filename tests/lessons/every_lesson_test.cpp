@@ -28,13 +28,44 @@ std::vector<std::string> lessons() {
 
 }  // namespace
 
-TEST_CASE("every lesson: its own test passes") {
+TEST_CASE("every lesson: its own test passes by arm, by mouse and by keyboard") {
     for (const std::string& lesson : lessons()) {
         const Sandbox sandbox;
         const ProgramRun run = sandbox.run("test " + lesson);
         INFO(lesson << ": " << run.output);
         CHECK(run.exit_code == 0);
+        for (const char* by : {"arm", "mouse", "keyboard"}) {
+            CHECK(run.output.find(lesson + ": passed by " + by) != std::string::npos);
+        }
     }
+}
+
+TEST_CASE("every lesson: nobody stays blocked who errs in half of the answers, or in nearly all") {
+    for (const std::string& lesson : lessons()) {
+        const Sandbox sandbox;
+        for (const char* errors : {"0.5", "0.9"}) {
+            const ProgramRun run = sandbox.run("test " + lesson + " --errors " + errors);
+            INFO(lesson << ", " << errors << ": " << run.output);
+            CHECK(run.exit_code == 0);
+        }
+    }
+}
+
+TEST_CASE("every lesson: who plays at a desk gives the same bytes twice, and feels no force") {
+    const Sandbox sandbox;
+    for (const char* by : {"mouse", "keyboard"}) {
+        CAPTURE(by);
+        const std::string play =
+            std::string("run gravity --headless --errors 0.3 --by ") + by + " --record ";
+        const ProgramRun run = sandbox.run(play + "a.rec");
+        INFO(run.output);
+        REQUIRE(run.exit_code == 0);
+        REQUIRE(sandbox.run(play + "b.rec").exit_code == 0);
+        CHECK(bytes_of(sandbox.path("a.rec")) == bytes_of(sandbox.path("b.rec")));
+    }
+    const ProgramRun odd = sandbox.run("run gravity --headless --hand replay:a.rec --by mouse");
+    CHECK(odd.exit_code == 2);
+    CHECK(odd.output.find("--by says how a simulated hand plays") != std::string::npos);
 }
 
 TEST_CASE("every lesson: the same input twice gives the same bytes, and nothing passes the limit") {

@@ -64,8 +64,8 @@ TEST_CASE("maze park: nobody stays blocked, however often the learner errs") {
     const Sandbox sandbox;
     for (const char* errors : {"0", "0.5", "0.9"}) {
         for (const char* seed : {"1", "2", "3"}) {
-            const ProgramRun run =
-                sandbox.run(std::string("test maze-park --errors ") + errors + " --seed " + seed);
+            const ProgramRun run = sandbox.run(std::string("test maze-park --by arm --errors ") +
+                                               errors + " --seed " + seed);
             INFO(errors << ' ' << seed << ": " << run.output);
             CHECK(run.exit_code == 0);
         }

@@ -1,11 +1,15 @@
 // A lesson played by voice: what a synthetic voice says is heard, marked and answered as what is typed is.
 #include "runtime/audio/voice/voice_program.h"
 #include "runtime/files/run_program.h"
+#include "runtime/progress/sqlite/sqlite_store.h"
 #include "tests/lessons/program.h"
 
 #include <catch2/catch.hpp>
 
 #include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -14,14 +18,28 @@ using namespace fulcrum::test;
 
 namespace {
 
+// As a throat so much smaller says it: said slower, and played quicker.
+void make_smaller(std::string& wav, double smaller) {
+    constexpr std::size_t kRate = 24;  // of a WAV file's header, and bytes a second behind it
+    for (const std::size_t at : {kRate, kRate + 4}) {
+        std::uint32_t value = 0;
+        std::memcpy(&value, wav.data() + at, sizeof value);
+        value = static_cast<std::uint32_t>(std::lround(value * smaller));
+        std::memcpy(wav.data() + at, &value, sizeof value);
+    }
+}
+
 // A list of recordings of these sentences, as --hear takes it.
-std::string record(const Sandbox& sandbox, const std::vector<std::string>& sentences) {
+std::string record(const Sandbox& sandbox, const std::vector<std::string>& sentences,
+                   double smaller = 1.0) {
     const std::atomic<bool> never{false};
     std::string list;
     for (const std::string& sentence : sentences) {
-        const auto wav = runtime::run_program(
-            {runtime::make_voice_words({.speed = 1.0}, sentence), 10'000'000, 20.0}, never);
+        auto wav = runtime::run_program(
+            {runtime::make_voice_words({.speed = 1.0 / smaller}, sentence), 10'000'000, 20.0},
+            never);
         REQUIRE(wav);
+        make_smaller(*wav, smaller);
         const std::string name = "said" + std::to_string(list.size()) + ".wav";
         sandbox.write(name, *wav);
         list += name + "\n";
@@ -51,6 +69,41 @@ TEST_CASE(
     CHECK(run.output.find("gravity: finished after") != std::string::npos);
     CHECK(run.output.find("3 of 3 stars, 4 answers") != std::string::npos);
     CHECK(run.output.find("(wrong") == std::string::npos);
+}
+
+TEST_CASE("spoken: how small a learner's throat is is kept with the learner, and said is said") {
+    const Sandbox sandbox;
+    const std::string play =
+        "run gravity --headless --speech sphinx --db p.db --seconds 40 --hear " +
+        record(sandbox,
+               {"the apple is heavier than the egg", "an apple is the heaviest",
+                "the watermelon is the heaviest", "the egg is the lightest"},
+               1.26);
+    for (const char* rest :
+         {" --learner Mina", " --learner Mina", " --learner Tom --throat 1.35"}) {
+        const ProgramRun run = sandbox.run(play + rest);
+        INFO(run.output);
+        REQUIRE(run.exit_code == 0);
+    }
+    const auto store = runtime::open_sqlite_store(sandbox.path("p.db"));
+    REQUIRE(store);
+    const auto data = (*store)->read({});
+    REQUIRE(data);
+    REQUIRE(data->sessions.size() == 3);
+    const auto setting = [&](std::size_t session, const std::string& name) {
+        for (const auto& [known, value] : data->sessions[session].settings) {
+            if (known == name) {
+                return value;
+            }
+        }
+        return std::string();
+    };
+    CHECK(setting(0, "throat").empty());
+    const std::string heard = setting(0, "throat_heard");
+    CHECK(heard > "1.00");
+    CHECK(heard <= "1.50");
+    CHECK(setting(1, "throat") == heard);
+    CHECK(setting(2, "throat") == "1.35");
 }
 
 TEST_CASE("spoken: without what hears there is one sentence, and the lesson goes on by typing") {

@@ -217,7 +217,12 @@ Expected<HearingAnswer> read_answer(std::string_view line) {
             return fail("the line of what was heard has no text or confidence");
         }
         const auto sure = confidence->get<double>();
-        return HeardLine{*question, *text, std::isfinite(sure) ? std::clamp(sure, 0.0, 1.0) : 0.0};
+        const auto throat = object.find("throat");
+        const double size =
+            throat != object.end() && throat->is_number() ? throat->get<double>() : 0.0;
+        constexpr double kLargest = 2.0;
+        return HeardLine{*question, *text, std::isfinite(sure) ? std::clamp(sure, 0.0, 1.0) : 0.0,
+                         size >= 1.0 && size <= kLargest ? size : 0.0};
     }
     if (auto sentence = text_of(object, "trouble")) {
         return TroubleLine{std::move(*sentence)};
@@ -234,6 +239,9 @@ std::string write_line(const HearingAnswer& answer) {
     } else if (const auto* const heard = std::get_if<HeardLine>(&answer)) {
         object = {
             {"heard", heard->question}, {"text", heard->text}, {"confidence", heard->confidence}};
+        if (heard->throat > 0.0) {
+            object["throat"] = heard->throat;
+        }
     } else {
         object = {{"trouble", std::get<TroubleLine>(answer).sentence}};
     }

@@ -9,6 +9,8 @@
 //                                                                             learner's: the meaning is marked, and no error of form
 //             {"listening": 3, "unknown": ["zzyzx"]}                          words that it will never hear
 //             {"heard": 3, "text": "the egg is heavier", "confidence": 0.97}  text empty: nothing that fits
+//             {"heard": 3, …, "throat": 1.2}                                  it also found how much smaller than a grown-up's the learner's
+//                                                                             throat is, 1 to 2
 //             {"trouble": "one sentence"}                                     about the line before it
 // The number is the question's, and answers to an older one are passed over. Any program that keeps to this can hear for Fulcrum.
 //
@@ -62,6 +64,8 @@ struct HeardLine {
     int question = 0;
     std::string text;
     double confidence = 0.0;  ///< 0 to 1
+    double throat =
+        0.0;  ///< how much smaller than a grown-up's the learner's is, 1 to 2; 0: not told
 };
 struct TroubleLine {
     std::string sentence;

@@ -1,5 +1,6 @@
 #include "dialogue/speech/sphinx/decoder.h"
 
+#include "dialogue/speech/sphinx/noise_floor.h"
 #include "dialogue/speech/sphinx/pronunciation.h"
 #include "dialogue/speech/sphinx/stretch.h"
 
@@ -16,7 +17,9 @@ namespace fulcrum::dialogue {
 namespace {
 
 constexpr const char* kGraphName = "question";
-constexpr double kSilence_s = 0.3;  // before and behind, for what was cut close
+constexpr double kNoisyRoom_dB = 36.0;  // from here on the allowance grows
+constexpr double kNoisyRange_dB = 5.0;  // until it is whole
+constexpr double kSilence_s = 0.3;      // before and behind, for what was cut close
 
 struct FreeDecoder {
     void operator()(ps_decoder_t* decoder) const { ps_free(decoder); }
@@ -114,7 +117,10 @@ struct Decoder::Engines {
     // As a grown-up of a throat so much larger would have said it.
     [[nodiscard]] Decoded decode(std::span<const std::int16_t> sound, double size) const {
         const std::vector<std::int16_t> slower = stretch(sound, size);
-        const auto n_silent = static_cast<std::size_t>(kSilence_s * kHeardRate_Hz);
+        // Silence beside a room's noise would be taken for the room.
+        const bool is_quiet = room_below_voice_dB(sound) > kNoisyRoom_dB;
+        const auto n_silent =
+            is_quiet ? static_cast<std::size_t>(kSilence_s * kHeardRate_Hz) : std::size_t{0};
         std::vector<std::int16_t> padded(slower.size() + 2 * n_silent, 0);
         std::ranges::copy(slower, padded.begin() + static_cast<std::ptrdiff_t>(n_silent));
         const Scored of_graph = score(graph.get(), padded);
@@ -145,10 +151,13 @@ struct Decoder::Engines {
 };
 
 Expected<bool> validate(const DecoderSettings& settings) {
-    const bool good =
-        std::abs(settings.middle) <= 100.0 && settings.width >= 0.01 && settings.width <= 100.0;
+    const bool good = std::abs(settings.middle) <= 100.0 && settings.width >= 0.01 &&
+                      settings.width <= 100.0 && settings.noise_allowance >= 0.0 &&
+                      settings.noise_allowance <= 10.0;
     if (!good) {
-        return fail("the recogniser's middle is from -100 to 100, its width from 0.01 to 100");
+        return fail(
+            "the recogniser's middle is from -100 to 100, its width from 0.01 to 100, its "
+            "allowance for noise from 0 to 10");
     }
     constexpr std::size_t kMostThroats = 16;
     const bool are_throats = std::ranges::all_of(
@@ -192,6 +201,10 @@ Expected<std::unique_ptr<Decoder>> Decoder::create(const DecoderSettings& settin
                             " cannot be read; install the package pocketsphinx-en-us anew"}));
     }
     return std::unique_ptr<Decoder>(new Decoder(std::move(engines)));
+}
+
+double Decoder::throat() const {
+    return engines_->throat;
 }
 
 Expected<std::vector<std::string>> Decoder::listen(const WordGraph& graph) {
@@ -243,9 +256,13 @@ Decoded Decoder::decode(std::span<const std::int16_t> sound) {
         return {};
     }
     const DecoderSettings& settings = engines_->settings;
+    // Noise takes from the graph's score more than from that of the sounds.
+    const double noisy =
+        std::clamp((kNoisyRoom_dB - room_below_voice_dB(sound)) / kNoisyRange_dB, 0.0, 1.0);
+    const double middle = settings.middle - noisy * settings.noise_allowance;
     constexpr double kSure = 2.0;  // widths above the middle: 88 % by the confidence
     Decoded decoded = engines_->decode(sound, engines_->throat);
-    if (decoded.text.empty() || decoded.difference < settings.middle + kSure * settings.width) {
+    if (decoded.text.empty() || decoded.difference < middle + kSure * settings.width) {
         for (const double throat : settings.throats) {
             if (throat == engines_->throat) {
                 continue;
@@ -260,11 +277,10 @@ Decoded Decoder::decode(std::span<const std::int16_t> sound) {
     if (decoded.text.empty()) {
         return {};
     }
-    if (decoded.difference > settings.middle) {
+    if (decoded.difference > middle) {
         engines_->throat = decoded.throat;
     }
-    decoded.confidence =
-        1.0 / (1.0 + std::exp(-(decoded.difference - settings.middle) / settings.width));
+    decoded.confidence = 1.0 / (1.0 + std::exp(-(decoded.difference - middle) / settings.width));
     return decoded;
 }
 

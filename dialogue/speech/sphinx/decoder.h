@@ -6,6 +6,9 @@
 // graph. The loop of sounds bends to anything, so what is said outside the graph fits the loop much better.
 // The middle and its width were read off synthetic voices: `fulcrum bench hearing` has the curve, what is kept against what is wrongly let in.
 //
+// In a room whose noise is less than 36 dB below the voice the same words give a smaller d, and the middle goes down by noise_allowance until
+// 31 dB. Nearer noise is not mended by any middle: then the words themselves are heard wrongly.
+//
 // The model is of grown-ups' throats. A child's is shorter: where the learner's last throat is not surely right, all of `throats` are tried
 // (stretch.h), the one with the greatest d is taken, and when it is likelier right than not it is the learner's from then on.
 //
@@ -31,6 +34,8 @@ struct DecoderSettings {
     std::string models = "/usr/share/pocketsphinx/model/en-us";
     double middle = 3.5;  ///< d at which either is as likely, -100 to 100
     double width = 0.8;   ///< 0.01 to 100
+    double noise_allowance =
+        1.2;  ///< so much lower is the middle in a noisy room (noise_floor.h), 0 to 10
     /// How much smaller than a grown-up's it may be, 1 to kMostStretch each; the first at first.
     std::vector<double> throats{1.0, 1.2, 1.35, 1.5};
 };
@@ -58,6 +63,8 @@ class Decoder {
     [[nodiscard]] Expected<std::vector<std::string>> listen(const WordGraph& graph);
     /// All of one utterance of the learner who spoke before, mono at kHeardRate_Hz.
     [[nodiscard]] Decoded decode(std::span<const std::int16_t> sound);
+    /// The learner's, as far as it is known: settings.throats' first until something fitted.
+    [[nodiscard]] double throat() const;
 
   private:
     struct Engines;

@@ -2,6 +2,7 @@
 //
 //   --middle N --width N   how sure of its ear it is (decoder.h)      --models FOLDER   where the acoustic model and dictionary are
 //   --throats N,N,…        how much smaller than a grown-up's the learner's may be (decoder.h); 1: a grown-up
+//   --throat N             how much smaller it is, as far as is known: tried first
 #include "dialogue/speech/external/hearing_lines.h"
 #include "dialogue/speech/sphinx/decoder.h"
 
@@ -42,6 +43,17 @@ bool take_numbers(std::string_view text, std::vector<double>& numbers) {
     return true;
 }
 
+// Before all others, once.
+bool take_first(std::string_view text, std::vector<double>& numbers) {
+    double first = 0.0;
+    if (!take_number(text, first)) {
+        return false;
+    }
+    std::erase(numbers, first);
+    numbers.insert(numbers.begin(), first);
+    return true;
+}
+
 Expected<DecoderSettings> read_settings(std::span<char*> words) {
     DecoderSettings settings;
     for (std::size_t i = 1; i < words.size(); i += 2) {
@@ -51,11 +63,12 @@ Expected<DecoderSettings> read_settings(std::span<char*> words) {
                           : name == "--middle"  ? take_number(value, settings.middle)
                           : name == "--width"   ? take_number(value, settings.width)
                           : name == "--throats" ? take_numbers(value, settings.throats)
+                          : name == "--throat"  ? take_first(value, settings.throats)
                                                 : false;
         if (!good) {
-            return fail(
-                concat({"fulcrum-sphinx does not understand ", name, " ", value,
-                        "; it takes --middle N, --width N, --throats N,N and --models FOLDER"}));
+            return fail(concat({"fulcrum-sphinx does not understand ", name, " ", value,
+                                "; it takes --middle N, --width N, --throats N,N, --throat N and "
+                                "--models FOLDER"}));
         }
     }
     return settings;
@@ -86,7 +99,7 @@ class Listener {
         if (line.question == question_) {
             const Decoded decoded = decoder_.decode(heard_);
             heard_.clear();
-            say(HeardLine{line.question, decoded.text, decoded.confidence});
+            say(HeardLine{line.question, decoded.text, decoded.confidence, decoder_.throat()});
         }
     }
     void operator()(const StopLine& line) {

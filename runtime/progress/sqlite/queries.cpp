@@ -3,6 +3,7 @@
 #include "runtime/progress/sqlite/rows.h"
 #include "runtime/progress/text_rules.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace fulcrum::runtime::sqlite {
@@ -152,6 +153,30 @@ void keep(Database& database, const SessionRecord& given) {
             .bind(value)
             .run();
     }
+}
+
+// Behind the settings with which the session began.
+void keep(Database& database, const SessionSetting& given) {
+    const SessionSetting setting{given.session, kept_text(given.name), kept_text(given.value)};
+    const auto session = find_session(database, setting.session);
+    const auto& settings = session ? session->settings : decltype(session->settings){};
+    const auto kept =
+        std::ranges::find(settings, setting.name, [](const auto& s) { return s.first; });
+    const std::optional<SessionSetting> before =
+        kept == settings.end()
+            ? std::nullopt
+            : std::optional(SessionSetting{setting.session, kept->first, kept->second});
+    if (is_repeat(database, before, setting, "setting of the session")) {
+        return;
+    }
+    require(database, "SELECT 1 FROM session WHERE id = ?", setting.session, "session");
+    Statement(database,
+              "INSERT INTO session_setting(session, position, name, value) VALUES(?, ?, ?, ?)")
+        .bind(setting.session)
+        .bind(static_cast<std::int64_t>(settings.size()))
+        .bind(setting.name)
+        .bind(setting.value)
+        .run();
 }
 
 void keep(Database& database, const SessionEnd& end) {

@@ -14,6 +14,7 @@ namespace fulcrum::runtime::sqlite {
 /// content, refused.
 void keep(Database& database, const Learner& learner);
 void keep(Database& database, const SessionRecord& session);
+void keep(Database& database, const SessionSetting& setting);
 void keep(Database& database, const SessionEnd& end);
 void keep(Database& database, const AttemptRecord& attempt);
 

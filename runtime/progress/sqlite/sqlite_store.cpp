@@ -36,6 +36,9 @@ class SqliteStore final : public ProgressStore {
     [[nodiscard]] Expected<void> begin_session(const SessionRecord& session) override {
         return keep(session);
     }
+    [[nodiscard]] Expected<void> add_setting(const SessionSetting& setting) override {
+        return keep(setting);
+    }
     [[nodiscard]] Expected<void> end_session(const SessionEnd& end) override { return keep(end); }
     [[nodiscard]] Expected<void> add_attempt(const AttemptRecord& attempt) override {
         return keep(attempt);

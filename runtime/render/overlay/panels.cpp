@@ -83,6 +83,23 @@ void lay_out_score(const View& view, const Font& font, const Measure& m, float t
                  panel.words.height_px + 2.0F * m.px(7.0F)};
 }
 
+/// Above the line to type in, the first at the top; `bottom` rises above them.
+void lay_out_choices(const View& view, const Font& font, const Measure& m, float& bottom,
+                     PanelLayout& layout) {
+    const float width = std::min(m.px(kInputWidth), m.width_px - 2.0F * m.px(kMargin));
+    const float words = width - 2.0F * m.px(kPadX) - m.px(kIconRoom);
+    for (const ViewChoice& choice : view.choices) {
+        layout.choices.push_back(
+            {{}, set_words(font, m, plain_text(choice.said), {kBodyText, words, 2}), {}});
+    }
+    for (std::size_t i = layout.choices.size(); i-- > 0;) {
+        Panel& panel = layout.choices[i];
+        const float height = panel.words.height_px + m.px(kPadY);
+        panel.box = {0.5F * (m.width_px - width), bottom - height, width, height};
+        bottom -= height + 0.5F * m.px(kGap);
+    }
+}
+
 /// The panels at the bottom, stacked upwards from the screen's lower edge; the height above which is room.
 float lay_out_bottom(const View& view, const Font& font, const Measure& m, PanelLayout& layout) {
     float bottom = m.height_px - m.px(kMargin);
@@ -112,6 +129,7 @@ float lay_out_bottom(const View& view, const Font& font, const Measure& m, Panel
             layout.input.words = set_words(font, m, text, {kSpokenText, 1e9F, 1});
         }
         stack(layout.input, width);
+        lay_out_choices(view, font, m, bottom, layout);
     }
     if (!view.caption.empty()) {
         layout.caption.words =
@@ -254,6 +272,9 @@ std::vector<Box> PanelLayout::shown() const {
             boxes.push_back(panel->box);
         }
     }
+    for (const Panel& choice : choices) {
+        boxes.push_back(choice.box);
+    }
     return boxes;
 }
 
@@ -286,6 +307,25 @@ void draw_paper(DrawList& list, const Box& box, const Measure& measure, const Co
     list.fill_box(box, measure.px(kRadius), paper);
 }
 
+Box choice_picture(const Panel& panel, const Measure& m) {
+    const float side = panel.box.height;
+    return {panel.box.x + m.px(kPadX) - 0.5F * (side - m.px(2.0F * kIcon)), panel.box.y, side,
+            side};
+}
+
+void draw_choice_papers(const View& view, const PanelLayout& layout, const Measure& m,
+                        DrawList& list) {
+    for (std::size_t i = 0; i < layout.choices.size(); ++i) {
+        const Box& box = layout.choices[i].box;
+        const bool chosen = static_cast<int>(i) == view.chosen;
+        draw_paper(list, box, m, chosen ? theme::kSelectedPaper : theme::kFieldPaper);
+        // Not by its colour alone.
+        if (chosen) {
+            list.frame_box(box, m.px(kRadius), m.px(4.0F), theme::kBlue);
+        }
+    }
+}
+
 void draw_panels(const View& view, const PanelLayout& layout, const Measure& measure,
                  DrawList& list) {
     if (layout.level.box.width > 0.0F) {
@@ -308,6 +348,9 @@ void draw_panels(const View& view, const PanelLayout& layout, const Measure& mea
     }
     if (layout.input.box.width > 0.0F) {
         draw_input(view, layout.input, measure, list);
+    }
+    for (const Panel& choice : layout.choices) {
+        draw_words(list, choice, measure, kIconRoom, 0.0F, theme::kInk);
     }
     if (layout.banner.box.width > 0.0F) {
         draw_banner(view, layout.banner, measure, list);

@@ -5,7 +5,7 @@
 //                     [feedback]
 //   middle            [stars at the end]
 //                     [feedback, when it would hide the hand above]
-//   bottom            [caption] / [input]
+//   bottom            [caption] / [choice] / … / [input]
 //
 // Thread: one (it asks the font). Cost: setting the words, each frame.
 #pragma once
@@ -40,6 +40,7 @@ struct PanelLayout {
     Panel feedback;
     Panel caption;
     Panel input;
+    std::vector<Panel> choices;  ///< as the view's
     Panel stars;
     FeedbackPlace feedback_place;  ///< for the next frame
 
@@ -51,6 +52,12 @@ struct PanelLayout {
 /// feedback. `hand` is where the hand is seen, empty when it is not, and `place` the last frame's.
 [[nodiscard]] PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure,
                                          const Box& hand = {}, const FeedbackPlace& place = {});
+
+/// Where a choice's picture belongs.
+[[nodiscard]] Box choice_picture(const Panel& panel, const Measure& measure);
+/// The papers of the choices, on which their pictures lie; before `draw_panels`.
+void draw_choice_papers(const View& view, const PanelLayout& layout, const Measure& measure,
+                        DrawList& list);
 
 /// Draws what was laid out.
 void draw_panels(const View& view, const PanelLayout& layout, const Measure& measure,

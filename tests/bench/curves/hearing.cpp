@@ -14,6 +14,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <random>
 #include <span>
@@ -83,32 +84,44 @@ const std::vector<Condition>& conditions() {
         {"flite rms, a man", "flite", "rms"},
         {"flite awb, a Scot", "flite", "awb"},
         {"espeak-ng en-us", "espeak-ng", "en-us"},
+        {"festival kal, a man", "festival", "kal_diphone"},
         {"slt, 2 semitones up", "flite", "slt", 1.122},
         {"slt, 4 semitones up", "flite", "slt", 1.26},
         {"slt, 6 semitones up", "flite", "slt", 1.414},
+        {"slt, noise 30 dB below", "flite", "slt", 1.0, 30.0},
+        {"slt, noise 25 dB below", "flite", "slt", 1.0, 25.0},
         {"slt, noise 20 dB below", "flite", "slt", 1.0, 20.0},
         {"slt, noise 10 dB below", "flite", "slt", 1.0, 10.0},
-        {"slt, noise 5 dB below", "flite", "slt", 1.0, 5.0},
     };
     return kAll;
 }
 
-std::vector<std::int16_t> speak(const Condition& condition, std::string_view text) {
-    // Said slower first, so that what is played quicker is as quick as before.
-    std::vector<std::string> words{"flite",
-                                   "-voice",
-                                   condition.voice,
-                                   "--setf",
-                                   "duration_stretch=" + to_text(condition.pitch),
-                                   "-o",
-                                   "/dev/stdout",
-                                   "-t"};
+// Said slower first, so that what is played quicker is as quick as before.
+std::vector<std::string> speaking_words(const Condition& condition, std::string_view text) {
+    const std::string sentence(text);
     if (condition.program == "espeak-ng") {
-        words = {"espeak-ng", "--stdout", "-v", condition.voice, "-s", "140", "--"};
+        return {"espeak-ng", "--stdout", "-v", condition.voice, "-s", "140", "--", sentence};
     }
-    words.emplace_back(text);
+    if (condition.program == "festival") {
+        return {"festival", "-b",
+                "(begin (voice_" + condition.voice + ") (set! said (utt.synth (Utterance Text \"" +
+                    sentence + "\"))) (utt.save.wave said \"/dev/stdout\" 'riff))"};
+    }
+    return {"flite",
+            "-voice",
+            condition.voice,
+            "--setf",
+            "duration_stretch=" + to_text(condition.pitch),
+            "-o",
+            "/dev/stdout",
+            "-t",
+            sentence};
+}
+
+std::vector<std::int16_t> speak(const Condition& condition, std::string_view text) {
     const std::atomic<bool> never{false};
-    const auto wav = runtime::run_program({words, 20'000'000, 30.0}, never);
+    const auto wav =
+        runtime::run_program({speaking_words(condition, text), 20'000'000, 30.0}, never);
     const auto sound =
         wav.and_then([](const std::string& bytes) { return runtime::read_wav(bytes); });
     if (!sound) {
@@ -200,6 +213,14 @@ std::unique_ptr<Decoder> listen(const Question& question, const DecoderSettings&
     return std::move(*decoder);
 }
 
+bool speaks(const Condition& condition) {
+    try {
+        return !speak(condition, "yes").empty();
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+}
+
 // What a throat of the learner's own does for voices that are higher than a grown-up's.
 Sheet measure_throats(Run& run, const Question& question, double used) {
     Sheet sheet{"hearing-throats",
@@ -282,6 +303,11 @@ Report run_hearing(Run& run) {
     const std::size_t n = run.pick(conditions().size(), std::size_t{1});
     constexpr std::size_t kClear = 3;
     for (std::size_t i = 0; i < n; ++i) {
+        if (!speaks(conditions()[i])) {
+            std::fprintf(stderr, "%s: %s is not installed, so this voice is left out.\n",
+                         conditions()[i].name.c_str(), conditions()[i].program.c_str());
+            continue;
+        }
         const HeardAll all = hear(*listen(*question, settings), *question, conditions()[i],
                                   run.pick(std::size_t{1}, std::size_t{4}));
         const auto is_exact = [](const Heard& each) { return each.exact; };

@@ -55,6 +55,13 @@ TEST_CASE("hearing lines: every answer is read as it was written") {
     CHECK(std::get<ReadyLine>(read_answer(R"({"ready":1,"name":"ear"})").value()).form);
     CHECK(std::get<ReadyLine>(read_answer(R"({"ready":1,"form":"no"})").value()).form);
     CHECK(told_again(ListeningLine{3, {"zyx"}}).unknown == std::vector<std::string>{"zyx"});
+    CHECK(told_again(HeardLine{4, "the egg", 0.75}).throat == 0.0);
+    CHECK(told_again(HeardLine{4, "the egg", 0.75, 1.2}).throat == 1.2);
+    for (const char* odd : {"0.5", "2.5", "-1", "\"1.2\"", "null", "[1.2]"}) {
+        const std::string line =
+            std::string(R"({"heard":4,"text":"egg","confidence":1,"throat":)") + odd + "}";
+        CHECK(std::get<HeardLine>(read_answer(line).value()).throat == 0.0);
+    }
     const HeardLine heard = told_again(HeardLine{4, "the egg", 0.75});
     CHECK(heard.question == 4);
     CHECK(heard.text == "the egg");

@@ -135,3 +135,13 @@ TEST_CASE("options: help is given wherever it is asked for") {
         CHECK(options->command == Command::help);
     }
 }
+
+TEST_CASE("options: a simulated hand plays by arm, mouse or keyboard, and by nothing else") {
+    CHECK_FALSE(parse({"test", "gravity"})->by);
+    CHECK(parse({"test", "gravity", "--by", "arm"})->by == PlayedBy::arm);
+    CHECK(parse({"test", "gravity", "--by", "mouse"})->by == PlayedBy::mouse);
+    CHECK(parse({"run", "gravity", "--headless", "--by", "keyboard"})->by == PlayedBy::keyboard);
+    const auto odd = parse({"test", "gravity", "--by", "foot"});
+    REQUIRE_FALSE(odd);
+    CHECK(to_sentence(odd.error()) == "--by foot is not known; use arm, mouse or keyboard.");
+}

@@ -62,6 +62,10 @@ class MemoryStore final : public ProgressStore {
     [[nodiscard]] Expected<void> begin_session(const SessionRecord& session) override {
         return keep([&] { data.sessions.push_back(session); });
     }
+    [[nodiscard]] Expected<void> add_setting(const SessionSetting& setting) override {
+        return keep(
+            [&] { data.sessions.back().settings.emplace_back(setting.name, setting.value); });
+    }
     [[nodiscard]] Expected<void> end_session(const SessionEnd& end) override {
         return keep([&] { data.ends.push_back(end); });
     }

@@ -57,6 +57,7 @@ class LateStore final : public ProgressStore {
     [[nodiscard]] Expected<Learner> enrol(std::string_view) override { return Learner{}; }
     [[nodiscard]] Expected<void> add_learner(const Learner&) override { return {}; }
     [[nodiscard]] Expected<void> begin_session(const SessionRecord&) override { return {}; }
+    [[nodiscard]] Expected<void> add_setting(const SessionSetting&) override { return {}; }
     [[nodiscard]] Expected<void> end_session(const SessionEnd&) override { return {}; }
     [[nodiscard]] Expected<void> add_attempt(const AttemptRecord&) override { return {}; }
     [[nodiscard]] Expected<ProgressData> read(const ProgressFilter&) override {

@@ -56,6 +56,9 @@ class DiskStore final : public ProgressStore {
     [[nodiscard]] Expected<void> begin_session(const SessionRecord&) override {
         return write("session");
     }
+    [[nodiscard]] Expected<void> add_setting(const SessionSetting&) override {
+        return write("setting");
+    }
     [[nodiscard]] Expected<void> end_session(const SessionEnd&) override { return write("end"); }
     [[nodiscard]] Expected<void> add_attempt(const AttemptRecord& attempt) override {
         const Expected<void> written = write(attempt.question);
@@ -135,6 +138,8 @@ TEST_CASE("queued store: the order of the writes is the order of the calls") {
         REQUIRE(store->add_attempt(numbered(i)));
         order.push_back("q" + std::to_string(i));
     }
+    REQUIRE(store->add_setting({session.id, "throat_heard", "1.20"}));
+    order.emplace_back("setting");
     SessionEnd end;
     end.session = session.id;
     REQUIRE(store->end_session(end));
@@ -196,6 +201,7 @@ TEST_CASE("queued store: what can never be kept is refused at once and does not 
     CHECK_FALSE(store->add_learner({}));
     CHECK_FALSE(store->begin_session({}));
     CHECK_FALSE(store->end_session({}));
+    CHECK_FALSE(store->add_setting({random_record_id(), "", "1"}));
     REQUIRE(store->settle(kWhile_s));
     CHECK(disk.begun == 0);
 }

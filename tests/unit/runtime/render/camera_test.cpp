@@ -146,6 +146,24 @@ TEST_CASE("camera: the pointer lies on the upright plane through the target, and
     CHECK((*target - description.target_W).norm() < 1e-9);
 }
 
+TEST_CASE("camera: the pointer's plane has the normal along which its wheel moves it") {
+    CameraDescription aside;
+    aside.eye_W = Vector3(1.0, 0.9, 1.5);
+    for (const double height_m : {0.9, 8.0}) {
+        aside.eye_W.y() = height_m;
+        const Camera camera(aside, 1280, 720);
+        const Vector3 normal = pointer_plane_normal(camera);
+        CHECK(normal.norm() == Approx(1.0));
+        CHECK(normal.dot(camera.forward_W()) > 0.0);
+        if (height_m < 2.0) {
+            CHECK(normal.y() == 0.0);
+        }
+        const auto place = pointer_on_plane(camera, {500.0, 320.0}, 0.1);
+        REQUIRE(place);
+        CHECK(normal.dot(*place - camera.target_W()) == Approx(0.1));
+    }
+}
+
 TEST_CASE("camera: from steeply above, the pointer moves across the view") {
     CameraDescription down;
     down.eye_W = Vector3(0.0, 2.0, 0.1);

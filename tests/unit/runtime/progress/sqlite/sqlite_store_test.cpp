@@ -50,6 +50,22 @@ TEST_CASE("store: what was kept is read back by another program") {
     CHECK(data->attempts == std::vector{attempt});
 }
 
+TEST_CASE("store: what turned out in a session stands behind its settings, once") {
+    const TemporaryFolder folder;
+    Classroom room(folder.file("progress.db"));
+    const SessionSetting heard{room.session.id, "throat_heard", "1.20"};
+    REQUIRE(room.store->add_setting(heard));
+    REQUIRE(room.store->add_setting(heard));  // a repeated write
+    CHECK_FALSE(room.store->add_setting({room.session.id, "throat_heard", "1.35"}));
+    CHECK_FALSE(room.store->add_setting({random_record_id(), "throat_heard", "1.20"}));
+    const auto data = room.store->read({});
+    REQUIRE(data);
+    REQUIRE(data->sessions.size() == 1);
+    auto settings = room.session.settings;
+    settings.emplace_back("throat_heard", "1.20");
+    CHECK(data->sessions.front().settings == settings);
+}
+
 TEST_CASE("store: two programs write to one database in turn") {
     const TemporaryFolder folder;
     Classroom room(folder.file("progress.db"));

@@ -1,0 +1,64 @@
+#include "runtime/app/key_hand.h"
+
+#include <algorithm>
+
+namespace fulcrum::runtime {
+
+void KeyHand::release() {
+    held_ = {};
+    speed_ = 0.0;
+}
+
+double KeyHand::step_px(const PictureSize& size, double dt_s) const {
+    const double speed =
+        speed_ > 0.0 ? std::min(speed_ + settings_.growth * dt_s, settings_.quick) : settings_.slow;
+    return speed * dt_s * size.height_px;
+}
+
+void KeyHand::take_keys(WindowEvents& events, bool types) {
+    for (const KeyPress& press : events.pressed) {
+        const auto key = std::ranges::find(kKeys, press.key);
+        if (key != kKeys.end() && !press.repeat && !types && !press.control && !press.alt) {
+            held_[static_cast<std::size_t>(key - kKeys.begin())] = true;
+        }
+        events.wheel += press.key == "page_up" ? 1.0 : press.key == "page_down" ? -1.0 : 0.0;
+    }
+    for (const std::string& name : events.released) {
+        const auto key = std::ranges::find(kKeys, name);
+        if (key != kKeys.end()) {
+            held_[static_cast<std::size_t>(key - kKeys.begin())] = false;
+        }
+    }
+}
+
+void KeyHand::take(WindowEvents& events, bool types, const PictureSize& size, double dt_s) {
+    if (events.lost_focus) {
+        release();
+    }
+    take_keys(events, types);
+    if (events.pointer_moved) {
+        pointer_px_.reset();
+    }
+    const auto along = [&](Way less, Way more) {
+        return (held_[more] ? 1.0 : 0.0) - (held_[less] ? 1.0 : 0.0);
+    };
+    const Eigen::Vector2d way(along(left, right), along(up, down));
+    if (way.isZero()) {
+        speed_ = 0.0;
+    } else {
+        const Eigen::Vector2d from =
+            pointer_px_.value_or(Eigen::Vector2d(events.pointer_x_px, events.pointer_y_px));
+        const double step = step_px(size, dt_s);
+        speed_ = speed_ > 0.0 ? std::min(speed_ + settings_.growth * dt_s, settings_.quick)
+                              : settings_.slow;
+        const Eigen::Vector2d most(std::max(size.width_px, 1), std::max(size.height_px, 1));
+        pointer_px_ = (from + step * way.normalized()).cwiseMax(0.0).cwiseMin(most);
+    }
+    if (pointer_px_) {
+        events.pointer_x_px = pointer_px_->x();
+        events.pointer_y_px = pointer_px_->y();
+    }
+    events.button_down[0] = events.button_down[0] || held_[button];
+}
+
+}  // namespace fulcrum::runtime

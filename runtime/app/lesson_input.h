@@ -1,0 +1,89 @@
+// What somebody at a desk does to a lesson: keys, typed words, the mouse. The same for a window and for who is simulated.
+//
+//   WindowEvents -> emergency stop first -> keys of the screen, of the answer, of the lesson -> FrameInput
+//                -> keys that move the pointer (key_hand.h) -> a place in the world -> the mouse as a hand
+//
+// While a question is open its answer is typed, or chosen: down and up open the choices and go through them, return gives the chosen one.
+//
+// Thread: that of the window.
+#pragma once
+
+#include "runtime/app/key_hand.h"
+#include "runtime/app/lesson_run.h"
+#include "runtime/app/stop_keys.h"
+#include "runtime/app/typing.h"
+#include "runtime/render/camera.h"
+#include "runtime/render/glfw/window.h"
+#include "runtime/scene/view.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+inline constexpr double kWheelStep_m = 0.02;  ///< depth of one notch
+inline constexpr double kWheelReach_m = 0.3;  ///< either way of the middle of the hand's room
+
+/// What keys ask of the screen and not of the lesson.
+enum class ScreenOrder : std::uint8_t { begin_again, leave, switch_fullscreen, say_again };
+
+class LessonInput {
+  public:
+    explicit LessonInput(HandKind hand) : hand_(hand) {}
+
+    /// From now on this play's, with nothing typed yet; null for none. It outlives the next call.
+    void begin(LessonRun* run);
+    /// What was done in a frame of `dt_s`. `failed`: there is no lesson that plays.
+    void take(WindowEvents events, bool failed, const PictureSize& size, double dt_s);
+    /// What keys asked of the screen since the last call.
+    [[nodiscard]] std::vector<ScreenOrder> take_orders();
+    /// What is for the lesson, taken. Asks it for choices where they are wanted, so not between a frame and its reply.
+    [[nodiscard]] Expected<FrameInput> take_frame(double now_s);
+    /// After a frame: a question of its own may not be open any more.
+    void look_again();
+
+    /// A place of the picture was clicked: kTypingSpot, or a choice.
+    void pick(int spot);
+    static constexpr int kTypingSpot = -1;
+
+    /// What is typed, and what may be chosen.
+    void show(View& view) const;
+    [[nodiscard]] bool stopped() const { return stop_.stopped(); }
+    [[nodiscard]] const std::vector<AnswerChoice>& choices() const { return choices_; }
+    [[nodiscard]] int chosen() const { return chosen_; }
+    /// Where the pointer is, in pixels, moved by keys too.
+    [[nodiscard]] const Eigen::Vector2d& pointer_px() const { return pointer_px_; }
+    /// How far behind the camera's target the pointer's plane is: without the wheel it goes through the middle of the hand's room.
+    [[nodiscard]] double depth_m(const Camera& camera) const;
+    [[nodiscard]] const KeyHand& keys() const { return keys_; }
+
+  private:
+    [[nodiscard]] bool asked() const;
+    [[nodiscard]] bool types() const { return asked() || asking_; }
+    void take_key(const KeyPress& press, bool failed);
+    void take_playing_key(const KeyPress& press);
+    void give_answer();
+    void choose(int step);
+    [[nodiscard]] std::string picture_of(const AnswerChoice& choice) const;
+    void point(const WindowEvents& events, const PictureSize& size);
+
+    HandKind hand_;
+    LessonRun* run_ = nullptr;
+    StopKeys stop_;
+    KeyHand keys_;
+    TypedLine typing_;
+    bool asking_ = false;  // the learner has opened the line to ask something
+    FrameInput frame_{};
+    double wheel_m_ = 0.0;
+    Eigen::Vector2d pointer_px_{Eigen::Vector2d::Zero()};
+    bool swallows_click_ = false;  // until the button that picked something goes up
+    std::vector<ScreenOrder> orders_;
+
+    std::vector<AnswerChoice> choices_;  // of the question asked at this time
+    int chosen_ = kTypingSpot;
+    bool wants_choices_ = false;
+    double asked_at_s_ = 0.0;
+};
+
+}  // namespace fulcrum::runtime

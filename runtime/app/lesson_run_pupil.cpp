@@ -1,0 +1,42 @@
+// lesson_run.h: what the simulated pupil says and its hand wants.
+#include "runtime/app/lesson_run.h"
+
+namespace fulcrum::runtime {
+
+Expected<std::optional<std::string>> LessonRun::hear_pupil(double time_s) {
+    const SessionHud& hud = session_->hud();
+    const dialogue::Question* const question = session_->question();
+    if (!pupil_) {
+        return std::optional<std::string>();
+    }
+    if (hud.may_ask) {
+        return pupil_->ask(time_s);
+    }
+    if (question == nullptr || !hud.question_open || hud.invited) {
+        return std::optional<std::string>();
+    }
+    return pupil_->answer(hud.question_asked_at_s, time_s, *question,
+                          [&](const AnswerSlots& slots) {
+                              return ask_verdict({question->id, slots});
+                          });
+}
+
+std::optional<HandWish> LessonRun::take_wish() {
+    std::optional<HandWish> wish = wish_;
+    if (wish_) {
+        wish_->key.clear();
+    }
+    return wish;
+}
+
+Expected<std::vector<AnswerChoice>> LessonRun::make_choices() {
+    const dialogue::Question* const question = session_->question();
+    if (question == nullptr) {
+        return std::vector<AnswerChoice>();
+    }
+    return fulcrum::runtime::make_choices(*question, [&](const AnswerSlots& slots) {
+        return ask_verdict({question->id, slots});
+    });
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,69 @@
+// Answers to choose, among the other panels.
+#include "runtime/render/overlay/measure.h"
+#include "runtime/render/overlay/panels.h"
+#include "runtime/render/renderer.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum::runtime;
+
+namespace {
+
+Font andika() {
+    return Font(RendererSettings{}.font_folder);
+}
+
+bool overlap(const Box& a, const Box& b) {
+    constexpr float kTouch = 0.01F;
+    return a.x + kTouch < b.right() && b.x + kTouch < a.right() && a.y + kTouch < b.bottom() &&
+           b.y + kTouch < a.bottom();
+}
+
+bool inside(const Box& box, const Measure& m) {
+    return box.x >= -0.01F && box.y >= -0.01F && box.right() <= m.width_px + 0.01F &&
+           box.bottom() <= m.height_px + 0.01F;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "panels: choices stand above the line to type in, none over another, each with room for its "
+    "picture") {
+    Font font = andika();
+    View view;
+    view.title = "Which fruit is the heaviest?";
+    view.level = 3;
+    view.level_title = "Four fruits";
+    view.caption = "Which one is the heaviest?";
+    view.feedback = "Not yet. Lift both again.";
+    view.input_visible = true;
+    for (const char* said : {"The watermelon is the heaviest.", "The apple is the heaviest.",
+                             "The egg is the heaviest.", "The banana is the heaviest."}) {
+        view.choices.push_back({said, "apple"});
+    }
+    for (const int width : {1280, 800, 1920}) {
+        const Measure measure(width, width * 9 / 16);
+        const PanelLayout layout = lay_out_panels(view, font, measure);
+        REQUIRE(layout.choices.size() == 4);
+        float below = layout.input.box.y;
+        for (std::size_t i = 4; i-- > 0;) {
+            const Panel& choice = layout.choices[i];
+            CHECK(inside(choice.box, measure));
+            CHECK(choice.box.bottom() <= below);
+            below = choice.box.y;
+            const Box picture = choice_picture(choice, measure);
+            CHECK(picture.x >= choice.box.x);
+            CHECK(picture.right() < choice.box.x + 0.25F * choice.box.width);
+            CHECK(picture.bottom() <= choice.box.bottom() + 0.01F);
+        }
+        CHECK(layout.caption.box.bottom() <= below);
+        for (const Panel* other :
+             {&layout.caption, &layout.feedback, &layout.level, &layout.score}) {
+            for (const Panel& choice : layout.choices) {
+                CHECK_FALSE(overlap(choice.box, other->box));
+            }
+        }
+    }
+    view.input_visible = false;
+    CHECK(lay_out_panels(view, font, Measure(1280, 720)).choices.empty());
+}
