@@ -15,9 +15,11 @@ enum class Fault : std::uint32_t {
     command_invalid = 1U << 4,  ///< NaN or infinity in a force, or a clock that does not go on
     emergency_stop = 1U << 5,   ///< somebody pressed the emergency stop
     lesson_failed = 1U << 6,    ///< the lesson's process failed; the force fades
-    record_full = 1U << 7,   ///< the recorder could not keep up; samples were dropped and counted
-    device_write = 1U << 8,  ///< the device refused the wrench
-    ended = 1U << 9,         ///< the run is over; the force fades before the loop stops
+    record_full = 1U << 7,     ///< the recorder could not keep up; samples were dropped and counted
+    device_write = 1U << 8,    ///< the device refused the wrench
+    ended = 1U << 9,           ///< the run is over; the force fades before the loop stops
+    hand_too_fast = 1U << 10,  ///< the hand moves faster than forces may follow it
+    too_much_energy = 1U << 11,  ///< the hand was given more energy in a second than is allowed
 };
 
 [[nodiscard]] constexpr Fault operator|(Fault a, Fault b) noexcept {

@@ -4,6 +4,7 @@
 // Thread: `read` and `write` are called by the haptic loop alone; they neither wait nor allocate.
 #pragma once
 
+#include "haptics/base/fault.h"
 #include "haptics/math/spatial.h"
 
 #include <cstdint>
@@ -16,6 +17,8 @@ struct DeviceReading {
     double stamp_s = 0.0;       ///< when the pose was measured, on the run's clock
     Pose pose_D{};              ///< metres
     std::uint32_t buttons = 0;  ///< one bit a button
+    Fault faults =
+        Fault::none;  ///< what the device itself has noticed, such as a stop pressed at it
 };
 
 /// What a device can do; fixed after it was opened.

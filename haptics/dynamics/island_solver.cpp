@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace fulcrum {
 namespace {
@@ -304,12 +305,11 @@ SolveReport IslandSolver::solve_problem() noexcept {
 }
 
 void IslandSolver::solve_again() noexcept {
-    const int n_before = report_.solve.n_iterations;
-    report_.solve = solve_problem();
+    const int n_before = std::exchange(report_.solve, solve_problem()).n_iterations;
     report_.solve.n_iterations += n_before;
 }
 
-void IslandSolver::bounce(const IslandParts& parts, RigidScene& scene) noexcept {
+bool IslandSolver::bounce(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept {
     for (const std::int32_t i : parts.bodies) {
         const RigidWorldBody& body = scene.bodies[index_of(i)];
         if (body.in_problem != kGround) {
@@ -317,7 +317,7 @@ void IslandSolver::bounce(const IslandParts& parts, RigidScene& scene) noexcept 
                 join(body.state.velocity_W.linear, body.state.velocity_W.angular);
         }
     }
-    (void)impacts_.solve(problem_, settings_.least_bounce_m_per_s, solver_, met_);
+    const bool done = impacts_.solve(problem_, settings_.least_bounce_m_per_s, solver_, met_).done;
     for (const std::int32_t i : parts.bodies) {
         RigidWorldBody& body = scene.bodies[index_of(i)];
         if (body.in_problem != kGround) {
@@ -325,6 +325,8 @@ void IslandSolver::bounce(const IslandParts& parts, RigidScene& scene) noexcept 
             body.state.velocity_W = {velocity.head<3>(), velocity.tail<3>()};
         }
     }
+    build(parts, dt_s, scene);
+    return done;
 }
 
 void IslandSolver::build(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept {
@@ -364,10 +366,7 @@ bool IslandSolver::bend_joints(const IslandParts& parts, double dt_s,
 IslandReport IslandSolver::solve(const IslandParts& parts, double dt_s,
                                  RigidScene& scene) noexcept {
     build(parts, dt_s, scene);
-    if (bounces_) {
-        bounce(parts, scene);
-        build(parts, dt_s, scene);
-    }
+    const bool bounced = !bounces_ || bounce(parts, dt_s, scene);
     problem_.set_settled(std::ranges::all_of(
         parts.bodies, [&](std::int32_t i) { return scene.bodies[index_of(i)].settled; }));
     // A great heap in motion is answered in bounded time; what is as slow as what sleeps rests, and that exactly.
@@ -392,6 +391,7 @@ IslandReport IslandSolver::solve(const IslandParts& parts, double dt_s,
     if (is_off_) {
         push(parts, scene);
     }
+    report_.solve.converged &= bounced;
     report_.n_dropped = problem_.n_dropped();
     return report_;
 }

@@ -63,7 +63,8 @@ class IslandSolver {
         return std::min(settings_.push_rate_per_s, 1.0 / dt_s);
     }
     void build(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
-    void bounce(const IslandParts& parts, RigidScene& scene) noexcept;
+    // And builds the problem anew. False when impacts went on after as many rounds as there may be.
+    [[nodiscard]] bool bounce(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
     void add_bodies(const IslandParts& parts, double dt_s, RigidScene& scene) noexcept;
     void add_pair(const ContactPair& pair, double dt_s, const RigidScene& scene) noexcept;
     void add_joint(const Joint& joint, double dt_s, const RigidScene& scene) noexcept;

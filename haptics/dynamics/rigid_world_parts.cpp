@@ -217,6 +217,7 @@ void RigidWorld::solve_part(const IslandParts& parts, double part_s, IslandSolve
     solved.is_cut = solved.is_cut || last_s < left_s;
     add_report(solver.solve(parts, last_s, scene_), solved.report);
     solved.n_dropped += move_part(parts, last_s, part_s);
+    find_first_met(parts);
     ++solved.n_parts;
 }
 

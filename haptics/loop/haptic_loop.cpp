@@ -4,6 +4,7 @@
 #include "haptics/loop/haptic_loop.h"
 
 #include "haptics/loop/workspace.h"
+#include "haptics/math/rotation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,7 @@ void HapticLoop::run_round(double now_s, const Passed& passed) noexcept {
     read_device();
     passed(HapticStage::read);
     estimate_motion();
+    watch_hand();
     passed(HapticStage::estimate);
     move_proxy();
     if (touch_) {
@@ -139,6 +141,7 @@ void HapticLoop::read_device() noexcept {
         return;
     }
     told_ = reading;
+    state_.faults |= reading.faults;
     // What is not of now is not taken over: its stamp would make later ones look early.
     const double period_s = 1.0 / plan_.rate_hz;
     if (!is_fresh(reading.stamp_s, now_s_, plan_.safety.device_timeout_s, period_s)) {
@@ -176,6 +179,17 @@ void HapticLoop::estimate_motion() noexcept {
     state_.tool_twist_W.linear = velocity_.step(state_.tool_pose_W.position, reading_.stamp_s);
     state_.tool_twist_W.angular =
         angular_velocity_.step(state_.tool_pose_W.orientation, reading_.stamp_s);
+}
+
+// What acted since the last round did so along the way from there to here, in the device's own metres.
+void HapticLoop::watch_hand() noexcept {
+    if (!has_pose_) {
+        return;
+    }
+    const Pose& now_D = reading_.pose_D;
+    const Vector3 turn_D = compute_log(now_D.orientation * watched_D_.orientation.conjugate());
+    state_.faults |= guard_.step(applied_D_, now_D.position - watched_D_.position, turn_D, dt_s_);
+    watched_D_ = now_D;
 }
 
 // Where everything is that can be touched; false where that is not known in this round.
@@ -340,6 +354,8 @@ void HapticLoop::record_round() noexcept {
 }
 
 void HapticLoop::forget_motion() noexcept {
+    guard_.forget();
+    watched_D_ = reading_.pose_D;
     velocity_.reset();
     angular_velocity_.reset();
     state_.tool_twist_W = Twist{};

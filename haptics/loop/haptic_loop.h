@@ -21,6 +21,7 @@
 #include "haptics/loop/axle_stage.h"
 #include "haptics/loop/body_stage.h"
 #include "haptics/loop/contact_stage.h"
+#include "haptics/loop/hand_guard.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/loop/line_stage.h"
 #include "haptics/loop/passivity_stage.h"
@@ -95,6 +96,7 @@ class HapticLoop final : public PeriodicTask {
     void take_inputs() noexcept;
     void read_device() noexcept;
     void estimate_motion() noexcept;
+    void watch_hand() noexcept;
     [[nodiscard]] bool find_solids() noexcept;
     void move_proxy() noexcept;
     void move_tool() noexcept;
@@ -139,6 +141,7 @@ class HapticLoop final : public PeriodicTask {
     std::unique_ptr<LinearisedWrenchStage> lesson_force_;
     std::unique_ptr<PassivityStage> passivity_;
     SafetyGate gate_;
+    HandGuard guard_;
 
     // Begin: time of this round, and how many there were.
     std::uint64_t tick_ = 0;
@@ -153,6 +156,7 @@ class HapticLoop final : public PeriodicTask {
     DeviceReading reading_{};
     DeviceReading told_{};
     bool has_pose_ = false;
+    Pose watched_D_{};  // the hand's, when it was watched last
     // Proxy, tool.
     std::span<const Pose> solid_poses_W_{};  // in this round
     ToolForce tool_force_{};

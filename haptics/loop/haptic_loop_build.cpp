@@ -167,7 +167,8 @@ HapticLoop::HapticLoop(const HapticPlan& plan, Device& device, HapticChannels& c
       channels_(channels),
       velocity_(choose_velocity_settings(plan, device.traits())),
       angular_velocity_(plan.velocity_cutoff_hz),
-      gate_(choose_safety_settings(plan, device.traits()), 1.0 / plan.rate_hz) {
+      gate_(choose_safety_settings(plan, device.traits()), 1.0 / plan.rate_hz),
+      guard_(plan.safety) {
     if (proxy) {
         touch_ = std::make_unique<TouchStage>(
             TouchStage{std::move(proxy),

@@ -98,6 +98,9 @@ struct SafetySettings {
     double command_timeout_s = 0.1;        ///< a lesson or world older than this is stale
     double device_timeout_s = 0.02;        ///< a pose older than this is stale
     double max_hand_speed_m_per_s = 10.0;  ///< a faster change of pose is an invalid jump
+    double max_felt_speed_m_per_s =
+        3.0;                    ///< a faster hand feels no force (hand_guard.h), 0.5 to 10
+    double max_energy_J = 5.0;  ///< given to the hand in about a second, 0.5 to 20
 };
 
 /// How the device's own frame lies in the world: p_W = position + R (scale p_D). Forces turn back by R^T, unscaled.

@@ -18,6 +18,8 @@ Expected<void> validate(const SafetySettings& s) {
         {"command_timeout_s", s.command_timeout_s, 0.02, 1.0},
         {"device_timeout_s", s.device_timeout_s, 0.002, 0.1},
         {"max_hand_speed_m_per_s", s.max_hand_speed_m_per_s, 0.1, 100.0},
+        {"max_felt_speed_m_per_s", s.max_felt_speed_m_per_s, 0.5, 10.0},
+        {"max_energy_J", s.max_energy_J, 0.5, 20.0},
     };
     return check_ranges("the safety setting", ranges);
 }

@@ -35,7 +35,7 @@ constexpr double kCheckedPlay_s =
 
 RunRequest quiet_request(const Options& options) {
     RunRequest request;
-    request.plan.force_limit_N = options.force_limit_N;
+    request.plan.site = options.site;
     request.plan.speech = options.speech;
     request.plan.picture = false;
     request.plan.sound = false;

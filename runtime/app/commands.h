@@ -31,5 +31,8 @@ int complain_of_loading(const Error& error);
 [[nodiscard]] int explain_command(const Installation& installation, const Options& options);
 [[nodiscard]] int report_command(const Options& options);
 [[nodiscard]] int devices_command(const Options& options);
+[[nodiscard]] int arm_command(const Options& options);
+[[nodiscard]] int stop_command();
+[[nodiscard]] int soak_command(const Installation& installation, const Options& options);
 
 }  // namespace fulcrum::runtime

@@ -1,11 +1,17 @@
 #include "runtime/app/hand_device.h"
 
+#include "haptics/base/clock.h"
 #include "haptics/device/replay/replay_device.h"
 #include "haptics/loop/workspace.h"
 #include "haptics/record/record.h"
+#include "runtime/app/interrupt.h"
+#include "runtime/link/arm_key.h"
+#include "runtime/link/udp_socket.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
+#include <thread>
 
 namespace fulcrum::runtime {
 namespace {
@@ -14,7 +20,46 @@ namespace {
 constexpr double kMouseSag_m_per_N = 0.004;
 constexpr double kMouseSlow_per_N = 0.2;
 
+constexpr double kGreeting_s = 3.0;
+
+// Why no arm has said welcome.
+Expected<void> explain_silence(LinkDevice& device, const std::string& address,
+                               const std::string& key_file) {
+    const LinkStatus status = device.status();
+    const auto refused = [&](Refusal why) {
+        return status.counts.received[static_cast<std::size_t>(why)] > 0;
+    };
+    if (status.taken) {
+        return fail("this arm is held by another program", address, "end that one first");
+    }
+    if (refused(Refusal::forged)) {
+        return fail("an arm answers with another key", address,
+                    "copy the arm's key to " + key_file + ", or give --key its file");
+    }
+    if (refused(Refusal::version)) {
+        return fail("an arm answers in another version of the link", address,
+                    "run the same Fulcrum at both ends");
+    }
+    return fail(
+        "no arm answers", address,
+        "start it there (for trying, ./fulcrum arm in another terminal), see that both have the "
+        "same key, or leave --hand out");
+}
+
 }  // namespace
+
+struct ArmLine {
+    ArmLine(std::unique_ptr<UdpSocket> opened, const ArmKey& key)
+        : socket(std::move(opened)), seal(key) {}
+    std::unique_ptr<UdpSocket> socket;
+    SodiumSeal seal;
+    SodiumNumbers numbers;
+};
+
+HandDevice::HandDevice(const HapticPlan& plan)
+    : workspace_(plan.workspace), safety_(plan.safety), pointer_W_(plan.workspace.pose_WD) {}
+
+HandDevice::~HandDevice() = default;
 
 Expected<std::unique_ptr<HandDevice>> HandDevice::open(const RunRequest& request,
                                                        const HapticPlan& plan) {
@@ -31,6 +76,7 @@ double HandDevice::force_limit_N(const RunRequest& request) {
             return SimulatedHandSettings{}.max_force_N;
         case HandKind::hid:
             return runtime::force_limit_N(request.hid);
+        case HandKind::link:  // what it can give it tells when it is opened
         case HandKind::mouse:
         case HandKind::replay:
             break;
@@ -41,6 +87,10 @@ double HandDevice::force_limit_N(const RunRequest& request) {
 Expected<void> HandDevice::make(const RunRequest& request) {
     switch (request.hand) {
         case HandKind::scripted: {
+            if (request.spoil_seed) {
+                spoil(*request.spoil_seed);
+                return {};
+            }
             const SimulatedHandSettings settings;
             return validate(settings).map([&] {
                 auto simulated = std::make_unique<SimulatedHand>(settings, hand_target_);
@@ -64,12 +114,65 @@ Expected<void> HandDevice::make(const RunRequest& request) {
                 hid_ = opened.get();
                 device_ = std::move(opened);
             });
+        case HandKind::link:
+            return link(request);
         case HandKind::replay:
             return load_record(request.hand_file.string()).map([&](auto&& record) {
                 device_ = std::make_unique<ReplayDevice>(record);
             });
     }
     return {};
+}
+
+// All in this program, under its clock; every number comes from the seed.
+void HandDevice::spoil(std::uint64_t seed) {
+    hand_target_.publish({});
+    auto arm = std::make_unique<SpoiledArm>(seed, hand_target_);
+    spoiled_ = arm.get();
+    device_ = std::move(arm);
+}
+
+// The arm must say what it is before anything is built for it.
+Expected<void> HandDevice::link(const RunRequest& request) {
+    const auto address = parse_host_port(request.hand_address);
+    if (!address) {
+        return tl::unexpected(address.error());
+    }
+    const auto file = request.key_file.empty() ? find_arm_key_file()
+                                               : Expected<std::filesystem::path>(request.key_file);
+    const auto key = file.and_then(load_or_make_arm_key);
+    if (!key) {
+        return tl::unexpected(key.error());
+    }
+    auto socket = UdpSocket::connect(*address);
+    if (!socket) {
+        return tl::unexpected(socket.error());
+    }
+    line_ = std::make_unique<ArmLine>(std::move(*socket), *key);
+    LinkDeviceSettings settings;
+    settings.max_force_N = safety_.max_force_N;
+    settings.max_torque_Nm = safety_.max_torque_Nm;
+    if (auto good = validate(settings); !good) {
+        return good;
+    }
+    auto device =
+        std::make_unique<LinkDevice>(settings, *line_->socket, line_->seal, line_->numbers);
+    const double began_s = monotonic_now_s();
+    while (!device->greet(monotonic_now_s() - began_s)) {
+        if (monotonic_now_s() - began_s > kGreeting_s || interrupted()) {
+            return explain_silence(*device, request.hand_address, file->string());
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    // The run has a clock of its own.
+    device->part();
+    linked_ = device.get();
+    device_ = std::move(device);
+    return {};
+}
+
+std::optional<LinkStatus> HandDevice::link_status() {
+    return linked_ != nullptr ? std::optional(linked_->status()) : std::nullopt;
 }
 
 std::optional<Vector3> HandDevice::true_velocity_W() const {

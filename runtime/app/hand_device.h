@@ -8,6 +8,8 @@
 #include "haptics/device/hid/hid_hand.h"
 #include "haptics/device/mouse/pointer_device.h"
 #include "haptics/device/simulated/simulated_hand.h"
+#include "haptics/link/link_device.h"
+#include "haptics/link/spoiled_arm.h"
 #include "haptics/loop/haptic_plan.h"
 #include "runtime/app/run_request.h"
 
@@ -17,6 +19,8 @@
 
 namespace fulcrum::runtime {
 
+struct ArmLine;  // hand_device.cpp: socket, seal, numbers
+
 class HandDevice {
   public:
     /// Opens the device that `request` names, in the workspace of `plan`. Refuses a record that cannot be read.
@@ -25,6 +29,10 @@ class HandDevice {
 
     /// The most that the request's device can give, in newtons, before it is opened; infinite for one that renders none or repeats a run.
     [[nodiscard]] static double force_limit_N(const RunRequest& request);
+
+    ~HandDevice();
+    HandDevice(const HandDevice&) = delete;
+    HandDevice& operator=(const HandDevice&) = delete;
 
     [[nodiscard]] Device& device() noexcept { return *device_; }
     [[nodiscard]] const Device& device() const noexcept { return *device_; }
@@ -37,26 +45,38 @@ class HandDevice {
     [[nodiscard]] const Pose& pointer_W() const noexcept { return pointer_W_; }
 
     /// True where a pointer stands for the hand, false where the device itself tells its place.
-    [[nodiscard]] bool points() const noexcept { return hid_ == nullptr; }
+    [[nodiscard]] bool points() const noexcept { return hid_ == nullptr && linked_ == nullptr; }
     /// What has happened to the device since the last call that people should know, a sentence; empty when nothing has.
     [[nodiscard]] std::string take_notice();
+    /// How the link to an arm does; nothing of another device. For the lesson loop.
+    [[nodiscard]] std::optional<LinkStatus> link_status();
+
+    /// What was seen of an arm on which things break; null of another device.
+    [[nodiscard]] const SpoiledCounts* spoiled_counts() const {
+        return spoiled_ != nullptr ? &spoiled_->counts() : nullptr;
+    }
 
     /// How fast a simulated hand really moves, in the world, m/s; nothing of another device. Only where loops take turns under
     /// a virtual clock: it reads what the haptic thread writes.
     [[nodiscard]] std::optional<Vector3> true_velocity_W() const;
 
   private:
-    explicit HandDevice(const HapticPlan& plan)
-        : workspace_(plan.workspace), pointer_W_(plan.workspace.pose_WD) {}
+    explicit HandDevice(const HapticPlan& plan);
     [[nodiscard]] Expected<void> make(const RunRequest& request);
+    [[nodiscard]] Expected<void> link(const RunRequest& request);
+    void spoil(std::uint64_t seed);
 
     Workspace workspace_;
+    SafetySettings safety_;
     LatestValue<HandTarget> hand_target_;
     LatestValue<PointerTarget> pointer_target_;
     Pose pointer_W_;
+    std::unique_ptr<ArmLine> line_;  // what a link needs; outlives the device
     std::unique_ptr<Device> device_;
     const SimulatedHand* simulated_ = nullptr;  // the device, where it is one
-    hid::HidHand* hid_ = nullptr;               // likewise
+    hid::HidHand* hid_ = nullptr;               // likewise, as are the next
+    LinkDevice* linked_ = nullptr;
+    const SpoiledArm* spoiled_ = nullptr;
 };
 
 }  // namespace fulcrum::runtime

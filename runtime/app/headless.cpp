@@ -2,10 +2,14 @@
 
 #include "haptics/base/clock.h"
 #include "runtime/app/interrupt.h"
+#include "runtime/app/live_loops.h"
+#include "runtime/app/stop_signal.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <thread>
 
 namespace fulcrum::runtime {
 namespace {
@@ -124,6 +128,25 @@ bool asks_in_vain(const SessionHud& hud, double now_s, double patience_s) {
     return hud.question_open && now_s - hud.question_asked_at_s > patience_s;
 }
 
+// What both ways of playing decide after a frame; true when the run is over.
+bool conclude_frame(LessonRun& run, const HeadlessSettings& settings, const FrameReport& report,
+                    double now_s, double& end_s, HeadlessOutcome& outcome) {
+    show(settings, report, now_s);
+    const LessonSession& session = run.session();
+    if (session.result().finished && !outcome.finished) {
+        outcome.finished = true;
+        end_s = std::min(end_s, now_s + settings.afterglow_s);
+    }
+    outcome.nobody_answered = asks_in_vain(session.hud(), now_s, settings.nobody_answers_s);
+    return outcome.nobody_answered;
+}
+
+void sleep_s(double seconds) {
+    if (seconds > 0.0) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    }
+}
+
 }  // namespace
 
 std::string trouble_of(const LessonRun& run, const HeadlessOutcome& outcome, bool takes_say) {
@@ -166,15 +189,7 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
                 return tl::unexpected(report.error());
             }
             clock.count_frame();
-            show(settings, *report, clock.now_s());
-
-            const LessonSession& session = run.session();
-            if (session.result().finished && !outcome.finished) {
-                outcome.finished = true;
-                end_s = std::min(end_s, clock.now_s() + settings.afterglow_s);
-            }
-            if (asks_in_vain(session.hud(), clock.now_s(), settings.nobody_answers_s)) {
-                outcome.nobody_answered = true;
+            if (conclude_frame(run, settings, *report, clock.now_s(), end_s, outcome)) {
                 break;
             }
         }
@@ -184,6 +199,51 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
     outcome.never_ended = !outcome.finished && !settings.end_s && clock.now_s() >= longest_s;
     run.haptic_loop().silence(clock.now_s());
     outcome.simulated_s = clock.now_s();
+    outcome.wall_s = monotonic_now_s() - began_s;
+    return outcome;
+}
+
+Expected<HeadlessOutcome> run_in_real_time(LessonRun& run, const HeadlessSettings& settings) {
+    HeadlessOutcome outcome;
+    const double longest_s =
+        60.0 * std::max(run.description().minutes, kLeastMinutes) * settings.most_lengths;
+    double end_s = settings.end_s.value_or(longest_s);
+    if (settings.shows_prints) {
+        print_lines(run.process().prints_while_loading());
+    }
+    set_stop_target(&run.channels().emergency_stop);
+    LiveLoops loops;
+    const double began_s = monotonic_now_s();
+    if (auto started = loops.start(run, began_s); !started) {
+        return tl::unexpected(started.error());
+    }
+    // The force fades before the loops end, however it ends.
+    const auto fade = [&] {
+        run.end_softly();
+        sleep_s(run.fade_shown_s());
+        loops.stop();
+        set_stop_target(nullptr);
+    };
+    double now_s = 0.0;
+    for (long frame = 0; now_s < end_s && !interrupted(); ++frame) {
+        sleep_s(static_cast<double>(frame) / run.plan().lesson_rate_hz - now_s);
+        now_s = monotonic_now_s() - began_s;
+        FrameInput input;
+        input.time_s = now_s;
+        const auto report = run.exchange_frame(input);
+        if (!report) {
+            run.fail_softly(to_sentence(report.error()));
+            fade();
+            return tl::unexpected(report.error());
+        }
+        if (conclude_frame(run, settings, *report, now_s, end_s, outcome)) {
+            break;
+        }
+    }
+    fade();
+    outcome.interrupted = interrupted();
+    outcome.never_ended = !outcome.finished && !settings.end_s && now_s >= longest_s;
+    outcome.simulated_s = now_s;
     outcome.wall_s = monotonic_now_s() - began_s;
     return outcome;
 }

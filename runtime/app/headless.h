@@ -48,4 +48,8 @@ struct HeadlessOutcome {
 [[nodiscard]] Expected<HeadlessOutcome> run_headless(LessonRun& run,
                                                      const HeadlessSettings& settings);
 
+/// The same with a real hand: the loops on their threads, the lesson's frames when they are due. `clock` is not used.
+[[nodiscard]] Expected<HeadlessOutcome> run_in_real_time(LessonRun& run,
+                                                         const HeadlessSettings& settings);
+
 }  // namespace fulcrum::runtime

@@ -43,6 +43,12 @@ class LessonInput {
     /// After a frame: a question of its own may not be open any more.
     void look_again();
 
+    /// Somebody has stopped it from outside, so many times since the program began.
+    void hear_stops(unsigned seen) {
+        stop_.hear(seen);
+        stop_.watch_gate(run_ != nullptr && run_->gate() == GatePhase::stopped);
+    }
+
     /// A place of the picture was clicked: kTypingSpot, or a choice.
     void pick(int spot);
     static constexpr int kTypingSpot = -1;

@@ -86,6 +86,10 @@ class LessonRun {
     /// What strokes and taps sound like; null when the plan has no sound of touch.
     [[nodiscard]] SoundStream* touch_sound() { return touch_sound_.get(); }
     [[nodiscard]] const HandDevice& hand() const { return *hand_; }
+    /// The last gate as the lesson loop knows it.
+    [[nodiscard]] GatePhase gate() const { return channels_.state_for_lesson.value().gate; }
+    /// What was seen of an arm on which things break; null of another.
+    [[nodiscard]] const SpoiledCounts* spoiled_counts() const { return hand_->spoiled_counts(); }
     /// The line of the L:test whose answers are given; 0 where they are somebody else's, or nobody's.
     [[nodiscard]] SourceLine say_line() const { return say_line_; }
 

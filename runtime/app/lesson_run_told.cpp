@@ -21,6 +21,19 @@ std::vector<std::string> LessonRun::losses() const {
         tell(world_loop_->world().ignored_commands(),
              "commands to bodies were ignored: no such body, or no finite place.");
     }
+    if (const auto link = hand_->link_status()) {
+        constexpr double kMilli = 1.0e3;
+        std::array<char, 240> text{};
+        std::snprintf(text.data(), text.size(),
+                      "The arm's link: round trip %.2f ms, clocks differ by %.3f s, made %llu %s, "
+                      "%llu states taken, %llu packets refused.",
+                      kMilli * link->round_trip_s, link->offset_s,
+                      static_cast<unsigned long long>(link->sessions),
+                      link->sessions == 1 ? "time" : "times",
+                      static_cast<unsigned long long>(link->counts.received[0]),
+                      static_cast<unsigned long long>(link->counts.refused()));
+        sentences.emplace_back(text.data());
+    }
     const ToolEffort& tool = channels_.state_for_lesson.value().tool;
     if (tool.n_inexact > 0) {
         std::array<char, 160> text{};

@@ -73,6 +73,7 @@ void LessonScreen::begin() {
         ear_ = std::make_unique<LiveEar>(run_->plan().hearing.listen, microphone_opener());
     }
     input_.begin(run_.get());
+    set_stop_target(&run_->channels().emergency_stop);
     epoch_s_ = level_began_s_ = monotonic_now_s();
     level_ = 0;
     first_epoch_s_ = first_epoch_s_.value_or(epoch_s_);
@@ -104,6 +105,7 @@ void LessonScreen::stop() {
             std::fprintf(stderr, "%s\n", to_sentence(kept.error()).c_str());
         }
         say_losses(*run_);
+        set_stop_target(nullptr);
         input_.begin(nullptr);
         run_.reset();
     }
@@ -152,6 +154,7 @@ void LessonScreen::take_input(const WindowEvents& events) {
     if (events.close || interrupted()) {
         left_ = Left::closed;
     }
+    input_.hear_stops(stop_signals_seen());
     if (ear_ && ear_->take_keys(events)) {
         desktop_.hush();
     }

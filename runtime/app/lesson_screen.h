@@ -11,6 +11,7 @@
 #include "runtime/app/live_ear.h"
 #include "runtime/app/live_loops.h"
 #include "runtime/app/options.h"
+#include "runtime/app/stop_signal.h"
 #include "runtime/app/watched_files.h"
 #include "runtime/lesson/said_before.h"
 #include "runtime/progress/store.h"

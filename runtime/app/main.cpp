@@ -4,6 +4,7 @@
 #include "runtime/app/commands.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/options.h"
+#include "runtime/app/site_file.h"
 #include "runtime/lua/process/lesson_process.h"
 
 #include <cstdio>
@@ -14,6 +15,40 @@
 
 namespace fulcrum::runtime {
 namespace {
+
+// What needs lessons, words and the limits of this place.
+int run_with_lessons(Options options, double started_s) {
+    const auto site = find_site_limits(options.force_limit_N);
+    if (!site) {
+        return complain(site.error(), 2);
+    }
+    if (options.force_limit_N && *options.force_limit_N > site->force_N) {
+        std::fprintf(stderr, "This place allows %g N, so that is the limit, not %g N.\n",
+                     site->force_N, *options.force_limit_N);
+    }
+    options.site = *site;
+    const auto installation = open_installation(started_s);
+    if (!installation) {
+        return complain(installation.error(), 2);
+    }
+    switch (options.command) {
+        case Command::run:
+            return run_command(*installation, options);
+        case Command::list:
+            return list_command(*installation);
+        case Command::check:
+            return check_command(*installation, options);
+        case Command::test:
+            return test_command(*installation, options);
+        case Command::explain:
+            return explain_command(*installation, options);
+        case Command::soak:
+            return soak_command(*installation, options);
+        default:
+            break;
+    }
+    return menu_command(*installation, options);
+}
 
 int run_program(int argc, char** argv) {
     if (const auto socket = lesson_process_socket(argc, argv)) {
@@ -38,36 +73,18 @@ int run_program(int argc, char** argv) {
         std::puts("Fulcrum 0.1.0");
         return 0;
     }
-    if (options->command == Command::report) {
-        return report_command(*options);
-    }
-    if (options->command == Command::devices) {
-        return devices_command(*options);
-    }
-
-    const auto installation = open_installation(started_s);
-    if (!installation) {
-        return complain(installation.error(), 2);
-    }
     switch (options->command) {
-        case Command::run:
-            return run_command(*installation, *options);
-        case Command::list:
-            return list_command(*installation);
-        case Command::check:
-            return check_command(*installation, *options);
-        case Command::test:
-            return test_command(*installation, *options);
-        case Command::explain:
-            return explain_command(*installation, *options);
-        case Command::menu:
-        case Command::help:
-        case Command::version:
         case Command::report:
+            return report_command(*options);
         case Command::devices:
-            break;
+            return devices_command(*options);
+        case Command::arm:
+            return arm_command(*options);
+        case Command::stop:
+            return stop_command();
+        default:
+            return run_with_lessons(*options, started_s);
     }
-    return menu_command(*installation, *options);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "runtime/app/options.h"
 
+#include "runtime/app/options_parts.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -17,11 +19,11 @@ struct CommandWord {
     std::string_view flags;  // the flags it understands, each between spaces
 };
 
-constexpr std::array<CommandWord, 12> kCommands{{
+constexpr std::array<CommandWord, 15> kCommands{{
     {"run", Command::run, true,
      " --headless --seconds --seed --errors --hand --by --say --learner --db --record --screenshot "
      "--screenshot-at --speech --hear --listen --throat --voice --voice-speed "
-     "--watch --mute --force-limit --feedback "},
+     "--watch --mute --force-limit --feedback --key "},
     {"list", Command::list, false, " "},
     {"check", Command::check, true, " --force-limit "},
     {"test", Command::test, true, " --force-limit --seed --errors --hand --by "},
@@ -31,6 +33,12 @@ constexpr std::array<CommandWord, 12> kCommands{{
      "--seconds "},
     {"report", Command::report, false, " --learner --lesson --db --format --out "},
     {"devices", Command::devices, false, " --json "},
+    {"arm", Command::arm, false,
+     " --force-limit --arm --port --address --key --rate --motion --loss --burst --delay --jitter "
+     "--reorder "
+     "--duplicate --corrupt --seed --seconds "},
+    {"stop", Command::stop, false, " "},
+    {"soak", Command::soak, false, " --lesson --seed --seeds --seconds --force-limit "},
     {"help", Command::help, false, " "},
     {"--help", Command::help, false, " "},
     {"-h", Command::help, false, " "},
@@ -40,23 +48,6 @@ constexpr std::array<CommandWord, 12> kCommands{{
      "--voice-speed "
      "--watch "},
 }};
-
-Expected<double> number_in(const std::string& flag, const std::string& text, double low,
-                           double high) {
-    double value = 0.0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() ||
-        !(value >= low && value <= high)) {
-        const auto shown = [](double x) {
-            std::string s = std::to_string(x);
-            s.erase(s.find_last_not_of('0') + 1);
-            return s.back() == '.' ? s.substr(0, s.size() - 1) : s;
-        };
-        return fail(flag + " is \"" + text + "\"", "",
-                    "give a number from " + shown(low) + " to " + shown(high));
-    }
-    return value;
-}
 
 Expected<void> set_speech(Options& options, const std::string& value) {
     constexpr std::string_view kExec = "exec:";
@@ -101,6 +92,9 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
         target = *number;
         return {};
     };
+    if (auto set = set_arm_value(options, flag, value)) {
+        return *set;
+    }
     if (flag == "--seconds") {
         return into_number(options.seconds, 0.0, 86400.0);
     }
@@ -120,6 +114,7 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
         constexpr double kMostSeed = 4294967295.0;
         return number_in(flag, value, 0.0, kMostSeed).and_then([&](double seed) -> Expected<void> {
             options.seed = static_cast<std::uint64_t>(seed);
+            options.arm.faults.seed = *options.seed;
             return {};
         });
     }
@@ -321,7 +316,8 @@ std::string usage() {
   fulcrum                    the list of lessons, in a window  (--learner NAME --db FILE --force-limit N --mute --watch)
   fulcrum run LESSON         play a lesson
       --headless             without a window, faster than real time, repeatable to the byte; tells what is said
-      --hand FILE.lua|mouse|hid|hid:PATH|replay:FILE
+      --hand FILE.lua|mouse|hid|hid:PATH|udp:HOST:PORT|replay:FILE
+                             udp: an arm on another computer, or fulcrum arm on this one  (--key FILE)
       --by arm|mouse|keyboard  without a window: how the simulated hand plays, by an arm or as somebody at a desk (arm)
       --say FILE             one answer a line, given to the questions in turn
       --learner NAME         whose progress this is
@@ -330,7 +326,7 @@ std::string usage() {
       --screenshot FILE      write the picture when the run ends  (--screenshot-at S: at that second)
       --seconds N            end early
       --seed N               what the lesson leaves to chance goes as it went with this number; without a window 1
-      --force-limit N        newtons this site allows, 0.5 to 10 (5)
+      --force-limit N        newtons at most, 0.5 to 10 (5); never more than /etc/fulcrum/site.conf allows
       --feedback STEP,…      what is done about an error of form the first time, the second …: recast, prompt, rule, replay
                              (as the lesson says, else recast,prompt,rule)
       --mute                 without sound
@@ -353,6 +349,15 @@ std::string usage() {
       --json                 for programs
   fulcrum report             what learners did  (--learner NAME --lesson ID --format text|csv --out FILE)
   fulcrum devices            what can be a hand here, what each can do, what is missing  (--json)
+  fulcrum arm                a simulated arm that speaks the arm link, for --hand udp:localhost:4701
+      --port N --address A   where it waits (4701 at 127.0.0.1); --key FILE what it shares with the program; --rate N a second (1000)
+      --arm wam|desktop      Barrett's WAM of seven joints, or three axes on a desk (wam)
+      --motion still|circle  what the hand does that holds it
+      --loss P --burst N     per cent of the packets are lost, N in a row;  --delay MS --jitter MS each way;
+      --reorder P --duplicate P --corrupt P    and how many are overtaken, doubled, damaged  (--seed N --seconds N)
+  fulcrum stop               emergency stop: every hand and arm of yours on this computer fades to no force
+  fulcrum soak               all lessons with an arm on which things break by chance, under a virtual clock: is every force as it may be?
+      --lesson NAME --seed N --seeds N --seconds N    one lesson; the first seed (1), how many (3), how long each (60)
   fulcrum bench [NAME…]      what accuracy costs in time  (--out DIR --quick --list --draw FILE.csv)
 
 Exit codes: 0 done, 1 the lesson or a test failed, 2 wrong usage or unreadable input, 130 Ctrl-C before a lesson began.

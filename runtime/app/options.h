@@ -3,6 +3,7 @@
 
 #include "dialogue/marking/feedback_ladder.h"
 #include "haptics/base/error.h"
+#include "haptics/link/link_faults.h"
 #include "runtime/app/played_by.h"
 #include "runtime/audio/voice/voice_program.h"
 #include "runtime/scene/plan.h"
@@ -22,8 +23,28 @@ enum class Command : std::uint8_t {
     explain,
     report,
     devices,
+    arm,
+    stop,
+    soak,
     help,
     version
+};
+
+/// What the hand does that holds a simulated arm.
+enum class ArmMotion : std::uint8_t { still, circle };
+
+/// Which arm is simulated: Barrett's WAM of seven joints, or three axes on a desk.
+enum class ArmKind : std::uint8_t { wam, desktop };
+
+/// Of `fulcrum arm`.
+struct ArmOptions {
+    std::string address = "127.0.0.1";  ///< where it waits
+    std::uint16_t port = 4701;          ///< 0: any that is free
+    std::string key_file;               ///< empty: the default place
+    double rate_Hz = 1000.0;            ///< 500 to 2000
+    ArmKind kind = ArmKind::wam;
+    ArmMotion motion = ArmMotion::still;
+    LinkFaults faults{};
 };
 
 /// Everything the command line can say. Fields that a command does not use are refused for it.
@@ -32,7 +53,8 @@ struct Options {
     std::string lesson;             ///< a name under scenarios/ or a folder
     bool headless = false;          ///< no window: virtual clock, faster than real time
     std::optional<double> seconds;  ///< end the run after this long, 0 to 86 400
-    std::string hand;            ///< FILE.lua, mouse, hid, hid:PATH or replay:FILE; empty: chosen by what is there
+    std::string
+        hand;  ///< FILE.lua, mouse, hid, hid:PATH, udp:HOST:PORT or replay:FILE; empty: chosen by what is there
     std::optional<PlayedBy> by;  ///< how a simulated hand plays; test: by all where none is named
     std::string say;             ///< file with one answer a line
     std::optional<double>
@@ -54,10 +76,13 @@ struct Options {
     bool mute = false;
     bool analyze = false;                 ///< explain: play it too, and tell what each stage cost
     bool json = false;                    ///< explain, devices: for programs
-    double force_limit_N = 5.0;           ///< of this site, 0.5 to 10
+    std::optional<double> force_limit_N;  ///< newtons, 0.5 to 10; no more than the site allows
+    SiteLimits site{};                    ///< found for it (site_file.h)
     dialogue::FeedbackLadder feedback{};  ///< of this site; empty: as each lesson says
     std::string format = "text";          ///< report: text or csv
     std::string out;                      ///< report: file instead of the screen
+    ArmOptions arm{};
+    std::uint64_t seeds = 3;  ///< soak: how many runs of each lesson
 };
 
 /// Parses the words after the program's name. Unknown words name the nearest known one.

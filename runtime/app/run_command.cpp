@@ -8,6 +8,7 @@
 #include "runtime/app/open_store.h"
 #include "runtime/app/picture.h"
 #include "runtime/app/run_request.h"
+#include "runtime/app/stop_signal.h"
 
 #include <cstdio>
 #include <system_error>
@@ -86,7 +87,8 @@ int run_without_window(const Installation& installation, const Options& options,
     if (!options.screenshot.empty()) {
         settings.after_frame = [&](double now_s) { screenshot.after_frame(now_s); };
     }
-    const auto outcome = run_headless(**run, settings);
+    const auto outcome = keeps_time(request.hand) ? run_in_real_time(**run, settings)
+                                                  : run_headless(**run, settings);
     const auto recorded = (*run)->finish_record();
     say_losses(**run);
     if (!outcome) {
@@ -116,21 +118,22 @@ int run_without_window(const Installation& installation, const Options& options,
 }  // namespace
 
 int run_command(const Installation& installation, const Options& options) {
+    watch_for_stop_signal();
     const bool in_window = !options.headless && display_available();
     auto request = make_request(installation.places, options, in_window);
     if (!request) {
         return complain(request.error(), 2);
     }
     if (!options.headless && !in_window) {
-        std::fprintf(
-            stderr,
-            "There is no display, so the lesson runs without a window, with the simulated hand.\n");
+        std::fprintf(stderr, "There is no display, so the lesson runs without a window%s.\n",
+                     keeps_time(request->hand) ? "" : ", with the simulated hand");
     }
     return in_window ? run_in_window(installation, options, std::move(*request))
                      : run_without_window(installation, options, *request);
 }
 
 int menu_command(const Installation& installation, const Options& options) {
+    watch_for_stop_signal();
     if (!display_available()) {
         std::fprintf(stderr,
                      "There is no display; here are the lessons, play one with: fulcrum run LESSON "

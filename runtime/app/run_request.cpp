@@ -38,6 +38,7 @@ Expected<void> choose_player(const Options& options, bool in_window, RunRequest&
 // Whose hand: what was asked for, else the mouse in a window and the lesson's own simulated hand without.
 Expected<void> choose_hand(const Options& options, bool in_window, RunRequest& request) {
     constexpr std::string_view kReplay = "replay:";
+    constexpr std::string_view kLink = "udp:";
     if (options.hand.starts_with(kReplay)) {
         request.hand = HandKind::replay;
         request.hand_file = options.hand.substr(kReplay.size());
@@ -48,11 +49,15 @@ Expected<void> choose_hand(const Options& options, bool in_window, RunRequest& r
         }
     } else if (asks_for_hid(options.hand)) {
         return choose_hid(options.hand, in_window, request);
+    } else if (options.hand.starts_with(kLink)) {
+        request.hand = HandKind::link;
+        request.hand_address = options.hand.substr(kLink.size());
+        request.key_file = options.arm.key_file;
     } else if (options.hand == "mouse" || (options.hand.empty() && in_window)) {
         request.hand = HandKind::mouse;
     } else if (!options.hand.empty() && !options.hand.ends_with(".lua")) {
         return fail("there is no hand \"" + options.hand + "\"", "",
-                    "give --hand mouse, hid, replay:FILE, or a Lua file's name");
+                    "give --hand mouse, hid, udp:HOST:PORT, replay:FILE, or a Lua file's name");
     } else {
         request.hand_file = options.hand;
     }
@@ -162,7 +167,7 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
         return tl::unexpected(folder.error());
     }
     request.folder = *folder;
-    request.plan.force_limit_N = options.force_limit_N;
+    request.plan.site = options.site;
     request.plan.picture = in_window || !options.screenshot.empty();
     request.plan.sound = in_window && !options.mute;
     request.plan.record = !options.record.empty();
@@ -174,6 +179,7 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     return choose_hand(options, in_window, request)
         .and_then([&] { return choose_answers(options, in_window, request); })
         .and_then([&] { return choose_hearing(options, request); })
+        .map([&] { request.plan.live = request.plan.live || keeps_time(request.hand); })
         .map([&] { return std::move(request); });
 }
 

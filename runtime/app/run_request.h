@@ -14,7 +14,13 @@
 
 namespace fulcrum::runtime {
 
-enum class HandKind : std::uint8_t { scripted, mouse, replay, hid };
+enum class HandKind : std::uint8_t { scripted, mouse, replay, hid, link };
+
+/// Whether a hand keeps its own time, so that a lesson without a window has to go as fast as the clock on the wall. (A mouse without a
+/// window is a simulated one.)
+[[nodiscard]] constexpr bool keeps_time(HandKind kind) noexcept {
+    return kind == HandKind::hid || kind == HandKind::link;
+}
 
 struct RunRequest {
     std::filesystem::path folder;  ///< of the lesson
@@ -23,7 +29,11 @@ struct RunRequest {
     PlayedBy by = PlayedBy::arm;  ///< at a desk the hand is a mouse
     /// Scripted or at a desk: a Lua file, empty for the lesson's own test. Replay: a record.
     std::filesystem::path hand_file;
-    HidChoice hid{};               ///< the device of HandKind::hid
+    HidChoice hid{};           ///< the device of HandKind::hid
+    std::string hand_address;  ///< link: HOST:PORT of the arm
+    std::string key_file;      ///< link: empty for the default place
+    /// Scripted: the hand holds an arm at the other end of a link, on which things break by this seed.
+    std::optional<std::uint64_t> spoil_seed;
     std::vector<std::string> say;  ///< answers of a simulated pupil; empty: somebody types
     std::optional<LearnerRates> learner_rates;  ///< a simulated learner answers instead
     bool own_test = false;    ///< use the hand and the answers of the lesson's first L:test

@@ -33,6 +33,23 @@ void StopKeys::lose_focus(bool renders_force) noexcept {
     }
 }
 
+void StopKeys::hear(unsigned seen) noexcept {
+    if (seen != heard_) {
+        heard_ = seen;
+        press();
+    }
+}
+
+void StopKeys::watch_gate(bool is_stopped) noexcept {
+    // What was lifted just now takes a while to be seen.
+    constexpr int kFramesSure = 20;
+    stopped_frames_ = is_stopped && !stopped_ ? stopped_frames_ + 1 : 0;
+    if (stopped_frames_ >= kFramesSure) {
+        stopped_frames_ = 0;
+        press();
+    }
+}
+
 void StopKeys::press() noexcept {
     stopped_ = true;
     if (channels_ != nullptr) {

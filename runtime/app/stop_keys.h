@@ -28,6 +28,10 @@ class StopKeys {
     StopKey take(std::string_view key, bool repeat, const RunState& run) noexcept;
     /// Nobody can press a key here any more: an arm that renders forces is stopped.
     void lose_focus(bool renders_force) noexcept;
+    /// Somebody has stopped it from outside (stop_signal.h), `seen` times since the program began.
+    void hear(unsigned seen) noexcept;
+    /// Whether the last gate is stopped, once a frame. One that stays so without a key was stopped at the device: it is a stop like others.
+    void watch_gate(bool is_stopped) noexcept;
     [[nodiscard]] bool stopped() const noexcept { return stopped_; }
 
   private:
@@ -36,6 +40,8 @@ class StopKeys {
 
     HapticChannels* channels_ = nullptr;
     bool stopped_ = false;
+    unsigned heard_ = 0;      // stops from outside
+    int stopped_frames_ = 0;  // of the gate, while no key has stopped it
 };
 
 }  // namespace fulcrum::runtime

@@ -20,6 +20,7 @@ constexpr double kFall = 0.9;               // of the level, a block
 constexpr std::size_t kMostUtterances = 4;  // nobody took: the oldest goes
 constexpr std::size_t kMostEarTroubles = 16;
 constexpr std::size_t kRead = 8 * kBlock;
+constexpr int kMostReads = 16;  // at once
 
 // 0 to 1 on a scale of decibels.
 double level_of(std::span<const std::int16_t, kBlock> block) {
@@ -106,9 +107,10 @@ struct Ear::Work {
         }
     }
 
+    // What has come, yet not for ever: a source that gives more than a second a second must not keep the thread from its end.
     void hear_all() {
         std::array<std::int16_t, kRead> read{};
-        for (;;) {
+        for (int i = 0; i < kMostReads; ++i) {
             const auto n = microphone->read(read);
             if (!n) {
                 lose(n.error());

@@ -237,8 +237,9 @@ struct LessonTestDescription {
 struct LessonDescription {
     std::string id;
     std::string title;
-    std::string level;          ///< one of kEnglishLevels
-    double minutes = 10;        ///< planned length
+    std::string level;                    ///< one of kEnglishLevels
+    double minutes = 10;                  ///< planned length
+    std::optional<double> force_limit_N;  ///< the lesson wants no more, 0.5 to 10
     bool free_english = false;  ///< what no template of a question takes is checked for its form
     dialogue::FeedbackLadder
         feedback{};  ///< on form, of questions without their own; empty: the usual

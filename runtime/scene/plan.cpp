@@ -84,11 +84,10 @@ HapticPlan haptic_plan(const LessonDescription& lesson, const PlanOptions& optio
     plan.workspace.pose_WD.position = lesson.hand.centre_W;
     plan.workspace.scale = lesson.hand.scale;
     scale_coupling(plan.coupling, lesson.hand.scale);
-    // A gentler site is gentler to the wrist, too; the gate's torque rates go with the ratio of the two limits.
-    const SafetySettings usual;
-    plan.safety.max_force_N = options.force_limit_N;
-    plan.safety.max_torque_Nm =
-        usual.max_torque_Nm * std::min(1.0, options.force_limit_N / usual.max_force_N);
+    plan.safety.max_force_N = options.site.force_N;
+    plan.safety.max_torque_Nm = options.site.torque_Nm;
+    plan.safety.max_felt_speed_m_per_s = options.site.speed_m_per_s;
+    plan.safety.max_energy_J = options.site.energy_J;
     plan.lesson_force = lesson.hand.lesson_force;
     plan.expects_lesson = true;
     for (const ForceDescription& force : lesson.forces) {
@@ -314,8 +313,10 @@ void take_options(const LessonDescription& lesson, const PlanOptions& options, P
 
 }  // namespace
 
-Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& options,
+Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& asked,
                             const SolidLoader& load_solid, const PictureLoader& load_picture) {
+    PlanOptions options = asked;
+    options.site = lower(asked.site, lesson.force_limit_N);
     if (auto counts = check_counts(lesson); !counts) {
         return tl::unexpected(counts.error());
     }
@@ -353,7 +354,7 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
     const int holds = lesson.bucket.present ? lesson.bucket.holds : 1;
     const FeltWeights felt =
         fit_felt_weights(lesson.bodies, lesson.gravity_W.norm(), holds,
-                         std::min(options.force_limit_N, options.device_force_limit_N));
+                         std::min(options.site.force_N, options.device_force_limit_N));
     plan.felt_weight_N = felt.newtons;
     plan.felt_scale = felt.scale;
     if (auto rigid = add_rigid_bodies(lesson, load_solid, options, plan); !rigid) {

@@ -11,6 +11,7 @@
 #include "runtime/scene/description.h"
 #include "runtime/scene/listen_mode.h"
 #include "runtime/scene/picture/felt_pictures.h"
+#include "runtime/scene/site_limits.h"
 
 #include <cstddef>
 #include <functional>
@@ -57,7 +58,7 @@ enum class ShapeSource : std::uint8_t { made, cache };
 
 /// What the person at the keyboard chose; the rest follows from the lesson.
 struct PlanOptions {
-    double force_limit_N = 5.0;  ///< of this site, 0.5 to 10
+    SiteLimits site{};
     /// What the device can give; infinite for one that renders no force
     double device_force_limit_N = std::numeric_limits<double>::infinity();
     bool picture = true;  ///< a window or a screenshot is wanted

@@ -40,8 +40,8 @@ Expected<void> check_line(const LessonDescription& lesson) {
 
 // Lessons are made for the usual limit: at a lower one all pulls are felt in proportion, so that the stronger stays the stronger.
 double find_measure(const PlanOptions& options) {
-    const double limit_N = std::min(options.force_limit_N, options.device_force_limit_N);
-    return std::min(1.0, limit_N / PlanOptions{}.force_limit_N);
+    const double limit_N = std::min(options.site.force_N, options.device_force_limit_N);
+    return std::min(1.0, limit_N / SiteLimits{}.force_N);
 }
 
 std::string tell_measure(const KiteDescription& kite, double measure) {
@@ -74,7 +74,7 @@ Expected<void> add_kite(const LessonDescription& lesson, const PlanOptions& opti
     }
     // What is more the last gate would clip, and clipped a line is no spring any more.
     feel.most_N =
-        std::min(kWeightShareOfLimit * options.force_limit_N, options.device_force_limit_N);
+        std::min(kWeightShareOfLimit * options.site.force_N, options.device_force_limit_N);
     feel.arm_T = Vector3(0.0, kSpool_m, 0.0);
     for (auto checked : {validate(flight), validate(feel)}) {
         if (!checked) {

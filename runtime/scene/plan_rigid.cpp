@@ -241,7 +241,7 @@ Expected<void> add_rigid_bodies(const LessonDescription& lesson, const SolidLoad
     rigid.world.bodies = {make_ground(lesson)};
     rigid.scene_bodies = {kNoBody};
     const double gravity = lesson.gravity_W.norm();
-    const double most_N = std::min(options.force_limit_N, options.device_force_limit_N);
+    const double most_N = std::min(options.site.force_N, options.device_force_limit_N);
     for (std::size_t i = 0; i < plan.haptic.solids.size(); ++i) {
         const SolidPlan& solid = plan.haptic.solids[i];
         const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];

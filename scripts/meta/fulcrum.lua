@@ -136,6 +136,7 @@ local Force = {}
 ---@field title string what the list of lessons shows; of at most 200 letters
 ---@field level? string level of English: A1, A2, B1, B2, C1 or C2; of at most 16 letters; default A1
 ---@field minutes? number how long it takes; in minutes, 0 to 1000; default 10
+---@field force_limit? number no force in this lesson is larger; this place and the device may allow less; in newtons, 0.5 to 10
 ---@field free_english? boolean what is said beside a question's answers is checked, and good English for it is shown; default false
 ---@field feedback? string[] what is done about an error of form, by how often it has been made: the first time the first of these, and so on, from then on the last; "recast" (the right sentence), "prompt" (say it once more), "rule" (and why), "replay" (and feel it again); { "recast", "prompt", "rule" } by default
 

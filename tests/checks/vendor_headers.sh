@@ -18,6 +18,7 @@ BEGIN {
     home["^(tiny_gltf|stb_)"] = "^runtime/scene/gltf/"
     home["^(png|jpeglib)[.]h$"] = "^runtime/scene/picture/"
     home["^nlohmann/"] = "^(runtime|dialogue/speech/external)/"
+    home["^sodium[.]h$"] = "^runtime/link/"
     home["^(hidapi|libusb)"] = "^haptics/device/hid/hidapi/"
     home["^(pocketsphinx|ps_search|sphinxbase|flite|onnxruntime)"] = "^dialogue/speech/"
     home["^link-grammar/"] = "^dialogue/checking/link_grammar/"
@@ -26,7 +27,7 @@ BEGIN {
     home["^catch2/"] = "^$"
     # Linux, glibc and the processor; the standard library has neither slash nor dot.
     home["^(sys|linux|arpa|netinet|net)/"] = "."
-    home["^(pthread|sched|spawn|unistd|dirent|fcntl|poll|signal|time|pwd|grp|dlfcn|malloc|termios|immintrin|xmmintrin|emmintrin|x86intrin|cpuid)[.]h$"] = "."
+    home["^(pthread|sched|spawn|netdb|unistd|dirent|fcntl|poll|signal|time|pwd|grp|dlfcn|malloc|termios|immintrin|xmmintrin|emmintrin|x86intrin|cpuid)[.]h$"] = "."
     home["^[a-z_]+$"] = "."
 }
 {

@@ -13,6 +13,7 @@ inline LessonDescription full_description() {
     d.title = "Which fruit is the heaviest? \xE2\x98\x85";
     d.level = "A1";
     d.minutes = 15;
+    d.force_limit_N = 2.5;
     d.free_english = true;
     d.feedback = {dialogue::FeedbackStep::prompt};
     d.gravity_W = Vector3(0, -1.62, 0);

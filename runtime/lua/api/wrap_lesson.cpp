@@ -67,6 +67,9 @@ int make_lesson(lua_State* lua, LessonContext& context, const Arguments& argumen
                                  clean_text(context.description.level, 16) + '"');
     }
     context.description.minutes = arguments["minutes"].number;
+    if (arguments["force_limit"].given) {
+        context.description.force_limit_N = arguments["force_limit"].number;
+    }
     context.description.free_english = arguments["free_english"].flag;
     context.description.feedback = take_ladder(lua, "lesson.feedback", arguments["feedback"]);
     lua_newtable(lua);
@@ -221,6 +224,8 @@ void add_lesson_api(ApiTable& table) {
           {"title", text, "", 0, 200, kRequired, "what the list of lessons shows"},
           {"level", text, "", 0, 16, "A1", "level of English: A1, A2, B1, B2, C1 or C2"},
           {"minutes", number, "minutes", 0, 1000, "10", "how long it takes"},
+          {"force_limit", number, "newtons", 0.5, 10, "nil",
+           "no force in this lesson is larger; this place and the device may allow less"},
           {"free_english", flag, "", 0, 0, "false",
            "what is said beside a question's answers is checked, and good English for it is "
            "shown"},

@@ -60,6 +60,8 @@ void description(Archive& a, Description& d) {
     a.text("the title", d.title, 200);
     a.text("the level", d.level, 16);
     a.number("the minutes", d.minutes, 0.0, 1000.0);
+    optional(a, "a limit of force", d.force_limit_N,
+             [](auto& each, auto& limit) { each.number("a limit of force", limit, 0.5, 10.0); });
     a.flag("free English", d.free_english);
     ladder(a, d.feedback);
     vector(a, "gravity", d.gravity_W, 100.0);

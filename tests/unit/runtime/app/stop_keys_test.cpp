@@ -106,3 +106,46 @@ TEST_CASE("stop keys: an arm whose window lost the keyboard is stopped; a mouse 
 
 }  // namespace
 }  // namespace fulcrum::runtime
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+TEST_CASE("stop keys: a stop from outside is a stop, once for each") {
+    HapticChannels channels;
+    StopKeys keys;
+    keys.watch(&channels);
+    keys.hear(0);
+    CHECK_FALSE(keys.stopped());
+    keys.hear(1);
+    CHECK(keys.stopped());
+    CHECK(channels.emergency_stop.is_pressed());
+    CHECK(keys.take("return", false, RunState{}) == StopKey::lift);
+    keys.hear(1);
+    CHECK_FALSE(keys.stopped());
+    keys.hear(2);
+    CHECK(keys.stopped());
+}
+
+TEST_CASE(
+    "stop keys: a gate that was stopped at the device is shown as stopped, one that was lifted "
+    "just now is not") {
+    HapticChannels channels;
+    StopKeys keys;
+    keys.watch(&channels);
+    for (int frame = 0; frame < 19; ++frame) {
+        keys.watch_gate(true);
+        REQUIRE_FALSE(keys.stopped());
+    }
+    keys.watch_gate(false);
+    for (int frame = 0; frame < 19; ++frame) {
+        keys.watch_gate(true);
+        REQUIRE_FALSE(keys.stopped());
+    }
+    keys.watch_gate(true);
+    CHECK(keys.stopped());
+    // Lifted; the picture still shows it for some frames.
+    CHECK(keys.take("return", false, RunState{}) == StopKey::lift);
+    keys.watch_gate(true);
+    keys.watch_gate(true);
+    CHECK_FALSE(keys.stopped());
+}

@@ -66,7 +66,7 @@ TEST_CASE("plan: a lesson without a kite has nothing of one") {
 
 TEST_CASE("plan: a kite pulls no harder than hand, site and arm may be pulled") {
     PlanOptions options;
-    options.force_limit_N = 2.0;
+    options.site = make_site_limits(2.0);
     const auto usual = compile(with_kite(), {});
     const auto milder = compile(with_kite(), options);
     CHECK(milder->haptic.line->most_N == Approx(1.8));

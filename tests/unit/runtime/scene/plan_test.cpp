@@ -222,7 +222,7 @@ TEST_CASE("plan: a gentler site lets less torque through as well, a stronger one
     LessonDescription lesson;
     for (const auto& [limit_N, torque_Nm] : {std::pair(0.5, 0.03), {5.0, 0.3}, {10.0, 0.3}}) {
         PlanOptions options;
-        options.force_limit_N = limit_N;
+        options.site = make_site_limits(limit_N);
         const auto plan = compile_plan(lesson, options, no_mesh);
         REQUIRE(plan);
         CHECK(plan->haptic.safety.max_force_N == limit_N);
@@ -232,7 +232,7 @@ TEST_CASE("plan: a gentler site lets less torque through as well, a stronger one
 
 TEST_CASE("plan: weights fit under the limit of a device that is weaker than the site's") {
     PlanOptions options;
-    options.force_limit_N = 10.0;
+    options.site = make_site_limits(10.0);
     options.device_force_limit_N = 2.0;
     const auto plan = compile_plan(gravity_like(), options, no_mesh);
     REQUIRE(plan);

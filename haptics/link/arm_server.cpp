@@ -1,0 +1,269 @@
+// The step path of arm_server.h; what builds it stands in arm_server_build.cpp.
+#include "haptics/link/arm_server.h"
+
+#include "haptics/math/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kWelcomeEvery_s = 0.02;  // to one session
+constexpr int kMostWelcomes = 8;          // in a round
+constexpr double kBrakeShare = 8.0;       // alpha <= m / 8 T (coupling/passivity.h)
+constexpr double kArmUnitTolerance = 1.0e-3;
+
+bool is_arm_reading(const DeviceReading& reading) noexcept {
+    return is_finite(reading.pose_D) && std::isfinite(reading.stamp_s) &&
+           std::abs(reading.pose_D.orientation.coeffs().norm() - 1.0) <= kArmUnitTolerance;
+}
+
+Vector3 limited_to(const Vector3& v, double most) noexcept {
+    const double length = v.norm();
+    return length > most ? Vector3(v * (most / length)) : v;
+}
+
+}  // namespace
+
+void ArmServer::step(double now_s) noexcept {
+    begin_round(now_s);
+    take_packets();
+    take_stops();
+    read_arm();
+    count_energy();
+    drive();
+    tell_state();
+    publish();
+}
+
+void ArmServer::begin_round(double now_s) noexcept {
+    faults_ = late_faults_;
+    late_faults_ = Fault::none;
+    dt_s_ = started_ ? now_s - now_s_ : 1.0 / settings_.rate_Hz;
+    if (std::isfinite(now_s)) {
+        started_ = true;
+        now_s_ = now_s;
+    }
+    if (!(dt_s_ > 0.0)) {
+        faults_ |= Fault::command_invalid;
+    }
+}
+
+void ArmServer::take_packets() noexcept {
+    post_.begin_round();
+    n_welcomes_ = 0;
+    while (const auto opened = post_.open_next(now_s_)) {
+        take(*opened);
+    }
+    if (post_.has_partner() && std::abs(now_s_ - heard_s_) > settings_.lost_after_s) {
+        forget_holder();
+    }
+    // A command that is due at the timeout itself and not there is missing.
+    const double longest_s = settings_.safety.command_timeout_s - 0.5 / settings_.rate_Hz;
+    const bool is_fresh = has_command_ && std::abs(now_s_ - command_age_from_s_) <= longest_s;
+    if (!is_fresh) {
+        faults_ |= Fault::command_stale;
+    }
+}
+
+void ArmServer::take(const OpenedPacket& opened) noexcept {
+    const PacketHead& head = opened.packet.head;
+    if (head.kind == PacketKind::hello && head.receiver == 0) {
+        welcome(opened);
+        return;
+    }
+    // What only an arm says is no program's.
+    if (head.kind != PacketKind::command && head.kind != PacketKind::bye) {
+        post_.refuse();
+        return;
+    }
+    if (!post_.has_partner() && head.kind == PacketKind::command &&
+        head.receiver == post_.session()) {
+        post_.set_partner(head.sender, opened.from);
+        heard_s_ = now_s_;
+        ++now_.sessions;
+    }
+    if (!post_.accept(now_s_, opened)) {
+        return;
+    }
+    if (head.kind == PacketKind::bye) {
+        forget_holder();
+    } else if (head.sequence > command_number_) {
+        take_command(opened);
+        // Old packets that somebody has kept and gives out slowly hold nothing.
+        if (now_s_ - command_age_from_s_ <= settings_.safety.command_timeout_s) {
+            heard_s_ = now_s_;
+        }
+    }
+}
+
+void ArmServer::take_command(const OpenedPacket& opened) noexcept {
+    command_number_ = opened.packet.head.sequence;
+    command_ = opened.packet.command;
+    has_command_ = true;
+    command_age_from_s_ = post_.compute_usual_arrival_s(now_s_, opened.packet.head.sent_ns);
+}
+
+// Answers a hello, and remembers no more of it than when: an old one that somebody kept changes nothing, and a flood of one hello, or
+// of many, gets few answers while others still get theirs.
+void ArmServer::welcome(const OpenedPacket& opened) noexcept {
+    const std::uint64_t from = opened.packet.head.sender;
+    const auto known = std::find_if(greeted_.begin(), greeted_.end(),
+                                    [&](const Greeted& g) { return g.session == from; });
+    const bool is_known = known != greeted_.end();
+    if (n_welcomes_ >= kMostWelcomes ||
+        (is_known && std::abs(now_s_ - known->at_s) < kWelcomeEvery_s)) {
+        return;
+    }
+    ++n_welcomes_;
+    Greeted& place = is_known ? *known : greeted_[next_greeted_++ % greeted_.size()];
+    place = {from, now_s_};
+    LinkPacket packet;
+    packet.head.kind = PacketKind::welcome;
+    packet.traits = traits_;
+    packet.traits.taken = post_.has_partner() ? 1 : 0;
+    post_.send_to(now_s_, packet, opened.packet.head.sender, opened.from);
+}
+
+void ArmServer::forget_holder() noexcept {
+    post_.begin_session();
+    has_command_ = false;
+    command_number_ = 0;
+    command_ = LinkCommand{};
+    force_.reset();
+    torque_.reset();
+}
+
+void ArmServer::take_stops() noexcept {
+    if (stop_.take()) {
+        faults_ |= Fault::emergency_stop;
+    } else if (!gate_.is_fading() && rearm_wanted_.exchange(false, std::memory_order_acq_rel) &&
+               gate_.phase() == GatePhase::stopped) {
+        gate_.reset();
+    }
+}
+
+void ArmServer::read_arm() noexcept {
+    motion_D_.setZero();
+    turn_D_.setZero();
+    DeviceReading reading{};
+    if (!arm_.read(now_s_, reading)) {
+        faults_ |= Fault::device_read;
+        return;
+    }
+    if (!is_arm_reading(reading)) {
+        faults_ |= Fault::device_invalid;
+        return;
+    }
+    faults_ |= reading.faults;
+    if (!(std::abs(now_s_ - reading.stamp_s) <= settings_.safety.device_timeout_s)) {
+        faults_ |= Fault::device_stale;
+        return;
+    }
+    // An impossible jump is a fault of its own, and no motion that anybody paid for.
+    const Vector3 way_D = reading.pose_D.position - reading_.pose_D.position;
+    const double since_s = std::max(reading.stamp_s - reading_.stamp_s, 1.0 / settings_.rate_Hz);
+    const bool follows = has_pose_ && reading.stamp_s >= reading_.stamp_s &&
+                         way_D.norm() <= settings_.safety.max_hand_speed_m_per_s * since_s;
+    if (follows) {
+        motion_D_ = way_D;
+        turn_D_ = compute_log(reading.pose_D.orientation * reading_.pose_D.orientation.conjugate());
+    } else {
+        faults_ |= has_pose_ ? Fault::device_invalid : Fault::none;
+        guard_.forget();
+        velocity_.reset();
+        angular_velocity_.reset();
+    }
+    reading_ = reading;
+    has_pose_ = true;
+    velocity_.step(reading_.pose_D.position, reading_.stamp_s);
+    angular_velocity_.step(reading_.pose_D.orientation, reading_.stamp_s);
+    faults_ |= guard_.step(applied_D_, motion_D_, turn_D_, dt_s_);
+}
+
+void ArmServer::count_energy() noexcept {
+    force_.step(applied_D_.force, motion_D_, command_.given.force_J, dt_s_);
+    torque_.step(applied_D_.torque, turn_D_, command_.given.torque_J, dt_s_);
+}
+
+Wrench ArmServer::brake() const noexcept {
+    if (!settings_.balances_energy || !(dt_s_ > 0.0)) {
+        return {};
+    }
+    const double most = settings_.handle_mass_kg / (kBrakeShare * dt_s_);
+    const double most_turning = settings_.handle_inertia_kg_m2 / (kBrakeShare * dt_s_);
+    return {motion_D_ * (-force_.compute_damping(motion_D_, dt_s_, most) / dt_s_),
+            turn_D_ * (-torque_.compute_damping(turn_D_, dt_s_, most_turning) / dt_s_)};
+}
+
+// Whatever was asked for, what leaves here has passed the gate.
+void ArmServer::drive() noexcept {
+    Wrench wanted{};
+    if (has_command_) {
+        const Wrench braked = brake();
+        wanted = {limited_to(command_.wrench_D.force, command_.max_force_N) + braked.force,
+                  limited_to(command_.wrench_D.torque, command_.max_torque_Nm) + braked.torque};
+    }
+    const GatePhase before = gate_.phase();
+    applied_D_ = gate_.pass(wanted, faults_, dt_s_);
+    faults_ |= gate_.faults();
+    const bool was_open = before == GatePhase::rising || before == GatePhase::open;
+    const bool is_closing =
+        gate_.phase() == GatePhase::fading || gate_.phase() == GatePhase::stopped;
+    now_.trips += was_open && is_closing ? 1 : 0;
+    // What this finds comes after the gate, and so fades the force from the next round on.
+    if (!arm_.write(now_s_, applied_D_)) {
+        late_faults_ = Fault::device_write;
+    }
+}
+
+void ArmServer::tell_state() noexcept {
+    if (!post_.has_partner() || !has_pose_) {
+        return;
+    }
+    LinkPacket packet;
+    packet.head.kind = PacketKind::state;
+    LinkState& state = packet.state;
+    state.measured_ns = LinkPost::to_ns(reading_.stamp_s);
+    state.pose_D = reading_.pose_D;
+    state.twist_D = {limited_to(velocity_.velocity(), 1000.0),
+                     limited_to(angular_velocity_.velocity(), 1000.0)};
+    state.applied_D = applied_D_;
+    state.given = {force_.gave_J(), torque_.gave_J()};
+    state.buttons = reading_.buttons;
+    state.faults = faults_;
+    if (gate_.phase() == GatePhase::stopped) {
+        state.faults |= Fault::emergency_stop;
+    }
+    state.gate = gate_.phase();
+    post_.send(now_s_, packet);
+}
+
+void ArmServer::publish() noexcept {
+    now_.held = post_.has_partner();
+    now_.faults = faults_;
+    now_.gate = gate_.phase();
+    now_.pose_D = reading_.pose_D;
+    now_.applied_D = applied_D_;
+    now_.round_trip_s = post_.clock().round_trip_s();
+    now_.offset_s = post_.clock().offset_s();
+    now_.peak_excess_J = force_.peak_excess_J();
+    now_.peak_force_N = std::max(now_.peak_force_N, applied_D_.force.norm());
+    now_.counts = post_.counts();
+    status_.publish(now_);
+}
+
+void ArmServer::silence(double now_s) noexcept {
+    gate_.silence();
+    applied_D_ = Wrench{};
+    (void)arm_.write(now_s, applied_D_);
+    if (post_.has_partner()) {
+        LinkPacket bye;
+        bye.head.kind = PacketKind::bye;
+        post_.send(now_s, bye);
+        forget_holder();
+    }
+}
+
+}  // namespace fulcrum

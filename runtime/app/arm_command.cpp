@@ -1,0 +1,208 @@
+// fulcrum arm: the arm's side of the link with an arm that is simulated, for trying and testing; fulcrum stop.
+#include "haptics/base/clock.h"
+#include "haptics/device/arm/simulated_wam.h"
+#include "haptics/device/simulated/simulated_arm.h"
+#include "haptics/link/arm_server.h"
+#include "haptics/link/link_faults.h"
+#include "haptics/loop/realtime_thread.h"
+#include "runtime/app/commands.h"
+#include "runtime/app/interrupt.h"
+#include "runtime/app/site_file.h"
+#include "runtime/app/stop_signal.h"
+#include "runtime/link/arm_key.h"
+#include "runtime/link/udp_socket.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <poll.h>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <unistd.h>
+
+namespace fulcrum::runtime {
+namespace {
+
+// What somebody types at the arm: nothing, or a whole line.
+std::string read_line_now() {
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    static bool ended = false;
+    if (ended || ::poll(&input, 1, 0) <= 0 || (input.revents & POLLIN) == 0) {
+        return {};
+    }
+    char letters[256];
+    const ssize_t got = ::read(STDIN_FILENO, letters, sizeof letters);
+    ended = got <= 0;
+    return got > 0 ? std::string(letters, static_cast<std::size_t>(got)) : std::string();
+}
+
+// Whoever does not read what is printed must not keep keys from being heard.
+bool can_print() {
+    pollfd output{STDOUT_FILENO, POLLOUT, 0};
+    return ::poll(&output, 1, 0) > 0 && (output.revents & POLLOUT) != 0;
+}
+
+// Where the hand that holds the arm wants to be: still, or slowly round an upright circle.
+HandTarget hand_at(double now_s, const ArmOptions& options) {
+    constexpr double kRadius_m = 0.03;
+    constexpr double kTurns_per_s = 0.2;
+    HandTarget target;
+    if (options.motion == ArmMotion::circle) {
+        const double angle = 2.0 * std::numbers::pi * kTurns_per_s * now_s;
+        target.pose_D.position = {kRadius_m * std::sin(angle), kRadius_m * (1.0 - std::cos(angle)),
+                                  0.0};
+    }
+    return target;
+}
+
+// One line on how it goes.
+std::string describe(const ArmServerStatus& status) {
+    constexpr auto kNone = static_cast<std::size_t>(Refusal::none);
+    char line[240];
+    std::snprintf(line, sizeof line,
+                  "%s, %.2f N (most %.2f), round trip %.2f ms, clocks differ by %.3f s, %llu "
+                  "commands, %llu refused, %llu faded%s",
+                  status.held ? "held" : "waiting", status.applied_D.force.norm(),
+                  status.peak_force_N, 1e3 * status.round_trip_s, status.offset_s,
+                  static_cast<unsigned long long>(status.counts.received[kNone]),
+                  static_cast<unsigned long long>(status.counts.refused()),
+                  static_cast<unsigned long long>(status.trips),
+                  status.gate == GatePhase::stopped ? ", STOPPED: Enter lifts it" : "");
+    return line;
+}
+
+std::string describe(const LinkFaultCounts& counts) {
+    char line[200];
+    std::snprintf(line, sizeof line,
+                  "On the line: %llu passed, %llu lost, %llu delayed, %llu overtaken, %llu "
+                  "doubled, %llu damaged, %llu dropped.",
+                  static_cast<unsigned long long>(counts.passed),
+                  static_cast<unsigned long long>(counts.lost),
+                  static_cast<unsigned long long>(counts.delayed),
+                  static_cast<unsigned long long>(counts.overtaken),
+                  static_cast<unsigned long long>(counts.doubled),
+                  static_cast<unsigned long long>(counts.damaged),
+                  static_cast<unsigned long long>(counts.dropped));
+    return line;
+}
+
+Expected<ArmKey> find_key(const ArmOptions& options) {
+    if (!options.key_file.empty()) {
+        return load_or_make_arm_key(options.key_file);
+    }
+    return find_arm_key_file().and_then(
+        [](const std::filesystem::path& file) { return load_or_make_arm_key(file); });
+}
+
+// What is simulated, with a hand that holds it.
+Expected<std::unique_ptr<Device>> make_arm(const ArmOptions& options,
+                                           LatestValue<HandTarget>& target) {
+    if (options.kind == ArmKind::wam) {
+        return SimulatedWam::create({}, target).map([](std::unique_ptr<SimulatedWam>&& wam) {
+            return std::unique_ptr<Device>(std::move(wam));
+        });
+    }
+    SimulatedArmSettings settings = make_desktop_arm();
+    settings.max_force_N = kHardForceCap_N;
+    settings.human = kArm;
+    return std::unique_ptr<Device>(std::make_unique<SimulatedArm>(settings, target));
+}
+
+// Until somebody ends it: the hand moves, keys are heard, a line a second says how it goes.
+void attend(ArmServer& server, LatestValue<HandTarget>& target, const Options& options,
+            double epoch_s) {
+    constexpr auto kPause = std::chrono::milliseconds(10);
+    constexpr double kTell_s = 1.0;
+    double told_s = 0.0;
+    for (double now_s = 0.0; !interrupted() && now_s < options.seconds.value_or(1.0e9);
+         now_s = monotonic_now_s() - epoch_s) {
+        target.publish(hand_at(now_s, options.arm));
+        const std::string line = read_line_now();
+        if (line.find('s') != std::string::npos) {
+            server.stop();
+        } else if (!line.empty()) {
+            server.rearm();
+        }
+        if (now_s - told_s >= kTell_s && can_print()) {
+            told_s = now_s;
+            std::printf("%7.1f s: %s\n", now_s, describe(server.status()).c_str());
+            (void)std::fflush(stdout);
+        }
+        std::this_thread::sleep_for(kPause);
+    }
+}
+
+}  // namespace
+
+int arm_command(const Options& options) {
+    const auto key = find_key(options.arm);
+    if (!key) {
+        return complain(key.error(), 2);
+    }
+    auto socket = UdpSocket::listen({options.arm.address, options.arm.port});
+    if (!socket) {
+        return complain(socket.error(), 2);
+    }
+    const SodiumSeal seal(*key);
+    SodiumNumbers numbers;
+    FaultyDatagrams line(options.arm.faults, **socket);
+    LatestValue<HandTarget> target;
+    target.publish({});
+    auto arm = make_arm(options.arm, target);
+    if (!arm) {
+        return complain(arm.error(), 2);
+    }
+    // The same limits of this place as at a program.
+    const auto site = find_site_limits(options.force_limit_N);
+    if (!site) {
+        return complain(site.error(), 2);
+    }
+    ArmServerSettings settings;
+    settings.safety.max_force_N = site->force_N;
+    settings.safety.max_torque_Nm = site->torque_Nm;
+    settings.safety.max_felt_speed_m_per_s = site->speed_m_per_s;
+    settings.safety.max_energy_J = site->energy_J;
+    settings.rate_Hz = options.arm.rate_Hz;
+    if (auto good = validate(settings); !good) {
+        return complain(good.error(), 2);
+    }
+    ArmServer server(settings, **arm, line, seal, numbers);
+    watch_for_stop_signal();
+    set_stop_target(&server.stop_switch());
+
+    RealtimeSettings pace;
+    pace.rate_Hz = settings.rate_Hz;
+    pace.epoch_s = monotonic_now_s();
+    RealtimeThread thread;
+    if (auto started = thread.start(server, pace); !started) {
+        return complain(started.error(), 2);
+    }
+    std::printf(
+        "A simulated arm waits at %s:%u. Play with it: ./fulcrum run gravity --hand udp:%s:%u\n"
+        "Enter lifts a stop, s and Enter presses it, Ctrl-C ends.\n",
+        options.arm.address.c_str(), (*socket)->port(), options.arm.address.c_str(),
+        (*socket)->port());
+    (void)std::fflush(stdout);
+    attend(server, target, options, pace.epoch_s);
+    thread.stop();
+    set_stop_target(nullptr);
+    std::printf("At the end: %s\n%s\n", describe(server.status()).c_str(),
+                describe(line.counts()).c_str());
+    return interrupt_exit_code();
+}
+
+int stop_command() {
+    const auto stopped = stop_all_hands();
+    if (!stopped) {
+        return complain(stopped.error(), 1);
+    }
+    std::printf(*stopped == 0
+                    ? "Nothing is running that moves a hand.\n"
+                    : "Stopped: %zu. Enter in its window, or at the arm, lets it go on.\n",
+                *stopped);
+    return 0;
+}
+
+}  // namespace fulcrum::runtime

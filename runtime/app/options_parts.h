@@ -1,0 +1,19 @@
+// What the parts of the command line's parser share; private to it.
+#pragma once
+
+#include "runtime/app/options.h"
+
+#include <optional>
+#include <string>
+
+namespace fulcrum::runtime {
+
+/// The number that `text` is; refuses what is none or lies outside, naming the flag.
+[[nodiscard]] Expected<double> number_in(const std::string& flag, const std::string& text,
+                                         double low, double high);
+
+/// What only an arm or a soak is told; nothing for a flag of others. Percentages and milliseconds, as people say them.
+[[nodiscard]] std::optional<Expected<void>> set_arm_value(Options& options, const std::string& flag,
+                                                          const std::string& value);
+
+}  // namespace fulcrum::runtime

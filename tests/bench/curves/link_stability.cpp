@@ -1,0 +1,140 @@
+// How stiff a wall may be over the arm link, against delay and loss, with and without the link's energy balance; and what the
+// balance costs in force.
+#include "tests/bench/harness/csv.h"
+#include "tests/bench/harness/registry.h"
+#include "tests/support/link_trial.h"
+
+#include <string>
+#include <vector>
+
+namespace fulcrum::bench {
+namespace {
+
+using test_link::LinkCourse;
+using test_link::LinkTrial;
+using test_link::run_link_trial;
+
+constexpr double kSoftestWall_N_per_m = 20.0;
+constexpr double kStiffestWall_N_per_m = 3000.0;
+constexpr double kThrown_J =
+    0.1;  // more than any of these walls stores: a hand that is given this is thrown
+
+LinkTrial make_link_trial(double delay_s, const HumanImpedance& hand) {
+    LinkTrial trial;
+    trial.faults.delay_s = delay_s;
+    trial.arm.human = hand;
+    return trial;
+}
+
+bool is_quiet(const LinkCourse& course) {
+    return course.linked && course.given_J < kThrown_J && course.trips == 0;
+}
+
+// Up by steps of two fifths until the hand is thrown.
+double find_stiffest(LinkTrial trial) {
+    double stiffest = kNone;
+    for (double k = kSoftestWall_N_per_m; k <= kStiffestWall_N_per_m; k *= 1.4) {
+        trial.stiffness_N_per_m = k;
+        if (!is_quiet(run_link_trial(trial))) {
+            break;
+        }
+        stiffest = k;
+    }
+    return stiffest;
+}
+
+std::vector<double> choose_delays_ms(const Run& run) {
+    return run.quick() ? std::vector<double>{0.0, 10.0}
+                       : std::vector<double>{0.0, 2.0, 5.0, 10.0, 20.0, 30.0, 50.0};
+}
+
+struct LossKind {
+    std::string name;
+    double loss;
+    int burst;
+};
+
+LineChart make_link_chart(const std::string& name, const std::string& title) {
+    LineChart chart;
+    chart.name = "link-" + name;
+    chart.title = title;
+    chart.work =
+        "A hand on a simulated arm (0.25 kg, 0.2 Ns/m) comes into a wall F = -K y four times and "
+        "stays 10 mm in, all through "
+        "haptic loop, link and arm's server at 1 kHz under one clock; K is raised by a fourth "
+        "until the hand is given more than "
+        "0.1 J that it did not give, or a gate trips. Loss is in both ways. Solid: with the energy "
+        "balance; dashed: without.";
+    chart.reference =
+        "the same link without its energy balance; the loop's own passivity is on in both";
+    chart.x = {"delay each way", "ms", false};
+    return chart;
+}
+
+LineChart run_stiffest(const Run& run, const std::string& name, const HumanImpedance& hand,
+                       const std::vector<LossKind>& losses) {
+    LineChart chart = make_link_chart("stability-" + name, "Stable walls over the link, " + name);
+    chart.y = {"largest stable stiffness", "N/m", true};
+    chart.advice =
+        "Let the balance be on: what is stable without it stays so, and where a delay would throw "
+        "the hand it is held. Even so keep "
+        "delays below 5 ms, where walls keep their force.";
+    for (const LossKind& kind : losses) {
+        for (const bool balances : {true, false}) {
+            Line line{kind.name + (balances ? "" : ", no balance"),
+                      balances ? LineStyle::measured : LineStyle::theory,
+                      choose_delays_ms(run),
+                      {}};
+            for (const double delay_ms : line.x) {
+                LinkTrial trial = make_link_trial(1e-3 * delay_ms, hand);
+                trial.faults.loss = kind.loss;
+                trial.faults.burst = kind.burst;
+                trial.balances_energy = balances;
+                line.y.push_back(find_stiffest(trial));
+            }
+            chart.lines.push_back(line);
+        }
+    }
+    return chart;
+}
+
+LineChart run_force(const Run& run) {
+    LineChart chart = make_link_chart("force", "What the energy balance leaves of a wall's force");
+    chart.work =
+        "As in the map of stability, with the balance; the mean force of the last two of eight "
+        "seconds, after four seconds in the wall.";
+    chart.reference = "where hand and wall, two springs, meet at rest";
+    chart.y = {"force felt, of the wall's own", "1", false};
+    chart.advice = "A wall that a delay makes active is felt softer, not louder.";
+    for (const double stiffness : {100.0, 300.0, 900.0}) {
+        Line line{to_text(stiffness) + " N/m", LineStyle::measured, choose_delays_ms(run), {}};
+        for (const double delay_ms : line.x) {
+            LinkTrial trial = make_link_trial(1e-3 * delay_ms, kArm);
+            trial.stiffness_N_per_m = stiffness;
+            const double hand = kArm.stiffness_N_per_m;
+            const double rest_N = trial.press_m * hand * stiffness / (hand + stiffness);
+            line.y.push_back(-run_link_trial(trial).force_N / rest_N);
+        }
+        chart.lines.push_back(line);
+    }
+    return chart;
+}
+
+Report run_link_stability(Run& run) {
+    const std::vector<LossKind> losses{
+        {"no loss", 0.0, 1}, {"5 % in bursts of 10", 0.05, 10}, {"20 % one by one", 0.2, 1}};
+    Report report;
+    report.emplace_back(run_stiffest(run, "fingertip", kFingertip, losses));
+    run.progress(0.5, "another hand");
+    report.emplace_back(run_stiffest(run, "arm", kArm, losses));
+    run.progress(0.95, "force");
+    report.emplace_back(run_force(run));
+    return report;
+}
+
+const Registration kLinkStability{
+    {"link-stability", "how stiff a wall may be over the arm link, against delay and loss",
+     run_link_stability}};
+
+}  // namespace
+}  // namespace fulcrum::bench

@@ -1,0 +1,112 @@
+// A wall felt over the arm link, in closed loop under one clock: haptic loop, link with faults, arm's server, simulated arm and
+// the hand that holds it.
+//
+//   the wall is a spring about its surface, F = -K y, both ways, felt through the whole haptic loop with its own passivity and
+//   limits; the hand wants to be press_m inside
+// The two sides run in turn, the arm's half a round after the program's. Calm: in the last quarter of the run the hand's true
+// position swings by less than kCalm_m.
+#pragma once
+
+#include "haptics/device/simulated/simulated_arm.h"
+#include "haptics/handover/channels.h"
+#include "haptics/loop/haptic_loop.h"
+#include "tests/support/link.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace fulcrum::test_link {
+
+struct LinkTrial {
+    double stiffness_N_per_m = 500.0;
+    LinkFaults faults{};
+    bool balances_energy = true;
+    EnergyBalanceSettings energy{};
+    SimulatedArmSettings arm{.mass_kg = 0.25, .damping_Ns_per_m = 0.2, .human = kFingertip};
+    double press_m = 0.01;
+    double seconds = 8.0;
+};
+
+inline constexpr double kCalm_m = 2.0e-4;
+
+struct LinkCourse {
+    double swing_m = 0.0;  ///< in the last quarter
+    double peak_N = 0.0;   ///< on the hand, whole run
+    double force_N = 0.0;  ///< mean of the last quarter
+    double given_J =
+        0.0;  ///< to the hand and not given back, largest of all times since a second into the run
+    std::uint64_t trips = 0;  ///< of the arm's gate
+    bool linked = false;
+    [[nodiscard]] bool is_calm() const { return linked && swing_m < kCalm_m; }
+};
+
+[[nodiscard]] inline LinkCourse run_link_trial(const LinkTrial& trial) {
+    LatestValue<HandTarget> target;
+    SimulatedArm arm(trial.arm, target);
+    target.publish({});
+    ArmServerSettings server_settings;
+    server_settings.balances_energy = trial.balances_energy;
+    server_settings.handle_mass_kg = trial.arm.mass_kg;
+    LinkDeviceSettings device_settings;
+    device_settings.balances_energy = trial.balances_energy;
+    server_settings.energy = trial.energy;
+    device_settings.energy = trial.energy;
+    device_settings.max_force_N = 10.0;
+    device_settings.most_round_trip_s = 1.0;
+    LinkPair pair(arm, trial.faults, server_settings, device_settings);
+    LinkCourse course;
+    if (!pair.link(3.0)) {
+        return course;
+    }
+    HapticPlan plan;
+    plan.expects_lesson = false;
+    plan.safety.max_force_N = 10.0;
+    plan.safety.soft_start_s = 0.0;
+    plan.safety.max_slew_N_per_s = 5000.0;
+    plan.fields = {FieldPlan{FieldKind::spring, Vector3::Zero(), trial.stiffness_N_per_m}};
+    const auto channels = std::make_unique<HapticChannels>();
+    HapticLoop loop(plan, pair.device, *channels);
+    ForceCommand command;
+    command.lesson_alive = true;
+    channels->command.publish(command);
+
+    const double began_s = pair.now_s;
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    double given_J = 0.0;
+    double sum_N = 0.0;
+    int n_last = 0;
+    double x_before = arm.position_D().x();
+    while (pair.now_s - began_s < trial.seconds) {
+        pair.now_s += LinkPair::kStep_s;
+        const double run_s = pair.now_s - began_s;
+        // In and out four times, then it stays in.
+        const bool presses = run_s > 0.5 && (run_s > 4.0 || std::fmod(run_s, 0.8) < 0.5);
+        target.publish({.pose_D = Pose::at({presses ? trial.press_m : 0.0, 0.0, 0.0})});
+        loop.step(pair.now_s);
+        const double force_N = arm.force_D().x();
+        pair.server.step(pair.now_s + 0.5 * LinkPair::kStep_s);
+        const double x = arm.position_D().x();
+        if (run_s > 1.0) {
+            given_J = std::max(given_J + force_N * (x - x_before), 0.0);
+            course.given_J = std::max(course.given_J, given_J);
+        }
+        x_before = x;
+        course.peak_N = std::max(course.peak_N, arm.force_D().norm());
+        if (run_s > 0.75 * trial.seconds) {
+            lowest = std::min(lowest, x);
+            highest = std::max(highest, x);
+            sum_N += arm.force_D().x();
+            ++n_last;
+        }
+    }
+    course.linked = pair.device.status().linked;
+    course.swing_m = highest - lowest;
+    course.force_N = sum_N / std::max(n_last, 1);
+    course.trips = pair.server.status().trips;
+    return course;
+}
+
+}  // namespace fulcrum::test_link

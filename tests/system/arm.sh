@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# arm.sh FULCRUM: the arm link as a person uses it, between two processes over a real socket: a lesson is played with the arm, the
+# program is killed, the arm fades by itself, a stop from outside, another key, an arm that is held, none at all, and a bad line.
+set -euo pipefail
+fulcrum=$1
+home=$(mktemp -d)
+export HOME=$home XDG_CONFIG_HOME=$home/config
+unset DISPLAY
+arms=()
+cleanup() {
+    for arm in "${arms[@]}"; do kill "$arm" 2>/dev/null || true; done
+    wait 2>/dev/null || true
+    rm -rf "$home"
+}
+trap cleanup EXIT
+
+fail() {
+    echo "arm.sh: $1" >&2
+    for log in "$home"/*.log; do echo "== $log"; tail -n 12 "$log"; done >&2
+    exit 1
+}
+# expect FILE PATTERN WHY
+expect() { grep -qE "$2" "$1" || fail "$3"; }
+# start_arm NAME OPTIONS…: in the background; its port in $port, its process in $arm.
+start_arm() {
+    local name=$1
+    shift
+    # Its keyboard is a pipe that stays open: an end of input would be heard.
+    mkfifo "$home/$name.keys"
+    "$fulcrum" arm --port 0 "$@" <>"$home/$name.keys" >"$home/$name.log" 2>&1 &
+    arm=$!
+    arms+=("$arm")
+    for _ in $(seq 100); do
+        port=$(sed -n 's/.* waits at 127[.]0[.]0[.]1:\([0-9]*\)[.].*/\1/p' "$home/$name.log")
+        [[ -n $port ]] && return
+        sleep 0.1
+    done
+    fail "the arm does not say where it waits"
+}
+play() { "$fulcrum" run gravity --headless --hand "udp:127.0.0.1:$port" "$@"; }
+# play_beside NAME OPTIONS…: in the background; its process in $player.
+play_beside() {
+    local name=$1
+    shift
+    "$fulcrum" run gravity --headless --hand "udp:127.0.0.1:$port" "$@" >"$home/$name.log" 2>&1 &
+    player=$!
+}
+
+# Played for three seconds, in three seconds, by an arm that loses packets, and left in good order.
+start_arm good --motion circle --loss 3 --burst 5 --delay 1 --jitter 1 --duplicate 2 --corrupt 1 --seed 7
+play --seconds 3 >"$home/play.log" 2>&1 || fail "the lesson was not played over the link"
+expect "$home/play.log" "The arm's link: round trip [0-9.]+ ms" "it does not say how the link did"
+expect "$home/play.log" 'ended after 3[.][0-9] s [(]1 times real time[)]' "it did not take its time"
+# Killed in the middle: the arm is there for the next within a second, without force.
+play_beside killed --seconds 60
+sleep 2.5
+kill -KILL "$player"
+wait "$player" 2>/dev/null || true
+sleep 1.5
+tail -n 1 "$home/good.log" | grep -q 'waiting, 0[.]00 N' || fail "the arm still holds a program that was killed"
+# Another key is told apart from no arm.
+printf '%064d\n' 0 >"$home/other.key"
+chmod 600 "$home/other.key"
+code=0
+play --key "$home/other.key" --seconds 3 >"$home/key.log" 2>&1 || code=$?
+[[ $code -ne 0 ]] || fail "a wrong key was taken"
+# A stop from outside: the arm fades, and a key at it lifts the stop.
+"$fulcrum" stop >"$home/stop.log"
+expect "$home/stop.log" '^Stopped: [1-9]' "nothing was stopped"
+sleep 1.5
+expect "$home/good.log" 'STOPPED' "the arm does not say that it is stopped"
+echo >"$home/good.keys"
+sleep 1.5
+tail -n 1 "$home/good.log" | grep -q STOPPED && fail "a key at the arm does not lift the stop"
+# One arm, one program.
+play_beside first --seconds 20
+sleep 1.5
+code=0
+play --seconds 3 >"$home/second.log" 2>&1 || code=$?
+[[ $code -ne 0 ]] || fail "two programs hold one arm"
+expect "$home/second.log" 'held by another program' "nothing says that the arm is held"
+kill -INT "$player"
+wait "$player" || true
+kill -INT "$arm"
+wait "$arm" || true
+expect "$home/good.log" 'On the line: .* [1-9][0-9]* lost, [1-9][0-9]* delayed, .* [1-9][0-9]* doubled, [1-9][0-9]* damaged' "faults did not occur"
+# No arm at all.
+code=0
+play --seconds 3 >"$home/none.log" 2>&1 || code=$?
+[[ $code -ne 0 ]] || fail "there was no arm, and nothing was said"
+expect "$home/none.log" 'no arm answers' "nothing says that no arm answers"
+echo "arm.sh: passed"

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# soak.sh FULCRUM [SECONDS [TIMES]]: everything under one clock and one seed: lesson, hand, learner's errors, and an arm on which things
+# break. The same seed gives the same run TIMES of TIMES, another seed another; no force that may not be, no fade missed.
+set -euo pipefail
+fulcrum=$1
+seconds=${2:-12}
+times=${3:-4}
+home=$(mktemp -d)
+trap 'rm -rf "$home"' EXIT
+export HOME=$home
+unset DISPLAY
+
+hash_of() { "$fulcrum" soak --lesson gravity --seed "$1" --seeds 1 --seconds "$seconds" | sed -n 's/^gravity .* \([0-9a-f]\{16\}\)$/\1/p'; }
+first=$(hash_of 11)
+[[ -n $first ]] || { echo "soak.sh: the run of seed 11 failed" >&2; exit 1; }
+for ((i = 1; i < times; ++i)); do
+    [[ $(hash_of 11) == "$first" ]] || { echo "soak.sh: seed 11 gives another run the ${i}th time" >&2; exit 1; }
+done
+[[ $(hash_of 12) != "$first" ]] || { echo "soak.sh: seeds 11 and 12 give the same run" >&2; exit 1; }
+"$fulcrum" soak --seeds 1 --seed 21 --seconds "$seconds" >"$home/soak.log" || { cat "$home/soak.log" >&2; exit 1; }
+cat "$home/soak.log"
+grep -qE '^Broke: packets lost' "$home/soak.log"

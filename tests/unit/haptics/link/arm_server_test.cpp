@@ -1,0 +1,250 @@
+#include "tests/unit/haptics/link/held_arm.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <limits>
+
+using namespace fulcrum;
+using test_link::Held;
+using test_link::kStep_s;
+
+TEST_CASE(
+    "link: without a fresh command for 20 ms the arm fades by itself, and comes back softly") {
+    Held held;
+    held.engage();
+    held.commands = false;  // killed, hung, or its cable pulled
+    held.run(19);
+    CHECK(held.hand.written_D.force.x() == Approx(3.0));
+    held.run(2);
+    CHECK(any(held.arm().faults & Fault::command_stale));
+    held.run(100);
+    CHECK(held.hand.written_D.force.norm() == 0.0);
+    CHECK(held.arm().trips == 1);
+    // Commands again: no force before the program's own has been small.
+    held.commands = true;
+    held.run(50);
+    CHECK(held.hand.written_D.force.norm() == 0.0);
+    held.wrench = {};
+    held.run(10);
+    held.wrench.force.x() = 3.0;
+    held.run(100);
+    CHECK(held.hand.written_D.force.x() > 0.0);
+    CHECK(held.hand.written_D.force.x() < 0.6);  // 5 N/s
+}
+
+TEST_CASE("link: a second program is told that the arm is taken, and disturbs nobody") {
+    Held held;
+    held.engage();
+    // It speaks to the same arm from elsewhere.
+    class Elsewhere final : public Datagrams {
+      public:
+        explicit Elsewhere(Datagrams& inner) : inner_(inner) {}
+        bool send(double now_s, const PeerAddress& to,
+                  std::span<const std::byte> packet) noexcept override {
+            return inner_.send(now_s, to, packet);
+        }
+        std::size_t receive(double, std::span<std::byte>, PeerAddress&) noexcept override {
+            return 0;
+        }
+
+      private:
+        Datagrams& inner_;
+    };
+    Elsewhere line(held.pair.channel.end(0));
+    test_link::CountedNumbers numbers(77'000);
+    LinkDevice second({}, line, held.pair.seal, numbers);
+    for (int i = 0; i < 500; ++i) {
+        DeviceReading reading;
+        CHECK_FALSE(second.read(held.pair.now_s, reading));
+        CHECK_FALSE(second.write(held.pair.now_s, {{-3.0, 0.0, 0.0}, {}}));
+        held.run(1);
+        REQUIRE(held.hand.written_D.force.x() == Approx(3.0));
+    }
+    CHECK(held.arm().sessions == 1);
+}
+
+TEST_CASE("link: a bye frees the arm for the next") {
+    Held held;
+    held.engage();
+    held.pair.tap.keeps = true;
+    held.wrench = {};
+    {
+        // The first program ends in good order.
+        LinkPacket bye;
+        bye.head = {PacketKind::bye, 1000, 2000, 1'000'000, 1, 0, 0};
+        PacketBytes bytes{};
+        const std::size_t size = write_packet(bye, held.pair.seal, bytes);
+        held.pair.channel.end(0).send(0.0, {}, std::span(bytes).first(size));
+    }
+    held.commands = false;
+    held.run(1);
+    CHECK_FALSE(held.arm().held);
+}
+
+TEST_CASE("link: the smaller of both sides' limits holds") {
+    Held held({}, {}, {.max_force_N = 2.0});
+    REQUIRE(held.pair.link());
+    held.run(200);
+    held.wrench.force.x() = 9.0;
+    held.run(5000);
+    CHECK(held.hand.written_D.force.x() == Approx(2.0).epsilon(1e-9));
+
+    ArmServerSettings weak;
+    weak.safety.max_force_N = 1.5;
+    Held soft({}, weak);
+    REQUIRE(soft.pair.link());
+    soft.run(200);
+    soft.wrench.force.x() = 0.1;
+    soft.run(100);
+    soft.wrench.force.x() = 9.0;
+    soft.run(5000);
+    CHECK(soft.hand.written_D.force.x() == Approx(1.5).epsilon(1e-9));
+}
+
+TEST_CASE(
+    "link: stop at the arm fades, is told to the program, and stays until it is lifted there") {
+    Held held;
+    held.engage();
+    held.pair.server.stop();
+    held.run(1);
+    CHECK(held.arm().gate == GatePhase::stopped);
+    held.run(1);
+    CHECK(any(held.reading.faults & Fault::emergency_stop));
+    held.run(110);
+    CHECK(held.hand.written_D.force.norm() == 0.0);
+    held.wrench = {};
+    held.run(1000);
+    held.wrench.force.x() = 3.0;
+    held.run(1000);
+    CHECK(held.hand.written_D.force.norm() == 0.0);
+    held.wrench = {};
+    held.pair.server.rearm();
+    held.run(100);
+    CHECK_FALSE(any(held.reading.faults & Fault::emergency_stop));
+    held.wrench.force.x() = 3.0;
+    held.run(3000);
+    CHECK(held.hand.written_D.force.x() == Approx(3.0));
+}
+
+TEST_CASE("link: the arm trusts its own sensors no more than the program's commands") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (int kind = 0; kind < 5; ++kind) {
+        Held held;
+        held.engage();
+        switch (kind) {
+            case 0:
+                held.hand.gives_pose = false;
+                break;
+            case 1:
+                held.hand.age_s = 0.021;
+                break;
+            case 2:
+                held.hand.pose_D.position.x() = nan;
+                break;
+            case 3:
+                held.hand.pose_D.orientation.coeffs().setZero();
+                break;
+            default:
+                held.hand.pose_D.position.x() = 0.5;  // a jump of 500 m/s
+        }
+        held.run(1);
+        INFO("kind " << kind);
+        CHECK(held.arm().trips == 1);
+        held.run(101);
+        CHECK(held.hand.written_D.force.norm() == 0.0);
+    }
+}
+
+TEST_CASE("link: a hand that is thrown feels nothing") {
+    Held fast;
+    fast.engage();
+    for (int i = 0; i < 200; ++i) {
+        fast.hand.pose_D.position.x() += 0.004;  // 4 m/s
+        fast.run(1);
+    }
+    CHECK(fast.arm().trips == 1);
+    CHECK(fast.hand.written_D.force.norm() == 0.0);
+}
+
+TEST_CASE("link: silence leaves the arm without force and says bye") {
+    Held held;
+    held.engage();
+    held.pair.server.silence(held.pair.now_s);
+    CHECK(held.hand.written_D.force.norm() == 0.0);
+    held.serves = false;
+    held.run(2);
+    CHECK_FALSE(held.gives_pose);
+}
+
+TEST_CASE("link: a flood of hellos gets few answers") {
+    Held held;
+    LinkPacket hello;
+    hello.head = {PacketKind::hello, 5, 0, 1, 1, 0, 0};
+    PacketBytes bytes{};
+    const std::size_t size = write_packet(hello, held.pair.seal, bytes);
+    for (int i = 0; i < 200; ++i) {
+        for (int k = 0; k < 20; ++k) {
+            held.pair.channel.end(0).send(0.0, {}, std::span(bytes).first(size));
+        }
+        held.pair.now_s += kStep_s;
+        held.pair.server.step(held.pair.now_s);
+    }
+    CHECK(held.arm().counts.sent <= 11);
+    CHECK_FALSE(held.arm().held);
+}
+
+TEST_CASE("link: settings out of range are refused") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(validate(LinkDeviceSettings{}));
+    CHECK(validate(ArmServerSettings{}));
+    CHECK_FALSE(validate(LinkDeviceSettings{.max_force_N = 11.0}));
+    CHECK_FALSE(validate(LinkDeviceSettings{.lost_after_s = nan}));
+    CHECK_FALSE(validate(LinkDeviceSettings{.most_round_trip_s = 0.0}));
+    CHECK_FALSE(validate(ArmServerSettings{.rate_Hz = 100.0}));
+    CHECK_FALSE(validate(ArmServerSettings{.handle_mass_kg = 0.0}));
+    ArmServerSettings settings;
+    settings.safety.fade_s = nan;
+    CHECK_FALSE(validate(settings));
+    settings = {};
+    settings.reach_m.y() = -1.0;
+    CHECK_FALSE(validate(settings));
+}
+
+TEST_CASE(
+    "link: a flood of packets that nobody takes holds up no step, and who floods more than that "
+    "gets a fade") {
+    Held held;
+    held.engage();
+    const std::array<std::byte, 40> noise{};
+    const auto foreign = [&] { return held.refused(Refusal::foreign); };
+    const auto before = foreign();
+    for (int i = 0; i < 4000; ++i) {
+        held.pair.channel.end(0).send(held.pair.now_s, {}, noise);
+    }
+    held.run(1);
+    CHECK(foreign() - before <= static_cast<std::uint64_t>(LinkPost::kMostAtOnce));
+    // The rest is looked at in the rounds that follow; meanwhile good packets wait behind it.
+    held.run(30);
+    CHECK(foreign() - before == 4000);
+    CHECK(held.hand.written_D.force.norm() <= 3.0);
+}
+
+TEST_CASE("link: one old hello, again and again, keeps nobody out") {
+    Held held;
+    LinkPacket hello;
+    hello.head = {PacketKind::hello, 5, 0, 1, 1, 0, 0};
+    PacketBytes bytes{};
+    const std::size_t size = write_packet(hello, held.pair.seal, bytes);
+    bool linked = false;
+    for (int i = 0; i < 1000 && !linked; ++i) {
+        for (int k = 0; k < 20; ++k) {
+            held.pair.channel.end(0).send(held.pair.now_s, {}, std::span(bytes).first(size));
+        }
+        held.pair.now_s += kStep_s;
+        held.pair.server.step(held.pair.now_s);
+        linked = held.pair.device.greet(held.pair.now_s) && held.pair.device.status().linked;
+        (void)held.pair.device.write(held.pair.now_s, {});
+    }
+    CHECK(linked);
+}

@@ -1,0 +1,166 @@
+#include "haptics/link/energy_balance.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kRound_s = 0.001;
+const EnergyBalanceSettings kNoCredit{.headroom_J = 0.0, .memory_s = 10.0, .lent_W = 0.0};
+
+Vector3 along(double x) {
+    return {x, 0.0, 0.0};
+}
+
+}  // namespace
+
+TEST_CASE("energy balance: each side counts what it puts in, in closed form") {
+    // A weight of 2 N goes down with the hand by 1 mm, and up again.
+    EnergyBalance arm(LinkSide::arm, kNoCredit);
+    EnergyBalance scene(LinkSide::scene, kNoCredit);
+    for (EnergyBalance* side : {&arm, &scene}) {
+        side->step(along(-2.0), along(-0.001), 1.0, kRound_s);
+        side->step(along(-2.0), along(0.001), 1.0, kRound_s);
+    }
+    // Down the scene gives 2 mJ, up the hand does.
+    CHECK(scene.gave_J() == Approx(0.002).epsilon(1e-12));
+    CHECK(arm.gave_J() == Approx(0.002).epsilon(1e-12));
+}
+
+TEST_CASE("energy balance: what was put in on the other side may come out, and no more") {
+    EnergyBalance arm(LinkSide::arm, {.headroom_J = 0.01, .memory_s = 10.0, .lent_W = 0.0});
+    arm.step(along(1.0), along(0.003), 0.004, kRound_s);  // 3 mJ out for 4 in
+    CHECK(arm.excess_J() == 0.0);
+    arm.step(along(1.0), along(0.003), 0.004, kRound_s);  // and 3 more for none
+    CHECK(arm.excess_J() == Approx(0.002).epsilon(1e-3));
+    CHECK(arm.peak_excess_J() == Approx(arm.excess_J()));
+    // It comes late: the excess is gone.
+    arm.step(along(0.0), along(0.0), 0.007, kRound_s);
+    CHECK(arm.excess_J() == 0.0);
+}
+
+TEST_CASE("energy balance: the arm's brake takes the excess back in a round like the last") {
+    EnergyBalance arm(LinkSide::arm, kNoCredit);
+    const Vector3 motion = along(1e-4);
+    arm.step(along(1.0), motion, 0.0, kRound_s);
+    const double alpha = arm.compute_damping(motion, kRound_s, 1e9);
+    // alpha d / T along d: alpha |d|^2 / T = excess.
+    CHECK(alpha * motion.squaredNorm() / kRound_s == Approx(arm.excess_J()).epsilon(1e-12));
+    CHECK(arm.compute_damping(motion, kRound_s, 3.0) == 3.0);
+    CHECK(arm.compute_damping(Vector3::Zero(), kRound_s, 1e9) == 0.0);
+    // With nothing to take back there is no brake.
+    EnergyBalance quiet(LinkSide::arm, kNoCredit);
+    quiet.step(along(1.0), -motion, 0.0, kRound_s);
+    CHECK(quiet.compute_damping(motion, kRound_s, 1e9) == 0.0);
+}
+
+TEST_CASE(
+    "energy balance: what a side in debt puts in pays that debt, and is not told as new energy") {
+    EnergyBalance arm(LinkSide::arm, kNoCredit);
+    arm.step(along(1.0), along(0.003), 0.0, kRound_s);   // 3 mJ too much
+    arm.step(along(1.0), along(-0.002), 0.0, kRound_s);  // 2 mJ of them back
+    CHECK(arm.excess_J() == Approx(0.001).epsilon(1e-9));
+    CHECK(arm.gave_J() == 0.0);
+    arm.step(along(1.0), along(-0.002), 0.0, kRound_s);  // the last, and one for the other side
+    CHECK(arm.excess_J() == Approx(0.0).margin(1e-15));
+    CHECK(arm.gave_J() == Approx(0.001).epsilon(1e-9));
+}
+
+TEST_CASE("energy balance: the same energy is given out once, however late it is told") {
+    for (const int delay : {20, 100, 200, 250}) {
+        EnergyBalance arm(LinkSide::arm, kNoCredit);
+        // The scene gives 10 mJ at once; before it is told, and after, the hand takes what it can.
+        double out_J = 0.0;
+        for (int i = 0; i < 2000; ++i) {
+            const double told_J = i >= delay ? 0.01 : 0.0;
+            const bool takes = i == 0 || (arm.excess_J() == 0.0 && i >= delay);
+            const double way_m = takes ? (i == 0 ? 0.01 : 1e-5) : 0.0;
+            arm.step(along(1.0), along(way_m), told_J, kRound_s);
+            out_J += way_m;
+            if (i > delay && arm.excess_J() > 0.0) {
+                break;
+            }
+        }
+        INFO("delay " << delay);
+        CHECK(out_J <= 0.0101);
+    }
+}
+
+TEST_CASE("energy balance: the scene's hand moves on along the force by what was taken too much") {
+    EnergyBalance scene(LinkSide::scene, kNoCredit);
+    scene.step(along(4.0), along(-0.001), 0.0,
+               kRound_s);  // pressed in: the scene took 4 mJ, nobody gave
+    CHECK(scene.excess_J() == Approx(0.004));
+    const Vector3 moved = scene.shift(along(4.0), 1.0);
+    CHECK(moved.x() == Approx(0.001));
+    CHECK(scene.excess_J() == Approx(0.0).margin(1e-15));
+    // No further than it may.
+    scene.step(along(4.0), along(-0.001), 0.0, kRound_s);
+    CHECK(scene.shift(along(4.0), 1e-4).x() == Approx(1e-4));
+    CHECK(scene.excess_J() == Approx(0.0036).epsilon(1e-3));
+}
+
+TEST_CASE(
+    "energy balance: a shift goes back for nothing in free space, and else as far as is paid for") {
+    EnergyBalance scene(LinkSide::scene, {.headroom_J = 0.01, .memory_s = 10.0, .lent_W = 0.0});
+    CHECK(scene.shift_back(Vector3::Zero(), along(-0.002), kRound_s).x() == -0.002);
+    CHECK(scene.shift_back(along(-1.0), along(-0.002), kRound_s).x() ==
+          -0.002);  // the scene gives: free
+    CHECK(scene.shift_back(along(2.0), along(-0.002), kRound_s).x() ==
+          0.0);                                                     // it would take 4 mJ, unpaid
+    scene.step(Vector3::Zero(), Vector3::Zero(), 0.002, kRound_s);  // the hand has put 2 mJ in
+    CHECK(scene.shift_back(along(2.0), along(-0.002), kRound_s).x() == Approx(-0.001));
+    CHECK(scene.shift_back(along(2.0), along(-0.001), kRound_s).x() == Approx(0.0).margin(1e-12));
+}
+
+TEST_CASE("energy balance: in contact a shift comes back by lent power, not faster") {
+    EnergyBalance scene(LinkSide::scene, {.headroom_J = 0.0, .memory_s = 10.0, .lent_W = 0.004});
+    // 4 mW for a millisecond against 2 N: 2 um.
+    CHECK(scene.shift_back(along(2.0), along(-0.001), kRound_s).x() == Approx(-2e-6));
+    CHECK(scene.excess_J() == 0.0);
+    CHECK(scene.shift_back(along(2.0), along(-1e-7), kRound_s).x() == Approx(-1e-7));
+}
+
+TEST_CASE("energy balance: credit is small and short-lived") {
+    EnergyBalance arm(LinkSide::arm, {.headroom_J = 0.001, .memory_s = 0.1});
+    arm.step(Vector3::Zero(), Vector3::Zero(), 5.0, kRound_s);  // a great deal at once
+    arm.step(along(1.0), along(0.002), 5.0, kRound_s);
+    CHECK(arm.excess_J() == Approx(0.001).epsilon(0.02));
+    // What it earned is forgotten, what it owes is not: news that come late must not pay twice.
+    for (int i = 0; i < 300; ++i) {
+        arm.step(Vector3::Zero(), Vector3::Zero(), 5.0, kRound_s);
+    }
+    CHECK(arm.excess_J() == Approx(0.001).epsilon(0.02));
+    arm.step(Vector3::Zero(), Vector3::Zero(), 5.001, kRound_s);
+    CHECK(arm.excess_J() < 0.1e-3);
+}
+
+TEST_CASE("energy balance: what is not finite and sums that shrink are not counted") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EnergyBalance arm(LinkSide::arm, kNoCredit);
+    arm.step(along(nan), along(1.0), 0.0, kRound_s);
+    arm.step(along(1.0), along(nan), 0.0, kRound_s);
+    arm.step(along(1.0), along(1.0), nan, kRound_s);
+    arm.step(along(1.0), along(1.0), 0.0, 0.0);
+    arm.step(along(1.0), along(1.0), 0.0, nan);
+    CHECK(arm.gave_J() == 0.0);
+    CHECK(arm.excess_J() == 0.0);
+    // A sum that shrinks and grows again by as much is no new energy.
+    arm.step(Vector3::Zero(), Vector3::Zero(), 0.5, kRound_s);
+    arm.step(Vector3::Zero(), Vector3::Zero(), 0.0, kRound_s);
+    arm.step(along(1.0), along(0.1), 0.5, kRound_s);
+    CHECK(arm.excess_J() == Approx(0.1).epsilon(1e-3));
+}
+
+TEST_CASE("energy balance: settings out of range are refused") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(validate(EnergyBalanceSettings{}));
+    CHECK_FALSE(validate(EnergyBalanceSettings{.headroom_J = -1e-9}));
+    CHECK_FALSE(validate(EnergyBalanceSettings{.headroom_J = nan}));
+    CHECK_FALSE(validate(EnergyBalanceSettings{.memory_s = 0.0}));
+    CHECK_FALSE(validate(EnergyBalanceSettings{.memory_s = 11.0}));
+}

@@ -1,0 +1,174 @@
+#include "haptics/device/simulated/simulated_arm.h"
+#include "haptics/loop/haptic_loop.h"
+#include "tests/unit/haptics/link/held_arm.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+using namespace fulcrum;
+using test_link::Held;
+using test_link::kStep_s;
+
+TEST_CASE("link: an arm says what it is, gives its poses and takes wrenches") {
+    Held held;
+    held.hand.traits_.max_force_N = 7.5;
+    held.hand.traits_.mass_kg = 0.25;
+    held.hand.pose_D.position = {0.01, 0.02, 0.03};
+    held.hand.buttons = 3;
+    Held known;  // traits are told at the beginning: those of a hand made so
+    known.hand.pose_D.position = {0.01, 0.02, 0.03};
+    known.hand.buttons = 3;
+    CHECK_FALSE(known.gives_pose);
+    known.engage();
+    CHECK(known.pair.device.traits().name == "scripted device");
+    CHECK(known.pair.device.traits().renders_force);
+    CHECK(known.pair.device.traits().max_force_N ==
+          10.0);  // its own 100, cut to the server's limit
+    CHECK(known.reading.pose_D.position == Vector3(0.01, 0.02, 0.03));
+    CHECK(known.reading.buttons == 3);
+    CHECK(known.pair.device.status().sessions == 1);
+    CHECK(known.arm().held);
+}
+
+TEST_CASE("link: poses come once a round with a stamp that goes on evenly, whatever the delay") {
+    for (const double delay_s : {0.0, 0.003, 0.03, 0.08}) {
+        Held held({.delay_s = delay_s});
+        REQUIRE(held.pair.link());
+        held.run(1000);
+        for (int i = 0; i < 200; ++i) {
+            const double before_s = held.reading.stamp_s;
+            held.run(1);
+            REQUIRE(held.gives_pose);
+            REQUIRE(held.reading.stamp_s - before_s == Approx(kStep_s).epsilon(1e-6));
+            REQUIRE(held.pair.now_s - held.reading.stamp_s <= 1.1e-3);
+            REQUIRE(held.reading.stamp_s <= held.pair.now_s);
+        }
+        CHECK(held.pair.device.status().round_trip_s == Approx(2.0 * delay_s).margin(2.1e-3));
+    }
+}
+
+TEST_CASE("link: clocks with other zeros are told apart from delay") {
+    Held held({.delay_s = 0.004});
+    REQUIRE(held.pair.link());
+    held.run(1000);
+    // Both are stepped with the same clock here.
+    CHECK(held.pair.device.status().offset_s == Approx(0.0).margin(1.1e-3));
+}
+
+TEST_CASE("link: with a lost link both sides begin anew, under other numbers") {
+    Held held;
+    held.engage();
+    held.pair.tap.cut = true;
+    held.run(700);
+    CHECK_FALSE(held.gives_pose);
+    CHECK_FALSE(held.takes);
+    CHECK_FALSE(held.arm().held);
+    CHECK(held.hand.written_D.force.norm() == 0.0);
+    held.pair.tap.cut = false;
+    held.wrench = {};
+    held.run(200);
+    CHECK(held.gives_pose);
+    CHECK(held.pair.device.status().sessions == 2);
+    CHECK(held.arm().sessions == 2);
+    held.wrench.force.x() = 3.0;
+    held.run(3000);
+    CHECK(held.hand.written_D.force.x() == Approx(3.0));
+}
+
+TEST_CASE("link: an arm that starts again is found again") {
+    ScriptedDevice hand;
+    MemoryChannel channel;
+    test_link::HmacSeal seal;
+    test_link::CountedNumbers program_numbers(1), arm_numbers(5000);
+    LinkDevice device({}, channel.end(0), seal, program_numbers);
+    double now_s = 0.0;
+    DeviceReading reading;
+    for (int life = 1; life <= 3; ++life) {
+        ArmServer server({}, hand, channel.end(1), seal, arm_numbers);
+        bool linked = false;
+        for (int i = 0; i < 1000; ++i) {
+            now_s += kStep_s;
+            server.step(now_s);
+            linked = device.read(now_s, reading);
+            (void)device.write(now_s, {});
+        }
+        INFO("life " << life);
+        CHECK(linked);
+        CHECK(device.status().sessions == static_cast<std::uint64_t>(life));
+    }
+}
+
+TEST_CASE("link: a pose that is late or missing is the loop's stale pose") {
+    Held held;
+    held.engage();
+    held.pair.tap.cut = true;
+    held.run(25);
+    CHECK(held.gives_pose);  // the newest there is, with its own time
+    CHECK(held.pair.now_s - held.reading.stamp_s > 0.02);
+}
+
+TEST_CASE("link: an arm that has shut its gate while a force is asked for is told to the loop") {
+    Held held;
+    held.engage();
+    // Only the way to the arm is cut: poses go on.
+    held.commands = false;
+    held.run(40);
+    held.commands = true;
+    held.run(200);
+    CHECK(held.arm().gate == GatePhase::waiting);
+    CHECK(any(held.reading.faults & Fault::command_stale));
+    held.wrench = {};
+    held.run(200);
+    CHECK_FALSE(any(held.reading.faults));
+}
+
+TEST_CASE("link: lost and late packets are no fault of the loop, whatever the clock's digits") {
+    for (const LinkFaults& faults :
+         {LinkFaults{}, LinkFaults{.loss = 0.05, .burst = 3}, LinkFaults{.jitter_s = 0.003}}) {
+        SimulatedArmSettings settings;
+        LatestValue<HandTarget> target;
+        target.publish({});
+        SimulatedArm arm(settings, target);
+        test_link::LinkPair pair(arm, faults);
+        REQUIRE(pair.link(2.0));
+        HapticPlan plan;
+        plan.expects_lesson = false;
+        const auto channels = std::make_unique<HapticChannels>();
+        HapticLoop loop(plan, pair.device, *channels);
+        std::int64_t now_ns = 987'654'321 + static_cast<std::int64_t>(pair.now_s * 1e9);
+        int n_faults = 0;
+        for (int i = 0; i < 10'000; ++i) {
+            now_ns += 1'000'037;
+            const double now_s = static_cast<double>(now_ns) * 1e-9;
+            target.publish({.pose_D = Pose::at({0.02 * std::sin(5.0 * now_s), 0.0, 0.0})});
+            loop.step(now_s);
+            n_faults += i > 1000 && any(loop.state().faults) ? 1 : 0;
+            REQUIRE(loop.state().tool_twist_W.linear.norm() < 2.0);
+            pair.server.step(now_s + 0.0005);
+        }
+        CHECK(n_faults == 0);
+    }
+}
+
+TEST_CASE(
+    "link: poses of one and the same time have one stamp, so that no velocity is without bound") {
+    Held held;
+    held.engage();
+    const double since_s = held.reading.stamp_s;
+    held.hand.age_s = 0.0;
+    double last_s = since_s;
+    int n_same = 0;
+    for (int i = 0; i < 30; ++i) {
+        held.hand.age_s += 0.001;  // its clock stands still
+        held.hand.pose_D.position.x() += 1e-5;
+        held.run(1);
+        const double step_s = held.reading.stamp_s - last_s;
+        REQUIRE((step_s == 0.0 || step_s > 1e-4));
+        n_same += step_s == 0.0 ? 1 : 0;
+        last_s = held.reading.stamp_s;
+    }
+    CHECK(n_same >= 25);
+}

@@ -1,0 +1,89 @@
+#include "tests/support/link_trial.h"
+
+#include <catch2/catch.hpp>
+
+using namespace fulcrum;
+using test_link::LinkCourse;
+using test_link::LinkTrial;
+using test_link::run_link_trial;
+
+namespace {
+
+// Where hand and wall, two springs, meet when nothing moves any more.
+double resting_force_N(const LinkTrial& trial) {
+    const double hand = trial.arm.human.stiffness_N_per_m;
+    const double wall = trial.stiffness_N_per_m;
+    return trial.press_m * hand * wall / (hand + wall);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "link energy: a wall that a delay makes active throws the hand, and with the balance does "
+    "not") {
+    for (const double delay_s : {0.01, 0.02}) {
+        LinkTrial trial{.stiffness_N_per_m = 400.0, .faults = {.delay_s = delay_s}};
+        trial.balances_energy = false;
+        const LinkCourse bare = run_link_trial(trial);
+        CHECK(bare.given_J > 1.0);
+        trial.balances_energy = true;
+        const LinkCourse balanced = run_link_trial(trial);
+        INFO("delay " << delay_s << " s: " << bare.given_J << " J and " << balanced.given_J
+                      << " J");
+        REQUIRE(balanced.linked);
+        CHECK(balanced.given_J < 0.05);
+        CHECK(balanced.trips == 0);
+        CHECK(balanced.peak_N < 4.0);
+    }
+}
+
+TEST_CASE("link energy: the lightest handle on the stiffest wall is not thrown either") {
+    for (const double stiffness : {600.0, 1000.0, 2000.0}) {
+        for (const double delay_s : {0.005, 0.025}) {
+            LinkTrial trial{.stiffness_N_per_m = stiffness, .faults = {.delay_s = delay_s}};
+            trial.arm.mass_kg = 0.045;
+            const LinkCourse course = run_link_trial(trial);
+            INFO(stiffness << " N/m, " << delay_s << " s: " << course.given_J << " J");
+            REQUIRE(course.linked);
+            CHECK(course.given_J < 0.1);
+        }
+    }
+}
+
+TEST_CASE("link energy: what is calm without the balance keeps its force with it") {
+    for (const double delay_s : {0.0, 0.002, 0.005}) {
+        const LinkTrial trial{.stiffness_N_per_m = 100.0, .faults = {.delay_s = delay_s}};
+        const LinkCourse course = run_link_trial(trial);
+        INFO("delay " << delay_s);
+        REQUIRE(course.is_calm());
+        CHECK(-course.force_N == Approx(resting_force_N(trial)).epsilon(0.01));
+    }
+}
+
+TEST_CASE("link energy: loss, jitter, doubles and damage give the hand no energy either") {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const LinkTrial trial{.stiffness_N_per_m = 300.0,
+                              .faults = {.loss = 0.05,
+                                         .burst = 8,
+                                         .delay_s = 0.002,
+                                         .jitter_s = 0.003,
+                                         .reorder = 0.1,
+                                         .duplicate = 0.1,
+                                         .corrupt = 0.01,
+                                         .seed = seed}};
+        const LinkCourse course = run_link_trial(trial);
+        INFO("seed " << seed);
+        REQUIRE(course.linked);
+        CHECK(course.given_J < 0.05);
+        CHECK(course.peak_N < 4.0);
+    }
+}
+
+TEST_CASE("link energy: the same trial gives the same bits") {
+    const LinkTrial trial{.faults = {.loss = 0.1, .jitter_s = 0.004, .seed = 4}, .seconds = 3.0};
+    const LinkCourse a = run_link_trial(trial);
+    const LinkCourse b = run_link_trial(trial);
+    CHECK(a.given_J == b.given_J);
+    CHECK(a.peak_N == b.peak_N);
+    CHECK(a.swing_m == b.swing_m);
+}

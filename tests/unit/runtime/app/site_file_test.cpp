@@ -1,0 +1,129 @@
+#include "runtime/app/site_file.h"
+
+#include "tests/support/scratch_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file) << text;
+}
+
+// A user's folder for settings of the test's own.
+class OwnSettings {
+  public:
+    OwnSettings() {
+        const char* const value = std::getenv("XDG_CONFIG_HOME");
+        before_ = value == nullptr ? "" : value;
+        ::setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
+    }
+    ~OwnSettings() {
+        if (before_.empty()) {
+            ::unsetenv("XDG_CONFIG_HOME");
+        } else {
+            ::setenv("XDG_CONFIG_HOME", before_.c_str(), 1);
+        }
+    }
+    OwnSettings(const OwnSettings&) = delete;
+    OwnSettings& operator=(const OwnSettings&) = delete;
+    [[nodiscard]] std::filesystem::path own_file() const {
+        return folder_.path() / "fulcrum" / "site.conf";
+    }
+    [[nodiscard]] std::filesystem::path shared_file() const {
+        return folder_.path() / "shared.conf";
+    }
+
+  private:
+    ScratchFolder folder_;
+    std::string before_;
+};
+
+std::string complaint(const std::string& text) {
+    const auto site = parse_site_file(text, "site.conf");
+    return site ? "" : to_sentence(site.error());
+}
+
+}  // namespace
+
+TEST_CASE("site file: four limits, comments and empty lines") {
+    const auto site = parse_site_file(
+        "# this room\n\nforce_limit = 3 # newtons\r\n\ttorque_limit=0.2\nspeed_limit = "
+        "2\nenergy_limit = 1.5",
+        "f");
+    REQUIRE(site);
+    CHECK(site->force_N == 3.0);
+    CHECK(site->torque_Nm == 0.2);
+    CHECK(site->speed_m_per_s == 2.0);
+    CHECK(site->energy_J == 1.5);
+    const auto nothing = parse_site_file("", "f");
+    REQUIRE(nothing);
+    CHECK_FALSE(nothing->force_N);
+    // Said twice, the smaller holds.
+    CHECK(parse_site_file("force_limit = 2\nforce_limit = 4", "f")->force_N == 2.0);
+}
+
+TEST_CASE("site file: what is no limit is told with its line, and nothing is guessed") {
+    CHECK(complaint("force_limit = 3\nforse_limit = 2").find("site.conf:2") != std::string::npos);
+    for (const char* const bad :
+         {"force_limit", "= 3", "force_limit 3", "force_limit = ", "force_limit = three",
+          "force_limit = 3 N", "force_limit = 0.4", "force_limit = 10.1", "force_limit = nan",
+          "force_limit = inf", "force_limit = -1", "torque_limit = 1.1", "speed_limit = 0",
+          "energy_limit = 21", "\xff\xfe", "force_limit = 3 force_limit = 2"}) {
+        INFO(bad);
+        CHECK(complaint(bad).find("site.conf:1") != std::string::npos);
+    }
+}
+
+TEST_CASE(
+    "site file: of the computer's file, the user's and the command line the least of each holds") {
+    const OwnSettings settings;
+    const auto find = [&](std::optional<double> asked_N) {
+        const auto limits = find_site_limits(asked_N, settings.shared_file());
+        REQUIRE(limits);
+        return *limits;
+    };
+    CHECK(find({}).force_N == SafetySettings{}.max_force_N);
+    CHECK(find(10.0).force_N == 10.0);
+    CHECK(find(2.0).force_N == 2.0);
+    // A gentler force is gentler to the wrist.
+    CHECK(find(2.5).torque_Nm == Approx(0.5 * SafetySettings{}.max_torque_Nm));
+    write_text(settings.shared_file(), "force_limit = 4\nenergy_limit = 2\n");
+    CHECK(find(10.0).force_N == 4.0);
+    CHECK(find(3.0).force_N == 3.0);
+    CHECK(find({}).energy_J == 2.0);
+    write_text(settings.own_file(),
+               "force_limit = 2\nenergy_limit = 9\nspeed_limit = 1\ntorque_limit = 0.1\n");
+    CHECK(find(10.0).force_N == 2.0);
+    CHECK(find({}).energy_J == 2.0);
+    CHECK(find({}).speed_m_per_s == 1.0);
+    CHECK(find({}).torque_Nm == 0.1);
+    // Files may allow more than is usual.
+    write_text(settings.shared_file(), "force_limit = 8\n");
+    write_text(settings.own_file(), "");
+    CHECK(find({}).force_N == 8.0);
+}
+
+TEST_CASE("site file: one that cannot be read keeps every lesson from starting") {
+    const OwnSettings settings;
+    write_text(settings.shared_file(), "force_limit = 99\n");
+    CHECK_FALSE(find_site_limits({}, settings.shared_file()));
+    std::filesystem::remove(settings.shared_file());
+    std::filesystem::create_directory(settings.shared_file());
+    CHECK_FALSE(find_site_limits({}, settings.shared_file()));
+    std::filesystem::remove(settings.shared_file());
+    write_text(settings.own_file(), std::string(70'000, '#'));
+    CHECK_FALSE(find_site_limits({}, settings.shared_file()));
+    write_text(settings.own_file(), "force_limit = 1");
+    CHECK(find_site_limits({}, settings.shared_file()));
+}
