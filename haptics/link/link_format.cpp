@@ -235,17 +235,20 @@ bool is_sane(const LinkPacket& packet) noexcept {
 }  // namespace
 
 std::size_t packet_size(PacketKind kind) noexcept {
+    constexpr std::size_t kNumber = 8;
     constexpr std::size_t kEnds = kHeadBytes + kChecksumBytes + kSealBytes;
     switch (kind) {
         case PacketKind::hello:
         case PacketKind::bye:
             return kEnds;
         case PacketKind::welcome:
-            return kEnds + kLinkNameBytes + 9 * 8 + 4;
+            return kEnds + kLinkNameBytes + 9 * kNumber + 4;
         case PacketKind::state:
-            return kEnds + 8 + 7 * 8 + 6 * 8 + 6 * 8 + 2 * 8 + 3 * 4;
+            // Time, pose, twist, wrench, energy; buttons, faults, gate.
+            return kEnds + (1 + 7 + 6 + 6 + 2) * kNumber + 12;
         case PacketKind::command:
-            return kEnds + 6 * 8 + 2 * 8 + 2 * 8;
+            // Wrench, limits, energy.
+            return kEnds + (6 + 2 + 2) * kNumber;
     }
     return 0;
 }

@@ -110,10 +110,11 @@ Expected<void> HandDevice::make(const RunRequest& request) {
             });
         }
         case HandKind::hid:
-            return open_hid_hand(request.hid, workspace_).map([&](auto&& opened) {
-                hid_ = opened.get();
-                device_ = std::move(opened);
-            });
+            return open_hid_hand(request.hid, workspace_)
+                .map([&](std::unique_ptr<hid::HidHand>&& opened) {
+                    hid_ = opened.get();
+                    device_ = std::move(opened);
+                });
         case HandKind::link:
             return link(request);
         case HandKind::replay:

@@ -151,6 +151,24 @@ void LessonRun::build_touch_sound() {
 }
 
 // Who plays, and who answers.
+namespace {
+
+// What the learner answered before, where the lesson asks for it; none, said aloud, where it cannot be read. A simulated pupil begins anew
+// each time, so that the same run gives the same bytes.
+std::vector<PastAnswers> recall(ProgressStore& store, const Learner& learner, bool is_wanted) {
+    if (!is_wanted || learner.nickname == kSimulatedPupil) {
+        return {};
+    }
+    auto past = read_past_answers(store, learner, utc_now_ms());
+    if (!past) {
+        std::fprintf(stderr, "%s\n", to_sentence(past.error()).c_str());
+        return {};
+    }
+    return std::move(*past);
+}
+
+}  // namespace
+
 Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore& store,
                                         const dialogue::Catalogue& catalogue) {
     LessonDescription description = process_->description();
@@ -160,34 +178,15 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
     if (!learner) {
         return tl::unexpected(learner.error());
     }
-    const bool plays_own_test =
-        request.own_test && !description.tests.empty() && request.plan.hearing.recordings.empty();
-    const std::optional<LearnerRates> rates = request.learner_rates ? request.learner_rates
-                                              : plays_own_test ? description.tests.front().learner
-                                                               : std::nullopt;
-    if (rates && request.say.empty()) {
-        pupil_.emplace(LearnerModel(*rates, request.seed));
-        say_line_ = plays_own_test ? description.tests.front().line : 0;
-    } else if (plays_own_test || !request.say.empty()) {
-        const bool says_own = plays_own_test && request.say.empty();
-        pupil_.emplace(says_own ? description.tests.front().say : request.say);
-        say_line_ = says_own ? description.tests.front().line : 0;
-    }
-    // A simulated pupil begins anew each time, so that the same run gives the same bytes.
-    const bool recalls = description.wants_past && learner->nickname != kSimulatedPupil;
-    auto past = recalls ? read_past_answers(store, *learner, utc_now_ms())
-                        : Expected<std::vector<PastAnswers>>{};
-    if (!past) {
-        std::fprintf(stderr, "%s\n", to_sentence(past.error()).c_str());
-        past = std::vector<PastAnswers>{};
-    }
+    choose_pupil(description, request);
+    auto past = recall(store, *learner, description.wants_past);
     if (plan_.recogniser && plan_.hearing.takes_throat && plan_.hearing.throat == 0.0 &&
         !request.learner.empty() && learner->nickname != kSimulatedPupil) {
         plan_.hearing.throat = read_throat(store, *learner).value_or(0.0);
     }
     auto session =
         LessonSession::create(std::move(description), plan_, catalogue, store, learner->id,
-                              version_of(process_->files_read()), std::move(*past));
+                              version_of(process_->files_read()), std::move(past));
     if (!session) {
         return tl::unexpected(session.error());
     }

@@ -138,6 +138,7 @@ class LessonRun {
     [[nodiscard]] Expected<void> build_session(const RunRequest& request, ProgressStore& store,
                                                const dialogue::Catalogue& catalogue);
 
+    void choose_pupil(const LessonDescription& description, const RunRequest& request);
     void place_visible_bodies();
     [[nodiscard]] Expected<SessionInput> gather(const FrameInput& input);
     [[nodiscard]] Expected<FrameReport> conclude(const LessonReply& reply);

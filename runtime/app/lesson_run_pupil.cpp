@@ -39,4 +39,21 @@ Expected<std::vector<AnswerChoice>> LessonRun::make_choices() {
     });
 }
 
+// Whose answers: a learner who errs at some rate, the words of the lesson's own test, or those that were given.
+void LessonRun::choose_pupil(const LessonDescription& description, const RunRequest& request) {
+    const bool plays_own_test =
+        request.own_test && !description.tests.empty() && request.plan.hearing.recordings.empty();
+    const std::optional<LearnerRates> rates = request.learner_rates ? request.learner_rates
+                                              : plays_own_test ? description.tests.front().learner
+                                                               : std::nullopt;
+    if (rates && request.say.empty()) {
+        pupil_.emplace(LearnerModel(*rates, request.seed));
+        say_line_ = plays_own_test ? description.tests.front().line : 0;
+    } else if (plays_own_test || !request.say.empty()) {
+        const bool says_own = plays_own_test && request.say.empty();
+        pupil_.emplace(says_own ? description.tests.front().say : request.say);
+        say_line_ = says_own ? description.tests.front().line : 0;
+    }
+}
+
 }  // namespace fulcrum::runtime

@@ -288,6 +288,15 @@ View LessonScreen::compose() const {
     } else if (view.input_visible && view.microphone.words.empty()) {
         view.microphone.words = catalogue_.say("hud.type_here");
     }
+    show_trouble(view);
+    if (run_ && error_.empty()) {
+        show_hints(view);
+    }
+    return view;
+}
+
+// What must be known before anything else: a mistake in the lesson, a stop, a device that is lost, progress that is not kept.
+void LessonScreen::show_trouble(View& view) const {
     if (!error_.empty()) {
         view.banner = catalogue_.say("banner.stopped") + " " +
                       catalogue_.say("banner.teacher", {{"sentence", error_}});
@@ -306,22 +315,23 @@ View LessonScreen::compose() const {
     } else if (run_ && !run_->session().store_trouble().empty()) {
         view.banner = catalogue_.say("banner.not_saved");
     }
-    if (run_ && error_.empty()) {
-        if (view.caption.empty() && run_->session().result().finished) {
-            view.caption = catalogue_.say("hud.leave", {{"key", "Escape"}});
-        }
-        const std::string before = said_before_.shown(monotonic_now_s());
-        if (view.banner.empty() && !before.empty()) {
-            view.banner = catalogue_.say("hud.said_before", {{"text", before}});
-        }
-        if (view.banner.empty() && says_how_to_move()) {
-            view.banner = catalogue_.say(how_to_move(request_, run_->plan().kite.has_value()));
-            if (run_->session().hud().may_ask) {
-                view.banner += " " + catalogue_.say("hud.ask_help", {{"key", "Tab"}});
-            }
+}
+
+// What helps where nothing else is said.
+void LessonScreen::show_hints(View& view) const {
+    if (view.caption.empty() && run_->session().result().finished) {
+        view.caption = catalogue_.say("hud.leave", {{"key", "Escape"}});
+    }
+    const std::string before = said_before_.shown(monotonic_now_s());
+    if (view.banner.empty() && !before.empty()) {
+        view.banner = catalogue_.say("hud.said_before", {{"text", before}});
+    }
+    if (view.banner.empty() && says_how_to_move()) {
+        view.banner = catalogue_.say(how_to_move(request_, run_->plan().kite.has_value()));
+        if (run_->session().hud().may_ask) {
+            view.banner += " " + catalogue_.say("hud.ask_help", {{"key", "Tab"}});
         }
     }
-    return view;
 }
 
 // What somebody with a mouse must know who sees this for the first time, or the first thing to do of a level.

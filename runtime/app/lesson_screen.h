@@ -53,6 +53,8 @@ class LessonScreen {
     void listen();
     void watch_files();
     [[nodiscard]] View compose() const;
+    void show_trouble(View& view) const;
+    void show_hints(View& view) const;
     [[nodiscard]] bool says_how_to_move() const;
     void save_wanted_screenshot(bool last_frame);
 

@@ -22,7 +22,7 @@ namespace fulcrum::hid {
 
 inline constexpr std::size_t kMostDescriptorBytes = 4096;  ///< Linux's HID_MAX_DESCRIPTOR_SIZE
 inline constexpr std::size_t kMostFields = 4096;
-inline constexpr std::size_t kMostReportBits = 8 * 4096;
+inline constexpr std::size_t kMostReportBits = 32768;
 inline constexpr std::size_t kMostDepth = 32;  ///< of collections, and of Push
 inline constexpr std::size_t kMostUsageRanges = 1024;
 

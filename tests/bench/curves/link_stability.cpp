@@ -76,9 +76,8 @@ LineChart run_stiffest(const Run& run, const std::string& name, const HumanImped
     LineChart chart = make_link_chart("stability-" + name, "Stable walls over the link, " + name);
     chart.y = {"largest stable stiffness", "N/m", true};
     chart.advice =
-        "Let the balance be on: what is stable without it stays so, and where a delay would throw "
-        "the hand it is held. Even so keep "
-        "delays below 5 ms, where walls keep their force.";
+        "Let the balance be on: where a delay would throw the hand it is held. Even so keep delays "
+        "below 20 ms, where stiff walls keep their force.";
     for (const LossKind& kind : losses) {
         for (const bool balances : {true, false}) {
             Line line{kind.name + (balances ? "" : ", no balance"),
