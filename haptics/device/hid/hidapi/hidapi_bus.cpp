@@ -158,6 +158,10 @@ class HidapiBus final : public HidBus {
     }
 
     Expected<std::unique_ptr<HidLink>> open(const std::string& path) override {
+        // hidapi 0.13 leaks a device that opens and then is no HID device.
+        if (const auto node = look(path); !node) {
+            return tl::unexpected(node.error());
+        }
         const std::lock_guard lock(hidapi_mutex());
         hid_device* const device = hid_open_path(path.c_str());
         if (device == nullptr) {
