@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 namespace fulcrum {
 namespace {
@@ -42,12 +41,13 @@ void meet_at(double at_s, RigidWorldBody& body) noexcept {
     }
 }
 
-// When each body first meets anything faster than what does not bounce, and which pairs that is true of.
-template <class Pairs>
-void find_first_of(const Pairs& pairs, double least_m_per_s, RigidScene& scene) noexcept {
+// When each body first meets anything faster than what does not bounce, and which pairs that is true of: `n` of them, the k-th of which is
+// `which(k)`.
+template <class Which>
+void find_first_of(int n, const Which& which, double least_m_per_s, RigidScene& scene) noexcept {
     const auto each_pair = [&](auto&& visit) {
-        for (const std::int32_t i : pairs) {
-            ContactPair& pair = scene.pairs.at(i);
+        for (int k = 0; k < n; ++k) {
+            ContactPair& pair = scene.pairs.at(which(k));
             if (pair.manifold.count > 0) {
                 visit(pair, scene.bodies[to_body_place(pair.bodies.first)],
                       scene.bodies[to_body_place(pair.bodies.second)]);
@@ -173,15 +173,18 @@ void RigidWorld::find_first_met() noexcept {
     for (RigidWorldBody& body : scene_.bodies) {
         body.meets_s = kNotMet;
     }
-    find_first_of(std::views::iota(0, scene_.pairs.count()), settings_.least_bounce_m_per_s,
-                  scene_);
+    find_first_of(
+        scene_.pairs.count(), [](int k) { return k; }, settings_.least_bounce_m_per_s, scene_);
 }
 
 void RigidWorld::find_first_met(const IslandParts& parts) noexcept {
     for (const std::int32_t i : parts.bodies) {
         scene_.bodies[to_body_place(i)].meets_s = kNotMet;
     }
-    find_first_of(parts.pairs, settings_.least_bounce_m_per_s, scene_);
+    find_first_of(
+        static_cast<int>(parts.pairs.size()),
+        [&](int k) { return parts.pairs[static_cast<std::size_t>(k)]; },
+        settings_.least_bounce_m_per_s, scene_);
 }
 
 void RigidWorld::find_ways() noexcept {

@@ -89,7 +89,9 @@ void LinkDevice::take(double now_s, const OpenedPacket& opened) noexcept {
         if (!has_state_) {
             stamp_s_ = stamp_s;
         } else if (since_ns > 0) {
-            stamp_s_ = std::max(stamp_s, stamp_s_ + 0.5e-9 * static_cast<double>(since_ns));
+            // Whatever an arm says of its clock, nothing is measured after it is heard of.
+            stamp_s_ = std::min(
+                std::max(stamp_s, stamp_s_ + 0.5e-9 * static_cast<double>(since_ns)), now_s);
         }
         state_ = opened.packet.state;
         has_state_ = true;
