@@ -82,81 +82,94 @@ Expected<void> set_feedback(Options& options, const std::string& value) {
     return {};
 }
 
+// What is a number; nothing for a flag of others.
+std::optional<Expected<void>> set_number(Options& options, const std::string& flag,
+                                         const std::string& value) {
+    struct Number {
+        std::string_view flag;
+        double low, high;
+        void (*set)(Options&, double);
+    };
+    constexpr double kDay_s = 86400.0;
+    constexpr double kMostSeed = 4294967295.0;
+    static constexpr std::array<Number, 7> kNumbers{{
+        {"--seconds", 0.0, kDay_s, [](Options& o, double x) { o.seconds = x; }},
+        {"--errors", 0.0, 0.9, [](Options& o, double x) { o.errors = x; }},
+        {"--throat", 1.0, 2.0, [](Options& o, double x) { o.throat = x; }},
+        {"--screenshot-at", 0.0, kDay_s, [](Options& o, double x) { o.screenshot_at_s = x; }},
+        {"--force-limit", 0.5, 10.0, [](Options& o, double x) { o.force_limit_N = x; }},
+        {"--voice-speed", kSlowestVoice, kFastestVoice,
+         [](Options& o, double x) { o.voice.speed = x; }},
+        {"--seed", 0.0, kMostSeed,
+         [](Options& o, double x) {
+             o.seed = static_cast<std::uint64_t>(x);
+             o.arm.faults.seed = *o.seed;
+         }},
+    }};
+    const auto number = std::find_if(kNumbers.begin(), kNumbers.end(),
+                                     [&](const Number& n) { return n.flag == flag; });
+    if (number == kNumbers.end()) {
+        return std::nullopt;
+    }
+    return number_in(flag, value, number->low, number->high).map([&](double x) {
+        number->set(options, x);
+    });
+}
+
+Expected<void> set_voice(Options& options, const std::string& value) {
+    return find_voice(value).map([&](VoiceKind voice) { options.voice.kind = voice; });
+}
+
+Expected<void> set_player(Options& options, const std::string& value) {
+    const auto by =
+        std::ranges::find(kAllPlayers, value, [](PlayedBy player) { return name_of(player); });
+    if (by == kAllPlayers.end()) {
+        return fail("--by " + value + " is not known", "", "use arm, mouse or keyboard");
+    }
+    options.by = *by;
+    return {};
+}
+
+Expected<void> set_listening(Options& options, const std::string& value) {
+    if (value != "hold" && value != "always") {
+        return fail("--listen " + value + " is not known", "", "use hold or always");
+    }
+    options.listen = value == "always" ? ListenMode::always : ListenMode::hold;
+    return {};
+}
+
+Expected<void> set_format(Options& options, const std::string& value) {
+    if (value != "text" && value != "csv") {
+        return fail("--format " + value + " is not known", "", "use text or csv");
+    }
+    options.format = value;
+    return {};
+}
+
+// What is one of a few words; nothing for a flag of others.
+std::optional<Expected<void>> set_choice(Options& options, const std::string& flag,
+                                         const std::string& value) {
+    struct Choice {
+        std::string_view flag;
+        Expected<void> (*set)(Options&, const std::string&);
+    };
+    static constexpr std::array<Choice, 6> kChoices{{{"--voice", set_voice},
+                                                     {"--speech", set_speech},
+                                                     {"--feedback", set_feedback},
+                                                     {"--by", set_player},
+                                                     {"--listen", set_listening},
+                                                     {"--format", set_format}}};
+    const auto choice = std::find_if(kChoices.begin(), kChoices.end(),
+                                     [&](const Choice& c) { return c.flag == flag; });
+    return choice == kChoices.end() ? std::nullopt : std::optional(choice->set(options, value));
+}
+
 // Each flag that takes a value, and where the value goes.
 Expected<void> set_value(Options& options, const std::string& flag, const std::string& value) {
-    const auto into_number = [&](auto& target, double low, double high) -> Expected<void> {
-        const auto number = number_in(flag, value, low, high);
-        if (!number) {
-            return tl::unexpected(number.error());
+    for (const auto set : {set_arm_value, set_number, set_choice}) {
+        if (auto done = set(options, flag, value)) {
+            return *done;
         }
-        target = *number;
-        return {};
-    };
-    if (auto set = set_arm_value(options, flag, value)) {
-        return *set;
-    }
-    if (flag == "--seconds") {
-        return into_number(options.seconds, 0.0, 86400.0);
-    }
-    if (flag == "--errors") {
-        return into_number(options.errors, 0.0, 0.9);
-    }
-    if (flag == "--throat") {
-        return into_number(options.throat, 1.0, 2.0);
-    }
-    if (flag == "--screenshot-at") {
-        return into_number(options.screenshot_at_s, 0.0, 86400.0);
-    }
-    if (flag == "--force-limit") {
-        return into_number(options.force_limit_N, 0.5, 10.0);
-    }
-    if (flag == "--seed") {
-        constexpr double kMostSeed = 4294967295.0;
-        return number_in(flag, value, 0.0, kMostSeed).and_then([&](double seed) -> Expected<void> {
-            options.seed = static_cast<std::uint64_t>(seed);
-            options.arm.faults.seed = *options.seed;
-            return {};
-        });
-    }
-    if (flag == "--voice-speed") {
-        return into_number(options.voice.speed, kSlowestVoice, kFastestVoice);
-    }
-    if (flag == "--voice") {
-        const auto voice = find_voice(value);
-        if (!voice) {
-            return tl::unexpected(voice.error());
-        }
-        options.voice.kind = *voice;
-        return {};
-    }
-    if (flag == "--speech") {
-        return set_speech(options, value);
-    }
-    if (flag == "--feedback") {
-        return set_feedback(options, value);
-    }
-    if (flag == "--by") {
-        const auto by =
-            std::ranges::find(kAllPlayers, value, [](PlayedBy player) { return name_of(player); });
-        if (by == kAllPlayers.end()) {
-            return fail("--by " + value + " is not known", "", "use arm, mouse or keyboard");
-        }
-        options.by = *by;
-        return {};
-    }
-    if (flag == "--listen") {
-        if (value != "hold" && value != "always") {
-            return fail("--listen " + value + " is not known", "", "use hold or always");
-        }
-        options.listen = value == "always" ? ListenMode::always : ListenMode::hold;
-        return {};
-    }
-    if (flag == "--format") {
-        if (value != "text" && value != "csv") {
-            return fail("--format " + value + " is not known", "", "use text or csv");
-        }
-        options.format = value;
-        return {};
     }
     struct Target {
         std::string_view flag;

@@ -84,10 +84,11 @@ void add_unmet(const Knowledge& known, const KnowledgeDescription& described,
             const std::string difference =
                 find_difference(known, described.id, said, kind.asks, kind.has_right_form);
             if (!difference.empty()) {
+                std::string message = "what the lesson knows as \"";
+                message.append(described.id).append("\": \"").append(said);
+                message.append("\" is said ").append(kind.text).append(", but ").append(difference);
                 unmet.push_back(
-                    to_sentence({"what the lesson knows as \"" + described.id + "\": \"" + said +
-                                     "\" is said " + kind.text + ", but " + difference,
-                                 "lesson.lua:" + std::to_string(described.line),
+                    to_sentence({std::move(message), "lesson.lua:" + std::to_string(described.line),
                                  "mend the ways to ask or the example"}));
             }
         }

@@ -14,7 +14,7 @@ bool fits(const ReportField& field, std::size_t n_bytes) noexcept {
 
 std::optional<std::int64_t> read_value(const ReportField& field,
                                        std::span<const std::uint8_t> data) noexcept {
-    if (!fits(field, data.size())) {
+    if (field.bit_size == 0 || !fits(field, data.size())) {
         return std::nullopt;
     }
     std::uint64_t bits = 0;
