@@ -7,6 +7,7 @@
 #include "haptics/base/fault.h"
 #include "haptics/math/spatial.h"
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -20,6 +21,13 @@ struct DeviceReading {
     Fault faults =
         Fault::none;  ///< what the device itself has noticed, such as a stop pressed at it
 };
+
+/// False for what was garbled on its way: a number that is none, or a quaternion that is no turn.
+[[nodiscard]] inline bool is_reading(const DeviceReading& reading) noexcept {
+    constexpr double kUnitTolerance = 1.0e-3;
+    return is_finite(reading.pose_D) && std::isfinite(reading.stamp_s) &&
+           std::abs(reading.pose_D.orientation.coeffs().norm() - 1.0) <= kUnitTolerance;
+}
 
 /// What a device can do; fixed after it was opened.
 struct DeviceTraits {

@@ -2,6 +2,7 @@
 
 #include "haptics/dynamics/integrator.h"
 #include "haptics/geometry/mesh_report.h"
+#include "haptics/math/split_mix.h"
 #include "haptics/voxel/winding_number.h"
 
 #include <algorithm>
@@ -64,12 +65,9 @@ class Places {
     }
 
   private:
-    // 0 to 1, the n-th output of splitmix64 (G. Steele, D. Lea, C. Flood 2014, Fast splittable pseudorandom number generators).
+    // 0 to 1, the n-th of them.
     static double compute_chance(std::uint64_t n) noexcept {
-        std::uint64_t z = (n + 1) * 0x9e3779b97f4a7c15U;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-        return std::ldexp(static_cast<double>((z ^ (z >> 31)) >> 11), -53);
+        return to_chance(compute_split_mix((n + 1) * kSplitMixGamma));
     }
 
     Vector3 first_B_;

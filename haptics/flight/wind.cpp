@@ -1,6 +1,8 @@
 // The step path of wind.h.
 #include "haptics/flight/wind.h"
 
+#include "haptics/math/split_mix.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,12 +17,11 @@ constexpr double kHighest_ft = 1000.0;
 constexpr double kGustReference_m = 20.0 * kFoot_m;
 constexpr double kSlowest_m_per_s = 0.1;  // at which gusts drift past: below it they stand
 
-// 0 to 1, both excluded: the n-th output of splitmix64 (G. Steele, D. Lea, C. Flood 2014).
+// 0 to 1, both excluded: the n-th of a seed, each seed's begin elsewhere.
 double compute_chance(std::uint64_t seed, std::uint64_t n) noexcept {
-    std::uint64_t z = seed * 0xd1342543de82ef95U + (n + 1) * 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return (static_cast<double>((z ^ (z >> 31)) >> 11) + 0.5) * 0x1.0p-53;
+    constexpr double kHalfStep = 0x1.0p-54;
+    return to_chance(compute_split_mix(seed * 0xd1342543de82ef95U + (n + 1) * kSplitMixGamma)) +
+           kHalfStep;
 }
 
 // Two normally distributed numbers (Box, Muller 1958).

@@ -1,6 +1,7 @@
 // The step path of arm_server.h; what builds it stands in arm_server_build.cpp.
 #include "haptics/link/arm_server.h"
 
+#include "haptics/math/length.h"
 #include "haptics/math/rotation.h"
 
 #include <algorithm>
@@ -12,17 +13,6 @@ namespace {
 constexpr double kWelcomeEvery_s = 0.02;  // to one session
 constexpr int kMostWelcomes = 8;          // in a round
 constexpr double kBrakeShare = 8.0;       // alpha <= m / 8 T (coupling/passivity.h)
-constexpr double kArmUnitTolerance = 1.0e-3;
-
-bool is_arm_reading(const DeviceReading& reading) noexcept {
-    return is_finite(reading.pose_D) && std::isfinite(reading.stamp_s) &&
-           std::abs(reading.pose_D.orientation.coeffs().norm() - 1.0) <= kArmUnitTolerance;
-}
-
-Vector3 limited_to(const Vector3& v, double most) noexcept {
-    const double length = v.norm();
-    return length > most ? Vector3(v * (most / length)) : v;
-}
 
 }  // namespace
 
@@ -152,7 +142,7 @@ void ArmServer::read_arm() noexcept {
         faults_ |= Fault::device_read;
         return;
     }
-    if (!is_arm_reading(reading)) {
+    if (!is_reading(reading)) {
         faults_ |= Fault::device_invalid;
         return;
     }
@@ -202,8 +192,8 @@ void ArmServer::drive() noexcept {
     Wrench wanted{};
     if (has_command_) {
         const Wrench braked = brake();
-        wanted = {limited_to(command_.wrench_D.force, command_.max_force_N) + braked.force,
-                  limited_to(command_.wrench_D.torque, command_.max_torque_Nm) + braked.torque};
+        wanted = {shorten(command_.wrench_D.force, command_.max_force_N) + braked.force,
+                  shorten(command_.wrench_D.torque, command_.max_torque_Nm) + braked.torque};
     }
     const GatePhase before = gate_.phase();
     applied_D_ = gate_.pass(wanted, faults_, dt_s_);
@@ -227,8 +217,8 @@ void ArmServer::tell_state() noexcept {
     LinkState& state = packet.state;
     state.measured_ns = LinkPost::to_ns(reading_.stamp_s);
     state.pose_D = reading_.pose_D;
-    state.twist_D = {limited_to(velocity_.velocity(), 1000.0),
-                     limited_to(angular_velocity_.velocity(), 1000.0)};
+    state.twist_D = {shorten(velocity_.velocity(), 1000.0),
+                     shorten(angular_velocity_.velocity(), 1000.0)};
     state.applied_D = applied_D_;
     state.given = {force_.gave_J(), torque_.gave_J()};
     state.buttons = reading_.buttons;

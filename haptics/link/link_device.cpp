@@ -1,6 +1,7 @@
 // The step path of link_device.h; what opens and closes the link stands in link_device_build.cpp.
 #include "haptics/link/link_device.h"
 
+#include "haptics/math/length.h"
 #include "haptics/math/rotation.h"
 
 #include <algorithm>
@@ -23,11 +24,6 @@ bool is_same_arm(const LinkTraits& a, const LinkTraits& b) noexcept {
     return a.name == b.name && a.max_force_N == b.max_force_N &&
            a.max_torque_Nm == b.max_torque_Nm && a.damping_Ns_per_m == b.damping_Ns_per_m &&
            a.mass_kg == b.mass_kg && a.position_resolution_m == b.position_resolution_m;
-}
-
-Vector3 shortened_to(const Vector3& v, double most) noexcept {
-    const double length = v.norm();
-    return length > most ? Vector3(v * (most / length)) : v;
 }
 
 }  // namespace
@@ -171,7 +167,7 @@ void LinkDevice::balance(double now_s) noexcept {
 void LinkDevice::shift_hand(double dt_s) noexcept {
     const auto go_back = [dt_s](EnergyBalance& port, const Vector3& force, const Vector3& shift,
                                 double reach) {
-        return Vector3(shift + port.shift_back(force, -shortened_to(shift, reach), dt_s));
+        return Vector3(shift + port.shift_back(force, -shorten(shift, reach), dt_s));
     };
     const double reach_m = settings_.return_m_per_s * dt_s;
     shift_D_ = go_back(force_, sent_D_.force, shift_D_, reach_m);

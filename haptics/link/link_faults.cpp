@@ -25,22 +25,12 @@ Expected<void> validate(const LinkFaults& f) {
 }
 
 FaultyDatagrams::FaultyDatagrams(const LinkFaults& faults, Datagrams& inner)
-    : faults_(faults), inner_(inner), random_(faults.seed) {
+    : faults_(faults), inner_(inner), chance_(faults.seed) {
     out_.waiting.resize(kMostWaiting);
     in_.waiting.resize(kMostWaiting);
 }
 
 FaultyDatagrams::~FaultyDatagrams() = default;
-
-// SplitMix64 (G. Steele, D. Lea, C. Flood 2014, Fast splittable pseudorandom number generators, OOPSLA), as a number in [0, 1).
-double FaultyDatagrams::draw() noexcept {
-    random_ += 0x9E3779B97F4A7C15U;
-    std::uint64_t z = random_;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    z ^= z >> 31;
-    return static_cast<double>(z >> 11) * 0x1.0p-53;
-}
 
 // A burst of exactly `burst`, then a gap of one and a geometric number of packets, so that on average
 // burst / (burst + gap) = loss.
@@ -60,7 +50,9 @@ bool FaultyDatagrams::loses(Way& way) noexcept {
         const double more = std::max(gap - 1.0, 0.0);
         // Geometric with mean `more`, by inversion: floor(ln u / ln q), q = more / (1 + more).
         const double drawn =
-            more > 0.0 ? std::floor(std::log(1.0 - draw()) / std::log(more / (1.0 + more))) : 0.0;
+            more > 0.0
+                ? std::floor(std::log(1.0 - chance_.draw_chance()) / std::log(more / (1.0 + more)))
+                : 0.0;
         way.until_burst = 1 + static_cast<std::uint64_t>(std::min(drawn, 1.0e12));
         way.has_gap = true;
     }
@@ -82,8 +74,8 @@ void FaultyDatagrams::enter(Way& way, double now_s, const PeerAddress& peer,
     const int copies = happens(faults_.duplicate) ? 2 : 1;
     counts_.doubled += copies == 2 ? 1 : 0;
     for (int i = 0; i < copies; ++i) {
-        double due_s = now_s + faults_.delay_s + faults_.jitter_s * draw();
-        due_s += happens(faults_.reorder) ? kReorder_s * draw() : 0.0;
+        double due_s = now_s + faults_.delay_s + faults_.jitter_s * chance_.draw_chance();
+        due_s += happens(faults_.reorder) ? kReorder_s * chance_.draw_chance() : 0.0;
         counts_.delayed += due_s > now_s ? 1 : 0;
         counts_.overtaken += due_s < way.latest_due_s ? 1 : 0;
         way.latest_due_s = std::max(way.latest_due_s, due_s);
@@ -105,10 +97,10 @@ void FaultyDatagrams::wait(Way& way, double due_s, const PeerAddress& peer,
     std::copy(packet.begin(), packet.end(), place.bytes.begin());
     if (damages) {
         ++counts_.damaged;
-        const auto bits = 1 + static_cast<std::uint64_t>(draw() * kMostBits);
+        const auto bits = 1 + static_cast<std::uint64_t>(chance_.draw_chance() * kMostBits);
         for (std::uint64_t i = 0; i < bits; ++i) {
-            const auto bit =
-                static_cast<std::size_t>(draw() * 8.0 * static_cast<double>(place.size));
+            const auto bit = static_cast<std::size_t>(chance_.draw_chance() * 8.0 *
+                                                      static_cast<double>(place.size));
             place.bytes[bit / 8] ^= std::byte{1} << (bit % 8);
         }
     }

@@ -15,6 +15,7 @@
 
 #include "haptics/base/error.h"
 #include "haptics/link/datagrams.h"
+#include "haptics/math/split_mix.h"
 
 #include <array>
 #include <cstddef>
@@ -94,12 +95,13 @@ class FaultyDatagrams final : public Datagrams {
     [[nodiscard]] Waiting* find_due(Way& way, double now_s) noexcept;
     static void remove(Way& way, Waiting& gone) noexcept;
     void pass_on(double now_s) noexcept;
-    [[nodiscard]] double draw() noexcept;
-    [[nodiscard]] bool happens(double probability) noexcept { return draw() < probability; }
+    [[nodiscard]] bool happens(double probability) noexcept {
+        return chance_.draw_chance() < probability;
+    }
 
     LinkFaults faults_;
     Datagrams& inner_;
-    std::uint64_t random_;
+    SplitMix chance_;
     Way out_;
     Way in_;
     LinkFaultCounts counts_{};

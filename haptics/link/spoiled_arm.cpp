@@ -73,7 +73,7 @@ bool SpoiledArm::OpenSeal::holds(std::span<const std::byte> message,
 }
 
 SpoiledArm::SpoiledArm(std::uint64_t seed, LatestValue<HandTarget>& target)
-    : random_(seed),
+    : chance_(seed),
       arm_(spoiled_settings(), target),
       line_({.seed = seed}, channel_.end(0)),
       server_({}, arm_, channel_.end(1), seal_, numbers_),
@@ -96,14 +96,8 @@ const LinkFaultCounts& SpoiledArm::line_counts() const noexcept {
     return line_.counts();
 }
 
-// SplitMix64 (G. Steele, D. Lea, C. Flood 2014).
 double SpoiledArm::draw(double low, double high) noexcept {
-    random_ += 0x9E3779B97F4A7C15U;
-    std::uint64_t z = random_;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    z ^= z >> 31;
-    return low + (high - low) * static_cast<double>(z >> 11) * 0x1.0p-53;
+    return low + (high - low) * chance_.draw_chance();
 }
 
 bool SpoiledArm::read(double now_s, DeviceReading& reading) noexcept {

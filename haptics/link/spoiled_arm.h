@@ -14,6 +14,7 @@
 #include "haptics/link/arm_server.h"
 #include "haptics/link/link_device.h"
 #include "haptics/link/link_faults.h"
+#include "haptics/math/split_mix.h"
 
 #include <array>
 #include <cstddef>
@@ -120,7 +121,7 @@ class SpoiledArm final : public Device {
     void watch(double now_s) noexcept;
     [[nodiscard]] double draw(double low, double high) noexcept;
 
-    std::uint64_t random_;
+    SplitMix chance_;
     OpenSeal seal_;
     CountedSessions numbers_;
     Arm arm_;

@@ -14,18 +14,10 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kUnitTolerance =
-    1.0e-3;  // a quaternion further from length one was garbled on its way
-
 // True when `stamp_s` is at most `timeout_s` old and at most `ahead_s` in the future; NaN is neither.
 bool is_fresh(double stamp_s, double now_s, double timeout_s, double ahead_s) noexcept {
     const double age_s = now_s - stamp_s;
     return age_s <= timeout_s && age_s >= -ahead_s;
-}
-
-bool is_reading(const DeviceReading& reading) noexcept {
-    return is_finite(reading.pose_D) && std::isfinite(reading.stamp_s) &&
-           std::abs(reading.pose_D.orientation.coeffs().norm() - 1.0) <= kUnitTolerance;
 }
 
 }  // namespace

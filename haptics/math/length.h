@@ -36,6 +36,14 @@ template <int N>
     return largest > 0.0 && std::isfinite(largest) ? largest * (v / largest).norm() : largest;
 }
 
+/// `v`, or where it is longer than `most` its direction with that length.
+template <int N>
+[[nodiscard]] Eigen::Matrix<double, N, 1> shorten(const Eigen::Matrix<double, N, 1>& v,
+                                                  double most) noexcept {
+    const double length = v.norm();
+    return length > most ? Eigen::Matrix<double, N, 1>(v * (most / length)) : v;
+}
+
 /// Of length 1, to rounding; a vector without length or with an infinite one is given back as it is.
 template <int N>
 [[nodiscard]] Eigen::Matrix<double, N, 1> compute_direction(

@@ -88,14 +88,6 @@ std::string describe(const LinkFaultCounts& counts) {
     return line;
 }
 
-Expected<ArmKey> find_key(const ArmOptions& options) {
-    if (!options.key_file.empty()) {
-        return load_or_make_arm_key(options.key_file);
-    }
-    return find_arm_key_file().and_then(
-        [](const std::filesystem::path& file) { return load_or_make_arm_key(file); });
-}
-
 // What is simulated, with a hand that holds it.
 Expected<std::unique_ptr<Device>> make_arm(const ArmOptions& options,
                                            LatestValue<HandTarget>& target) {
@@ -137,7 +129,7 @@ void attend(ArmServer& server, LatestValue<HandTarget>& target, const Options& o
 }  // namespace
 
 int arm_command(const Options& options) {
-    const auto key = find_key(options.arm);
+    const auto key = find_arm_key_file(options.arm.key_file).and_then(load_or_make_arm_key);
     if (!key) {
         return complain(key.error(), 2);
     }
@@ -160,10 +152,7 @@ int arm_command(const Options& options) {
         return complain(site.error(), 2);
     }
     ArmServerSettings settings;
-    settings.safety.max_force_N = site->force_N;
-    settings.safety.max_torque_Nm = site->torque_Nm;
-    settings.safety.max_felt_speed_m_per_s = site->speed_m_per_s;
-    settings.safety.max_energy_J = site->energy_J;
+    apply(*site, settings.safety);
     settings.rate_Hz = options.arm.rate_Hz;
     if (auto good = validate(settings); !good) {
         return complain(good.error(), 2);

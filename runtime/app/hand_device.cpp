@@ -139,8 +139,7 @@ Expected<void> HandDevice::link(const RunRequest& request) {
     if (!address) {
         return tl::unexpected(address.error());
     }
-    const auto file = request.key_file.empty() ? find_arm_key_file()
-                                               : Expected<std::filesystem::path>(request.key_file);
+    const auto file = find_arm_key_file(request.key_file);
     const auto key = file.and_then(load_or_make_arm_key);
     if (!key) {
         return tl::unexpected(key.error());

@@ -12,17 +12,8 @@ constexpr const char* kGivesUp = "I don't know";
 
 }  // namespace
 
-// SplitMix64: G. Steele, D. Lea and C. Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014, figure 17.
-std::uint64_t LearnerModel::draw() {
-    state_ += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31U);
-}
-
 LearnerModel::Kind LearnerModel::draw_kind() {
-    const double u = static_cast<double>(draw() >> 11U) * 0x1.0p-53;
+    const double u = chance_.draw_chance();
     if (u < rates_.wrong) {
         return Kind::wrong;
     }
@@ -34,9 +25,10 @@ LearnerModel::Kind LearnerModel::draw_kind() {
 
 // Any of the question's whole answers: with errors by any way through it, else as a recast has it.
 std::string LearnerModel::draw_sentence(const dialogue::TemplateSet& set, bool errors) {
-    const auto graph = static_cast<int>(draw() % static_cast<std::uint64_t>(set.answers));
-    const dialogue::Sample sample = dialogue::walk(
-        set, graph, errors, [this](std::size_t n) { return static_cast<std::size_t>(draw() % n); });
+    const auto graph = static_cast<int>(chance_.draw() % static_cast<std::uint64_t>(set.answers));
+    const dialogue::Sample sample = dialogue::walk(set, graph, errors, [this](std::size_t n) {
+        return static_cast<std::size_t>(chance_.draw() % n);
+    });
     return errors ? sample.said
                   : dialogue::render(dialogue::canonical_pieces(set, graph, sample.slots));
 }

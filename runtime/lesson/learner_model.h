@@ -7,6 +7,7 @@
 #include "dialogue/marking/question.h"
 #include "dialogue/template/sentences.h"
 #include "haptics/base/error.h"
+#include "haptics/math/split_mix.h"
 #include "runtime/scene/description.h"
 
 #include <cstdint>
@@ -26,7 +27,7 @@ using Verdict = std::function<Expected<bool>(const AnswerSlots&)>;
 class LearnerModel {
   public:
     /// The same seed gives the same answers to the same questions.
-    LearnerModel(const LearnerRates& rates, std::uint64_t seed) : rates_(rates), state_(seed) {}
+    LearnerModel(const LearnerRates& rates, std::uint64_t seed) : rates_(rates), chance_(seed) {}
 
     /// An answer of a kind that is drawn by the rates; where the question has none of that kind, a right one; "I don't know" where
     /// none is found either. An error is the lesson's own, from its verdict.
@@ -37,11 +38,10 @@ class LearnerModel {
     enum class Kind : std::uint8_t { right, wrong, form, unclear };
 
     [[nodiscard]] Kind draw_kind();
-    [[nodiscard]] std::uint64_t draw();
     [[nodiscard]] std::string draw_sentence(const dialogue::TemplateSet& set, bool errors);
 
     LearnerRates rates_;
-    std::uint64_t state_;
+    SplitMix chance_;
 };
 
 }  // namespace fulcrum::runtime

@@ -51,7 +51,10 @@ Expected<ArmKey> parse(const std::vector<std::byte>& bytes, const std::string& w
 
 }  // namespace
 
-Expected<std::filesystem::path> find_arm_key_file() {
+Expected<std::filesystem::path> find_arm_key_file(const std::string& given) {
+    if (!given.empty()) {
+        return std::filesystem::path(given);
+    }
     return find_user_folder("XDG_CONFIG_HOME", ".config", "set HOME, or give --key FILE")
         .map([](const std::filesystem::path& folder) { return folder / "fulcrum" / "arm.key"; });
 }

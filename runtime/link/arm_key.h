@@ -9,11 +9,12 @@
 #include "runtime/link/sodium_seal.h"
 
 #include <filesystem>
+#include <string>
 
 namespace fulcrum::runtime {
 
-/// Where it lies: $XDG_CONFIG_HOME/fulcrum/arm.key, or below the home folder.
-[[nodiscard]] Expected<std::filesystem::path> find_arm_key_file();
+/// Where it lies: where `given` says, or else $XDG_CONFIG_HOME/fulcrum/arm.key, or below the home folder.
+[[nodiscard]] Expected<std::filesystem::path> find_arm_key_file(const std::string& given);
 
 /// Reads it; makes it where there is none. Refuses a file that others may read or write, or that holds anything else.
 [[nodiscard]] Expected<ArmKey> load_or_make_arm_key(const std::filesystem::path& file);

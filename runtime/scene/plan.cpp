@@ -84,10 +84,7 @@ HapticPlan haptic_plan(const LessonDescription& lesson, const PlanOptions& optio
     plan.workspace.pose_WD.position = lesson.hand.centre_W;
     plan.workspace.scale = lesson.hand.scale;
     scale_coupling(plan.coupling, lesson.hand.scale);
-    plan.safety.max_force_N = options.site.force_N;
-    plan.safety.max_torque_Nm = options.site.torque_Nm;
-    plan.safety.max_felt_speed_m_per_s = options.site.speed_m_per_s;
-    plan.safety.max_energy_J = options.site.energy_J;
+    apply(options.site, plan.safety);
     plan.lesson_force = lesson.hand.lesson_force;
     plan.expects_lesson = true;
     for (const ForceDescription& force : lesson.forces) {

@@ -16,6 +16,14 @@ struct SiteLimits {
     double energy_J = SafetySettings{}.max_energy_J;                 ///< 0.5 to 20
 };
 
+/// As the loop and an arm's server keep them.
+inline void apply(const SiteLimits& limits, SafetySettings& safety) {
+    safety.max_force_N = limits.force_N;
+    safety.max_torque_Nm = limits.torque_Nm;
+    safety.max_felt_speed_m_per_s = limits.speed_m_per_s;
+    safety.max_energy_J = limits.energy_J;
+}
+
 /// Those of a place that allows `force_N` and says no more: the torque falls with the force, for the gate's torque rates go with the ratio
 /// of the two.
 [[nodiscard]] inline SiteLimits make_site_limits(double force_N) {

@@ -45,23 +45,14 @@ bool SimulatedWam::write(double now_s, const Wrench& wrench_D) noexcept {
         usable ? Wrench{wrench_D.force * scale, wrench_D.torque * scale} : Wrench{};
     const double written_s = std::isfinite(now_s) ? std::max(now_s, now_s_) : now_s_;
     const double from_s = written_s + settings_.delay_s;
-    if (n_pending_ == 0 && from_s <= now_s_) {
-        wrench_D_ = wrench;
-        return usable;
-    }
-    if (n_pending_ == kMostPending) {
-        return false;
-    }
-    pending_[(first_pending_ + n_pending_) % kMostPending] = {from_s, wrench};
-    ++n_pending_;
-    return usable;
+    return pending_.put(from_s, wrench, now_s_, wrench_D_) && usable;
 }
 
 void SimulatedWam::reset() noexcept {
     motion_.hold(settings_.grip);
     started_ = false;
     now_s_ = 0.0;
-    n_pending_ = 0;
+    pending_.clear();
     wrench_D_ = Wrench{};
     buttons_ = 0;
     const int n = settings_.model.n;
@@ -120,22 +111,8 @@ void SimulatedWam::take_target() noexcept {
 }
 
 void SimulatedWam::advance_to(double now_s) noexcept {
-    // Two times that differ by a clock's rounding are one.
-    constexpr double kSameInstant_s = 1.0e-12;
-    double at_s = std::max(now_s_, now_s - kLongestPause_s);
-    for (; n_pending_ > 0 && pending_[first_pending_].from_s <= now_s + kSameInstant_s;
-         --n_pending_) {
-        const Pending& next = pending_[first_pending_];
-        if (next.from_s > at_s + kSameInstant_s) {
-            advance(next.from_s - at_s);
-            at_s = next.from_s;
-        }
-        wrench_D_ = next.wrench_D;
-        first_pending_ = (first_pending_ + 1) % kMostPending;
-    }
-    if (now_s > at_s) {
-        advance(now_s - at_s);
-    }
+    pending_.run(std::max(now_s_, now_s - kLongestPause_s), now_s, wrench_D_,
+                 [this](double dt_s) { advance(dt_s); });
 }
 
 void SimulatedWam::advance(double dt_s) noexcept {

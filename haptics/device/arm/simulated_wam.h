@@ -19,6 +19,7 @@
 #include "haptics/device/arm/arm_reach.h"
 #include "haptics/device/arm/barrett_wam.h"
 #include "haptics/device/device.h"
+#include "haptics/device/simulated/delay_line.h"
 #include "haptics/device/simulated/hand_target.h"
 #include "haptics/handover/latest_value.h"
 
@@ -44,7 +45,7 @@ struct SimulatedWamSettings {
 class SimulatedWam final : public Device {
   public:
     /// Wrenches on their way at once: delay_s at 5 kHz, and as many again.
-    static constexpr std::size_t kMostPending = 200;
+    static constexpr std::size_t kMostPending = DelayLine<Wrench>::kMost;
     static constexpr double kLongestPause_s = 0.1;
 
     /// Settings that `validate` and compute_reach accept. `target` must outlive the arm; this is its only reader.
@@ -75,10 +76,6 @@ class SimulatedWam final : public Device {
     [[nodiscard]] const ArmModel& model() const noexcept { return settings_.model; }
 
   private:
-    struct Pending {
-        double from_s = 0.0;
-        Wrench wrench_D{};
-    };
     SimulatedWam(const SimulatedWamSettings& settings, const ArmReach& reach,
                  LatestValue<HandTarget>& target);
     [[nodiscard]] JointVector count_angles() const noexcept;
@@ -97,13 +94,11 @@ class SimulatedWam final : public Device {
     // Time.
     bool started_ = false;
     double now_s_ = 0.0;
-    // What acts, and what is on its way: a ring, oldest at first_pending_.
+    // What acts, and what is on its way.
     GripTarget aim_{};
     std::uint32_t buttons_ = 0;
     Wrench wrench_D_{};
-    std::array<Pending, kMostPending> pending_{};
-    std::size_t first_pending_ = 0;
-    std::size_t n_pending_ = 0;
+    DelayLine<Wrench> pending_;
     // Where it is.
     ArmCommand command_{};
     ArmState state_{};

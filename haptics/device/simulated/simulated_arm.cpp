@@ -41,16 +41,7 @@ bool SimulatedArm::write(double now_s, const Wrench& wrench_D) noexcept {
     }
     const double written_s = std::isfinite(now_s) ? std::max(now_s, now_s_) : now_s_;
     const double from_s = written_s + settings_.delay_s;
-    if (n_pending_ == 0 && from_s <= now_s_) {
-        force_D_ = force_D;
-        return usable;
-    }
-    if (n_pending_ == kMostPending) {
-        return false;
-    }
-    pending_[(first_pending_ + n_pending_) % kMostPending] = {from_s, force_D};
-    ++n_pending_;
-    return usable;
+    return pending_.put(from_s, force_D, now_s_, force_D_) && usable;
 }
 
 void SimulatedArm::take_hold(const HumanImpedance& human) noexcept {
@@ -63,7 +54,7 @@ void SimulatedArm::take_hold(const HumanImpedance& human) noexcept {
 void SimulatedArm::reset() noexcept {
     take_hold(settings_.human);
     started_ = false;
-    n_pending_ = 0;
+    pending_.clear();
     force_D_.setZero();
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         axes_[i] = {settings_.start_D[static_cast<Eigen::Index>(i)], 0.0};
@@ -79,22 +70,7 @@ Vector3 SimulatedArm::velocity_D() const noexcept {
 }
 
 void SimulatedArm::advance_to(double now_s) noexcept {
-    // Two times that differ by a clock's rounding are one.
-    constexpr double kSameInstant_s = 1.0e-12;
-    double at_s = now_s_;
-    for (; n_pending_ > 0 && pending_[first_pending_].from_s <= now_s + kSameInstant_s;
-         --n_pending_) {
-        const Pending& next = pending_[first_pending_];
-        if (next.from_s > at_s + kSameInstant_s) {
-            advance(next.from_s - at_s);
-            at_s = next.from_s;
-        }
-        force_D_ = next.force_D;
-        first_pending_ = (first_pending_ + 1) % kMostPending;
-    }
-    if (now_s > at_s) {
-        advance(now_s - at_s);
-    }
+    pending_.run(now_s_, now_s, force_D_, [this](double dt_s) { advance(dt_s); });
 }
 
 void SimulatedArm::advance(double dt_s) noexcept {

@@ -18,6 +18,7 @@
 
 #include "haptics/base/error.h"
 #include "haptics/device/device.h"
+#include "haptics/device/simulated/delay_line.h"
 #include "haptics/device/simulated/hand_target.h"
 #include "haptics/device/simulated/human_impedance.h"
 #include "haptics/device/simulated/oscillator.h"
@@ -51,7 +52,7 @@ struct SimulatedArmSettings {
 class SimulatedArm final : public Device {
   public:
     /// Forces on their way at once: delay_s at 5 kHz, and as many again.
-    static constexpr std::size_t kMostPending = 200;
+    static constexpr std::size_t kMostPending = DelayLine<Vector3>::kMost;
 
     /// Takes settings that `validate` accepted. `target` must outlive the arm; this is its only reader.
     SimulatedArm(const SimulatedArmSettings& settings, LatestValue<HandTarget>& target);
@@ -77,10 +78,6 @@ class SimulatedArm final : public Device {
     [[nodiscard]] const Vector3& force_D() const noexcept { return force_D_; }
 
   private:
-    struct Pending {
-        double from_s = 0.0;
-        Vector3 force_D{Vector3::Zero()};
-    };
     void advance_to(double now_s) noexcept;
     void advance(double dt_s) noexcept;
 
@@ -93,12 +90,10 @@ class SimulatedArm final : public Device {
     // Time.
     bool started_ = false;
     double now_s_ = 0.0;
-    // What acts, and what is on its way: a ring, oldest at first_pending_.
+    // What acts, and what is on its way.
     HandTarget aim_{};
     Vector3 force_D_{Vector3::Zero()};
-    std::array<Pending, kMostPending> pending_{};
-    std::size_t first_pending_ = 0;
-    std::size_t n_pending_ = 0;
+    DelayLine<Vector3> pending_;
     // Where it is.
     std::array<AxisState, 3> axes_{};
 };

@@ -16,6 +16,9 @@ Report run_single_faults(Run& run) {
         "A spring holds a hand through haptic loop, link, arm's server and a simulated desktop arm "
         "at 1 kHz under one clock; then one "
         "thing breaks and stays broken for a second.";
+    sheet.advice =
+        "Nothing is to be chosen here: no peak may exceed the force before by more than the arm's "
+        "limit allows, and what does not say \"stays\" has to be gone.";
     sheet.columns = {"fault",           "who notices",      "force before, N", "peak after, N",
                      "largest step, N", "energy given, mJ", "gone after, ms",  "at the end, N"};
     const auto kinds = test_link::all_faults();

@@ -2,29 +2,11 @@
 #include "runtime/render/overlay/measure.h"
 #include "runtime/render/overlay/panels.h"
 #include "runtime/render/renderer.h"
+#include "tests/unit/runtime/render/overlay/overlay_fixture.h"
 
 #include <catch2/catch.hpp>
 
 using namespace fulcrum::runtime;
-
-namespace {
-
-Font andika() {
-    return Font(RendererSettings{}.font_folder);
-}
-
-bool overlap(const Box& a, const Box& b) {
-    constexpr float kTouch = 0.01F;
-    return a.x + kTouch < b.right() && b.x + kTouch < a.right() && a.y + kTouch < b.bottom() &&
-           b.y + kTouch < a.bottom();
-}
-
-bool inside(const Box& box, const Measure& m) {
-    return box.x >= -0.01F && box.y >= -0.01F && box.right() <= m.width_px + 0.01F &&
-           box.bottom() <= m.height_px + 0.01F;
-}
-
-}  // namespace
 
 TEST_CASE(
     "panels: choices stand above the line to type in, none over another, each with room for its "

@@ -2,6 +2,7 @@
 #include "runtime/render/overlay/menu.h"
 #include "runtime/render/overlay/panels.h"
 #include "runtime/render/renderer.h"
+#include "tests/unit/runtime/render/overlay/overlay_fixture.h"
 
 #include <catch2/catch.hpp>
 
@@ -15,21 +16,6 @@
 using namespace fulcrum::runtime;
 
 namespace {
-
-Font andika() {
-    return Font(RendererSettings{}.font_folder);
-}
-
-bool overlap(const Box& a, const Box& b) {
-    constexpr float kTouch = 0.01F;
-    return a.x + kTouch < b.right() && b.x + kTouch < a.right() && a.y + kTouch < b.bottom() &&
-           b.y + kTouch < a.bottom();
-}
-
-bool inside(const Box& box, const Measure& m) {
-    return box.x >= -0.01F && box.y >= -0.01F && box.right() <= m.width_px + 0.01F &&
-           box.bottom() <= m.height_px + 0.01F;
-}
 
 View busy() {
     View view;
