@@ -177,12 +177,56 @@ void find_around_article(const FreeSentence& sentence, int i, Proposals& proposa
     }
 }
 
+/// Egg is heavier; it is under blue block: of a thing that stands there, so that nobody has to be asked.
+void find_bare_thing(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const FreeWord& noun = sentence[i];
+    const FreeWord& next = sentence[i + 1];
+    // Alone it is an answer; "egg yolk", "egg-like", "egg's", "apple and egg" and a name are other things.
+    if (!noun.thing || sentence.size() == 1 || noun.possessive || noun.hyphen_behind ||
+        (noun.capital && i > 0) || !sentence.is_head(i) || sentence.is(i + 1, {"and", "or"}) ||
+        (next.noun_count > 0 && next.mainly_noun() && !noun.before_stop)) {
+        return;
+    }
+    int first = i;
+    while (first > 0 && !sentence[first].behind_stop && !sentence[first - 1].closed &&
+           (sentence[first - 1].mainly_adjective() || is_material(sentence.text(first - 1)))) {
+        --first;
+    }
+    const bool starts =
+        first == 0 || sentence[first].behind_stop ||
+        sentence.is(first - 1, {"yes", "no", "because", "but", "if", "when", "that"});
+    const bool subject = starts && (sentence.be_at(i + 1) || is_modal(next.text) ||
+                                    sentence.is(i + 1, {"has", "does", "did", "had"}) ||
+                                    (next.verb_in_s && next.verb_count > 0 && !next.closed));
+    const bool place = sentence.is(first - 1, {"than", "near", "under", "behind", "on", "to", "at",
+                                               "below", "above", "beside"}) ||
+                       (sentence.is(first - 1, {"of"}) && sentence.is(first - 2, {"top"}));
+    const FreeWord& before = sentence[first - 1];
+    const bool object =
+        place || sentence.be_at(first - 1) || (before.verb_in_s && before.mainly_verb());
+    if (subject || (object && !sentence[first].behind_stop)) {
+        proposals.insert(first, ErrorCode::missing_determiner, "the");
+    }
+}
+
+/// Heavier one; is heaviest thing: what is compared is a certain one.
+void find_bare_one(const FreeSentence& sentence, int i, Proposals& proposals) {
+    const FreeWord& word = sentence[i];
+    const bool compared = word.degree == Degree::comparative && is_physical(word.adjective) &&
+                          sentence.is(i + 1, {"one"}) && !word.before_stop;
+    const bool open = i == 0 || word.behind_stop || (sentence.be_at(i - 1) && !sentence.asks());
+    if (compared && open) {
+        proposals.insert(i, ErrorCode::missing_determiner, "the");
+    }
+}
+
 /// I have apple; apple is heavy: a judge has to say so too.
 void find_missing(const FreeSentence& sentence, int i, Proposals& proposals) {
     const FreeWord& noun = sentence[i];
     const bool capital_inside = noun.capital && (i > 0 || noun.noun_count < kPlainWord);
-    if (!noun.singular_noun() || capital_inside || noun.possessive || !sentence.is_head(i) ||
-        is_planet(noun.text) || is_month_or_day(noun.text) || is_time_or_amount(noun.text)) {
+    if (noun.thing || !noun.singular_noun() || capital_inside || noun.possessive ||
+        !sentence.is_head(i) || is_planet(noun.text) || is_month_or_day(noun.text) ||
+        is_time_or_amount(noun.text)) {
         return;
     }
     int first = i;
@@ -213,6 +257,8 @@ void find_article_errors(const FreeSentence& sentence, Proposals& proposals) {
         find_doubled_determiner(sentence, i, proposals);
         find_pointing(sentence, i, proposals);
         find_around_article(sentence, i, proposals);
+        find_bare_thing(sentence, i, proposals);
+        find_bare_one(sentence, i, proposals);
         find_missing(sentence, i, proposals);
     }
 }

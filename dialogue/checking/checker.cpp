@@ -106,7 +106,7 @@ std::vector<Proposal> decide(const Lexicon& lexicon, SentenceJudge& judge,
 CheckedText EnglishChecker::check(std::string_view text) {
     CheckedText checked;
     std::vector<Proposal> all;
-    for (const FreeSentence& sentence : read_sentences(lexicon_, text)) {
+    for (const FreeSentence& sentence : read_sentences(lexicon_, text, things_)) {
         if (sentence.size() > kMostFreeWords) {
             continue;
         }

@@ -44,12 +44,17 @@ class EnglishChecker {
     EnglishChecker(Lexicon lexicon, std::unique_ptr<SentenceJudge> judge)
         : lexicon_(std::move(lexicon)), judge_(std::move(judge)) {}
 
+    /// What stands before the learner from now on: its nouns, in the singular and in small letters. In a kitchen egg may be heavier; of an
+    /// egg on the screen that is said with an article.
+    void set_things(std::vector<std::string> things) { things_ = std::move(things); }
+
     /// Only the first kLongestFreeText_bytes are looked at; what is behind is kept as it is.
     [[nodiscard]] CheckedText check(std::string_view text);
 
   private:
     Lexicon lexicon_;
     std::unique_ptr<SentenceJudge> judge_;
+    std::vector<std::string> things_;
 };
 
 }  // namespace fulcrum::dialogue

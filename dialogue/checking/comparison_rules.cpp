@@ -20,7 +20,7 @@ constexpr auto kAlsoWithMore = std::to_array<std::string_view>(
 /// Not compared by "than" here: "other than", "rather than".
 constexpr auto kBeforeThan =
     std::to_array<std::string_view>({"other", "rather", "different", "sooner", "less", "fewer",
-                                     "more", "else", "otherwise", "further"});
+                                     "more", "else", "otherwise", "further", "farther"});
 
 std::string first_form(std::string_view adjective, Degree degree) {
     return degree_forms(adjective, degree).front();

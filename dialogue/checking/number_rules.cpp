@@ -3,6 +3,7 @@
 #include "dialogue/checking/proposal.h"
 #include "dialogue/english/letters.h"
 #include "dialogue/english/noun.h"
+#include "dialogue/english/number.h"
 
 #include <algorithm>
 
@@ -42,11 +43,16 @@ bool asks_for_plural(const FreeSentence& sentence, int i) {
     if (sentence.is(i, {"many", "several", "both", "various"}) || sentence.is(i, {"few"})) {
         return !sentence.is(i - 1, {"as"}) || sentence.is(i, {"many"});
     }
-    const FreeWord& before = sentence[i - 1];
+    int first = i;  // of "twenty five"
+    while (first > 0 && word.number && !sentence[first - 1].before_stop &&
+           is_number_word(sentence.text(first - 1)) && !sentence.is(first - 1, {"one"})) {
+        --first;
+    }
+    const FreeWord& before = sentence[first - 1];
     const bool in_name = before.mainly_noun() || before.capital || before.number ||
-                         sentence.is(i - 1, {"the", "a", "an", "in", "at", "on", "every", "per",
-                                             "by", "and", "point", "of"});
-    return word.number && word.begin != sentence[i + 1].begin && (i == 0 || !in_name) &&
+                         sentence.is(first - 1, {"the", "a", "an", "in", "at", "on", "every", "per",
+                                                 "by", "and", "point", "of"});
+    return word.number && word.begin != sentence[i + 1].begin && (first == 0 || !in_name) &&
            !sentence.is(i, {"hundred", "thousand", "million"}) &&
            !(word.written.find_first_not_of("0123456789") == std::string::npos &&
              word.written.size() >= kYear_digits);
@@ -101,7 +107,8 @@ void find_one_of(const Lexicon& lexicon, const FreeSentence& sentence, int i,
 
 /// one moons, each planets, every days.
 void find_after_one(const FreeSentence& sentence, int i, Proposals& proposals) {
-    if (!sentence.is(i, {"one", "each", "every", "another"}) || sentence[i].before_stop) {
+    if (!sentence.is(i, {"one", "each", "every", "another"}) || sentence[i].before_stop ||
+        sentence[i].number) {
         return;
     }
     const int head = head_behind(sentence, i);

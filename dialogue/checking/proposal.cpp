@@ -23,7 +23,15 @@ void Proposals::replace(int first, int last, ErrorCode code, std::string_view ri
 }
 
 void Proposals::insert(int i, ErrorCode code, std::string_view missing, Certainty certainty) {
-    const std::size_t at = (*sentence_)[i].begin;
+    const FreeWord& word = (*sentence_)[i];
+    // At the start the capital goes over to what was missing, unless the word has one of its own.
+    if (i == 0 && word.capital && word.written != "I" && word.written.size() > 1 &&
+        (word.closed || word.noun_count + word.adjective_count >= kPlainWord)) {
+        list_.push_back({code, word.begin, word.end,
+                         sentence_case(missing) + " " + lower_case(word.written), certainty});
+        return;
+    }
+    const std::size_t at = word.begin;
     list_.push_back({code, at, at, std::string(missing) + " ", certainty});
 }
 

@@ -199,7 +199,30 @@ bool FreeSentence::be_at(int i) const {
     return is(i, {"is", "are", "was", "were", "am"}) && !(*this)[i].possessive;
 }
 
-std::vector<FreeSentence> read_sentences(const Lexicon& lexicon, std::string_view text) {
+namespace {
+
+/// The one of "twenty one", with or without a hyphen: more than one.
+bool ends_number(const FreeWord& word, const std::vector<FreeWord>& before) {
+    if (word.text != "one" || before.empty()) {
+        return false;
+    }
+    const bool with_and = before.back().text == "and" && before.size() > 1;
+    const FreeWord& last = with_and ? before[before.size() - 2] : before.back();
+    const bool hundreds = last.text == "hundred" || last.text == "thousand";
+    return last.number && (with_and ? hundreds : !last.before_stop || last.hyphen_behind);
+}
+
+/// What can be counted, and is no stuff by its other name: "rock", "cloth".
+bool is_thing(const FreeWord& word, std::span<const std::string> things) {
+    return word.noun_count > 0 && word.can_be_singular && word.singular.empty() && !word.closed &&
+           !is_material(word.text) && !is_strictly_mass(word.text) && !is_planet(word.text) &&
+           std::find(things.begin(), things.end(), word.text) != things.end();
+}
+
+}  // namespace
+
+std::vector<FreeSentence> read_sentences(const Lexicon& lexicon, std::string_view text,
+                                         std::span<const std::string> things) {
     text = text.substr(0, kLongestFreeText_bytes);
     const std::vector<Token> tokens = tokenise(text);
     std::vector<FreeSentence> sentences;
@@ -214,6 +237,8 @@ std::vector<FreeSentence> read_sentences(const Lexicon& lexicon, std::string_vie
         word.capital = !word.written.empty() && word.written[0] >= 'A' && word.written[0] <= 'Z';
         word.possessive = is_possessive_s(tokens, i, text);
         read_word(lexicon, word);
+        word.number = word.number || ends_number(word, words);
+        word.thing = is_thing(word, things);
         const std::size_t next = i + 1 < tokens.size() ? tokens[i + 1].begin : text.size();
         const std::string_view between = text.substr(token.end, next - std::min(token.end, next));
         word.behind_stop = words.empty() || words.back().before_stop;

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,12 +27,13 @@ struct FreeWord {
     std::string text;     ///< lower case, without apostrophes; contractions are parted
     std::string written;  ///< the letters as they stand
     std::size_t begin = 0;
-    std::size_t end = 0;       ///< bytes of the text, [begin, end)
-    bool closed = false;       ///< a word of grammar: the, she, with, is, not
-    bool known = false;        ///< in the lexicon, itself or as a form
-    bool capital = false;      ///< begins with one
-    bool possessive = false;   ///< the 's of "the moon's side"
-    bool number = false;       ///< a number word or digits, more than one
+    std::size_t end = 0;      ///< bytes of the text, [begin, end)
+    bool closed = false;      ///< a word of grammar: the, she, with, is, not
+    bool known = false;       ///< in the lexicon, itself or as a form
+    bool capital = false;     ///< begins with one
+    bool possessive = false;  ///< the 's of "the moon's side"
+    bool number = false;      ///< a number word or digits, more than one
+    bool thing = false;  ///< names a thing that stands before the learner, one that can be counted
     bool behind_stop = false;  ///< first of the sentence, or behind a comma, a semicolon or a colon
     bool hyphen_behind = false;    ///< joined to the next word by a hyphen: "function-like"
     bool before_stop = false;      ///< last of the sentence, or before one of those
@@ -92,9 +94,11 @@ struct NounPhrase {
     Number number = Number::singular;
 };
 
-/// The sentences of `text`.
+/// The sentences of `text`. `things` are the nouns, in small letters, of what stands before whoever said it: there "egg" is one egg, and
+/// not what an egg is made of.
 [[nodiscard]] std::vector<FreeSentence> read_sentences(const Lexicon& lexicon,
-                                                       std::string_view text);
+                                                       std::string_view text,
+                                                       std::span<const std::string> things = {});
 
 /// The noun phrase that begins at `first`, without what hangs on it ("of wood").
 [[nodiscard]] NounPhrase noun_phrase_at(const FreeSentence& sentence, int first);

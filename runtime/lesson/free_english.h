@@ -5,10 +5,17 @@
 
 #include "dialogue/conversation/conversation.h"
 #include "haptics/base/error.h"
+#include "runtime/scene/description.h"
+
+#include <string>
+#include <vector>
 
 namespace fulcrum::runtime {
 
-/// Opens it; an error names the Debian package that is missing.
-[[nodiscard]] Expected<dialogue::FormCheck> open_free_english();
+/// Opens it for a lesson with these things in it (`checking/checker.h`); an error names the Debian package that is missing.
+[[nodiscard]] Expected<dialogue::FormCheck> open_free_english(std::vector<std::string> things);
+
+/// What the bodies of a lesson are called, and what its questions call {thing}: each noun once; no names.
+[[nodiscard]] std::vector<std::string> things_of(const LessonDescription& lesson);
 
 }  // namespace fulcrum::runtime

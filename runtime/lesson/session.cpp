@@ -54,7 +54,7 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
     }
     QuestionDialogue dialogue(std::move(*questions), catalogue);
     if (plan.free_english) {
-        auto check = open_free_english();
+        auto check = open_free_english(things_of(description));
         if (!check) {
             return tl::unexpected(check.error());
         }

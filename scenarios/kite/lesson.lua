@@ -8,7 +8,7 @@ local game = require "game"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
 
-local L = lesson { id = "kite", title = "Why does a kite fly?", level = "A2", minutes = 15 }
+local L = lesson { id = "kite", title = "Why does a kite fly?", level = "A2", minutes = 15, free_english = true }
 
 local breeze, strong = 4.5, 5.8     -- metres a second, 10 metres up; in the strong wind the line still pulls less than 4.5 N
 local most_in_breeze = 2.8          -- newtons in the hand

@@ -2,6 +2,7 @@
 // and on learners' text that a person has (--text FILE). And what checking costs.
 #include "dialogue/checking/link_grammar/link_judge.h"
 #include "dialogue/checking/reading.h"
+#include "runtime/lesson/free_english.h"
 #include "runtime/lesson/questions.h"
 #include "runtime/lua/process/lesson_process.h"
 #include "tests/bench/curves/english_errors.h"
@@ -43,8 +44,13 @@ double resident_kB() {
     return resident * 4.0;
 }
 
-/// All questions of a lesson as it is shipped.
-std::map<std::string, Question> questions_of(const fs::path& folder) {
+/// All questions of a lesson as it is shipped, and the things that it shows.
+struct ShippedLesson {
+    std::map<std::string, Question> questions;
+    std::vector<std::string> things;
+};
+
+ShippedLesson shipped(const fs::path& folder) {
     runtime::LessonFiles files;
     files.folder = folder;
     files.library = fs::path(FULCRUM_SOURCE_DIR) / "scripts/lib";
@@ -56,7 +62,7 @@ std::map<std::string, Question> questions_of(const fs::path& folder) {
     if (!questions) {
         stop(questions.error().message);
     }
-    return std::move(*questions);
+    return {std::move(*questions), runtime::things_of((*process)->description())};
 }
 
 EnglishChecker make_checker(std::unique_ptr<SentenceJudge> judge) {
@@ -153,7 +159,9 @@ std::array<Sheet, 2> check_lessons(EnglishChecker& checker, Run& run) {
         if (!fs::exists(entry.path() / "lesson.lua")) {
             continue;
         }
-        for (const auto& [id, question] : questions_of(entry.path())) {
+        const ShippedLesson lesson = shipped(entry.path());
+        checker.set_things(lesson.things);
+        for (const auto& [id, question] : lesson.questions) {
             const TemplateSentences made =
                 make_template_sentences(question, run.pick(4000, 400), kSeed);
             for (const std::string& sentence : made.right) {
@@ -172,6 +180,7 @@ std::array<Sheet, 2> check_lessons(EnglishChecker& checker, Run& run) {
             }
         }
     }
+    checker.set_things({});
     Sheet put_in = lesson_sheet("english-lessons", "Free English: what the lessons teach");
     put_in.work =
         "Every way through the lessons' templates, sampled, and every such sentence with "

@@ -43,3 +43,35 @@ TEST_CASE(
     CHECK(judged(2, 1) == "I saw moon.");
     CHECK(checked("I saw moon.") == "=> I saw moon.");
 }
+
+TEST_CASE(
+    "article rules: a thing that stands there has an article, stuff and answers of one word have "
+    "none") {
+    EnglishChecker checker = words_alone();
+    checker.set_things({"egg", "block", "rock", "spaceship"});
+    const auto marked = [&](const char* text) { return checker.check(text).marked; };
+    CHECK(marked("Egg is heavier than the spaceship.") ==
+          "*The egg* is heavier than the spaceship.");
+    CHECK(marked("The spaceship is heavier than egg.") ==
+          "The spaceship is heavier than *the* egg.");
+    CHECK(marked("The heaviest one is egg.") == "The heaviest one is *the* egg.");
+    CHECK(marked("Yes, egg is heavier.") == "Yes, *the* egg is heavier.");
+    CHECK(marked("It is on top of blue block.") == "It is on top of *the* blue block.");
+    CHECK(marked("The Earth pulls egg.") == "The Earth pulls *the* egg.");
+    for (const char* right :
+         {"Egg.", "The egg is heavier than a spaceship.", "My egg is on the block.",
+          "It is made of rock.", "The spaceship is rock.", "It is one egg.", "Eggs are light.",
+          "An apple and egg salad is good.", "Egg yolk is yellow.", "Which egg is heavier?",
+          "The two eggs and the block are near this spaceship.", "It is Egg.",
+          "The spaceship's block is heavy.", "The egg block is blue."}) {
+        CHECK(marked(right) == std::string(right));
+    }
+    // Where no egg stands, one may speak of food.
+    CHECK(checked("Egg is heavier than bread.") == "=> Egg is heavier than bread.");
+}
+
+TEST_CASE("article rules: one that is compared is a certain one") {
+    check_rows({{"The egg is heavier one.", "M:DET => The egg is *the* heavier one."},
+                {"Heavier one is the egg.", "M:DET => *The heavier* one is the egg."}});
+    check_right({"The egg is the heavier one.", "I want a heavier one.", "Is it a heavier one?"});
+}

@@ -30,3 +30,10 @@ TEST_CASE("free number: good English that looks alike") {
                  "How much water is there?", "I went to Los Angeles.", "One way is to push it.",
                  "Two plus two is four."});
 }
+
+TEST_CASE("number rules: twenty-one are more than one") {
+    check_right({"It has twenty one moons.", "It has twenty-one moons.", "There is one moon.",
+                 "It takes a hundred and one hours."});
+    check_rows({{"It has twenty one moon.", "R:NOUN:NUM => It has twenty one *moons*."},
+                {"It has one moons.", "R:NOUN:NUM => It has one *moon*."}});
+}

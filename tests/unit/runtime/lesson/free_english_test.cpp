@@ -6,9 +6,22 @@ using namespace fulcrum;
 using namespace fulcrum::runtime;
 
 TEST_CASE("free English: opened, it finds errors by its words and by its grammar") {
-    const auto check = open_free_english();
+    const auto check = open_free_english({"egg"});
     REQUIRE(check);
     CHECK((*check)("it have two moon").corrected == "it has two moons");
     CHECK((*check)("I saw moon.").corrected == "I saw a moon.");
     CHECK((*check)("It has two moons.").errors.empty());
+    CHECK((*check)("Egg is heavier.").corrected == "The egg is heavier.");
+}
+
+TEST_CASE(
+    "free English: things are the bodies and what questions call so, by their last word, without "
+    "names") {
+    LessonDescription lesson;
+    for (const char* noun : {"egg", "", "wooden block", "Sun", "metal block"}) {
+        lesson.bodies.emplace_back().noun = noun;
+    }
+    lesson.questions.emplace_back().lists = {{"thing", {"apple|red apple", "egg"}},
+                                             {"number", {"two"}}};
+    CHECK(things_of(lesson) == std::vector<std::string>{"egg", "block", "apple"});
 }
