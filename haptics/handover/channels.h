@@ -27,6 +27,8 @@ class StopSwitch {
         pressed_.store(true, std::memory_order_release);
         unseen_.store(true, std::memory_order_release);
     }
+    /// A press that is let go at once, whoever else holds it. Any thread; wait-free.
+    void tap() noexcept { unseen_.store(true, std::memory_order_release); }
     /// Any thread; wait-free.
     void release() noexcept { pressed_.store(false, std::memory_order_release); }
     /// Whether it is held down now.

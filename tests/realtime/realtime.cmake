@@ -23,7 +23,7 @@ set(load_path
     realtime_thread.cpp.o) # the thread itself waits between the steps
 # Behind "=": functions that only load and stand in a file with others.
 set(load_functions
-    "virtual_coupling.cpp.o=validate" "god_object.cpp.o=GodObject::~?GodObject|validate"
+    "virtual_coupling.cpp.o=validate" "hands_loop.cpp.o=HandsLoop::~HandsLoop" "god_object.cpp.o=GodObject::~?GodObject|validate"
     "moving_solid.cpp.o=MovingSolid::MovingSolid|bad_expected_access|expected_storage_base|Error::Error" "segment_structure.cpp.o=make_segment_structure|expected_storage_base|Structure::~|BruteForce::~"
     "h_collide.cpp.o=HCollide::(list_entries|plant|create|~?HCollide)|validate" "hash_grid.cpp.o=HashGrid::(reserve|HashGrid)" "obb_tree.cpp.o=ObbForest::(add|shrink)" "height_field.cpp.o=make_height_field"
     "worker_pool.cpp.o=WorkerPool::~?WorkerPool|jthread" "broad_phase.cpp.o=BroadPhase::BroadPhase|BoundedList" "island_solver.cpp.o=IslandSolver::IslandSolver|BoundedList|ContactProblem::~|ContactSolver::~|ImpactSolver::~|in_rounds|_Vector_base<double" "impact.cpp.o=ImpactSolver::~?ImpactSolver|ContactProblem::~|BodyMotion::~?BodyMotion" "islands.cpp.o=Groups::Groups|Islands::Islands|BoundedList" "contact_pairs.cpp.o=ContactPairs::ContactPairs|BoundedList" "contact_shape.cpp.o=make_contact_shape|make_faces|find_hull_round|find_corners_in_plane|KindOf|HullFaces|ContactShape|expected_storage_base|Error::|bad_expected_access"

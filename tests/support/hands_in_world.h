@@ -3,6 +3,7 @@
 
 #include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/dynamics/rigid_loop.h"
+#include "haptics/loop/hands_loop.h"
 #include "haptics/loop/haptic_loop.h"
 
 #include <cmath>
@@ -82,6 +83,11 @@ class HandsInWorld {
             worlds_.push_back(std::make_unique<RigidChannels>());
             channels.push_back(worlds_.back().get());
         }
+        std::vector<HandInRound> in_round;
+        for (const auto& hand : hands_) {
+            in_round.push_back({&hand->loop, &hand->channels});
+        }
+        round_ = std::make_unique<HandsLoop>(in_round);
         world_ = std::move(RigidLoop::create(scene.make_world(), &lesson, channels)).value();
     }
 
@@ -93,9 +99,7 @@ class HandsInWorld {
     void step() {
         now_s_ += 1.0e-3;
         tell_hands();
-        for (auto& hand : hands_) {
-            hand->loop.step(now_s_);
-        }
+        round_->step(now_s_);
         if (!is_stopped_ && now_s_ >= next_world_s_ - 1.0e-9) {
             next_world_s_ += world_period_s_;
             step_world();
@@ -166,6 +170,7 @@ class HandsInWorld {
     }
 
     std::vector<std::unique_ptr<Hand>> hands_;
+    std::unique_ptr<HandsLoop> round_;
     std::vector<std::unique_ptr<RigidChannels>> worlds_;
     std::unique_ptr<RigidLoop> world_;
     double world_period_s_;
