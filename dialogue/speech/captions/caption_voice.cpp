@@ -53,10 +53,9 @@ void CaptionVoice::say(std::string_view text) {
 }
 
 void CaptionVoice::next() {
-    last_ = std::move(waiting_.front());
+    caption_.said = std::move(waiting_.front());
     waiting_.pop_front();
-    caption_.text = part_emphasis(last_);
-    caption_.said = last_;
+    caption_.text = part_emphasis(caption_.said);
     caption_.duration_s = reading_time_s(caption_.text.plain);
     caption_.shown_s = 0.0;
 }
@@ -81,13 +80,6 @@ void CaptionVoice::stop() {
 
 bool CaptionVoice::speaking() const {
     return !waiting_.empty() || caption_.shown_s < caption_.duration_s;
-}
-
-void CaptionVoice::repeat() {
-    if (!last_.empty()) {
-        const std::string again = last_;
-        say(again);
-    }
 }
 
 }  // namespace fulcrum::dialogue

@@ -45,8 +45,6 @@ class CaptionVoice final : public Voice {
 
     /// The caption to draw; its text is empty before the first.
     [[nodiscard]] const Caption& caption() const { return caption_; }
-    /// Says the last caption again.
-    void repeat();
     /// How long `text` would stand, in seconds.
     [[nodiscard]] double reading_time_s(std::string_view text) const;
 
@@ -56,7 +54,6 @@ class CaptionVoice final : public Voice {
     CaptionSettings settings_;
     Caption caption_{};
     std::deque<std::string> waiting_;
-    std::string last_;
 };
 
 }  // namespace fulcrum::dialogue

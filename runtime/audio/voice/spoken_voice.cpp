@@ -14,7 +14,6 @@ void SpokenVoice::say(std::string_view text) {
     if (maker_.n_waiting() >= kMostWaiting) {
         maker_.forget();
     }
-    last_ = text;
     maker_.ask(text);
 }
 
@@ -34,12 +33,6 @@ void SpokenVoice::step(double /*dt_s*/) {
 void SpokenVoice::stop() {
     maker_.forget();
     player_.hush();
-}
-
-void SpokenVoice::repeat() {
-    const std::string again = last_;
-    stop();
-    say(again);
 }
 
 }  // namespace fulcrum::runtime

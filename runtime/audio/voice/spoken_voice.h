@@ -10,7 +10,6 @@
 #include "runtime/audio/sound_player.h"
 #include "runtime/audio/voice/speech_maker.h"
 
-#include <string>
 #include <string_view>
 
 namespace fulcrum::runtime {
@@ -29,8 +28,6 @@ class SpokenVoice final : public dialogue::Voice {
     }
     [[nodiscard]] std::string_view name() const override { return name_of(settings_.kind); }
 
-    /// Says the last text again, instead of what is being said.
-    void repeat();
     /// Why nothing is heard, once; empty otherwise.
     [[nodiscard]] std::string take_trouble() { return maker_.take_trouble(); }
 
@@ -38,7 +35,6 @@ class SpokenVoice final : public dialogue::Voice {
     VoiceSettings settings_;
     SpeechMaker maker_;
     SoundPlayer& player_;
-    std::string last_;
 };
 
 }  // namespace fulcrum::runtime

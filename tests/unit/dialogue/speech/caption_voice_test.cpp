@@ -42,9 +42,6 @@ TEST_CASE("captions: follow one another, each for its own time") {
     voice.step(100.0);
     CHECK(voice.caption().text.plain == "three");
     CHECK_FALSE(voice.speaking());
-    voice.repeat();
-    CHECK(voice.speaking());
-    CHECK(voice.caption().text.plain == "three");
 }
 
 TEST_CASE("captions: a late one doesn't wait, and stopping clears") {
@@ -60,8 +57,6 @@ TEST_CASE("captions: a late one doesn't wait, and stopping clears") {
     CHECK_FALSE(voice.speaking());
     voice.step(10.0);
     CHECK(voice.caption().text.plain.empty());
-    voice.repeat();
-    CHECK(voice.caption().text.plain == "two");
 }
 
 TEST_CASE("captions: bad settings, steps and floods do no harm") {

@@ -109,9 +109,6 @@ TEST_CASE("spoken voice: one text after the other; it falls silent within two fr
     }
     CHECK_FALSE(voice.speaking());
     CHECK(rms(listener.player->render(4 * kFrame)) < 1.0e-4);
-    // What was said last can be heard again.
-    voice.repeat();
-    CHECK(listener.begins(voice));
 }
 
 TEST_CASE("spoken voice: when too much waits the newest is said") {
