@@ -32,6 +32,9 @@
 // under -alpha d/T, held, has the roots of z^2 - (1 - u/2) z + u/2, u = alpha T / m; they are real and above 0 up to
 // u = 6 - sqrt 32 = 0.34. With u = 1/8, and 0.21 of the default coupling's damper, a bare handle does not overshoot at 1 kHz. A
 // damper whose velocity is known late (a window of 8 ms) overshoots by 0.32 without this brake, and by 0.26 with it.
+// Where no new pose has come d is zero, and yet the hand moves: the brake is then held, for two rounds, and the way that the next
+// pose tells was gone in all of the time since. Without that, a device that tells poses and takes forces in every second round
+// alone might see the rounds without a brake and no others.
 // Where a surface is touched the brake takes no more than its push: a wall never holds fast.
 // After this comes the gate. Where its slew limit holds all the time the brake comes late as well, and a wall can still buzz: at
 // 500 N/s a bare handle that comes at 0.1 m/s does so on walls without a damper above 2000 N/m.
@@ -84,7 +87,8 @@ struct PortRound {
     /// this push, and never makes a pull of it. Zero in free space.
     Vector3 normal{Vector3::Zero()};
     double push = 0.0;
-    double dt_s = 0.0;  ///< since the last round
+    double dt_s = 0.0;   ///< since the last round
+    bool is_new = true;  ///< false: the device has told nothing since, and `motion` is zero
 };
 
 /// The spring of a contact in one round; no energy where nothing is touched.
@@ -118,15 +122,18 @@ class PassivityController {
     [[nodiscard]] double largest_damping() const noexcept { return largest_damping_; }
 
   private:
-    void observe(const PortRound& round) noexcept;
-    [[nodiscard]] Vector3 compute_brake(const PortRound& round) const noexcept;
+    void observe(const PortRound& round, double since_s) noexcept;
+    [[nodiscard]] Vector3 compute_brake(const PortRound& round, double since_s) const noexcept;
+    [[nodiscard]] Vector3 hold_brake(const PortRound& round) const noexcept;
 
     double headroom_J_;
     double memory_s_;
     double largest_damping_;
     double device_damping_;
     PortEnergy energy_{};
-    double leak_J_ = 0.0;  // l of the period that has just ended
+    double hold_s_;          // how long a brake is held without a new pose
+    double waited_s_ = 0.0;  // since the last new pose, this round not counted
+    double leak_J_ = 0.0;    // l of the period that has just ended
     // Of the last round, where there was one.
     bool follows_ = false;
     Vector3 elastic_{Vector3::Zero()};  // S

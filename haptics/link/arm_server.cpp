@@ -181,8 +181,10 @@ Wrench ArmServer::brake() const noexcept {
     if (!settings_.balances_energy || !(dt_s_ > 0.0)) {
         return {};
     }
-    const double most = settings_.handle_mass_kg / (kBrakeShare * dt_s_);
-    const double most_turning = settings_.handle_inertia_kg_m2 / (kBrakeShare * dt_s_);
+    // What is written now is held for as long as the next round, not as long as a last one that made up for lateness.
+    const double hold_s = std::max(dt_s_, 1.0 / settings_.rate_Hz);
+    const double most = settings_.handle_mass_kg / (kBrakeShare * hold_s);
+    const double most_turning = settings_.handle_inertia_kg_m2 / (kBrakeShare * hold_s);
     return {motion_D_ * (-force_.compute_damping(motion_D_, dt_s_, most) / dt_s_),
             turn_D_ * (-torque_.compute_damping(turn_D_, dt_s_, most_turning) / dt_s_)};
 }
@@ -192,8 +194,13 @@ void ArmServer::drive() noexcept {
     Wrench wanted{};
     if (has_command_) {
         const Wrench braked = brake();
-        wanted = {shorten(command_.wrench_D.force, command_.max_force_N) + braked.force,
-                  shorten(command_.wrench_D.torque, command_.max_torque_Nm) + braked.torque};
+        const Wrench asked{shorten(command_.wrench_D.force, command_.max_force_N),
+                           shorten(command_.wrench_D.torque, command_.max_torque_Nm)};
+        const Wrench left = settings_.balances_energy
+                                ? Wrench{force_.hold_back(asked.force, motion_D_),
+                                         torque_.hold_back(asked.torque, turn_D_)}
+                                : asked;
+        wanted = {left.force + braked.force, left.torque + braked.torque};
     }
     const GatePhase before = gate_.phase();
     applied_D_ = gate_.pass(wanted, faults_, dt_s_);

@@ -4,7 +4,7 @@
 // Whatever the program does, the force stays within this side's own limits, slew and soft start (loop/safety.h), and fades when no
 // fresh command has come for command_timeout_s, when the arm tells nonsense, when the hand is too fast or given too much energy
 // (loop/hand_guard.h), and when somebody here presses stop. Where the link has given the hand more than the scene put in, the
-// hand is braked (energy_balance.h).
+// hand is braked and what would give it more is left out (energy_balance.h).
 //
 // Sessions. While nobody holds the arm, a command that names the number this side speaks under now makes its sender the holder:
 // the number was drawn at random, so the command cannot be older. Others get a welcome that says taken. After lost_after_s without

@@ -8,6 +8,9 @@ namespace {
 
 constexpr double kSmallestSquare = 1.0e-24;  // of a motion or a force: nothing happened
 
+constexpr double kBorne_J =
+    5.0e-4;  // a debt that the brake pays alone; with twice that nothing more is given
+
 }  // namespace
 
 void EnergyBalance::step(const Vector3& force, const Vector3& motion, double heard_J,
@@ -41,6 +44,16 @@ double EnergyBalance::compute_damping(const Vector3& motion, double dt_s,
     return balance_J_ < 0.0 && square > kSmallestSquare
                ? std::min(-balance_J_ * dt_s / square, most)
                : 0.0;
+}
+
+Vector3 EnergyBalance::hold_back(const Vector3& force, const Vector3& motion) const noexcept {
+    const double square = motion.squaredNorm();
+    const double to_hand_J = force.dot(motion);
+    if (!(balance_J_ < -kBorne_J) || !(square > kSmallestSquare) || !(to_hand_J > 0.0)) {
+        return force;
+    }
+    const double share = std::min((-balance_J_ - kBorne_J) / kBorne_J, 1.0);
+    return force - motion * (share * to_hand_J / square);
 }
 
 Vector3 EnergyBalance::shift(const Vector3& force, double furthest) noexcept {

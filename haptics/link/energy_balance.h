@@ -9,7 +9,12 @@
 //   paid                       what this side puts in while it is in debt goes there first, and is not told
 // Below zero the link has been active here by -balance. At the arm (force in, motion out) the hand is braked:
 //   A gets  - alpha d / T,   alpha = min(-balance T / |d|^2, m / 8 T)
-// at the scene (motion in, force out) the hand is moved on in the scene, along the force, so that the scene has taken less:
+// and, in a debt E = -balance above E_b, what would give it more along the way is left out
+//   A gets  - s max(A.d, 0) d / |d|^2,   s = min(E / E_b - 1, 1)
+// for the brake alone pays m v^2 / 8 a round, and a spring K that is held through a round gives K T^2 v^2 / 2: more, where
+// K > m / 4 T^2, as on an arm whose rounds are late by some milliseconds. So the hand is given no more than what the other side has
+// put in, the headroom, 2 E_b, what one round gives and what the gate's slew leaves.
+// At the scene (motion in, force out) the hand is moved on in the scene, along the force, so that the scene has taken less:
 //   x gets  + s,   s = A min(-balance / |A|^2, furthest / |A|),   and balance gets  + A.s
 // What earned balance is a short-lived credit (headroom, memory), as in coupling/passivity.h: minutes of stirring in honey
 // license no buzz. A hand that was moved aside comes back for nothing in free space, and in contact for what is left of the
@@ -65,6 +70,8 @@ class EnergyBalance {
     /// The damping that takes the excess back in a round like the last: alpha above, at most `most`.
     [[nodiscard]] double compute_damping(const Vector3& motion, double dt_s,
                                          double most) const noexcept;
+    /// What is left of `force` while the link is in debt here, where it would give more along `motion`: A above.
+    [[nodiscard]] Vector3 hold_back(const Vector3& force, const Vector3& motion) const noexcept;
     /// Moves the scene's hand along `force` so far that the scene has taken less by the excess, at most `furthest`: how far.
     /// What that takes back is settled.
     [[nodiscard]] Vector3 shift(const Vector3& force, double furthest) noexcept;

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace fulcrum {
 namespace {
 
 constexpr double kBefore_s = 10.0;  // link time when the run begins: the link is made before
-constexpr double kHalfRound_s = 0.0005;
+constexpr double kRound_s = 0.001;
+constexpr double kHalfRound_s = 0.5 * kRound_s;
 constexpr double kFelt_N = 0.05;
 constexpr double kGone_N = 1.0e-9;
 
@@ -20,14 +22,13 @@ SimulatedArmSettings spoiled_settings() {
     return settings;
 }
 
-// FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo 1991), over the bits of numbers.
-std::uint64_t mix(std::uint64_t hash, double value) noexcept {
+constexpr std::uint64_t kFirstHash = 0xCBF29CE484222325U;
+
+// As FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo 1991), with words of eight bytes; the high bits come down, for a product moves them up alone.
+std::uint64_t mix(std::uint64_t hash, std::uint64_t word) noexcept {
     constexpr std::uint64_t kPrime = 0x100000001B3U;
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    for (unsigned shift = 0; shift < 64; shift += 8) {
-        hash = (hash ^ ((bits >> shift) & 0xFFU)) * kPrime;
-    }
-    return hash;
+    const std::uint64_t product = (hash ^ word) * kPrime;
+    return product ^ (product >> 32);
 }
 
 }  // namespace
@@ -55,9 +56,13 @@ bool SpoiledArm::Arm::write(double now_s, const Wrench& wrench_D) noexcept {
 
 SealTag SpoiledArm::OpenSeal::make(std::span<const std::byte> message) const noexcept {
     // The checksum tells nearly all damage; this only has to differ with every byte.
-    std::uint64_t hash = 0xCBF29CE484222325U;
-    for (const std::byte byte : message) {
-        hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001B3U;
+    std::uint64_t hash = kFirstHash;
+    while (!message.empty()) {
+        const std::size_t n = std::min(message.size(), sizeof hash);
+        std::uint64_t word = 0;
+        std::memcpy(&word, message.data(), n);
+        hash = mix(hash, word);
+        message = message.subspan(n);
     }
     SealTag tag{};
     for (std::size_t i = 0; i < sizeof hash; ++i) {
@@ -79,8 +84,8 @@ SpoiledArm::SpoiledArm(std::uint64_t seed, LatestValue<HandTarget>& target)
       server_({}, arm_, channel_.end(1), seal_, numbers_),
       device_({.max_force_N = kHardForceCap_N, .max_torque_Nm = kHardTorqueCap_Nm}, line_, seal_,
               numbers_) {
-    counts_.hash = 0xCBF29CE484222325U;
-    for (double now_s = 0.0; now_s < 1.0 && !device_.greet(now_s); now_s += 2.0 * kHalfRound_s) {
+    counts_.hash = kFirstHash;
+    for (double now_s = 0.0; now_s < 1.0 && !device_.greet(now_s); now_s += kRound_s) {
         server_.step(now_s + kHalfRound_s);
     }
     until_s_ = draw(1.0, kLongestGap_s);
@@ -102,8 +107,7 @@ double SpoiledArm::draw(double low, double high) noexcept {
 
 bool SpoiledArm::read(double now_s, DeviceReading& reading) noexcept {
     choose(now_s);
-    server_.step(kBefore_s + now_s - kHalfRound_s);
-    watch(now_s);
+    serve(now_s);
     const bool read = device_.read(kBefore_s + now_s, reading);
     reading.stamp_s -= kBefore_s;
     return read;
@@ -111,6 +115,44 @@ bool SpoiledArm::read(double now_s, DeviceReading& reading) noexcept {
 
 bool SpoiledArm::write(double now_s, const Wrench& wrench_D) noexcept {
     return device_.write(kBefore_s + now_s, wrench_D);
+}
+
+// A program whose clock has jumped stood still, and the arm did not: its rounds of that time come first. What has had the time to go must
+// be gone.
+void SpoiledArm::serve(double now_s) noexcept {
+    const double since_s = served_s_;
+    while (now_s - served_s_ > 1.5 * kRound_s) {
+        served_s_ += kRound_s;
+        server_.step(kBefore_s + asleep_s_ + served_s_ - kHalfRound_s);
+        watch(served_s_);
+        if (served_s_ - since_s >= kMostFade_s && counts_.force_N > kGone_N) {
+            ++counts_.missed_fades;
+            blame(served_s_);
+        }
+    }
+    served_s_ = now_s;
+    server_.step(kBefore_s + asleep_s_ + now_s - kHalfRound_s);
+    watch(now_s);
+}
+
+void SpoiledArm::sleep(double seconds) noexcept {
+    const double since_s = asleep_s_;
+    while (asleep_s_ - since_s < seconds) {
+        asleep_s_ += kRound_s;
+        server_.step(kBefore_s + asleep_s_ + served_s_ - kHalfRound_s);
+        watch(served_s_);
+        if (asleep_s_ - since_s >= kMostFade_s && counts_.force_N > kGone_N) {
+            ++counts_.missed_fades;
+            blame(served_s_);
+        }
+    }
+}
+
+void SpoiledArm::blame(double now_s) noexcept {
+    if (counts_.bad_since_s < 0.0) {
+        counts_.bad_since_s = now_s;
+        counts_.bad_in = spoil_;
+    }
 }
 
 void SpoiledArm::choose(double now_s) noexcept {
@@ -163,6 +205,9 @@ void SpoiledArm::begin(Spoil spoil, double now_s) noexcept {
         case Spoil::arm_stop:
             server_.stop();
             break;
+        case Spoil::sleep:
+            sleep(draw(0.02, kLongestGap_s));
+            break;
         default:
             break;
     }
@@ -188,12 +233,19 @@ void SpoiledArm::watch(double now_s) noexcept {
     constexpr double kMostStep_N = 2.0e-3 * 500.0;
     const bool breaks =
         !(size_N <= kHardForceCap_N) || !((force_D - force_D_).norm() <= kMostStep_N + 1e-9);
-    counts_.broken_limits += breaks ? 1 : 0;
+    if (breaks) {
+        ++counts_.broken_limits;
+        blame(now_s);
+    }
+    counts_.force_N = size_N;
     counts_.peak_N = std::max(counts_.peak_N, size_N);
     ++counts_.rounds;
     counts_.felt_rounds += size_N > kFelt_N ? 1 : 0;
     if (must_fade(spoil_) && now_s - from_s_ >= kMostFade_s) {
-        counts_.missed_fades += size_N > kGone_N ? 1 : 0;
+        if (size_N > kGone_N) {
+            ++counts_.missed_fades;
+            blame(now_s);
+        }
         if (felt_before_ && !saw_gone_ && size_N <= kGone_N) {
             saw_gone_ = true;
             ++counts_.fades;
@@ -202,7 +254,7 @@ void SpoiledArm::watch(double now_s) noexcept {
     force_D_ = force_D;
     for (const double value :
          {now_s, x_D.x(), x_D.y(), x_D.z(), force_D.x(), force_D.y(), force_D.z()}) {
-        counts_.hash = mix(counts_.hash, value);
+        counts_.hash = mix(counts_.hash, std::bit_cast<std::uint64_t>(value));
     }
 }
 

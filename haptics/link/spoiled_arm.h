@@ -2,7 +2,8 @@
 // for finding what nobody thought of, and for having it again.
 //
 //   haptic loop -> LinkDevice -> FaultyDatagrams -> ArmServer -> simulated arm and hand
-// Every few seconds one thing breaks for a while: the line, a sensor, the motor, or somebody presses stop at the arm. Meanwhile it is
+// Every few seconds one thing breaks for a while: the line, a sensor, the motor, somebody presses stop at the arm, or the program's computer
+// sleeps, so that the arm goes on and the program's clock does not. Where the program's clock jumps, the arm has gone on too. Meanwhile it is
 // watched that no force passes the limit nor jumps, and that where the force must fade it is gone in kMostFade_s. The same seed and the
 // same calls give the same bits: `hash` is over every pose and force.
 //
@@ -38,14 +39,15 @@ enum class Spoil : std::uint8_t {
     jump,
     stuck_sensor,
     motor,
-    arm_stop
+    arm_stop,
+    sleep
 };
-inline constexpr std::size_t kSpoils = static_cast<std::size_t>(Spoil::arm_stop) + 1;
+inline constexpr std::size_t kSpoils = static_cast<std::size_t>(Spoil::sleep) + 1;
 [[nodiscard]] constexpr const char* name_of(Spoil spoil) noexcept {
     constexpr const char* kNames[] = {
-        "nothing",         "packets lost",  "a long way",     "packets late", "packets doubled",
-        "packets damaged", "cable pulled",  "no pose",        "no number",    "a jump",
-        "a stuck sensor",  "motor refuses", "stop at the arm"};
+        "nothing",         "packets lost",  "a long way",      "packets late",   "packets doubled",
+        "packets damaged", "cable pulled",  "no pose",         "no number",      "a jump",
+        "a stuck sensor",  "motor refuses", "stop at the arm", "computer asleep"};
     static_assert(std::size(kNames) == kSpoils);
     return kNames[static_cast<std::size_t>(spoil)];
 }
@@ -65,6 +67,9 @@ struct SpoiledCounts {
     std::uint64_t broken_limits =
         0;  ///< rounds with more force than allowed, or a change faster than the slew
     double peak_N = 0.0;
+    double force_N = 0.0;       ///< on the hand now
+    double bad_since_s = -1.0;  ///< when a limit was first broken or a fade missed; negative: never
+    Spoil bad_in = Spoil::nothing;  ///< what was broken then
     std::uint64_t hash = 0;
 };
 
@@ -118,7 +123,10 @@ class SpoiledArm final : public Device {
     void choose(double now_s) noexcept;
     void begin(Spoil spoil, double now_s) noexcept;
     void end() noexcept;
+    void sleep(double seconds) noexcept;
+    void serve(double now_s) noexcept;
     void watch(double now_s) noexcept;
+    void blame(double now_s) noexcept;
     [[nodiscard]] double draw(double low, double high) noexcept;
 
     SplitMix chance_;
@@ -133,6 +141,8 @@ class SpoiledArm final : public Device {
     Spoil spoil_ = Spoil::nothing;
     double from_s_ = 0.0;
     double until_s_ = 0.0;
+    double asleep_s_ = 0.0;     // in all: the arm's clock is so much ahead
+    double served_s_ = 0.0;     // the arm's last round, on the program's clock
     bool felt_before_ = false;  // a force was there when it broke
     bool saw_gone_ = false;
     Vector3 force_D_{Vector3::Zero()};

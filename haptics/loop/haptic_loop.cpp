@@ -123,6 +123,7 @@ void HapticLoop::take_inputs() noexcept {
 }
 
 void HapticLoop::read_device() noexcept {
+    has_new_pose_ = false;
     DeviceReading reading{};
     if (!device_.read(now_s_, reading)) {
         state_.faults |= Fault::device_read;
@@ -151,6 +152,7 @@ bool HapticLoop::accept(const DeviceReading& reading) noexcept {
         plan_.safety.max_hand_speed_m_per_s * std::max(since_s, 1.0 / plan_.rate_hz);
     const double way_m = (reading.pose_D.position - reading_.pose_D.position).norm();
     const bool follows = has_pose_ && since_s >= 0.0 && way_m <= reach_m;
+    has_new_pose_ = !follows || since_s > 0.0;
     reading_ = reading;
     reading_.pose_D.orientation.normalize();
     state_.tool_pose_W = compute_world_pose(plan_.workspace, reading_.pose_D);
@@ -306,7 +308,7 @@ void HapticLoop::keep_passive() noexcept {
     if (!has_pose_) {
         return;
     }
-    const Wrench brake_W = passivity_->step(demand_, state_.tool_pose_W, dt_s_);
+    const Wrench brake_W = passivity_->step(demand_, state_.tool_pose_W, dt_s_, has_new_pose_);
     state_.commanded_W.force += brake_W.force;
     state_.commanded_W.torque += brake_W.torque;
     state_.force_energy = passivity_->force_energy();

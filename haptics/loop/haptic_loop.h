@@ -156,7 +156,8 @@ class HapticLoop final : public PeriodicTask {
     DeviceReading reading_{};
     DeviceReading told_{};
     bool has_pose_ = false;
-    Pose watched_D_{};  // the hand's, when it was watched last
+    bool has_new_pose_ = false;  // in this round
+    Pose watched_D_{};           // the hand's, when it was watched last
     // Proxy, tool.
     std::span<const Pose> solid_poses_W_{};  // in this round
     ToolForce tool_force_{};

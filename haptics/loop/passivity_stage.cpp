@@ -14,7 +14,8 @@ PassivityStage::PassivityStage(const HapticPlan& plan, const DeviceTraits& trait
     }
 }
 
-Wrench PassivityStage::step(const SceneDemand& demand, const Pose& tool_W, double dt_s) noexcept {
+Wrench PassivityStage::step(const SceneDemand& demand, const Pose& tool_W, double dt_s,
+                            bool is_new) noexcept {
     const Pose before_W = has_pose_ ? last_W_ : tool_W;
     last_W_ = tool_W;
     has_pose_ = true;
@@ -24,6 +25,7 @@ Wrench PassivityStage::step(const SceneDemand& demand, const Pose& tool_W, doubl
     push.asked = demand.wrench_W.force;
     push.elastic = demand.force;
     push.dt_s = dt_s;
+    push.is_new = is_new;
     ContactSpring contact = demand.contact;
     contact.energy_J /= scale_;
     push.kink_J = compute_kink_J(contact_, contact, push.motion);
@@ -38,6 +40,7 @@ Wrench PassivityStage::step(const SceneDemand& demand, const Pose& tool_W, doubl
         turn.asked = demand.wrench_W.torque;
         turn.elastic = demand.torque;
         turn.dt_s = dt_s;
+        turn.is_new = is_new;
         brake_W.torque = torque_->step(turn);
     }
     return brake_W;

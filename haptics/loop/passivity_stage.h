@@ -5,7 +5,7 @@
 // the one must not license the other to buzz. Two passive ports are passive together.
 //   d_n = (p_n - p_(n-1)) / scale,  world axes        forces are unscaled, so that d is what the hand really moved
 //   theta_n = log(q_n q_(n-1)^-1)                     exact work of a held torque while the axis stays; else second order
-// A round without a new pose moves nothing; the next pose is charged at the force sent last.
+// A round without a new pose moves nothing and holds the brake; the next pose is charged at the force sent last.
 //
 // Thread: haptic loop. Cost: about 30 ns, and as much again for the torque, which is there when the plan has torques.
 #pragma once
@@ -33,7 +33,9 @@ class PassivityStage {
     PassivityStage(const HapticPlan& plan, const DeviceTraits& traits) noexcept;
 
     /// Counts the period that has just ended with the tool now at `tool_W`, and returns the brake to add to `demand`.
-    [[nodiscard]] Wrench step(const SceneDemand& demand, const Pose& tool_W, double dt_s) noexcept;
+    /// `is_new` is false where the device has told no pose since the last round.
+    [[nodiscard]] Wrench step(const SceneDemand& demand, const Pose& tool_W, double dt_s,
+                              bool is_new = true) noexcept;
     /// What was sent to the device, in world axes.
     void sent(const Wrench& applied_W) noexcept;
     /// Begins anew: the hand has jumped.

@@ -188,7 +188,7 @@ int stop_command() {
         return complain(stopped.error(), 1);
     }
     std::printf(*stopped == 0
-                    ? "Nothing is running that moves a hand.\n"
+                    ? "Nothing of yours is running that moves a hand.\n"
                     : "Stopped: %zu. Enter in its window, or at the arm, lets it go on.\n",
                 *stopped);
     return 0;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <thread>
 
@@ -23,21 +24,29 @@ class VirtualClock {
         : run_(run),
           stages_(settings.clock),
           desk_(settings.desk),
+          spoiler_(settings.spoiler),
           rate_hz_(run.plan().haptic.rate_hz),
           world_every_(
               run.world_loop() != nullptr ? std::lround(rate_hz_ / run.plan().world_rate_hz()) : 0),
           kite_every_(run.plan().kite ? std::lround(rate_hz_ / run.plan().kite->rate_hz) : 0),
           frame_rate_hz_(run.plan().lesson_rate_hz) {}
 
-    [[nodiscard]] double now_s() const { return static_cast<double>(tick_) / rate_hz_; }
+    [[nodiscard]] double now_s() const { return static_cast<double>(tick_) / rate_hz_ + jumped_s_; }
     [[nodiscard]] bool frame_is_due() const {
-        return now_s() * frame_rate_hz_ >= static_cast<double>(frame_) - 1e-9;
+        return now_s() * frame_rate_hz_ >= static_cast<double>(frame_) - 1e-9 &&
+               (spoiler_ == nullptr || spoiler_->lesson_runs(now_s()));
     }
-    void count_frame() { ++frame_; }
+    // Frames that were not played in their time are left out.
+    void count_frame() {
+        frame_ = std::max(frame_ + 1, static_cast<long>(now_s() * frame_rate_hz_));
+    }
 
     void tick() {
-        const bool world_is_due = run_.world_loop() != nullptr && tick_ % world_every_ == 0;
-        const bool kite_is_due = run_.kite_loop() != nullptr && tick_ % kite_every_ == 0;
+        const bool world_runs = spoil();
+        const bool world_is_due =
+            world_runs && run_.world_loop() != nullptr && tick_ % world_every_ == 0;
+        const bool kite_is_due =
+            world_runs && run_.kite_loop() != nullptr && tick_ % kite_every_ == 0;
         if (stages_ != nullptr) {
             observe_tick(world_is_due, kite_is_due);
         } else {
@@ -76,6 +85,18 @@ class VirtualClock {
     }
 
   private:
+    // What breaks in this tick; whether the world has its round.
+    bool spoil() {
+        if (spoiler_ == nullptr) {
+            return true;
+        }
+        const SpoiledCounts* const arm = run_.spoiled_counts();
+        jumped_s_ += spoiler_->step(now_s(), arm != nullptr ? arm->force_N : 0.0);
+        if (spoiler_->kills_lesson(now_s()) && run_.process().pid() > 0) {
+            (void)::kill(run_.process().pid(), SIGKILL);
+        }
+        return spoiler_->world_runs(now_s());
+    }
     void observe_tick(bool world_is_due, bool kite_is_due) {
         stages_->begin();
         run_.haptic_loop().step_observed(now_s(), *stages_);
@@ -95,6 +116,8 @@ class VirtualClock {
     LessonRun& run_;
     StageClock* stages_;
     SimulatedDesk* desk_;
+    RunSpoiler* spoiler_;
+    double jumped_s_ = 0.0;
     double rate_hz_;
     long world_every_;
     long kite_every_;
@@ -231,6 +254,9 @@ Expected<HeadlessOutcome> run_in_real_time(LessonRun& run, const HeadlessSetting
         FrameInput input;
         input.time_s = now_s;
         const auto report = run.exchange_frame(input);
+        if (const std::string notice = run.take_device_notice(); !notice.empty()) {
+            std::fprintf(stderr, "%s\n", notice.c_str());
+        }
         if (!report) {
             run.fail_softly(to_sentence(report.error()));
             fade();
@@ -244,6 +270,7 @@ Expected<HeadlessOutcome> run_in_real_time(LessonRun& run, const HeadlessSetting
     outcome.interrupted = interrupted();
     outcome.never_ended = !outcome.finished && !settings.end_s && now_s >= longest_s;
     outcome.simulated_s = now_s;
+    outcome.pace = loops.describe_pace();
     outcome.wall_s = monotonic_now_s() - began_s;
     return outcome;
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "runtime/app/lesson_run.h"
+#include "runtime/app/run_spoiler.h"
 #include "runtime/app/simulated_desk.h"
 #include "runtime/app/stage_clock.h"
 
@@ -24,6 +25,8 @@ struct HeadlessSettings {
     std::function<void(double)> after_frame;
     /// Who plays at a desk; null where the simulated hand is an arm.
     SimulatedDesk* desk = nullptr;
+    /// What breaks around the run; null for a plain one, which is the same to the byte.
+    RunSpoiler* spoiler = nullptr;
     /// Times every stage; null for a plain run, which is the same to the byte.
     StageClock* clock = nullptr;
     bool shows_prints = true;  ///< what the lesson prints goes to standard output
@@ -37,6 +40,7 @@ struct HeadlessOutcome {
     bool interrupted = false;      ///< somebody broke it off
     double simulated_s = 0.0;
     double wall_s = 0.0;
+    std::string pace;  ///< in real time: how well the haptic loop kept it, a sentence
 };
 
 /// Why the run did not come to the lesson's end, one sentence; empty when it did or was told when to stop. `takes_say`: the command

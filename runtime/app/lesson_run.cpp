@@ -16,6 +16,8 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr const char* kGuest = "guest";
+constexpr std::size_t kMostWaiting =
+    8192;                               // commands: some ten seconds of nine bodies that all move
 constexpr std::size_t kMostPrints = 8;  // lines a frame: a terminal must not hold the lesson up
 
 // With the user's cache of shapes and a line that says how far it has come; nothing of either where the lesson needs none.
@@ -306,15 +308,23 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
                        std::move(output->said), std::move(output->spoken)};
 }
 
-// A command that got lost would leave the lesson waiting for ever for what it asked.
+// A command that got lost would leave the lesson waiting for ever for what it asked: while the world is busy they wait here, in order.
 Expected<void> LessonRun::command_world(const std::vector<WorldCommand>& commands) {
-    for (const WorldCommand& command : commands) {
-        if (world_channels_ && !world_channels_->commands.push(command)) {
-            return fail("the lesson moves more bodies at once than the world can take in", {},
-                        "drop, place and hide fewer bodies in one frame");
-        }
+    if (!world_channels_) {
+        return {};
     }
-    return {};
+    for (const WorldCommand& command : commands) {
+        waiting_.push_back(command);
+    }
+    while (!waiting_.empty() && world_channels_->commands.push(waiting_.front())) {
+        waiting_.pop_front();
+    }
+    return waiting_.size() <= kMostWaiting
+               ? Expected<void>{}
+               : Expected<void>(
+                     fail("the lesson moves more bodies than the world can take in, or the "
+                          "world stands still",
+                          {}, "move fewer bodies in one frame, or close other programs"));
 }
 
 void LessonRun::point_at(const Vector3& position_W, std::uint32_t buttons) {

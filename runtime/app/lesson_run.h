@@ -25,6 +25,7 @@
 #include "runtime/progress/store.h"
 #include "runtime/scene/view.h"
 
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -168,6 +169,7 @@ class LessonRun {
     std::optional<SimulatedPupil> pupil_;
     bool at_desk_ = false;  // who plays types and chooses the pupil's answers
     std::optional<HandWish> wish_;
+    std::deque<WorldCommand> waiting_;  // what the world had no room for yet
     SourceLine say_line_ = 0;
     double last_frame_s_ = 0.0;
 };

@@ -356,17 +356,10 @@ void LessonScreen::save_wanted_screenshot(bool last_frame) {
 }
 
 std::string LessonScreen::statistics(double since_s) const {
-    const RealtimeStatus status = loops_.haptic_status();
-    std::array<char, 512> text{};
-    std::snprintf(text.data(), text.size(),
-                  "Haptic loop: %llu rounds, late by %.0f us (median) and %.0f us (99 %%), "
-                  "%llu missed; %s. The first round came %.2f s after the start.",
-                  static_cast<unsigned long long>(status.rounds),
-                  1e6 * loops_.lateness().compute_quantile_s(0.5),
-                  1e6 * loops_.lateness().compute_quantile_s(0.99),
-                  static_cast<unsigned long long>(status.misses), status.sentence.c_str(),
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), " The first round came %.2f s after the start.",
                   first_epoch_s_.value_or(since_s) - since_s);
-    return text.data();
+    return loops_.describe_pace() + text.data();
 }
 
 }  // namespace fulcrum::runtime

@@ -1,5 +1,8 @@
 #include "runtime/app/live_loops.h"
 
+#include <array>
+#include <cstdio>
+
 namespace fulcrum::runtime {
 
 Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
@@ -24,6 +27,20 @@ Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
         return kite_.start(*run.kite_loop(), settings);
     }
     return {};
+}
+
+std::string LiveLoops::describe_pace() const {
+    const RealtimeStatus status = haptic_.status();
+    std::array<char, 400> text{};
+    std::snprintf(text.data(), text.size(),
+                  "Haptic loop: %llu rounds, late by %.0f us (median), %.0f us (99 %%) and %.0f us "
+                  "(most), %llu missed; %s.",
+                  static_cast<unsigned long long>(status.rounds),
+                  1e6 * haptic_.lateness().compute_quantile_s(0.5),
+                  1e6 * haptic_.lateness().compute_quantile_s(0.99),
+                  1e6 * haptic_.lateness().max_s(), static_cast<unsigned long long>(status.misses),
+                  status.sentence.c_str());
+    return text.data();
 }
 
 void LiveLoops::stop() noexcept {

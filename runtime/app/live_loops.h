@@ -21,6 +21,8 @@ class LiveLoops {
     /// Ends all threads; the device is left without force.
     void stop() noexcept;
 
+    /// How well the haptic loop kept its time, a sentence.
+    [[nodiscard]] std::string describe_pace() const;
     [[nodiscard]] RealtimeStatus haptic_status() const { return haptic_.status(); }
     [[nodiscard]] const LatencyHistogram& lateness() const { return haptic_.lateness(); }
     [[nodiscard]] const LatencyHistogram& duration() const { return haptic_.duration(); }

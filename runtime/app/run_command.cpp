@@ -97,6 +97,9 @@ int run_without_window(const Installation& installation, const Options& options,
     if (!recorded) {
         return complain(recorded.error(), 2);
     }
+    if (!outcome->pace.empty()) {
+        std::fprintf(stderr, "%s\n", outcome->pace.c_str());
+    }
     screenshot.at_end();
     (*run)->session().end(EndReason::left);
     if (!(*run)->session().store_trouble().empty()) {

@@ -12,12 +12,7 @@
 namespace fulcrum::runtime {
 namespace {
 
-Expected<void> choose_hid(const std::string& word, bool in_window, RunRequest& request) {
-    if (!in_window) {
-        return fail(
-            "no hand can keep up with a lesson that runs without a window, faster than real time",
-            {}, "leave --headless out, or give --hand a hand's file");
-    }
+Expected<void> choose_hid(const std::string& word, RunRequest& request) {
     request.hand = HandKind::hid;
     return choose_hid_hand(word).map([&](HidChoice&& choice) { request.hid = std::move(choice); });
 }
@@ -48,7 +43,7 @@ Expected<void> choose_hand(const Options& options, bool in_window, RunRequest& r
                         "give --hand replay: a file that --record wrote");
         }
     } else if (asks_for_hid(options.hand)) {
-        return choose_hid(options.hand, in_window, request);
+        return choose_hid(options.hand, request);
     } else if (options.hand.starts_with(kLink)) {
         request.hand = HandKind::link;
         request.hand_address = options.hand.substr(kLink.size());

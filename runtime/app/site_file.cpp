@@ -93,8 +93,13 @@ Expected<SiteFile> load_site_file(const std::filesystem::path& file) {
     if (status.type() == std::filesystem::file_type::not_found) {
         return SiteFile{};
     }
-    std::ifstream stream(file, std::ios::binary);
-    if (error || status.type() != std::filesystem::file_type::regular || !stream) {
+    // A pipe is not opened: nobody may ever write to it.
+    const bool is_plain = !error && status.type() == std::filesystem::file_type::regular;
+    std::ifstream stream;
+    if (is_plain) {
+        stream.open(file, std::ios::binary);
+    }
+    if (!is_plain || !stream) {
         return fail("the limits of this place cannot be read", file.string(),
                     "let everybody read this file, or ask who keeps this computer");
     }

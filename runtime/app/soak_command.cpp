@@ -1,19 +1,26 @@
-// fulcrum soak: every lesson with an arm on which things break by chance, under a virtual clock: no force too large, no fade missed, no
-// memory that grows, and the same seed gives the same run.
+// fulcrum soak: every lesson with an arm on which things break by chance, and world, lesson, clock and disk as well, under a virtual clock: no
+// force too large, no fade missed, no memory that grows, and the same seed gives the same run. A run that failed is told with the command
+// that repeats it.
 #include "haptics/base/clock.h"
 #include "haptics/link/spoiled_arm.h"
+#include "haptics/record/record.h"
 #include "runtime/app/commands.h"
 #include "runtime/app/headless.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/run_request.h"
+#include "runtime/app/run_spoiler.h"
 #include "runtime/progress/store.h"
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <string>
+#include <sys/resource.h>
 #include <unistd.h>
 #include <vector>
 
@@ -22,6 +29,7 @@ namespace {
 
 constexpr double kSoakErrors = 0.3;  // of a learner's answers
 constexpr double kLiftAfter_s = 3.0;
+constexpr rlim_t kDiskHolds = 1'000'000;  // bytes of a record: full after some four seconds
 constexpr double kMostGrowth_MB =
     64.0;  // allocators keep what was freed; a leak in each round passes this
 
@@ -51,23 +59,103 @@ class StopLifter {
     double since_s_ = -1.0;
 };
 
+// A disk that is full after some seconds: a file of the system's own, and a limit on how long this program may make one. Nothing else is
+// written meanwhile.
+class FullDisk {
+  public:
+    [[nodiscard]] bool open() {
+        name_ = std::filesystem::temp_directory_path() / "fulcrum-soak-XXXXXX";
+        const int descriptor = ::mkstemp(name_.data());
+        if (descriptor < 0) {
+            name_.clear();
+            return false;
+        }
+        ::close(descriptor);
+        return true;
+    }
+    [[nodiscard]] const std::string& file() const { return name_; }
+    // From here on, until the disk is gone.
+    void fill() {
+        (void)std::signal(SIGXFSZ,
+                          SIG_IGN);  // a write that is too long is an error, EFBIG, and no signal
+        if (!name_.empty() && ::getrlimit(RLIMIT_FSIZE, &before_) == 0) {
+            const rlimit full{std::min(kDiskHolds, before_.rlim_max), before_.rlim_max};
+            is_full_ = ::setrlimit(RLIMIT_FSIZE, &full) == 0;
+        }
+    }
+    FullDisk() = default;
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+    ~FullDisk() {
+        if (is_full_) {
+            (void)::setrlimit(RLIMIT_FSIZE, &before_);
+        }
+        if (!name_.empty()) {
+            ::unlink(name_.c_str());
+        }
+    }
+
+  private:
+    std::string name_;
+    rlimit before_{};
+    bool is_full_ = false;
+};
+
 struct SoakSum {
     std::array<std::uint64_t, kSpoils> happened{};
+    std::array<std::uint64_t, kRunSpoils> around{};
     std::uint64_t fades = 0;
     double simulated_s = 0.0;
     double wall_s = 0.0;
     bool failed = false;
 };
 
-// One lesson once; tells how it went in a line.
-int soak_once(const Installation& installation, const std::string& lesson, std::uint64_t seed,
-              double seconds, const SiteLimits& site, SoakSum& sum) {
-    const auto folder = find_lesson(installation.places, lesson);
-    if (!folder) {
-        return complain(folder.error(), 2);
+// What one run of a lesson showed.
+struct SoakRun {
+    SpoiledCounts arm{};
+    double simulated_s = 0.0;
+    double wall_s = 0.0;
+    std::string trouble;  ///< what went wrong, a few words; empty where all was as it must be
+    double since_s = -1.0;
+};
+
+constexpr double kGone_N = 1.0e-9;
+
+// Of a lesson that was killed the run must end, and the force with it; of another it may not. A full disk is told, and nothing else.
+std::string find_trouble(const RunSpoiler& spoiler, const SpoiledCounts& arm,
+                         const Expected<HeadlessOutcome>& outcome, const Expected<void>& recorded) {
+    if (!outcome && !spoiler.has_killed()) {
+        return to_sentence(outcome.error());
     }
+    if (outcome && spoiler.has_killed()) {
+        return "the lesson's process was killed and nobody noticed";
+    }
+    if (arm.force_N > kGone_N && !outcome) {
+        return "a force is left after a lesson that was killed";
+    }
+    const bool was_filled = arm.rounds * kRecordSampleBytes > kDiskHolds;
+    if (recorded && spoiler.fills_disk() && was_filled) {
+        return "the record's disk was full and nobody said so";
+    }
+    if (!recorded && !spoiler.fills_disk()) {
+        return to_sentence(recorded.error());
+    }
+    if (arm.broken_limits > 0) {
+        return std::string("a force above its limit or a change above the slew, during: ") +
+               name_of(arm.bad_in);
+    }
+    if (arm.missed_fades > 0) {
+        return std::string("a force that had to be gone, during: ") + name_of(arm.bad_in);
+    }
+    return spoiler.missed_fades() > 0
+               ? std::string("a force that had to be gone, during: ") + name_of(spoiler.bad_in())
+               : std::string();
+}
+
+RunRequest make_soak_request(const std::filesystem::path& folder, const std::string& lesson,
+                             std::uint64_t seed, const SiteLimits& site) {
     RunRequest request;
-    request.folder = *folder;
+    request.folder = folder;
     request.plan.site = site;
     request.plan.picture = false;
     request.plan.sound = false;
@@ -76,43 +164,78 @@ int soak_once(const Installation& installation, const std::string& lesson, std::
     // Other things break in each lesson.
     request.spoil_seed = seed ^ std::hash<std::string>{}(lesson);
     request.learner_rates = rates_of(kSoakErrors);
+    return request;
+}
+
+Expected<SoakRun> soak_once(const Installation& installation, const std::string& lesson,
+                            std::uint64_t seed, double seconds, const SiteLimits& site,
+                            SoakSum& sum) {
+    const auto folder = find_lesson(installation.places, lesson);
+    if (!folder) {
+        return tl::unexpected(folder.error());
+    }
+    RunRequest request = make_soak_request(*folder, lesson, seed, site);
+    RunSpoiler spoiler(~*request.spoil_seed, seconds);
+    FullDisk disk;
+    if (spoiler.fills_disk()) {
+        if (!disk.open()) {
+            return fail("no file can be made in the folder for temporary ones", {},
+                        "make room there");
+        }
+        request.plan.record = true;
+        request.record_file = disk.file();
+    }
     const auto store = make_null_store();
     auto run = LessonRun::create(installation.places, request, *store, installation.catalogue);
     if (!run) {
-        return complain(run.error(), 1);
+        return tl::unexpected(run.error());
     }
+    spoiler.begin((*run)->plan().haptic.expects_world);
     StopLifter lifter(**run);
     HeadlessSettings settings;
     settings.end_s = seconds;
     settings.afterglow_s = seconds;
     settings.nobody_answers_s = 2.0 * seconds;
     settings.shows_prints = false;
+    settings.spoiler = &spoiler;
     settings.after_frame = [&](double now_s) { lifter.step(now_s); };
+    if (spoiler.fills_disk()) {
+        disk.fill();
+    }
+    const double began_s = monotonic_now_s();
     const auto outcome = run_headless(**run, settings);
-    if (!outcome) {
-        std::fprintf(stderr, "seed %llu: ", static_cast<unsigned long long>(seed));
-        return complain(outcome.error(), 1);
-    }
-    const SpoiledCounts& counts = *(*run)->spoiled_counts();
+    const auto recorded = (*run)->finish_record();
+    SoakRun result{*(*run)->spoiled_counts(), 0.0, monotonic_now_s() - began_s, {}, -1.0};
+    result.simulated_s = 0.001 * static_cast<double>(result.arm.rounds);
+    result.trouble = find_trouble(spoiler, result.arm, outcome, recorded);
+    result.since_s = result.arm.bad_since_s >= 0.0 ? result.arm.bad_since_s : spoiler.bad_since_s();
     for (std::size_t i = 0; i < kSpoils; ++i) {
-        sum.happened[i] += counts.happened[i];
+        sum.happened[i] += result.arm.happened[i];
     }
-    sum.fades += counts.fades;
-    sum.simulated_s += outcome->simulated_s;
-    sum.wall_s += outcome->wall_s;
-    const bool is_bad = counts.missed_fades > 0 || counts.broken_limits > 0;
-    sum.failed |= is_bad;
+    for (std::size_t i = 0; i < kRunSpoils; ++i) {
+        sum.around[i] += spoiler.happened()[i];
+    }
+    return result;
+}
+
+// A line on how it went, and where it went wrong what somebody needs to see it go wrong again.
+void tell(const std::string& lesson, std::uint64_t seed, double seconds, const SoakRun& run) {
     std::printf(
-        "%-13s seed %-6llu %6.0f s, %4.0f times real time, %4.1f N at most, %llu fades seen, %llu "
-        "missed, %llu over a limit, %016llx%s\n",
-        lesson.c_str(), static_cast<unsigned long long>(seed), outcome->simulated_s,
-        outcome->simulated_s / std::max(outcome->wall_s, 1e-9), counts.peak_N,
-        static_cast<unsigned long long>(counts.fades),
-        static_cast<unsigned long long>(counts.missed_fades),
-        static_cast<unsigned long long>(counts.broken_limits),
-        static_cast<unsigned long long>(counts.hash), is_bad ? "  FAILED" : "");
+        "%-13s seed %-6llu %6.0f s, %4.0f times real time, %4.1f N at most, %llu fades seen, "
+        "%016llx%s\n",
+        lesson.c_str(), static_cast<unsigned long long>(seed), run.simulated_s,
+        run.simulated_s / std::max(run.wall_s, 1e-9), run.arm.peak_N,
+        static_cast<unsigned long long>(run.arm.fades),
+        static_cast<unsigned long long>(run.arm.hash), run.trouble.empty() ? "" : "  FAILED");
+    if (!run.trouble.empty()) {
+        std::printf("  %s\n", run.trouble.c_str());
+        if (run.since_s >= 0.0) {
+            std::printf("  first after %.3f s\n", run.since_s);
+        }
+        std::printf("  again: ./fulcrum soak --lesson %s --seed %llu --seeds 1 --seconds %g\n",
+                    lesson.c_str(), static_cast<unsigned long long>(seed), seconds);
+    }
     (void)std::fflush(stdout);
-    return 0;
 }
 
 int conclude(const SoakSum& sum, double grown_MB) {
@@ -125,6 +248,10 @@ int conclude(const SoakSum& sum, double grown_MB) {
         std::printf("%s %s %llu", i == 1 ? "" : ",", name_of(static_cast<Spoil>(i)),
                     static_cast<unsigned long long>(sum.happened[i]));
     }
+    for (std::size_t i = 1; i < kRunSpoils; ++i) {
+        std::printf(", %s %llu", name_of(static_cast<RunSpoil>(i)),
+                    static_cast<unsigned long long>(sum.around[i]));
+    }
     std::printf(".\n");
     if (grown_MB > kMostGrowth_MB) {
         return complain({"the program's memory grew by " + std::to_string(grown_MB) + " MB",
@@ -132,12 +259,13 @@ int conclude(const SoakSum& sum, double grown_MB) {
                          "look for what is never freed"},
                         1);
     }
-    return sum.failed ? complain({"a force was felt that may not be; the line that says FAILED "
-                                  "names lesson and seed",
-                                  {},
-                                  "run it again with --seed and --lesson"},
-                                 1)
-                      : 0;
+    return sum.failed
+               ? complain({"something went wrong that may not; the lines that say FAILED tell "
+                           "what, when, and the command that repeats it",
+                           {},
+                           "send them, with the program's version, to who mends it"},
+                          1)
+               : 0;
 }
 
 }  // namespace
@@ -150,15 +278,20 @@ int soak_command(const Installation& installation, const Options& options) {
         lessons.push_back(options.lesson);
     }
     const std::uint64_t first = options.seed.value_or(1);
+    const double seconds = options.seconds.value_or(60.0);
     SoakSum sum;
     double settled_MB = 0.0;
     for (std::uint64_t seed = first; seed < first + options.seeds && !interrupted(); ++seed) {
         for (const std::string& lesson : lessons) {
-            if (const int code = soak_once(installation, lesson, seed,
-                                           options.seconds.value_or(60.0), options.site, sum);
-                code != 0) {
-                return code;
+            const auto run = soak_once(installation, lesson, seed, seconds, options.site, sum);
+            if (!run) {
+                return complain(run.error(), 2);
             }
+            tell(lesson, seed, seconds, *run);
+            sum.fades += run->arm.fades;
+            sum.simulated_s += run->simulated_s;
+            sum.wall_s += run->wall_s;
+            sum.failed |= !run->trouble.empty();
         }
         settled_MB = seed == first ? resident_MB() : settled_MB;
     }

@@ -196,15 +196,35 @@ Expected<std::optional<std::vector<std::byte>>> PrivateFolder::read(
     return bytes;
 }
 
-int PrivateFolder::replace(const std::string& name, std::span<const std::byte> bytes) const {
+// 0, or the error's number; then there is none.
+int PrivateFolder::write_temporary(const std::string& name, std::span<const std::byte> bytes,
+                                   std::string& temporary) const {
     const std::string begin = name + '.' + std::to_string(getpid()) + '.';
-    std::string temporary;
     int error_number = EEXIST;
     for (int n = 0; n < kMostTemporaries && error_number == EEXIST; ++n) {
         temporary = begin + std::to_string(n);
         temporary += kTemporaryEnding;
         error_number = write_new(descriptor_, temporary, bytes);
     }
+    return error_number;
+}
+
+int PrivateFolder::create_file(const std::string& name, std::span<const std::byte> bytes) const {
+    std::string temporary;
+    if (const int error_number = write_temporary(name, bytes, temporary); error_number != 0) {
+        return error_number;
+    }
+    // A second name is refused where it is taken, whole or not at all; a rename would put it over what is there.
+    const bool is_made = linkat(descriptor_, temporary.c_str(), descriptor_, name.c_str(), 0) == 0;
+    const int error_number = is_made ? 0 : errno;
+    unlinkat(descriptor_, temporary.c_str(), 0);
+    fsync(descriptor_);
+    return error_number;
+}
+
+int PrivateFolder::replace(const std::string& name, std::span<const std::byte> bytes) const {
+    std::string temporary;
+    int error_number = write_temporary(name, bytes, temporary);
     if (error_number != 0) {
         return error_number;
     }

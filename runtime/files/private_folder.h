@@ -52,12 +52,16 @@ class PrivateFolder {
         const std::string& name, std::uint64_t most_bytes) const;
     /// 0, or the error's number: then all is as before.
     [[nodiscard]] int replace(const std::string& name, std::span<const std::byte> bytes) const;
+    /// The same where there is no file of that name yet, whoever else is just making one: else EEXIST, and that one stays.
+    [[nodiscard]] int create_file(const std::string& name, std::span<const std::byte> bytes) const;
     /// A file or link of that name goes, if there is one.
     void remove(const std::string& name) const;
     /// The user's plain files.
     [[nodiscard]] std::vector<FolderFile> list() const;
 
   private:
+    [[nodiscard]] int write_temporary(const std::string& name, std::span<const std::byte> bytes,
+                                      std::string& temporary) const;
     explicit PrivateFolder(int descriptor) noexcept : descriptor_(descriptor) {}
     int descriptor_;
 };

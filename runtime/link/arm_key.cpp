@@ -3,6 +3,7 @@
 #include "runtime/files/private_folder.h"
 #include "runtime/files/user_folder.h"
 
+#include <cerrno>
 #include <cstring>
 #include <string>
 #include <sys/stat.h>
@@ -12,6 +13,8 @@ namespace {
 
 constexpr const char* kKeyAgain =
     "remove it, and the next start makes a new one; then copy that to the arm's computer";
+
+constexpr std::uint64_t kMostKeyBytes = 1024;
 
 // 0 to 15, or -1.
 int figure(char letter) noexcept {
@@ -65,19 +68,24 @@ Expected<ArmKey> load_or_make_arm_key(const std::filesystem::path& file) {
     if (!folder) {
         return tl::unexpected(folder.error());
     }
-    const auto bytes = folder->read(file.filename(), 1024);
-    if (!bytes) {
-        return fail(bytes.error().message, file.string(), kKeyAgain);
-    }
-    if (!*bytes) {
+    auto bytes = folder->read(file.filename(), kMostKeyBytes);
+    if (bytes && !*bytes) {
         const ArmKey key = draw_arm_key();
         const std::string text = written(key);
-        const int error = folder->replace(file.filename(), std::as_bytes(std::span(text)));
-        if (error != 0) {
+        const int error = folder->create_file(file.filename(), std::as_bytes(std::span(text)));
+        if (error == 0) {
+            return key;
+        }
+        if (error != EEXIST) {
             return fail(std::string("the arm's key cannot be written: ") + std::strerror(error),
                         file.string(), "make room there, or give --key another file");
         }
-        return key;
+        // Another program has just made one: that is the key of both.
+        bytes = folder->read(file.filename(), kMostKeyBytes);
+    }
+    if (!bytes || !*bytes) {
+        return fail(bytes ? "the arm's key is gone again" : bytes.error().message, file.string(),
+                    kKeyAgain);
     }
     struct stat about {};
     if (::lstat(file.c_str(), &about) != 0 || (about.st_mode & (S_IRWXG | S_IRWXO)) != 0) {

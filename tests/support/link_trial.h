@@ -3,7 +3,7 @@
 //
 //   the wall is a spring about its surface, F = -K y, both ways, felt through the whole haptic loop with its own passivity and
 //   limits; the hand wants to be press_m inside
-// The two sides run in turn, the arm's half a round after the program's. Calm: in the last quarter of the run the hand's true
+// The two sides run in turn, the arm's half a round after the program's, or with rounds of its own (ArmRounds). Calm: in the last quarter of the run the hand's true
 // position swings by less than kCalm_m.
 #pragma once
 
@@ -19,12 +19,47 @@
 
 namespace fulcrum::test_link {
 
+/// When the arm's rounds come: every `every`-th millisecond and a half, each up to jitter_s late; with late_chance by up to late_s more, and
+/// what it so misses it leaves out, as a thread does that others kept from running.
+struct ArmRounds {
+    int every = 1;
+    double jitter_s = 0.0;
+    double late_chance = 0.0;
+    double late_s = 0.0;
+    std::uint64_t seed = 5;
+};
+
+/// Their times.
+class ArmClock {
+  public:
+    explicit ArmClock(const ArmRounds& rounds, double began_s)
+        : rounds_(rounds), chance_(rounds.seed), began_s_(began_s) {}
+    [[nodiscard]] double next_s() {
+        constexpr double kRound_s = LinkPair::kStep_s;
+        round_ += rounds_.every;
+        double late_s = rounds_.jitter_s * chance_.draw_chance();
+        if (chance_.draw_chance() < rounds_.late_chance) {
+            late_s += rounds_.late_s * chance_.draw_chance();
+        }
+        const double due_s = kRound_s * (static_cast<double>(round_) + 0.5);
+        round_ = std::max(round_, static_cast<long>(std::floor((due_s + late_s) / kRound_s - 0.5)));
+        return began_s_ + due_s + late_s;
+    }
+
+  private:
+    ArmRounds rounds_;
+    SplitMix chance_;
+    double began_s_;
+    long round_ = 0;
+};
+
 struct LinkTrial {
     double stiffness_N_per_m = 500.0;
     LinkFaults faults{};
     bool balances_energy = true;
     EnergyBalanceSettings energy{};
     SimulatedArmSettings arm{.mass_kg = 0.25, .damping_Ns_per_m = 0.2, .human = kFingertip};
+    ArmRounds rounds{};
     double press_m = 0.01;
     double seconds = 8.0;
 };
@@ -79,6 +114,8 @@ struct LinkCourse {
     double sum_N = 0.0;
     int n_last = 0;
     double x_before = arm.position_D().x();
+    ArmClock arm_clock(trial.rounds, began_s);
+    double arm_next_s = arm_clock.next_s();
     while (pair.now_s - began_s < trial.seconds) {
         pair.now_s += LinkPair::kStep_s;
         const double run_s = pair.now_s - began_s;
@@ -86,15 +123,19 @@ struct LinkCourse {
         const bool presses = run_s > 0.5 && (run_s > 4.0 || std::fmod(run_s, 0.8) < 0.5);
         target.publish({.pose_D = Pose::at({presses ? trial.press_m : 0.0, 0.0, 0.0})});
         loop.step(pair.now_s);
-        const double force_N = arm.force_D().x();
-        pair.server.step(pair.now_s + 0.5 * LinkPair::kStep_s);
-        const double x = arm.position_D().x();
-        if (run_s > 1.0) {
-            given_J = std::max(given_J + force_N * (x - x_before), 0.0);
-            course.given_J = std::max(course.given_J, given_J);
+        while (arm_next_s < pair.now_s + LinkPair::kStep_s) {
+            const double force_N = arm.force_D().x();
+            pair.server.step(arm_next_s);
+            arm_next_s = arm_clock.next_s();
+            const double x = arm.position_D().x();
+            if (run_s > 1.0) {
+                given_J = std::max(given_J + force_N * (x - x_before), 0.0);
+                course.given_J = std::max(course.given_J, given_J);
+            }
+            x_before = x;
+            course.peak_N = std::max(course.peak_N, arm.force_D().norm());
         }
-        x_before = x;
-        course.peak_N = std::max(course.peak_N, arm.force_D().norm());
+        const double x = x_before;
         if (run_s > 0.75 * trial.seconds) {
             lowest = std::min(lowest, x);
             highest = std::max(highest, x);

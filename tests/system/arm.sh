@@ -58,6 +58,35 @@ kill -KILL "$player"
 wait "$player" 2>/dev/null || true
 sleep 1.5
 tail -n 1 "$home/good.log" | grep -q 'waiting, 0[.]00 N' || fail "the arm still holds a program that was killed"
+# Stopped in the middle and continued, as by a terminal's Ctrl-Z: the arm lets go by itself, the program begins without force and anew.
+play_beside paused --seconds 7
+sleep 2.5
+kill -STOP "$player"
+sleep 1.5
+tail -n 1 "$home/good.log" | grep -q 'waiting, 0[.]00 N' || fail "the arm holds a program that stands still"
+kill -CONT "$player"
+wait "$player" || fail "a program that was stopped does not go on"
+expect "$home/paused.log" 'asleep [1-9]' "the program did not notice that it had stood still"
+expect "$home/paused.log" 'made [2-9] ' "the link was not made anew"
+# The same with the arm's side: the program has no pose, says so, and has one again.
+play_beside waits --seconds 6
+sleep 2
+kill -STOP "$arm"
+sleep 1.5
+kill -CONT "$arm"
+wait "$player" || fail "a program whose arm stood still does not go on"
+expect "$home/waits.log" 'made [2-9] ' "the link was not made anew after the arm stood still"
+# All processors busy: it is played, and how late its rounds were is told.
+busy=()
+for _ in $(seq $((2 * $(nproc)))); do
+    (while :; do :; done) &
+    busy+=("$!")
+done
+code=0
+play --seconds 3 >"$home/busy.log" 2>&1 || code=$?
+kill "${busy[@]}"
+[[ $code -eq 0 ]] || fail "the lesson was not played on busy processors"
+expect "$home/busy.log" 'Haptic loop: [0-9]+ rounds, late by [0-9]+ us' "it does not say how late it was"
 # Another key is told apart from no arm.
 printf '%064d\n' 0 >"$home/other.key"
 chmod 600 "$home/other.key"

@@ -43,6 +43,24 @@ TEST_CASE("energy balance: what was put in on the other side may come out, and n
     CHECK(arm.excess_J() == 0.0);
 }
 
+TEST_CASE(
+    "energy balance: in debt the arm's force gives no more along the way, and is else as it was") {
+    EnergyBalance arm(LinkSide::arm, kNoCredit);
+    const Vector3 force(2.0, 1.0, 0.0);
+    const Vector3 motion = along(1.0e-4);
+    // A debt that the brake pays alone leaves the force; one of half as much again takes half of what would give; a great one all.
+    arm.step(along(1.0), along(0.4e-3), 0.0, kRound_s);
+    CHECK(arm.hold_back(force, motion) == force);
+    arm.step(along(1.0), along(0.35e-3), 0.0, kRound_s);
+    CHECK(arm.hold_back(force, motion).x() == Approx(1.0).epsilon(1e-9));
+    CHECK(arm.hold_back(force, motion).y() == 1.0);
+    arm.step(along(1.0), along(0.01), 0.0, kRound_s);
+    CHECK(arm.hold_back(force, motion).x() == Approx(0.0).margin(1e-12));
+    // Against the way it takes: that is left, as is a force on a hand that does not move.
+    CHECK(arm.hold_back(force, -motion) == force);
+    CHECK(arm.hold_back(force, Vector3::Zero()) == force);
+}
+
 TEST_CASE("energy balance: the arm's brake takes the excess back in a round like the last") {
     EnergyBalance arm(LinkSide::arm, kNoCredit);
     const Vector3 motion = along(1e-4);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 using namespace fulcrum;
+using test_link::ArmRounds;
 using test_link::LinkCourse;
 using test_link::LinkTrial;
 using test_link::run_link_trial;
@@ -76,6 +77,30 @@ TEST_CASE("link energy: loss, jitter, doubles and damage give the hand no energy
         REQUIRE(course.linked);
         CHECK(course.given_J < 0.05);
         CHECK(course.peak_N < 4.0);
+    }
+}
+
+TEST_CASE("link energy: an arm whose rounds come unevenly, or are half as many, throws nobody") {
+    // As a thread is that others keep from running; one round right after the next; and 500 Hz.
+    const ArmRounds kinds[] = {{.jitter_s = 0.95e-3},
+                               {.late_chance = 0.3, .late_s = 0.006},
+                               {.jitter_s = 0.95e-3, .late_chance = 0.05, .late_s = 0.01},
+                               {.every = 2}};
+    for (const ArmRounds& rounds : kinds) {
+        for (const double stiffness : {500.0, 2000.0}) {
+            for (const double delay_s : {0.0, 0.005}) {
+                LinkTrial trial{.stiffness_N_per_m = stiffness, .faults = {.delay_s = delay_s}};
+                trial.arm.mass_kg = 0.045;
+                trial.rounds = rounds;
+                trial.seconds = 6.0;
+                const LinkCourse course = run_link_trial(trial);
+                INFO("every " << rounds.every << ", late " << rounds.late_s << " s, " << stiffness
+                              << " N/m, " << delay_s << " s: " << course.given_J << " J");
+                REQUIRE(course.linked);
+                CHECK(course.given_J < 0.1);
+                CHECK(course.trips == 0);
+            }
+        }
     }
 }
 

@@ -119,3 +119,24 @@ TEST_CASE("passivity stage: the device's own friction is counted in the hand") {
     // 0.4 Ns/m against k T / 2 = 0.5 Ns/m.
     CHECK(stage.force_energy().excess_J == Approx((0.5 - 0.4) * 4e-8 / kDt_s));
 }
+
+TEST_CASE(
+    "passivity stage: without a new pose the brake is held for two rounds, and the way counts with "
+    "its time") {
+    PassivityStage stage(make_plan(), make_traits());
+    const auto wait = [&](double force_N, double x_m) {
+        const SceneDemand demand = make_spring(force_N);
+        const Wrench brake = stage.step(demand, Pose::at(Vector3(0, x_m, 0)), kDt_s, false);
+        stage.sent({demand.wrench_W.force + brake.force, brake.torque});
+        return brake.force.y();
+    };
+    (void)move(stage, make_spring(0.0), Pose{});
+    const double brake_N = move(stage, make_spring(-0.02), Pose::at(Vector3(0, 1e-4, 0))).force.y();
+    REQUIRE(brake_N < 0.0);
+    CHECK(wait(-0.02, 1e-4) == brake_N);
+    CHECK(wait(-0.02, 1e-4) == brake_N);
+    CHECK(wait(-0.02, 1e-4) == 0.0);
+    // What is told next was gone in four rounds: at the brake's bound, m / 8 T, a fourth of what one round would give.
+    const Wrench later = move(stage, make_spring(-20.0), Pose::at(Vector3(0, 0.0101, 0)));
+    CHECK(-later.force.y() == Approx(kHandleMass_kg / 0.008 * 0.01 / (4.0 * kDt_s)));
+}

@@ -111,6 +111,59 @@ TEST_CASE("realtime thread: rounds that take too long are skipped and counted, n
 }
 
 TEST_CASE(
+    "realtime thread: a machine that has slept, or a program that was stopped, begins silent") {
+    static std::atomic<double> asleep_s{100.0};
+    asleep_s = 100.0;
+    CountingTask task;
+    RealtimeThread thread;
+    RealtimeSettings settings;
+    settings.slept_s = []() noexcept { return asleep_s.load(); };
+    REQUIRE(thread.start(task, settings));
+    wait_for([&] { return task.rounds.load() >= 20; });
+    const std::uint64_t before =
+        thread.status().pauses;  // of a test machine that itself stood still
+    CHECK(static_cast<std::uint64_t>(task.silenced.load()) == before);
+    // What is less than the clocks may differ is no sleep; half an hour is one, once.
+    asleep_s = 100.0005;
+    const int calm = task.rounds.load();
+    wait_for([&] { return task.rounds.load() >= calm + 20; });
+    const std::uint64_t after = thread.status().pauses;
+    asleep_s = 1900.0;
+    wait_for([&] { return thread.status().pauses > after; });
+    const int woken = task.rounds.load();
+    wait_for([&] { return task.rounds.load() >= woken + 20; });
+    thread.stop();
+    CHECK(thread.status().pauses >= after + 1);
+    CHECK(static_cast<std::uint64_t>(task.silenced.load()) == thread.status().pauses + 1);
+    CHECK(thread.status().sentence.find("asleep") != std::string::npos);
+    settings.slept_s = nullptr;
+    CHECK_FALSE(thread.start(task, settings));
+    // The machine's own clocks: it did not sleep since the last line.
+    const double slept_s = machine_slept_s();
+    CHECK(slept_s >= -kSleptWithin_s);
+    CHECK(machine_slept_s() - slept_s < 1.0);
+}
+
+TEST_CASE("realtime thread: a program that stood still for long begins silent") {
+    struct StandingTask final : PeriodicTask {
+        void step(double /*now_s*/) override {
+            if (++rounds == 10) {
+                // As after SIGSTOP and SIGCONT: the next round begins later by more than kLongestPause_s.
+                std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+            }
+        }
+        void silence(double /*now_s*/) noexcept override { silenced_after = rounds.load(); }
+        std::atomic<int> rounds{0};
+        std::atomic<int> silenced_after{0};
+    } task;
+    RealtimeThread thread;
+    REQUIRE(thread.start(task, RealtimeSettings{}));
+    wait_for([&] { return task.rounds.load() >= 30; });
+    CHECK(task.silenced_after.load() >= 10);
+    CHECK(thread.status().pauses >= 1);
+}
+
+TEST_CASE(
     "realtime thread: bad settings and a second start are refused; it can start again after a "
     "stop") {
     CountingTask task;

@@ -127,3 +127,13 @@ TEST_CASE("site file: one that cannot be read keeps every lesson from starting")
     write_text(settings.own_file(), "force_limit = 1");
     CHECK(find_site_limits({}, settings.shared_file()));
 }
+
+TEST_CASE(
+    "site file: a pipe in its place makes nobody wait, and keeps every lesson from starting") {
+    const ScratchFolder folder;
+    const auto file = folder.path() / "site.conf";
+    REQUIRE(::mkfifo(file.c_str(), 0644) == 0);
+    const auto read = load_site_file(file);
+    REQUIRE_FALSE(read);
+    CHECK(read.error().where == file.string());
+}

@@ -4,10 +4,17 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
+#include <atomic>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <sys/stat.h>
+#include <thread>
+#include <vector>
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
@@ -33,6 +40,38 @@ TEST_CASE("arm key: made where it is missing, for its owner alone, and the same 
     const auto again = load_or_make_arm_key(file);
     REQUIRE(again);
     CHECK(*again == *made);
+}
+
+TEST_CASE("arm key: many who make it at once all end with the same one") {
+    for (int again = 0; again < 20; ++again) {
+        const ScratchFolder folder;
+        const auto file = folder.path() / "own" / "arm.key";
+        constexpr std::size_t kPrograms = 8;
+        std::array<std::optional<ArmKey>, kPrograms> keys;
+        std::atomic<std::size_t> n_ready{0};
+        std::vector<std::thread> programs;
+        for (std::size_t i = 0; i < kPrograms; ++i) {
+            programs.emplace_back([&, i] {
+                ++n_ready;
+                while (n_ready.load() < kPrograms) {
+                }
+                if (const auto key = load_or_make_arm_key(file)) {
+                    keys[i] = *key;
+                }
+            });
+        }
+        for (std::thread& program : programs) {
+            program.join();
+        }
+        const auto last = load_or_make_arm_key(file);
+        REQUIRE(last);
+        for (const std::optional<ArmKey>& key : keys) {
+            REQUIRE(key);
+            CHECK(*key == *last);
+        }
+        // Nothing unfinished is left beside it.
+        CHECK(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}) == 1);
+    }
 }
 
 TEST_CASE("arm key: 64 figures, with or without a line's end") {

@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# faults.sh FULCRUM: what surrounds a run goes wrong, and the forces are as they were: a lesson that makes much garbage, a full disk under the
+# record and under what is kept of a learner, a disk that is slow.
+set -euo pipefail
+fulcrum=$1
+home=$(mktemp -d)
+export HOME=$home XDG_CONFIG_HOME=$home/config XDG_DATA_HOME=$home/data
+unset DISPLAY
+trap 'rm -rf "$home"' EXIT
+
+fail() {
+    echo "faults.sh: $1" >&2
+    for log in "$home"/*.log; do echo "== $log"; tail -n 12 "$log"; done >&2
+    exit 1
+}
+expect() { grep -qE "$2" "$1" || fail "$3"; }
+
+# A spring that follows, and in every frame three thousand tables that nobody keeps, or none: every round of the record is the same to the bit.
+mkdir "$home/tidy" "$home/litter"
+lesson() {
+    cat <<LUA
+local L = lesson { id = "litter", title = "Litter", level = "A1", minutes = 1 }
+local now_s = 0
+function L:start(world)
+  world:spring { at = { 0.02, 0, 0 }, stiffness = 100, damping = 1 }
+end
+function L:update(world, dt)
+  now_s = now_s + dt
+  local last
+  for i = 1, $1 do last = { i, tostring(i), { last } } if i % 50 == 0 then last = nil end end
+end
+L:test {}
+return L
+LUA
+}
+lesson 0 >"$home/tidy/lesson.lua"
+lesson 3000 >"$home/litter/lesson.lua"
+for kind in tidy litter; do
+    "$fulcrum" run "$home/$kind" --headless --seconds 10 --record "$home/$kind.rec" >"$home/$kind.log" 2>&1 || fail "the lesson $kind was not played"
+done
+cmp "$home/tidy.rec" "$home/litter.rec" || fail "what a lesson leaves to its garbage collector is felt"
+
+# The record's disk is full after 500 kB: the lesson is played to its end, and one sentence says so.
+code=0
+(
+    ulimit -f 500
+    trap '' XFSZ
+    exec "$fulcrum" run gravity --headless --record "$home/full.rec"
+) >"$home/full.log" 2>&1 || code=$?
+[[ $code -eq 2 ]] || fail "a record that is cut off ends with code $code, not 2"
+[[ $(grep -c 'the record cannot be written' "$home/full.log") -eq 1 ]] || fail "a full disk is not told once"
+
+# What is kept of a learner: played once, then on a disk that takes no more. What was kept stays.
+"$fulcrum" run gravity --headless --errors 0 --learner Mina >"$home/kept.log" 2>&1 || fail "the lesson was not played"
+"$fulcrum" report --format csv >"$home/before.csv" 2>"$home/report.log" || fail "there is no report"
+grep -q Mina "$home/before.csv" || fail "nothing was kept of Mina"
+(
+    ulimit -f 40
+    trap '' XFSZ
+    exec "$fulcrum" run gravity --headless --errors 0 --learner Mina
+) >"$home/unkept.log" 2>&1 || true
+expect "$home/unkept.log" '^gravity: finished' "a full disk keeps the lesson from its end"
+[[ $(grep -c 'the disk refused to read or write' "$home/unkept.log") -eq 1 ]] || fail "nobody says once that nothing is kept"
+"$fulcrum" report --format csv >"$home/after.csv" 2>"$home/report.log" || fail "after a full disk there is no report"
+# No attempt, answer or star fewer than before: the report's lines only grow.
+[[ $(wc -l <"$home/after.csv") -ge $(wc -l <"$home/before.csv") ]] && grep -q Mina "$home/after.csv" || fail "what was kept before the disk was full is lost"
+
+# A disk that takes nothing for two seconds: a pipe whose reader waits. Under a virtual clock it is played all the same, and the record is whole.
+mkfifo "$home/slow"
+{ exec 3<"$home/slow"; sleep 2; cat <&3 >"$home/slow.rec"; } &
+reader=$!
+"$fulcrum" run "$home/tidy" --headless --seconds 10 --record "$home/slow" >"$home/slow.log" 2>&1 || fail "a slow disk ends the lesson"
+wait "$reader"
+cmp "$home/tidy.rec" "$home/slow.rec" || fail "a slow disk changes the record"
+echo "faults.sh: passed"
