@@ -20,6 +20,7 @@ enum class Fault : std::uint32_t {
     ended = 1U << 9,           ///< the run is over; the force fades before the loop stops
     hand_too_fast = 1U << 10,  ///< the hand moves faster than forces may follow it
     too_much_energy = 1U << 11,  ///< the hand was given more energy in a second than is allowed
+    clutched = 1U << 12,         ///< the person holds the clutch: the arm moves and the hand stays
 };
 
 [[nodiscard]] constexpr Fault operator|(Fault a, Fault b) noexcept {

@@ -40,6 +40,8 @@ struct DeviceTraits {
     /// Its own viscous friction at the handle, the least there is anywhere; 0 when it is unknown.
     double damping_Ns_per_m = 0.0;
     double mass_kg = 0.0;  ///< felt at the handle; 0 when it is unknown
+    /// Half extents of the box that the handle can reach, metres; 0 when it is unknown, or as large as the scene wants it.
+    Vector3 reach_m{Vector3::Zero()};
 };
 
 class Device {

@@ -17,6 +17,7 @@ DeviceTraits describe(const LinkTraits& arm) {
     traits.position_resolution_m = arm.position_resolution_m;
     traits.damping_Ns_per_m = arm.damping_Ns_per_m;
     traits.mass_kg = arm.mass_kg;
+    traits.reach_m = arm.reach_m;
     return traits;
 }
 

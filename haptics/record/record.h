@@ -1,7 +1,7 @@
 // A recorded run: what it was made with, every round of the haptic loop, and what happened meanwhile.
 //
 // File, little-endian throughout:
-//   header  88 bytes  magic 89 46 4C 43 52 0D 0A 1A | u32 version = 3 | u32 header bytes = 88 |
+//   header  88 bytes  magic 89 46 4C 43 52 0D 0A 1A | u32 version = 4 | u32 header bytes = 88 |
 //                     f64 rate in hertz | lesson, UTF-8 padded with zeros to 60 bytes |
 //                     u32 CRC-32 of the 84 bytes before it
 //   block   16 bytes  u32 "BLK1" | u32 kind (1 samples, 2 events, 3 end) | u32 payload bytes |
@@ -12,7 +12,7 @@
 //   event   64 bytes  f64 time | u32 kind | i32 body | text, UTF-8 padded with zeros to 48 bytes
 //   end     16 bytes  u64 number of samples | u64 number of events; always the last block
 // faults are the bits of base/fault.h, gate is GatePhase. Version 1 knew no Fault::ended, version 2 none of those of
-// hand_guard.h, and they are else the same: they are read too.
+// hand_guard.h, version 3 no clutch, and they are else the same: they are read too.
 // No clock of the day and no address is in it: the same run makes the same bytes. A file without the
 // end block was cut off; its whole blocks are good.
 //
@@ -34,7 +34,7 @@
 
 namespace fulcrum {
 
-inline constexpr std::uint32_t kRecordVersion = 3;
+inline constexpr std::uint32_t kRecordVersion = 4;
 inline constexpr std::size_t kRecordLessonBytes = 60;
 inline constexpr std::size_t kRecordTextBytes = 48;
 inline constexpr std::size_t kRecordHeaderBytes = 88;

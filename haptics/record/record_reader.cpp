@@ -17,7 +17,8 @@ using record_layout::Source;
 constexpr std::size_t kMostSamplesInBlock = 65536;
 constexpr std::size_t kMostPayloadBytes = kMostSamplesInBlock * kRecordSampleBytes;
 // The last fault that each version knows, oldest first.
-constexpr Fault kLastFaults[] = {Fault::device_write, Fault::ended, Fault::too_much_energy};
+constexpr Fault kLastFaults[] = {Fault::device_write, Fault::ended, Fault::too_much_energy,
+                                 Fault::clutched};
 static_assert(std::size(kLastFaults) == kRecordVersion);
 constexpr double kUnitTolerance = 1.0e-3;
 constexpr std::size_t kLargestFile_bytes = std::size_t{2} << 30;

@@ -33,6 +33,7 @@ bool ReplayDevice::read(double now_s, DeviceReading& reading) noexcept {
     }
     reading.pose_D = sample.pose_D;
     reading.buttons = sample.buttons;
+    reading.faults = sample.faults & Fault::clutched;
     reading.stamp_s = past_end ? now_s : sample.stamp_s + offset_s_;
     return past_end || !any(sample.faults & Fault::device_read);
 }

@@ -102,6 +102,8 @@ TEST_CASE("record: one of version 1 is read, without the fault that it cannot kn
     CHECK(complaint(record_of(Fault::ended, 1)).find("impossible sample") != std::string::npos);
     CHECK(complaint(record_of(static_cast<Fault>(1U << 10), 2)).find("impossible sample") !=
           std::string::npos);
+    REQUIRE(read_record(record_of(Fault::clutched, 4)));
+    CHECK(complaint(record_of(Fault::clutched, 3)).find("impossible sample") != std::string::npos);
     CHECK(complaint(record_of(Fault::none, 0)).find("version 0") != std::string::npos);
 }
 

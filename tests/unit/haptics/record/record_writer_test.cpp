@@ -58,7 +58,7 @@ TEST_CASE("record: sizes are as the format says, and fields lie where it says") 
                       "\x89"
                       "FLCR\r\n\x1a",
                       8) == 0);
-    CHECK(static_cast<int>(bytes[8]) == 3);  // version, least byte first
+    CHECK(static_cast<int>(bytes[8]) == 4);  // version, least byte first
     CHECK(std::memcmp(&bytes[24], "gravity", 7) == 0);
     CHECK(std::memcmp(&bytes[kRecordHeaderBytes], "BLK1", 4) == 0);
     double z = 0.0;
