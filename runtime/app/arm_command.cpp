@@ -154,6 +154,10 @@ int arm_command(const Options& options) {
     ArmServerSettings settings;
     apply(*site, settings.safety);
     settings.rate_Hz = options.arm.rate_Hz;
+    if (options.arm.kind == ArmKind::desktop) {
+        // 160 by 120 by 70 mm: the workspace of the same data sheet as make_desktop_arm's.
+        settings.reach_m = {0.08, 0.06, 0.035};
+    }
     if (auto good = validate(settings); !good) {
         return complain(good.error(), 2);
     }

@@ -4,6 +4,7 @@
 #include "haptics/device/replay/replay_device.h"
 #include "haptics/loop/workspace.h"
 #include "haptics/record/record.h"
+#include "runtime/app/hand_fitting.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/link/arm_key.h"
 #include "runtime/link/udp_socket.h"
@@ -67,6 +68,8 @@ Expected<std::unique_ptr<HandDevice>> HandDevice::open(const RunRequest& request
     if (auto made = hand->make(request); !made) {
         return tl::unexpected(made.error());
     }
+    hand->device_ = fit_device(request, std::move(hand->device_));
+    hand->fitted_ = dynamic_cast<FittedDevice*>(hand->device_.get());
     return hand;
 }
 
@@ -169,6 +172,18 @@ Expected<void> HandDevice::link(const RunRequest& request) {
     linked_ = device.get();
     device_ = std::move(device);
     return {};
+}
+
+void HandDevice::give_no_force() {
+    if (fitted_ != nullptr) {
+        fitted_->give_no_force();
+    }
+}
+
+void HandDevice::begin_anew() {
+    if (linked_ != nullptr) {
+        linked_->part();
+    }
 }
 
 std::optional<LinkStatus> HandDevice::link_status() {

@@ -5,6 +5,7 @@
 
 #include "haptics/base/error.h"
 #include "haptics/device/device.h"
+#include "haptics/device/fitted/fitted_device.h"
 #include "haptics/device/hid/hid_hand.h"
 #include "haptics/device/mouse/pointer_device.h"
 #include "haptics/device/simulated/simulated_hand.h"
@@ -46,6 +47,12 @@ class HandDevice {
 
     /// True where a pointer stands for the hand, false where the device itself tells its place.
     [[nodiscard]] bool points() const noexcept { return hid_ == nullptr && linked_ == nullptr; }
+    /// True for an arm, which can push.
+    [[nodiscard]] bool is_arm() const noexcept { return linked_ != nullptr; }
+    /// From now on an arm gives none, whatever a loop asks for. Before the loop steps.
+    void give_no_force();
+    /// The next loop that has the device has a clock of its own.
+    void begin_anew();
     /// What has happened to the device since the last call that people should know, a sentence; empty when nothing has.
     [[nodiscard]] std::string take_notice();
     /// How the link to an arm does; nothing of another device. For the lesson loop.
@@ -76,6 +83,7 @@ class HandDevice {
     const SimulatedHand* simulated_ = nullptr;  // the device, where it is one
     hid::HidHand* hid_ = nullptr;               // likewise, as are the next
     LinkDevice* linked_ = nullptr;
+    FittedDevice* fitted_ = nullptr;  // around either of these
     const SpoiledArm* spoiled_ = nullptr;
 };
 

@@ -4,6 +4,11 @@
 
 namespace fulcrum::runtime {
 
+void KeyHand::hold_by(bool left_handed) {
+    keys_ = left_handed ? kOfRightHand : kOfLeftHand;
+    release();
+}
+
 void KeyHand::release() {
     held_ = {};
     speed_ = 0.0;
@@ -17,16 +22,16 @@ double KeyHand::step_px(const PictureSize& size, double dt_s) const {
 
 void KeyHand::take_keys(WindowEvents& events, bool types) {
     for (const KeyPress& press : events.pressed) {
-        const auto key = std::ranges::find(kKeys, press.key);
-        if (key != kKeys.end() && !press.repeat && !types && !press.control && !press.alt) {
-            held_[static_cast<std::size_t>(key - kKeys.begin())] = true;
+        const auto key = std::ranges::find(keys_, press.key);
+        if (key != keys_.end() && !press.repeat && !types && !press.control && !press.alt) {
+            held_[static_cast<std::size_t>(key - keys_.begin())] = true;
         }
         events.wheel += press.key == "page_up" ? 1.0 : press.key == "page_down" ? -1.0 : 0.0;
     }
     for (const std::string& name : events.released) {
-        const auto key = std::ranges::find(kKeys, name);
-        if (key != kKeys.end()) {
-            held_[static_cast<std::size_t>(key - kKeys.begin())] = false;
+        const auto key = std::ranges::find(keys_, name);
+        if (key != keys_.end()) {
+            held_[static_cast<std::size_t>(key - keys_.begin())] = false;
         }
     }
 }

@@ -1,6 +1,7 @@
 // Keys in the place of a mouse: what they hold down moves the pointer, and the rest of the program sees a pointer that moved.
 //
 //   w a s d              up, left, down, right: slowly at first, quicker the longer they are held
+//   i j k l              the same, for who has the mouse in the left hand and the right one on the keys
 //   page up, page down   as the wheel
 //   shift                as the mouse's first button
 // v(t) = min(v_slow + a t, v_quick) while any is held, from v_slow again at the next press: a tap is a fine step.
@@ -36,6 +37,8 @@ class KeyHand {
 
     /// Puts what the keys do into the pointer, wheel and first button of `events`. `types`: letters are an answer's.
     void take(WindowEvents& events, bool types, const PictureSize& size, double dt_s);
+    /// Which hand holds the mouse: the other one is on the keys. Lets go of all keys.
+    void hold_by(bool left_handed);
     /// Lets go of all keys.
     void release();
     /// How far the pointer goes in the next frame of `dt_s` while a key is held, in pixels.
@@ -43,11 +46,14 @@ class KeyHand {
 
   private:
     enum Way : std::uint8_t { up, left, down, right, button, n_ways };
-    static constexpr std::array<std::string_view, n_ways> kKeys{"w", "a", "s", "d", "shift"};
+    using Keys = std::array<std::string_view, n_ways>;
+    static constexpr Keys kOfLeftHand{"w", "a", "s", "d", "shift"};
+    static constexpr Keys kOfRightHand{"i", "j", "k", "l", "shift"};
 
     void take_keys(WindowEvents& events, bool types);
 
     KeyHandSettings settings_;
+    Keys keys_ = kOfLeftHand;
     std::array<bool, n_ways> held_{};
     double speed_ = 0.0;  // heights a second; 0: at rest
     std::optional<Eigen::Vector2d> pointer_px_;

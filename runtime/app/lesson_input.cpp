@@ -11,7 +11,7 @@ void LessonInput::begin(LessonRun* run) {
     typing_.clear();
     asking_ = false;
     frame_ = {};
-    keys_.release();
+    keys_.hold_by(run != nullptr && run->left_handed());
     choices_.clear();
     chosen_ = kTypingSpot;
     wants_choices_ = false;

@@ -1,5 +1,6 @@
 #include "runtime/app/lesson_run.h"
 
+#include "runtime/app/hand_fitting.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/lesson_parts.h"
 #include "runtime/files/shape_cache.h"
@@ -51,12 +52,15 @@ Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
                                                        ProgressStore& store,
                                                        const dialogue::Catalogue& catalogue) {
     std::unique_ptr<LessonRun> run(new LessonRun);
-    const auto built = run->load(places, request)
-                           .and_then([&] { return run->build_loops(request); })
-                           .and_then([&] { return run->build_session(request, store, catalogue); });
+    const RunRequest fitted = with_kept_fit(request, store);
+    const auto built = run->load(places, fitted)
+                           .and_then([&] { return run->open_hand(places, fitted); })
+                           .and_then([&] { return run->build_loops(fitted); })
+                           .and_then([&] { return run->build_session(fitted, store, catalogue); });
     if (!built) {
         return tl::unexpected(built.error());
     }
+    keep_fit_of(request, store);
     return run;
 }
 
@@ -70,32 +74,48 @@ Expected<void> LessonRun::load(const Places& places, const RunRequest& request) 
     if (auto models = check_models(places, request.folder, process_->description()); !models) {
         return models;
     }
-    PlanOptions options = request.plan;
-    options.device_force_limit_N = HandDevice::force_limit_N(request);
-    const LessonDescription& lesson = process_->description();
-    auto plan = compile_shown(lesson, std::move(options), make_solid_loader(places, request.folder),
-                              make_picture_loader(request.folder, lesson.hand.scale));
+    scene_ = process_->description();
+    scene_.hand.scale *= request.fit.scale.value_or(1.0);
+    auto plan = compile(places, request, scene_);
     if (!plan) {
         return tl::unexpected(plan.error());
     }
     plan_ = std::move(*plan);
-    return validate(plan_.haptic).and_then([&] {
-        return plan_.world   ? validate(*plan_.world)
-               : plan_.rigid ? validate(*plan_.rigid)
-                             : Expected<void>{};
-    });
+    return {};
 }
 
-// Only what is in the plan is built.
-Expected<void> LessonRun::build_loops(const RunRequest& request) {
+Expected<Plan> LessonRun::compile(const Places& places, const RunRequest& request,
+                                  const LessonDescription& scene) const {
+    PlanOptions options = request.plan;
+    options.device_force_limit_N = HandDevice::force_limit_N(request);
+    return compile_shown(scene, std::move(options), make_solid_loader(places, request.folder),
+                         make_picture_loader(request.folder, scene.hand.scale))
+        .and_then([](Plan&& plan) {
+            return validate(plan.haptic)
+                .and_then([&] {
+                    return plan.world   ? validate(*plan.world)
+                           : plan.rigid ? validate(*plan.rigid)
+                                        : Expected<void>{};
+                })
+                .map([&] { return std::move(plan); });
+        });
+}
+
+// What a device can reach is known when it is open.
+Expected<void> LessonRun::open_hand(const Places& places, const RunRequest& request) {
     auto hand = HandDevice::open(request, plan_.haptic);
     if (!hand) {
         return tl::unexpected(hand.error());
     }
     hand_ = std::move(*hand);
-    if (auto fits = validate(plan_.haptic, device().traits()); !fits) {
-        return fits;
+    if (const double factor = choose_scale(request.fit, device().traits()); factor != 1.0) {
+        fit_to_reach(places, request, factor);
     }
+    return validate(plan_.haptic, device().traits());
+}
+
+// Only what is in the plan is built.
+Expected<void> LessonRun::build_loops(const RunRequest& request) {
     if (plan_.record) {
         auto recorder = RunRecorder::create(
             request.record_file, {plan_.haptic.rate_hz, process_->description().id}, channels_);
@@ -173,9 +193,10 @@ std::vector<PastAnswers> recall(ProgressStore& store, const Learner& learner, bo
 
 Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore& store,
                                         const dialogue::Catalogue& catalogue) {
-    LessonDescription description = process_->description();
+    LessonDescription description = scene_;
     choose_feedback(description, request.feedback);
     at_desk_ = request.by != PlayedBy::arm;
+    fit_ = request.fit;
     const auto learner = store.enrol(request.learner.empty() ? kGuest : request.learner);
     if (!learner) {
         return tl::unexpected(learner.error());

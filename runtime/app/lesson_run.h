@@ -19,6 +19,7 @@
 #include "runtime/app/run_request.h"
 #include "runtime/audio/touch_sound.h"
 #include "runtime/lesson/answer_choices.h"
+#include "runtime/lesson/first_use.h"
 #include "runtime/lesson/session.h"
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/lua/process/lesson_process.h"
@@ -87,6 +88,15 @@ class LessonRun {
     /// What strokes and taps sound like; null when the plan has no sound of touch.
     [[nodiscard]] SoundStream* touch_sound() { return touch_sound_.get(); }
     [[nodiscard]] const HandDevice& hand() const { return *hand_; }
+    /// Whether the learner holds the mouse, or the arm, in the left hand.
+    [[nodiscard]] bool left_handed() const { return fit_.left_handed.value_or(false); }
+    /// Whether the hand's forces are to be tried first; `asked`: somebody will answer.
+    [[nodiscard]] bool needs_trial(const RunRequest& request, bool asked) const;
+    /// The hand's device while no loop of the lesson has it; `begin_anew` it behind.
+    [[nodiscard]] HandDevice& hand_to_try() { return *hand_; }
+    /// Keeps how it came out for this learner; without force where it was not good, in this run.
+    void take_trial(const FirstUse& trial, bool asked, const RunRequest& request,
+                    ProgressStore& store);
     /// The last gate as the lesson loop knows it.
     [[nodiscard]] GatePhase gate() const { return channels_.state_for_lesson.value().gate; }
     /// What was seen of an arm on which things break; null of another.
@@ -132,7 +142,11 @@ class LessonRun {
     [[nodiscard]] Expected<LessonReply> ask_aside(const LessonEvent& event);
     // In this order.
     [[nodiscard]] Expected<void> load(const Places& places, const RunRequest& request);
+    [[nodiscard]] Expected<void> open_hand(const Places& places, const RunRequest& request);
     [[nodiscard]] Expected<void> build_loops(const RunRequest& request);
+    [[nodiscard]] Expected<Plan> compile(const Places& places, const RunRequest& request,
+                                         const LessonDescription& scene) const;
+    void fit_to_reach(const Places& places, const RunRequest& request, double factor);
     void build_touch_sound();
     [[nodiscard]] Expected<void> build_rigid_loop();
     void take_rigid_bodies();
@@ -150,6 +164,7 @@ class LessonRun {
     void order_kite(const SessionOutput& output);
 
     std::unique_ptr<LessonProcess> process_;
+    LessonDescription scene_{};  // the lesson's, at the scale of this hand
     Plan plan_{};
     HapticChannels channels_{};
     std::unique_ptr<WorldChannels> world_channels_;
@@ -167,6 +182,7 @@ class LessonRun {
     std::unique_ptr<RunRecorder> recorder_;  // null when nothing is recorded
     std::unique_ptr<LessonSession> session_;
     std::optional<SimulatedPupil> pupil_;
+    HandFit fit_{};         // said and kept
     bool at_desk_ = false;  // who plays types and chooses the pupil's answers
     std::optional<HandWish> wish_;
     std::deque<WorldCommand> waiting_;  // what the world had no room for yet

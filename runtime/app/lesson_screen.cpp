@@ -1,6 +1,7 @@
 #include "runtime/app/lesson_screen.h"
 
 #include "haptics/base/clock.h"
+#include "runtime/app/force_trial.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/audio/openal/openal_microphone.h"
 
@@ -72,6 +73,9 @@ void LessonScreen::begin() {
     if (run_->plan().microphone) {
         ear_ = std::make_unique<LiveEar>(run_->plan().hearing.listen, microphone_opener());
     }
+    if (!try_arm()) {
+        return;
+    }
     input_.begin(run_.get());
     set_stop_target(&run_->channels().emergency_stop);
     epoch_s_ = level_began_s_ = monotonic_now_s();
@@ -81,6 +85,21 @@ void LessonScreen::begin() {
     if (auto started = loops_.start(*run_, epoch_s_); !started) {
         fail_with(started.error());
     }
+}
+
+// False where the learner left instead.
+bool LessonScreen::try_arm() {
+    const auto end_s =
+        options_.seconds ? std::optional(monotonic_now_s() + *options_.seconds) : std::nullopt;
+    const auto tried = try_forces_in_window(*run_, request_, store_, desktop_, catalogue_, end_s);
+    if (!tried) {
+        fail_with(tried.error());
+    } else if (*tried != TrialLeft::done) {
+        left_ = *tried == TrialLeft::to_menu  ? Left::to_menu
+                : *tried == TrialLeft::closed ? Left::closed
+                                              : Left::time_is_up;
+    }
+    return tried && *tried == TrialLeft::done;
 }
 
 void LessonScreen::stop() {
@@ -327,7 +346,8 @@ void LessonScreen::show_hints(View& view) const {
         view.banner = catalogue_.say("hud.said_before", {{"text", before}});
     }
     if (view.banner.empty() && says_how_to_move()) {
-        view.banner = catalogue_.say(how_to_move(request_, run_->plan().kite.has_value()));
+        view.banner = catalogue_.say(
+            how_to_move(request_, run_->plan().kite.has_value(), run_->left_handed()));
         if (run_->session().hud().may_ask) {
             view.banner += " " + catalogue_.say("hud.ask_help", {{"key", "Tab"}});
         }

@@ -44,6 +44,7 @@ class LessonScreen {
 
   private:
     void begin();
+    [[nodiscard]] bool try_arm();
     void stop();
     void fail_with(const Error& error);
     void take_input(const WindowEvents& events);

@@ -23,7 +23,8 @@ constexpr std::array<CommandWord, 15> kCommands{{
     {"run", Command::run, true,
      " --headless --seconds --seed --errors --hand --by --say --learner --db --record --screenshot "
      "--screenshot-at --speech --hear --listen --throat --voice --voice-speed "
-     "--watch --mute --force-limit --feedback --key "},
+     "--watch --mute --force-limit --feedback --key --scale --axes --middle --clutch --handed "
+     "--first-use "},
     {"list", Command::list, false, " "},
     {"check", Command::check, true, " --force-limit "},
     {"test", Command::test, true, " --force-limit --seed --errors --hand --by "},
@@ -46,7 +47,7 @@ constexpr std::array<CommandWord, 15> kCommands{{
     {"menu", Command::menu, false,
      " --learner --db --force-limit --feedback --mute --speech --listen --throat --voice "
      "--voice-speed "
-     "--watch "},
+     "--watch --handed "},
 }};
 
 Expected<void> set_speech(Options& options, const std::string& value) {
@@ -166,7 +167,7 @@ std::optional<Expected<void>> set_choice(Options& options, const std::string& fl
 
 // Each flag that takes a value, and where the value goes.
 Expected<void> set_value(Options& options, const std::string& flag, const std::string& value) {
-    for (const auto set : {set_arm_value, set_number, set_choice}) {
+    for (const auto set : {set_arm_value, set_fit_value, set_number, set_choice}) {
         if (auto done = set(options, flag, value)) {
             return *done;
         }
@@ -331,6 +332,13 @@ std::string usage() {
       --headless             without a window, faster than real time, repeatable to the byte; tells what is said
       --hand FILE.lua|mouse|hid|hid:PATH|udp:HOST:PORT|replay:FILE
                              udp: an arm on another computer, or fulcrum arm on this one  (--key FILE)
+      --handed left|right    for a left hand the arm's first two buttons change places, and I J K L move the pointer
+      --scale N --axes -x,y,z --middle X,Y,Z --clutch N|none
+                             how the arm stands before the learner: times the lesson's scale, 0.25 to 4; which of its axes are right,
+                             up and near; the place, in metres, that is the middle; the button that holds the scene still while the
+                             arm moves on (3). All five are kept with the learner and the arm
+      --first-use once|again|never  whether an arm pushes gently first and asks which way, so that one that is wired or stands
+                             wrongly gives no force (once for each learner and arm)
       --by arm|mouse|keyboard  without a window: how the simulated hand plays, by an arm or as somebody at a desk (arm)
       --say FILE             one answer a line, given to the questions in turn
       --learner NAME         whose progress this is

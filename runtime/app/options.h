@@ -6,6 +6,7 @@
 #include "haptics/link/link_faults.h"
 #include "runtime/app/played_by.h"
 #include "runtime/audio/voice/voice_program.h"
+#include "runtime/lesson/hand_fit.h"
 #include "runtime/scene/plan.h"
 
 #include <optional>
@@ -29,6 +30,9 @@ enum class Command : std::uint8_t {
     help,
     version
 };
+
+/// When an arm's forces are tried before a lesson: once for each learner and arm, each time, or not at all.
+enum class FirstUseTrial : std::uint8_t { once, again, never };
 
 /// What the hand does that holds a simulated arm.
 enum class ArmMotion : std::uint8_t { still, circle };
@@ -82,6 +86,8 @@ struct Options {
     std::string format = "text";          ///< report: text or csv
     std::string out;                      ///< report: file instead of the screen
     ArmOptions arm{};
+    HandFit fit{};  ///< how the hand's device is set, as far as it is said
+    FirstUseTrial first_use = FirstUseTrial::once;
     std::uint64_t seeds = 3;  ///< soak: how many runs of each lesson
 };
 

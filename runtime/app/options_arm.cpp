@@ -1,4 +1,4 @@
-// Numbers of the command line, and what fulcrum arm and soak are told.
+// Numbers of the command line, what fulcrum arm and soak are told, and how the hand's device is set.
 #include "runtime/app/options_parts.h"
 
 #include <algorithm>
@@ -23,6 +23,26 @@ Expected<double> number_in(const std::string& flag, const std::string& text, dou
                     "give a number from " + shown(low) + " to " + shown(high));
     }
     return value;
+}
+
+std::optional<Expected<void>> set_fit_value(Options& options, const std::string& flag,
+                                            const std::string& value) {
+    if (flag == "--first-use") {
+        if (value != "once" && value != "again" && value != "never") {
+            return fail("--first-use " + value + " is not known", "", "use once, again or never");
+        }
+        options.first_use = value == "once"    ? FirstUseTrial::once
+                            : value == "again" ? FirstUseTrial::again
+                                               : FirstUseTrial::never;
+        return Expected<void>{};
+    }
+    constexpr std::array<std::string_view, 5> kFlags{"--scale", "--axes", "--middle", "--clutch",
+                                                     "--handed"};
+    if (std::ranges::find(kFlags, flag) == kFlags.end()) {
+        return std::nullopt;
+    }
+    constexpr std::size_t kDashes = 2;
+    return set_fit(options.fit, std::string_view(flag).substr(kDashes), value);
 }
 
 std::optional<Expected<void>> set_arm_value(Options& options, const std::string& flag,

@@ -16,4 +16,8 @@ namespace fulcrum::runtime {
 [[nodiscard]] std::optional<Expected<void>> set_arm_value(Options& options, const std::string& flag,
                                                           const std::string& value);
 
+/// How the hand's device is set; likewise.
+[[nodiscard]] std::optional<Expected<void>> set_fit_value(Options& options, const std::string& flag,
+                                                          const std::string& value);
+
 }  // namespace fulcrum::runtime

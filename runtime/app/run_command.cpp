@@ -1,5 +1,6 @@
 #include "runtime/app/commands.h"
 #include "runtime/app/desktop.h"
+#include "runtime/app/force_trial.h"
 #include "runtime/app/headless.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/lesson_run.h"
@@ -78,6 +79,9 @@ int run_without_window(const Installation& installation, const Options& options,
         return complain_of_loading(run.error());
     }
     say_notices(**run);
+    if (auto tried = try_forces(**run, request, *store); !tried) {
+        return complain(tried.error(), 2);
+    }
     ScreenshotTaker screenshot(installation, options, **run, request.folder);
     HeadlessSettings settings;
     settings.end_s = options.seconds;

@@ -139,11 +139,11 @@ double today() {
 
 }  // namespace
 
-const char* how_to_move(const RunRequest& request, bool has_reel) noexcept {
+const char* how_to_move(const RunRequest& request, bool has_reel, bool left_handed) noexcept {
     if (request.hand == HandKind::hid) {
         return request.hid.form == hid::HandForm::space_mouse ? "hud.cap_help" : "hud.stick_help";
     }
-    return has_reel ? "hud.reel_help" : "hud.mouse_help";
+    return has_reel ? "hud.reel_help" : left_handed ? "hud.left_mouse_help" : "hud.mouse_help";
 }
 
 void play_by(PlayedBy by, RunRequest& request) {
@@ -171,6 +171,8 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     request.seed = options.seed.value_or(in_window ? std::random_device{}() : request.seed);
     request.record_file = options.record;
     request.feedback = options.feedback;
+    request.fit = options.fit;
+    request.first_use = options.first_use;
     return choose_hand(options, in_window, request)
         .and_then([&] { return choose_answers(options, in_window, request); })
         .and_then([&] { return choose_hearing(options, request); })

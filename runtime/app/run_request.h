@@ -5,6 +5,7 @@
 #include "runtime/app/options.h"
 #include "runtime/app/places.h"
 #include "runtime/app/played_by.h"
+#include "runtime/lesson/hand_fit.h"
 #include "runtime/scene/plan.h"
 
 #include <cstdint>
@@ -36,7 +37,9 @@ struct RunRequest {
     std::optional<std::uint64_t> spoil_seed;
     std::vector<std::string> say;  ///< answers of a simulated pupil; empty: somebody types
     std::optional<LearnerRates> learner_rates;  ///< a simulated learner answers instead
-    bool own_test = false;    ///< use the hand and the answers of the lesson's first L:test
+    bool own_test = false;  ///< use the hand and the answers of the lesson's first L:test
+    FirstUseTrial first_use = FirstUseTrial::once;
+    HandFit fit{};            ///< how the hand's device is set, as far as somebody says it
     std::string record_file;  ///< empty: nothing is recorded
     std::string learner;      ///< nickname; empty: "guest"
     std::uint64_t seed = 1;   ///< of the lesson's math.random
@@ -44,7 +47,8 @@ struct RunRequest {
 };
 
 /// Which words say how the hand is moved: the catalogue's key, in the words of what is held; `has_reel` where a kite flies.
-[[nodiscard]] const char* how_to_move(const RunRequest& request, bool has_reel) noexcept;
+[[nodiscard]] const char* how_to_move(const RunRequest& request, bool has_reel,
+                                      bool left_handed) noexcept;
 /// Lets the lesson's simulated hand play by this.
 void play_by(PlayedBy by, RunRequest& request);
 

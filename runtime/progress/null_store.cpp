@@ -22,6 +22,9 @@ class NullStore final : public ProgressStore {
     [[nodiscard]] Expected<void> add_setting(const SessionSetting& setting) override {
         return validate(setting);
     }
+    [[nodiscard]] Expected<void> add_hand_setting(const HandSetting& setting) override {
+        return validate(setting);
+    }
     [[nodiscard]] Expected<void> end_session(const SessionEnd& end) override {
         return validate(end);
     }

@@ -31,6 +31,9 @@ Expected<void> write_to(ProgressStore& store, const SessionRecord& session) {
 Expected<void> write_to(ProgressStore& store, const SessionSetting& setting) {
     return store.add_setting(setting);
 }
+Expected<void> write_to(ProgressStore& store, const HandSetting& setting) {
+    return store.add_hand_setting(setting);
+}
 Expected<void> write_to(ProgressStore& store, const SessionEnd& end) {
     return store.end_session(end);
 }
@@ -83,6 +86,9 @@ Expected<void> QueuedStore::begin_session(const SessionRecord& session) {
     return take_in(session);
 }
 Expected<void> QueuedStore::add_setting(const SessionSetting& setting) {
+    return take_in(setting);
+}
+Expected<void> QueuedStore::add_hand_setting(const HandSetting& setting) {
     return take_in(setting);
 }
 Expected<void> QueuedStore::end_session(const SessionEnd& end) {

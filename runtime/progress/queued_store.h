@@ -54,6 +54,7 @@ class QueuedStore final : public ProgressStore {
     [[nodiscard]] Expected<void> add_learner(const Learner& learner) override;
     [[nodiscard]] Expected<void> begin_session(const SessionRecord& session) override;
     [[nodiscard]] Expected<void> add_setting(const SessionSetting& setting) override;
+    [[nodiscard]] Expected<void> add_hand_setting(const HandSetting& setting) override;
     [[nodiscard]] Expected<void> end_session(const SessionEnd& end) override;
     [[nodiscard]] Expected<void> add_attempt(const AttemptRecord& attempt) override;
     [[nodiscard]] Expected<ProgressData> read(const ProgressFilter& filter) override;
@@ -63,7 +64,8 @@ class QueuedStore final : public ProgressStore {
     [[nodiscard]] QueuedStoreStatus status() const;
 
   private:
-    using Record = std::variant<Learner, SessionRecord, SessionSetting, SessionEnd, AttemptRecord>;
+    using Record = std::variant<Learner, SessionRecord, SessionSetting, HandSetting, SessionEnd,
+                                AttemptRecord>;
 
     template <class R>
     Expected<void> take_in(const R& record);

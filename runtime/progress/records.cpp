@@ -96,6 +96,12 @@ Expected<void> validate(const SessionSetting& setting) {
     });
 }
 
+Expected<void> validate(const HandSetting& setting) {
+    return check_id(setting.id, "hand's setting")
+        .and_then([&] { return check_id(setting.learner, "learner of the hand's setting"); })
+        .and_then([&] { return check_named(setting.name, "hand's setting"); });
+}
+
 Expected<void> validate(const SessionEnd& end) {
     if (end.stars < 0 || end.stars > kMaxStars) {
         return fail("a session ended with " + std::to_string(end.stars) + " stars", {},

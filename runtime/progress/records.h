@@ -3,6 +3,7 @@
 //
 //   Learner 1 ── n SessionRecord 1 ── 0..1 SessionEnd
 //                SessionRecord 1 ── n AttemptRecord 1 ── n ErrorRecord
+//   Learner 1 ── n HandSetting
 //
 // The caller gives each record its id before it is written, so that a write whose outcome is
 // unknown can be repeated and leaves one record.
@@ -68,6 +69,19 @@ struct SessionSetting {
     bool operator==(const SessionSetting&) const = default;
 };
 
+/// How one device is set for one learner, one thing of it; the newest of a name counts.
+struct HandSetting {
+    RecordId id;
+    LearnerId learner;
+    std::string
+        device;  ///< which one, as the program calls it; empty for what holds with every device
+    std::string name;  ///< e.g. scale, not empty
+    std::string value;
+    std::int64_t kept_utc_ms = 0;
+
+    bool operator==(const HandSetting&) const = default;
+};
+
 /// How a session came to its end.
 enum class EndReason : std::uint8_t { finished, left, failed };
 
@@ -125,6 +139,7 @@ struct AttemptRecord {
 [[nodiscard]] Expected<void> validate(const Learner& learner);
 [[nodiscard]] Expected<void> validate(const SessionRecord& session);
 [[nodiscard]] Expected<void> validate(const SessionSetting& setting);
+[[nodiscard]] Expected<void> validate(const HandSetting& setting);
 [[nodiscard]] Expected<void> validate(const SessionEnd& end);
 [[nodiscard]] Expected<void> validate(const AttemptRecord& attempt);
 

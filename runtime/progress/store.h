@@ -35,6 +35,7 @@ struct ProgressData {
     std::vector<SessionRecord> sessions;
     std::vector<SessionEnd> ends;
     std::vector<AttemptRecord> attempts;
+    std::vector<HandSetting> hands;  ///< of these learners, whatever the lesson
 };
 
 class ProgressStore {
@@ -60,6 +61,9 @@ class ProgressStore {
 
     /// Keeps what turned out in a session, beside its settings. The session must be known.
     [[nodiscard]] virtual Expected<void> add_setting(const SessionSetting& setting) = 0;
+
+    /// Keeps how a device is set for a learner, beside what was kept before. The learner must be known.
+    [[nodiscard]] virtual Expected<void> add_hand_setting(const HandSetting& setting) = 0;
 
     /// Keeps a session's end. The session must be known and have no other end.
     [[nodiscard]] virtual Expected<void> end_session(const SessionEnd& end) = 0;

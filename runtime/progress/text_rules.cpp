@@ -160,7 +160,7 @@ Expected<std::string> checked_nickname(std::string_view nickname) {
 
 std::string kept_text(std::string_view text) {
     std::string kept;
-    kept.reserve(std::min(text.size(), kMaxTextBytes));
+    kept.reserve(std::min(text.size(), kMaxKeptTextBytes));
     for (std::size_t at = 0; at < text.size();) {
         const Character character = character_at(text, at);
         std::string_view bytes = text.substr(at, character.bytes);
@@ -169,7 +169,7 @@ std::string kept_text(std::string_view text) {
         } else if (is_control(character.code)) {
             bytes = " ";
         }
-        if (kept.size() + bytes.size() > kMaxTextBytes) {
+        if (kept.size() + bytes.size() > kMaxKeptTextBytes) {
             break;
         }
         kept += bytes;

@@ -14,7 +14,7 @@ namespace fulcrum::runtime {
 /// Longest nickname, in characters (Unicode code points).
 inline constexpr std::size_t kMaxNicknameCharacters = 40;
 /// Longest text that is kept of any field, in bytes: several minutes of speech.
-inline constexpr std::size_t kMaxTextBytes = 4000;
+inline constexpr std::size_t kMaxKeptTextBytes = 4000;
 
 /// One character of UTF-8 text.
 struct Character {
@@ -40,7 +40,7 @@ struct Character {
 [[nodiscard]] Expected<std::string> checked_nickname(std::string_view nickname);
 
 /// The text as it is kept: bytes that are no UTF-8 become U+FFFD, control characters become blanks,
-/// and it is cut to `kMaxTextBytes` between two characters. Applying it twice changes nothing more.
+/// and it is cut to `kMaxKeptTextBytes` between two characters. Applying it twice changes nothing more.
 [[nodiscard]] std::string kept_text(std::string_view text);
 
 }  // namespace fulcrum::runtime

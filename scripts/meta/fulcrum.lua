@@ -332,7 +332,7 @@ function World:magnet(options) end
 
 ---@class HandOptions
 ---@field centre? Vector|Body|Tool where the middle of the arm's reach lies; in metres, -10000 to 10000; default {0, 0.3, 0}
----@field scale? number metres in the scene for one metre of the hand; 0.01 to 100; default 1
+---@field scale? number metres in the scene for one metre of a hand that reaches 20 cm each way; one that reaches less gets more; 0.01 to 100; default 1
 ---@field rate? number how often forces are computed; in hertz, 1000 to 5000; default 1000
 ---@field proxy? string what solid bodies are touched with, by the name of its method; what the scene needs by default: friction_cone where something has friction; "god_object", "virtual_proxy" or "friction_cone"
 ---@field cursor? string the shape that touches; a ball is for virtual_proxy and friction_cone, the others for friction_cone alone; "point", "ball", "box", "capsule" or "cylinder"; default point

@@ -24,6 +24,7 @@ class BareStore final : public ProgressStore {
     [[nodiscard]] Expected<void> add_learner(const Learner&) override { return count(); }
     [[nodiscard]] Expected<void> begin_session(const SessionRecord&) override { return count(); }
     [[nodiscard]] Expected<void> add_setting(const SessionSetting&) override { return count(); }
+    [[nodiscard]] Expected<void> add_hand_setting(const HandSetting&) override { return count(); }
     [[nodiscard]] Expected<void> end_session(const SessionEnd&) override { return count(); }
     [[nodiscard]] Expected<void> add_attempt(const AttemptRecord& attempt) override {
         if (++writes_ % 7 == 0) {

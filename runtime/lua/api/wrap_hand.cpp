@@ -213,7 +213,9 @@ void add_hand_api(ApiTable& table) {
          CallTime::declaring,
          {{"centre", vector, "metres", -10000, 10000, "{0, 0.3, 0}",
            "where the middle of the arm's reach lies"},
-          {"scale", number, "", 0.01, 100, "1", "metres in the scene for one metre of the hand"},
+          {"scale", number, "", 0.01, 100, "1",
+           "metres in the scene for one metre of a hand that reaches 20 cm each way; one that "
+           "reaches less gets more"},
           {"rate", number, "hertz", 1000, 5000, "1000", "how often forces are computed"},
           {"proxy", choice, "", 0, 0, "nil",
            "what solid bodies are touched with, by the name of its method; what the scene needs by "

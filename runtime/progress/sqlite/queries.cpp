@@ -59,6 +59,12 @@ std::optional<SessionRecord> find_session(Database& database, const RecordId& id
     return session;
 }
 
+std::optional<HandSetting> find_hand_setting(Database& database, const RecordId& id) {
+    Statement row(database,
+                  (std::string(kSelectHandSetting) + " WHERE hand_setting.id = ?").c_str());
+    return row.bind(id).step() ? std::optional(hand_setting_of(row)) : std::nullopt;
+}
+
 std::optional<SessionEnd> find_end(Database& database, const RecordId& session) {
     Statement row(database, (std::string(kSelectEnd) + " WHERE session_end.session = ?").c_str());
     return row.bind(session).step() ? std::optional(end_of(row)) : std::nullopt;
@@ -176,6 +182,28 @@ void keep(Database& database, const SessionSetting& given) {
         .bind(static_cast<std::int64_t>(settings.size()))
         .bind(setting.name)
         .bind(setting.value)
+        .run();
+}
+
+void keep(Database& database, const HandSetting& given) {
+    HandSetting setting = given;
+    for (std::string* text : {&setting.device, &setting.name, &setting.value}) {
+        *text = kept_text(*text);
+    }
+    if (is_repeat(database, find_hand_setting(database, setting.id), setting,
+                  "setting of a hand")) {
+        return;
+    }
+    require(database, "SELECT 1 FROM learner WHERE id = ?", setting.learner, "learner");
+    Statement(database,
+              "INSERT INTO hand_setting(id, learner, device, name, value, kept_utc_ms)"
+              " VALUES(?, ?, ?, ?, ?, ?)")
+        .bind(setting.id)
+        .bind(setting.learner)
+        .bind(setting.device)
+        .bind(setting.name)
+        .bind(setting.value)
+        .bind(setting.kept_utc_ms)
         .run();
 }
 

@@ -15,6 +15,7 @@ namespace fulcrum::runtime::sqlite {
 void keep(Database& database, const Learner& learner);
 void keep(Database& database, const SessionRecord& session);
 void keep(Database& database, const SessionSetting& setting);
+void keep(Database& database, const HandSetting& setting);
 void keep(Database& database, const SessionEnd& end);
 void keep(Database& database, const AttemptRecord& attempt);
 

@@ -86,6 +86,12 @@ ProgressData read(Database& database, const ProgressFilter& filter) {
                      kOfSession + " ORDER BY session_end.row",
                  filter, [&](Statement& row) { data.ends.push_back(end_of(row)); });
     read_attempts(database, filter, data);
+    for_each_row(database,
+                 std::string(kSelectHandSetting) +
+                     " JOIN learner ON learner.id = hand_setting.learner"
+                     " WHERE (?1 = '' OR learner.nickname = ?1) AND ?2 = ?2"
+                     " ORDER BY hand_setting.row",
+                 filter, [&](Statement& row) { data.hands.push_back(hand_setting_of(row)); });
     return data;
 }
 

@@ -52,6 +52,17 @@ AttemptRecord attempt_of(Statement& row) {
     return attempt;
 }
 
+HandSetting hand_setting_of(Statement& row) {
+    HandSetting setting;
+    setting.id = row.text();
+    setting.learner = row.text();
+    setting.device = row.text();
+    setting.name = row.text();
+    setting.value = row.text();
+    setting.kept_utc_ms = row.number();
+    return setting;
+}
+
 std::pair<std::string, std::string> setting_of(Statement& row) {
     std::string name = row.text();
     std::string value = row.text();

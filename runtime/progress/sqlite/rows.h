@@ -19,6 +19,9 @@ inline constexpr const char* kSelectAttempt =
     "attempt";
 inline constexpr const char* kSelectSetting =
     "SELECT session_setting.session, name, value FROM session_setting";
+inline constexpr const char* kSelectHandSetting =
+    "SELECT hand_setting.id, hand_setting.learner, device, name, value, kept_utc_ms FROM "
+    "hand_setting";
 inline constexpr const char* kSelectError =
     "SELECT attempt_error.attempt, code, span, correction, point FROM attempt_error";
 
@@ -27,6 +30,7 @@ inline constexpr const char* kSelectError =
 [[nodiscard]] SessionRecord session_of(Statement& row);
 [[nodiscard]] SessionEnd end_of(Statement& row);
 [[nodiscard]] AttemptRecord attempt_of(Statement& row);
+[[nodiscard]] HandSetting hand_setting_of(Statement& row);
 /// As above, from the columns after the owner's id, which the caller has read.
 [[nodiscard]] std::pair<std::string, std::string> setting_of(Statement& row);
 [[nodiscard]] ErrorRecord error_of(Statement& row);

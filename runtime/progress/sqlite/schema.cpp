@@ -93,10 +93,26 @@ ALTER TABLE attempt ADD COLUMN feedback TEXT NOT NULL DEFAULT '';
 ALTER TABLE attempt ADD COLUMN uptake TEXT NOT NULL DEFAULT '';
 )sql";
 
+// How a device is set for a learner, and what was found when it was tried.
+constexpr const char* kStep4 = R"sql(
+CREATE TABLE hand_setting(
+  row INTEGER PRIMARY KEY,
+  id TEXT NOT NULL UNIQUE CHECK(length(id) = 32),
+  learner TEXT NOT NULL REFERENCES learner(id) ON DELETE CASCADE,
+  device TEXT NOT NULL,
+  name TEXT NOT NULL CHECK(length(name) >= 1),
+  value TEXT NOT NULL,
+  kept_utc_ms INTEGER NOT NULL) STRICT;
+CREATE INDEX hand_setting_of_learner ON hand_setting(learner);
+CREATE TRIGGER hand_setting_is_fact BEFORE UPDATE ON hand_setting
+  BEGIN SELECT RAISE(ABORT, 'a kept fact is never changed'); END;
+)sql";
+
 }  // namespace
 
 const std::array<const char*, kSchemaVersion>& migrations() noexcept {
-    static constexpr std::array<const char*, kSchemaVersion> kSteps{kStep0, kStep1, kStep2, kStep3};
+    static constexpr std::array<const char*, kSchemaVersion> kSteps{kStep0, kStep1, kStep2, kStep3,
+                                                                    kStep4};
     return kSteps;
 }
 

@@ -39,6 +39,9 @@ class SqliteStore final : public ProgressStore {
     [[nodiscard]] Expected<void> add_setting(const SessionSetting& setting) override {
         return keep(setting);
     }
+    [[nodiscard]] Expected<void> add_hand_setting(const HandSetting& setting) override {
+        return keep(setting);
+    }
     [[nodiscard]] Expected<void> end_session(const SessionEnd& end) override { return keep(end); }
     [[nodiscard]] Expected<void> add_attempt(const AttemptRecord& attempt) override {
         return keep(attempt);

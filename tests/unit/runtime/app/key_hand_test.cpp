@@ -118,3 +118,22 @@ TEST_CASE(
     WindowEvents later = at(10.0, 20.0);
     CHECK(frames(hand, later, 10).pointer_x_px == rests_at);
 }
+
+TEST_CASE("key hand: who has the mouse in the left hand has I J K L under the right one") {
+    const auto moved = [](bool left_handed, const std::string& key) {
+        KeyHand hand;
+        hand.hold_by(left_handed);
+        const WindowEvents events = frames(hand, pressed(key), 10);
+        return Eigen::Vector2d(events.pointer_x_px - 500.0, events.pointer_y_px - 250.0);
+    };
+    CHECK(moved(true, "i").y() < -5.0);
+    CHECK(moved(true, "j").x() < -5.0);
+    CHECK(moved(true, "k").y() > 5.0);
+    CHECK(moved(true, "l").x() > 5.0);
+    // The other hand's keys are a lesson's own.
+    for (const char* key : {"w", "a", "s", "d"}) {
+        CHECK(moved(true, key).isZero());
+    }
+    CHECK(moved(false, "l").isZero());
+    CHECK(moved(false, "d").x() > 5.0);
+}

@@ -145,3 +145,24 @@ TEST_CASE("options: a simulated hand plays by arm, mouse or keyboard, and by not
     REQUIRE_FALSE(odd);
     CHECK(to_sentence(odd.error()) == "--by foot is not known; use arm, mouse or keyboard.");
 }
+
+TEST_CASE("options: how the hand is set is said in words, and what cannot be is refused") {
+    const auto options = parse({"run", "gravity", "--scale", "2", "--axes", "-x,y,z", "--middle",
+                                "0,0.1,0", "--clutch", "none", "--handed", "left"});
+    REQUIRE(options);
+    CHECK(words_of(options->fit) ==
+          std::vector<std::pair<std::string, std::string>>{{"scale", "2"},
+                                                           {"axes", "-x,y,z"},
+                                                           {"middle", "0,0.1,0"},
+                                                           {"clutch", "none"},
+                                                           {"handed", "left"}});
+    CHECK(words_of(parse({"run", "gravity"})->fit).empty());
+    CHECK(parse({"run", "gravity"})->first_use == FirstUseTrial::once);
+    CHECK(parse({"run", "gravity", "--first-use", "again"})->first_use == FirstUseTrial::again);
+    CHECK(parse({"run", "gravity", "--first-use", "never"})->first_use == FirstUseTrial::never);
+    CHECK_FALSE(parse({"run", "gravity", "--first-use", "twice"}));
+    CHECK_FALSE(parse({"run", "gravity", "--scale", "9"}));
+    CHECK_FALSE(parse({"run", "gravity", "--axes", "x,y"}));
+    CHECK_FALSE(parse({"run", "gravity", "--handed", "both"}));
+    CHECK_FALSE(parse({"list", "--handed", "left"}));
+}

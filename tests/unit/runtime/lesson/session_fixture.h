@@ -66,6 +66,9 @@ class MemoryStore final : public ProgressStore {
         return keep(
             [&] { data.sessions.back().settings.emplace_back(setting.name, setting.value); });
     }
+    [[nodiscard]] Expected<void> add_hand_setting(const HandSetting& setting) override {
+        return keep([&] { data.hands.push_back(setting); });
+    }
     [[nodiscard]] Expected<void> end_session(const SessionEnd& end) override {
         return keep([&] { data.ends.push_back(end); });
     }

@@ -58,6 +58,7 @@ class LateStore final : public ProgressStore {
     [[nodiscard]] Expected<void> add_learner(const Learner&) override { return {}; }
     [[nodiscard]] Expected<void> begin_session(const SessionRecord&) override { return {}; }
     [[nodiscard]] Expected<void> add_setting(const SessionSetting&) override { return {}; }
+    [[nodiscard]] Expected<void> add_hand_setting(const HandSetting&) override { return {}; }
     [[nodiscard]] Expected<void> end_session(const SessionEnd&) override { return {}; }
     [[nodiscard]] Expected<void> add_attempt(const AttemptRecord&) override { return {}; }
     [[nodiscard]] Expected<ProgressData> read(const ProgressFilter&) override {

@@ -59,6 +59,9 @@ class DiskStore final : public ProgressStore {
     [[nodiscard]] Expected<void> add_setting(const SessionSetting&) override {
         return write("setting");
     }
+    [[nodiscard]] Expected<void> add_hand_setting(const HandSetting& setting) override {
+        return write(setting.name);
+    }
     [[nodiscard]] Expected<void> end_session(const SessionEnd&) override { return write("end"); }
     [[nodiscard]] Expected<void> add_attempt(const AttemptRecord& attempt) override {
         const Expected<void> written = write(attempt.question);
@@ -140,6 +143,9 @@ TEST_CASE("queued store: the order of the writes is the order of the calls") {
     }
     REQUIRE(store->add_setting({session.id, "throat_heard", "1.20"}));
     order.emplace_back("setting");
+    REQUIRE(store->add_hand_setting(
+        {random_record_id(), session.learner, "mouse", "handed", "left", 1}));
+    order.emplace_back("handed");
     SessionEnd end;
     end.session = session.id;
     REQUIRE(store->end_session(end));

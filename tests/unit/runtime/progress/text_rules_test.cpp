@@ -81,12 +81,12 @@ TEST_CASE("kept text: any bytes become clean UTF-8, and mending twice changes no
 
 TEST_CASE("kept text: is cut between two characters") {
     std::string long_text = "x";
-    while (long_text.size() < 2 * kMaxTextBytes) {
+    while (long_text.size() < 2 * kMaxKeptTextBytes) {
         long_text += "민";
     }
     const std::string kept = kept_text(long_text);
-    CHECK(kept.size() == kMaxTextBytes);  // 1 + 3 · 1333 = 4000
-    CHECK(kept_text("y" + long_text).size() == kMaxTextBytes - 2);
+    CHECK(kept.size() == kMaxKeptTextBytes);  // 1 + 3 · 1333 = 4000
+    CHECK(kept_text("y" + long_text).size() == kMaxKeptTextBytes - 2);
 }
 
 TEST_CASE("display width: Korean is two columns, accents none") {

@@ -33,6 +33,37 @@ TEST_CASE("store: a repeated write leaves one record and is acknowledged") {
     CHECK(data->ends.size() == 1);
 }
 
+TEST_CASE("store: how a hand is set is kept for its learner, each time beside the last") {
+    const TemporaryFolder folder;
+    Classroom room(folder.file("progress.db"));
+    const Learner other = *room.store->enrol("Jun");
+    const std::string arm = "udp:arm:4701";
+    const std::vector<HandSetting> kept = {
+        {random_record_id(), room.learner.id, arm, "scale", "2", 1},
+        {random_record_id(), room.learner.id, arm, "scale", "1.5", 2},
+        {random_record_id(), room.learner.id, "", "handed", "left", 3}};
+    for (const HandSetting& setting : kept) {
+        CHECK(room.store->add_hand_setting(setting));
+        CHECK(room.store->add_hand_setting(setting));  // a repeated write leaves one
+    }
+    REQUIRE(room.store->add_hand_setting({random_record_id(), other.id, arm, "scale", "3", 4}));
+    CHECK(room.store->read({"Mina", {}})->hands == kept);
+    CHECK(room.store->read({"mina", "no such lesson"})->hands == kept);
+    CHECK(room.store->read({"Jun", {}})->hands.size() == 1);
+    // Refused: other content under an id, a learner whom nobody knows, no name, no id.
+    HandSetting changed = kept[0];
+    changed.value = "9";
+    CHECK(error_text(room.store->add_hand_setting(changed)).find("under this id") !=
+          std::string::npos);
+    CHECK_FALSE(room.store->add_hand_setting(
+        {random_record_id(), random_record_id(), arm, "scale", "1", 1}));
+    CHECK_FALSE(room.store->add_hand_setting({random_record_id(), other.id, arm, "", "1", 1}));
+    CHECK_FALSE(room.store->add_hand_setting({"short", other.id, arm, "scale", "1", 1}));
+    CHECK_FALSE(
+        test::run_sql(folder.file("progress.db"), "UPDATE hand_setting SET value = '9'").empty());
+    CHECK(room.store->read({"Mina", {}})->hands == kept);
+}
+
 TEST_CASE("store: other content under a kept id is refused and changes nothing") {
     const TemporaryFolder folder;
     Classroom room(folder.file("progress.db"));

@@ -63,8 +63,12 @@ TEST_CASE("opening: version 1 becomes the newest and keeps every fact") {
             {{"force_limit_N", "10"}}};
         CHECK((*store)->begin_session(session));
         CHECK((*store)->read({})->sessions.back() == session);
+        const HandSetting hand{
+            std::string(32, 'e'), std::string(32, 'a'), "udp:arm:4701", "scale", "2", 9};
+        CHECK((*store)->add_hand_setting(hand));
+        CHECK((*store)->read({})->hands == std::vector{hand});
     }
-    CHECK(query(path, "PRAGMA user_version") == "4");
+    CHECK(query(path, "PRAGMA user_version") == "5");
     CHECK(query(path, "PRAGMA integrity_check") == "ok");
 }
 

@@ -1,0 +1,179 @@
+// The first use of an arm as a learner sees it. See force_trial.h.
+#include "haptics/base/clock.h"
+#include "runtime/app/force_trial.h"
+#include "runtime/app/interrupt.h"
+#include "runtime/app/stop_keys.h"
+#include "runtime/app/stop_signal.h"
+#include "runtime/app/typing.h"
+
+#include <string>
+#include <vector>
+
+namespace fulcrum::runtime {
+namespace {
+
+class TrialScreen {
+  public:
+    TrialScreen(ForceTrial& trial, Desktop& desktop, const dialogue::Catalogue& words)
+        : trial_(trial), desktop_(desktop), words_(words) {
+        stop_.watch(&trial.channels());
+        desktop_.say({words_.say("first_use.hold")});
+    }
+    ~TrialScreen() { stop_.watch(nullptr); }
+    TrialScreen(const TrialScreen&) = delete;
+    TrialScreen& operator=(const TrialScreen&) = delete;
+
+    // Until it has an end, the learner has seen it, or somebody leaves.
+    TrialLeft play(std::optional<double> end_s) {
+        while (!left_) {
+            take(desktop_.window->poll());
+            trial_.frame();
+            if (trial_.trial().end() == FirstUseEnd::good) {
+                left_ = TrialLeft::done;
+            }
+            ask();
+            desktop_.draw(compose());
+            desktop_.finish_frame();
+            if (end_s && monotonic_now_s() >= *end_s) {
+                left_ = TrialLeft::time_is_up;
+            }
+        }
+        return *left_;
+    }
+
+  private:
+    void take(const WindowEvents& events) {
+        if (events.close || interrupted()) {
+            left_ = TrialLeft::closed;
+        }
+        stop_.hear(stop_signals_seen());
+        stop_.watch_gate(trial_.channels().state_for_lesson.value().gate == GatePhase::stopped);
+        if (events.lost_focus) {
+            stop_.lose_focus(true);
+        }
+        if (events.button_press[0]) {
+            const auto spot = desktop_.picture->spot_at(events.press_x_px, events.press_y_px);
+            if (spot && *spot >= 0 && *spot < static_cast<int>(choices_.size())) {
+                chosen_ = *spot;
+                answer();
+            }
+        }
+        for (const KeyPress& press : events.pressed) {
+            if (press.text.empty()) {
+                take_key(press);
+            } else if (!choices_.empty()) {
+                typing_.add(press.text);
+                chosen_ = -1;
+            }
+        }
+    }
+
+    void take_key(const KeyPress& press) {
+        const StopKey done = stop_.take(press.key, press.repeat, {});
+        if (done == StopKey::leave) {
+            left_ = TrialLeft::to_menu;
+        } else if (done != StopKey::nothing || stop_.stopped()) {
+            return;
+        } else if (press.key == "backspace") {
+            typing_.backspace();
+        } else if (press.key == "return" && is_over()) {
+            left_ = TrialLeft::done;
+        } else if (press.key == "return" && !press.repeat) {
+            answer();
+        } else if ((press.key == "down" || press.key == "up") && !choices_.empty()) {
+            const auto n = static_cast<int>(choices_.size());
+            const int step = press.key == "down" ? 1 : -1;
+            chosen_ = chosen_ < 0 ? (step > 0 ? 0 : n - 1) : (chosen_ + step + n) % n;
+            typing_.clear();
+        }
+    }
+
+    void answer() {
+        const std::string said = chosen_ >= 0 && chosen_ < static_cast<int>(choices_.size())
+                                     ? choices_[static_cast<std::size_t>(chosen_)]
+                                     : typing_.text();
+        const bool is_asked = trial_.trial().question() != FirstUseQuestion::none;
+        is_unclear_ = is_asked && !trial_.trial().answer(said);
+        typing_.clear();
+        chosen_ = -1;
+    }
+
+    // What is asked is said once, aloud as well.
+    void ask() {
+        const FirstUseQuestion question = trial_.trial().question();
+        if (question == asked_) {
+            return;
+        }
+        asked_ = question;
+        choices_.clear();
+        if (question != FirstUseQuestion::none) {
+            choices_ = words_.series(key());
+            desktop_.say({words_.say(key())});
+        }
+    }
+
+    [[nodiscard]] const char* key() const {
+        return asked_ == FirstUseQuestion::way        ? "first_use.way"
+               : asked_ == FirstUseQuestion::stronger ? "first_use.stronger"
+                                                      : "first_use.hold";
+    }
+    [[nodiscard]] bool is_over() const { return trial_.trial().end() != FirstUseEnd::running; }
+
+    [[nodiscard]] View compose() const {
+        View view;
+        view.tool_visible = false;
+        view.caption = words_.say(key());
+        view.input = typing_.text();
+        view.input_visible = !choices_.empty();
+        for (const std::string& choice : choices_) {
+            view.choices.push_back({choice, {}});
+        }
+        view.chosen = chosen_;
+        view.feedback = is_unclear_ ? words_.say("first_use.again") : std::string();
+        if (stop_.stopped()) {
+            view.banner = words_.say("hud.emergency", {{"key", "Enter"}});
+            view.banner_is_error = true;
+        } else if (is_over() && trial_.trial().end() != FirstUseEnd::good) {
+            view.banner = words_.say("first_use.off", {{"key", "Enter"}});
+            view.banner_is_error = true;
+        }
+        return view;
+    }
+
+    ForceTrial& trial_;
+    Desktop& desktop_;
+    const dialogue::Catalogue& words_;
+    StopKeys stop_;
+    TypedLine typing_;
+    FirstUseQuestion asked_ = FirstUseQuestion::none;
+    std::vector<std::string> choices_;
+    int chosen_ = -1;
+    bool is_unclear_ = false;
+    std::optional<TrialLeft> left_;
+};
+
+}  // namespace
+
+Expected<TrialLeft> try_forces_in_window(LessonRun& run, const RunRequest& request,
+                                         ProgressStore& store, Desktop& desktop,
+                                         const dialogue::Catalogue& catalogue,
+                                         std::optional<double> end_s) {
+    constexpr bool kAsked = true;
+    if (!run.needs_trial(request, kAsked)) {
+        return TrialLeft::done;
+    }
+    auto begun = ForceTrial::begin(run.hand_to_try().device(), run.plan().haptic.safety, kAsked);
+    if (!begun) {
+        return tl::unexpected(begun.error());
+    }
+    const TrialLeft left = TrialScreen(**begun, desktop, catalogue).play(end_s);
+    const FirstUse trial = (*begun)->trial();
+    begun->reset();
+    // Who left has not tried it to the end: nothing is known, and nothing is felt.
+    if (left == TrialLeft::done) {
+        run.take_trial(trial, kAsked, request, store);
+    }
+    return left;
+}
+
+}  // namespace fulcrum::runtime

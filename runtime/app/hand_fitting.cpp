@@ -1,0 +1,90 @@
+#include "runtime/app/hand_fitting.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr int kUsualClutch = 3;
+
+}  // namespace
+
+std::string name_device(const RunRequest& request) {
+    switch (request.hand) {
+        case HandKind::link:
+            return "udp:" + request.hand_address;
+        case HandKind::hid: {
+            std::array<char, 16> ids{};
+            std::snprintf(ids.data(), ids.size(), "%04x:%04x", request.hid.node.vendor,
+                          request.hid.node.product);
+            return std::string("hid:") + ids.data();
+        }
+        case HandKind::mouse:
+            return "mouse";
+        case HandKind::scripted:
+            return "simulated hand";
+        case HandKind::replay:
+            break;
+    }
+    return {};
+}
+
+// A guest is another each time, and a simulated pupil plays alike each time.
+bool is_somebody(const RunRequest& request) {
+    return !request.learner.empty() && request.learner != kSimulatedPupil &&
+           !name_device(request).empty();
+}
+
+int usual_clutch(HandKind kind) noexcept {
+    return kind == HandKind::link ? kUsualClutch : 0;
+}
+
+double choose_scale(const HandFit& fit, const DeviceTraits& traits) {
+    const Vector3& reach_m = traits.reach_m;
+    if (fit.scale || !reach_m.allFinite() || !(reach_m.minCoeff() > 0.0)) {
+        return 1.0;
+    }
+    return std::clamp(kUsualReach_m / reach_m.minCoeff(), 1.0, kMostFitScale);
+}
+
+std::unique_ptr<Device> fit_device(const RunRequest& request, std::unique_ptr<Device> device) {
+    if (request.hand != HandKind::link && request.hand != HandKind::hid) {
+        return device;
+    }
+    DeviceFit fit = device_fit(request.fit);
+    fit.clutch_button = request.fit.clutch_button.value_or(usual_clutch(request.hand));
+    return std::make_unique<FittedDevice>(fit, std::move(device));
+}
+
+RunRequest with_kept_fit(const RunRequest& request, ProgressStore& store) {
+    RunRequest fitted = request;
+    if (!is_somebody(request)) {
+        return fitted;
+    }
+    // Who is not known yet has nothing kept; a name that cannot be one is refused where it is enrolled.
+    if (const auto learner = store.enrol(request.learner)) {
+        const KeptFit kept = read_fit(store, *learner, name_device(request));
+        for (const std::string& notice : kept.notices) {
+            std::fprintf(stderr, "%s\n", notice.c_str());
+        }
+        fitted.fit = join(request.fit, kept.fit);
+    }
+    return fitted;
+}
+
+void keep_fit_of(const RunRequest& request, ProgressStore& store) {
+    if (!is_somebody(request) || words_of(request.fit).empty()) {
+        return;
+    }
+    const auto kept = store.enrol(request.learner).and_then([&](const Learner& learner) {
+        return keep_fit(store, learner, name_device(request), request.fit);
+    });
+    if (!kept) {
+        std::fprintf(stderr, "How the hand is set was not kept: %s\n",
+                     to_sentence(kept.error()).c_str());
+    }
+}
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,284 @@
+#include "runtime/lesson/first_use.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace fulcrum::runtime {
+namespace {
+
+constexpr std::array<Way, kWays> kOrder{Way::right, Way::up,   Way::left,
+                                        Way::away,  Way::down, Way::near};
+constexpr double kStrong_N = 0.8;
+constexpr double kWeak_N = 0.4;
+// The stronger one comes first, then last: who always says the same is found out.
+constexpr std::array<std::array<double, 2>, 2> kCompared{
+    {{kStrong_N, kWeak_N}, {kWeak_N, kStrong_N}}};
+
+struct Word {
+    std::string_view word;
+    Way way;
+};
+constexpr std::array<Word, 12> kWords{{{"right", Way::right},
+                                       {"left", Way::left},
+                                       {"up", Way::up},
+                                       {"upwards", Way::up},
+                                       {"down", Way::down},
+                                       {"downwards", Way::down},
+                                       {"me", Way::near},
+                                       {"you", Way::near},
+                                       {"near", Way::near},
+                                       {"away", Way::away},
+                                       {"forward", Way::away},
+                                       {"forwards", Way::away}}};
+
+std::vector<std::string> words_in(std::string_view said) {
+    std::vector<std::string> words(1);
+    for (const char letter : said) {
+        const auto byte = static_cast<unsigned char>(letter);
+        if (std::isalnum(byte) != 0) {
+            words.back() += static_cast<char>(std::tolower(byte));
+        } else if (!words.back().empty()) {
+            words.emplace_back();
+        }
+    }
+    return words;
+}
+
+Way opposite(Way way) {
+    constexpr std::array<Way, kWays> kOpposites{Way::left, Way::right, Way::down,
+                                                Way::up,   Way::away,  Way::near};
+    return kOpposites[static_cast<std::size_t>(way)];
+}
+
+std::size_t index_of(Way way) {
+    return static_cast<std::size_t>(way);
+}
+
+}  // namespace
+
+Vector3 vector_of(Way way) {
+    constexpr int kAxes[] = {0, 0, 1, 1, 2, 2};
+    const bool runs_back = way == Way::left || way == Way::down || way == Way::away;
+    return (runs_back ? -1.0 : 1.0) * Vector3::Unit(kAxes[index_of(way)]);
+}
+
+std::optional<Way> way_in(std::string_view said) {
+    std::optional<Way> named;
+    const std::vector<std::string> words = words_in(said);
+    // "Away from me" is away.
+    const bool is_away = std::ranges::find(words, "away") != words.end();
+    for (const std::string& word : words) {
+        const auto found = std::ranges::find(kWords, std::string_view(word), &Word::word);
+        if (found == kWords.end() || (is_away && found->way == Way::near)) {
+            continue;
+        }
+        if (named && *named != found->way) {
+            return std::nullopt;
+        }
+        named = found->way;
+    }
+    return named;
+}
+
+std::optional<int> which_in(std::string_view said) {
+    const std::vector<std::string> words = words_in(said);
+    const auto has = [&](std::string_view one, std::string_view other) {
+        return std::ranges::find(words, one) != words.end() ||
+               std::ranges::find(words, other) != words.end();
+    };
+    const bool first = has("first", "1");
+    const bool second = has("second", "2");
+    return first == second ? std::nullopt : std::optional(second ? 1 : 0);
+}
+
+FirstUse::FirstUse(bool asks) : asks_(asks) {
+    begin_push();
+}
+
+void FirstUse::begin_push() {
+    const Vector3 way_W = vector_of(compares_ ? Way::up : kOrder[next_]);
+    push_.emplace(PushSettings{.force_N = compares_ ? kCompared[round_][next_] : kStrong_N}, way_W);
+}
+
+Vector3 FirstUse::step(const HapticState& state, double now_s) {
+    if (end_ != FirstUseEnd::running || question_ != FirstUseQuestion::none) {
+        return Vector3::Zero();
+    }
+    const Vector3 force_W = push_->step(state, now_s);
+    if (push_->end() != PushEnd::running) {
+        finish_push();
+    }
+    return force_W;
+}
+
+// What did the hand do?
+void FirstUse::finish_push() {
+    if (push_->end() == PushEnd::ran_against) {
+        axis_ = static_cast<int>(index_of(compares_ ? Way::up : kOrder[next_]) / 2);
+        end_ = FirstUseEnd::against;
+        return;
+    }
+    if (push_->end() != PushEnd::done) {
+        end_ = FirstUseEnd::disturbed;
+        return;
+    }
+    if (!compares_) {
+        const Way way = kOrder[next_];
+        motions_W_[index_of(way)] = push_->motion_W();
+        if (motions_W_[index_of(opposite(way))] && !second_try_ && !judge_axis(way)) {
+            return;
+        }
+        if (asks_) {
+            question_ = FirstUseQuestion::way;
+            return;
+        }
+    } else if (next_ == 1) {
+        question_ = FirstUseQuestion::stronger;
+        return;
+    }
+    go_on();
+}
+
+// False where that ends it.
+bool FirstUse::judge_axis(Way way) {
+    const std::size_t i = index_of(way);
+    switch (judge_pushes(vector_of(way), *motions_W_[i], *motions_W_[index_of(opposite(way))])) {
+        case PushVerdict::with:
+            return true;
+        case PushVerdict::unfelt:
+            ++unfelt_axes_;
+            return true;
+        case PushVerdict::against:
+            end_ = FirstUseEnd::against;
+            break;
+        case PushVerdict::aside:
+            end_ = FirstUseEnd::aside;
+            break;
+    }
+    axis_ = static_cast<int>(i / 2);
+    return false;
+}
+
+// The next push, or what all of them say.
+void FirstUse::go_on() {
+    constexpr int kAxes = 3;
+    ++next_;
+    second_try_ = compares_ && second_try_;
+    if (!compares_ && next_ == kWays) {
+        if (unfelt_axes_ == kAxes) {
+            end_ = FirstUseEnd::unfelt;
+            return;
+        }
+        if (!asks_) {
+            end_ = FirstUseEnd::good;
+            return;
+        }
+        judge_answers();
+        if (end_ != FirstUseEnd::running) {
+            return;
+        }
+        compares_ = true;
+        next_ = 0;
+    }
+    begin_push();
+}
+
+bool FirstUse::answer(std::string_view said) {
+    if (question_ == FirstUseQuestion::stronger) {
+        const auto which = which_in(said);
+        if (which) {
+            hear_stronger(*which);
+        }
+        return which.has_value();
+    }
+    const auto way = question_ == FirstUseQuestion::way ? way_in(said) : std::nullopt;
+    if (!way) {
+        return false;
+    }
+    question_ = FirstUseQuestion::none;
+    said_[index_of(kOrder[next_])] = *way;
+    if (*way != kOrder[next_] && !second_try_) {
+        second_try_ = true;
+        begin_push();
+    } else {
+        go_on();
+    }
+    return true;
+}
+
+void FirstUse::hear_stronger(int which) {
+    question_ = FirstUseQuestion::none;
+    if (kCompared[round_][static_cast<std::size_t>(which)] == kStrong_N) {
+        second_try_ = false;
+        ++round_;
+    } else if (std::exchange(second_try_, true)) {
+        end_ = FirstUseEnd::unsure;
+    }
+    if (round_ == kCompared.size()) {
+        end_ = FirstUseEnd::good;
+    }
+    if (end_ == FirstUseEnd::running) {
+        next_ = 0;
+        begin_push();
+    }
+}
+
+// M e_i is what was said of a push along e_i; of the opposite one the opposite must have been said.
+void FirstUse::judge_answers() {
+    Matrix3 turned = Matrix3::Zero();
+    for (const Way way : {Way::right, Way::up, Way::near}) {
+        const Way said = said_[index_of(way)];
+        if (said_[index_of(opposite(way))] != opposite(said)) {
+            end_ = FirstUseEnd::unsure;
+            return;
+        }
+        turned.col(static_cast<int>(index_of(way) / 2)) = vector_of(said);
+    }
+    felt_ = AxisOrder::of(turned);
+    if (!felt_) {
+        end_ = FirstUseEnd::unsure;
+    } else if (!felt_->is_plain()) {
+        end_ = FirstUseEnd::turned;
+    }
+}
+
+std::string tell(const FirstUse& trial, const AxisOrder& axes) {
+    constexpr const char* kOff = "the arm gives no force in this lesson: ";
+    constexpr const char* kAxes[] = {"left and right", "up and down", "near and away"};
+    const std::string axis = kAxes[trial.axis()];
+    switch (trial.end()) {
+        case FirstUseEnd::running:
+        case FirstUseEnd::good:
+            return {};
+        case FirstUseEnd::against:
+            return kOff + std::string("the hand goes against its push, ") + axis +
+                   "; a motor or an encoder runs the wrong way, have that mended.";
+        case FirstUseEnd::aside:
+            return kOff + std::string("the hand goes across its push, ") + axis +
+                   "; motors are exchanged, have that mended.";
+        case FirstUseEnd::unfelt:
+            return kOff + std::string(
+                              "its pushes move the hand along no axis; hold it loosely, see "
+                              "that its motors are on, and start the lesson again.");
+        case FirstUseEnd::disturbed:
+            return kOff + std::string(
+                              "its pushes could not be tried; hold it loosely and still, and "
+                              "start the lesson again.");
+        case FirstUseEnd::turned: {
+            const auto mended = AxisOrder::of(trial.felt()->matrix() * axes.matrix());
+            return kOff +
+                   std::string(
+                       "it stands otherwise than it says; start the lesson again with "
+                       "--axes ") +
+                   mended.value_or(AxisOrder{}).text() + ".";
+        }
+        case FirstUseEnd::unsure:
+            return kOff + std::string(
+                              "what was felt fits no way in which it could stand; start the "
+                              "lesson again and say what is felt.");
+    }
+    return {};
+}
+
+}  // namespace fulcrum::runtime

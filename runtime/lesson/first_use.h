@@ -1,0 +1,94 @@
+// The first time that a learner holds an arm it pushes their hand gently, one way after the other, and is watched; where somebody can
+// answer they say, in their own words, which way it was and which of two pushes was stronger.
+//
+//   for each of right, up, left, away, down, near:   push (loop/push_trial.h) -> "Which way does the arm push?"
+//   then 0.8 N and 0.4 N up, then 0.4 N and 0.8 N:   "Which push was stronger: the first or the second?"
+// Two opposite pushes against which the hand goes, or across, end it: the motors are wired otherwise than the arm says, and no setting
+// mends that. What is said wrong is pushed and asked once more; then, where all answers together are one turn or mirror M of the pushes, the
+// arm stands otherwise than it says, and axes M A are what mends it (device/fitted/axis_order.h). In every case but a good one there is to
+// be no force.
+//
+// Thread: lesson loop, some 60 times a second. Cost: nothing to speak of.
+#pragma once
+
+#include "haptics/device/fitted/axis_order.h"
+#include "haptics/loop/push_trial.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fulcrum::runtime {
+
+/// Ways of a push, as the learner says them.
+enum class Way : std::uint8_t { right, left, up, down, near, away };
+inline constexpr std::size_t kWays = 6;
+
+/// A unit vector, scene's axes.
+[[nodiscard]] Vector3 vector_of(Way way);
+/// The one way that is named in it: "it goes left", "to me". Nothing where none is, or two are.
+[[nodiscard]] std::optional<Way> way_in(std::string_view said);
+/// 0 for the first, 1 for the second; nothing where it names neither, or both.
+[[nodiscard]] std::optional<int> which_in(std::string_view said);
+
+enum class FirstUseQuestion : std::uint8_t { none, way, stronger };
+
+/// How it came out.
+enum class FirstUseEnd : std::uint8_t {
+    running,
+    good,
+    against,    ///< the hand goes against the push
+    aside,      ///< or across
+    unfelt,     ///< along no axis did it move
+    disturbed,  ///< it could not be tried: let go, stopped, moved
+    turned,     ///< the arm stands otherwise than it says
+    unsure      ///< the answers fit no way it could stand, or the stronger push was not told
+};
+
+class FirstUse {
+  public:
+    /// `asks`: somebody is there to answer.
+    explicit FirstUse(bool asks);
+
+    /// The force to command until the next call; none while a question is open.
+    [[nodiscard]] Vector3 step(const HapticState& state, double now_s);
+
+    /// What is asked now.
+    [[nodiscard]] FirstUseQuestion question() const noexcept { return question_; }
+    /// True when the words were understood; then the question is closed.
+    bool answer(std::string_view said);
+
+    [[nodiscard]] FirstUseEnd end() const noexcept { return end_; }
+    /// Which axis is against or aside, or how the axes are as the learner felt them, where it is turned.
+    [[nodiscard]] int axis() const noexcept { return axis_; }
+    [[nodiscard]] const std::optional<AxisOrder>& felt() const noexcept { return felt_; }
+
+  private:
+    void begin_push();
+    void finish_push();
+    void go_on();
+    [[nodiscard]] bool judge_axis(Way way);
+    void judge_answers();
+    void hear_stronger(int which);
+
+    bool asks_;
+    FirstUseEnd end_ = FirstUseEnd::running;
+    FirstUseQuestion question_ = FirstUseQuestion::none;
+    std::optional<PushTrial> push_;
+    std::size_t next_ = 0;  // of the ways; then of the two pushes that are compared
+    bool compares_ = false;
+    std::size_t round_ = 0;  // of the comparisons
+    bool second_try_ = false;
+    std::array<std::optional<Vector3>, kWays> motions_W_{};
+    std::array<Way, kWays> said_{};
+    int unfelt_axes_ = 0;
+    int axis_ = 0;
+    std::optional<AxisOrder> felt_;
+};
+
+/// What a teacher should know, one sentence; empty while it runs and where it is good. `axes`: how the arm was set.
+[[nodiscard]] std::string tell(const FirstUse& trial, const AxisOrder& axes);
+
+}  // namespace fulcrum::runtime

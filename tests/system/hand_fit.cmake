@@ -1,0 +1,5 @@
+# An arm that is set for a learner and tried at first use, in another process.
+add_test(NAME "system: how an arm is set is kept with the learner, and its forces are tried once"
+         COMMAND ${CMAKE_SOURCE_DIR}/tests/system/hand_fit.sh $<TARGET_FILE:fulcrum>)
+set_tests_properties("system: how an arm is set is kept with the learner, and its forces are tried once"
+                     PROPERTIES LABELS system TIMEOUT 180 RUN_SERIAL ON)

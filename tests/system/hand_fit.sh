@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# hand_fit.sh FULCRUM: how an arm is set is kept with the learner and the arm, and its forces are tried once, between two processes
+# over a real socket.
+set -euo pipefail
+fulcrum=$1
+home=$(mktemp -d)
+export HOME=$home XDG_CONFIG_HOME=$home/config
+unset DISPLAY
+arm=
+cleanup() {
+    [[ -z $arm ]] || kill "$arm" 2>/dev/null || true
+    wait 2>/dev/null || true
+    rm -rf "$home"
+}
+trap cleanup EXIT
+
+fail() {
+    echo "hand_fit.sh: $1" >&2
+    for log in "$home"/*.log; do echo "== $log"; tail -n 12 "$log"; done >&2
+    exit 1
+}
+expect() { grep -qE "$2" "$1" || fail "$3"; }
+refuse() { ! grep -qE "$2" "$1" || fail "$3"; }
+
+# An arm on a desk, which reaches 16 by 12 by 7 cm.
+mkfifo "$home/keys"
+: >"$home/arm.log"  # is looked at before the arm has said anything
+"$fulcrum" arm --arm desktop --port 0 <>"$home/keys" >"$home/arm.log" 2>&1 &
+arm=$!
+port=
+for _ in $(seq 100); do
+    port=$(sed -n 's/.* waits at 127[.]0[.]0[.]1:\([0-9]*\)[.].*/\1/p' "$home/arm.log")
+    [[ -n $port ]] && break
+    sleep 0.1
+done
+[[ -n $port ]] || fail "the arm does not say where it waits"
+echo "an egg is the lightest" >"$home/say.txt"
+# play NAME OPTIONS...: a second of the gravity game.
+play() {
+    local name=$1
+    shift
+    "$fulcrum" run gravity --headless --hand "udp:127.0.0.1:$port" --say "$home/say.txt" --db "$home/p.db" \
+        --seconds 1 "$@" >"$home/$name.log" 2>&1 || fail "$name: the lesson was not played"
+}
+
+# The first time it is tried, gently; the scene is as large as what it reaches.
+play first --learner Mina
+expect "$home/first.log" '^The arm pushes gently' "its forces were not tried"
+refuse "$home/first.log" 'no force in this lesson' "a good arm was found bad"
+expect "$home/first.log" '16 by 12 by 7 cm, so it moves 4[.]0 times as far' "the scene was not fitted to what it reaches"
+most=$(sed -n 's/.*most \([0-9.]*\).*/\1/p' "$home/arm.log" | tail -n 1)
+[[ -n $most ]] && awk "BEGIN { exit !($most > 0.5 && $most <= 5) }" || fail "the arm felt $most N"
+# The second time not; what is said once is kept, and holds without being said.
+play second --learner Mina --scale 2 --handed left
+refuse "$home/second.log" 'pushes gently' "it was tried again"
+refuse "$home/second.log" 'so it moves' "the scale that was said was not taken"
+play third --learner Mina
+refuse "$home/third.log" 'so it moves' "the scale was not kept"
+# Of another learner nothing is known.
+play other --learner Jun --first-use never
+refuse "$home/other.log" 'pushes gently' "it was tried though it was to be never"
+expect "$home/other.log" 'so it moves 4[.]0 times' "another learner has Mina's scale"
+echo "hand_fit.sh: passed"

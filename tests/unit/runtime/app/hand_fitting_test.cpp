@@ -1,0 +1,115 @@
+#include "runtime/app/hand_fitting.h"
+
+#include "runtime/progress/sqlite/sqlite_store.h"
+#include "tests/support/scripted_device.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+
+DeviceTraits arm_reaching(const Vector3& reach_m) {
+    DeviceTraits traits;
+    traits.reach_m = reach_m;
+    return traits;
+}
+
+RunRequest by_arm(const char* learner) {
+    RunRequest request;
+    request.hand = HandKind::link;
+    request.hand_address = "arm:4701";
+    request.learner = learner;
+    return request;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "hand fitting: a small arm reaches all that the usual one does, a large one keeps the scale") {
+    CHECK(choose_scale({}, arm_reaching(Vector3::Constant(0.2))) == 1.0);
+    CHECK(choose_scale({}, arm_reaching({0.1, 0.2, 0.3})) == Approx(2.0));
+    CHECK(choose_scale({}, arm_reaching({0.5, 0.6, 0.7})) == 1.0);
+    CHECK(choose_scale({}, arm_reaching({0.08, 0.06, 0.01})) == kMostFitScale);
+    // Along each axis the usual room lies within what is reached.
+    const Vector3 reach_m(0.09, 0.15, 0.4);
+    CHECK(choose_scale({}, arm_reaching(reach_m)) * reach_m.minCoeff() >= kUsualReach_m - 1e-12);
+    // What is not known, or nonsense, changes nothing; what somebody says goes before.
+    CHECK(choose_scale({}, {}) == 1.0);
+    CHECK(choose_scale({}, arm_reaching({0.1, 0.1, std::nan("")})) == 1.0);
+    CHECK(choose_scale({}, arm_reaching({-0.1, 0.1, 0.1})) == 1.0);
+    CHECK(choose_scale({.scale = 1.5}, arm_reaching(Vector3::Constant(0.05))) == 1.0);
+}
+
+TEST_CASE("hand fitting: an arm has a clutch, and a pointer stays what it is") {
+    const auto with = [](const RunRequest& request, std::uint32_t buttons) {
+        auto inner = std::make_unique<ScriptedDevice>();
+        inner->buttons = buttons;
+        const auto device = fit_device(request, std::move(inner));
+        DeviceReading reading;
+        REQUIRE(device->read(0.0, reading));
+        return reading;
+    };
+    RunRequest arm = by_arm("Mina");
+    CHECK(any(with(arm, 4U).faults & Fault::clutched));
+    CHECK(with(arm, 3U).buttons == 3U);
+    arm.fit.clutch_button = 0;
+    CHECK(with(arm, 4U).buttons == 4U);
+    arm.fit.left_handed = true;
+    CHECK(with(arm, 1U).buttons == 2U);
+    RunRequest mouse;
+    mouse.hand = HandKind::mouse;
+    mouse.fit.left_handed = true;
+    CHECK(with(mouse, 5U).buttons == 5U);
+}
+
+TEST_CASE("hand fitting: what a learner said once holds at the next run with the same device") {
+    std::string folder = (std::filesystem::temp_directory_path() / "fulcrum-hands-XXXXXX").string();
+    REQUIRE(mkdtemp(folder.data()) != nullptr);
+    const auto opened = open_sqlite_store(folder + "/progress.db");
+    REQUIRE(opened);
+    ProgressStore& store = **opened;
+    RunRequest first = by_arm("Mina");
+    first.fit.scale = 2.0;
+    first.fit.left_handed = true;
+    keep_fit_of(first, store);
+    const RunRequest again = with_kept_fit(by_arm("Mina"), store);
+    CHECK(again.fit.scale == 2.0);
+    CHECK(again.fit.left_handed == true);
+    RunRequest other_arm = by_arm("Mina");
+    other_arm.hand_address = "arm:4702";
+    CHECK_FALSE(with_kept_fit(other_arm, store).fit.scale);
+    CHECK(with_kept_fit(other_arm, store).fit.left_handed == true);
+    // Nobody in particular keeps nothing.
+    const std::size_t before = store.read({})->hands.size();
+    RunRequest guest = by_arm("");
+    guest.fit.scale = 3.0;
+    keep_fit_of(guest, store);
+    RunRequest simulated = by_arm(kSimulatedPupil);
+    simulated.fit.scale = 3.0;
+    keep_fit_of(simulated, store);
+    CHECK(store.read({})->hands.size() == before);
+    CHECK(with_kept_fit(by_arm(""), store).fit.scale == std::nullopt);
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("hand fitting: each device has a name of its own") {
+    RunRequest request;
+    CHECK(name_device(request) == "simulated hand");
+    request.hand = HandKind::mouse;
+    CHECK(name_device(request) == "mouse");
+    request.hand = HandKind::hid;
+    request.hid.node.vendor = 0x046d;
+    request.hid.node.product = 0xc626;
+    CHECK(name_device(request) == "hid:046d:c626");
+    CHECK(name_device(by_arm("Mina")) == "udp:arm:4701");
+    request.hand = HandKind::replay;
+    CHECK(name_device(request).empty());
+}

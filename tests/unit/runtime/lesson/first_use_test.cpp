@@ -1,0 +1,179 @@
+// The whole first use through a loop, a simulated arm and a simulated child, who says what the motors really did.
+#include "runtime/lesson/first_use.h"
+
+#include "tests/support/pushed_arm.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+
+const char* words_for(const Vector3& force_N) {
+    int axis = 0;
+    (void)force_N.cwiseAbs().maxCoeff(&axis);
+    constexpr const char* kForth[] = {"It goes right.", "UP", "to me"};
+    constexpr const char* kBack[] = {"left", "It pushes down!", "away from me"};
+    return force_N(axis) > 0.0 ? kForth[axis] : kBack[axis];
+}
+
+// What the child feels since the last answer: the strongest of each of the newest two pushes.
+struct Child {
+    void feel(const Vector3& force_N) {
+        constexpr double kFelt_N = 0.05;
+        const bool feels = force_N.norm() > kFelt_N;
+        if (feels && !felt_before) {
+            first = std::exchange(second, Vector3(Vector3::Zero()));
+        }
+        felt_before = feels;
+        second = force_N.norm() > second.norm() ? force_N : second;
+    }
+    [[nodiscard]] std::string answer(FirstUseQuestion question) const {
+        return question == FirstUseQuestion::way ? words_for(second)
+               : first.norm() > second.norm()    ? "the first"
+                                                 : "The second push.";
+    }
+    Vector3 first{Vector3::Zero()};
+    Vector3 second{Vector3::Zero()};
+    bool felt_before = false;
+};
+
+using Speaks = std::function<std::string(FirstUseQuestion, const Child&)>;
+
+std::string truly(FirstUseQuestion question, const Child& child) {
+    return child.answer(question);
+}
+
+FirstUse play(PushedArm& bench, bool asks, const Speaks& speaks = truly) {
+    FirstUse trial(asks);
+    Child child;
+    for (int i = 0; trial.end() == FirstUseEnd::running && i < 20'000; ++i) {
+        bench.frame(trial.step(bench.loop->state(), bench.now_s));
+        child.feel(bench.arm->written_N);
+        if (trial.question() != FirstUseQuestion::none) {
+            (void)trial.answer(speaks(trial.question(), child));
+        }
+    }
+    return trial;
+}
+
+Matrix3 mirror_x() {
+    return Vector3(-1.0, 1.0, 1.0).asDiagonal();
+}
+
+}  // namespace
+
+TEST_CASE("first use: words name one way, or none") {
+    CHECK(way_in("left") == Way::left);
+    CHECK(way_in("It pushes me... up!") == std::nullopt);
+    CHECK(way_in("It goes UP.") == Way::up);
+    CHECK(way_in("to me") == Way::near);
+    CHECK(way_in("to you") == Way::near);
+    CHECK(way_in("away from me") == Way::away);
+    CHECK(way_in("left or right") == std::nullopt);
+    CHECK(way_in("upset, leftover") == std::nullopt);
+    CHECK(way_in("") == std::nullopt);
+    CHECK(way_in("down down") == Way::down);
+    CHECK(which_in("The second one") == 1);
+    CHECK(which_in("first") == 0);
+    CHECK(which_in("first or second") == std::nullopt);
+    CHECK(which_in("both") == std::nullopt);
+}
+
+TEST_CASE("first use: a good arm is found good, watched or asked about, below 1 N and softly") {
+    for (const bool asks : {false, true}) {
+        PushedArm bench;
+        const FirstUse trial = play(bench, asks);
+        CHECK(trial.end() == FirstUseEnd::good);
+        CHECK(tell(trial, {}).empty());
+        CHECK(bench.arm->largest_N > 0.7);
+        CHECK(bench.arm->largest_N <= kMostPush_N);
+        CHECK(bench.arm->largest_step_N <= 0.05);
+    }
+}
+
+TEST_CASE("first use: reversed and exchanged motors end it, whatever the child says") {
+    PushedArm reversed(mirror_x());
+    const FirstUse against = play(reversed, true);
+    CHECK(against.end() == FirstUseEnd::against);
+    CHECK(against.axis() == 0);
+    CHECK(tell(against, {}).find("left and right") != std::string::npos);
+    Matrix3 wiring = Matrix3::Zero();
+    wiring(0, 0) = wiring(1, 2) = wiring(2, 1) = 1.0;
+    PushedArm exchanged(wiring);
+    CHECK(play(exchanged, false).end() == FirstUseEnd::aside);
+    PushedArm dead(Matrix3::Zero());
+    CHECK(play(dead, false).end() == FirstUseEnd::unfelt);
+}
+
+TEST_CASE(
+    "first use: an arm that stands otherwise than it says is told, with the axes that mend it") {
+    for (const char* words : {"-x,y,z", "z,y,-x", "-x,y,-z", "y,x,z", "-z,-x,y"}) {
+        CAPTURE(words);
+        const AxisOrder axes = *AxisOrder::read(words);
+        PushedArm bench(Matrix3::Identity(), arm_held_by(kPosture), {.axes = axes});
+        const FirstUse trial = play(bench, true);
+        REQUIRE(trial.end() == FirstUseEnd::turned);
+        // Set as it was set the child's frame is the arm's own.
+        CHECK(tell(trial, axes).find("--axes x,y,z.") != std::string::npos);
+        // Nobody who only watches can know.
+        PushedArm watched(Matrix3::Identity(), arm_held_by(kPosture), {.axes = axes});
+        CHECK(play(watched, false).end() == FirstUseEnd::good);
+    }
+}
+
+TEST_CASE("first use: one wrong answer is asked once more, always the same answer fits nothing") {
+    PushedArm bench;
+    int asked = 0;
+    const Speaks once_wrong = [&](FirstUseQuestion question, const Child& child) {
+        ++asked;
+        return asked == 2 ? "left" : asked == 3 ? "what?" : child.answer(question);
+    };
+    CHECK(play(bench, true, once_wrong).end() == FirstUseEnd::good);
+    CHECK(asked == 10);  // six ways, one of them again, once not understood, twice the stronger one
+    PushedArm same;
+    const FirstUse bored = play(same, true, [](FirstUseQuestion, const Child&) { return "left"; });
+    CHECK(bored.end() == FirstUseEnd::unsure);
+    CHECK(tell(bored, {}).ends_with('.'));
+    // Right ways, and the same of any two pushes.
+    PushedArm first;
+    const Speaks always_first = [](FirstUseQuestion question, const Child& child) {
+        return question == FirstUseQuestion::stronger ? "first" : child.answer(question);
+    };
+    CHECK(play(first, true, always_first).end() == FirstUseEnd::unsure);
+}
+
+TEST_CASE(
+    "first use: while a question is open there is no force, and an answer without one is none") {
+    PushedArm bench;
+    FirstUse trial(true);
+    CHECK_FALSE(trial.answer("left"));
+    while (trial.question() == FirstUseQuestion::none) {
+        bench.frame(trial.step(bench.loop->state(), bench.now_s));
+        REQUIRE(bench.now_s < 20.0);
+    }
+    for (int i = 0; i < 200; ++i) {
+        const Vector3 force_W = trial.step(bench.loop->state(), bench.now_s);
+        CHECK(force_W.isZero());
+        bench.frame(force_W);
+    }
+    CHECK(bench.arm->written_N.norm() < 1e-9);
+    CHECK_FALSE(trial.answer("banana"));
+    CHECK(trial.question() == FirstUseQuestion::way);
+}
+
+TEST_CASE("first use: a stop, or an arm that nobody holds, leaves it untried") {
+    PushedArm stopped;
+    stopped.arm->told = Fault::emergency_stop;
+    CHECK(play(stopped, false).end() == FirstUseEnd::disturbed);
+    PushedArm loose(Matrix3::Identity(), arm_held_by({0.1, 1.0, 1.0}));
+    const FirstUse trial = play(loose, false);
+    CHECK(trial.end() == FirstUseEnd::disturbed);
+    CHECK(tell(trial, {}).find("hold it loosely") != std::string::npos);
+}
