@@ -119,7 +119,7 @@ struct SoakRun {
     double since_s = -1.0;
 };
 
-constexpr double kGone_N = 1.0e-9;
+constexpr double kNoForce_N = 1.0e-9;
 
 // Of a lesson that was killed the run must end, and the force with it; of another it may not. A full disk is told, and nothing else.
 std::string find_trouble(const RunSpoiler& spoiler, const SpoiledCounts& arm,
@@ -130,7 +130,7 @@ std::string find_trouble(const RunSpoiler& spoiler, const SpoiledCounts& arm,
     if (outcome && spoiler.has_killed()) {
         return "the lesson's process was killed and nobody noticed";
     }
-    if (arm.force_N > kGone_N && !outcome) {
+    if (arm.force_N > kNoForce_N && !outcome) {
         return "a force is left after a lesson that was killed";
     }
     const bool was_filled = arm.rounds * kRecordSampleBytes > kDiskHolds;
