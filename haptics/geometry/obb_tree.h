@@ -110,6 +110,18 @@ class ObbForest {
     [[nodiscard]] const OrientedBox& box(std::int32_t node) const noexcept {
         return nodes_[static_cast<std::size_t>(node)].box;
     }
+    /// The first of a node's two children, the other one follows it; -1 of a leaf.
+    [[nodiscard]] std::int32_t first_child(std::int32_t node) const noexcept {
+        const Node& one = nodes_[static_cast<std::size_t>(node)];
+        return one.n_triangles == 0 ? one.first : -1;
+    }
+    /// A leaf's triangles.
+    [[nodiscard]] std::span<const std::int32_t> triangles_of(std::int32_t leaf) const noexcept {
+        const Node& one = nodes_[static_cast<std::size_t>(leaf)];
+        return std::span(triangles_)
+            .subspan(static_cast<std::size_t>(one.first),
+                     static_cast<std::size_t>(one.n_triangles));
+    }
     /// Gives back what the build took too much.
     void shrink();
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
