@@ -16,7 +16,7 @@ namespace fulcrum {
 
 struct KiteChannels;  // haptics/flight/kite_loop.h
 
-using RecordRing = EventRing<RecordSample, kRecordRingCapacity>;
+using RecordRing = EventRing<RecordRound, kRecordRingCapacity>;
 
 /// A switch whose every press is seen, however short: one that is pressed and released between two
 /// looks of the reader is still taken once.
@@ -62,6 +62,8 @@ struct HapticChannels {
     AxleChannels* axles = nullptr;
     /// Both ways between haptic loop and the world of rigid bodies; null where there is none.
     RigidChannels* rigid = nullptr;
+    /// Writer: haptic loop; reader: lesson loop, for the picture. Null where nobody asks why a force is felt.
+    LatestValue<ForceShares>* shares = nullptr;
     /// Between haptic loop and kite loop; null where no kite's line is held.
     KiteChannels* kite = nullptr;
 

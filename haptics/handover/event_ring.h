@@ -22,6 +22,12 @@ class EventRing {
   public:
     /// Producer: false when the ring is full; the event is dropped and counted.
     bool push(const T& event) noexcept {
+        return push_by([&event](T& slot) { slot = event; });
+    }
+
+    /// The same for an event of which a part may be left as it is: `fill(T&)` sets it where it lies, and may not read what it finds.
+    template <class Fill>
+    bool push_by(Fill fill) noexcept {
         const std::uint64_t head = head_.load(std::memory_order_relaxed);
         if (head - tail_seen_ == kCapacity) {
             tail_seen_ = tail_.load(std::memory_order_acquire);
@@ -30,7 +36,7 @@ class EventRing {
                 return false;
             }
         }
-        slots_[head & (kCapacity - 1)] = event;
+        fill(slots_[head & (kCapacity - 1)]);
         head_.store(head + 1, std::memory_order_release);
         return true;
     }

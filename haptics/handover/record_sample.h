@@ -3,6 +3,7 @@
 #pragma once
 
 #include "haptics/base/fault.h"
+#include "haptics/handover/force_shares.h"
 #include "haptics/handover/messages.h"
 #include "haptics/math/spatial.h"
 
@@ -11,7 +12,7 @@
 
 namespace fulcrum {
 
-/// Haptic loop -> recorder, ring.
+/// One round.
 struct RecordSample {
     std::uint64_t tick = 0;
     double time_s = 0.0;        ///< of the step, on the run's clock
@@ -23,6 +24,13 @@ struct RecordSample {
     std::uint32_t buttons = 0;  ///< one bit a button
     Fault faults = Fault::none;
     GatePhase gate = GatePhase::waiting;
+    std::int32_t touched_body = kNoBody;  ///< body under the proxy, or kNoBody
+};
+
+/// Haptic loop -> recorder, ring.
+struct RecordRound {
+    RecordSample sample{};
+    ForceShares shares{};
 };
 
 inline constexpr std::size_t kRecordRingCapacity = 4096;  ///< samples; 0.8 s at 5 kHz

@@ -1,6 +1,6 @@
-// The step path of haptic_loop.h; what each effect adds to the force stands in haptic_loop_forces.cpp. What builds and
-// describes the loop stands in haptic_loop_build.cpp, so that these objects can be checked for calls that a real-time
-// thread must not make.
+// The step path of haptic_loop.h; what each effect adds to the force stands in haptic_loop_forces.cpp, what the loop tells in
+// haptic_loop_told.cpp. What builds and describes the loop stands in haptic_loop_build.cpp, so that these objects can be
+// checked for calls that a real-time thread must not make.
 #include "haptics/loop/haptic_loop.h"
 
 #include "haptics/loop/workspace.h"
@@ -81,6 +81,7 @@ void HapticLoop::begin_round(double now_s) noexcept {
     if (!(dt_s_ > 0.0)) {
         state_.faults |= Fault::command_invalid;
     }
+    begin_shares();
 }
 
 void HapticLoop::take_inputs() noexcept {
@@ -287,11 +288,15 @@ void HapticLoop::add_surface(const Passed& passed) noexcept {
         touch_->coupling.touches(), solid_poses_W_,
         {state_.tool_pose_W.position, state_.proxy_position_W, state_.tool_twist_W.linear, dt_s_});
     if (effects.texture) {
-        add_surface_force(effects.add_texture());
+        const SurfaceForce felt = effects.add_texture();
+        add_surface_force(felt);
+        share(Effect::texture, felt.force_W);
         passed(HapticStage::texture);
     }
     if (effects.transient) {
-        add_surface_force(effects.add_transient());
+        const SurfaceForce felt = effects.add_transient();
+        add_surface_force(felt);
+        share(Effect::tap, felt.force_W);
         passed(HapticStage::transient);
     }
     if (effects.teller) {
@@ -311,6 +316,7 @@ void HapticLoop::keep_passive() noexcept {
     const Wrench brake_W = passivity_->step(demand_, state_.tool_pose_W, dt_s_, has_new_pose_);
     state_.commanded_W.force += brake_W.force;
     state_.commanded_W.torque += brake_W.torque;
+    share(Effect::brake, brake_W.force, brake_W.torque);
     state_.force_energy = passivity_->force_energy();
     state_.torque_energy = passivity_->torque_energy();
 }
@@ -331,20 +337,6 @@ void HapticLoop::write_device() noexcept {
     if (passivity_) {
         passivity_->sent(state_.applied_W);
     }
-}
-
-void HapticLoop::publish_state() noexcept {
-    state_.tick = tick_++;
-    state_.time_s = now_s_;
-    channels_.state_for_world.publish(state_);
-    channels_.state_for_lesson.publish(state_);
-}
-
-void HapticLoop::record_round() noexcept {
-    const bool kept = channels_.record->push(
-        {state_.tick, now_s_, told_.stamp_s, told_.pose_D, state_.tool_twist_W, state_.commanded_W,
-         state_.applied_W, told_.buttons, state_.faults, state_.gate});
-    late_faults_ |= kept ? Fault::none : Fault::record_full;
 }
 
 void HapticLoop::forget_motion() noexcept {

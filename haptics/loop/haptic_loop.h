@@ -32,6 +32,7 @@
 #include "haptics/loop/tool_stage.h"
 #include "haptics/point/proxy.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -77,6 +78,11 @@ class HapticLoop final : public PeriodicTask {
 
     /// What was published last.
     [[nodiscard]] const HapticState& state() const noexcept { return state_; }
+    /// What may add to the force, in the order of the shares that are told.
+    [[nodiscard]] const std::vector<EffectSlot>& effects() const noexcept { return effects_; }
+    /// The last gate's limits: the plan's, and no more than the device can give.
+    [[nodiscard]] double max_force_N() const noexcept { return gate_.max_force_N(); }
+    [[nodiscard]] double max_torque_Nm() const noexcept { return gate_.max_torque_Nm(); }
     /// The stages that exist, in the order of the step.
     [[nodiscard]] std::vector<StageInfo> stages() const;
 
@@ -118,6 +124,10 @@ class HapticLoop final : public PeriodicTask {
     void write_device() noexcept;
     void publish_state() noexcept;
     void record_round() noexcept;
+    void list_effects();
+    void begin_shares() noexcept;
+    void share(Effect effect, const Vector3& force_W, const Vector3& torque_W = Vector3::Zero(),
+               std::size_t field = 0) noexcept;
 
     [[nodiscard]] bool accept(const DeviceReading& reading) noexcept;
     void forget_motion() noexcept;
@@ -142,6 +152,8 @@ class HapticLoop final : public PeriodicTask {
     std::unique_ptr<PassivityStage> passivity_;
     SafetyGate gate_;
     HandGuard guard_;
+    std::vector<EffectSlot> effects_;
+    std::array<std::int8_t, kEffectKinds> slot_of_{};  // an effect's first place among them
 
     // Begin: time of this round, and how many there were.
     std::uint64_t tick_ = 0;
@@ -165,6 +177,8 @@ class HapticLoop final : public PeriodicTask {
     SceneDemand demand_{};
     Wrench applied_D_{};
     HapticState state_{};
+    bool tells_shares_ = false;  // somebody asks for them in this round
+    ForceShares shares_{};
 };
 
 }  // namespace fulcrum

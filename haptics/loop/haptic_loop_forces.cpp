@@ -16,6 +16,8 @@ void HapticLoop::add_contact() noexcept {
     demand_.contact = felt.spring;
     demand_.force += {felt.spring.force, felt.spring.force};
     demand_.wrench_W.force += felt.force_W;
+    share(Effect::contact, felt.spring.force);
+    share(Effect::contact_damping, felt.force_W - felt.spring.force);
 }
 
 // The tool among the solids; without a force while anything is wrong.
@@ -46,6 +48,9 @@ void HapticLoop::add_tool() noexcept {
     demand_.wrench_W.torque += tool_force_.wrench_W.torque;
     demand_.force += {tool_force_.spring_W.force, tool_force_.spring_W.force};
     demand_.torque += {tool_force_.spring_W.torque, tool_force_.spring_W.torque};
+    share(Effect::tool, tool_force_.spring_W.force, tool_force_.spring_W.torque);
+    share(Effect::tool_damping, tool_force_.wrench_W.force - tool_force_.spring_W.force,
+          tool_force_.wrench_W.torque - tool_force_.spring_W.torque);
 }
 
 // What the hand presses turns; the contact's is the first force of the round, and so far the only one.
@@ -77,6 +82,7 @@ void HapticLoop::push_bodies() noexcept {
         {state_.tool_pose_W, state_.tool_twist_W, may_grip ? state_.buttons : std::uint32_t{0}});
     demand_.wrench_W.force += grip.force_W;
     demand_.force += {grip.spring_W, grip.spring_W};
+    share(Effect::grip, grip.force_W);
     if (bodies_->gripped() >= 0) {
         state_.touched_body = solids_->body_of(bodies_->gripped());
     }
@@ -92,14 +98,17 @@ void HapticLoop::add_weight() noexcept {
     const Vector3& force_W = weight_->step(carried_W, dt_s_);
     demand_.wrench_W.force += force_W;
     demand_.force += {force_W, before_W};
+    share(Effect::weight, force_W);
 }
 
 void HapticLoop::add_field(std::size_t index) noexcept {
     FieldStage& field = fields_[index];
-    demand_.wrench_W.force +=
+    const Vector3 force_W =
         field.step(channels_.command.value().fields[index], state_.tool_pose_W.position,
                    state_.tool_twist_W.linear, dt_s_);
+    demand_.wrench_W.force += force_W;
     demand_.force += field.elastic();
+    share(Effect::field, force_W, Vector3::Zero(), index);
 }
 
 void HapticLoop::add_line() noexcept {
@@ -120,6 +129,7 @@ void HapticLoop::add_line() noexcept {
     demand_.wrench_W.torque += felt.wrench_W.torque;
     demand_.force += felt.force;
     demand_.torque += felt.torque;
+    share(Effect::line, felt.wrench_W.force, felt.wrench_W.torque);
 }
 
 void HapticLoop::add_lesson_force() noexcept {
@@ -130,6 +140,7 @@ void HapticLoop::add_lesson_force() noexcept {
     demand_.wrench_W.torque += wrench_W.torque;
     demand_.force += lesson_force_->elastic_force();
     demand_.torque += lesson_force_->elastic_torque();
+    share(Effect::lesson, wrench_W.force, wrench_W.torque);
     if (has(lesson_force_->notes(), LinearisationNote::refused_not_finite)) {
         state_.faults |= Fault::command_invalid;
     }

@@ -72,6 +72,8 @@ class SafetyGate {
     [[nodiscard]] Fault faults() const noexcept { return faults_; }
     /// The force limit in newtons that holds in this gate, never above kHardForceCap_N.
     [[nodiscard]] double max_force_N() const noexcept { return settings_.max_force_N; }
+    /// Likewise of the torque, never above kHardTorqueCap_Nm.
+    [[nodiscard]] double max_torque_Nm() const noexcept { return settings_.max_torque_Nm; }
 
   private:
     void enter(GatePhase phase) noexcept;

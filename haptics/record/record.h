@@ -1,19 +1,27 @@
-// A recorded run: what it was made with, every round of the haptic loop, and what happened meanwhile.
+// A recorded run: what it was made with, every round of the haptic loop with each effect's share of its force, and what
+// happened and was decided meanwhile.
 //
-// File, little-endian throughout:
-//   header  88 bytes  magic 89 46 4C 43 52 0D 0A 1A | u32 version = 4 | u32 header bytes = 88 |
-//                     f64 rate in hertz | lesson, UTF-8 padded with zeros to 60 bytes |
-//                     u32 CRC-32 of the 84 bytes before it
-//   block   16 bytes  u32 "BLK1" | u32 kind (1 samples, 2 events, 3 end) | u32 payload bytes |
-//                     u32 CRC-32 of kind, length and payload; then the payload:
-//   sample 240 bytes  u64 tick | f64 time | f64 stamp | f64 pose (x y z, quaternion w x y z) |
-//                     f64 twist (linear, angular) | f64 commanded (force, torque) |
-//                     f64 applied (force, torque) | u32 buttons | u32 faults | u32 gate | u32 0
-//   event   64 bytes  f64 time | u32 kind | i32 body | text, UTF-8 padded with zeros to 48 bytes
-//   end     16 bytes  u64 number of samples | u64 number of events; always the last block
-// faults are the bits of base/fault.h, gate is GatePhase. Version 1 knew no Fault::ended, version 2 none of those of
-// hand_guard.h, version 3 no clutch, and they are else the same: they are read too.
-// No clock of the day and no address is in it: the same run makes the same bytes. A file without the
+// File, little-endian throughout; a text is a u32 number of bytes and so many of UTF-8, at most 4096:
+//   header           magic 89 46 4C 43 52 0D 0A 1A | u32 version = 5 | u32 header bytes |
+//                    f64 rate in hertz | f64 the gate's newtons | f64 its newton metres | text lesson |
+//                    u32 n, n texts: the effects | u32 n, n texts: the bodies |
+//                    u32 n, n pairs of texts: what the run was made with, name and value |
+//                    u32 CRC-32 of all before it
+//   block  16 bytes  u32 "BLK1" | u32 kind (1 samples, 2 events, 3 end, 4 bodies) | u32 payload bytes |
+//                    u32 CRC-32 of kind, length and payload; then the payload:
+//   sample 240 bytes u64 tick | f64 time | f64 stamp | f64 pose (x y z, quaternion w x y z) |
+//                    f64 twist (linear, angular) | f64 commanded (force, torque) |
+//                    f64 applied (force, torque) | u32 buttons | u32 faults | u32 gate | i32 touched body
+//          + 48 each f64 force, torque of each effect of the header, in its order
+//   event            f64 time | u32 kind | i32 body | text
+//   body    96 bytes f64 time | i32 body | u32 where (BodyWhere) | f64 pose as a sample's | f64 velocity;
+//                    of those that are not as they were told last
+//   end     24 bytes u64 number of samples | u64 of events | u64 of bodies; always the last block
+// faults are the bits of base/fault.h, gate is GatePhase.
+// Versions 1 to 4 are read too: their header has 88 bytes, which end with the lesson in 60 and the CRC; their samples
+// have neither touched body nor effects, their events 48 bytes of text padded with zeros; they have no bodies. Version 1
+// knew no Fault::ended, version 2 none of those of hand_guard.h, version 3 no clutch.
+// No clock of the day and no address is in it: the same run of the same program makes the same bytes. A file without the
 // end block was cut off; its whole blocks are good.
 //
 // Thread: load path. Cost: one pass.
@@ -34,48 +42,89 @@
 
 namespace fulcrum {
 
-inline constexpr std::uint32_t kRecordVersion = 4;
-inline constexpr std::size_t kRecordLessonBytes = 60;
-inline constexpr std::size_t kRecordTextBytes = 48;
-inline constexpr std::size_t kRecordHeaderBytes = 88;
+inline constexpr std::uint32_t kRecordVersion = 5;
+inline constexpr std::size_t kRecordTextBytes = 4096;  ///< of any text, at most
 inline constexpr std::size_t kRecordSampleBytes = 240;
-inline constexpr std::size_t kRecordEventBytes = 64;
+inline constexpr std::size_t kRecordShareBytes = 48;
+inline constexpr std::size_t kRecordBodyBytes = 96;
+inline constexpr std::size_t kRecordOldHeaderBytes = 88;  ///< of versions 1 to 4
+inline constexpr std::size_t kRecordFacts = 1024;         ///< of a header, at most
 inline constexpr std::size_t kRecordBlockSamples =
     256;  ///< samples in a full block; a reader accepts up to 65536
 
 /// What kind of thing happened; the numbers are part of the format.
 enum class RecordEventKind : std::uint32_t {
-    note = 0,      ///< text alone
-    dropped = 1,   ///< a body appeared and fell
-    caught = 2,    ///< a body came into the tool
-    landed = 3,    ///< a body reached the ground
-    released = 4,  ///< the tool was emptied
-    asked = 5,     ///< a question; text is its id
-    answered = 6,  ///< an answer; text is what was said, shortened
-    touched = 7,   ///< the proxy met a body
-    failed = 8,    ///< the lesson failed; text says how
+    note = 0,       ///< text alone
+    dropped = 1,    ///< a body appeared and fell
+    caught = 2,     ///< a body came into the tool
+    landed = 3,     ///< a body reached the ground
+    released = 4,   ///< the tool was emptied
+    asked = 5,      ///< a question; text is its id
+    answered = 6,   ///< an answer; text is what was said, shortened
+    touched = 7,    ///< the proxy met a body
+    failed = 8,     ///< the lesson failed; text says how
+    placed = 9,     ///< a body appeared and stays
+    hidden = 10,    ///< a body is gone from the scene
+    held = 11,      ///< a body was put into the tool
+    pressed = 12,   ///< a key; text is its name
+    wheel = 13,     ///< a mouse's wheel was turned; text is by how many notches
+    said = 14,      ///< shown, asked, answered, marked: a line of the transcript
+    switched = 15,  ///< a declared force; text is its name, "on" or "off", and its strength
+    gate = 16,      ///< the last gate changed its phase; text is the new one
+    fault = 17,     ///< faults came or went; text names those that hold now
+    cut = 18,       ///< a tool's step left something out, to end in time; text says how far off
+    finished = 19,  ///< the lesson's end; text is its score and stars
 };
+inline constexpr RecordEventKind kLastRecordEvent = RecordEventKind::finished;
 
 /// Something that happened during a run.
 struct RecordEvent {
     double time_s = 0.0;
     RecordEventKind kind = RecordEventKind::note;
     std::int32_t body = kNoBody;
-    std::string text;  ///< at most 48 bytes are kept, cut at a character's border
+    std::string text;  ///< at most kRecordTextBytes are kept, cut at a character's border
+};
+
+/// Where a body was found when it was not as it was told last.
+struct RecordBody {
+    double time_s = 0.0;
+    std::int32_t body = kNoBody;
+    BodyState state{};
+};
+
+/// One thing that a run was made with, such as "seed" and "1"; a name's part before the point says what kind of thing it is.
+struct RecordFact {
+    std::string name;
+    std::string value;
+    friend bool operator==(const RecordFact&, const RecordFact&) = default;
 };
 
 /// What stands at the head of a record.
 struct RecordHeader {
-    double rate_Hz = 1000.0;  ///< of the haptic loop, 1 to 100000
-    std::string lesson;       ///< its id; at most 60 bytes are kept
+    double rate_Hz = 1000.0;             ///< of the haptic loop, 1 to 100000
+    std::string lesson;                  ///< its id
+    double max_force_N = 0.0;            ///< the last gate's limit; 0 where it is not known
+    double max_torque_Nm = 0.0;          ///< likewise
+    std::vector<std::string> effects{};  ///< what may add to the force, at most kMostEffects
+    std::vector<std::string> bodies{};   ///< their names, at most kMaxBodies
+    std::vector<RecordFact> facts{};     ///< in the order in which they are to be told
 };
 
 /// A record in memory.
 struct Record {
     RecordHeader header;
-    std::vector<RecordSample> samples;  ///< in the order of time
+    std::uint32_t version = kRecordVersion;  ///< that it was read from
+    std::vector<RecordSample> samples;       ///< in the order of time
+    std::vector<Wrench> shares_W;  ///< of each sample in turn as many as the header has effects
     std::vector<RecordEvent> events;
+    std::vector<RecordBody> bodies;
     bool cut_off = false;  ///< the end was missing; what is here is whole
+
+    /// What each effect added to the force of a sample.
+    [[nodiscard]] std::span<const Wrench> shares_of(std::size_t sample) const {
+        const std::size_t n = header.effects.size();
+        return std::span(shares_W).subspan(n * sample, n);
+    }
 };
 
 /// Reads a whole record. Refuses, with one sentence: wrong magic or version, a bad checksum, counts

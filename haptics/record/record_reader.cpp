@@ -1,4 +1,5 @@
 #include "haptics/record/record.h"
+#include "haptics/record/record_header.h"
 #include "haptics/record/record_layout.h"
 
 #include <cmath>
@@ -15,11 +16,14 @@ using record_layout::BlockKind;
 using record_layout::Source;
 
 constexpr std::size_t kMostSamplesInBlock = 65536;
-constexpr std::size_t kMostPayloadBytes = kMostSamplesInBlock * kRecordSampleBytes;
+constexpr std::size_t kMostPayloadBytes =
+    kMostSamplesInBlock * (kRecordSampleBytes + kMostEffects * kRecordShareBytes);
 // The last fault that each version knows, oldest first.
 constexpr Fault kLastFaults[] = {Fault::device_write, Fault::ended, Fault::too_much_energy,
-                                 Fault::clutched};
+                                 Fault::clutched, Fault::clutched};
 static_assert(std::size(kLastFaults) == kRecordVersion);
+constexpr std::uint32_t kFirstWithShares = 5;  // version whose samples tell what each effect adds
+constexpr std::size_t kEventHeadBytes = 16;    // time, kind, body
 constexpr double kUnitTolerance = 1.0e-3;
 constexpr std::size_t kLargestFile_bytes = std::size_t{2} << 30;
 
@@ -42,7 +46,10 @@ class Reader {
     Problem read_block();
     Problem read_samples(std::span<const std::byte> payload);
     Problem read_events(std::span<const std::byte> payload);
+    Problem read_bodies(std::span<const std::byte> payload);
     Problem read_end(std::span<const std::byte> payload);
+    [[nodiscard]] bool is_old() const { return record_.version < kFirstWithShares; }
+    [[nodiscard]] bool take_event(Source& source, RecordEvent& event) const;
 
     std::span<const std::byte> rest_;
     Record record_;
@@ -50,51 +57,15 @@ class Reader {
     bool ended_ = false;
 };
 
-bool is_printable(const std::string& text) {
-    for (const char c : text) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
-            return false;
-        }
-    }
-    return true;
-}
-
 Expected<void> Reader::read_header() {
-    if (rest_.size() < kRecordHeaderBytes) {
-        return fail("this is no Fulcrum record: it is shorter than a record's header", {},
-                    "choose a file made with --record");
+    auto head = record_layout::read_header(rest_);
+    if (!head) {
+        return tl::unexpected<Error>(head.error());
     }
-    const auto header = rest_.first(kRecordHeaderBytes);
-    for (std::size_t i = 0; i < record_layout::kMagic.size(); ++i) {
-        if (static_cast<std::uint8_t>(header[i]) != record_layout::kMagic[i]) {
-            return fail("this is no Fulcrum record: its first bytes are others", {},
-                        "choose a file made with --record");
-        }
-    }
-    Source source(header.subspan(record_layout::kMagic.size()));
-    std::uint32_t version = 0;
-    std::uint32_t header_bytes = 0;
-    source.field(version);
-    source.field(header_bytes);
-    if (version < 1 || version > kRecordVersion) {
-        return fail("the record has version " + std::to_string(version) +
-                        ", and this program reads versions 1 to " + std::to_string(kRecordVersion),
-                    {}, "use the program that made it");
-    }
-    known_faults_ = 2 * static_cast<std::uint32_t>(kLastFaults[version - 1]) - 1;
-    source.field(record_.header.rate_Hz);
-    record_.header.lesson = source.text(kRecordLessonBytes);
-    std::uint32_t checksum = 0;
-    source.field(checksum);
-    if (header_bytes != kRecordHeaderBytes ||
-        checksum != compute_crc32(header.first(kRecordHeaderBytes - 4))) {
-        return fail("the record's header is damaged: its checksum does not fit", {}, kRecordAgain);
-    }
-    if (!(record_.header.rate_Hz >= 1.0 && record_.header.rate_Hz <= 100000.0) ||
-        !is_printable(record_.header.lesson)) {
-        return fail("the record's header names an impossible rate or lesson", {}, kRecordAgain);
-    }
-    rest_ = rest_.subspan(kRecordHeaderBytes);
+    record_.header = std::move(head->header);
+    record_.version = head->version;
+    known_faults_ = 2 * static_cast<std::uint32_t>(kLastFaults[head->version - 1]) - 1;
+    rest_ = rest_.subspan(head->n_bytes);
     return {};
 }
 
@@ -145,6 +116,11 @@ Problem Reader::read_block() {
             return read_events(payload);
         case BlockKind::end:
             return read_end(payload);
+        case BlockKind::bodies:
+            if (!is_old()) {
+                return read_bodies(payload);
+            }
+            break;
     }
     return "the record holds a block of the unknown kind " + std::to_string(kind);
 }
@@ -157,68 +133,120 @@ bool is_possible(const RecordSample& sample, double not_before_s) {
            std::abs(sample.pose_D.orientation.coeffs().norm() - 1.0) < kUnitTolerance;
 }
 
+bool is_body(std::int32_t body) {
+    return body >= kNoBody && body < kMaxBodies;
+}
+
 Problem Reader::read_samples(std::span<const std::byte> payload) {
-    if (payload.empty() || payload.size() % kRecordSampleBytes != 0) {
+    const std::size_t n_effects = record_.header.effects.size();
+    const std::size_t sample_bytes = kRecordSampleBytes + n_effects * kRecordShareBytes;
+    if (payload.empty() || payload.size() % sample_bytes != 0) {
         return "the record is damaged: a block of samples has no whole number of them";
     }
     Source source(payload);
     const std::size_t before = record_.samples.size();
-    for (std::size_t i = 0; i < payload.size() / kRecordSampleBytes; ++i) {
+    for (std::size_t i = 0; i < payload.size() / sample_bytes; ++i) {
         RecordSample sample;
         std::uint32_t faults = 0;
         std::uint32_t gate = 0;
         record_layout::visit_fields(source, sample, faults, gate);
+        if (is_old()) {
+            sample.touched_body = kNoBody;
+        }
         const double not_before_s =
             record_.samples.empty() ? -1.0e300 : record_.samples.back().time_s;
         if (!is_possible(sample, not_before_s) || (faults & ~known_faults_) != 0 ||
-            gate > static_cast<std::uint32_t>(GatePhase::stopped)) {
+            gate > static_cast<std::uint32_t>(GatePhase::stopped) ||
+            !is_body(sample.touched_body)) {
             record_.samples.resize(before);
+            record_.shares_W.resize(n_effects * before);
             return "the record holds an impossible sample, number " + std::to_string(before + i);
         }
         sample.faults = static_cast<Fault>(faults);
         sample.gate = static_cast<GatePhase>(gate);
         record_.samples.push_back(sample);
+        for (std::size_t k = 0; k < n_effects; ++k) {
+            record_layout::visit_wrench(source, record_.shares_W.emplace_back());
+        }
     }
     return {};
 }
 
+// False where the bytes hold no whole event, or an impossible one.
+bool Reader::take_event(Source& source, RecordEvent& event) const {
+    if (!source.has(kEventHeadBytes + (is_old() ? record_layout::kOldTextBytes : 0))) {
+        return false;
+    }
+    std::uint32_t kind = 0;
+    source.field(event.time_s);
+    source.field(kind);
+    source.field(event.body);
+    if (is_old()) {
+        event.text = source.padded_text(record_layout::kOldTextBytes);
+    } else if (!source.text(event.text)) {
+        return false;
+    }
+    event.kind = static_cast<RecordEventKind>(kind);
+    const RecordEventKind last = is_old() ? RecordEventKind::failed : kLastRecordEvent;
+    return std::isfinite(event.time_s) && event.kind <= last && is_body(event.body) &&
+           record_layout::is_printable(event.text);
+}
+
 Problem Reader::read_events(std::span<const std::byte> payload) {
-    if (payload.empty() || payload.size() % kRecordEventBytes != 0) {
+    constexpr std::size_t kOldBytes = kEventHeadBytes + record_layout::kOldTextBytes;
+    if (payload.empty() || (is_old() && payload.size() % kOldBytes != 0)) {
         return "the record is damaged: a block of events has no whole number of them";
     }
     Source source(payload);
     const std::size_t before = record_.events.size();
-    for (std::size_t i = 0; i < payload.size() / kRecordEventBytes; ++i) {
-        RecordEvent event;
-        std::uint32_t kind = 0;
-        source.field(event.time_s);
-        source.field(kind);
-        source.field(event.body);
-        event.text = source.text(kRecordTextBytes);
-        if (!std::isfinite(event.time_s) ||
-            kind > static_cast<std::uint32_t>(RecordEventKind::failed) || event.body < kNoBody ||
-            event.body >= kMaxBodies || !is_printable(event.text)) {
+    while (source.has(1)) {
+        if (!take_event(source, record_.events.emplace_back())) {
+            const std::size_t bad = record_.events.size() - 1;
             record_.events.resize(before);
-            return "the record holds an impossible event, number " + std::to_string(before + i);
+            return "the record holds an impossible event, number " + std::to_string(bad);
         }
-        event.kind = static_cast<RecordEventKind>(kind);
-        record_.events.push_back(std::move(event));
+    }
+    return {};
+}
+
+Problem Reader::read_bodies(std::span<const std::byte> payload) {
+    if (payload.empty() || payload.size() % kRecordBodyBytes != 0) {
+        return "the record is damaged: a block of bodies has no whole number of them";
+    }
+    Source source(payload);
+    const std::size_t before = record_.bodies.size();
+    for (std::size_t i = 0; i < payload.size() / kRecordBodyBytes; ++i) {
+        RecordBody body;
+        std::uint32_t where = 0;
+        record_layout::visit_fields(source, body, where);
+        if (!std::isfinite(body.time_s) || body.body < 0 || body.body >= kMaxBodies ||
+            where > static_cast<std::uint32_t>(BodyWhere::landed)) {
+            record_.bodies.resize(before);
+            return "the record holds an impossible body, number " + std::to_string(before + i);
+        }
+        body.state.where = static_cast<BodyWhere>(where);
+        record_.bodies.push_back(body);
     }
     return {};
 }
 
 Problem Reader::read_end(std::span<const std::byte> payload) {
-    if (payload.size() != record_layout::kEndBytes) {
+    if (payload.size() != (is_old() ? record_layout::kOldEndBytes : record_layout::kEndBytes)) {
         return "the record is damaged: its end has a wrong size";
     }
     Source source(payload);
     std::uint64_t n_samples = 0;
     std::uint64_t n_events = 0;
+    std::uint64_t n_bodies = 0;
     source.field(n_samples);
     source.field(n_events);
-    if (n_samples != record_.samples.size() || n_events != record_.events.size()) {
-        return "the record is damaged: it holds other numbers of samples and events than its end "
-               "says";
+    if (!is_old()) {
+        source.field(n_bodies);
+    }
+    if (n_samples != record_.samples.size() || n_events != record_.events.size() ||
+        n_bodies != record_.bodies.size()) {
+        return "the record is damaged: it holds other numbers of samples, events and bodies than "
+               "its end says";
     }
     ended_ = true;
     return {};

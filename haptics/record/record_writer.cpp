@@ -1,7 +1,9 @@
 #include "haptics/record/record_writer.h"
 
+#include "haptics/record/record_header.h"
 #include "haptics/record/record_layout.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -11,27 +13,37 @@ namespace fulcrum {
 using record_layout::BlockKind;
 using record_layout::Sink;
 
-RecordEncoder::RecordEncoder(const RecordHeader& header) {
-    Sink sink(bytes_);
-    for (const std::uint8_t byte : record_layout::kMagic) {
-        bytes_.push_back(static_cast<std::byte>(byte));
-    }
-    sink.field(kRecordVersion);
-    sink.field(static_cast<std::uint32_t>(kRecordHeaderBytes));
-    sink.field(header.rate_Hz);
-    sink.text(header.lesson, kRecordLessonBytes);
-    sink.field(compute_crc32(bytes_));
+namespace {
+
+// Events and bodies wait for a block of samples, but no more of them than this: a reader takes a block in one piece.
+constexpr std::size_t kFullPayload_bytes = std::size_t{1} << 20;
+
+}  // namespace
+
+RecordEncoder::RecordEncoder(const RecordHeader& header)
+    : n_effects_(std::min(header.effects.size(), kMostEffects)) {
+    record_layout::put_header(header, bytes_);
 }
 
-void RecordEncoder::append(const RecordSample& sample) {
+void RecordEncoder::append(const RecordSample& sample, std::span<const Wrench> shares_W) {
     Sink sink(samples_);
     auto faults = static_cast<std::uint32_t>(sample.faults);
     auto gate = static_cast<std::uint32_t>(sample.gate);
     record_layout::visit_fields(sink, sample, faults, gate);
+    for (std::size_t i = 0; i < n_effects_; ++i) {
+        const Wrench share_W = i < shares_W.size() ? shares_W[i] : Wrench{};
+        record_layout::visit_wrench(sink, share_W);
+    }
     ++n_samples_;
-    if (samples_.size() == kRecordBlockSamples * kRecordSampleBytes) {
+    if (++n_open_ == kRecordBlockSamples) {
         close_blocks();
     }
+}
+
+void RecordEncoder::append(const RecordRound& round) {
+    const auto n = std::clamp<std::size_t>(static_cast<std::size_t>(round.shares.n), 0,
+                                           round.shares.each_W.size());
+    append(round.sample, std::span(round.shares.each_W).first(n));
 }
 
 void RecordEncoder::append(const RecordEvent& event) {
@@ -39,15 +51,31 @@ void RecordEncoder::append(const RecordEvent& event) {
     sink.field(event.time_s);
     sink.field(static_cast<std::uint32_t>(event.kind));
     sink.field(event.body);
-    sink.text(event.text, kRecordTextBytes);
+    sink.text(event.text);
     ++n_events_;
+    if (events_.size() > kFullPayload_bytes) {
+        close_blocks();
+    }
+}
+
+void RecordEncoder::append(const RecordBody& body) {
+    Sink sink(bodies_);
+    auto where = static_cast<std::uint32_t>(body.state.where);
+    record_layout::visit_fields(sink, body, where);
+    ++n_bodies_;
+    if (bodies_.size() > kFullPayload_bytes) {
+        close_blocks();
+    }
 }
 
 void RecordEncoder::close_blocks() {
     put_block(static_cast<std::uint32_t>(BlockKind::samples), samples_);
     put_block(static_cast<std::uint32_t>(BlockKind::events), events_);
+    put_block(static_cast<std::uint32_t>(BlockKind::bodies), bodies_);
     samples_.clear();
     events_.clear();
+    bodies_.clear();
+    n_open_ = 0;
 }
 
 void RecordEncoder::put_block(std::uint32_t kind, const std::vector<std::byte>& payload) {
@@ -69,6 +97,7 @@ void RecordEncoder::finish() {
     std::vector<std::byte> payload;
     Sink(payload).field(n_samples_);
     Sink(payload).field(n_events_);
+    Sink(payload).field(n_bodies_);
     put_block(static_cast<std::uint32_t>(BlockKind::end), payload);
 }
 
@@ -93,20 +122,25 @@ Expected<RecordWriter> RecordWriter::create(const std::string& path, const Recor
 }
 
 Expected<void> RecordWriter::drain(RecordRing& ring) {
-    RecordSample sample;
-    while (ring.pop(sample)) {
-        encoder_.append(sample);
+    RecordRound round;
+    while (ring.pop(round)) {
+        encoder_.append(round);
     }
     return write_out();
 }
 
-Expected<void> RecordWriter::append(const RecordSample& sample) {
-    encoder_.append(sample);
+Expected<void> RecordWriter::append(const RecordRound& round) {
+    encoder_.append(round);
     return write_out();
 }
 
 Expected<void> RecordWriter::append(const RecordEvent& event) {
     encoder_.append(event);
+    return write_out();
+}
+
+Expected<void> RecordWriter::append(const RecordBody& body) {
+    encoder_.append(body);
     return write_out();
 }
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,14 @@ class RecordEncoder {
     /// Puts the header at the front of the bytes.
     explicit RecordEncoder(const RecordHeader& header);
 
-    /// Adds one round of the haptic loop; every kRecordBlockSamples of them close a block.
-    void append(const RecordSample& sample);
+    /// Adds one round of the haptic loop; every kRecordBlockSamples of them close a block. `shares_W`: what each effect of the
+    /// header adds to its force; those that are missing are zero.
+    void append(const RecordSample& sample, std::span<const Wrench> shares_W = {});
+    void append(const RecordRound& round);
     /// Adds an event; it is written when the next block of samples closes.
     void append(const RecordEvent& event);
+    /// Adds where a body was found; written like an event.
+    void append(const RecordBody& body);
     /// Closes the blocks that are open. Use it rarely: where blocks end is part of the bytes.
     void close_blocks();
     /// Closes the record; nothing may be appended after it.
@@ -40,8 +45,12 @@ class RecordEncoder {
     std::vector<std::byte> bytes_;
     std::vector<std::byte> samples_;
     std::vector<std::byte> events_;
+    std::vector<std::byte> bodies_;
+    std::size_t n_effects_;
+    std::size_t n_open_ = 0;  // samples in the open block
     std::uint64_t n_samples_ = 0;
     std::uint64_t n_events_ = 0;
+    std::uint64_t n_bodies_ = 0;
 };
 
 /// A record in a file.
@@ -57,8 +66,9 @@ class RecordWriter {
 
     /// Adds everything that waits in the ring. The ring's only consumer.
     [[nodiscard]] Expected<void> drain(RecordRing& ring);
-    [[nodiscard]] Expected<void> append(const RecordSample& sample);
+    [[nodiscard]] Expected<void> append(const RecordRound& round);
     [[nodiscard]] Expected<void> append(const RecordEvent& event);
+    [[nodiscard]] Expected<void> append(const RecordBody& body);
     /// Writes the end and closes the file.
     [[nodiscard]] Expected<void> finish();
 

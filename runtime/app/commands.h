@@ -1,5 +1,5 @@
 // What each word of the command line does. Each returns the program's exit code: 0 done, 1 the lesson or a test failed, 2
-// wrong usage or unreadable input, 130 when Ctrl-C came before the lesson began.
+// wrong usage or unreadable input, 3 a replay's forces differ from its record's, 130 when Ctrl-C came before the lesson began.
 #pragma once
 
 #include "dialogue/catalogue.h"

@@ -1,6 +1,7 @@
 #include "runtime/app/hand_device.h"
 
 #include "haptics/base/clock.h"
+#include "haptics/device/replay/recorded_traits.h"
 #include "haptics/device/replay/replay_device.h"
 #include "haptics/loop/workspace.h"
 #include "haptics/record/record.h"
@@ -10,6 +11,7 @@
 #include "runtime/link/udp_socket.h"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <limits>
 #include <thread>
@@ -22,6 +24,15 @@ constexpr double kMouseSag_m_per_N = 0.004;
 constexpr double kMouseSlow_per_N = 0.2;
 
 constexpr double kGreeting_s = 3.0;
+
+// A number that the repeated record tells.
+std::optional<double> find_number(const RunRequest& request, const char* name) {
+    const auto text = request.replayed ? find_fact(request.replayed->header, name) : std::nullopt;
+    double value = 0.0;
+    const bool is_number =
+        text && std::from_chars(text->data(), text->data() + text->size(), value).ec == std::errc{};
+    return is_number ? std::optional(value) : std::nullopt;
+}
 
 // Why no arm has said welcome.
 Expected<void> explain_silence(LinkDevice& device, const std::string& address,
@@ -79,9 +90,14 @@ double HandDevice::force_limit_N(const RunRequest& request) {
             return SimulatedHandSettings{}.max_force_N;
         case HandKind::hid:
             return runtime::force_limit_N(request.hid);
+        case HandKind::replay:
+            // As when it was recorded: felt weights were fitted to it.
+            if (const auto was = find_number(request, "option.device N")) {
+                return *was;
+            }
+            break;
         case HandKind::link:  // what it can give it tells when it is opened
         case HandKind::mouse:
-        case HandKind::replay:
             break;
     }
     return std::numeric_limits<double>::infinity();
@@ -121,6 +137,10 @@ Expected<void> HandDevice::make(const RunRequest& request) {
         case HandKind::link:
             return link(request);
         case HandKind::replay:
+            if (request.replayed) {
+                device_ = std::make_unique<ReplayDevice>(*request.replayed);
+                return {};
+            }
             return load_record(request.hand_file.string()).map([&](auto&& record) {
                 device_ = std::make_unique<ReplayDevice>(record);
             });

@@ -52,10 +52,14 @@ Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
                                                        ProgressStore& store,
                                                        const dialogue::Catalogue& catalogue) {
     std::unique_ptr<LessonRun> run(new LessonRun);
-    const RunRequest fitted = with_kept_fit(request, store);
+    const auto whole = with_record(request);
+    if (!whole) {
+        return tl::unexpected(whole.error());
+    }
+    const RunRequest fitted = with_kept_fit(*whole, store);
     const auto built = run->load(places, fitted)
                            .and_then([&] { return run->open_hand(places, fitted); })
-                           .and_then([&] { return run->build_loops(fitted); })
+                           .and_then([&] { return run->build_loops(places, fitted); })
                            .and_then([&] { return run->build_session(fitted, store, catalogue); });
     if (!built) {
         return tl::unexpected(built.error());
@@ -115,15 +119,7 @@ Expected<void> LessonRun::open_hand(const Places& places, const RunRequest& requ
 }
 
 // Only what is in the plan is built.
-Expected<void> LessonRun::build_loops(const RunRequest& request) {
-    if (plan_.record) {
-        auto recorder = RunRecorder::create(
-            request.record_file, {plan_.haptic.rate_hz, process_->description().id}, channels_);
-        if (!recorder) {
-            return tl::unexpected(recorder.error());
-        }
-        recorder_ = std::move(*recorder);
-    }
+Expected<void> LessonRun::build_loops(const Places& places, const RunRequest& request) {
     if (plan_.touch_sound) {
         build_touch_sound();
     }
@@ -142,6 +138,9 @@ Expected<void> LessonRun::build_loops(const RunRequest& request) {
         }
     }
     haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, hand_->device(), channels_);
+    if (auto recorded = build_recorder(places, request); !recorded) {
+        return recorded;
+    }
     if (plan_.world) {
         std::vector<std::int32_t> solid_bodies;
         for (const SolidPlan& solid : plan_.haptic.solids) {
@@ -247,7 +246,9 @@ Expected<SessionInput> LessonRun::gather(const FrameInput& input) {
     if (wish_ && !at_desk_ && !wish_->key.empty()) {
         gathered.keys.push_back(std::exchange(wish_->key, {}));
     }
-    if (!gathered.heard && !at_desk_) {
+    if (replayed_) {
+        replayed_->add_to(gathered);
+    } else if (!gathered.heard && !at_desk_) {
         auto said = hear_pupil(input.time_s);
         if (!said) {
             return tl::unexpected(said.error());
@@ -306,6 +307,9 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
     auto output = session_->finish_frame(reply);
     if (!output) {
         return tl::unexpected(output.error());
+    }
+    if (recorder_) {
+        recorder_->keep_output(last_frame_s_, *output, session_->result());
     }
     channels_.command.publish(output->force);
     if (axles_) {
@@ -368,10 +372,6 @@ double LessonRun::fade_shown_s() const {
 bool LessonRun::device_is_lost() const {
     return any(channels_.state_for_lesson.value().faults &
                (Fault::device_read | Fault::device_stale | Fault::device_write));
-}
-
-Expected<void> LessonRun::finish_record() {
-    return recorder_ ? recorder_->finish() : Expected<void>{};
 }
 
 View LessonRun::view(const dialogue::Catalogue& catalogue) const {

@@ -15,6 +15,7 @@
 #include "haptics/loop/haptic_loop.h"
 #include "runtime/app/hand_device.h"
 #include "runtime/app/places.h"
+#include "runtime/app/replayed_input.h"
 #include "runtime/app/run_recorder.h"
 #include "runtime/app/run_request.h"
 #include "runtime/audio/touch_sound.h"
@@ -131,6 +132,12 @@ class LessonRun {
     [[nodiscard]] std::string take_device_notice() { return hand_->take_notice(); }
     /// What got lost between the loops, a sentence each; none in a good run. Call it when the loops stand still.
     [[nodiscard]] std::vector<std::string> losses() const;
+    /// How the forces compare with those of the record that is repeated; null where none is.
+    [[nodiscard]] const ReplayCheck* replay_check() const {
+        return recorder_ ? recorder_->check() : nullptr;
+    }
+    /// When that record ends, on the run's clock; nothing where none is repeated, or an old one.
+    [[nodiscard]] std::optional<double> replay_end_s() const;
     /// Closes the record.
     [[nodiscard]] Expected<void> finish_record();
     /// The picture as things stand.
@@ -143,10 +150,11 @@ class LessonRun {
     // In this order.
     [[nodiscard]] Expected<void> load(const Places& places, const RunRequest& request);
     [[nodiscard]] Expected<void> open_hand(const Places& places, const RunRequest& request);
-    [[nodiscard]] Expected<void> build_loops(const RunRequest& request);
+    [[nodiscard]] Expected<void> build_loops(const Places& places, const RunRequest& request);
     [[nodiscard]] Expected<Plan> compile(const Places& places, const RunRequest& request,
                                          const LessonDescription& scene) const;
     void fit_to_reach(const Places& places, const RunRequest& request, double factor);
+    [[nodiscard]] Expected<void> build_recorder(const Places& places, const RunRequest& request);
     void build_touch_sound();
     [[nodiscard]] Expected<void> build_rigid_loop();
     void take_rigid_bodies();
@@ -182,8 +190,9 @@ class LessonRun {
     std::unique_ptr<RunRecorder> recorder_;  // null when nothing is recorded
     std::unique_ptr<LessonSession> session_;
     std::optional<SimulatedPupil> pupil_;
-    HandFit fit_{};         // said and kept
-    bool at_desk_ = false;  // who plays types and chooses the pupil's answers
+    HandFit fit_{};                          // said and kept
+    std::optional<ReplayedInput> replayed_;  // where a record tells what was done besides the hand
+    bool at_desk_ = false;                   // who plays types and chooses the pupil's answers
     std::optional<HandWish> wish_;
     std::deque<WorldCommand> waiting_;  // what the world had no room for yet
     SourceLine say_line_ = 0;

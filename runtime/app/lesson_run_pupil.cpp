@@ -41,6 +41,10 @@ Expected<std::vector<AnswerChoice>> LessonRun::make_choices() {
 
 // Whose answers: a learner who errs at some rate, the words of the lesson's own test, or those that were given.
 void LessonRun::choose_pupil(const LessonDescription& description, const RunRequest& request) {
+    if (repeats_input(request)) {
+        replayed_.emplace(request.replayed);
+        return;
+    }
     const bool plays_own_test =
         request.own_test && !description.tests.empty() && request.plan.hearing.recordings.empty();
     const std::optional<LearnerRates> rates = request.learner_rates ? request.learner_rates

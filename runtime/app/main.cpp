@@ -4,6 +4,7 @@
 #include "runtime/app/commands.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/options.h"
+#include "runtime/app/program_build.h"
 #include "runtime/app/site_file.h"
 #include "runtime/lua/process/lesson_process.h"
 
@@ -70,7 +71,7 @@ int run_program(int argc, char** argv) {
         return 0;
     }
     if (options->command == Command::version) {
-        std::puts("Fulcrum 0.1.0");
+        std::printf("Fulcrum %s\n", kProgramVersion);
         return 0;
     }
     switch (options->command) {

@@ -332,6 +332,8 @@ std::string usage() {
       --headless             without a window, faster than real time, repeatable to the byte; tells what is said
       --hand FILE.lua|mouse|hid|hid:PATH|udp:HOST:PORT|replay:FILE
                              udp: an arm on another computer, or fulcrum arm on this one  (--key FILE)
+                             replay: a run that --record wrote, with its keys, answers and seed; --headless says whether every
+                             force is the same to the bit, and if not, where first and why
       --handed left|right    for a left hand the arm's first two buttons change places, and I J K L move the pointer
       --scale N --axes -x,y,z --middle X,Y,Z --clutch N|none
                              how the arm stands before the learner: times the lesson's scale, 0.25 to 4; which of its axes are right,
@@ -381,7 +383,7 @@ std::string usage() {
       --lesson NAME --seed N --seeds N --seconds N    one lesson; the first seed (1), how many (3), how long each (60)
   fulcrum bench [NAME…]      what accuracy costs in time  (--out DIR --quick --list --draw FILE.csv)
 
-Exit codes: 0 done, 1 the lesson or a test failed, 2 wrong usage or unreadable input, 130 Ctrl-C before a lesson began.
+Exit codes: 0 done, 1 the lesson or a test failed, 2 wrong usage or unreadable input, 3 a replay gave other forces than its record, 130 Ctrl-C before a lesson began.
 )";
 }
 

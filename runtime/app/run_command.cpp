@@ -17,6 +17,8 @@
 namespace fulcrum::runtime {
 namespace {
 
+constexpr int kForcesDiffer = 3;
+
 int run_in_window(const Installation& installation, const Options& options, RunRequest request) {
     auto desktop = Desktop::open(installation.places, request.plan.sound, options.voice);
     if (!desktop) {
@@ -71,6 +73,16 @@ class ScreenshotTaker {
     bool failed_ = false;
 };
 
+// Whether the forces were those of the record that was repeated; the exit code.
+int tell_replay(const LessonRun& run) {
+    const ReplayCheck* const check = run.replay_check();
+    if (check == nullptr) {
+        return 0;
+    }
+    std::printf("%s\n", check->sentence().c_str());
+    return check->report().same() ? 0 : kForcesDiffer;
+}
+
 int run_without_window(const Installation& installation, const Options& options,
                        const RunRequest& request) {
     const auto store = open_store_or_none(options.database);
@@ -84,7 +96,7 @@ int run_without_window(const Installation& installation, const Options& options,
     }
     ScreenshotTaker screenshot(installation, options, **run, request.folder);
     HeadlessSettings settings;
-    settings.end_s = options.seconds;
+    settings.end_s = options.seconds ? options.seconds : (*run)->replay_end_s();
     settings.shows_talk = true;
     const auto desk = seat_player(**run, request);
     settings.desk = desk.get();
@@ -119,7 +131,7 @@ int run_without_window(const Installation& installation, const Options& options,
         std::fprintf(stderr, "%s\n", trouble.c_str());
         return 1;
     }
-    return screenshot.failed() ? 2 : 0;
+    return screenshot.failed() ? 2 : tell_replay(**run);
 }
 
 }  // namespace

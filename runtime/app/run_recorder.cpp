@@ -1,5 +1,9 @@
 #include "runtime/app/run_recorder.h"
 
+#include "runtime/evidence/record_words.h"
+
+#include <algorithm>
+
 namespace fulcrum::runtime {
 namespace {
 
@@ -7,16 +11,43 @@ RecordEventKind record_kind(WorldEvent::Kind kind) {
     return kind == WorldEvent::Kind::caught ? RecordEventKind::caught : RecordEventKind::landed;
 }
 
+RecordEventKind record_kind(WorldCommand::Kind kind) {
+    switch (kind) {
+        case WorldCommand::Kind::place:
+            return RecordEventKind::placed;
+        case WorldCommand::Kind::hide:
+            return RecordEventKind::hidden;
+        case WorldCommand::Kind::hold:
+            return RecordEventKind::held;
+        case WorldCommand::Kind::release:
+            return RecordEventKind::released;
+        case WorldCommand::Kind::drop:
+            break;
+    }
+    return RecordEventKind::dropped;
+}
+
+bool is_same(const BodyState& a, const BodyState& b) {
+    return a.where == b.where && a.pose_W.position == b.pose_W.position &&
+           a.pose_W.orientation.coeffs() == b.pose_W.orientation.coeffs() &&
+           a.velocity_W == b.velocity_W;
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<RunRecorder>> RunRecorder::create(const std::string& file,
                                                            const RecordHeader& header,
-                                                           HapticChannels& channels) {
-    auto writer = RecordWriter::create(file, header);
-    if (!writer) {
-        return tl::unexpected(writer.error());
+                                                           HapticChannels& channels,
+                                                           std::vector<std::string> forces) {
+    std::unique_ptr<RunRecorder> recorder(
+        new RunRecorder(std::move(forces), static_cast<int>(header.bodies.size())));
+    if (!file.empty()) {
+        auto writer = RecordWriter::create(file, header);
+        if (!writer) {
+            return tl::unexpected(writer.error());
+        }
+        recorder->writer_.emplace(std::move(*writer));
     }
-    std::unique_ptr<RunRecorder> recorder(new RunRecorder(std::move(*writer)));
     channels.record = &recorder->ring_;
     return recorder;
 }
@@ -27,30 +58,130 @@ void RunRecorder::note(const Expected<void>& written) {
     }
 }
 
+template <class Part>
+void RunRecorder::write(const Part& part) {
+    if (writer_) {
+        note(writer_->append(part));
+    }
+}
+
+void RunRecorder::keep(double time_s, RecordEventKind kind, std::int32_t body,
+                       const std::string& text) {
+    write(RecordEvent{time_s, kind, body, text});
+}
+
+// Every round, and where the gate or a fault has changed, that too: who reads events alone must not miss it.
+void RunRecorder::drain() {
+    for (RecordRound round; ring_.pop(round);) {
+        const RecordSample& sample = round.sample;
+        write(round);
+        if (check_) {
+            check_->take(round);
+        }
+        if (sample.faults != faults_) {
+            faults_ = sample.faults;
+            keep(sample.time_s, RecordEventKind::fault, kNoBody, fault_words(faults_));
+        }
+        if (sample.gate != gate_) {
+            gate_ = sample.gate;
+            keep(sample.time_s, RecordEventKind::gate, kNoBody, std::string(gate_word(gate_)));
+        }
+    }
+}
+
+void RunRecorder::keep_body(double time_s, std::int32_t body, const BodyState& state) {
+    BodyState& told = bodies_[static_cast<std::size_t>(body)];
+    if (body < n_bodies_ && !is_same(told, state)) {
+        told = state;
+        write(RecordBody{time_s, body, state});
+    }
+}
+
+void RunRecorder::keep_bodies(const SessionInput& input) {
+    if (input.world != nullptr) {
+        for (std::int32_t i = 0; i < input.world->n_bodies; ++i) {
+            keep_body(input.time_s, i, input.world->bodies[static_cast<std::size_t>(i)]);
+        }
+    }
+    if (input.kite != nullptr && n_bodies_ > 0) {
+        // It stands behind the lesson's bodies.
+        keep_body(input.time_s, n_bodies_ - 1,
+                  {input.kite->report.pose_W, input.kite->report.velocity_W, BodyWhere::placed});
+    }
+}
+
+// A tool that must end its step in time says so when it leaves something out.
+void RunRecorder::keep_effort(double time_s, const ToolEffort& effort) {
+    if (effort.n_cut != effort_.n_cut) {
+        keep(time_s, RecordEventKind::cut, kNoBody,
+             std::to_string(effort.n_cut - effort_.n_cut) + " steps ended before their solver did");
+    }
+    if (effort.n_inexact != effort_.n_inexact) {
+        keep(time_s, RecordEventKind::cut, kNoBody,
+             std::to_string(effort.n_inexact - effort_.n_inexact) +
+                 " steps left out points, the force off by at most " +
+                 exact_text(effort.most_error_N) + " N so far");
+    }
+    effort_ = effort;
+}
+
 void RunRecorder::keep_frame(const SessionInput& input) {
-    note(writer_.drain(ring_));
+    drain();
+    keep_bodies(input);
     for (const WorldEvent& event : input.world_events) {
-        note(writer_.append(RecordEvent{event.time_s, record_kind(event.kind), event.body, {}}));
+        keep(event.time_s, record_kind(event.kind), event.body);
     }
     if (input.hand.touched_body != touched_) {
         touched_ = input.hand.touched_body;
         if (touched_ != kNoBody) {
-            note(writer_.append(RecordEvent{input.time_s, RecordEventKind::touched, touched_, {}}));
+            keep(input.time_s, RecordEventKind::touched, touched_);
         }
     }
+    keep_effort(input.time_s, input.hand.tool);
+    for (const std::string& key : input.keys) {
+        keep(input.time_s, RecordEventKind::pressed, kNoBody, key);
+    }
+    if (input.wheel != 0.0) {
+        keep(input.time_s, RecordEventKind::wheel, kNoBody, exact_text(input.wheel));
+    }
     if (input.heard) {
-        note(writer_.append(
-            RecordEvent{input.time_s, RecordEventKind::answered, kNoBody, *input.heard}));
+        keep(input.time_s, RecordEventKind::answered, kNoBody, *input.heard);
+    }
+}
+
+void RunRecorder::keep_output(double time_s, const SessionOutput& output,
+                              const SessionResult& result) {
+    for (const WorldCommand& command : output.world) {
+        keep(time_s, record_kind(command.kind), command.body);
+    }
+    for (std::size_t i = 0; i < forces_.size() && i < fields_.size(); ++i) {
+        const FieldCommand& field = output.force.fields[i];
+        if (field.on != fields_[i].on || field.strength != fields_[i].strength) {
+            keep(time_s, RecordEventKind::switched, kNoBody,
+                 forces_[i] + (field.on ? " on " : " off ") + exact_text(field.strength));
+        }
+        fields_[i] = field;
+    }
+    for (const std::string& line : output.said) {
+        keep(time_s, RecordEventKind::said, kNoBody, line);
+    }
+    if (result.finished && !finished_) {
+        finished_ = true;
+        keep(time_s, RecordEventKind::finished, kNoBody,
+             "score " + std::to_string(result.score) + ", " + std::to_string(result.stars) +
+                 " of 3 stars");
     }
 }
 
 void RunRecorder::keep_failure(double time_s, const std::string& sentence) {
-    note(writer_.append(RecordEvent{time_s, RecordEventKind::failed, kNoBody, sentence}));
+    keep(time_s, RecordEventKind::failed, kNoBody, sentence);
 }
 
 Expected<void> RunRecorder::finish() {
-    note(writer_.drain(ring_));
-    note(writer_.finish());
+    drain();
+    if (writer_) {
+        note(writer_->finish());
+    }
     return trouble_;
 }
 

@@ -1,4 +1,4 @@
-// The record of one run: every round of the haptic loop and what happened in between.
+// The record of one run: every round of the haptic loop, where bodies were, what happened and what was decided in between.
 //
 // Thread: the lesson loop; the haptic loop fills the ring. What could not be written is told once, by `finish`.
 #pragma once
@@ -6,22 +6,35 @@
 #include "haptics/base/error.h"
 #include "haptics/handover/channels.h"
 #include "haptics/record/record_writer.h"
+#include "runtime/evidence/replay_check.h"
 #include "runtime/lesson/session.h"
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace fulcrum::runtime {
 
 class RunRecorder {
   public:
-    /// Makes the file, or says why not, and gives `channels` a ring to fill. Outlives the haptic loop's last round.
-    [[nodiscard]] static Expected<std::unique_ptr<RunRecorder>> create(const std::string& file,
-                                                                       const RecordHeader& header,
-                                                                       HapticChannels& channels);
+    /// Makes the file, or says why not, and gives `channels` a ring to fill. Outlives the haptic loop's last round. `forces`: the names of
+    /// the lesson's declared ones. Without a file nothing is written.
+    [[nodiscard]] static Expected<std::unique_ptr<RunRecorder>> create(
+        const std::string& file, const RecordHeader& header, HapticChannels& channels,
+        std::vector<std::string> forces = {});
+    /// From now on every round is compared with that of a record.
+    void compare_with(std::shared_ptr<const Record> record, const RecordHeader& header) {
+        check_.emplace(std::move(record), header);
+    }
+    /// Null where nothing is compared.
+    [[nodiscard]] const ReplayCheck* check() const { return check_ ? &*check_ : nullptr; }
 
     /// Keeps what came in with a frame of the lesson.
     void keep_frame(const SessionInput& input);
+    /// Keeps what the lesson made of it.
+    void keep_output(double time_s, const SessionOutput& output, const SessionResult& result);
     /// Keeps that the lesson failed with this sentence.
     void keep_failure(double time_s, const std::string& sentence);
     /// Writes the rest and closes the file; tells the first trouble of the whole run.
@@ -30,13 +43,32 @@ class RunRecorder {
     [[nodiscard]] std::uint64_t dropped() const noexcept { return ring_.dropped(); }
 
   private:
-    explicit RunRecorder(RecordWriter writer) : writer_(std::move(writer)) {}
+    RunRecorder(std::vector<std::string> forces, int n_bodies)
+        : forces_(std::move(forces)), n_bodies_(n_bodies) {}
+    template <class Part>
+    void write(const Part& part);
     void note(const Expected<void>& written);
+    void keep(double time_s, RecordEventKind kind, std::int32_t body = kNoBody,
+              const std::string& text = {});
+    void drain();
+    void keep_bodies(const SessionInput& input);
+    void keep_body(double time_s, std::int32_t body, const BodyState& state);
+    void keep_effort(double time_s, const ToolEffort& effort);
 
     RecordRing ring_;
-    RecordWriter writer_;
+    std::optional<RecordWriter> writer_;
+    std::optional<ReplayCheck> check_;
+    std::vector<std::string> forces_;
+    std::int32_t n_bodies_;
     Expected<void> trouble_{};
+    // As it was told last.
     std::int32_t touched_ = kNoBody;
+    GatePhase gate_ = GatePhase::waiting;
+    Fault faults_ = Fault::none;
+    ToolEffort effort_{};
+    std::array<BodyState, kMaxBodies> bodies_{};
+    std::array<FieldCommand, kMaxFields> fields_{};
+    bool finished_ = false;
 };
 
 }  // namespace fulcrum::runtime

@@ -1,8 +1,10 @@
 #include "runtime/app/run_request.h"
 
+#include "haptics/device/replay/recorded_traits.h"
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/progress/store.h"
 
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <random>
@@ -146,6 +148,38 @@ const char* how_to_move(const RunRequest& request, bool has_reel, bool left_hand
     return has_reel ? "hud.reel_help" : left_handed ? "hud.left_mouse_help" : "hud.mouse_help";
 }
 
+Expected<RunRequest> with_record(RunRequest request) {
+    if (request.hand != HandKind::replay) {
+        return request;
+    }
+    return load_record(request.hand_file.string()).map([&](Record&& record) {
+        const auto number = [&](const char* name, auto& value) {
+            if (const auto text = find_fact(record.header, name)) {
+                auto read = value;
+                if (std::from_chars(text->data(), text->data() + text->size(), read).ec ==
+                    std::errc{}) {
+                    value = read;
+                }
+            }
+        };
+        if (!request.seed_is_given) {
+            number("option.seed", request.seed);
+        }
+        number("option.day", request.plan.day);
+        double scale = 1.0;
+        number("option.scale", scale);
+        request.fit.scale = request.fit.scale.value_or(scale);
+        request.replayed = std::make_shared<const Record>(std::move(record));
+        return std::move(request);
+    });
+}
+
+bool repeats_input(const RunRequest& request) noexcept {
+    constexpr std::uint32_t kFirstThatTells = 5;
+    return request.replayed != nullptr && request.replayed->version >= kFirstThatTells &&
+           request.say.empty() && !request.learner_rates && request.plan.hearing.recordings.empty();
+}
+
 void play_by(PlayedBy by, RunRequest& request) {
     request.by = by;
     request.hand = by == PlayedBy::arm ? HandKind::scripted : HandKind::mouse;
@@ -169,6 +203,7 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     request.plan.live = in_window;
     request.plan.day = in_window ? today() : kTestDay;
     request.seed = options.seed.value_or(in_window ? std::random_device{}() : request.seed);
+    request.seed_is_given = options.seed.has_value();
     request.record_file = options.record;
     request.feedback = options.feedback;
     request.fit = options.fit;

@@ -1,6 +1,7 @@
 // What is to be played, how and by whom.
 #pragma once
 
+#include "haptics/record/record.h"
 #include "runtime/app/hid_hands.h"
 #include "runtime/app/options.h"
 #include "runtime/app/places.h"
@@ -10,6 +11,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,12 +45,19 @@ struct RunRequest {
     std::string record_file;  ///< empty: nothing is recorded
     std::string learner;      ///< nickname; empty: "guest"
     std::uint64_t seed = 1;   ///< of the lesson's math.random
-    dialogue::FeedbackLadder feedback{};  ///< instead of what the lesson says; empty: as it says
+    bool seed_is_given = false;
+    std::shared_ptr<const Record> replayed;  ///< replay: the record, once it is read
+    dialogue::FeedbackLadder feedback{};     ///< instead of what the lesson says; empty: as it says
 };
 
 /// Which words say how the hand is moved: the catalogue's key, in the words of what is held; `has_reel` where a kite flies.
 [[nodiscard]] const char* how_to_move(const RunRequest& request, bool has_reel,
                                       bool left_handed) noexcept;
+/// Reads the record that is to be repeated, and takes over what belongs to its run and was not asked for otherwise: seed, day and the hand's scale.
+/// Other requests stay as they are.
+[[nodiscard]] Expected<RunRequest> with_record(RunRequest request);
+/// Whether the record of such a request tells what was typed, said and pressed, so that nobody else need answer.
+[[nodiscard]] bool repeats_input(const RunRequest& request) noexcept;
 /// Lets the lesson's simulated hand play by this.
 void play_by(PlayedBy by, RunRequest& request);
 

@@ -16,7 +16,9 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-constexpr std::size_t kBlockHeadBytes = 16;  // mark, kind, length, checksum
+constexpr std::size_t kBlockHeadBytes = 16;   // mark, kind, length, checksum
+constexpr std::size_t kLeastEventBytes = 20;  // without a text
+constexpr std::size_t kHeadLengthAt = 12;     // where a header tells its own length
 
 void require(bool promise) {
     if (!promise) {
@@ -30,11 +32,14 @@ void require_one_sentence(const fulcrum::Error& error) {
 
 Bytes encode(const fulcrum::Record& record) {
     fulcrum::RecordEncoder encoder(record.header);
-    for (const auto& sample : record.samples) {
-        encoder.append(sample);
+    for (std::size_t i = 0; i < record.samples.size(); ++i) {
+        encoder.append(record.samples[i], record.shares_of(i));
     }
     for (const auto& event : record.events) {
         encoder.append(event);
+    }
+    for (const auto& body : record.bodies) {
+        encoder.append(body);
     }
     encoder.finish();
     return encoder.take_bytes();
@@ -43,8 +48,11 @@ Bytes encode(const fulcrum::Record& record) {
 // No more was made of the bytes than they can hold, times run forwards, poses are numbers.
 void check_promises(const fulcrum::Record& record, std::size_t n_bytes) {
     require(record.samples.size() * fulcrum::kRecordSampleBytes +
-                record.events.size() * fulcrum::kRecordEventBytes <=
+                record.shares_W.size() * fulcrum::kRecordShareBytes +
+                record.events.size() * kLeastEventBytes +
+                record.bodies.size() * fulcrum::kRecordBodyBytes <=
             n_bytes);
+    require(record.shares_W.size() == record.samples.size() * record.header.effects.size());
     double before_s = -HUGE_VAL;
     for (const auto& sample : record.samples) {
         require(std::isfinite(sample.time_s) && sample.time_s >= before_s);
@@ -81,13 +89,16 @@ std::uint32_t read_u32(const std::byte* at) {
 
 void mend_checksums(Bytes& bytes) {
     const std::span<std::byte> all(bytes);
-    if (bytes.size() < fulcrum::kRecordHeaderBytes) {
+    const std::size_t head_bytes = bytes.size() < kBlockHeadBytes + sizeof(std::uint32_t)
+                                       ? 0
+                                       : read_u32(bytes.data() + kHeadLengthAt);
+    if (head_bytes < kBlockHeadBytes + sizeof(std::uint32_t) || head_bytes > bytes.size()) {
         return;
     }
-    const std::size_t checksum_at = fulcrum::kRecordHeaderBytes - sizeof(std::uint32_t);
+    const std::size_t checksum_at = head_bytes - sizeof(std::uint32_t);
     const std::uint32_t head = fulcrum::compute_crc32(all.first(checksum_at));
     std::memcpy(bytes.data() + checksum_at, &head, sizeof head);
-    std::size_t at = fulcrum::kRecordHeaderBytes;
+    std::size_t at = head_bytes;
     while (bytes.size() - at >= kBlockHeadBytes) {
         const std::size_t length = read_u32(bytes.data() + at + 8);
         if (length > bytes.size() - at - kBlockHeadBytes) {

@@ -163,10 +163,10 @@ TEST_CASE(
             }
             world.step(k * kDt_s);
             loop.step(k * kDt_s);
-            RecordSample sample;
+            RecordRound round;
             touched = touched || loop.state().touched_body == 1;
             pushed = pushed || loop.state().applied_W.force.norm() > 0.1;
-            while (k % 100 == 0 && ring->pop(sample)) {
+            while (k % 100 == 0 && ring->pop(round)) {
             }
         }
         loop.silence(kSteps * kDt_s);

@@ -23,7 +23,7 @@ class ReplayDevice final : public Device {
     explicit ReplayDevice(const Record& record);
     ~ReplayDevice() override;
 
-    /// Renders what the recorded device rendered, to nobody: limits are not lowered by it.
+    /// Those of the recorded device, where the record tells them; else it renders any force, to nobody.
     [[nodiscard]] const DeviceTraits& traits() const noexcept override { return traits_; }
     /// False where the recorded read failed, or when the record is empty. After the end it holds
     /// the last pose with a fresh stamp.

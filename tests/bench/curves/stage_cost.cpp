@@ -124,8 +124,8 @@ class Stand {
         const bool is_light = scene_.changing_weight && round_ / 256 % 2 == 0;
         world.carried_force_W.y() = is_light ? 0.0 : -kHeavy_N;
         channels_.world.publish(world);
-        RecordSample sample;
-        while (ring_.pop(sample)) {
+        RecordRound round;
+        while (ring_.pop(round)) {
         }
     }
 

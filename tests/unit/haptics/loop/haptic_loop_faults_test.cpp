@@ -339,13 +339,13 @@ TEST_CASE("haptic loop: a full recorder is a fault, an emptied one is none") {
     CHECK(bench.loop.state().faults == Fault::none);
     bench.run(2);
     CHECK(saw(bench, Fault::record_full));
-    RecordSample sample;
-    REQUIRE(ring->pop(sample));
-    CHECK(sample.tick == 0);
-    CHECK(sample.time_s == kDt_s);
-    while (ring->pop(sample)) {
+    RecordRound round;
+    REQUIRE(ring->pop(round));
+    CHECK(round.sample.tick == 0);
+    CHECK(round.sample.time_s == kDt_s);
+    while (ring->pop(round)) {
     }
-    CHECK(sample.tick == kRecordRingCapacity - 1);
+    CHECK(round.sample.tick == kRecordRingCapacity - 1);
     bench.run(2);
     CHECK(bench.loop.state().faults == Fault::none);
 }

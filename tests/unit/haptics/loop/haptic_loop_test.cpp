@@ -214,18 +214,18 @@ TEST_CASE("haptic loop: the record keeps what the device told, taken over or not
     bench.device.pose_D.position.x() = 0.001;
     bench.device.buttons = 4;
     bench.run(1);
-    RecordSample sample;
-    while (ring->pop(sample)) {
+    RecordRound round;
+    while (ring->pop(round)) {
     }
-    CHECK(any(sample.faults & Fault::device_stale));
-    CHECK(sample.stamp_s == bench.now_s - 0.05);
-    CHECK(sample.pose_D.position.x() == 0.001);
-    CHECK(sample.buttons == 4);
+    CHECK(any(round.sample.faults & Fault::device_stale));
+    CHECK(round.sample.stamp_s == bench.now_s - 0.05);
+    CHECK(round.sample.pose_D.position.x() == 0.001);
+    CHECK(round.sample.buttons == 4);
     CHECK(bench.loop.state().buttons == 0);
     // What is no pose is not kept: the record holds the last that was one.
     bench.device.pose_D.position.x() = std::numeric_limits<double>::quiet_NaN();
     bench.run(1);
-    REQUIRE(ring->pop(sample));
-    CHECK(any(sample.faults & Fault::device_invalid));
-    CHECK(sample.pose_D.position.x() == 0.001);
+    REQUIRE(ring->pop(round));
+    CHECK(any(round.sample.faults & Fault::device_invalid));
+    CHECK(round.sample.pose_D.position.x() == 0.001);
 }

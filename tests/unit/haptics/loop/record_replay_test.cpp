@@ -39,7 +39,10 @@ std::vector<std::byte> play(Device& device, LatestValue<HandTarget>* target) {
     world_plan.bodies = {{0.3, 0.3, 0.04, 0.01}};
     world_plan.catcher.present = true;
     WorldLoop world(world_plan, {}, *channels, *haptics);
-    RecordEncoder encoder({1000.0, "gravity"});
+    RecordHeader header;
+    header.lesson = "gravity";
+    header.effects.assign(loop.effects().size(), "effect");
+    RecordEncoder encoder(header);
     for (int k = 0; k < kRounds; ++k) {
         const double now_s = k * kDt_s;
         if (k % 16 == 0) {
@@ -62,9 +65,9 @@ std::vector<std::byte> play(Device& device, LatestValue<HandTarget>* target) {
             world.step(now_s);
         }
         loop.step(now_s);
-        RecordSample sample;
-        while (ring->pop(sample)) {
-            encoder.append(sample);
+        RecordRound round;
+        while (ring->pop(round)) {
+            encoder.append(round);
         }
         WorldEvent event;
         while (channels->events.pop(event)) {

@@ -125,19 +125,19 @@ TEST_CASE(
     CHECK(slow.bench.device.written_D.force.norm() == 0.0);
     CHECK(slow.record->dropped() == kRoundsAsleep - kRecordRingCapacity);
     // It wakes: what was kept is the oldest, and nothing is missing in it.
-    RecordSample sample;
+    RecordRound round;
     for (std::uint64_t tick = 0; tick < kRecordRingCapacity; ++tick) {
-        REQUIRE(slow.record->pop(sample));
-        REQUIRE(sample.tick == tick);
+        REQUIRE(slow.record->pop(round));
+        REQUIRE(round.sample.tick == tick);
     }
-    CHECK_FALSE(slow.record->pop(sample));
+    CHECK_FALSE(slow.record->pop(round));
     // From here on every round is kept again, and the force comes back.
     const std::uint64_t n_lost = slow.record->dropped();
     double most_N = 0.0;
     for (std::uint64_t i = 0; i < 6000; ++i) {
         slow.step();
-        REQUIRE(slow.record->pop(sample));
-        REQUIRE(sample.tick == kRoundsAsleep + i);
+        REQUIRE(slow.record->pop(round));
+        REQUIRE(round.sample.tick == kRoundsAsleep + i);
         most_N = std::max(most_N, slow.bench.device.written_D.force.y());
     }
     CHECK(most_N > 1.0);

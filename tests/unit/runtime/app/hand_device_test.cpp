@@ -66,11 +66,11 @@ TEST_CASE("hand device: a record plays again, and one that is none is refused in
     request.hand_file = folder + "/run.rec";
     CHECK_FALSE(HandDevice::open(request, plan_with_workspace()));
     {
-        auto writer = RecordWriter::create(request.hand_file.string(), {1000.0, "x"});
+        auto writer = RecordWriter::create(request.hand_file.string(), RecordHeader{});
         REQUIRE(writer);
-        RecordSample sample;
-        sample.pose_D.position = {0.01, 0.02, 0.03};
-        REQUIRE(writer->append(sample));
+        RecordRound round;
+        round.sample.pose_D.position = {0.01, 0.02, 0.03};
+        REQUIRE(writer->append(round));
         REQUIRE(writer->finish());
     }
     const auto hand = HandDevice::open(request, plan_with_workspace());

@@ -1,0 +1,64 @@
+// What a lesson's run has to do with records: its own, and the one that it repeats; for lesson_run.cpp.
+#include "runtime/app/lesson_run.h"
+#include "runtime/app/run_facts.h"
+
+#include <cstdio>
+
+namespace fulcrum::runtime {
+namespace {
+
+// Threads that keep their own time meet at other moments each time: only under a virtual clock can forces be the same to the bit.
+bool can_compare(const RunRequest& request, const LessonDescription& lesson) {
+    if (!request.replayed || request.plan.live) {
+        return false;
+    }
+    if (request.replayed->header.lesson != lesson.id) {
+        std::fprintf(stderr,
+                     "The record is of the lesson \"%s\", so its forces are not compared.\n",
+                     request.replayed->header.lesson.c_str());
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+// The header tells what the run is made with, so everything else is built before.
+Expected<void> LessonRun::build_recorder(const Places& places, const RunRequest& request) {
+    const LessonDescription& lesson = process_->description();
+    const bool compares = can_compare(request, lesson);
+    if (!plan_.record && !compares) {
+        return {};
+    }
+    const RecordHeader header = describe_run(
+        {lesson, plan_, request, places, process_->files_read(), *haptic_loop_, device().traits()});
+    std::vector<std::string> forces;
+    for (const ForceDescription& force : lesson.forces) {
+        forces.push_back(force.name);
+    }
+    auto recorder = RunRecorder::create(plan_.record ? request.record_file : std::string(), header,
+                                        channels_, std::move(forces));
+    if (!recorder) {
+        return tl::unexpected(recorder.error());
+    }
+    recorder_ = std::move(*recorder);
+    if (compares) {
+        recorder_->compare_with(request.replayed, header);
+    }
+    return {};
+}
+
+std::optional<double> LessonRun::replay_end_s() const {
+    if (!replayed_ || replayed_->record().samples.empty()) {
+        return std::nullopt;
+    }
+    // Half a round behind the last one, so that it is the last here too.
+    constexpr double kHalf = 0.5;
+    return replayed_->record().samples.back().time_s + kHalf / plan_.haptic.rate_hz;
+}
+
+Expected<void> LessonRun::finish_record() {
+    return recorder_ ? recorder_->finish() : Expected<void>{};
+}
+
+}  // namespace fulcrum::runtime

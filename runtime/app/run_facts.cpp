@@ -1,0 +1,190 @@
+#include "runtime/app/run_facts.h"
+
+#include "haptics/base/sha256.h"
+#include "haptics/device/replay/recorded_traits.h"
+#include "runtime/app/hand_device.h"
+#include "runtime/app/program_build.h"
+#include "runtime/evidence/record_words.h"
+#include "runtime/scene/plan_tool.h"
+#include "runtime/scene/shape_models.h"
+
+#include <array>
+#include <fstream>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace fulcrum::runtime {
+namespace fs = std::filesystem;
+
+namespace {
+
+class Facts {
+  public:
+    explicit Facts(std::vector<RecordFact>& facts) : facts_(facts) {}
+    void add(std::string name, std::string value) {
+        facts_.push_back({std::move(name), std::move(value)});
+    }
+    void add(std::string name, double value) { add(std::move(name), exact_text(value)); }
+    void add(std::string name, const Vector3& v) {
+        add(std::move(name), exact_text(v.x()) + " " + exact_text(v.y()) + " " + exact_text(v.z()));
+    }
+    /// Named from the lesson's folder, or by its own: where that lies is nobody's business, and a copied lesson is the same one.
+    void add_file(const std::string& kind, const fs::path& file, const fs::path& lesson_folder) {
+        Sha256 hash;
+        std::ifstream stream(file, std::ios::binary);
+        std::array<char, 65536> part{};
+        while (stream.read(part.data(), part.size()) || stream.gcount() > 0) {
+            hash.add(
+                std::as_bytes(std::span(part).first(static_cast<std::size_t>(stream.gcount()))));
+        }
+        std::error_code error;
+        const bool is_own = fs::equivalent(file.parent_path(), lesson_folder, error);
+        const fs::path name =
+            is_own ? file.filename() : file.parent_path().filename() / file.filename();
+        add(kind + name.string(), to_hex(hash.finish()));
+    }
+
+  private:
+    std::vector<RecordFact>& facts_;
+};
+
+// Models and pictures that are files.
+void add_assets(const FactSources& run, Facts& facts) {
+    std::set<fs::path> files;
+    const auto add_model = [&](const std::string& model) {
+        if (!model.empty() && !is_shape_model(model)) {
+            files.insert(find_model(run.places, run.request.folder, model));
+        }
+    };
+    for (const BodyDescription& body : run.lesson.bodies) {
+        add_model(body.model);
+        add_model(body.felt_model);
+        add_model(body.simulated_model);
+    }
+    if (run.lesson.hand.tool) {
+        add_model(run.lesson.hand.tool->model);
+    }
+    for (const MaterialDescription& material : run.lesson.materials) {
+        if (!material.image.empty()) {
+            files.insert(run.request.folder / material.image);
+        }
+    }
+    files.erase(fs::path{});
+    for (const fs::path& file : files) {
+        facts.add_file("asset.", file, run.request.folder);
+    }
+}
+
+void add_options(const FactSources& run, Facts& facts) {
+    constexpr std::array<std::string_view, 5> kHands{"simulated", "mouse", "replay", "HID",
+                                                     "arm on a link"};
+    facts.add("option.seed", std::to_string(run.request.seed));
+    facts.add("option.clock", run.request.plan.live ? "real time" : "virtual");
+    facts.add("option.hand", std::string(kHands[static_cast<std::size_t>(run.request.hand)]));
+    facts.add("option.day", run.plan.day);
+    facts.add("option.scale", run.plan.haptic.workspace.scale / run.lesson.hand.scale);
+    facts.add("option.device N", HandDevice::force_limit_N(run.request));
+    facts.add("option.hearing", std::string(name_of(run.plan.speech)));
+}
+
+void add_limits(const FactSources& run, Facts& facts) {
+    const SiteLimits& site = run.request.plan.site;
+    facts.add("limit.site N", site.force_N);
+    facts.add("limit.site Nm", site.torque_Nm);
+    facts.add("limit.site m/s", site.speed_m_per_s);
+    facts.add("limit.site J", site.energy_J);
+    facts.add("limit.lesson N",
+              run.lesson.force_limit_N ? exact_text(*run.lesson.force_limit_N) : "none");
+    const SafetySettings& safety = run.plan.haptic.safety;
+    facts.add("limit.plan N", safety.max_force_N);
+    facts.add("limit.plan Nm", safety.max_torque_Nm);
+    facts.add("limit.slew N/s", safety.max_slew_N_per_s);
+    facts.add("limit.soft start N/s", safety.soft_start_N_per_s);
+    facts.add("limit.soft start s", safety.soft_start_s);
+    facts.add("limit.engage below N", safety.engage_below_N);
+    facts.add("limit.fade s", safety.fade_s);
+    facts.add("limit.hand m/s", safety.max_felt_speed_m_per_s);
+    facts.add("limit.energy J", safety.max_energy_J);
+}
+
+void add_workspace(const Workspace& workspace, Facts& facts) {
+    facts.add("workspace.scale", workspace.scale);
+    facts.add("workspace.centre m", workspace.pose_WD.position);
+    const Quaternion& turn = workspace.pose_WD.orientation;
+    facts.add("workspace.turn w x y z", exact_text(turn.w()) + " " + exact_text(turn.x()) + " " +
+                                            exact_text(turn.y()) + " " + exact_text(turn.z()));
+}
+
+// What was decided before anything ran: each stage with who asked for it, and what bodies weigh in the hand.
+void add_plan(const FactSources& run, Facts& facts) {
+    constexpr std::array<std::string_view, 3> kProxies{"god-object", "virtual proxy",
+                                                       "friction cone"};
+    constexpr std::array<std::string_view, 4> kVelocities{"filtered difference", "adaptive window",
+                                                          "finite difference", "Kalman"};
+    const Plan& plan = run.plan;
+    const HapticPlan& haptic = plan.haptic;
+    if (haptic.tool) {
+        facts.add("plan.tool", std::string(name_of(run.lesson.hand.tool->method)));
+    } else if (!haptic.solids.empty()) {
+        facts.add("plan.proxy", std::string(kProxies[static_cast<std::size_t>(haptic.proxy.kind)]));
+    }
+    facts.add("plan.velocity",
+              std::string(kVelocities[static_cast<std::size_t>(haptic.velocity_method)]));
+    facts.add("plan.coupling N/m", haptic.coupling.stiffness_N_per_m);
+    facts.add("plan.coupling Ns/m", haptic.coupling.damping_Ns_per_m);
+    facts.add("plan.lesson Hz", plan.lesson_rate_hz);
+    facts.add("plan.world Hz", plan.world_rate_hz());
+    facts.add("plan.kite Hz", plan.kite ? plan.kite->rate_hz : 0.0);
+    facts.add("plan.felt scale", plan.felt_scale);
+    for (std::size_t i = 0; i < plan.felt_weight_N.size() && i < run.lesson.bodies.size(); ++i) {
+        if (plan.felt_weight_N[i] > 0.0) {
+            facts.add("plan.weight of " + run.lesson.bodies[i].name + " N", plan.felt_weight_N[i]);
+        }
+    }
+    int n = 0;
+    for (const PlanStage& stage : plan.stages) {
+        // Whether somebody looks on or keeps it changes no force.
+        if (stage.loop != "picture" && stage.loop != "sound" && stage.loop != "record" &&
+            stage.name != name_of(HapticStage::record)) {
+            facts.add("plan.stage " + std::to_string(++n),
+                      stage.loop + " " + stage.name + ", " + exact_text(stage.rate_hz) +
+                          " Hz, line " + std::to_string(stage.line) + ", " + stage.because);
+        }
+    }
+    for (std::size_t i = 0; i < plan.notices.size(); ++i) {
+        facts.add("plan.notice " + std::to_string(i + 1), plan.notices[i]);
+    }
+}
+
+}  // namespace
+
+RecordHeader describe_run(const FactSources& run) {
+    RecordHeader header;
+    header.rate_Hz = run.plan.haptic.rate_hz;
+    header.lesson = run.lesson.id;
+    header.max_force_N = run.loop.max_force_N();
+    header.max_torque_Nm = run.loop.max_torque_Nm();
+    header.effects = effect_words(run.loop.effects(), run.lesson);
+    for (const BodyDescription& body : run.lesson.bodies) {
+        header.bodies.push_back(body.name);
+    }
+    if (run.plan.kite && header.bodies.size() < kMaxBodies) {
+        header.bodies.emplace_back("kite");
+    }
+    Facts facts(header.facts);
+    facts.add("program.version", kProgramVersion);
+    facts.add("program.build", program_build_id());
+    for (const fs::path& file : run.files) {
+        facts.add_file("lesson.", file, run.request.folder);
+    }
+    add_assets(run, facts);
+    add_options(run, facts);
+    list_traits(run.device, header.facts);
+    add_workspace(run.plan.haptic.workspace, facts);
+    add_limits(run, facts);
+    add_plan(run, facts);
+    return header;
+}
+
+}  // namespace fulcrum::runtime

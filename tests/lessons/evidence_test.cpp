@@ -1,0 +1,163 @@
+// A record is evidence: repeated it gives every force again to the bit, and where it does not, it says where first and why.
+#include "haptics/device/replay/recorded_traits.h"
+#include "tests/lessons/program.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+using namespace fulcrum;
+using namespace fulcrum::test;
+
+namespace {
+
+constexpr const char* kTool = FULCRUM_TEST_LESSONS "/tool";
+
+void check_repeats(const Sandbox& sandbox, const std::string& lesson, const std::string& seconds,
+                   const std::string& hand = {}) {
+    INFO(lesson);
+    const ProgramRun run = sandbox.run("run " + lesson + " --headless --seconds " + seconds +
+                                       " --record a.rec " + hand);
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    const Record record = read_run(sandbox.path("a.rec"));
+    CHECK(largest_force_N(record) > 0.1);
+    const ProgramRun again = sandbox.run("run " + lesson + " --headless --hand replay:a.rec");
+    INFO(again.output);
+    CHECK(again.exit_code == 0);
+    CHECK(again.output.find("All forces are the record's, bit for bit, in " +
+                            std::to_string(record.samples.size()) + " rounds.") !=
+          std::string::npos);
+}
+
+// The first round of which the share of an effect is not the same, found without the program.
+std::size_t first_other_share(const Record& a, const Record& b, std::size_t effect) {
+    for (std::size_t i = 0; i < std::min(a.samples.size(), b.samples.size()); ++i) {
+        if (a.shares_of(i)[effect].force != b.shares_of(i)[effect].force) {
+            return i;
+        }
+    }
+    return a.samples.size();
+}
+
+std::string text_of(const std::string& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+TEST_CASE(
+    "evidence: weight, textures, a kite, a lever, blocks and a maze with its keys repeat to the "
+    "bit") {
+    const Sandbox sandbox;
+    check_repeats(sandbox, "gravity", "12");
+    check_repeats(sandbox, "textures", "6");
+    check_repeats(sandbox, "kite", "4");
+    check_repeats(sandbox, "lever", "5");
+    check_repeats(sandbox, "stacks", "8");
+    check_repeats(sandbox, "maze-park", "8", "--seed 7");
+}
+
+TEST_CASE("evidence: a tool with force and torque repeats to the bit") {
+    const Sandbox sandbox;
+    check_repeats(sandbox, kTool, "5", std::string("--hand ") + kTool + "/turn.lua");
+    const Record record = read_run(sandbox.path("a.rec"));
+    CHECK(record.header.effects == std::vector<std::string>{"tool", "tool damping", "brake"});
+    CHECK(std::ranges::any_of(record.samples, [](const RecordSample& sample) {
+        return sample.applied_W.torque.norm() > 0.01;
+    }));
+}
+
+TEST_CASE("evidence: a record says what the run was made with, and what happened in it") {
+    const Sandbox sandbox;
+    REQUIRE(
+        sandbox.run("run gravity --headless --seconds 12 --seed 3 --force-limit 4 --record a.rec")
+            .exit_code == 0);
+    const Record record = read_run(sandbox.path("a.rec"));
+    const auto fact = [&](const char* name) {
+        return std::string(find_fact(record.header, name).value_or("nothing"));
+    };
+    CHECK(fact("program.version") == "0.1.0");
+    CHECK(fact("program.build").size() >= 32);
+    CHECK(fact("lesson.lesson.lua").size() == 64);
+    CHECK(fact("lesson.lib/story.lua").size() == 64);
+    CHECK(fact("asset.models/apple.glb").size() == 64);
+    CHECK(fact("option.seed") == "3");
+    CHECK(fact("option.clock") == "virtual");
+    CHECK(fact("device.name") == "simulated hand");
+    CHECK(fact("limit.site N") == "4");
+    CHECK(fact("workspace.scale") == "2");
+    CHECK(fact("plan.weight of apple N") != "nothing");
+    CHECK(record.header.max_force_N == 4.0);
+    CHECK(record.header.effects == std::vector<std::string>{"weight", "brake"});
+    REQUIRE(record.header.bodies.size() > 2);
+    const auto has_event = [&](RecordEventKind kind, const std::string& text) {
+        return std::ranges::any_of(record.events, [&](const RecordEvent& event) {
+            return event.kind == kind && event.text.find(text) != std::string::npos;
+        });
+    };
+    CHECK(has_event(RecordEventKind::gate, "rising"));
+    CHECK(has_event(RecordEventKind::gate, "open"));
+    CHECK(has_event(RecordEventKind::dropped, ""));
+    CHECK(has_event(RecordEventKind::said, "shows"));
+    CHECK(has_event(RecordEventKind::answered, ""));
+    // What is carried goes with the hand.
+    CHECK(std::ranges::any_of(
+        record.bodies, [](const RecordBody& body) { return body.state.where == BodyWhere::held; }));
+    // Together the shares are what was commanded.
+    for (std::size_t i = 0; i < record.samples.size(); i += 97) {
+        const Vector3 sum_W = record.shares_of(i)[0].force + record.shares_of(i)[1].force;
+        REQUIRE((sum_W - record.samples[i].commanded_W.force).norm() < 1e-12);
+    }
+}
+
+TEST_CASE("evidence: another mass is told at the round and the effect where it is felt first") {
+    const Sandbox sandbox;
+    std::filesystem::copy(FULCRUM_SCENARIOS "/gravity", sandbox.path("mine"),
+                          std::filesystem::copy_options::recursive);
+    REQUIRE(sandbox.run("run mine --headless --seconds 8 --record a.rec").exit_code == 0);
+    std::string text = text_of(sandbox.path("mine/lesson.lua"));
+    const std::string mass = "mass = 0.2039";
+    REQUIRE(text.find(mass) != std::string::npos);
+    text.replace(text.find(mass), mass.size(), "mass = 0.2040");
+    sandbox.write("mine/lesson.lua", text);
+    const ProgramRun run = sandbox.run("run mine --headless --hand replay:a.rec --record b.rec");
+    INFO(run.output);
+    CHECK(run.exit_code == 3);
+    const Record a = read_run(sandbox.path("a.rec"));
+    const Record b = read_run(sandbox.path("b.rec"));
+    const std::size_t first = first_other_share(a, b, 0);
+    REQUIRE(first < a.samples.size());
+    CHECK(run.output.find("(round " + std::to_string(a.samples[first].tick) +
+                          ") the share of weight is the first thing that differs") !=
+          std::string::npos);
+    CHECK(run.output.find("Likely why: the lesson's files have changed (lesson.lua).") !=
+          std::string::npos);
+}
+
+TEST_CASE("evidence: another seed, another limit and another lesson are told for what they are") {
+    const Sandbox sandbox;
+    REQUIRE(sandbox.run("run maze-park --headless --seconds 6 --record a.rec").exit_code == 0);
+    const ProgramRun seed = sandbox.run("run maze-park --headless --seed 9 --hand replay:a.rec");
+    INFO(seed.output);
+    CHECK(seed.exit_code == 3);
+    CHECK(seed.output.find("options differ (seed is 9 and was 1)") != std::string::npos);
+    REQUIRE(sandbox.run("run gravity --headless --seconds 8 --record b.rec").exit_code == 0);
+    const ProgramRun limit =
+        sandbox.run("run gravity --headless --force-limit 2 --hand replay:b.rec");
+    INFO(limit.output);
+    CHECK(limit.exit_code == 3);
+    CHECK(limit.output.find("limits differ (site N is 2 and was 5") != std::string::npos);
+    const ProgramRun other = sandbox.run("run gravity --headless --seconds 1 --hand replay:a.rec");
+    INFO(other.output);
+    CHECK(other.exit_code == 0);
+    CHECK(other.output.find("of the lesson \"maze-park\", so its forces are not compared") !=
+          std::string::npos);
+}
