@@ -29,6 +29,9 @@ int complain_of_loading(const Error& error);
 [[nodiscard]] int check_command(const Installation& installation, const Options& options);
 [[nodiscard]] int test_command(const Installation& installation, const Options& options);
 [[nodiscard]] int explain_command(const Installation& installation, const Options& options);
+/// Of a record instead of a lesson: why its force was felt at a time.
+[[nodiscard]] int explain_force_command(const Options& options);
+[[nodiscard]] int export_command(const Options& options);
 [[nodiscard]] int report_command(const Options& options);
 [[nodiscard]] int devices_command(const Options& options);
 [[nodiscard]] int arm_command(const Options& options);

@@ -75,6 +75,11 @@ int run_program(int argc, char** argv) {
         return 0;
     }
     switch (options->command) {
+        case Command::explain:
+            return options->force_at_s ? explain_force_command(*options)
+                                       : run_with_lessons(*options, started_s);
+        case Command::export_record:
+            return export_command(*options);
         case Command::report:
             return report_command(*options);
         case Command::devices:

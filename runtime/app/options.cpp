@@ -19,7 +19,7 @@ struct CommandWord {
     std::string_view flags;  // the flags it understands, each between spaces
 };
 
-constexpr std::array<CommandWord, 15> kCommands{{
+constexpr std::array<CommandWord, 16> kCommands{{
     {"run", Command::run, true,
      " --headless --seconds --seed --errors --hand --by --say --learner --db --record --screenshot "
      "--screenshot-at --speech --hear --listen --throat --voice --voice-speed "
@@ -31,7 +31,8 @@ constexpr std::array<CommandWord, 15> kCommands{{
     {"explain", Command::explain, true,
      " --mute --headless --speech --hear --listen --record --force-limit --analyze --json --hand "
      "--say "
-     "--seconds "},
+     "--seconds --force "},
+    {"export", Command::export_record, true, " --out "},
     {"report", Command::report, false, " --learner --lesson --db --format --out "},
     {"devices", Command::devices, false, " --json "},
     {"arm", Command::arm, false,
@@ -93,8 +94,9 @@ std::optional<Expected<void>> set_number(Options& options, const std::string& fl
     };
     constexpr double kDay_s = 86400.0;
     constexpr double kMostSeed = 4294967295.0;
-    static constexpr std::array<Number, 7> kNumbers{{
+    static constexpr std::array<Number, 8> kNumbers{{
         {"--seconds", 0.0, kDay_s, [](Options& o, double x) { o.seconds = x; }},
+        {"--force", 0.0, kDay_s, [](Options& o, double x) { o.force_at_s = x; }},
         {"--errors", 0.0, 0.9, [](Options& o, double x) { o.errors = x; }},
         {"--throat", 1.0, 2.0, [](Options& o, double x) { o.throat = x; }},
         {"--screenshot-at", 0.0, kDay_s, [](Options& o, double x) { o.screenshot_at_s = x; }},
@@ -319,7 +321,9 @@ Expected<Options> parse_options(std::span<const std::string> words) {
         }
     }
     if (command->takes_lesson && options.lesson.empty()) {
-        return fail(words[0] + " needs a lesson", "", "name one; fulcrum list shows them");
+        return command->command == Command::export_record || options.force_at_s
+                   ? fail(words[0] + " needs a record", "", "name a file that --record wrote")
+                   : fail(words[0] + " needs a lesson", "", "name one; fulcrum list shows them");
     }
     return options;
 }
@@ -370,6 +374,9 @@ std::string usage() {
   fulcrum explain LESSON     what runs for it, how often, and which line asked for it
       --analyze              plays it without a window and says what each stage cost  (--hand --say --seconds)
       --json                 for programs
+  fulcrum explain --force T FILE.rec
+                             why the hand felt that force at T seconds of a record: each effect's share, limits, gate  (--json)
+  fulcrum export FILE.rec    a record as CSV: rounds, and beside them .events, .bodies and .facts  (--out FILE.csv)
   fulcrum report             what learners did  (--learner NAME --lesson ID --format text|csv --out FILE)
   fulcrum devices            what can be a hand here, what each can do, what is missing  (--json)
   fulcrum arm                a simulated arm that speaks the arm link, for --hand udp:localhost:4701

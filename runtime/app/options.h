@@ -27,6 +27,7 @@ enum class Command : std::uint8_t {
     arm,
     stop,
     soak,
+    export_record,
     help,
     version
 };
@@ -84,10 +85,12 @@ struct Options {
     SiteLimits site{};                    ///< found for it (site_file.h)
     dialogue::FeedbackLadder feedback{};  ///< of this site; empty: as each lesson says
     std::string format = "text";          ///< report: text or csv
-    std::string out;                      ///< report: file instead of the screen
+    std::string out;  ///< report: file instead of the screen; export: the table's
     ArmOptions arm{};
     HandFit fit{};  ///< how the hand's device is set, as far as it is said
     FirstUseTrial first_use = FirstUseTrial::once;
+    std::optional<double>
+        force_at_s;           ///< explain: of a record, the force at this time, 0 to 86 400
     std::uint64_t seeds = 3;  ///< soak: how many runs of each lesson
 };
 

@@ -181,6 +181,7 @@ RecordHeader describe_run(const FactSources& run) {
     add_assets(run, facts);
     add_options(run, facts);
     list_traits(run.device, header.facts);
+    facts.add("device.reach m", run.device.reach_m);
     add_workspace(run.plan.haptic.workspace, facts);
     add_limits(run, facts);
     add_plan(run, facts);

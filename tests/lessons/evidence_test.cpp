@@ -161,3 +161,46 @@ TEST_CASE("evidence: another seed, another limit and another lesson are told for
     CHECK(other.output.find("of the lesson \"maze-park\", so its forces are not compared") !=
           std::string::npos);
 }
+
+TEST_CASE("evidence: explain --force accounts for a force, export writes it to the bit") {
+    const Sandbox sandbox;
+    REQUIRE(sandbox.run("run gravity --headless --seconds 12 --record a.rec").exit_code == 0);
+    const Record record = read_run(sandbox.path("a.rec"));
+    // The most that was felt is a weight.
+    const auto strongest = std::ranges::max_element(
+        record.samples, {}, [](const auto& sample) { return sample.applied_W.force.norm(); });
+    const ProgramRun told =
+        sandbox.run("explain --force " + std::to_string(strongest->time_s + 0.0001) + " a.rec");
+    INFO(told.output);
+    CHECK(told.exit_code == 0);
+    CHECK(told.output.find("(round " + std::to_string(strongest->tick) + ")") != std::string::npos);
+    CHECK(told.output.find("N down") != std::string::npos);
+    CHECK(told.output.find("weight") != std::string::npos);
+    CHECK(sandbox.run("explain a.rec --force 3 --json").output.find("\"taken_by_gate\"") !=
+          std::string::npos);
+    const ProgramRun late = sandbox.run("explain --force 99 a.rec");
+    CHECK(late.exit_code == 2);
+    CHECK(late.output.find("a.rec: the record has no round at 99 s; give --force a time from 0 to "
+                           "11.999.") == 0);
+    CHECK(sandbox.run("explain --force 1").exit_code == 2);
+    CHECK(sandbox.run("explain --force 1 --analyze a.rec").exit_code == 2);
+    CHECK(sandbox.run("explain --force 1 nowhere.rec").exit_code == 2);
+
+    const ProgramRun written = sandbox.run("export a.rec");
+    INFO(written.output);
+    CHECK(written.exit_code == 0);
+    const std::string rows = text_of(sandbox.path("a.csv"));
+    CHECK(static_cast<std::size_t>(std::ranges::count(rows, '\n')) == record.samples.size() + 1);
+    CHECK(text_of(sandbox.path("a.facts.csv")).find("option.seed,1") != std::string::npos);
+    CHECK(text_of(sandbox.path("a.events.csv")).find(",gate,,rising") != std::string::npos);
+    CHECK(text_of(sandbox.path("a.bodies.csv")).find(",held,") != std::string::npos);
+    sandbox.write("bad.rec", "no record");
+    const ProgramRun bad = sandbox.run("export bad.rec");
+    CHECK(bad.exit_code == 2);
+    CHECK(bad.output.find("bad.rec: this is no Fulcrum record") == 0);
+    CHECK_FALSE(std::filesystem::exists(sandbox.path("bad.csv")));
+    CHECK(sandbox.run("export a.rec --out a.rec").exit_code == 2);
+    CHECK(sandbox.run("export a.rec --out /no/such/folder/x.csv").exit_code == 2);
+    CHECK(sandbox.run("export").exit_code == 2);
+    CHECK(read_run(sandbox.path("a.rec")).samples.size() == record.samples.size());
+}

@@ -65,7 +65,7 @@ inline std::size_t header_bytes() {
 }
 inline constexpr std::size_t kFixtureSampleBytes = kRecordSampleBytes + 2 * kRecordShareBytes;
 
-/// The same rounds as a writer of version `version`, 1 to 3, put them: by hand, from the format's own words.
+/// The same rounds as a writer of version `version`, 1 to 4, put them: by hand, from the format's own words.
 inline std::vector<std::byte> make_old_bytes(std::uint32_t version,
                                              const std::vector<RecordSample>& samples,
                                              const std::vector<RecordEvent>& events = {}) {

@@ -116,15 +116,16 @@ TEST_CASE("record: a header whose lists cannot be is refused, with a checksum th
     CHECK(complaint(bytes).find("impossible rate, lesson") != std::string::npos);
 }
 
-TEST_CASE("record: those of versions 1 to 3 are read, each with the faults that it knows") {
+TEST_CASE("record: those of versions 1 to 4 are read, each with the faults that it knows") {
     const auto record_of = [](Fault fault, std::uint32_t version) {
         RecordSample sample = make_sample(1);
         sample.faults = fault;
         return make_old_bytes(version, {sample, make_sample(2)},
                               {{0.5, RecordEventKind::answered, 2, "An egg."}});
     };
-    const Fault last[] = {Fault::device_write, Fault::ended, Fault::too_much_energy};
-    for (std::uint32_t version = 1; version <= 3; ++version) {
+    const Fault last[] = {Fault::device_write, Fault::ended, Fault::too_much_energy,
+                          Fault::clutched};
+    for (std::uint32_t version = 1; version <= 4; ++version) {
         const auto read = read_record(record_of(last[version - 1], version));
         REQUIRE(read);
         CHECK(read->version == version);
@@ -138,7 +139,7 @@ TEST_CASE("record: those of versions 1 to 3 are read, each with the faults that 
         REQUIRE(read->events.size() == 1);
         CHECK(read->events[0].text == "An egg.");
         CHECK(read->bodies.empty());
-        if (version < 3) {
+        if (version < 4) {
             CHECK(complaint(record_of(last[version], version)).find("impossible sample") !=
                   std::string::npos);
         }
@@ -146,7 +147,7 @@ TEST_CASE("record: those of versions 1 to 3 are read, each with the faults that 
     CHECK(complaint(record_of(Fault::none, 0)).find("version 0") != std::string::npos);
     // What only today's version has is none in an old one.
     const auto late =
-        make_old_bytes(3, {make_sample(1)}, {{0.5, RecordEventKind::gate, -1, "open"}});
+        make_old_bytes(4, {make_sample(1)}, {{0.5, RecordEventKind::gate, -1, "open"}});
     CHECK(complaint(late).find("impossible event") != std::string::npos);
     auto cut = record_of(Fault::none, 3);
     cut.resize(cut.size() - 33);  // the end and a byte of the events

@@ -166,3 +166,20 @@ TEST_CASE("options: how the hand is set is said in words, and what cannot be is 
     CHECK_FALSE(parse({"run", "gravity", "--handed", "both"}));
     CHECK_FALSE(parse({"list", "--handed", "left"}));
 }
+
+TEST_CASE("options: a record is explained at a time, or exported") {
+    const auto force = parse({"explain", "--force", "12.5", "a.rec", "--json"});
+    REQUIRE(force);
+    CHECK((force->lesson == "a.rec" && force->force_at_s == 12.5 && force->json));
+    CHECK_FALSE(parse({"explain", "--force", "soon", "a.rec"}));
+    CHECK_FALSE(parse({"explain", "--force", "-1", "a.rec"}));
+    const auto nothing = parse({"explain", "--force", "1"});
+    REQUIRE_FALSE(nothing);
+    CHECK(nothing.error().message.find("needs a record") != std::string::npos);
+    const auto table = parse({"export", "a.rec", "--out", "b.csv"});
+    REQUIRE(table);
+    CHECK((table->command == Command::export_record && table->out == "b.csv"));
+    CHECK_FALSE(parse({"export"}));
+    CHECK_FALSE(parse({"export", "a.rec", "--json"}));
+    CHECK_FALSE(parse({"run", "gravity", "--force", "1"}));
+}

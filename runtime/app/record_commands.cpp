@@ -1,0 +1,84 @@
+// What the command line does with a record alone: no lesson is started.
+#include "haptics/record/record.h"
+#include "runtime/app/commands.h"
+#include "runtime/app/interrupt.h"
+#include "runtime/evidence/force_account.h"
+#include "runtime/evidence/record_csv.h"
+#include "runtime/text/progress_line.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace fulcrum::runtime {
+namespace {
+
+namespace fs = std::filesystem;
+
+Expected<Record> load_told(const std::string& path) {
+    auto record = load_record(path);
+    if (record && record->cut_off) {
+        std::fprintf(stderr, "%s: the record was cut off; its first %zu rounds are whole.\n",
+                     path.c_str(), record->samples.size());
+    }
+    return record;
+}
+
+// Beside the record, unless a place is named. A record must not be written over.
+Expected<fs::path> choose_place(const Options& options) {
+    fs::path place = options.out;
+    if (place.empty()) {
+        place = fs::path(options.lesson).replace_extension(".csv");
+    }
+    std::error_code error;
+    if (fs::weakly_canonical(place, error) == fs::weakly_canonical(options.lesson, error)) {
+        return fail("the table would take the record's own place", place.string(),
+                    "give --out another file");
+    }
+    return place;
+}
+
+}  // namespace
+
+int explain_force_command(const Options& options) {
+    if (options.analyze || options.seconds || !options.hand.empty() || !options.say.empty()) {
+        return complain({"--force is of a record, which is not played", {}, "leave the rest out"},
+                        2);
+    }
+    const auto account = load_told(options.lesson).and_then([&](const Record& record) {
+        return find_account(record, *options.force_at_s);
+    });
+    if (!account) {
+        Error error = account.error();
+        error.where = error.where.empty() ? options.lesson : error.where;
+        return complain(error, 2);
+    }
+    std::fputs((options.json ? account_json(*account) : account_text(*account)).c_str(), stdout);
+    return 0;
+}
+
+int export_command(const Options& options) {
+    const auto place = choose_place(options);
+    if (!place) {
+        return complain(place.error(), 2);
+    }
+    const auto record = load_told(options.lesson);
+    if (!record) {
+        return complain(record.error(), 2);
+    }
+    ProgressLine line("Writing " + place->string() + ":");
+    const auto written = export_record(*record, *place, [&](double share) {
+        line.say(share);
+        return !interrupted();
+    });
+    line.clear();
+    if (!written) {
+        return interrupted() ? interrupt_exit_code() : complain(written.error(), 2);
+    }
+    std::printf("%s: %zu rounds, %zu events, %zu places of bodies.\n", place->string().c_str(),
+                record->samples.size(), record->events.size(), record->bodies.size());
+    return 0;
+}
+
+}  // namespace fulcrum::runtime
