@@ -57,6 +57,8 @@ void LessonInput::take_playing_key(const KeyPress& press) {
         orders_.push_back(ScreenOrder::switch_fullscreen);
     } else if (press.key == "f2") {
         orders_.push_back(ScreenOrder::say_again);
+    } else if (press.key == "f3" && !press.repeat) {
+        orders_.push_back(ScreenOrder::switch_why);
     } else if (press.key == "tab" && run_->session().hud().may_ask) {
         asking_ = !asking_;
         typing_.clear();

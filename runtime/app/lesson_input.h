@@ -26,7 +26,13 @@ inline constexpr double kWheelStep_m = 0.02;  ///< depth of one notch
 inline constexpr double kWheelReach_m = 0.3;  ///< either way of the middle of the hand's room
 
 /// What keys ask of the screen and not of the lesson.
-enum class ScreenOrder : std::uint8_t { begin_again, leave, switch_fullscreen, say_again };
+enum class ScreenOrder : std::uint8_t {
+    begin_again,
+    leave,
+    switch_fullscreen,
+    say_again,
+    switch_why
+};
 
 class LessonInput {
   public:

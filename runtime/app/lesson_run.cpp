@@ -138,6 +138,7 @@ Expected<void> LessonRun::build_loops(const Places& places, const RunRequest& re
         }
     }
     haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, hand_->device(), channels_);
+    build_why(request);
     if (auto recorded = build_recorder(places, request); !recorded) {
         return recorded;
     }
@@ -258,6 +259,9 @@ Expected<SessionInput> LessonRun::gather(const FrameInput& input) {
     if (recorder_) {
         recorder_->keep_frame(gathered);
     }
+    if (why_ && shares_->take()) {
+        why_->look(shares_->value(), gathered.hand, input.time_s);
+    }
     return gathered;
 }
 
@@ -354,14 +358,6 @@ Expected<void> LessonRun::command_world(const std::vector<WorldCommand>& command
 
 void LessonRun::point_at(const Vector3& position_W, std::uint32_t buttons) {
     hand_->point_at(position_W, buttons);
-}
-
-void LessonRun::fail_softly(const std::string& sentence) {
-    channels_.lesson_failed.store(true, std::memory_order_release);
-    session_->end(EndReason::failed);
-    if (recorder_) {
-        recorder_->keep_failure(last_frame_s_, sentence);
-    }
 }
 
 double LessonRun::fade_shown_s() const {

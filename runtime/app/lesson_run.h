@@ -23,6 +23,7 @@
 #include "runtime/lesson/first_use.h"
 #include "runtime/lesson/session.h"
 #include "runtime/lesson/simulated_pupil.h"
+#include "runtime/lesson/why_shown.h"
 #include "runtime/lua/process/lesson_process.h"
 #include "runtime/progress/store.h"
 #include "runtime/scene/view.h"
@@ -140,6 +141,12 @@ class LessonRun {
     [[nodiscard]] std::optional<double> replay_end_s() const;
     /// Closes the record.
     [[nodiscard]] Expected<void> finish_record();
+    /// Whether somebody looks on who may ask why a force is felt.
+    [[nodiscard]] bool tells_why() const { return why_.has_value(); }
+    /// Why, as things stand.
+    [[nodiscard]] ViewWhy why(const dialogue::Catalogue& catalogue) const {
+        return why_ ? why_->show(catalogue) : ViewWhy{};
+    }
     /// The picture as things stand.
     [[nodiscard]] View view(const dialogue::Catalogue& catalogue) const;
 
@@ -154,6 +161,7 @@ class LessonRun {
     [[nodiscard]] Expected<Plan> compile(const Places& places, const RunRequest& request,
                                          const LessonDescription& scene) const;
     void fit_to_reach(const Places& places, const RunRequest& request, double factor);
+    void build_why(const RunRequest& request);
     [[nodiscard]] Expected<void> build_recorder(const Places& places, const RunRequest& request);
     void build_touch_sound();
     [[nodiscard]] Expected<void> build_rigid_loop();
@@ -187,6 +195,8 @@ class LessonRun {
     WorldSnapshot seen_{};                // with rigid bodies: them, and those that stay
     std::unique_ptr<TouchRing> touches_;  // null when touch is not heard, like the next
     std::unique_ptr<TouchSound> touch_sound_;
+    std::unique_ptr<LatestValue<ForceShares>> shares_;  // null where nobody asks why, like the next
+    std::optional<WhyShown> why_;
     std::unique_ptr<RunRecorder> recorder_;  // null when nothing is recorded
     std::unique_ptr<LessonSession> session_;
     std::optional<SimulatedPupil> pupil_;

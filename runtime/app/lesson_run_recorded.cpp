@@ -1,6 +1,7 @@
 // What a lesson's run has to do with records: its own, and the one that it repeats; for lesson_run.cpp.
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/run_facts.h"
+#include "runtime/evidence/record_words.h"
 
 #include <cstdio>
 
@@ -22,6 +23,17 @@ bool can_compare(const RunRequest& request, const LessonDescription& lesson) {
 }
 
 }  // namespace
+
+// Somebody at a window may ask; before the loops begin, for the haptic thread looks at the channel in each round.
+void LessonRun::build_why(const RunRequest& request) {
+    if (!plan_.picture || !request.plan.live || haptic_loop_->effects().empty()) {
+        return;
+    }
+    shares_ = std::make_unique<LatestValue<ForceShares>>();
+    channels_.shares = shares_.get();
+    why_.emplace(effect_words(haptic_loop_->effects(), process_->description()),
+                 MostFelt{haptic_loop_->max_force_N(), haptic_loop_->max_torque_Nm()});
+}
 
 // The header tells what the run is made with, so everything else is built before.
 Expected<void> LessonRun::build_recorder(const Places& places, const RunRequest& request) {
@@ -55,6 +67,14 @@ std::optional<double> LessonRun::replay_end_s() const {
     // Half a round behind the last one, so that it is the last here too.
     constexpr double kHalf = 0.5;
     return replayed_->record().samples.back().time_s + kHalf / plan_.haptic.rate_hz;
+}
+
+void LessonRun::fail_softly(const std::string& sentence) {
+    channels_.lesson_failed.store(true, std::memory_order_release);
+    session_->end(EndReason::failed);
+    if (recorder_) {
+        recorder_->keep_failure(last_frame_s_, sentence);
+    }
 }
 
 Expected<void> LessonRun::finish_record() {

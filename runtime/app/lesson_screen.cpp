@@ -206,6 +206,9 @@ void LessonScreen::take_orders() {
             case ScreenOrder::say_again:
                 say_again();
                 break;
+            case ScreenOrder::switch_why:
+                shows_why_ = !shows_why_;
+                break;
         }
     }
 }
@@ -297,6 +300,7 @@ View LessonScreen::compose() const {
     View view = run_ ? run_->view(catalogue_) : last_view_;
     if (run_) {
         input_.show(view);
+        view.why = shows_why_ ? run_->why(catalogue_) : ViewWhy{};
     }
     if (ear_) {
         ear_->show(view, catalogue_);
@@ -324,6 +328,7 @@ void LessonScreen::show_trouble(View& view) const {
         view.feedback.clear();
         view.input_visible = false;
         view.choices.clear();
+        view.why = {};
         view.force.visible = false;
     } else if (input_.stopped()) {
         view.banner = catalogue_.say("hud.emergency", {{"key", "Enter"}});
@@ -350,6 +355,9 @@ void LessonScreen::show_hints(View& view) const {
             how_to_move(request_, run_->plan().kite.has_value(), run_->left_handed()));
         if (run_->session().hud().may_ask) {
             view.banner += " " + catalogue_.say("hud.ask_help", {{"key", "Tab"}});
+        }
+        if (run_->tells_why()) {
+            view.banner += " " + catalogue_.say("hud.why_help", {{"key", "F3"}});
         }
     }
 }

@@ -83,6 +83,7 @@ class LessonScreen {
     double polled_s_ = 0.0;  // when the window was asked last, monotonic clock
     bool has_begun_ = false;
     std::optional<Left> left_;
+    bool shows_why_ = false;  // the panel that says why a force is felt
     View last_view_{};
     bool screenshot_taken_ = false;
     int plays_ = 0;

@@ -46,11 +46,19 @@ std::string_view gate_word(GatePhase phase) noexcept {
 }
 
 std::string fault_words(Fault faults) {
-    constexpr std::string_view kWords[] = {
-        "no pose from the device", "pose too old",   "impossible pose", "lesson or world silent",
-        "impossible force",        "emergency stop", "lesson failed",   "record full",
-        "device took no force",    "run ended",      "hand too fast",   "too much energy",
-        "clutch held"};
+    constexpr std::string_view kWords[] = {"no pose from the device",
+                                           "pose too old",
+                                           "impossible pose",
+                                           "lesson or world silent",
+                                           "impossible force",
+                                           "emergency stop",
+                                           "lesson failed",
+                                           "record full",
+                                           "device took no force",
+                                           "run ended",
+                                           "hand too fast",
+                                           "too much energy",
+                                           "clutch held"};
     std::string text;
     for (std::size_t bit = 0; bit < std::size(kWords); ++bit) {
         if (any(faults & static_cast<Fault>(1U << bit))) {

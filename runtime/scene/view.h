@@ -62,6 +62,21 @@ struct ViewChoice {
     std::string picture;  ///< name of a model drawn small before it; empty for none
 };
 
+/// A part of the force that is felt.
+struct ViewShare {
+    std::string name;
+    std::string amount;    ///< newtons and direction
+    double part = 0.0;     ///< of the strongest, 0 to 1
+    bool against = false;  ///< it acts against what is felt
+};
+
+/// "Why do I feel this?"
+struct ViewWhy {
+    bool visible = false;
+    std::string title;
+    std::vector<ViewShare> shares;  ///< the strongest first
+};
+
 struct View {
     double time_s = 0.0;
     CameraDescription camera{};
@@ -85,6 +100,7 @@ struct View {
     std::vector<ViewChoice> choices;  ///< answers to choose from, above the line to type in
     int chosen = -1;                  ///< of these; -1: none
     ViewMicrophone microphone{};
+    ViewWhy why{};
     int score = 0;
     int level = 0;
     std::string level_title;

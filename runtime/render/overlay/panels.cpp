@@ -263,6 +263,16 @@ float lay_out_top_row(const View& view, const Font& font, const Measure& m, floa
     return bottom + m.px(kGap);
 }
 
+/// On the left, between what stands above and what stands below.
+Box find_room_for_why(const Measure& m, float top, float bottom, const PanelLayout& layout) {
+    if (const Box& said = layout.feedback.box; said.width > 0.0F) {
+        (layout.feedback_place.is_low ? bottom : top) =
+            layout.feedback_place.is_low ? said.y - m.px(kGap) : said.bottom() + m.px(kGap);
+    }
+    const float margin = m.px(kMargin);
+    return {margin, top, m.width_px - 2.0F * margin, bottom - top};
+}
+
 }  // namespace
 
 std::vector<Box> PanelLayout::shown() const {
@@ -274,6 +284,9 @@ std::vector<Box> PanelLayout::shown() const {
     }
     for (const Panel& choice : choices) {
         boxes.push_back(choice.box);
+    }
+    if (why.box.width > 0.0F) {
+        boxes.push_back(why.box);
     }
     return boxes;
 }
@@ -296,6 +309,9 @@ PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure,
     }
     if (view.menu.empty() && view.stars >= 0) {
         lay_out_stars(measure, layout.stars);
+    } else if (view.menu.empty()) {
+        layout.why =
+            lay_out_why(view.why, font, measure, find_room_for_why(measure, top, bottom, layout));
     }
     return layout;
 }
@@ -352,6 +368,7 @@ void draw_panels(const View& view, const PanelLayout& layout, const Measure& mea
     for (const Panel& choice : layout.choices) {
         draw_words(list, choice, measure, kIconRoom, 0.0F, theme::kInk);
     }
+    draw_why(layout.why, measure, list);
     if (layout.banner.box.width > 0.0F) {
         draw_banner(view, layout.banner, measure, list);
     }

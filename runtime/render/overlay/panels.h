@@ -3,6 +3,7 @@
 //   top     [banner across]
 //           [level, title]                         [star, score]
 //                     [feedback]
+//           [why the force is felt]
 //   middle            [stars at the end]
 //                     [feedback, when it would hide the hand above]
 //   bottom            [caption] / [choice] / … / [input]
@@ -12,6 +13,7 @@
 
 #include "runtime/render/overlay/draw_list.h"
 #include "runtime/render/overlay/measure.h"
+#include "runtime/render/overlay/why_panel.h"
 #include "runtime/scene/view.h"
 
 #include <string>
@@ -42,6 +44,7 @@ struct PanelLayout {
     Panel input;
     std::vector<Panel> choices;  ///< as the view's
     Panel stars;
+    WhyLayout why;
     FeedbackPlace feedback_place;  ///< for the next frame
 
     /// The boxes of all that are shown.
