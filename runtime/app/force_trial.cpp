@@ -54,13 +54,19 @@ ForceTrial::~ForceTrial() {
     set_stop_target(nullptr);
 }
 
-void ForceTrial::frame() {
+void ForceTrial::frame(bool rests) {
     const double now_s = monotonic_now_s() - epoch_s_;
     channels_.state_for_lesson.take();
     ForceCommand command;
     command.stamp_s = command.linearised.stamp_s = now_s;
     command.lesson_alive = true;
-    command.linearised.force_W = trial_.step(channels_.state_for_lesson.value(), now_s);
+    if (!rests) {
+        command.linearised.force_W =
+            trial_.step(channels_.state_for_lesson.value(), now_s - rested_s_);
+    } else {
+        rested_s_ += now_s - framed_s_;
+    }
+    framed_s_ = now_s;
     channels_.command.publish(command);
 }
 
@@ -76,7 +82,7 @@ Expected<void> try_forces(LessonRun& run, const RunRequest& request, ProgressSto
         return tl::unexpected(begun.error());
     }
     while ((*begun)->trial().end() == FirstUseEnd::running && !interrupted()) {
-        (*begun)->frame();
+        (*begun)->frame(false);
         rest_s(kFrame_s);
     }
     const FirstUse trial = (*begun)->trial();

@@ -29,8 +29,8 @@ class ForceTrial {
     /// Fades what is felt, and ends the loop.
     ~ForceTrial();
 
-    /// Commands what is due; some 60 times a second.
-    void frame();
+    /// Commands what is due; some 60 times a second. While it `rests` nothing is pushed, and no time passes for the trial.
+    void frame(bool rests);
     [[nodiscard]] FirstUse& trial() { return trial_; }
     [[nodiscard]] HapticChannels& channels() { return channels_; }
 
@@ -42,6 +42,8 @@ class ForceTrial {
     std::unique_ptr<HapticLoop> loop_;
     RealtimeThread thread_;
     double epoch_s_ = 0.0;
+    double framed_s_ = 0.0;  // the last frame
+    double rested_s_ = 0.0;  // so far
     double fade_s_ = 0.0;
 };
 

@@ -6,6 +6,7 @@
 #include "runtime/app/stop_signal.h"
 #include "runtime/app/typing.h"
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,7 @@ class TrialScreen {
     TrialLeft play(std::optional<double> end_s) {
         while (!left_) {
             take(desktop_.window->poll());
-            trial_.frame();
+            trial_.frame(stop_.stopped());
             if (trial_.trial().end() == FirstUseEnd::good) {
                 left_ = TrialLeft::done;
             }
@@ -109,6 +110,8 @@ class TrialScreen {
         if (question != FirstUseQuestion::none) {
             choices_ = words_.series(key());
             desktop_.say({words_.say(key())});
+            std::printf("%s\n", words_.say(key()).c_str());
+            (void)std::fflush(stdout);
         }
     }
 

@@ -40,8 +40,13 @@ void LessonRun::take_trial(const FirstUse& trial, bool asked, const RunRequest& 
     const std::string sentence = tell(trial, fit_.axes.value_or(AxisOrder{}));
     const bool is_good = trial.end() == FirstUseEnd::good;
     if (!is_good) {
-        hand_->give_no_force();
         std::fprintf(stderr, "%s\n", sentence.c_str());
+    }
+    if (trial.end() == FirstUseEnd::unfelt) {
+        return;
+    }
+    if (!is_good) {
+        hand_->give_no_force();
     }
     RunRequest tried = request;
     constexpr const char* kNotGood = "not good";

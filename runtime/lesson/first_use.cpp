@@ -166,12 +166,8 @@ void FirstUse::go_on() {
     ++next_;
     second_try_ = compares_ && second_try_;
     if (!compares_ && next_ == kWays) {
-        if (unfelt_axes_ == kAxes) {
-            end_ = FirstUseEnd::unfelt;
-            return;
-        }
         if (!asks_) {
-            end_ = FirstUseEnd::good;
+            end_ = unfelt_axes_ == kAxes ? FirstUseEnd::unfelt : FirstUseEnd::good;
             return;
         }
         judge_answers();
@@ -258,9 +254,9 @@ std::string tell(const FirstUse& trial, const AxisOrder& axes) {
             return kOff + std::string("the hand goes across its push, ") + axis +
                    "; motors are exchanged, have that mended.";
         case FirstUseEnd::unfelt:
-            return kOff + std::string(
-                              "its pushes move the hand along no axis; hold it loosely, see "
-                              "that its motors are on, and start the lesson again.");
+            return "the arm's pushes moved the hand along no axis, so nothing is known of them: it "
+                   "is "
+                   "stiff, or its motors are off.";
         case FirstUseEnd::disturbed:
             return kOff + std::string(
                               "its pushes could not be tried; hold it loosely and still, and "

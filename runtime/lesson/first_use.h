@@ -5,8 +5,9 @@
 //   then 0.8 N and 0.4 N up, then 0.4 N and 0.8 N:   "Which push was stronger: the first or the second?"
 // Two opposite pushes against which the hand goes, or across, end it: the motors are wired otherwise than the arm says, and no setting
 // mends that. What is said wrong is pushed and asked once more; then, where all answers together are one turn or mirror M of the pushes, the
-// arm stands otherwise than it says, and axes M A are what mends it (device/fitted/axis_order.h). In every case but a good one there is to
-// be no force.
+// arm stands otherwise than it says, and axes M A are what mends it (device/fitted/axis_order.h). A push that an arm's own friction takes up
+// is felt and not seen: then what is said decides, and where nobody is asked nothing is known. In every other case but a good one there is
+// to be no force.
 //
 // Thread: lesson loop, some 60 times a second. Cost: nothing to speak of.
 #pragma once
@@ -41,7 +42,7 @@ enum class FirstUseEnd : std::uint8_t {
     good,
     against,    ///< the hand goes against the push
     aside,      ///< or across
-    unfelt,     ///< along no axis did it move
+    unfelt,     ///< along no axis did it move, and nobody was asked
     disturbed,  ///< it could not be tried: let go, stopped, moved
     turned,     ///< the arm stands otherwise than it says
     unsure      ///< the answers fit no way it could stand, or the stronger push was not told
