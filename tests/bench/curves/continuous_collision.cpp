@@ -37,7 +37,7 @@ CostCurve measure_triangles(Run& run) {
         "kinds (grazing, "
         "sliding, coincident edges, slivers, half turns, in one plane, bullets, far from the "
         "origin; gaps from a "
-        "nanometre to a micrometre); the in-between motion is made anew for each.";
+        "nanometre to a micrometre); the in-between motion is made anew for each";
     curve.reference =
         "a judge in 64-bit mantissas that walks all of the way; the error is how far apart the "
         "told and the true "
@@ -70,9 +70,10 @@ CostCurve measure_meshes(Run& run) {
     curve.work =
         "Two bumpy balls of 0.2 m, half a millimetre apart; one goes a millimetre or two towards "
         "the other and "
-        "turns by up to 0.01 rad, 200 ways; processor time.";
+        "turns by up to 0.01 rad, 200 ways; processor time";
     curve.reference = "converged: our own at a tolerance of 0.1 nm";
-    curve.advice = "A micrometre costs as much as a millimetre: boxes take most of the time.";
+    curve.advice =
+        "A micrometre costs hardly more than a tenth of a millimetre: boxes take most of the time.";
     curve.knob = {"tolerance", "m", true};
     curve.error = {"error along the way, 99 %", "um", true};
     curve.extras = make_extras();

@@ -91,7 +91,7 @@ std::vector<CostPoint> measure_meshes_of_fcl(Run& run) {
 }
 
 const std::string kNote =
-    "FCL's tolerance is a share of the way; its sampler looks at as many places.";
+    "FCL's tolerance is a share of the way; its sampler looks at as many places";
 const PeerRegistration kPairs{{"FCL 0.7.0", "continuous-collision", measure_pairs_of_fcl, kNote}};
 const PeerRegistration kMeshes{
     {"FCL 0.7.0", "continuous-collision-meshes", measure_meshes_of_fcl, kNote}};
