@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kWelcomeEvery_s = 0.02;  // to one session
 constexpr int kMostWelcomes = 8;          // in a round
+constexpr double kBrakeAfter_s = 0.05;    // it goes so long after nothing is asked for any more
 constexpr double kBrakeShare = 8.0;       // alpha <= m / 8 T (coupling/passivity.h)
 
 }  // namespace
@@ -177,16 +178,22 @@ void ArmServer::count_energy() noexcept {
     torque_.step(applied_D_.torque, turn_D_, command_.given.torque_J, dt_s_);
 }
 
-Wrench ArmServer::brake() const noexcept {
-    if (!settings_.balances_energy || !(dt_s_ > 0.0)) {
+// A hand that bounces is braked on its way through free space too; one whose program has faded is not held on to.
+Wrench ArmServer::brake() noexcept {
+    const Wrench& asked = command_.wrench_D;
+    if (asked.force.squaredNorm() > 0.0 || asked.torque.squaredNorm() > 0.0) {
+        asked_s_ = now_s_;
+    }
+    const double share = std::clamp(1.0 - (now_s_ - asked_s_) / kBrakeAfter_s, 0.0, 1.0);
+    if (!settings_.balances_energy || !(dt_s_ > 0.0) || share <= 0.0) {
         return {};
     }
     // What is written now is held for as long as the next round, not as long as a last one that made up for lateness.
     const double hold_s = std::max(dt_s_, 1.0 / settings_.rate_Hz);
     const double most = settings_.handle_mass_kg / (kBrakeShare * hold_s);
     const double most_turning = settings_.handle_inertia_kg_m2 / (kBrakeShare * hold_s);
-    return {motion_D_ * (-force_.compute_damping(motion_D_, dt_s_, most) / dt_s_),
-            turn_D_ * (-torque_.compute_damping(turn_D_, dt_s_, most_turning) / dt_s_)};
+    return {motion_D_ * (-share * force_.compute_damping(motion_D_, dt_s_, most) / dt_s_),
+            turn_D_ * (-share * torque_.compute_damping(turn_D_, dt_s_, most_turning) / dt_s_)};
 }
 
 // Whatever was asked for, what leaves here has passed the gate.

@@ -4,7 +4,7 @@
 // Whatever the program does, the force stays within this side's own limits, slew and soft start (loop/safety.h), and fades when no
 // fresh command has come for command_timeout_s, when the arm tells nonsense, when the hand is too fast or given too much energy
 // (loop/hand_guard.h), and when somebody here presses stop. Where the link has given the hand more than the scene put in, the
-// hand is braked and what would give it more is left out (energy_balance.h).
+// hand is braked and what would give it more is left out (energy_balance.h); soon after nothing is asked for, nothing brakes it.
 //
 // Sessions. While nobody holds the arm, a command that names the number this side speaks under now makes its sender the holder:
 // the number was drawn at random, so the command cannot be older. Others get a welcome that says taken. After lost_after_s without
@@ -100,7 +100,7 @@ class ArmServer final : public PeriodicTask {
     void read_arm() noexcept;
     void forget_holder() noexcept;
     void count_energy() noexcept;
-    [[nodiscard]] Wrench brake() const noexcept;
+    [[nodiscard]] Wrench brake() noexcept;
     void drive() noexcept;
     void tell_state() noexcept;
     void publish() noexcept;
@@ -135,6 +135,7 @@ class ArmServer final : public PeriodicTask {
     std::uint64_t command_number_ = 0;
     double command_age_from_s_ = 0.0;  // when the newest command came, or would have as usual
     LinkCommand command_{};
+    double asked_s_ = -1.0;  // when a force was asked for last
     // The arm.
     bool has_pose_ = false;
     DeviceReading reading_{};

@@ -30,6 +30,7 @@ double RunSpoiler::step(double now_s, double force_N) noexcept {
         if (bad_since_s_ < 0.0) {
             bad_since_s_ = now_s;
             bad_in_ = spoil_;
+            bad_N_ = force_N;
         }
     }
     if (now_s >= until_s_) {

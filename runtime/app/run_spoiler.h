@@ -45,7 +45,8 @@ inline constexpr std::size_t kRunSpoils = static_cast<std::size_t>(RunSpoil::dis
 
 class RunSpoiler {
   public:
-    static constexpr double kMostQuiet_s = 0.25;  ///< 100 ms to notice, 100 ms to fade, and a frame
+    static constexpr double kMostQuiet_s =
+        0.35;  ///< 100 ms to notice, 100 ms to fade, up to 74 ms on the line, 50 ms of the arm's brake, a frame
 
     /// `seconds` is how long the run is; `has_world`: it has a world whose silence must be noticed.
     RunSpoiler(std::uint64_t seed, double seconds) noexcept;
@@ -68,6 +69,7 @@ class RunSpoiler {
     }
     [[nodiscard]] std::uint64_t missed_fades() const noexcept { return missed_fades_; }
     [[nodiscard]] double bad_since_s() const noexcept { return bad_since_s_; }
+    [[nodiscard]] double bad_N() const noexcept { return bad_N_; }
     [[nodiscard]] RunSpoil bad_in() const noexcept { return bad_in_; }
 
   private:
@@ -89,6 +91,7 @@ class RunSpoiler {
     bool fills_disk_;
     std::uint64_t missed_fades_ = 0;
     double bad_since_s_ = -1.0;
+    double bad_N_ = 0.0;
     RunSpoil bad_in_ = RunSpoil::nothing;
     std::array<std::uint64_t, kRunSpoils> happened_{};
 };

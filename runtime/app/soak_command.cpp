@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <malloc.h>
 #include <string>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -30,8 +31,8 @@ namespace {
 constexpr double kSoakErrors = 0.3;  // of a learner's answers
 constexpr double kLiftAfter_s = 3.0;
 constexpr rlim_t kDiskHolds = 1'000'000;  // bytes of a record: full after some four seconds
-constexpr double kMostGrowth_MB =
-    64.0;  // allocators keep what was freed; a leak in each round passes this
+constexpr double kMostGrowth_MB = 64.0;   // allocators keep what was freed
+constexpr double kMostKept_MB = 1.0;      // of what is asked for; a leak in each run passes this
 
 double resident_MB() {
     std::ifstream file("/proc/self/statm");
@@ -39,6 +40,12 @@ double resident_MB() {
     double resident = 0.0;
     file >> pages >> resident;
     return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) * 1.0e-6;
+}
+
+// What is asked for and not given back; beside it the resident memory also has what the allocator keeps in pieces.
+double in_use_MB() {
+    const struct mallinfo2 heap = ::mallinfo2();
+    return 1.0e-6 * static_cast<double>(heap.uordblks + heap.hblkhd);
 }
 
 // Somebody who lifts a stop, a while after it was pressed.
@@ -148,7 +155,8 @@ std::string find_trouble(const RunSpoiler& spoiler, const SpoiledCounts& arm,
         return std::string("a force that had to be gone, during: ") + name_of(arm.bad_in);
     }
     return spoiler.missed_fades() > 0
-               ? std::string("a force that had to be gone, during: ") + name_of(spoiler.bad_in())
+               ? std::to_string(spoiler.bad_N()) +
+                     " N that had to be gone, during: " + name_of(spoiler.bad_in())
                : std::string();
 }
 
@@ -238,12 +246,12 @@ void tell(const std::string& lesson, std::uint64_t seed, double seconds, const S
     (void)std::fflush(stdout);
 }
 
-int conclude(const SoakSum& sum, double grown_MB) {
+int conclude(const SoakSum& sum, double grown_MB, double kept_MB) {
     std::printf(
-        "In all %.0f s, %.0f times real time, %llu fades; the program grew by %.1f MB after its "
-        "first round.\nBroke:",
+        "In all %.0f s, %.0f times real time, %llu fades; after the first round the program "
+        "kept %.2f MB more, and %.1f MB more were resident.\nBroke:",
         sum.simulated_s, sum.simulated_s / std::max(sum.wall_s, 1e-9),
-        static_cast<unsigned long long>(sum.fades), grown_MB);
+        static_cast<unsigned long long>(sum.fades), kept_MB, grown_MB);
     for (std::size_t i = 1; i < kSpoils; ++i) {
         std::printf("%s %s %llu", i == 1 ? "" : ",", name_of(static_cast<Spoil>(i)),
                     static_cast<unsigned long long>(sum.happened[i]));
@@ -253,8 +261,9 @@ int conclude(const SoakSum& sum, double grown_MB) {
                     static_cast<unsigned long long>(sum.around[i]));
     }
     std::printf(".\n");
-    if (grown_MB > kMostGrowth_MB) {
-        return complain({"the program's memory grew by " + std::to_string(grown_MB) + " MB",
+    if (grown_MB > kMostGrowth_MB || kept_MB > kMostKept_MB) {
+        return complain({"the program's memory grew by " + std::to_string(kept_MB) + " MB, " +
+                             std::to_string(grown_MB) + " MB resident",
                          {},
                          "look for what is never freed"},
                         1);
@@ -281,6 +290,7 @@ int soak_command(const Installation& installation, const Options& options) {
     const double seconds = options.seconds.value_or(60.0);
     SoakSum sum;
     double settled_MB = 0.0;
+    double settled_in_use_MB = 0.0;
     for (std::uint64_t seed = first; seed < first + options.seeds && !interrupted(); ++seed) {
         for (const std::string& lesson : lessons) {
             const auto run = soak_once(installation, lesson, seed, seconds, options.site, sum);
@@ -293,9 +303,13 @@ int soak_command(const Installation& installation, const Options& options) {
             sum.wall_s += run->wall_s;
             sum.failed |= !run->trouble.empty();
         }
-        settled_MB = seed == first ? resident_MB() : settled_MB;
+        if (seed == first) {
+            settled_MB = resident_MB();
+            settled_in_use_MB = in_use_MB();
+        }
     }
-    return conclude(sum, std::max(resident_MB() - settled_MB, 0.0));
+    return conclude(sum, std::max(resident_MB() - settled_MB, 0.0),
+                    std::max(in_use_MB() - settled_in_use_MB, 0.0));
 }
 
 }  // namespace fulcrum::runtime

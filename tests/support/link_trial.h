@@ -77,6 +77,22 @@ struct LinkCourse {
     [[nodiscard]] bool is_calm() const { return linked && swing_m < kCalm_m; }
 };
 
+/// The wall alone, felt through the whole loop.
+[[nodiscard]] inline HapticPlan make_link_plan(const LinkTrial& trial) {
+    HapticPlan plan;
+    plan.expects_lesson = false;
+    plan.safety.max_force_N = 10.0;
+    plan.safety.soft_start_s = 0.0;
+    plan.safety.max_slew_N_per_s = 5000.0;
+    plan.fields = {FieldPlan{FieldKind::spring, Vector3::Zero(), trial.stiffness_N_per_m}};
+    return plan;
+}
+
+/// Whether the hand wants to be in: in and out four times, then it stays in.
+[[nodiscard]] inline bool presses_at(double run_s) {
+    return run_s > 0.5 && (run_s > 4.0 || std::fmod(run_s, 0.8) < 0.5);
+}
+
 [[nodiscard]] inline LinkCourse run_link_trial(const LinkTrial& trial) {
     LatestValue<HandTarget> target;
     SimulatedArm arm(trial.arm, target);
@@ -95,12 +111,7 @@ struct LinkCourse {
     if (!pair.link(3.0)) {
         return course;
     }
-    HapticPlan plan;
-    plan.expects_lesson = false;
-    plan.safety.max_force_N = 10.0;
-    plan.safety.soft_start_s = 0.0;
-    plan.safety.max_slew_N_per_s = 5000.0;
-    plan.fields = {FieldPlan{FieldKind::spring, Vector3::Zero(), trial.stiffness_N_per_m}};
+    const HapticPlan plan = make_link_plan(trial);
     const auto channels = std::make_unique<HapticChannels>();
     HapticLoop loop(plan, pair.device, *channels);
     ForceCommand command;
@@ -119,9 +130,7 @@ struct LinkCourse {
     while (pair.now_s - began_s < trial.seconds) {
         pair.now_s += LinkPair::kStep_s;
         const double run_s = pair.now_s - began_s;
-        // In and out four times, then it stays in.
-        const bool presses = run_s > 0.5 && (run_s > 4.0 || std::fmod(run_s, 0.8) < 0.5);
-        target.publish({.pose_D = Pose::at({presses ? trial.press_m : 0.0, 0.0, 0.0})});
+        target.publish({.pose_D = Pose::at({presses_at(run_s) ? trial.press_m : 0.0, 0.0, 0.0})});
         loop.step(pair.now_s);
         while (arm_next_s < pair.now_s + LinkPair::kStep_s) {
             const double force_N = arm.force_D().x();

@@ -12,7 +12,9 @@
 //       1.259e-6 Nm/rpm, reflected to the joints by the squares of the ratios
 //   encoder               4096 counts a turn of the motor (D1001, magnetic encoders)
 // No source by the maker gives dry friction: the 1 Nm of the ROS model and the 0.1 Nm of a MuJoCo model are set by hand. Two
-// hundredths of the motors' torque are assumed: 1.25 Nm at the first joint, 0.03 at the last.
+// hundredths of the motors' torque are assumed: 1.25 Nm at the first joint, 0.03 at the last. Joints 2 and 3, and 5 and 6, are turned by two
+// motors each, in a differential: each of them has the friction of both, as it has when it turns alone. Where both joints turn so that one
+// motor stands still, that is up to twice the friction there is.
 //
 // Thread: load path. Cost: none to speak of.
 #pragma once
