@@ -84,7 +84,6 @@ const std::vector<Condition>& conditions() {
         {"flite rms, a man", "flite", "rms"},
         {"flite awb, a Scot", "flite", "awb"},
         {"espeak-ng en-us", "espeak-ng", "en-us"},
-        {"espeak-ng en-us, voice f5", "espeak-ng", "en-us+f5"},
         {"festival kal, a man", "festival", "kal_diphone"},
         {"slt, 2 semitones up", "flite", "slt", 1.122},
         {"slt, 4 semitones up", "flite", "slt", 1.26},
