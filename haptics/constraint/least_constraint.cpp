@@ -1,0 +1,263 @@
+#include "haptics/constraint/least_constraint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kFollows = 1.0e-11;  // a row so near to the others' space follows from them
+constexpr double kTouches = 5.0e-14;  // of what is wanted: below it a bound is kept
+constexpr int kRoundsPerContact =
+    4;  // far above what any problem took; a guard against a cycle by rounding
+constexpr int kRoundsAtLeast = 200;
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+// What of `row` is not in the first n columns of Q; `along` gets what is. Twice, so that nothing is left of them.
+Vector6 remove_from(const Matrix6& Q, int n, const Vector6& row, Vector6& along) noexcept {
+    Vector6 rest = row;
+    along.setZero();
+    for (int pass = 0; pass < 2; ++pass) {
+        for (int i = 0; i < n; ++i) {
+            const double part = Q.col(i).dot(rest);
+            rest -= part * Q.col(i);
+            along[i] += part;
+        }
+    }
+    return rest;
+}
+
+// R x = b, or R^T x = b, of the first n rows and columns.
+Vector6 solve_upper(const Matrix6& R, int n, const Vector6& b) noexcept {
+    Vector6 x = Vector6::Zero();
+    for (int i = n - 1; i >= 0; --i) {
+        double sum = b[i];
+        for (int j = i + 1; j < n; ++j) {
+            sum -= R(i, j) * x[j];
+        }
+        x[i] = sum / R(i, i);
+    }
+    return x;
+}
+
+Vector6 solve_lower(const Matrix6& R, int n, const Vector6& b) noexcept {
+    Vector6 x = Vector6::Zero();
+    for (int i = 0; i < n; ++i) {
+        double sum = b[i];
+        for (int j = 0; j < i; ++j) {
+            sum -= R(j, i) * x[j];
+        }
+        x[i] = sum / R(i, i);
+    }
+    return x;
+}
+
+}  // namespace
+
+bool LeastConstraintSolver::set_inertia(double mass_kg, const Matrix3& inertia_W) noexcept {
+    const Eigen::LLT<Matrix3> factor(inertia_W);
+    if (!(mass_kg > 0.0) || !std::isfinite(mass_kg) || !inertia_W.allFinite() ||
+        factor.info() != Eigen::Success) {
+        return false;
+    }
+    L_.setZero();
+    L_.diagonal().head<3>().setConstant(std::sqrt(mass_kg));
+    L_.bottomRightCorner<3, 3>() = factor.matrixL();
+    return true;
+}
+
+bool LeastConstraintSolver::add(const Vector3& arm_W, const Vector3& normal_W,
+                                double least) noexcept {
+    if (n_ == rows_.size() || !arm_W.allFinite() || !normal_W.allFinite() ||
+        !(least < std::numeric_limits<double>::infinity())) {
+        return false;
+    }
+    Vector6 J;
+    J << normal_W, arm_W.cross(normal_W);
+    const Vector6 row = L_.triangularView<Eigen::Lower>().solve(J);
+    const double length = row.norm();
+    if (!(length > 0.0) || !std::isfinite(length)) {
+        return false;
+    }
+    rows_[n_] = row / length;
+    least_[n_] = least / length;
+    length_[n_] = length;
+    ++n_;
+    return true;
+}
+
+// False where the row follows from those that act.
+bool LeastConstraintSolver::append(std::size_t k) noexcept {
+    Vector6 along;
+    const Vector6 rest = remove_from(acting_.Q, acting_.n, row(k), along);
+    const double length = rest.norm();
+    if (acting_.n == kMost || length <= kFollows) {
+        return false;
+    }
+    acting_.Q.col(acting_.n) = rest / length;
+    acting_.R.col(acting_.n) = along;
+    acting_.R(acting_.n, acting_.n) = length;
+    acting_.which[static_cast<std::size_t>(acting_.n)] = k;
+    ++acting_.n;
+    return true;
+}
+
+// Those behind move up, on a basis made anew: at most six, and nothing of its rounding is kept.
+void LeastConstraintSolver::drop(int place) noexcept {
+    const Acting old = acting_;
+    acting_.n = 0;
+    for (int i = 0; i < old.n; ++i) {
+        if (i != place) {
+            const int now = acting_.n;
+            append(old.which[static_cast<std::size_t>(i)]);
+            acting_.force[now] = old.force[i];
+        }
+    }
+}
+
+// The point nearest to `wanted` where all that act are met exactly: wanted + Q R^-T (b - N^T wanted), and their forces.
+Vector6 LeastConstraintSolver::nearest(const Vector6& wanted, Vector6& force) const noexcept {
+    Vector6 missing = Vector6::Zero();
+    for (int i = 0; i < acting_.n; ++i) {
+        const std::size_t k = acting_.which[static_cast<std::size_t>(i)];
+        missing[i] = least_[k] - row(k).dot(wanted);
+    }
+    const Vector6 along = solve_lower(acting_.R, acting_.n, missing);
+    force = solve_upper(acting_.R, acting_.n, along);
+    Vector6 at = wanted;
+    for (int i = 0; i < acting_.n; ++i) {
+        at += along[i] * acting_.Q.col(i);
+    }
+    return at;
+}
+
+// Those that acted last act again if all of them push; else nothing acts yet.
+void LeastConstraintSolver::start(const Vector6& wanted) noexcept {
+    const Acting before = acting_;
+    acting_.n = 0;
+    for (int i = 0; i < before.n; ++i) {
+        const std::size_t k = before.which[static_cast<std::size_t>(i)];
+        if (k >= n_ || !append(k)) {
+            acting_.n = 0;
+            return;
+        }
+    }
+    (void)nearest(wanted, acting_.force);
+    for (int i = 0; i < acting_.n; ++i) {
+        if (!(acting_.force[i] >= 0.0)) {
+            acting_.n = 0;
+            return;
+        }
+    }
+}
+
+// The contact whose bound is missed by most.
+std::size_t LeastConstraintSolver::find_worst(const Vector6& at, double tolerance) const noexcept {
+    std::size_t worst = kNone;
+    double most = -tolerance;
+    for (std::size_t k = 0; k < n_; ++k) {
+        const double slack = row(k).dot(at) - least_[k];
+        if (slack < most) {
+            most = slack;
+            worst = k;
+        }
+    }
+    return worst;
+}
+
+// Goldfarb and Idnani's step 2: contact k begins to act; on the way to its bound those whose force would be a pull cease to. False: no point keeps
+// its bound and those of the others.
+bool LeastConstraintSolver::take(std::size_t k, Vector6& at) noexcept {
+    double force = 0.0;  // of k
+    for (int i = 0; i <= kMost; ++i) {
+        Vector6 along;
+        const Vector6 rest = remove_from(acting_.Q, acting_.n, row(k), along);
+        const Vector6 ratio = solve_upper(acting_.R, acting_.n, along);
+        const double square = rest.squaredNorm();
+        const bool follows = acting_.n == kMost || square <= kFollows * kFollows;
+        // Until the first force is none: the partial step.
+        double until = std::numeric_limits<double>::infinity();
+        int first = -1;
+        for (int j = 0; j < acting_.n; ++j) {
+            if (ratio[j] > 0.0 && acting_.force[j] / ratio[j] < until) {
+                until = acting_.force[j] / ratio[j];
+                first = j;
+            }
+        }
+        const double slack = row(k).dot(at) - least_[k];
+        const double whole =
+            follows ? std::numeric_limits<double>::infinity() : std::max(-slack, 0.0) / square;
+        const double step = std::min(until, whole);
+        if (!std::isfinite(step)) {
+            return false;
+        }
+        if (!follows) {
+            at += step * rest;
+        }
+        acting_.force.head(acting_.n) -= step * ratio.head(acting_.n);
+        force += step;
+        ++answer_.rounds;
+        if (step == whole) {
+            const int place = acting_.n;
+            append(k);
+            acting_.force[place] = force;
+            return true;
+        }
+        drop(first);
+    }
+    return false;
+}
+
+const LeastConstraint& LeastConstraintSolver::give_up() noexcept {
+    acting_.n = 0;
+    answer_.acceleration.setZero();
+    answer_.force.setZero();
+    answer_.acting = 0;
+    answer_.exact = false;
+    return answer_;
+}
+
+const LeastConstraint& LeastConstraintSolver::solve(const Vector6& wanted) noexcept {
+    answer_ = {};
+    const Vector6 y = L_.transpose() * wanted;
+    if (!y.allFinite()) {
+        return give_up();
+    }
+    start(y);
+    double size = y.norm();
+    for (std::size_t k = 0; k < n_; ++k) {
+        size = std::max(size, std::isfinite(least_[k]) ? std::abs(least_[k]) : 0.0);
+    }
+    const double tolerance = kTouches * size;
+    Vector6 at = nearest(y, acting_.force);
+    const int most = kRoundsAtLeast + kRoundsPerContact * static_cast<int>(n_);
+    for (std::size_t worst = find_worst(at, tolerance); worst != kNone;
+         worst = find_worst(at, tolerance)) {
+        if (answer_.rounds > most || !take(worst, at)) {
+            return give_up();
+        }
+        // By the contacts that act alone, so that no rounding of the way is kept.
+        at = nearest(y, acting_.force);
+        acting_.force = acting_.force.cwiseMax(0.0);
+    }
+    answer_.acting = acting_.n;
+    if (acting_.n == 0) {
+        answer_.acceleration = wanted;
+        return answer_;
+    }
+    answer_.acceleration = L_.transpose().triangularView<Eigen::Upper>().solve(at);
+    answer_.force = L_ * (at - y);
+    return answer_;
+}
+
+double LeastConstraintSolver::force_N(std::size_t k) const noexcept {
+    for (int i = 0; i < acting_.n; ++i) {
+        if (acting_.which[static_cast<std::size_t>(i)] == k) {
+            return acting_.force[i] / length_[k];
+        }
+    }
+    return 0.0;
+}
+
+}  // namespace fulcrum
