@@ -14,7 +14,7 @@ return function(L, kite)
     { "how strong is the wind", "how fast is the wind", "how fast does the wind blow" },
     { "how (strong|fast) (the wind|wind) [is]", "how (strong|fast) is wind" },
     { right = { "How strong is the wind?" }, form = { "how strong is wind" } },
-    function() return ("The wind at the kite blows with %.0f metres a second."):format(kite().wind) end)
+    function() return ("The wind at the kite blows at %.0f metres a second."):format(kite().wind) end)
 
   knows("altitude",
     { "how high is (it|the kite)", "how high does (it|the kite) fly", "how high up is (it|the kite)" },
@@ -41,8 +41,8 @@ return function(L, kite)
     function() return ("It is made of %s and %s."):format(kite().cloth, kite().spar) end)
 
   knows("pull",
-    { "how strong does (it|the kite|the line) pull", "how hard does (it|the kite|the line) pull", "how strong is the pull [of the (line|kite)]" },
-    { "how (strong|hard) (it|the kite|the line) (pull|pulls)" },
+    { "how hard does (it|the kite|the line) pull", "how strong is the pull [of the (line|kite)]" },
+    { "how (strong|hard) (it|the kite|the line) (pull|pulls)", "how strong does (it|the kite|the line) pull" },
     { right = { "How hard does the line pull?" }, form = { "how hard the kite pulls" } },
     function() return ("The line pulls with %.1f newtons."):format(kite().pull) end)
 

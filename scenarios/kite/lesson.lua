@@ -116,7 +116,7 @@ end
 local who, it = "[(I|we|you)] [(must|should|can|have to|want to|would)] ", "(it|the kite) "
 
 L:question "change" {
-  prompt = "What do you want to change: the tail, the knot or the cloth?", again = "Say something else.",
+  prompt = "How do you want to change the tail, the knot or the cloth?", again = "Say something else.",
   answers = {
     who .. "make the tail {size}", it .. "needs a {tail_size} tail", it .. "needs a {missing}",
     "(I|we) (need|want) a {tail_size} tail", "(I|we) (need|want) a {missing}", it .. "(must|should|has to) have a {tail_size} tail",
@@ -247,7 +247,7 @@ local function show_forces(world)
   game.ask("up", look)
   look.solution = "You feel the tension of the line."
   game.ask("hand", look)
-  look.hint = "How many newtons has the lift, and how many has the drag?"
+  look.hint = "How many newtons does the lift have, and how many does the drag have?"
   look.solution = function()
     return flown.lift > flown.drag and "The lift is stronger than the drag." or "The drag is stronger than the lift."
   end
@@ -278,12 +278,12 @@ end
 
 L:question "pull" {
   prompt = "Now the wind is stronger. Does the line pull more or less?", again = "Feel the line again.",
-  answers = { "(it|the line) pulls {amount} [than before]", "(it|the line) pulls <comparative:strong> [than before]",
-              "(it|the pull|the tension) is <comparative:strong> [than before]",
-              "(it|the pull|the tension) is {amount} [than before]", "<comparative:strong> [than before]", "{amount} [than before]" },
-  nearly = { "(it|the line|they) (pull|is pull) {amount}", "(it|the line|they) (pull|is pull) <comparative:strong>" },
-  lists = { amount = { "more|harder|more strongly|bigger", "less|more weakly|weaker|smaller" } },
-  right = function(a) return pulls_more() == ((a.amount or "more") == "more") end,
+  answers = { "(it|the line) pulls {amount} [than before]", "(it|the pull|the tension) is <comparative:strong> [than before]",
+              "(it|the pull|the tension) is {size} [than before]", "<comparative:strong> [than before]", "{size} [than before]", "{amount} [than before]" },
+  nearly = { "(it|the line|they) (pull|is pull) {amount}", "(it|the line|they) (pull|pulls|is pull) {size}", "(it|the line|they) (pull|pulls|is pull) more strong",
+             "(it|the pull|the tension) is {amount} [than before]" },
+  lists = { amount = { "more|harder|more strongly", "less|more weakly" }, size = { "bigger|greater", "weaker|smaller" } },
+  right = function(a) return pulls_more() == (a.amount ~= "less" and a.size ~= "weaker") end,
 }
 
 local function from_breeze_to_strong(world)

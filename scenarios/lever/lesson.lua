@@ -221,7 +221,7 @@ L:question "which_way" {
 }
 
 L:question "how_strong" {
-  prompt = "The toy Earth weighs 1000 newtons. Your arm is 1000 times longer. How many newtons do you need?",
+  prompt = "The toy Earth weighs 1000 newtons. Your arm of the lever is 1000 times longer than the Earth's. How many newtons do you need?",
   again = "Multiply: force times arm is the same on both sides.",
   answers = {
     "I need {number} <plural:newton>",

@@ -80,8 +80,8 @@ L:knows "way" {
   nearly = { "where (the castle|castle|the gate) is", "where is (castle|gate|exit)", "where I must go", "where I (have|need) to go" },
   examples = { right = { "Where is the castle?", "where must I go" }, form = { "where is castle" } },
   answer = function()
-    if found < asked then return "The castle is behind the gate, at the right. But first find " .. gems_left(found) .. "." end
-    return "The gate is open: to the castle, at the right."
+    if found < asked then return "The castle is behind the gate, on the right. But first find " .. gems_left(found) .. "." end
+    return "The gate is open: to the castle, on the right."
   end,
 }
 

@@ -19,7 +19,7 @@ local small = {}     -- name -> body: on its way round the Sun
 local ways = {}      -- name -> body: the line along which it goes
 local big = {}       -- name -> body: seen from near, and turned by the hand
 
--- Nothing here has its true size or distance: Neptune would be 4500 times as far from the Sun as the Sun is wide.
+-- Nothing here has its true size or distance: Neptune would be 3200 times as far from the Sun as the Sun is wide.
 local function way_of(place) return 0.06 + 0.088 * place end
 local function small_radius(name)
   return 0.014 * (planets.facts(name).radius / planets.facts("Earth").radius) ^ 0.45
@@ -290,10 +290,11 @@ local replies = {
   heavy = function(name)
     if name == "Earth" then return "the Earth has a mass of six million million million million kilograms" end
     local times = planets.facts(name).mass / planets.facts("Earth").mass
+    if times < 1 then return "the Earth is " .. rounded(1 / times) .. " times as heavy as " .. name end
     return name .. " is " .. rounded(times) .. " times as heavy as the Earth"
   end,
   ["day"] = function(name)
-    return "a day on " .. called(name) .. " is " .. rounded(planets.facts(name).day / 3600) .. " hours long"
+    return called(name) .. " turns round once in " .. math.floor(planets.facts(name).day / 3600 + 0.5) .. " hours"
   end,
   ["year"] = function(name)
     return "a year on " .. called(name) .. " is " .. rounded(planets.facts(name).year) .. " days long"

@@ -78,8 +78,9 @@ L:question "taller" {
 L:question "between" {
   prompt = "Which block is between the wooden block and the metal block?",
   again = "Look from left to right.",
-  answers = { "[the|a] {thing} is between [them|the wooden block and the metal block|the metal block and the wooden block]",
+  answers = { "[the|a] {thing} is between (them|the wooden block and the metal block|the metal block and the wooden block)",
               "it is [the|a] {thing}" },
+  nearly = { "[the|a] {thing} is between" },
   right = function(a) return is_between(bodies[a.thing], bodies.wood, bodies.metal) end,
 }
 

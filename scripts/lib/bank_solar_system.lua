@@ -38,7 +38,7 @@ local function moons(name)
     nearly = { "(it|there|[the] " .. name .. ") [(is|are|has|have)] {number} [(moon|moons)]", "[it] (have|is|are) {number} [(moon|moons)]" },
     lists = { number = how_many },
     right = function(a) return numbers.value(a.number) == n end,
-    hint = "Is it none, one, two or many?",
+    hint = "Remember what goes round it. Say a number.",
     solution = ("%s has %s %s."):format(upper(called(name)), words, thing),
     examples = {
       right = { ("%s has %s %s"):format(called(name), words, thing) },
@@ -49,16 +49,16 @@ local function moons(name)
 end
 
 -- "Which planet is the biggest?"
-local function most(id, adjective, superlative, of, sign)
+local function most(id, adjective, superlative, of, sign, tail)
   local right = extreme(of, sign)
   local wrong = extreme(of, -sign)
   return {
     id = "solar_" .. id, like = { "planets", "your_turn" }, point = "comparison", idea = "planets",
     prompt = ("Which planet is %s?"):format(superlative),
-    answers = { "[the] {planet} is the <superlative:" .. adjective .. "> [planet|one] [to the Sun]", "[the] {planet} is", "[it is] [the] {planet}" },
+    answers = { "[the] {planet} is the <superlative:" .. adjective .. "> [planet|one]" .. (tail and " [" .. tail .. "]" or ""), "[the] {planet} is", "[it is] [the] {planet}" },
     lists = { planet = names },
     right = function(a) return a.planet == right end,
-    hint = "Think of the sky: the small planets are near the Sun, the big ones far away.",
+    hint = "Remember how they go round the Sun, and how they look from near.",
     solution = ("%s is %s."):format(upper(called(right)), superlative),
     examples = {
       right = { ("%s is %s"):format(called(right), superlative), called(right) .. " is", right },
@@ -109,7 +109,7 @@ return {
   moons "Earth", moons "Mars", moons "Venus", moons "Neptune",
   most("biggest", "big", "the biggest", radius, 1),
   most("smallest", "small", "the smallest", radius, -1),
-  most("nearest", "near", "the nearest to the Sun", distance, -1),
+  most("nearest", "near", "the nearest to the Sun", distance, -1, "to the Sun"),
   compare("bigger", "big", "bigger", radius, 1, "Earth", "Mars"),
   compare("smaller", "small", "smaller", radius, -1, "Venus", "Jupiter"),
   compare("farther", "far", "farther", distance, 1, "Saturn", "Jupiter", "from the Sun"),
@@ -143,8 +143,8 @@ return {
   {
     id = "solar_day", like = { "your_turn" }, point = "noun_number", idea = "planets",
     prompt = "How many hours does it take the Earth to turn round once?",
-    answers = { "it takes [(it|the Earth)] [about] {number} <plural:hour>", "(it|the Earth) (needs|takes) [about] {number} <plural:hour>",
-                "[about] {number} <plural:hour>" },
+    answers = { "it takes [(it|the Earth)] [about] {number} (<plural:hour>|h)", "(it|the Earth) (needs|takes) [about] {number} (<plural:hour>|h)",
+                "[about] {number} (<plural:hour>|h)" },
     nearly = { "(it|Earth|the Earth) (need|take|is|has) {number} (hour|hours)" },
     lists = { number = how_many },
     right = function(a) return numbers.value(a.number) == math.floor(planets.facts("Earth").day / 3600 + 0.5) end,

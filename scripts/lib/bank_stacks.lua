@@ -29,8 +29,8 @@ return {
   {
     id = "stacks_between", like = { "between" }, point = "preposition", idea = "place",
     prompt = "From left to right there are a red, a blue and a green block. Which one is between the others?",
-    answers = { "the {colour} (block|one) is between [(them|the others|the other blocks)]", "it is the {colour} (block|one)", "the {colour} (block|one) [is]" },
-    nearly = { "[the] {colour} [block]", "{colour} block is between [them]" },
+    answers = { "the {colour} (block|one) is between (them|the others|the other blocks)", "it is the {colour} (block|one)", "the {colour} (block|one) [is]" },
+    nearly = { "[it is] [the] {colour}", "{colour} block", "[the] {colour} (block|one) is between", "{colour} block is between them" },
     lists = { colour = { "red", "blue", "green" } },
     right = function(a) return a.colour == "blue" end,
     hint = "It is in the middle.",

@@ -96,7 +96,7 @@ return {
   which("rough", "rougher", "rock", "wood"),
   which("slippery", "more slippery", "metal", "wood"),
   which("slippery", "more slippery", "metal", "rock"),
-  made_of("a spaceship", "A spaceship is hard, smooth and slippery.", "metal", "wood"),
+  made_of("a spaceship", "A spaceship is hard, smooth and slippery, and nobody can look through its walls.", "metal", "wood"),
   made_of("a table", "A table feels a little rough, and once it was a tree.", "wood", "metal", "it is wooden"),
   made_of("a statue", "A statue is hard and rough, and comes from the mountains.", "rock", "rubber"),
   {
@@ -104,7 +104,7 @@ return {
     prompt = "What is paper made from?",
     answers = { "paper is made from {material}", "it is made from {material}", "[from] {material}" },
     nearly = { "(paper|it) [is] (made|make|makes) (of|by|from) {material}" },
-    lists = { material = { "wood|trees|tree", "metal", "rock|stone", "glass" } },
+    lists = { material = { "wood|trees", "metal", "rock|stone", "glass" } },
     right = function(a) return a.material == "wood" end,
     hint = "It grows.",
     solution = "Paper is made from wood.",

@@ -17,8 +17,12 @@ set(load_path
     transient_stage_build.cpp.o surface_effects_build.cpp.o
     sha256.cpp.o shape_bytes.cpp.o distance_field_bytes.cpp.o distance_band.cpp.o brick_sides.cpp.o brick_triangles.cpp.o shape_fit.cpp.o wall_thickness.cpp.o distance_field_build.cpp.o distance_field_settings.cpp.o shell_tree.cpp.o field_sampling_build.cpp.o field_load_build.cpp.o
     kite.cpp.o wind_settings.cpp.o line_build.cpp.o kite_flight_build.cpp.o line_feel_settings.cpp.o kite_loop_build.cpp.o kite_swap_build.cpp.o
+<<<<<<< HEAD
     contact_solver_settings.cpp.o
     swept_mesh.cpp.o
+=======
+    contact_solver_settings.cpp.o least_constraint_build.cpp.o
+>>>>>>> 4f842ae (Questions take what pupils write for units, teach no clumsy form, and say what is meant)
     link_device_build.cpp.o arm_server_build.cpp.o
     link_faults.cpp.o spoiled_arm.cpp.o # never between a program and an arm but for trying
     realtime_thread.cpp.o) # the thread itself waits between the steps
