@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kFollows = 1.0e-11;  // a row so near to the others' space follows from them
 constexpr double kTouches = 5.0e-14;  // of what is wanted: below it a bound is kept
+constexpr double kContradicts =
+    1.0e-9;  // of what is wanted: a bound that is missed by less is no other bound
 constexpr int kRoundsPerContact =
     4;  // far above what any problem took; a guard against a cycle by rounding
 constexpr int kRoundsAtLeast = 200;
@@ -64,6 +66,8 @@ bool LeastConstraintSolver::set_inertia(double mass_kg, const Matrix3& inertia_W
     L_.setZero();
     L_.diagonal().head<3>().setConstant(std::sqrt(mass_kg));
     L_.bottomRightCorner<3, 3>() = factor.matrixL();
+    per_root_mass_ = 1.0 / L_(0, 0);
+    per_root_inertia_ = factor.matrixL().solve(Matrix3::Identity());
     return true;
 }
 
@@ -73,9 +77,8 @@ bool LeastConstraintSolver::add(const Vector3& arm_W, const Vector3& normal_W,
         !(least < std::numeric_limits<double>::infinity())) {
         return false;
     }
-    Vector6 J;
-    J << normal_W, arm_W.cross(normal_W);
-    const Vector6 row = L_.triangularView<Eigen::Lower>().solve(J);
+    Vector6 row;
+    row << per_root_mass_ * normal_W, per_root_inertia_ * arm_W.cross(normal_W);
     const double length = row.norm();
     if (!(length > 0.0) || !std::isfinite(length)) {
         return false;
@@ -116,19 +119,24 @@ void LeastConstraintSolver::drop(int place) noexcept {
     }
 }
 
-// The point nearest to `wanted` where all that act are met exactly: wanted + Q R^-T (b - N^T wanted), and their forces.
+// The point nearest to `wanted` where all that act are met exactly: wanted + Q R^-T (b - N^T wanted), and their forces. What rounding left of
+// that is met in a second pass: in a hollow where the tool is stuck the forces are a hundred times what is wanted, and so is what they leave.
 Vector6 LeastConstraintSolver::nearest(const Vector6& wanted, Vector6& force) const noexcept {
-    Vector6 missing = Vector6::Zero();
-    for (int i = 0; i < acting_.n; ++i) {
-        const std::size_t k = acting_.which[static_cast<std::size_t>(i)];
-        missing[i] = least_[k] - row(k).dot(wanted);
-    }
-    const Vector6 along = solve_lower(acting_.R, acting_.n, missing);
-    force = solve_upper(acting_.R, acting_.n, along);
     Vector6 at = wanted;
-    for (int i = 0; i < acting_.n; ++i) {
-        at += along[i] * acting_.Q.col(i);
+    Vector6 in_all = Vector6::Zero();
+    for (int pass = 0; pass < 2; ++pass) {
+        Vector6 missing = Vector6::Zero();
+        for (int i = 0; i < acting_.n; ++i) {
+            const std::size_t k = acting_.which[static_cast<std::size_t>(i)];
+            missing[i] = least_[k] - row(k).dot(at);
+        }
+        const Vector6 along = solve_lower(acting_.R, acting_.n, missing);
+        in_all += along;
+        for (int i = 0; i < acting_.n; ++i) {
+            at += along[i] * acting_.Q.col(i);
+        }
     }
+    force = solve_upper(acting_.R, acting_.n, in_all);
     return at;
 }
 
@@ -229,13 +237,20 @@ const LeastConstraint& LeastConstraintSolver::solve(const Vector6& wanted) noexc
     for (std::size_t k = 0; k < n_; ++k) {
         size = std::max(size, std::isfinite(least_[k]) ? std::abs(least_[k]) : 0.0);
     }
-    const double tolerance = kTouches * size;
+    double tolerance = kTouches * size;
     Vector6 at = nearest(y, acting_.force);
     const int most = kRoundsAtLeast + kRoundsPerContact * static_cast<int>(n_);
     for (std::size_t worst = find_worst(at, tolerance); worst != kNone;
          worst = find_worst(at, tolerance)) {
-        if (answer_.rounds > most || !take(worst, at)) {
+        const double missed = least_[worst] - row(worst).dot(at);
+        if (answer_.rounds > most) {
             return give_up();
+        }
+        if (!take(worst, at)) {
+            if (missed > kContradicts * size) {
+                return give_up();
+            }
+            tolerance = 2.0 * missed;  // it follows from those that act, but for their rounding
         }
         // By the contacts that act alone, so that no rounding of the way is kept.
         at = nearest(y, acting_.force);

@@ -75,7 +75,9 @@ class LeastConstraintSolver {
     bool take(std::size_t k, Vector6& at) noexcept;
     const LeastConstraint& give_up() noexcept;
 
-    Matrix6 L_{Matrix6::Identity()};  // lower, M = L L^T
+    Matrix6 L_{Matrix6::Identity()};  // lower, M = L L^T; in blocks of mass and inertia
+    double per_root_mass_ = 1.0;
+    Matrix3 per_root_inertia_{Matrix3::Identity()};  // what is told is multiplied by L^-1
     std::size_t n_ = 0;
     std::vector<Vector6> rows_;   // L^-1 J_k^T, each of length 1
     std::vector<double> least_;   // scaled likewise

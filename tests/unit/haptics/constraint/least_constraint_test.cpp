@@ -72,6 +72,7 @@ void check_optimal(const std::vector<Contact>& contacts, const Matrix3& inertia,
     const double scale = size_of(inertia, wanted) + 1.0e-12;
     const Eigen::LLT<Matrix6> factor(inertia_of(inertia));
     Vector6 force = Vector6::Zero();
+    double pushes = 0.0;  // which may be far more than their sum, where the tool is stuck
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         const Vector6 J = six(contacts[k].normal_W, contacts[k].arm_W.cross(contacts[k].normal_W));
         const double length = factor.matrixL().solve(J).norm();
@@ -81,11 +82,12 @@ void check_optimal(const std::vector<Contact>& contacts, const Matrix3& inertia,
         REQUIRE(push >= 0.0);
         REQUIRE((push == 0.0 || std::abs(slack) <= 1.0e-12 * scale));
         force += push * J;
+        pushes += push * length;
     }
     const Vector6 change = inertia_of(inertia) * (answer.acceleration - wanted);
     const Vector6 left = factor.matrixL().solve(Vector6(change - force));
-    REQUIRE(left.norm() <= 2.0e-11 * scale);
-    REQUIRE((answer.force - force).norm() <= 1.0e-10 * (force.norm() + 1.0e-12));
+    REQUIRE(left.norm() <= 1.0e-12 * scale + 1.0e-13 * pushes);
+    REQUIRE((answer.force - force).norm() <= 1.0e-10 * (force.norm() + pushes + 1.0e-12));
 }
 
 TEST_CASE("least constraint: free of contacts it is what is wanted, to the bit, without a force") {
