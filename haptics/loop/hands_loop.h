@@ -32,10 +32,14 @@ class HandsLoop final : public PeriodicTask {
 
     /// One round of each.
     void step(double now_s) noexcept override;
+    /// The same rounds, to the byte, telling `listener` whose begins and as each stage ends.
+    void step_observed(double now_s, StageListener& listener) noexcept;
     /// Zero force to all devices.
     void silence(double now_s) noexcept override;
 
   private:
+    template <class StepOne>
+    void run_round(const StepOne& step_one) noexcept;
     void pass_on(HapticChannels& other, bool is_stopped, bool is_lifted) const noexcept;
 
     std::vector<HandInRound> hands_;

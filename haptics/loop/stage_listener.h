@@ -14,6 +14,8 @@ class StageListener {
 
     /// The stage has just been done; the next one begins when this returns.
     virtual void passed(HapticStage stage) noexcept = 0;
+    /// Where there are several hands: what passes now is this one's, counted from 0.
+    virtual void begins_hand(std::size_t /*hand*/) noexcept {}
 };
 
 }  // namespace fulcrum

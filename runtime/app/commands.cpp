@@ -40,6 +40,7 @@ RunRequest quiet_request(const Options& options) {
     request.plan.picture = false;
     request.plan.sound = false;
     request.own_test = true;
+    request.hands_there = HandsThere::all;
     return request;
 }
 
@@ -233,10 +234,34 @@ int check_command(const Installation& installation, const Options& options) {
 
 namespace {
 
+// Files of simulated hands instead of those that the test names.
+Expected<void> name_files(const Options& options, RunRequest& request) {
+    for (std::size_t i = 0; i < options.hands.size(); ++i) {
+        auto choice = read_hand(options.hands[i], false, {});
+        if (!choice) {
+            return tl::unexpected(choice.error());
+        }
+        const bool is_simulated = choice->hand == HandKind::scripted;
+        if (!is_simulated && !(i > 0 && choice->hand == HandKind::none)) {
+            return fail("a test is played by simulated hands", "--hand " + options.hands[i],
+                        "give --hand a Lua file's name");
+        }
+        if (i == 0) {
+            request.hand_file = choice->hand_file;
+        } else {
+            request.more_hands.push_back(std::move(*choice));
+        }
+    }
+    return {};
+}
+
 // The lesson's own test, played by this; gives the exit code.
 int test_by(const Installation& installation, const Options& options, PlayedBy by) {
     RunRequest request = quiet_request(options);
-    request.hand_file = options.hand;
+    request.hands_there = options.hands.empty() ? HandsThere::simulated : HandsThere::nobody;
+    if (auto named = name_files(options, request); !named) {
+        return complain(named.error(), 2);
+    }
     request.seed = options.seed.value_or(request.seed);
     play_by(by, request);
     if (options.errors) {
@@ -291,7 +316,7 @@ int test_command(const Installation& installation, const Options& options) {
 }
 
 int explain_command(const Installation& installation, const Options& options) {
-    if (!options.analyze && (options.seconds || !options.hand.empty() || !options.say.empty())) {
+    if (!options.analyze && (options.seconds || !options.hands.empty() || !options.say.empty())) {
         return complain({"--hand, --say and --seconds are for a play", {}, "add --analyze"}, 2);
     }
     RunRequest request = quiet_request(options);

@@ -98,12 +98,15 @@ double HandDevice::force_limit_N(const RunRequest& request) {
             break;
         case HandKind::link:  // what it can give it tells when it is opened
         case HandKind::mouse:
+        case HandKind::keys:
+        case HandKind::none:
             break;
     }
     return std::numeric_limits<double>::infinity();
 }
 
 Expected<void> HandDevice::make(const RunRequest& request) {
+    kind_ = request.hand;
     switch (request.hand) {
         case HandKind::scripted: {
             if (request.spoil_seed) {
@@ -118,7 +121,8 @@ Expected<void> HandDevice::make(const RunRequest& request) {
                 hand_target_.publish({});
             });
         }
-        case HandKind::mouse: {
+        case HandKind::mouse:
+        case HandKind::keys: {
             PointerSettings settings;
             settings.sag_m_per_N = kMouseSag_m_per_N;
             settings.slow_per_N = kMouseSlow_per_N;
@@ -144,8 +148,10 @@ Expected<void> HandDevice::make(const RunRequest& request) {
             return load_record(request.hand_file.string()).map([&](auto&& record) {
                 device_ = std::make_unique<ReplayDevice>(record);
             });
+        case HandKind::none:
+            break;
     }
-    return {};
+    return fail("nobody moves this hand", {}, "give --hand a device");
 }
 
 // All in this program, under its clock; every number comes from the seed.
@@ -157,7 +163,7 @@ void HandDevice::spoil(std::uint64_t seed) {
 }
 
 // The arm must say what it is before anything is built for it.
-Expected<void> HandDevice::link(const RunRequest& request) {
+Expected<void> HandDevice::link(const HandChoice& request) {
     const auto address = parse_host_port(request.hand_address);
     if (!address) {
         return tl::unexpected(address.error());

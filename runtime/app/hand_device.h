@@ -1,4 +1,4 @@
-// The one device of a run, and what moves it when that is not the device itself: a lesson's simulated hand, or the mouse.
+// The device of a hand, and what moves it when that is not the device itself: a lesson's simulated hand, or the mouse.
 //
 // Thread: made and moved by the lesson loop; `device` is read and written by the haptic loop. Targets cross as newest values.
 #pragma once
@@ -35,6 +35,8 @@ class HandDevice {
     HandDevice(const HandDevice&) = delete;
     HandDevice& operator=(const HandDevice&) = delete;
 
+    /// What moves it.
+    [[nodiscard]] HandKind kind() const noexcept { return kind_; }
     [[nodiscard]] Device& device() noexcept { return *device_; }
     [[nodiscard]] const Device& device() const noexcept { return *device_; }
 
@@ -70,9 +72,10 @@ class HandDevice {
   private:
     explicit HandDevice(const HapticPlan& plan);
     [[nodiscard]] Expected<void> make(const RunRequest& request);
-    [[nodiscard]] Expected<void> link(const RunRequest& request);
+    [[nodiscard]] Expected<void> link(const HandChoice& request);
     void spoil(std::uint64_t seed);
 
+    HandKind kind_ = HandKind::none;
     Workspace workspace_;
     SafetySettings safety_;
     LatestValue<HandTarget> hand_target_;

@@ -23,9 +23,12 @@ std::string name_device(const RunRequest& request) {
         }
         case HandKind::mouse:
             return "mouse";
+        case HandKind::keys:
+            return "keys";
         case HandKind::scripted:
             return "simulated hand";
         case HandKind::replay:
+        case HandKind::none:
             break;
     }
     return {};

@@ -50,7 +50,7 @@ class VirtualClock {
         if (stages_ != nullptr) {
             observe_tick(world_is_due, kite_is_due);
         } else {
-            run_.haptic_loop().step(now_s());
+            run_.hands_loop().step(now_s());
             if (world_is_due) {
                 run_.world_loop()->step(now_s());
             }
@@ -99,7 +99,7 @@ class VirtualClock {
     }
     void observe_tick(bool world_is_due, bool kite_is_due) {
         stages_->begin();
-        run_.haptic_loop().step_observed(now_s(), *stages_);
+        run_.step_hands(now_s(), *stages_);
         stages_->compare(run_.haptic_loop().state(), run_.hand().true_velocity_W());
         if (world_is_due) {
             stages_->begin();
@@ -220,7 +220,7 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
     }
     outcome.interrupted = interrupted();
     outcome.never_ended = !outcome.finished && !settings.end_s && clock.now_s() >= longest_s;
-    run.haptic_loop().silence(clock.now_s());
+    run.hands_loop().silence(clock.now_s());
     outcome.simulated_s = clock.now_s();
     outcome.wall_s = monotonic_now_s() - began_s;
     return outcome;

@@ -9,7 +9,10 @@ Expected<void> LessonRun::build_rigid_loop() {
     rigid_ = std::make_unique<RigidChannels>();
     channels_.rigid = rigid_.get();
     world_channels_ = std::make_unique<WorldChannels>();
-    RigidChannels* const hands[] = {rigid_.get()};
+    std::vector<RigidChannels*> hands{rigid_.get()};
+    for (const auto& hand : more_hands_) {
+        hands.push_back(&hand->rigid);
+    }
     auto loop = RigidLoop::create(*plan_.rigid, world_channels_.get(), hands);
     if (!loop) {
         return tl::unexpected(loop.error());

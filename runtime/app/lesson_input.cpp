@@ -12,6 +12,7 @@ void LessonInput::begin(LessonRun* run) {
     asking_ = false;
     frame_ = {};
     keys_.hold_by(run != nullptr && run->left_handed());
+    keys_began_px_.reset();
     choices_.clear();
     chosen_ = kTypingSpot;
     wants_choices_ = false;
@@ -23,9 +24,9 @@ bool LessonInput::asked() const {
 
 void LessonInput::take(WindowEvents events, bool failed, const PictureSize& size, double dt_s) {
     if (events.lost_focus && run_ != nullptr) {
-        stop_.lose_focus(run_->device().traits().renders_force);
+        stop_.lose_focus(run_->renders_force());
     }
-    keys_.take(events, types(), size, dt_s);
+    take_pointer_keys(events, size, dt_s);
     for (const KeyPress& press : events.pressed) {
         if (press.text.empty()) {
             take_key(press, failed);
@@ -110,9 +111,45 @@ void LessonInput::pick(int spot) {
     }
 }
 
-double LessonInput::depth_m(const Camera& camera) const {
-    const Vector3 middle_W = run_->description().hand.centre_W;
-    return pointer_plane_normal(camera).dot(middle_W - camera.target_W()) + wheel_m_;
+std::optional<std::size_t> LessonInput::keys_hand() const {
+    return run_ != nullptr ? run_->find_hand(HandKind::keys) : std::nullopt;
+}
+
+double LessonInput::depth_m(const Camera& camera, std::size_t hand, double wheel_m) const {
+    const LessonDescription& lesson = run_->description();
+    const Vector3 middle_W =
+        hand == 0 ? lesson.hand.centre_W : lesson.more_hands[hand - 1].centre_W;
+    return pointer_plane_normal(camera).dot(middle_W - camera.target_W()) + wheel_m;
+}
+
+// Keys move the mouse's pointer, or their own where a hand is theirs: it begins where that hand is at rest.
+void LessonInput::take_pointer_keys(WindowEvents& events, const PictureSize& size, double dt_s) {
+    const auto hand = keys_hand();
+    if (!hand) {
+        keys_.take(events, types(), size, dt_s);
+        return;
+    }
+    if (!keys_began_px_) {
+        const LessonDescription& lesson = run_->description();
+        const Camera camera(lesson.camera, size.width_px, size.height_px);
+        const auto seen = camera.project(*hand == 0 ? lesson.hand.centre_W
+                                                    : lesson.more_hands[*hand - 1].centre_W);
+        keys_px_ =
+            seen ? seen->position_px : Eigen::Vector2d(0.5 * size.width_px, 0.5 * size.height_px);
+        keys_began_px_ = keys_px_;
+        keys_wheel_m_ = 0.0;
+    }
+    WindowEvents own;
+    own.pressed = events.pressed;
+    own.released = events.released;
+    own.lost_focus = events.lost_focus;
+    own.pointer_x_px = keys_px_.x();
+    own.pointer_y_px = keys_px_.y();
+    keys_.take(own, types(), size, dt_s);
+    keys_px_ = {own.pointer_x_px, own.pointer_y_px};
+    keys_wheel_m_ =
+        std::clamp(keys_wheel_m_ + kWheelStep_m * own.wheel, -kWheelReach_m, kWheelReach_m);
+    keys_press_ = own.button_down[0];
 }
 
 void LessonInput::point(const WindowEvents& events, const PictureSize& size) {
@@ -125,17 +162,30 @@ void LessonInput::point(const WindowEvents& events, const PictureSize& size) {
     }
     swallows_click_ = swallows_click_ && events.button_down[0];
     pointer_px_ = {events.pointer_x_px, events.pointer_y_px};
-    if (run_ == nullptr || hand_ != HandKind::mouse) {
+    if (run_ == nullptr) {
         return;
     }
     const Camera camera(run_->description().camera, size.width_px, size.height_px);
-    const auto place_W = pointer_on_plane(camera, pointer_px_, depth_m(camera));
+    point_by_mouse(events, camera);
+    if (const auto hand = keys_hand()) {
+        if (const auto place_W = pointer_on_plane(camera, keys_px_, keys_depth_m(camera))) {
+            run_->point_at(*hand, *place_W, keys_press_ ? 1U : 0U);
+        }
+    }
+}
+
+void LessonInput::point_by_mouse(const WindowEvents& events, const Camera& camera) {
+    const auto hand = run_->find_hand(HandKind::mouse);
+    if (!hand) {
+        return;
+    }
+    const auto place_W = pointer_on_plane(camera, pointer_px_, depth_m(camera, *hand, wheel_m_));
     std::uint32_t buttons = 0;
     for (std::size_t i = swallows_click_ ? 1 : 0; i < events.button_down.size(); ++i) {
         buttons |= events.button_down[i] ? 1U << i : 0U;
     }
     if (place_W) {
-        run_->point_at(*place_W, buttons);
+        run_->point_at(*hand, *place_W, buttons);
     }
 }
 

@@ -17,6 +17,7 @@
 #include "runtime/scene/view.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,6 @@ enum class ScreenOrder : std::uint8_t {
 
 class LessonInput {
   public:
-    explicit LessonInput(HandKind hand) : hand_(hand) {}
-
     /// From now on this play's, with nothing typed yet; null for none. It outlives the next call.
     void begin(LessonRun* run);
     /// What was done in a frame of `dt_s`. `failed`: there is no lesson that plays.
@@ -66,8 +65,15 @@ class LessonInput {
     [[nodiscard]] int chosen() const { return chosen_; }
     /// Where the pointer is, in pixels, moved by keys too.
     [[nodiscard]] const Eigen::Vector2d& pointer_px() const { return pointer_px_; }
+    /// The same of the pointer that keys move by themselves, where a hand is theirs.
+    [[nodiscard]] const Eigen::Vector2d& keys_px() const { return keys_px_; }
     /// How far behind the camera's target the pointer's plane is: without the wheel it goes through the middle of the hand's room.
-    [[nodiscard]] double depth_m(const Camera& camera) const;
+    [[nodiscard]] double depth_m(const Camera& camera) const {
+        return depth_m(camera, 0, wheel_m_);
+    }
+    [[nodiscard]] double keys_depth_m(const Camera& camera) const {
+        return depth_m(camera, keys_hand().value_or(0), keys_wheel_m_);
+    }
     [[nodiscard]] const KeyHand& keys() const { return keys_; }
 
   private:
@@ -78,9 +84,12 @@ class LessonInput {
     void give_answer();
     void choose(int step);
     [[nodiscard]] std::string picture_of(const AnswerChoice& choice) const;
+    [[nodiscard]] std::optional<std::size_t> keys_hand() const;
+    [[nodiscard]] double depth_m(const Camera& camera, std::size_t hand, double wheel_m) const;
+    void take_pointer_keys(WindowEvents& events, const PictureSize& size, double dt_s);
     void point(const WindowEvents& events, const PictureSize& size);
+    void point_by_mouse(const WindowEvents& events, const Camera& camera);
 
-    HandKind hand_;
     LessonRun* run_ = nullptr;
     StopKeys stop_;
     KeyHand keys_;
@@ -89,6 +98,11 @@ class LessonInput {
     FrameInput frame_{};
     double wheel_m_ = 0.0;
     Eigen::Vector2d pointer_px_{Eigen::Vector2d::Zero()};
+    // Of a hand that keys alone move.
+    std::optional<Eigen::Vector2d> keys_began_px_;
+    Eigen::Vector2d keys_px_{Eigen::Vector2d::Zero()};
+    double keys_wheel_m_ = 0.0;
+    bool keys_press_ = false;
     bool swallows_click_ = false;  // until the button that picked something goes up
     std::vector<ScreenOrder> orders_;
 

@@ -85,35 +85,83 @@ Expected<void> check_models(const Places& places, const fs::path& lesson_folder,
     return {};
 }
 
-Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
-                                                      const RunRequest& request) {
+namespace {
+
+// Whether a Lua file says where this hand goes.
+bool follows_script(const HandChoice& choice, PlayedBy by) {
+    const bool at_desk = choice.hand == HandKind::mouse || choice.hand == HandKind::keys;
+    return choice.hand == HandKind::scripted || (by != PlayedBy::arm && at_desk);
+}
+
+// Of hands that were asked for.
+LessonFiles files_of(const Places& places, const RunRequest& request) {
     LessonFiles files;
     files.folder = request.folder;
     files.library = places.scripts_lib;
-    const bool has_script = request.hand == HandKind::scripted || request.by != PlayedBy::arm;
-    if (has_script) {
+    if (follows_script(request, request.by)) {
         files.hand = request.hand_file;
     }
+    if (!request.more_hands.empty() && follows_script(request.more_hands[0], request.by)) {
+        files.second_hand = request.more_hands[0].hand_file;
+    }
+    return files;
+}
+
+// Those of the lesson's own test, where nobody named others.
+Expected<void> add_own_hands(const LessonTestDescription& test, const RunRequest& request,
+                             LessonFiles& files) {
+    const auto add = [&](const HandChoice& choice, const std::string& own,
+                         std::filesystem::path& file) -> Expected<void> {
+        if (own.empty() || !file.empty() || !follows_script(choice, request.by)) {
+            return {};
+        }
+        file = request.folder / own;
+        if (std::error_code error; !fs::exists(file, error)) {
+            return fail("there is no " + own + " beside the lesson",
+                        "lesson.lua:" + std::to_string(test.line),
+                        "write the simulated hand, or leave hand = … away");
+        }
+        return {};
+    };
+    return add(request, test.hand, files.hand).and_then([&]() -> Expected<void> {
+        return request.more_hands.empty()
+                   ? Expected<void>{}
+                   : add(request.more_hands[0], test.second_hand, files.second_hand);
+    });
+}
+
+}  // namespace
+
+Expected<StartedLesson> start_lesson(const Places& places, RunRequest& request) {
+    // Whether it has a second hand is not known yet.
+    LessonFiles asked = files_of(places, request);
+    asked.second_hand.clear();
     LessonProcessOptions options;
     options.seed = request.seed;
-    auto process = LessonProcess::start(files, options);
-    const bool wants_own_hand = process && request.own_test && has_script &&
-                                request.hand_file.empty() &&
-                                !(*process)->description().tests.empty() &&
-                                !(*process)->description().tests.front().hand.empty();
-    if (!wants_own_hand) {
-        return process;
+    auto process = LessonProcess::start(asked, options);
+    if (!process) {
+        return tl::unexpected(process.error());
     }
-    // The lesson names its hand only once it is loaded, so it is started a second time, with that hand.
-    const LessonTestDescription test = (*process)->description().tests.front();
-    files.hand = request.folder / test.hand;
-    if (std::error_code error; !fs::exists(files.hand, error)) {
-        return fail("there is no " + test.hand + " beside the lesson",
-                    "lesson.lua:" + std::to_string(test.line),
-                    "write the simulated hand, or leave hand = … away");
+    auto notices = settle_hands((*process)->description(), request);
+    if (!notices) {
+        return tl::unexpected(notices.error());
     }
-    process->reset();
-    return LessonProcess::start(files, options);
+    LessonFiles files = files_of(places, request);
+    if (const auto& tests = (*process)->description().tests; request.own_test && !tests.empty()) {
+        const LessonTestDescription test = tests.front();
+        if (auto added = add_own_hands(test, request, files); !added) {
+            return tl::unexpected(added.error());
+        }
+    }
+    // The lesson says only once it is loaded which hands it wants, so it may be started a second time, with those.
+    if (files.hand != asked.hand || files.second_hand != asked.second_hand) {
+        process->reset();
+        process = LessonProcess::start(files, options);
+        if (!process) {
+            return tl::unexpected(process.error());
+        }
+    }
+    return StartedLesson{std::move(*process), std::move(*notices)};
 }
 
 Expected<TriangleMesh> load_solid_mesh(const Places& places, const fs::path& lesson_folder,

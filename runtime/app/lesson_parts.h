@@ -14,9 +14,15 @@
 
 namespace fulcrum::runtime {
 
-/// Starts the lesson; with `own_test` and no hand file, the hand of its first L:test is loaded beside it.
-[[nodiscard]] Expected<std::unique_ptr<LessonProcess>> start_lesson(const Places& places,
-                                                                    const RunRequest& request);
+/// A lesson's process, and what somebody should know of its hands, a sentence each.
+struct StartedLesson {
+    std::unique_ptr<LessonProcess> process;
+    std::vector<std::string> notices;
+};
+
+/// Starts the lesson and settles the request's hands for it; with `own_test` and no hand file, those of its first L:test are loaded
+/// beside it.
+[[nodiscard]] Expected<StartedLesson> start_lesson(const Places& places, RunRequest& request);
 
 /// Every model that the lesson names is there; an error names the body, its line and the nearest name.
 [[nodiscard]] Expected<void> check_models(const Places& places,

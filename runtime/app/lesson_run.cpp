@@ -8,6 +8,7 @@
 #include "runtime/lesson/learner_throat.h"
 #include "runtime/lesson/past_answers.h"
 #include "runtime/lesson/questions.h"
+#include "runtime/scene/plan_hands.h"
 #include "runtime/text/progress_line.h"
 
 #include <algorithm>
@@ -56,11 +57,12 @@ Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
     if (!whole) {
         return tl::unexpected(whole.error());
     }
-    const RunRequest fitted = with_kept_fit(*whole, store);
-    const auto built = run->load(places, fitted)
-                           .and_then([&] { return run->open_hand(places, fitted); })
-                           .and_then([&] { return run->build_loops(places, fitted); })
-                           .and_then([&] { return run->build_session(fitted, store, catalogue); });
+    RunRequest settled = with_kept_fit(*whole, store);
+    const auto built = run->load(places, settled)
+                           .and_then([&] { return run->open_hand(places, settled); })
+                           .and_then([&] { return run->open_more_hands(settled, store); })
+                           .and_then([&] { return run->build_loops(places, settled); })
+                           .and_then([&] { return run->build_session(settled, store, catalogue); });
     if (!built) {
         return tl::unexpected(built.error());
     }
@@ -69,12 +71,12 @@ Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
 }
 
 // The lesson says what it needs, and the plan holds exactly that.
-Expected<void> LessonRun::load(const Places& places, const RunRequest& request) {
-    auto process = start_lesson(places, request);
-    if (!process) {
-        return tl::unexpected(process.error());
+Expected<void> LessonRun::load(const Places& places, RunRequest& request) {
+    auto started = start_lesson(places, request);
+    if (!started) {
+        return tl::unexpected(started.error());
     }
-    process_ = std::move(*process);
+    process_ = std::move(started->process);
     if (auto models = check_models(places, request.folder, process_->description()); !models) {
         return models;
     }
@@ -85,6 +87,7 @@ Expected<void> LessonRun::load(const Places& places, const RunRequest& request) 
         return tl::unexpected(plan.error());
     }
     plan_ = std::move(*plan);
+    hand_notices_ = std::move(started->notices);
     return {};
 }
 
@@ -92,6 +95,12 @@ Expected<Plan> LessonRun::compile(const Places& places, const RunRequest& reques
                                   const LessonDescription& scene) const {
     PlanOptions options = request.plan;
     options.device_force_limit_N = HandDevice::force_limit_N(request);
+    for (const HandChoice& choice : request.more_hands) {
+        RunRequest own = request;
+        static_cast<HandChoice&>(own) = choice;
+        options.device_force_limit_N =
+            std::min(options.device_force_limit_N, HandDevice::force_limit_N(own));
+    }
     return compile_shown(scene, std::move(options), make_solid_loader(places, request.folder),
                          make_picture_loader(request.folder, scene.hand.scale))
         .and_then([](Plan&& plan) {
@@ -151,7 +160,8 @@ Expected<void> LessonRun::build_loops(const Places& places, const RunRequest& re
         world_loop_ = std::make_unique<WorldLoop>(*plan_.world, std::move(solid_bodies),
                                                   *world_channels_, channels_);
     }
-    fill_in_memory(plan_, *haptic_loop_);
+    fill_in_memory(plan_, name_of_loop(0), *haptic_loop_);
+    build_more_loops();
     return {};
 }
 
@@ -225,6 +235,7 @@ Expected<SessionInput> LessonRun::gather(const FrameInput& input) {
     last_frame_s_ = input.time_s;
     channels_.state_for_lesson.take();
     gathered.hand = channels_.state_for_lesson.value();
+    gather_more_hands(gathered);
     if (world_channels_) {
         world_channels_->snapshot.take();
         take_rigid_bodies();
@@ -316,6 +327,7 @@ Expected<FrameReport> LessonRun::conclude(const LessonReply& reply) {
         recorder_->keep_output(last_frame_s_, *output, session_->result());
     }
     channels_.command.publish(output->force);
+    lead_more_hands(*output);
     if (axles_) {
         axles_->orders.publish(output->axles);
     }
@@ -356,18 +368,9 @@ Expected<void> LessonRun::command_world(const std::vector<WorldCommand>& command
                           {}, "move fewer bodies in one frame, or close other programs"));
 }
 
-void LessonRun::point_at(const Vector3& position_W, std::uint32_t buttons) {
-    hand_->point_at(position_W, buttons);
-}
-
 double LessonRun::fade_shown_s() const {
     constexpr double kMargin_s = 0.05;  // some rounds beyond the gate's own fade
     return plan_.haptic.safety.fade_s + kMargin_s;
-}
-
-bool LessonRun::device_is_lost() const {
-    return any(channels_.state_for_lesson.value().faults &
-               (Fault::device_read | Fault::device_stale | Fault::device_write));
 }
 
 View LessonRun::view(const dialogue::Catalogue& catalogue) const {
@@ -381,17 +384,8 @@ View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     const bool points = !scenery.renders_force && hand_->points();
     scenery.ghost = points || plan_.haptic.tool != nullptr;
     scenery.ghost_pose_W = points ? hand_->pointer_W() : scenery.hand.tool_pose_W;
+    show_more_hands(scenery);
     return compose_view(session_->description(), plan_, session_->hud(), scenery, catalogue);
-}
-
-void fill_in_memory(Plan& plan, const HapticLoop& loop) {
-    for (const StageInfo& built : loop.stages()) {
-        for (PlanStage& planned : plan.stages) {
-            if (planned.loop == "haptic" && planned.name == name_of(built.stage)) {
-                planned.memory_bytes = built.bytes;
-            }
-        }
-    }
 }
 
 }  // namespace fulcrum::runtime

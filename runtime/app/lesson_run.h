@@ -12,6 +12,7 @@
 #include "haptics/dynamics/world_loop.h"
 #include "haptics/flight/kite_loop.h"
 #include "haptics/handover/channels.h"
+#include "haptics/loop/hands_loop.h"
 #include "haptics/loop/haptic_loop.h"
 #include "runtime/app/hand_device.h"
 #include "runtime/app/places.h"
@@ -52,6 +53,17 @@ struct HandWish {
     std::string key;  ///< to be pressed once; empty for none
 };
 
+struct Scenery;  // runtime/lesson/compose_view.h
+
+/// A hand beside the first: all that is its own.
+struct MoreHand {
+    HapticChannels channels{};
+    RigidChannels rigid{};
+    std::unique_ptr<HandDevice> device;
+    std::unique_ptr<HapticLoop> loop;
+    std::optional<HandWish> wish;
+};
+
 /// What a frame asks of the driver.
 struct FrameReport {
     std::vector<std::string> sounds;
@@ -73,7 +85,17 @@ class LessonRun {
     [[nodiscard]] const Plan& plan() const { return plan_; }
     [[nodiscard]] const LessonDescription& description() const { return session_->description(); }
     [[nodiscard]] LessonSession& session() { return *session_; }
+    /// The first hand's loop.
     [[nodiscard]] HapticLoop& haptic_loop() { return *haptic_loop_; }
+    /// A round of all hands: with one of them its loop itself.
+    [[nodiscard]] PeriodicTask& hands_loop();
+    /// The same round, told stage by stage.
+    void step_hands(double now_s, StageListener& listener);
+    [[nodiscard]] std::size_t n_hands() const { return 1 + more_hands_.size(); }
+    /// The hand that is moved so, counted from 0; none where no hand is.
+    [[nodiscard]] std::optional<std::size_t> find_hand(HandKind kind) const;
+    /// Whether any hand's device gives forces.
+    [[nodiscard]] bool renders_force() const;
     /// Null when the plan has none.
     [[nodiscard]] PeriodicTask* world_loop() {
         return world_loop_ ? static_cast<PeriodicTask*>(world_loop_.get()) : rigid_loop_.get();
@@ -116,11 +138,13 @@ class LessonRun {
     [[nodiscard]] Expected<std::optional<std::string>> hear_pupil(double time_s);
     /// Somebody at a desk plays: what the newest reply of the simulated hand wants; nothing before the first. Taken, its key is pressed.
     [[nodiscard]] std::optional<HandWish> take_wish();
+    /// Likewise of the second hand, which presses nothing; nothing where it is not there.
+    [[nodiscard]] std::optional<HandWish> second_wish() const;
     /// Answers to the question of now to choose from; none where nothing is asked. Not between `begin_frame` and its reply.
     [[nodiscard]] Expected<std::vector<AnswerChoice>> make_choices();
 
-    /// Where the mouse points, in the world; for HandKind::mouse.
-    void point_at(const Vector3& position_W, std::uint32_t buttons);
+    /// Where the pointer of this hand points, in the world; for those that have one.
+    void point_at(std::size_t hand, const Vector3& position_W, std::uint32_t buttons);
     /// Makes the force fade at once and stay away: the lesson has failed with this sentence.
     void fail_softly(const std::string& sentence);
     /// The same where all is well: the lesson is left.
@@ -130,7 +154,7 @@ class LessonRun {
     /// True while the device gives no poses or takes no forces.
     [[nodiscard]] bool device_is_lost() const;
     /// What has happened to the hand's device since the last call, a sentence; empty when nothing has.
-    [[nodiscard]] std::string take_device_notice() { return hand_->take_notice(); }
+    [[nodiscard]] std::string take_device_notice();
     /// What got lost between the loops, a sentence each; none in a good run. Call it when the loops stand still.
     [[nodiscard]] std::vector<std::string> losses() const;
     /// How the forces compare with those of the record that is repeated; null where none is.
@@ -155,8 +179,9 @@ class LessonRun {
     /// What the lesson replies to that event alone.
     [[nodiscard]] Expected<LessonReply> ask_aside(const LessonEvent& event);
     // In this order.
-    [[nodiscard]] Expected<void> load(const Places& places, const RunRequest& request);
+    [[nodiscard]] Expected<void> load(const Places& places, RunRequest& request);
     [[nodiscard]] Expected<void> open_hand(const Places& places, const RunRequest& request);
+    [[nodiscard]] Expected<void> open_more_hands(const RunRequest& request, ProgressStore& store);
     [[nodiscard]] Expected<void> build_loops(const Places& places, const RunRequest& request);
     [[nodiscard]] Expected<Plan> compile(const Places& places, const RunRequest& request,
                                          const LessonDescription& scene) const;
@@ -164,6 +189,10 @@ class LessonRun {
     void build_why(const RunRequest& request);
     [[nodiscard]] Expected<void> build_recorder(const Places& places, const RunRequest& request);
     void build_touch_sound();
+    void build_more_loops();
+    void gather_more_hands(SessionInput& gathered);
+    void show_more_hands(Scenery& scenery) const;
+    void lead_more_hands(const SessionOutput& output);
     [[nodiscard]] Expected<void> build_rigid_loop();
     void take_rigid_bodies();
     [[nodiscard]] Expected<void> build_session(const RunRequest& request, ProgressStore& store,
@@ -188,6 +217,9 @@ class LessonRun {
     std::unique_ptr<KiteChannels> kite_;   // null when nothing flies
     std::unique_ptr<HandDevice> hand_;
     std::unique_ptr<HapticLoop> haptic_loop_;
+    std::vector<std::unique_ptr<MoreHand>> more_hands_;
+    std::vector<std::string> hand_notices_;  // of who moves which
+    std::unique_ptr<HandsLoop> hands_loop_;  // null with one hand
     std::unique_ptr<WorldLoop> world_loop_;
     std::unique_ptr<KiteLoop> kite_loop_;
     std::unique_ptr<RigidChannels> rigid_;  // null without rigid bodies, like the next
@@ -217,7 +249,7 @@ void say_notices(const LessonRun& run);
 /// What got lost in a run, likewise.
 void say_losses(const LessonRun& run);
 
-/// Writes into the plan's stages how much memory the loop that was built from it uses for each.
-void fill_in_memory(Plan& plan, const HapticLoop& loop);
+/// Writes into the plan's stages of that name how much memory the loop that was built from it uses for each.
+void fill_in_memory(Plan& plan, const std::string& name, const HapticLoop& loop);
 
 }  // namespace fulcrum::runtime

@@ -33,8 +33,7 @@ LessonScreen::LessonScreen(const Places& places, Desktop& desktop, ProgressStore
       store_(store),
       catalogue_(catalogue),
       request_(std::move(request)),
-      options_(options),
-      input_(request_.hand) {}
+      options_(options) {}
 
 LessonScreen::~LessonScreen() {
     stop();
@@ -156,7 +155,7 @@ Left LessonScreen::play() {
             options_.seconds && monotonic_now_s() - since_s >= *options_.seconds;
         save_wanted_screenshot(time_is_up);
         if (desktop_.sound) {
-            const bool unfelt = run_ && !run_->device().traits().renders_force;
+            const bool unfelt = run_ && !run_->renders_force();
             desktop_.sound->set_force_sound(
                 unfelt && error_.empty() ? last_view_.force.force_W.norm() : 0.0);
         }
@@ -351,8 +350,12 @@ void LessonScreen::show_hints(View& view) const {
         view.banner = catalogue_.say("hud.said_before", {{"text", before}});
     }
     if (view.banner.empty() && says_how_to_move()) {
-        view.banner = catalogue_.say(
-            how_to_move(request_, run_->plan().kite.has_value(), run_->left_handed()));
+        const bool left_handed = run_->left_handed();
+        const bool with_mouse = run_->find_hand(HandKind::mouse).has_value();
+        view.banner =
+            catalogue_.say(run_->find_hand(HandKind::keys)
+                               ? how_to_move_two(with_mouse, left_handed)
+                               : how_to_move(request_, run_->plan().kite.has_value(), left_handed));
         if (run_->session().hud().may_ask) {
             view.banner += " " + catalogue_.say("hud.ask_help", {{"key", "Tab"}});
         }
@@ -364,7 +367,7 @@ void LessonScreen::show_hints(View& view) const {
 
 // What somebody with a mouse must know who sees this for the first time, or the first thing to do of a level.
 bool LessonScreen::says_how_to_move() const {
-    const bool is_new = request_.hand == HandKind::mouse || request_.hand == HandKind::hid;
+    const bool is_new = run_->find_hand(HandKind::mouse) || run_->find_hand(HandKind::hid);
     return is_new && !run_->session().result().finished &&
            monotonic_now_s() - level_began_s_ < kHelp_s;
 }

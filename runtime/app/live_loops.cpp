@@ -10,7 +10,7 @@ Expected<void> LiveLoops::start(LessonRun& run, double epoch_s) {
     settings.epoch_s = epoch_s;
     settings.rate_Hz = run.plan().haptic.rate_hz;
     settings.lock_memory = true;
-    if (auto started = haptic_.start(run.haptic_loop(), settings); !started) {
+    if (auto started = haptic_.start(run.hands_loop(), settings); !started) {
         return started;
     }
     settings.spin_s = 0.0;  // a late world is felt as a held force; it needs no spinning

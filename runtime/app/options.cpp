@@ -178,8 +178,7 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
         std::string_view flag;
         std::string Options::*member;
     };
-    static constexpr std::array<Target, 9> kTargets{{{"--hand", &Options::hand},
-                                                     {"--hear", &Options::hear},
+    static constexpr std::array<Target, 8> kTargets{{{"--hear", &Options::hear},
                                                      {"--say", &Options::say},
                                                      {"--learner", &Options::learner},
                                                      {"--db", &Options::database},
@@ -189,7 +188,11 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
                                                      {"--out", &Options::out}}};
     const auto target = std::find_if(kTargets.begin(), kTargets.end(),
                                      [&](const Target& t) { return t.flag == flag; });
-    options.*(target->member) = value;
+    if (flag == "--hand") {  // one a hand
+        options.hands.push_back(value);
+    } else {
+        options.*(target->member) = value;
+    }
     return {};
 }
 
@@ -334,7 +337,7 @@ std::string usage() {
   fulcrum                    the list of lessons, in a window  (--learner NAME --db FILE --force-limit N --mute --watch)
   fulcrum run LESSON         play a lesson
       --headless             without a window, faster than real time, repeatable to the byte; tells what is said
-      --hand FILE.lua|mouse|hid|hid:PATH|udp:HOST:PORT|replay:FILE
+      --hand FILE.lua|mouse|keys|hid|hid:PATH|udp:HOST:PORT|replay:FILE|none   (once a hand)
                              udp: an arm on another computer, or fulcrum arm on this one  (--key FILE)
                              replay: a run that --record wrote, with its keys, answers and seed; --headless says whether every
                              force is the same to the bit, and if not, where first and why

@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace fulcrum::runtime {
 
@@ -58,8 +59,8 @@ struct Options {
     std::string lesson;             ///< a name under scenarios/ or a folder
     bool headless = false;          ///< no window: virtual clock, faster than real time
     std::optional<double> seconds;  ///< end the run after this long, 0 to 86 400
-    std::string
-        hand;  ///< FILE.lua, mouse, hid, hid:PATH, udp:HOST:PORT or replay:FILE; empty: chosen by what is there
+    /// Of each hand: FILE.lua, mouse, keys, hid, hid:PATH, udp:HOST:PORT, replay:FILE or none; what is not said is chosen by what is there.
+    std::vector<std::string> hands;
     std::optional<PlayedBy> by;  ///< how a simulated hand plays; test: by all where none is named
     std::string say;             ///< file with one answer a line
     std::optional<double>

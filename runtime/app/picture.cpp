@@ -41,6 +41,13 @@ std::vector<std::string> Picture::load_models(const LessonDescription& lesson,
             notices.push_back(to_sentence(added.error()));
         }
     }
+    for (const HandDescription& hand : lesson.more_hands) {
+        LoadedModel tool = make_second_tool_model(hand.cursor);
+        tool.name = kSecondToolModel;
+        if (auto added = renderer_->add_model(tool); !added) {
+            notices.push_back(to_sentence(added.error()));
+        }
+    }
     if (lesson.bucket.present) {
         names.push_back(lesson.bucket.model);
     }

@@ -103,8 +103,8 @@ int run_without_window(const Installation& installation, const Options& options,
     if (!options.screenshot.empty()) {
         settings.after_frame = [&](double now_s) { screenshot.after_frame(now_s); };
     }
-    const auto outcome = keeps_time(request.hand) ? run_in_real_time(**run, settings)
-                                                  : run_headless(**run, settings);
+    const auto outcome =
+        keeps_time(request) ? run_in_real_time(**run, settings) : run_headless(**run, settings);
     const auto recorded = (*run)->finish_record();
     say_losses(**run);
     if (!outcome) {
@@ -145,7 +145,7 @@ int run_command(const Installation& installation, const Options& options) {
     }
     if (!options.headless && !in_window) {
         std::fprintf(stderr, "There is no display, so the lesson runs without a window%s.\n",
-                     keeps_time(request->hand) ? "" : ", with the simulated hand");
+                     keeps_time(*request) ? "" : ", with the simulated hand");
     }
     return in_window ? run_in_window(installation, options, std::move(*request))
                      : run_without_window(installation, options, *request);

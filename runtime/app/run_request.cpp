@@ -4,20 +4,15 @@
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/progress/store.h"
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <random>
-#include <string_view>
 #include <system_error>
 
 namespace fulcrum::runtime {
 namespace {
-
-Expected<void> choose_hid(const std::string& word, RunRequest& request) {
-    request.hand = HandKind::hid;
-    return choose_hid_hand(word).map([&](HidChoice&& choice) { request.hid = std::move(choice); });
-}
 
 // By what the simulated hand plays.
 Expected<void> choose_player(const Options& options, bool in_window, RunRequest& request) {
@@ -32,37 +27,27 @@ Expected<void> choose_player(const Options& options, bool in_window, RunRequest&
     return {};
 }
 
-// Whose hand: what was asked for, else the mouse in a window and the lesson's own simulated hand without.
-Expected<void> choose_hand(const Options& options, bool in_window, RunRequest& request) {
-    constexpr std::string_view kReplay = "replay:";
-    constexpr std::string_view kLink = "udp:";
-    if (options.hand.starts_with(kReplay)) {
-        request.hand = HandKind::replay;
-        request.hand_file = options.hand.substr(kReplay.size());
-        std::error_code error;
-        if (!std::filesystem::is_regular_file(request.hand_file, error)) {
-            return fail("there is no such record", request.hand_file.string(),
-                        "give --hand replay: a file that --record wrote");
+// Whose hands: what was asked for, else the mouse in a window and the lesson's own simulated hands without.
+Expected<void> choose_hands(const Options& options, bool in_window, RunRequest& request) {
+    request.hands_there = in_window               ? HandsThere::desk
+                          : options.hands.empty() ? HandsThere::simulated
+                                                  : HandsThere::nobody;
+    HandChoice& first = request;
+    first.hand = in_window ? HandKind::mouse : HandKind::scripted;
+    for (std::size_t i = 0; i < options.hands.size(); ++i) {
+        auto choice = read_hand(options.hands[i], in_window, options.arm.key_file);
+        if (!choice) {
+            return tl::unexpected(choice.error());
         }
-    } else if (asks_for_hid(options.hand)) {
-        return choose_hid(options.hand, request);
-    } else if (options.hand.starts_with(kLink)) {
-        request.hand = HandKind::link;
-        request.hand_address = options.hand.substr(kLink.size());
-        request.key_file = options.arm.key_file;
-    } else if (options.hand == "mouse" || (options.hand.empty() && in_window)) {
-        request.hand = HandKind::mouse;
-    } else if (!options.hand.empty() && !options.hand.ends_with(".lua")) {
-        return fail("there is no hand \"" + options.hand + "\"", "",
-                    "give --hand mouse, hid, udp:HOST:PORT, replay:FILE, or a Lua file's name");
-    } else {
-        request.hand_file = options.hand;
+        if (i == 0) {
+            first = std::move(*choice);
+        } else {
+            request.more_hands.push_back(std::move(*choice));
+        }
     }
-    if (!in_window && request.hand == HandKind::mouse) {
-        return fail("there is no mouse without a window", "",
-                    "leave --hand out, give it a hand's file, or add --by mouse");
-    }
-    return choose_player(options, in_window, request);
+    return check_shared(first, request.more_hands).and_then([&] {
+        return choose_player(options, in_window, request);
+    });
 }
 
 // Whose answers: a file's, the lesson's own when nobody could type, else the keyboard's.
@@ -141,6 +126,21 @@ double today() {
 
 }  // namespace
 
+bool keeps_time(const RunRequest& request) noexcept {
+    return keeps_time(request.hand) ||
+           std::ranges::any_of(request.more_hands,
+                               [](const HandChoice& choice) { return keeps_time(choice.hand); });
+}
+
+Expected<std::vector<std::string>> settle_hands(const LessonDescription& lesson,
+                                                RunRequest& request) {
+    return settle_hands(lesson, {request, request.hands_there, request.by}, request.more_hands)
+        .map([&](std::vector<std::string>&& told) {
+            request.plan.n_hands = 1 + request.more_hands.size();
+            return std::move(told);
+        });
+}
+
 const char* how_to_move(const RunRequest& request, bool has_reel, bool left_handed) noexcept {
     if (request.hand == HandKind::hid) {
         return request.hid.form == hid::HandForm::space_mouse ? "hud.cap_help" : "hud.stick_help";
@@ -180,6 +180,13 @@ bool repeats_input(const RunRequest& request) noexcept {
            request.say.empty() && !request.learner_rates && request.plan.hearing.recordings.empty();
 }
 
+const char* how_to_move_two(bool with_mouse, bool left_handed) noexcept {
+    if (with_mouse) {
+        return left_handed ? "hud.left_two_hands_help" : "hud.two_hands_help";
+    }
+    return left_handed ? "hud.left_keys_help" : "hud.keys_help";
+}
+
 void play_by(PlayedBy by, RunRequest& request) {
     request.by = by;
     request.hand = by == PlayedBy::arm ? HandKind::scripted : HandKind::mouse;
@@ -208,10 +215,10 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     request.feedback = options.feedback;
     request.fit = options.fit;
     request.first_use = options.first_use;
-    return choose_hand(options, in_window, request)
+    return choose_hands(options, in_window, request)
         .and_then([&] { return choose_answers(options, in_window, request); })
         .and_then([&] { return choose_hearing(options, request); })
-        .map([&] { request.plan.live = request.plan.live || keeps_time(request.hand); })
+        .map([&] { request.plan.live = request.plan.live || keeps_time(request); })
         .map([&] { return std::move(request); });
 }
 

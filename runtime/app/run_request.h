@@ -2,7 +2,7 @@
 #pragma once
 
 #include "haptics/record/record.h"
-#include "runtime/app/hid_hands.h"
+#include "runtime/app/hand_choice.h"
 #include "runtime/app/options.h"
 #include "runtime/app/places.h"
 #include "runtime/app/played_by.h"
@@ -17,26 +17,13 @@
 
 namespace fulcrum::runtime {
 
-enum class HandKind : std::uint8_t { scripted, mouse, replay, hid, link };
-
-/// Whether a hand keeps its own time, so that a lesson without a window has to go as fast as the clock on the wall. (A mouse without a
-/// window is a simulated one.)
-[[nodiscard]] constexpr bool keeps_time(HandKind kind) noexcept {
-    return kind == HandKind::hid || kind == HandKind::link;
-}
-
-struct RunRequest {
+/// The first hand's choice is the request's own.
+struct RunRequest : HandChoice {
     std::filesystem::path folder;  ///< of the lesson
     PlanOptions plan{};
-    HandKind hand = HandKind::scripted;
-    PlayedBy by = PlayedBy::arm;  ///< at a desk the hand is a mouse
-    /// Scripted or at a desk: a Lua file, empty for the lesson's own test. Replay: a record.
-    std::filesystem::path hand_file;
-    HidChoice hid{};           ///< the device of HandKind::hid
-    std::string hand_address;  ///< link: HOST:PORT of the arm
-    std::string key_file;      ///< link: empty for the default place
-    /// Scripted: the hand holds an arm at the other end of a link, on which things break by this seed.
-    std::optional<std::uint64_t> spoil_seed;
+    PlayedBy by = PlayedBy::arm;                     ///< at a desk the hand is a mouse
+    std::vector<HandChoice> more_hands;              ///< those beside it that were asked for
+    HandsThere hands_there = HandsThere::simulated;  ///< for the hands that nobody chose for
     std::vector<std::string> say;  ///< answers of a simulated pupil; empty: somebody types
     std::optional<LearnerRates> learner_rates;  ///< a simulated learner answers instead
     bool own_test = false;  ///< use the hand and the answers of the lesson's first L:test
@@ -50,6 +37,12 @@ struct RunRequest {
     dialogue::FeedbackLadder feedback{};     ///< instead of what the lesson says; empty: as it says
 };
 
+/// Whether any of its hands keeps its own time.
+[[nodiscard]] bool keeps_time(const RunRequest& request) noexcept;
+/// Settles the hands for this lesson, as settle_hands does; the plan counts them.
+[[nodiscard]] Expected<std::vector<std::string>> settle_hands(const LessonDescription& lesson,
+                                                              RunRequest& request);
+
 /// Which words say how the hand is moved: the catalogue's key, in the words of what is held; `has_reel` where a kite flies.
 [[nodiscard]] const char* how_to_move(const RunRequest& request, bool has_reel,
                                       bool left_handed) noexcept;
@@ -58,6 +51,8 @@ struct RunRequest {
 [[nodiscard]] Expected<RunRequest> with_record(RunRequest request);
 /// Whether the record of such a request tells what was typed, said and pressed, so that nobody else need answer.
 [[nodiscard]] bool repeats_input(const RunRequest& request) noexcept;
+/// The same where keys move a hand of their own, and the mouse another one or none.
+[[nodiscard]] const char* how_to_move_two(bool with_mouse, bool left_handed) noexcept;
 /// Lets the lesson's simulated hand play by this.
 void play_by(PlayedBy by, RunRequest& request);
 

@@ -30,10 +30,7 @@ std::vector<std::string> characters_of(const std::string& text) {
 }  // namespace
 
 SimulatedDesk::SimulatedDesk(LessonRun& run, PlayedBy by)
-    : run_(run),
-      by_(by),
-      input_(HandKind::mouse),
-      pointer_px_(0.5 * kPicture.width_px, kTargetHeight * kPicture.height_px) {
+    : run_(run), by_(by), pointer_px_(0.5 * kPicture.width_px, kTargetHeight * kPicture.height_px) {
     input_.begin(&run);
 }
 
@@ -153,11 +150,35 @@ void SimulatedDesk::move(const HandWish& wish, double dt_s, WindowEvents& events
     }
 }
 
+// The other hand's pointer is the keys' own; wheel, letters and buttons of the mouse are left alone.
+void SimulatedDesk::move_by_keys(const HandWish& wish, double dt_s, WindowEvents& events) {
+    if (run_.find_hand(HandKind::keys) != 1U) {
+        return;
+    }
+    const Camera camera(run_.description().camera, kPicture.width_px, kPicture.height_px);
+    const Vector3 normal = pointer_plane_normal(camera);
+    const double depth_m = normal.dot(wish.target_W.position - camera.target_W());
+    double plane_m = input_.keys_depth_m(camera);
+    const double turn = std::round((depth_m - plane_m) / kWheelStep_m);
+    if (turn != 0.0) {
+        events.pressed.push_back({.key = turn > 0.0 ? "page_up" : "page_down"});
+        plane_m += std::copysign(kWheelStep_m, turn);
+    }
+    const auto seen = camera.project(wish.target_W.position + (plane_m - depth_m) * normal);
+    if (seen && !run_.session().hud().question_open) {
+        steer(seen->position_px - input_.keys_px(), input_.keys().step_px(kPicture, dt_s), events);
+        hold("shift", (wish.buttons & 1U) != 0, events);
+    }
+}
+
 Expected<FrameInput> SimulatedDesk::step(double now_s, double dt_s) {
     WindowEvents events;
     events.pointer_x_px = pointer_px_.x();
     events.pointer_y_px = pointer_px_.y();
     const auto wish = run_.take_wish();
+    if (const auto second = run_.second_wish()) {
+        move_by_keys(*second, dt_s, events);
+    }
     if (wish) {
         move(*wish, dt_s, events);
         events.pointer_x_px = pointer_px_.x();

@@ -35,6 +35,7 @@ class SimulatedDesk {
 
   private:
     void move(const HandWish& wish, double dt_s, WindowEvents& events);
+    void move_by_keys(const HandWish& wish, double dt_s, WindowEvents& events);
     void steer(const Eigen::Vector2d& away_px, double step_px, WindowEvents& events);
     void hold(const std::string& key, bool down, WindowEvents& events);
     void press(const std::string& key) { presses_.push_back({.key = key}); }

@@ -2,6 +2,7 @@
 
 #include "haptics/base/clock.h"
 #include "runtime/scene/check_tool.h"
+#include "runtime/scene/plan_hands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,13 +42,14 @@ StageClock::StageClock(const Plan& plan)
     : plan_(plan),
       clock_us_(measure_clock_us()),
       calls_(plan.stages.size()),
-      haptic_stages_(kHapticStages),
+      haptic_stages_(kHapticStages * (1 + plan.more_hands.size())),
       world_stage_(find("world", {})),
       kite_stage_(find("kite", {})),
       lesson_stage_(find("lesson", {})),
       tool_time_us_(find_tool_time_us(plan.haptic.rate_hz)) {
-    for (std::size_t i = 0; i < kHapticStages; ++i) {
-        haptic_stages_[i] = find("haptic", name_of(static_cast<HapticStage>(i)));
+    for (std::size_t i = 0; i < haptic_stages_.size(); ++i) {
+        haptic_stages_[i] = find(name_of_loop(i / kHapticStages),
+                                 name_of(static_cast<HapticStage>(i % kHapticStages)));
     }
 }
 
@@ -65,7 +67,7 @@ void StageClock::begin() noexcept {
 
 void StageClock::passed(HapticStage stage) noexcept {
     const double ended_s = monotonic_now_s();
-    count(haptic_stages_[static_cast<std::size_t>(stage)], ended_s);
+    count(haptic_stages_[hand_ * kHapticStages + static_cast<std::size_t>(stage)], ended_s);
 }
 
 void StageClock::passed_world() noexcept {

@@ -28,6 +28,8 @@ class StageClock final : public StageListener {
     void begin() noexcept;
     /// A haptic stage has ended.
     void passed(HapticStage stage) noexcept override;
+    /// The stages that end now are this hand's.
+    void begins_hand(std::size_t hand) noexcept override { hand_ = hand; }
     /// What began last was a round of the world; it stands with the first of the world's stages.
     void passed_world() noexcept;
     void passed_kite() noexcept;
@@ -67,7 +69,8 @@ class StageClock final : public StageListener {
     double clock_us_;
     double began_s_ = 0.0;
     std::vector<Calls> calls_;                // one a stage of the plan
-    std::vector<std::size_t> haptic_stages_;  // place in the plan of each HapticStage
+    std::vector<std::size_t> haptic_stages_;  // place in the plan of each HapticStage, hand by hand
+    std::size_t hand_ = 0;
     std::size_t world_stage_;
     std::size_t kite_stage_;
     std::size_t lesson_stage_;

@@ -252,6 +252,41 @@ std::string tool_model(const LessonDescription& lesson) {
     return has_shaped_cursor(lesson.hand) ? std::string(kToolModel) : "cursor";
 }
 
+std::string force_text(const dialogue::Catalogue& catalogue, const std::string& hand,
+                       double force_N) {
+    return hand + ": " + catalogue.say("hud.force", {{"newtons", newtons_text(force_N)}});
+}
+
+// Each in a colour of its own, and with its number for whoever cannot tell colours apart: before its newtons, or beside it where it feels
+// nothing. Forces are drawn to one scale.
+void add_more_hands(const LessonDescription& lesson, const Scenery& scenery,
+                    const dialogue::Catalogue& catalogue, View& view) {
+    if (scenery.more_hands.empty()) {
+        return;
+    }
+    if (view.force.visible) {
+        view.force.text = force_text(catalogue, "1", view.force.force_W.norm());
+    } else {
+        view.tool.label = "1";
+    }
+    for (std::size_t i = 0; i < scenery.more_hands.size() && i < lesson.more_hands.size(); ++i) {
+        const HandScenery& shown = scenery.more_hands[i];
+        const std::string number = std::to_string(i + 2);
+        ViewHand& hand = view.more_hands.emplace_back();
+        hand.tool.model = std::string(kSecondToolModel);
+        hand.tool.pose_W = Pose::at(shown.hand.proxy_position_W);
+        hand.ghost_visible = shown.ghost;
+        hand.ghost_pose_W = Pose::at(shown.ghost_pose_W.position);
+        const Vector3 force_W = shown.hand.applied_W.force;
+        if (force_W.norm() > kShownForce_N) {
+            view.forces.push_back({true, shown.hand.proxy_position_W, force_W,
+                                   force_text(catalogue, number, force_W.norm()), ForceLook::lift});
+        } else {
+            hand.tool.label = number;
+        }
+    }
+}
+
 }  // namespace
 
 bool has_shaped_cursor(const HandDescription& hand) noexcept {
@@ -297,6 +332,8 @@ View compose_view(const LessonDescription& lesson, const Plan& plan, const Sessi
         view.force = {true, find_arrow_tail_W(lesson, plan, view.tool.pose_W, force_W), force_W,
                       weight_text(lesson, plan, scenery, catalogue, force_N)};
     }
+
+    add_more_hands(lesson, scenery, catalogue, view);
 
     // Where a torque is shown its arrow is the hand's push; the push back is the same, the other way round.
     add_torques(lesson, scenery, catalogue, view);

@@ -16,6 +16,13 @@
 
 namespace fulcrum::runtime {
 
+/// A hand beside the first.
+struct HandScenery {
+    HapticState hand{};
+    bool ghost = false;
+    Pose ghost_pose_W{};
+};
+
 /// Everything that a frame shows.
 struct Scenery {
     double time_s = 0.0;
@@ -26,6 +33,7 @@ struct Scenery {
     bool renders_force = true;  ///< false for a mouse: what can't be felt is shown more strongly
     bool ghost = false;         ///< show where the hand itself is
     Pose ghost_pose_W{};
+    std::vector<HandScenery> more_hands{};
 };
 
 /// The picture of a lesson that runs.

@@ -88,6 +88,10 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
     frame_.tool_pose_W = input.hand.tool_pose_W;
     frame_.tool_twist_W = input.hand.tool_twist_W;
     frame_.applied_W = input.hand.applied_W;
+    frame_.more_hands.clear();
+    for (const HapticState& hand : input.more_hands) {
+        frame_.more_hands.push_back({hand.tool_pose_W, hand.tool_twist_W, hand.applied_W});
+    }
     if (input.world != nullptr) {
         frame_.bodies.assign(input.world->bodies.begin(),
                              input.world->bodies.begin() + input.world->n_bodies);
@@ -111,7 +115,7 @@ const LessonFrame& LessonSession::begin_frame(const SessionInput& input) {
     speech_.step(input.dt_s);
     take(dialogue_.step(time_s_));
     queue_world_events(input.world_events);
-    queue_touch_events(input.hand.touched_body);
+    queue_touch_events(input);
     for (const std::string& key : input.keys) {
         queued_.push_back(KeyEvent{key});
     }
@@ -178,18 +182,30 @@ void LessonSession::queue_world_events(const std::vector<WorldEvent>& events) {
     }
 }
 
-void LessonSession::queue_touch_events(std::int32_t touched_body) {
-    if (touched_body == touched_body_) {
-        return;
+// A body is touched from the first hand that comes to it until the last one leaves.
+void LessonSession::queue_touch_events(const SessionInput& input) {
+    std::vector<std::int32_t> touched;
+    const auto add = [&](std::int32_t body) {
+        if (body != kNoBody && std::ranges::find(touched, body) == touched.end()) {
+            touched.push_back(body);
+        }
+    };
+    add(input.hand.touched_body);
+    for (const HapticState& hand : input.more_hands) {
+        add(hand.touched_body);
     }
-    if (touched_body_ != kNoBody) {
-        queued_.push_back(BodyEvent{BodyEvent::Kind::released, touched_body_, 0.0});
+    for (const std::int32_t body : touched_bodies_) {
+        if (std::ranges::find(touched, body) == touched.end()) {
+            queued_.push_back(BodyEvent{BodyEvent::Kind::released, body, 0.0});
+        }
     }
-    if (touched_body != kNoBody) {
-        queued_.push_back(BodyEvent{BodyEvent::Kind::touched, touched_body, 0.0});
-        tell_about(touched_body);
+    for (const std::int32_t body : touched) {
+        if (std::ranges::find(touched_bodies_, body) == touched_bodies_.end()) {
+            queued_.push_back(BodyEvent{BodyEvent::Kind::touched, body, 0.0});
+            tell_about(body);
+        }
     }
-    touched_body_ = touched_body;
+    touched_bodies_ = std::move(touched);
 }
 
 // Each kind of fruit sounds unlike another; what has no sound of its own makes the common one.
@@ -347,6 +363,7 @@ Expected<SessionOutput> LessonSession::finish_frame(const LessonReply& reply) {
         output.hand_buttons = reply.hand_buttons;
         output.has_hand_target = true;
     }
+    output.more_aims = reply.more_aims;
     // As in a window: while a question is open, keys are letters of its answer.
     if (!dialogue_.is_open()) {
         output.hand_key = reply.hand_key;

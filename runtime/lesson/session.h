@@ -38,9 +38,10 @@ struct SessionInput {
     double time_s = 0.0;
     double dt_s = 0.0;
     HapticState hand{};
-    const WorldSnapshot* world = nullptr;  ///< null when the plan has no world
-    const AxleFrame* axles = nullptr;      ///< null when nothing turns
-    const KiteFrame* kite = nullptr;       ///< null when nothing flies
+    std::vector<HapticState> more_hands{};  ///< those beside it that are there
+    const WorldSnapshot* world = nullptr;   ///< null when the plan has no world
+    const AxleFrame* axles = nullptr;       ///< null when nothing turns
+    const KiteFrame* kite = nullptr;        ///< null when nothing flies
     double wheel = 0.0;  ///< notches since the last frame, away from the user is +
     std::vector<WorldEvent> world_events;
     std::vector<std::string> keys;
@@ -60,6 +61,7 @@ struct SessionOutput {
     Pose hand_target_W{};
     std::uint32_t hand_buttons = 0;
     std::string hand_key;  ///< that its other hand presses, once; none while a question is open
+    std::vector<HandAim> more_aims;  ///< of simulated hands beside it
     std::vector<std::string> printed;
     std::vector<std::string> spoken;  ///< what is to be said aloud
     std::vector<std::string> said;    ///< what was shown, asked and answered, see transcript.h
@@ -136,7 +138,7 @@ class LessonSession {
     void take_hinges(const AxleFrame& axles);
     void take_kite(const SessionInput& input);
     void queue_world_events(const std::vector<WorldEvent>& events);
-    void queue_touch_events(std::int32_t touched_body);
+    void queue_touch_events(const SessionInput& input);
     [[nodiscard]] std::string catch_sound(std::int32_t body) const;
     void hear(const dialogue::Hypothesis& heard);
     [[nodiscard]] bool ask_for(const std::string& words, double confidence);
@@ -188,7 +190,7 @@ class LessonSession {
     LessonFrame frame_{};
     std::vector<LessonEvent> queued_;
     std::vector<std::string> sounds_;
-    std::int32_t touched_body_ = kNoBody;
+    std::vector<std::int32_t> touched_bodies_;  // each once, by whichever hand
     double time_s_ = 0.0;
 };
 

@@ -158,7 +158,10 @@ struct ToolDescription {
     Integrator integrator = Integrator::backward_euler;
 };
 
-/// Where the hand works in the scene: the device's centre, and world metres a device metre.
+/// A lesson's: both of a person, or a finger of each.
+inline constexpr std::size_t kMostHands = 2;
+
+/// Where a hand works in the scene: the device's centre, and world metres a device metre.
 struct HandDescription {
     Vector3 centre_W{0.0, 0.3, 0.0};
     double scale = 1.0;         ///< 0.01 to 100
@@ -170,6 +173,7 @@ struct HandDescription {
     CursorShape cursor{};
     SourceLine line = 0;
     std::optional<ToolDescription> tool{};  ///< instead of either
+    bool needed = false;  ///< of a further hand: the lesson cannot be played without it
 };
 
 /// Answers to a question of which is known how they are to be marked.
@@ -231,6 +235,7 @@ struct LessonTestDescription {
     std::optional<LearnerRates> learner{};                    ///< who answers instead
     std::vector<std::pair<std::string, std::string>> expect;  ///< name -> value, e.g. score -> "7"
     SourceLine line = 0;
+    std::string second_hand{};  ///< file of another hand; empty: it is not there
 };
 
 /// Everything that a lesson declares.
@@ -252,8 +257,9 @@ struct LessonDescription {
     bool in_space = false;  ///< a dark sky with stars instead of a meadow
     CameraDescription camera{};
     HandDescription hand{};
-    std::optional<KiteDescription> kite{};  ///< on a line that the hand holds
-    WindDescription wind{};                 ///< for it
+    std::vector<HandDescription> more_hands{};  ///< beside it, at most kMostHands in all
+    std::optional<KiteDescription> kite{};      ///< on a line that the hand holds
+    WindDescription wind{};                     ///< for it
     std::vector<QuestionDescription> questions;
     std::vector<KnowledgeDescription> knowledge;
     bool wants_past =

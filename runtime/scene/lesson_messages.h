@@ -119,16 +119,24 @@ struct KiteState {
     bool is_snapped = false;
 };
 
+/// How a hand is.
+struct HandFrame {
+    Pose tool_pose_W{};
+    Twist tool_twist_W{};
+    Wrench applied_W{};  ///< what it is given
+};
+
 /// Everything the lesson needs to know for one frame.
 struct LessonFrame {
     double time_s = 0.0;
     double dt_s = 0.0;
     Pose tool_pose_W{};
     Twist tool_twist_W{};
-    Wrench applied_W{};              ///< what the hand is given
-    std::vector<BodyState> bodies;   ///< in the order of the scene
-    std::vector<HingeState> hinges;  ///< of the bodies that have one, in their order
-    std::optional<KiteState> kite;   ///< once it flies
+    Wrench applied_W{};                 ///< what the hand is given
+    std::vector<HandFrame> more_hands;  ///< those beside it that somebody moves
+    std::vector<BodyState> bodies;      ///< in the order of the scene
+    std::vector<HingeState> hinges;     ///< of the bodies that have one, in their order
+    std::optional<KiteState> kite;      ///< once it flies
     std::vector<LessonEvent> events;
     bool only_asks = false;  ///< for verdicts: no time passes, and nobody but `right` is called
 };
@@ -213,12 +221,20 @@ using LessonCommand =
                  VerdictCommand, ScoreCommand, LevelCommand, SoundCommand, FinishCommand,
                  PrintCommand, CoverCommand, TurnCommand, KiteCommand, WindCommand, TellCommand>;
 
+/// Where a simulated hand wants to be.
+struct HandAim {
+    bool is_given = false;
+    Pose target_W{};
+    std::uint32_t buttons = 0;
+};
+
 struct LessonReply {
     std::vector<LessonCommand> commands;
     bool has_hand_target = false;  ///< the simulated hand's Lua gave a target
     Pose hand_target_W{};
     std::uint32_t hand_buttons = 0;
-    std::string hand_key;  ///< that it presses on the keyboard, once; empty for none
+    std::string hand_key;            ///< that it presses on the keyboard, once; empty for none
+    std::vector<HandAim> more_aims;  ///< of the simulated hands beside it
 };
 
 }  // namespace fulcrum::runtime

@@ -2,6 +2,7 @@
 
 #include "haptics/field/field.h"
 #include "runtime/scene/asked_by.h"
+#include "runtime/scene/plan_hands.h"
 #include "runtime/scene/plan_kite.h"
 #include "runtime/scene/plan_rigid.h"
 #include "runtime/scene/plan_tool.h"
@@ -58,18 +59,19 @@ Expected<void> check_felt_order(const std::vector<BodyDescription>& bodies) {
 // Each field is in its range; together, and seen through the workspace's scale, they must be too: what is stiffer than an arm
 // and its loop can hold shakes instead of pulling. The slopes of a lesson's own force get what these leave.
 Expected<void> check_felt_fields(const LessonDescription& lesson) {
+    const double scale = find_largest_scale(lesson);
     double stiffness_N_per_m = 0.0;
     double damping_Ns_per_m = 0.0;
     for (const ForceDescription& force : lesson.forces) {
         const FieldGains gains = compute_largest_gains(force.field);
-        stiffness_N_per_m += gains.stiffness_N_per_m * lesson.hand.scale;
-        damping_Ns_per_m += gains.damping_Ns_per_m * lesson.hand.scale;
+        stiffness_N_per_m += gains.stiffness_N_per_m * scale;
+        damping_Ns_per_m += gains.damping_Ns_per_m * scale;
         // NaN (a magnet without a range) is too much as well.
         if (!(stiffness_N_per_m <= kMaxFeltStiffness_N_per_m) ||
             !(damping_Ns_per_m <= kMaxFeltDamping_Ns_per_m)) {
             return fail("the forces up to \"" + force.name +
                             "\" are together too stiff for a hand at scale " +
-                            std::to_string(lesson.hand.scale),
+                            std::to_string(scale),
                         at_line(force.line),
                         "keep the sum of stiffness times scale under 2000 N/m, of damping times "
                         "scale under 50 Ns/m");
@@ -209,28 +211,31 @@ void list_moving_stages(const LessonDescription& lesson, const HapticPlan& hapti
     }
 }
 
-void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
-    const auto add = [&plan](HapticStage stage, std::string because, SourceLine line) {
-        plan.stages.push_back(
-            {"haptic", name_of(stage), plan.haptic.rate_hz, 0, std::move(because), line});
+// Of one hand, as if the lesson had no other.
+void list_haptic_stages(const LessonDescription& lesson, const HapticPlan& haptic,
+                        const std::string& loop, Plan& plan) {
+    const auto add = [&](HapticStage stage, std::string because, SourceLine line) {
+        plan.stages.push_back({loop, name_of(stage), haptic.rate_hz, 0, std::move(because), line});
     };
+    // Of a hand beside the first the lesson has asked in that line.
+    const SourceLine line_of_hand = loop == name_of_loop(0) ? 0 : lesson.hand.line;
     add(HapticStage::take_inputs, "the lesson and the world speak to it", 0);
-    add(HapticStage::read, "a hand holds the device", 0);
+    add(HapticStage::read, "a hand holds the device", line_of_hand);
     add(HapticStage::estimate, "dampers and the lesson need a velocity", 0);
-    if (plan.haptic.tool) {
+    if (haptic.tool) {
         add(HapticStage::tool, "a " + name_of(*lesson.hand.tool) + " meets bodies",
             lesson.hand.line);
-        list_moving_stages(lesson, plan.haptic, add);
-    } else if (!plan.haptic.solids.empty()) {
-        const auto body = static_cast<std::size_t>(plan.haptic.solids.front().body);
+        list_moving_stages(lesson, haptic, add);
+    } else if (!haptic.solids.empty()) {
+        const auto body = static_cast<std::size_t>(haptic.solids.front().body);
         add(HapticStage::proxy,
-            "a body can be touched, by a " + std::string(name_of(plan.haptic.proxy.kind)),
+            "a body can be touched, by a " + std::string(name_of(haptic.proxy.kind)),
             lesson.hand.proxy ? lesson.hand.line : lesson.bodies[body].line);
         add(HapticStage::coupling, "a body can be touched", lesson.bodies[body].line);
-        list_moving_stages(lesson, plan.haptic, add);
-        list_surface_stages(lesson, plan.haptic, add);
+        list_moving_stages(lesson, haptic, add);
+        list_surface_stages(lesson, haptic, add);
     }
-    if (plan.haptic.carries_weight) {
+    if (haptic.carries_weight) {
         const SourceLine line =
             lesson.bucket.present ? lesson.bucket.line : first_movable(lesson)->line;
         add(HapticStage::weight, "a body can be carried", line);
@@ -238,19 +243,19 @@ void list_haptic_stages(const LessonDescription& lesson, Plan& plan) {
     for (const ForceDescription& force : lesson.forces) {
         add(stage_of(force.field.kind), "the lesson declares \"" + force.name + "\"", force.line);
     }
-    if (plan.haptic.line) {
+    if (haptic.line) {
         add(HapticStage::line, "the hand holds a kite's line", lesson.kite->line);
     }
-    if (plan.haptic.lesson_force) {
+    if (haptic.lesson_force) {
         add(HapticStage::lesson, "the lesson computes a force", lesson.hand.force_line);
     }
-    if (has_forces(plan.haptic)) {
+    if (has_forces(haptic)) {
         add(HapticStage::passivity, "no force may feed a buzz", 0);
     }
     add(HapticStage::limits, "a child's hand is near", 0);
     add(HapticStage::write, "the device renders it", 0);
     add(HapticStage::publish, "the other loops read it", 0);
-    if (plan.record) {
+    if (plan.record && loop == name_of_loop(0)) {
         add(HapticStage::record, "--record was given", 0);
     }
 }
@@ -320,6 +325,9 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
     if (auto fields = check_felt_fields(lesson); !fields) {
         return tl::unexpected(fields.error());
     }
+    if (auto hands = check_more_hands(lesson); !hands) {
+        return tl::unexpected(hands.error());
+    }
     if (auto order = check_felt_order(lesson.bodies); !order) {
         return tl::unexpected(order.error());
     }
@@ -357,6 +365,9 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
     if (auto rigid = add_rigid_bodies(lesson, load_solid, options, plan); !rigid) {
         return tl::unexpected(rigid.error());
     }
+    if (auto hands = add_more_hands(lesson, load_solid, *materials, options, plan); !hands) {
+        return tl::unexpected(hands.error());
+    }
     if (first_movable(lesson) != nullptr) {
         plan.world = world_plan(lesson, felt);
         plan.haptic.expects_world = true;
@@ -364,7 +375,10 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
     }
 
     take_options(lesson, options, plan);
-    list_haptic_stages(lesson, plan);
+    list_haptic_stages(lesson, plan.haptic, name_of_loop(0), plan);
+    for (std::size_t i = 1; i <= plan.more_hands.size(); ++i) {
+        list_haptic_stages(as_seen_by(lesson, i), plan.more_hands[i - 1], name_of_loop(i), plan);
+    }
     list_other_loops(lesson, plan);
     return plan;
 }

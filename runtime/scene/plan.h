@@ -61,9 +61,10 @@ struct PlanOptions {
     SiteLimits site{};
     /// What the device can give; infinite for one that renders no force
     double device_force_limit_N = std::numeric_limits<double>::infinity();
-    bool picture = true;  ///< a window or a screenshot is wanted
-    bool sound = true;    ///< false under --mute and --headless
-    bool record = false;  ///< --record was given
+    std::size_t n_hands = kMostHands;  ///< that somebody moves: no more are planned
+    bool picture = true;               ///< a window or a screenshot is wanted
+    bool sound = true;                 ///< false under --mute and --headless
+    bool record = false;               ///< --record was given
     bool live =
         false;  ///< a hand waits for each step; false: the clock is virtual, and all is exact
     double day = kTestDay;  ///< today, as the lesson is told: days since noon of 1 January 2000
@@ -75,7 +76,8 @@ struct PlanOptions {
 
 /// One line of `fulcrum explain`: a stage that will run, and who asked for it.
 struct PlanStage {
-    std::string loop;      ///< "haptic", "world", "kite", "lesson", "picture", "sound" or "record"
+    std::string
+        loop;  ///< "haptic", "hand 2", "world", "kite", "lesson", "picture", "sound" or "record"
     std::string name;      ///< e.g. "weight"
     double rate_hz = 0.0;  ///< 0: only when something happens
     std::size_t memory_bytes = 0;
@@ -94,6 +96,7 @@ struct KitePlan {
 
 struct Plan {
     HapticPlan haptic{};
+    std::vector<HapticPlan> more_hands;  ///< of the hands beside it, a loop each
     std::optional<WorldPlan> world;      ///< absent when nothing falls and is caught
     std::optional<RigidLoopPlan> rigid;  ///< absent without rigid bodies; never with the other
     std::optional<KitePlan> kite;        ///< absent when nothing flies

@@ -19,6 +19,8 @@ inline constexpr std::string_view kOrbitModel = "orbit";
 
 /// What a tool that is a shape by rule is drawn as; made for each lesson, and no file has that name.
 inline constexpr std::string_view kToolModel = "the tool in the hand";
+/// The same of a second hand.
+inline constexpr std::string_view kSecondToolModel = "the tool in the second hand";
 
 /// A cloth over a body of that radius: what a covered body is drawn as.
 inline constexpr std::string_view kClothModel = "cloth";

@@ -35,6 +35,13 @@ struct ViewForce {
     ForceLook look = ForceLook::hand;  ///< each has a colour of its own
 };
 
+/// A hand beside the first.
+struct ViewHand {
+    ViewBody tool{};
+    bool ghost_visible = false;
+    Pose ghost_pose_W{};
+};
+
 /// A force that turns a body about an axis: the lever arm as a bar from the axis, the force as an arrow at its end.
 struct ViewTorque {
     Vector3 axis_W{Vector3::Zero()};  ///< the point of the axis from which the arm starts
@@ -87,6 +94,7 @@ struct View {
     ViewBody tool{};  ///< where the tool is (the proxy)
     bool ghost_visible = false;
     Pose ghost_pose_W{};  ///< where the arm really is
+    std::vector<ViewHand> more_hands;
     ViewForce force{};
     std::vector<ViewTorque> torques;  ///< of bodies on hinges, where something presses or hangs
     std::vector<ViewForce> forces;    ///< that are compared: drawn to one scale

@@ -18,7 +18,7 @@ local mistake, shown = program.mistake, program.shown
 
 local motion = {}
 
--- Where the hand that is being played wants to be. One hand a process, so one set of these.
+-- Where the hand that is being played wants to be. One hand a script, so one set of these.
 local x, y, z, buttons = 0, 0.3, 0, 0
 local key                     -- to be pressed on the keyboard, once
 local turn = { 0, 0, 0 }      -- degrees about this direction, by as much as it is long

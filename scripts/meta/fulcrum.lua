@@ -38,6 +38,7 @@ local Lesson = {}
 
 ---The scene of a lesson.
 ---@class World
+---@field hands number how many hands are there; known once the lesson runs
 ---@field time number seconds; since the lesson began
 ---@field day number days; today, since noon of 1 January 2000, as planets.day counts; tests and simulated hands have 22 June 2026
 ---@field past table[] what this learner has answered before, where L:start calls world:recall(); see bank
@@ -46,6 +47,8 @@ local World = {}
 
 ---The learner's hand: what world:hand { … } gives.
 ---@class Hand
+---@field there boolean whether somebody moves it; the first always, a second one where there is a device for it; known once the lesson runs
+---@field tool Tool where it is and what it feels; nil where it is not there
 local Hand = {}
 
 ---A thing in the scene.
@@ -138,6 +141,7 @@ local Force = {}
 ---@field minutes? number how long it takes; in minutes, 0 to 1000; default 10
 ---@field force_limit? number no force in this lesson is larger; this place and the device may allow less; in newtons, 0.5 to 10
 ---@field free_english? boolean what is said beside a question's answers is checked, and good English for it is shown; default false
+---@field hands? integer how many hands or fingers it can use at once; each has a world:hand { … } of its own, and where fewer are there it is played with those; 1 to 2; default 1
 ---@field feedback? string[] what is done about an error of form, by how often it has been made: the first time the first of these, and so on, from then on the last; "recast" (the right sentence), "prompt" (say it once more), "rule" (and why), "replay" (and feel it again); { "recast", "prompt", "rule" } by default
 
 ---Begins a lesson. The file ends with `return` of what this gives.
@@ -189,6 +193,7 @@ function Lesson:knows(name) end
 
 ---@class TestOptions
 ---@field hand? string simulated hand: a Lua file beside the lesson, see motion; of at most 48 letters
+---@field second_hand? string likewise of the second hand; without it the lesson is played with one; of at most 48 letters
 ---@field say? string[] what the simulated learner answers, in turn
 ---@field learner? TestLearner who answers instead of say: a simulated learner who knows what is right, and errs in such parts of the answers
 ---@field expect? table<string, string|number|boolean> how the lesson must end, see Tests
@@ -338,8 +343,9 @@ function World:magnet(options) end
 ---@field cursor? string the shape that touches; a ball is for virtual_proxy and friction_cone, the others for friction_cone alone; "point", "ball", "box", "capsule" or "cylinder"; default point
 ---@field cursor_size? number its radius, or half its side; a capsule and a cylinder are so long to each side, a capsule without its round ends; in metres, 0.0005 to 1; default 0.005
 ---@field tool? HandTool what the hand holds instead of a cursor: a thing with a shape, felt with force and torque, that stays outside solid bodies, at most 16 of them, without a material; where the hand is pressed in, a pale ghost of it shows where the hand is; a hand that cannot turn holds it upright; no bucket goes with it
+---@field needed? boolean of a second hand: without a device for it the lesson is not played; default false
 
----Says where the hand works in the scene, once.
+---Says where the hand works in the scene. With hands = 2 in lesson { … } a second call declares another hand, with a place, cursor and loop of its own: two fingers, or both hands of a learner. Where there is one device the second one is not there (hand.there), unless it is needed. Two hands go with solid and rigid bodies and declared forces; bucket, kite, hinges, movable bodies and the lesson's own force are for one. What is touched is heard of the first.
 ---@param options HandOptions
 ---@return Hand
 function World:hand(options) end

@@ -2,6 +2,7 @@
 fulcrum_tests(lessons tests/lessons BUILT_ANEW LABEL lessons TIMEOUT 300 DEPENDS fulcrum::haptics fulcrum::lua fulcrum::lesson fulcrum::audio)
 target_compile_definitions(test_lessons PRIVATE FULCRUM_PROGRAM="$<TARGET_FILE:fulcrum>"
                                                 FULCRUM_TEST_LESSONS="${CMAKE_SOURCE_DIR}/tests/lessons"
-                                                FULCRUM_SCENARIOS="${CMAKE_SOURCE_DIR}/scenarios")
+                                                FULCRUM_SCENARIOS="${CMAKE_SOURCE_DIR}/scenarios"
+                                                FULCRUM_EXAMPLES="${CMAKE_SOURCE_DIR}/examples")
 target_sources(test_lessons PRIVATE ${CMAKE_SOURCE_DIR}/tests/lessons/program.cpp)
 add_dependencies(test_lessons fulcrum fulcrum-sphinx fulcrum_assets)

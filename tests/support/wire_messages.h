@@ -51,6 +51,9 @@ inline LessonDescription full_description() {
                                   ToolMethod::voxel_sampling,
                                   true,
                                   Integrator::verlet};
+    d.more_hands = {{Vector3(-0.2, 0.4, 0), 1.5, 2000.0, false, 0, ProxyKind::friction_cone,
+                     SphereShape{0.008}, 24}};
+    d.more_hands[0].needed = true;
     d.bodies[1].material = 1;
     BodyDescription block;
     block.name = block.noun = block.model = "block";
@@ -106,7 +109,12 @@ inline LessonDescription full_description() {
                     {"how heavy {thing}"},
                     {{"how heavy is the apple"}, {"how heavy is apple"}, {"how big is it"}}}};
     d.wants_past = true;
-    d.tests = {{"sweep.lua", {"an apple"}, LearnerRates{0.25, 0.5, 0.125}, {{"score", "7"}}, 19}};
+    d.tests = {{"sweep.lua",
+                {"an apple"},
+                LearnerRates{0.25, 0.5, 0.125},
+                {{"score", "7"}},
+                19,
+                "left.lua"}};
     BodyDescription hedges;
     hedges.name = hedges.noun = "hedges";
     hedges.model = "box";
@@ -151,6 +159,7 @@ inline LessonReply full_reply() {
     r.hand_target_W.position = Vector3(0.1, 0.2, 0.3);
     r.hand_buttons = 5;
     r.hand_key = "left";
+    r.more_aims = {{true, Pose::at(Vector3(-0.1, 0.25, 0.0)), 2}};
     return r;
 }
 
@@ -161,6 +170,9 @@ inline LessonFrame full_frame() {
     f.tool_pose_W.position = Vector3(1, 2, 3);
     f.tool_twist_W.linear = Vector3(4, 5, 6);
     f.applied_W = {Vector3(0, -2, 0), Vector3(0.1, 0, -0.3)};
+    f.more_hands = {{Pose::at(Vector3(-1, 2, 3)),
+                     {Vector3(0.5, 0, 0), Vector3(0, 1, 0)},
+                     {Vector3(0, 3, 0), Vector3(0.2, 0, 0)}}};
     f.bodies = {{Pose{}, Vector3(0, -3, 0), BodyWhere::falling},
                 {Pose{}, Vector3::Zero(), BodyWhere::held}};
     f.hinges = {{0.5, -2.0, 0.25, 0.125, -0.75, 1.5}};
@@ -186,7 +198,8 @@ inline LessonFrame full_frame() {
 }
 
 inline LoadMessage full_load() {
-    return {{"lesson.lua", std::string("a\0b", 3)}, {"h.lua", "x"}, 7, 1U << 20U, 5, 6};
+    return {
+        {"lesson.lua", std::string("a\0b", 3)}, {"h.lua", "x"}, 7, 1U << 20U, 5, 6, {"l.lua", "y"}};
 }
 
 inline ModuleAnswer full_module_answer() {

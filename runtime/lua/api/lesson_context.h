@@ -33,6 +33,7 @@ enum class Need : std::uint8_t {
     bucket,   ///< world:bucket
     movable,  ///< a body that is movable, so that there is a world that moves bodies
     kite,     ///< world:kite
+    hands,    ///< a second world:hand
 };
 
 struct LessonContext {
@@ -51,7 +52,8 @@ struct LessonContext {
     std::vector<bool> covered;            ///< by body, as far as any was covered
     std::optional<KiteDescription> kite;  ///< as it was built last
     int lesson_ref = LUA_NOREF;           ///< the table that lesson{} gave
-    bool has_hand = false;                ///< world:hand was called
+    std::size_t most_hands = 1;           ///< as lesson{} says
+    std::size_t n_hands = 0;              ///< how often world:hand was called
     int force_function_ref = LUA_NOREF;
     std::vector<std::pair<std::string, int>> judges;   ///< question -> its `right`
     std::vector<std::pair<std::string, int>> tellers;  ///< what is known -> its `answer`
@@ -59,6 +61,11 @@ struct LessonContext {
     std::vector<int> listeners;                        ///< L:listen
     std::vector<std::pair<Need, ScriptError>> needs;   ///< noted in L:start, judged after it
 };
+
+/// How many hands somebody moves.
+[[nodiscard]] inline std::size_t count_hands(const LessonFrame& frame) noexcept {
+    return 1 + frame.more_hands.size();
+}
 
 /// The context of the script that runs.
 [[nodiscard]] LessonContext& context_of(lua_State* lua) noexcept;

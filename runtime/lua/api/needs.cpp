@@ -18,6 +18,9 @@ bool is_met(const LessonDescription& description, Need need) {
     if (need == Need::kite) {
         return description.kite.has_value();
     }
+    if (need == Need::hands) {
+        return !description.more_hands.empty();
+    }
     return std::any_of(description.bodies.begin(), description.bodies.end(),
                        [](const BodyDescription& body) { return body.movable; });
 }

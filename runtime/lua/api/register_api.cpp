@@ -289,10 +289,12 @@ Handle check_handle(lua_State* lua, int index, Handle::Kind kind, const char* ca
     const std::size_t n_bodies = context.description.bodies.size();
     const std::size_t n_forces = context.description.forces.size();
     const std::size_t n_materials = context.description.materials.size();
+    const bool is_of_hand = kind == Handle::Kind::hand || kind == Handle::Kind::tool;
     const std::size_t n = kind == Handle::Kind::body       ? n_bodies
                           : kind == Handle::Kind::force    ? n_forces
                           : kind == Handle::Kind::material ? n_materials
-                                                           : 1;
+                          : is_of_hand ? 1 + context.description.more_hands.size()
+                                       : 1;
     if (handle->generation != context.generation || static_cast<std::size_t>(handle->index) >= n) {
         raise_in_lesson(lua, std::string(called) + ": this " + owner_name(kind) +
                                  " belongs to a scene that is gone");

@@ -161,35 +161,44 @@ int get_touched(lua_State* lua, LessonContext& context, std::int32_t /*index*/) 
     return 1;
 }
 
-template <int kAxis>
-int get_tool_position(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
-    lua_pushnumber(lua, context.frame.tool_pose_W.position[kAxis]);
-    return 1;
+// The hand that holds this tool.
+HandFrame frame_of(const LessonContext& context, std::int32_t tool) {
+    const LessonFrame& frame = context.frame;
+    const auto i = static_cast<std::size_t>(tool);
+    return i > 0 && i <= frame.more_hands.size()
+               ? frame.more_hands[i - 1]
+               : HandFrame{frame.tool_pose_W, frame.tool_twist_W, frame.applied_W};
 }
 
 template <int kAxis>
-int get_tool_velocity(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
-    lua_pushnumber(lua, context.frame.tool_twist_W.linear[kAxis]);
+int get_tool_position(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, frame_of(context, index).tool_pose_W.position[kAxis]);
     return 1;
 }
 
-int get_tool_place(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
-    push_vector(lua, context.frame.tool_pose_W.position);
+template <int kAxis>
+int get_tool_velocity(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, frame_of(context, index).tool_twist_W.linear[kAxis]);
     return 1;
 }
 
-int get_tool_force(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
-    lua_pushnumber(lua, context.frame.applied_W.force.norm());
+int get_tool_place(lua_State* lua, LessonContext& context, std::int32_t index) {
+    push_vector(lua, frame_of(context, index).tool_pose_W.position);
     return 1;
 }
 
-int get_tool_torque(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
-    lua_pushnumber(lua, context.frame.applied_W.torque.norm());
+int get_tool_force(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, frame_of(context, index).applied_W.force.norm());
     return 1;
 }
 
-int get_tool_turn(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
-    push_vector(lua, kDegrees * compute_log(context.frame.tool_pose_W.orientation));
+int get_tool_torque(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, frame_of(context, index).applied_W.torque.norm());
+    return 1;
+}
+
+int get_tool_turn(lua_State* lua, LessonContext& context, std::int32_t index) {
+    push_vector(lua, kDegrees * compute_log(frame_of(context, index).tool_pose_W.orientation));
     return 1;
 }
 

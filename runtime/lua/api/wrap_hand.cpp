@@ -163,19 +163,39 @@ ToolDescription take_tool(lua_State* lua, const Arguments& arguments) {
     return tool;
 }
 
-int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments) {
-    if (context.has_hand) {
+// What a further hand cannot choose for itself.
+void check_further_hand(lua_State* lua, const LessonContext& context, const Arguments& arguments) {
+    if (context.n_hands == context.most_hands && context.most_hands == 1) {
         raise_in_lesson(lua,
-                        "a lesson has one hand; this is the second world:hand { … }; keep what the "
-                        "first one gives");
+                        "a lesson has one hand unless it says hands = 2 in lesson { … }; this is "
+                        "the second world:hand { … }; keep what the first one gives");
     }
-    context.has_hand = true;
-    context.description.hand.centre_W = arguments["centre"].vector;
-    context.description.hand.scale = arguments["scale"].number;
-    context.description.hand.rate_hz = arguments["rate"].number;
-    context.description.hand.cursor = cursor_of(arguments);
+    if (context.n_hands == context.most_hands) {
+        raise_in_lesson(lua, "a lesson has at most two hands; this is the third world:hand { … }");
+    }
+    if (context.n_hands == 0 && arguments["needed"].given) {
+        raise_in_lesson(lua,
+                        "the first hand is always there; give needed to the second world:hand "
+                        "{ … }, or leave it out");
+    }
+    if (context.n_hands > 0 && arguments["rate"].given) {
+        raise_in_lesson(lua,
+                        "all hands are computed in one round; give rate to the first world:hand "
+                        "{ … } alone");
+    }
+}
+
+int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments) {
+    check_further_hand(lua, context, arguments);
+    const std::size_t index = context.n_hands++;
+    HandDescription hand;
+    hand.centre_W = arguments["centre"].vector;
+    hand.scale = arguments["scale"].number;
+    hand.rate_hz = arguments["rate"].number;
+    hand.cursor = cursor_of(arguments);
+    hand.needed = arguments["needed"].flag;
     if (arguments["proxy"].given) {
-        context.description.hand.proxy = proxy_of(arguments["proxy"].text);
+        hand.proxy = proxy_of(arguments["proxy"].text);
     }
     if (arguments["tool"].given) {
         for (const char* other : {"proxy", "cursor", "cursor_size"}) {
@@ -184,10 +204,50 @@ int set_hand(lua_State* lua, LessonContext& context, const Arguments& arguments)
                                          "; leave out one of them");
             }
         }
-        context.description.hand.tool = take_tool(lua, arguments.record("tool"));
+        hand.tool = take_tool(lua, arguments.record("tool"));
     }
-    context.description.hand.line = place_in_lesson(lua).line;
-    push_handle(lua, Handle::Kind::hand, 0);
+    hand.line = place_in_lesson(lua).line;
+    if (index == 0) {
+        context.description.hand = std::move(hand);
+    } else {
+        context.description.more_hands.push_back(std::move(hand));
+    }
+    push_handle(lua, Handle::Kind::hand, static_cast<std::int32_t>(index));
+    return 1;
+}
+
+// In L:start nobody knows yet.
+void check_counted(lua_State* lua, const LessonContext& context, const char* what) {
+    if (context.phase != LessonPhase::running) {
+        raise_in_lesson(lua, std::string(what) +
+                                 " is known once the lesson runs, in L:update and later, not in "
+                                 "L:start");
+    }
+}
+
+bool is_there(const LessonContext& context, std::int32_t hand) {
+    return static_cast<std::size_t>(hand) < count_hands(context.frame);
+}
+
+int get_there(lua_State* lua, LessonContext& context, std::int32_t index) {
+    check_counted(lua, context, "hand.there");
+    lua_pushboolean(lua, is_there(context, index) ? 1 : 0);
+    return 1;
+}
+
+int get_tool_of_hand(lua_State* lua, LessonContext& context, std::int32_t index) {
+    check_counted(lua, context, "hand.tool");
+    if (is_there(context, index)) {
+        push_handle(lua, Handle::Kind::tool, index);
+    } else {
+        lua_pushnil(lua);
+    }
+    return 1;
+}
+
+int get_hands(lua_State* lua, LessonContext& context, std::int32_t /*index*/) {
+    check_counted(lua, context, "world.hands");
+    lua_pushinteger(lua, static_cast<lua_Integer>(count_hands(context.frame)));
     return 1;
 }
 
@@ -196,6 +256,11 @@ int set_force_function(lua_State* lua, LessonContext& context, const Arguments& 
         raise_in_lesson(lua, "a lesson has one force function; this is the second hand:force(…)");
     }
     lua_pushvalue(lua, arguments["function"].stack_index);
+    if (check_handle(lua, 1, Handle::Kind::hand, "hand:force").index > 0) {
+        raise_in_lesson(lua,
+                        "the lesson's own force is the first hand's; call force of what the first "
+                        "world:hand { … } gave");
+    }
     context.force_function_ref = luaL_ref(lua, LUA_REGISTRYINDEX);
     context.description.hand.lesson_force = true;
     context.description.hand.force_line = place_in_lesson(lua).line;
@@ -233,10 +298,27 @@ void add_hand_api(ApiTable& table) {
            "torque, that stays outside solid bodies, at most 16 of them, without a material; where "
            "the hand is pressed in, a pale ghost of it shows where the hand is; a hand that cannot "
            "turn holds it upright; no bucket goes with it",
-           "", kTool, std::size(kTool)}},
+           "", kTool, std::size(kTool)},
+          {"needed", flag, "", 0, 0, "false",
+           "of a second hand: without a device for it the lesson is not played"}},
          "Hand",
-         "Says where the hand works in the scene, once.",
+         "Says where the hand works in the scene. With hands = 2 in lesson { … } a second call "
+         "declares another hand, with a "
+         "place, cursor and loop of its own: two fingers, or both hands of a learner. Where there "
+         "is one device the second one is not there (hand.there), unless it is needed. Two hands "
+         "go with solid and rigid bodies and declared forces; bucket, kite, hinges, movable bodies "
+         "and the lesson's own force are for one. What is touched is heard of the first.",
          &set_hand});
+    table.properties.push_back({"hand", "there", "boolean", "",
+                                "whether somebody moves it; the first always, a second one where "
+                                "there is a device for it; known once the lesson runs",
+                                &get_there});
+    table.properties.push_back({"hand", "tool", "Tool", "",
+                                "where it is and what it feels; nil where it is not there",
+                                &get_tool_of_hand});
+    table.properties.push_back({"world", "hands", "number", "",
+                                "how many hands are there; known once the lesson runs",
+                                &get_hands});
     table.functions.push_back(
         {"hand",
          "force",

@@ -72,6 +72,14 @@ int make_lesson(lua_State* lua, LessonContext& context, const Arguments& argumen
     }
     context.description.free_english = arguments["free_english"].flag;
     context.description.feedback = take_ladder(lua, "lesson.feedback", arguments["feedback"]);
+    context.most_hands = static_cast<std::size_t>(arguments["hands"].number);
+    if (context.most_hands > 1) {
+        ScriptError unmet = place_in_lesson(lua);
+        unmet.message =
+            "the lesson says hands = 2; declare the second one by another "
+            "world:hand { … } in L:start";
+        context.needs.emplace_back(Need::hands, std::move(unmet));
+    }
     lua_newtable(lua);
     luaL_setmetatable(lua, "fulcrum.lesson");
     lua_pushvalue(lua, -1);
@@ -176,6 +184,7 @@ void check_parts(lua_State* lua, const LearnerRates& rates) {
 int add_test(lua_State* lua, LessonContext& context, const Arguments& arguments) {
     LessonTestDescription test;
     test.hand = arguments["hand"].text;
+    test.second_hand = arguments["second_hand"].text;
     test.say = arguments["say"].texts;
     test.expect = arguments["expect"].values;
     if (arguments["learner"].given) {
@@ -191,12 +200,16 @@ int add_test(lua_State* lua, LessonContext& context, const Arguments& arguments)
     for (const auto& [name, value] : test.expect) {
         check_expected(lua, name, value);
     }
-    const std::string_view file = test.hand;
-    if (!file.empty() && !(file.ends_with(".lua") && is_name(file.substr(0, file.size() - 4)))) {
-        raise_in_lesson(
-            lua,
-            "test.hand is the name of a Lua file beside the lesson, such as \"sweep.lua\"; got \"" +
-                clean_text(file, 40) + '"');
+    for (const auto& [field, file] :
+         {std::pair{"test.hand", std::string_view(test.hand)},
+          std::pair{"test.second_hand", std::string_view(test.second_hand)}}) {
+        if (!file.empty() &&
+            !(file.ends_with(".lua") && is_name(file.substr(0, file.size() - 4)))) {
+            raise_in_lesson(lua, std::string(field) +
+                                     " is the name of a Lua file beside the lesson, such as "
+                                     "\"sweep.lua\"; got \"" +
+                                     clean_text(file, 40) + '"');
+        }
     }
     context.description.tests.push_back(std::move(test));
     return 0;
@@ -229,6 +242,9 @@ void add_lesson_api(ApiTable& table) {
           {"free_english", flag, "", 0, 0, "false",
            "what is said beside a question's answers is checked, and good English for it is "
            "shown"},
+          {"hands", integer, "", 1, static_cast<double>(kMostHands), "1",
+           "how many hands or fingers it can use at once; each has a world:hand { … } of its own, "
+           "and where fewer are there it is played with those"},
           {"feedback", texts, "", 0, 0, "nil",
            "what is done about an error of form, by how often it has been made: the first time "
            "the first of these, and so on, from then on the last; \"recast\" (the right "
@@ -303,6 +319,8 @@ void add_lesson_api(ApiTable& table) {
          CallShape::record,
          CallTime::loading,
          {{"hand", text, "", 0, 48, "", "simulated hand: a Lua file beside the lesson, see motion"},
+          {"second_hand", text, "", 0, 48, "",
+           "likewise of the second hand; without it the lesson is played with one"},
           {"say", texts, "", 0, 0, "nil", "what the simulated learner answers, in turn"},
           {"learner", record, "", 0, 0, "nil",
            "who answers instead of say: a simulated learner who knows what is right, and errs in "

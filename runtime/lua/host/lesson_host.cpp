@@ -1,19 +1,16 @@
 #include "runtime/lua/host/lesson_host.h"
 
-#include "haptics/math/length.h"
-#include "haptics/math/rotation.h"
 #include "runtime/lua/api/needs.h"
 #include "runtime/lua/api/sound_names.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace fulcrum::runtime {
 namespace {
 
 constexpr int kLessonSlot = 0;
-constexpr int kHandSlot = 1;
+constexpr int kFirstHandSlot = 1;
 
 /// Pushes the lesson's function `name` and the lesson itself; false, and nothing pushed, when there is none.
 bool push_callback(lua_State* lua, const LessonContext& context, const char* name) {
@@ -61,47 +58,6 @@ void check_returned_lesson(lua_State* lua, const LessonContext& context, const L
     lua_pop(lua, 1);
 }
 
-/// A coordinate of the hand's target.
-double check_target(lua_State* lua, int index) {
-    const double value = lua_tonumber(lua, index);
-    if (lua_type(lua, index) != LUA_TNUMBER || !(std::abs(value) <= kMaxCoordinate_m)) {
-        raise_in_lesson(lua,
-                        "a simulated hand gives x, y and z in metres, -10000 to 10000, and buttons "
-                        "if it presses any");
-    }
-    return value;
-}
-
-/// How the hand's target is turned: degrees about a direction, by as much as it is long.
-Quaternion check_turn(lua_State* lua, int index) {
-    constexpr double kMostTurn_deg = 3600.0;
-    Vector3 turn_deg = Vector3::Constant(std::nan(""));
-    const int turn = lua_absindex(lua, index);
-    for (int axis = 0; lua_istable(lua, turn) && axis < 3; ++axis) {
-        if (lua_rawgeti(lua, turn, axis + 1) == LUA_TNUMBER) {
-            turn_deg[axis] = lua_tonumber(lua, -1);
-        }
-        lua_pop(lua, 1);
-    }
-    if (!(compute_length(turn_deg) <= kMostTurn_deg)) {
-        raise_in_lesson(lua,
-                        "a simulated hand gives its turn as { x, y, z } in degrees, a direction "
-                        "that it turns about "
-                        "by as much as it is long, at most 3600");
-    }
-    return compute_exp(turn_deg / kDegrees);
-}
-
-/// The key that a simulated hand presses.
-std::string check_key(lua_State* lua, int index) {
-    const char* key = lua_type(lua, index) == LUA_TSTRING ? lua_tostring(lua, index) : "";
-    if (!is_name(key)) {
-        raise_in_lesson(lua,
-                        "a simulated hand gives the name of a key, such as \"left\" or \"space\"");
-    }
-    return key;
-}
-
 /// Sounds that the text names are checked before the first of them is played.
 void check_sounds(lua_State* lua, const LuaSource& source) {
     for (const SoundUse& use : find_sounds(source.text)) {
@@ -118,11 +74,16 @@ LessonHost::LessonHost(const LoadMessage& message, HostServices services)
     : message_(message), services_(std::move(services)) {
     lesson_script_ = std::make_unique<ScriptState>(settings_for(kLessonSlot, lesson_));
     lesson_script_->context = &lesson_;
-    if (!message_.hand.name.empty()) {
-        hand_.is_hand = true;
-        hand_.generation = 2;
-        hand_script_ = std::make_unique<ScriptState>(settings_for(kHandSlot, hand_));
-        hand_script_->context = &hand_;
+    for (std::size_t i = 0; i < hands_.size(); ++i) {
+        if (source_of_hand(message_, i).name.empty()) {
+            continue;
+        }
+        LessonContext& context = hands_[i].context;
+        context.is_hand = true;
+        context.generation = 2;
+        hands_[i].script = std::make_unique<ScriptState>(
+            settings_for(kFirstHandSlot + static_cast<int>(i), context));
+        hands_[i].script->context = &context;
     }
 }
 
@@ -163,8 +124,11 @@ std::optional<ScriptError> LessonHost::load() {
     if (auto error = load_lesson()) {
         return error;
     }
-    if (hand_script_ != nullptr) {
-        if (auto error = load_hand()) {
+    for (std::size_t i = 0; i < hands_.size(); ++i) {
+        if (hands_[i].script == nullptr) {
+            continue;
+        }
+        if (auto error = load_hand(i)) {
             return error;
         }
     }
@@ -195,25 +159,6 @@ std::optional<ScriptError> LessonHost::load_lesson() {
     });
 }
 
-std::optional<ScriptError> LessonHost::load_hand() {
-    ScriptState& script = *hand_script_;
-    hand_.description = lesson_.description;
-    hand_.phase = LessonPhase::running;
-    script.begin_budget(message_.load_instructions);
-    return script.protect([&](lua_State* lua) {
-        register_api(lua);
-        script.load_text(lua, message_.hand);
-        script.call(lua, 0, 1);
-        if (!lua_isfunction(lua, -1) && !lua_istable(lua, -1)) {
-            lua_pushfstring(
-                lua, "%s:1: a simulated hand ends with return function(hand, t, world) … end",
-                message_.hand.name.c_str());
-            lua_error(lua);
-        }
-        hand_ref_ = luaL_ref(lua, LUA_REGISTRYINDEX);
-    });
-}
-
 // ---- a frame ------------------------------------------------------------------------------------------------------
 
 bool LessonHost::frame_fits(const LessonFrame& frame) const {
@@ -238,22 +183,15 @@ std::optional<ScriptError> LessonHost::run_frame(const LessonFrame& frame, Lesso
         return error;
     }
     reply = std::exchange(lesson_.reply, {});  // what start() asked for goes out with the first
-    if (hand_script_ == nullptr || frame.only_asks) {
-        return std::nullopt;
-    }
-    hand_.frame = frame;
-    hand_.felt_weight_N = lesson_.felt_weight_N;
-    hand_.grades = lesson_.grades;
-    hand_.n_prints = 0;
-    hand_script_->begin_budget(message_.frame_instructions);
-    auto error = hand_script_->protect([&](lua_State* lua) { run_hand(lua, reply); });
-    const LessonReply prints = std::exchange(lesson_.reply, {});
-    for (const LessonCommand& print : prints.commands) {  // the hand's join the lesson's
-        if (reply.commands.size() < kMaxCommands) {
-            reply.commands.push_back(print);
+    for (std::size_t i = 0; i < hands_.size() && !frame.only_asks; ++i) {
+        if (hands_[i].script == nullptr) {
+            continue;
+        }
+        if (auto error = run_hand(i, frame, reply)) {
+            return error;
         }
     }
-    return error;
+    return std::nullopt;
 }
 
 void LessonHost::run_callbacks(lua_State* lua) {
@@ -342,40 +280,6 @@ void LessonHost::deliver(lua_State* lua, const LessonEvent& event) {
         script.call(lua, 1, 0);
     }
     lua_pop(lua, 1);
-}
-
-void LessonHost::run_hand(lua_State* lua, LessonReply& reply) {
-    lua_rawgeti(lua, LUA_REGISTRYINDEX, hand_ref_);
-    int n_arguments = 3;
-    if (lua_istable(lua, -1)) {
-        lua_getfield(lua, -1, "update");
-        lua_insert(lua, -2);
-        ++n_arguments;
-    }
-    push_handle(lua, Handle::Kind::tool, 0);
-    lua_pushnumber(lua, hand_.frame.time_s);
-    push_handle(lua, Handle::Kind::world, 0);
-    hand_script_->call(lua, n_arguments, 6);
-    if (!lua_isnil(lua, -1)) {
-        reply.hand_key = check_key(lua, -1);
-    }
-    lua_pop(lua, 1);
-    if (lua_isnil(lua, -5)) {
-        return;  // no target: the hand stays where it was
-    }
-    reply.has_hand_target = true;
-    reply.hand_target_W = Pose{};
-    reply.hand_target_W.position =
-        Vector3(check_target(lua, -5), check_target(lua, -4), check_target(lua, -3));
-    if (!lua_isnil(lua, -1)) {
-        reply.hand_target_W.orientation = check_turn(lua, -1);
-    }
-    if (lua_type(lua, -2) == LUA_TBOOLEAN) {
-        reply.hand_buttons = lua_toboolean(lua, -2) != 0 ? 1U : 0U;
-    } else if (!lua_isnil(lua, -2)) {
-        const double buttons = check_target(lua, -2);
-        reply.hand_buttons = buttons >= 0.0 ? static_cast<std::uint32_t>(buttons) : 0U;
-    }
 }
 
 }  // namespace fulcrum::runtime

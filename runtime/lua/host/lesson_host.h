@@ -1,5 +1,5 @@
 // A lesson as a running script: loads its file, calls its start, hands it frames, gathers what it wants. And the simulated
-// hand, a script of its own beside it. Both run in the lesson's process; tests and the fuzzer run them in their own.
+// hands, each a script of its own beside it. All run in the lesson's process; tests and the fuzzer run them in their own.
 //
 // A lesson's force function f(x, v) gives a force F or, with six numbers, a force and a torque T. It is handed over with
 // its slopes by central differences,
@@ -13,6 +13,7 @@
 #include "runtime/lua/api/lesson_context.h"
 #include "runtime/lua/sandbox/script_state.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -51,22 +52,30 @@ class LessonHost {
     [[nodiscard]] ScriptSettings settings_for(int slot, LessonContext& context);
     void print(LessonContext& context, std::string text);
     [[nodiscard]] std::optional<ScriptError> load_lesson();
-    [[nodiscard]] std::optional<ScriptError> load_hand();
+    [[nodiscard]] std::optional<ScriptError> load_hand(std::size_t index);
     void deliver(lua_State* lua, const LessonEvent& event);
     void tell(lua_State* lua, const AskedEvent& asked);
     void run_callbacks(lua_State* lua);
-    void run_hand(lua_State* lua, LessonReply& reply);
+    [[nodiscard]] std::optional<ScriptError> run_hand(std::size_t index, const LessonFrame& frame,
+                                                      LessonReply& reply);
+    void call_hand(lua_State* lua, std::size_t index, LessonReply& reply);
     [[nodiscard]] bool frame_fits(const LessonFrame& frame) const;
 
     LoadMessage message_;
     HostServices services_;
     LessonContext lesson_{};
-    LessonContext hand_{};
-    int hand_ref_ = LUA_NOREF;
     bool loaded_ = false;
     std::unique_ptr<ScriptState> lesson_script_;
-    std::unique_ptr<ScriptState> hand_script_;  ///< null without a simulated hand
+    struct SimulatedHand {
+        LessonContext context{};
+        int ref = LUA_NOREF;
+        std::unique_ptr<ScriptState> script;  // null where it is not simulated
+    };
+    std::array<SimulatedHand, kMostHands> hands_{};
 };
+
+/// The file of a simulated hand, counted from 0; without a name where that hand is none.
+[[nodiscard]] const LuaSource& source_of_hand(const LoadMessage& message, std::size_t index);
 
 /// Evaluates the function at registry reference `function_ref` and its slopes at the context's tool. Raises what it raises.
 [[nodiscard]] LinearisedWrench linearise_force(lua_State* lua, LessonContext& context,

@@ -17,8 +17,9 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr std::size_t kOwnMemoryBytes =
-    48U << 20U;  // messages and the C++ side, beyond the two Lua arenas
+constexpr std::size_t kOwnMemoryBytes = 48U
+                                        << 20U;  // messages and the C++ side, beyond the Lua arenas
+constexpr std::size_t kMostScripts = 1 + kMostHands;  // the lesson, and simulated hands
 
 /// The talk with the program. What it can't send or read ends the process.
 class Talk {
@@ -130,7 +131,7 @@ Walled<SharedPage*> close_off(int socket) {
     }
     close(page_file);
     auto* page = static_cast<SharedPage*>(mapped);
-    const SandboxSettings settings{socket, 2 * page->memory_bytes + kOwnMemoryBytes};
+    const SandboxSettings settings{socket, kMostScripts * page->memory_bytes + kOwnMemoryBytes};
     if (auto entered = enter_sandbox(settings); !entered) {
         return tl::unexpected(entered.error());
     }

@@ -211,9 +211,14 @@ Expected<void> LessonProcess::Parts::load() {
     if (!hand) {
         return tl::unexpected(fail_with(hand.error()));
     }
+    auto second_hand = sources.read_second_hand();
+    if (!second_hand) {
+        return tl::unexpected(fail_with(second_hand.error()));
+    }
     out.clear();
     encode(LoadMessage{std::move(*lesson), std::move(*hand), options.seed & INT64_MAX,
-                       options.memory_bytes, options.load_instructions, options.frame_instructions},
+                       options.memory_bytes, options.load_instructions, options.frame_instructions,
+                       std::move(*second_hand)},
            out);
     start_clocks(options.load_cpu_s, options.load_wall_s);
     if (auto sent = send_all(); !sent) {

@@ -38,6 +38,7 @@ struct LessonFiles {
     std::filesystem::path library;      ///< scripts/lib; empty for none
     std::string lesson = "lesson.lua";  ///< the file in `folder`
     std::filesystem::path hand;         ///< a simulated hand's file, anywhere; empty for none
+    std::filesystem::path second_hand;  ///< likewise of another one
 };
 
 struct LessonProcessOptions {

@@ -88,11 +88,11 @@ Expected<LuaSource> LessonSources::read_lesson() {
     return read(files_.folder / files_.lesson, files_.lesson, false);
 }
 
-Expected<LuaSource> LessonSources::read_hand() {
-    if (files_.hand.empty()) {
+Expected<LuaSource> LessonSources::read_hand(const std::filesystem::path& file) {
+    if (file.empty()) {
         return LuaSource{};
     }
-    return read(files_.hand, files_.hand.filename().string(), true);
+    return read(file, file.filename().string(), true);
 }
 
 ModuleAnswer LessonSources::find_module(const std::string& name) {

@@ -22,7 +22,8 @@ class LessonSources {
     explicit LessonSources(LessonFiles files) : files_(std::move(files)) {}
     [[nodiscard]] Expected<LuaSource> read_lesson();
     /// An empty source when no hand is wanted.
-    [[nodiscard]] Expected<LuaSource> read_hand();
+    [[nodiscard]] Expected<LuaSource> read_hand() { return read_hand(files_.hand); }
+    [[nodiscard]] Expected<LuaSource> read_second_hand() { return read_hand(files_.second_hand); }
     /// Answers `require "name"`: the library's module first, then one beside the lesson.
     [[nodiscard]] ModuleAnswer find_module(const std::string& name);
     [[nodiscard]] const std::vector<std::filesystem::path>& files_read() const noexcept {
@@ -32,6 +33,7 @@ class LessonSources {
     [[nodiscard]] std::string known_name(const std::string& shown_name) const;
 
   private:
+    [[nodiscard]] Expected<LuaSource> read_hand(const std::filesystem::path& file);
     [[nodiscard]] Expected<LuaSource> read(const std::filesystem::path& path,
                                            const std::string& shown_name, bool may_be_link);
 

@@ -22,7 +22,7 @@ inline constexpr std::size_t kArenaGrainBytes =
 
 class Arena {
   public:
-    /// Maps `capacity_bytes` (rounded up to pages) at one of two fixed addresses, `slot` 0 or 1;
+    /// Maps `capacity_bytes` (rounded up to pages) at one of a few fixed addresses, `slot` 0 to 2;
     /// elsewhere when that one is taken. Throws std::bad_alloc when the kernel has no room.
     Arena(std::size_t capacity_bytes, int slot);
     Arena(const Arena&) = delete;

@@ -30,7 +30,7 @@ struct RunningLine {
 };
 
 struct ScriptSettings {
-    int slot = 0;                           ///< which of the fixed places of memory, 0 or 1
+    int slot = 0;                           ///< which of the fixed places of memory, 0 to 2
     std::size_t memory_bytes = 64U << 20U;  ///< 1 MiB to 256 MiB
     std::uint64_t seed = 1;                 ///< of math.random
     RunningLine* running_line = nullptr;    ///< may be null

@@ -26,6 +26,7 @@ void load(Archive& a, Load& value) {
     a.integer("memory", value.memory_bytes, 1, kMaxMemoryBytes);
     a.integer("budget", value.load_instructions, 0, kMaxBudget);
     a.integer("budget", value.frame_instructions, 0, kMaxBudget);
+    source(a, value.second_hand);
 }
 
 template <class Archive, class Answer>

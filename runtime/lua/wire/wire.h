@@ -65,6 +65,7 @@ struct LoadMessage {
     std::uint64_t memory_bytes = 64U << 20U;  ///< each Lua state
     std::uint64_t load_instructions = 0;      ///< budget of loading and start
     std::uint64_t frame_instructions = 0;     ///< budget of one frame
+    LuaSource second_hand{};                  ///< likewise of another simulated hand
 };
 
 /// `require "name"`.

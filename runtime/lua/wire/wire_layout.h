@@ -81,12 +81,8 @@ void description(Archive& a, Description& d) {
     vector(a, "the camera's eye", d.camera.eye_W, kMaxCoordinate_m);
     vector(a, "the camera's target", d.camera.target_W, kMaxCoordinate_m);
     a.number("the camera's angle", d.camera.vertical_angle_deg, 5.0, 120.0);
-    vector(a, "the hand's centre", d.hand.centre_W, kMaxCoordinate_m);
-    a.number("the hand's scale", d.hand.scale, 0.01, 100.0);
-    a.number("the hand's rate", d.hand.rate_hz, 1000.0, 5000.0);
-    a.flag("a lesson force", d.hand.lesson_force);
-    a.integer("a line", d.hand.force_line, 0, kMaxLine);
-    proxy(a, d.hand);
+    hand(a, d.hand);
+    a.list("more hands", d.more_hands, kMostHands - 1, [](auto& each, auto& h) { hand(each, h); });
     optional(a, "a kite", d.kite, [](auto& each, auto& k) { kite(each, k); });
     wind(a, d.wind);
     a.list("questions", d.questions, kMaxQuestions, [](auto& each, auto& q) { question(each, q); });
@@ -197,6 +193,13 @@ void frame(Archive& a, Frame& f) {
     vector(a, "the tool's turning", f.tool_twist_W.angular, kAny);
     vector(a, "the applied force", f.applied_W.force, kAny);
     vector(a, "the applied torque", f.applied_W.torque, kAny);
+    a.list("more hands", f.more_hands, kMostHands - 1, [](auto& each, auto& h) {
+        pose(each, "a tool", h.tool_pose_W, kAny);
+        vector(each, "a tool's velocity", h.tool_twist_W.linear, kAny);
+        vector(each, "a tool's turning", h.tool_twist_W.angular, kAny);
+        vector(each, "an applied force", h.applied_W.force, kAny);
+        vector(each, "an applied torque", h.applied_W.torque, kAny);
+    });
     a.list("bodies", f.bodies, static_cast<std::size_t>(kMaxBodies), [](auto& each, auto& b) {
         pose(each, "a body", b.pose_W, kAny);
         vector(each, "a body's velocity", b.velocity_W, kAny);
@@ -354,6 +357,11 @@ void reply(Archive& a, Reply& r, const ReplyBounds& bounds) {
     pose(a, "the hand's target", r.hand_target_W, kMaxCoordinate_m);
     a.integer("the hand's buttons", r.hand_buttons, 0, UINT32_MAX);
     a.name("the hand's key", r.hand_key);
+    a.list("more aims", r.more_aims, kMostHands - 1, [](auto& each, auto& aim) {
+        each.flag("an aim", aim.is_given);
+        pose(each, "a hand's aim", aim.target_W, kMaxCoordinate_m);
+        each.integer("a hand's buttons", aim.buttons, 0, UINT32_MAX);
+    });
 }
 
 }  // namespace fulcrum::runtime::wire

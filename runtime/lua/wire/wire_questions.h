@@ -68,11 +68,13 @@ void knowledge(Archive& a, Knowledge& k) {
 template <class Archive, class Test>
 void test(Archive& a, Test& t) {
     a.text("a test's hand", t.hand, kMaxNameBytes);
+    a.text("a test's second hand", t.second_hand, kMaxNameBytes);
     if constexpr (Archive::kReads) {
-        const std::string_view file = t.hand;
-        if (!file.empty() &&
-            !(file.ends_with(".lua") && is_name(file.substr(0, file.size() - 4)))) {
-            a.refuse("a test's hand", "is not the name of a Lua file beside the lesson");
+        for (const std::string_view file : {t.hand, t.second_hand}) {
+            if (!file.empty() &&
+                !(file.ends_with(".lua") && is_name(file.substr(0, file.size() - 4)))) {
+                a.refuse("a test's hand", "is not the name of a Lua file beside the lesson");
+            }
         }
     }
     texts(a, "a test's lines", t.say);

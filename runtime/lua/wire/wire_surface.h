@@ -181,4 +181,15 @@ void proxy(Archive& a, Hand& h) {
     a.integer("a line", h.line, 0, kMaxLine);
 }
 
+template <class Archive, class Hand>
+void hand(Archive& a, Hand& h) {
+    vector(a, "the hand's centre", h.centre_W, kMaxCoordinate_m);
+    a.number("the hand's scale", h.scale, 0.01, 100.0);
+    a.number("the hand's rate", h.rate_hz, 1000.0, 5000.0);
+    a.flag("a lesson force", h.lesson_force);
+    a.integer("a line", h.force_line, 0, kMaxLine);
+    proxy(a, h);
+    a.flag("a hand is needed", h.needed);
+}
+
 }  // namespace fulcrum::runtime::wire

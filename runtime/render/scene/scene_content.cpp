@@ -140,19 +140,40 @@ void add_torque(SceneContent& content, const Camera& camera, const ViewTorque& t
     }
 }
 
-void add_ghost(SceneContent& content, const View& view, const Camera& camera,
-               const FindMesh& find_mesh) {
-    ViewBody ghost = view.tool;
-    ghost.pose_W = view.ghost_pose_W;
-    content.ghost = item_of(ghost, camera, find_mesh);
-    if (content.ghost) {
-        content.ghost->level = std::min(content.ghost->level + 1, gl::kLevelPixels.size());
+/// Where the hand itself is; seen through the tool it would only shimmer, so it appears as they part.
+std::optional<SceneContent::Ghost> ghost_of(const ViewBody& tool, bool tool_visible,
+                                            const Pose& pose_W, const Camera& camera,
+                                            const FindMesh& find_mesh) {
+    ViewBody shown = tool;
+    shown.pose_W = pose_W;
+    const auto item = item_of(shown, camera, find_mesh);
+    if (!item) {
+        return std::nullopt;
     }
-    if (content.ghost && view.tool_visible && is_finite(view.tool.pose_W)) {
-        // Seen through each other they would only shimmer; it appears as they part.
-        const double apart_m = (ghost.pose_W.position - view.tool.pose_W.position).norm();
-        content.ghost_strength =
+    SceneContent::Ghost ghost{*item};
+    ghost.item.level = std::min(ghost.item.level + 1, gl::kLevelPixels.size());
+    if (tool_visible && is_finite(tool.pose_W)) {
+        const double apart_m = (pose_W.position - tool.pose_W.position).norm();
+        ghost.strength =
             static_cast<float>(std::clamp(apart_m / (kGhostApart * camera.distance_m()), 0.0, 1.0));
+    }
+    return ghost;
+}
+
+void add_more_hands(SceneContent& content, const View& view, const Camera& camera, double floor_m,
+                    const FindMesh& find_mesh) {
+    for (const ViewHand& hand : view.more_hands) {
+        if (const auto item = item_of(hand.tool, camera, find_mesh)) {
+            content.items.push_back(*item);
+            add_mark(content, *item, camera, floor_m, true);
+            add_label(content, camera, hand.tool, *item);
+        }
+        if (hand.ghost_visible) {
+            if (const auto ghost =
+                    ghost_of(hand.tool, true, hand.ghost_pose_W, camera, find_mesh)) {
+                content.more_ghosts.push_back(*ghost);
+            }
+        }
     }
 }
 
@@ -180,8 +201,13 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
         add_label(content, camera, view.tool, *hand);
     }
     if (view.ghost_visible) {
-        add_ghost(content, view, camera, find_mesh);
+        if (const auto ghost =
+                ghost_of(view.tool, view.tool_visible, view.ghost_pose_W, camera, find_mesh)) {
+            content.ghost = ghost->item;
+            content.ghost_strength = ghost->strength;
+        }
     }
+    add_more_hands(content, view, camera, floor_m, find_mesh);
     if (view.in_space) {
         content.marks.clear();  // nothing lands there
     }

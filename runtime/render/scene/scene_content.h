@@ -37,6 +37,12 @@ struct SceneContent {
     std::vector<SceneItem> items;
     std::optional<SceneItem> ghost;
     float ghost_strength = 1.0F;  ///< 0 where tool and ghost are the same, 1 where they are apart
+    /// Of the hands beside the first.
+    struct Ghost {
+        SceneItem item;
+        float strength = 1.0F;
+    };
+    std::vector<Ghost> more_ghosts;
     std::optional<Arrow> arrow;
     std::vector<Arrow> arrows;    ///< of all other forces
     std::vector<Placement> arms;  ///< lever arms, to be drawn with make_arrow_shaft

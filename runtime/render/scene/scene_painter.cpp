@@ -171,6 +171,10 @@ std::vector<SceneLabel> ScenePainter::draw_scene(const View& view, const Camera&
         objects_.draw_ghost(*content.ghost->mesh, content.ghost->placement, content.ghost->level,
                             with_alpha(theme::kGhost, kGhostAlpha * content.ghost_strength));
     }
+    for (const SceneContent::Ghost& ghost : content.more_ghosts) {
+        objects_.draw_ghost(*ghost.item.mesh, ghost.item.placement, ghost.item.level,
+                            with_alpha(theme::kGhost, kGhostAlpha * ghost.strength));
+    }
     draw_arms(content.arms, scale);
     for (const Arrow& arrow : content.arrows) {
         draw_arrow(arrow, camera, scale);

@@ -11,7 +11,8 @@ namespace {
 
 using Outline = std::vector<std::array<float, 2>>;
 
-constexpr std::array<float, 4> kColour{0.807F, 0.174F, 0.044F, 1.0F};  // the cursor's, linear
+constexpr std::array<float, 4> kColour{0.807F, 0.174F, 0.044F, 1.0F};      // the cursor's, linear
+constexpr std::array<float, 4> kSecondColour{0.0F, 0.168F, 0.445F, 1.0F};  // Okabe-Ito's blue
 constexpr float kBevel = 0.06F;  // of a cylinder's radius: a rim that catches the light
 constexpr int kArc = 12;
 
@@ -96,6 +97,14 @@ struct MakeModel {
 
 LoadedModel make_tool_model(const CursorShape& shape) {
     return std::visit(MakeModel{}, shape);
+}
+
+LoadedModel make_second_tool_model(const CursorShape& shape) {
+    LoadedModel model = make_tool_model(shape);
+    for (ModelPrimitive& primitive : model.primitives) {
+        primitive.base_colour = kSecondColour;
+    }
+    return model;
 }
 
 }  // namespace fulcrum::runtime

@@ -29,7 +29,7 @@ TEST_CASE("options: run takes a lesson and every documented flag") {
     CHECK(options->lesson == "gravity");
     CHECK(options->headless);
     CHECK(options->seconds == 2.5);
-    CHECK(options->hand == "h.lua");
+    CHECK(options->hands == std::vector<std::string>{"h.lua"});
     CHECK(options->say == "s.txt");
     CHECK(options->learner == "Mina");
     CHECK(options->database == "d.db");
@@ -47,7 +47,11 @@ TEST_CASE("options: devices are listed for people or for programs, and nothing e
     CHECK(parse({"devices", "--json"})->json);
     CHECK_FALSE(parse({"devices", "gravity"}));
     CHECK_FALSE(parse({"devices", "--hand", "hid"}));
-    CHECK(parse({"run", "gravity", "--hand", "hid:/dev/hidraw3"})->hand == "hid:/dev/hidraw3");
+    CHECK(parse({"run", "gravity", "--hand", "hid:/dev/hidraw3"})->hands ==
+          std::vector<std::string>{"hid:/dev/hidraw3"});
+    // One device a hand, in their order.
+    CHECK(parse({"run", "x", "--hand", "udp:desk:4701", "--hand", "none"})->hands ==
+          std::vector<std::string>{"udp:desk:4701", "none"});
 }
 
 TEST_CASE("options: explain can play the lesson, and speak to programs") {
@@ -57,7 +61,7 @@ TEST_CASE("options: explain can play the lesson, and speak to programs") {
     CHECK(options->analyze);
     CHECK(options->json);
     CHECK(options->seconds == 2.0);
-    CHECK(options->hand == "h.lua");
+    CHECK(options->hands == std::vector<std::string>{"h.lua"});
     CHECK_FALSE(parse({"run", "gravity", "--analyze"}));
     CHECK_FALSE(parse({"explain", "gravity"})->analyze);
 }

@@ -119,6 +119,44 @@ TEST_CASE("view: a cursor with a shape is drawn in it, and does not turn as the 
     CHECK(shown.view().tool.pose_W.orientation.isApprox(turned));
 }
 
+TEST_CASE("view: two hands have a colour each, a number each, and forces to one scale") {
+    Shown shown;
+    shown.lesson.bucket.present = false;
+    shown.scenery.hand.applied_W.force = {-2.0, 0.0, 0.0};
+    CHECK(shown.view().tool.label.empty());
+    CHECK(shown.view().forces.empty());
+    CHECK(shown.view().more_hands.empty());
+    shown.lesson.more_hands.emplace_back();
+    CHECK(shown.view().more_hands.empty());  // nobody moves it
+    HandScenery second;
+    second.hand.proxy_position_W = {0.1, 0.2, 0.3};
+    second.hand.proxy_orientation_W = Quaternion(Eigen::AngleAxisd(0.4, Vector3::UnitX()));
+    second.hand.applied_W.force = {1.5, 0.0, 0.0};
+    second.ghost = true;
+    second.ghost_pose_W.position = {0.15, 0.2, 0.3};
+    shown.scenery.more_hands = {second};
+    const View view = shown.view();
+    CHECK(view.tool.label.empty());
+    CHECK(view.force.text == "1: 2.0 N");
+    REQUIRE(view.more_hands.size() == 1);
+    CHECK(view.more_hands[0].tool.label.empty());
+    CHECK(view.more_hands[0].tool.model == kSecondToolModel);
+    CHECK(view.more_hands[0].tool.model != view.tool.model);
+    CHECK(view.more_hands[0].tool.pose_W.position == Vector3(0.1, 0.2, 0.3));
+    CHECK(view.more_hands[0].tool.pose_W.orientation.isApprox(Quaternion::Identity()));
+    CHECK(view.more_hands[0].ghost_visible);
+    CHECK(view.more_hands[0].ghost_pose_W.position.x() == 0.15);
+    REQUIRE(view.forces.size() == 1);
+    CHECK(view.forces[0].text == "2: 1.5 N");
+    CHECK(view.forces[0].look != view.force.look);
+    // Where nothing is felt the number stands beside the hand.
+    shown.scenery.hand.applied_W.force.setZero();
+    shown.scenery.more_hands[0].hand.applied_W.force.setZero();
+    CHECK(shown.view().tool.label == "1");
+    CHECK(shown.view().more_hands[0].tool.label == "2");
+    CHECK(shown.view().forces.empty());
+}
+
 TEST_CASE("view: without a world the visible bodies stand where the lesson put them") {
     Shown shown;
     shown.scenery.world = nullptr;

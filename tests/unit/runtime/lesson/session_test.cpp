@@ -244,6 +244,55 @@ TEST_CASE("session: what the world did becomes events and sounds") {
     CHECK(play.session->result().caught == 1);
 }
 
+TEST_CASE(
+    "session: a body is touched from the first hand that comes to it until the last one leaves") {
+    Play play;
+    const auto told = [&](std::int32_t first, std::int32_t second) {
+        SessionInput input;
+        input.hand.touched_body = first;
+        input.more_hands.resize(1);
+        input.more_hands[0].touched_body = second;
+        std::string events;
+        for (const LessonEvent& event : play.frame(input).events) {
+            if (const auto* body = std::get_if<BodyEvent>(&event)) {
+                events += (body->kind == BodyEvent::Kind::touched ? '+' : '-') +
+                          std::to_string(body->body);
+            }
+        }
+        (void)play.reply();
+        return events;
+    };
+    CHECK(told(kNoBody, kNoBody).empty());
+    CHECK(told(0, kNoBody) == "+0");
+    CHECK(told(0, 0).empty());
+    CHECK(told(kNoBody, 0).empty());
+    CHECK(told(1, 0) == "+1");
+    CHECK(told(0, 1).empty());
+    CHECK(told(kNoBody, 1) == "-0");
+    CHECK(told(0, kNoBody) == "-1+0");
+    CHECK(told(kNoBody, kNoBody) == "-0");
+}
+
+TEST_CASE(
+    "session: the lesson hears where each hand is, and each simulated one where it is wanted") {
+    Play play;
+    SessionInput input;
+    input.more_hands.resize(1);
+    input.more_hands[0].tool_pose_W.position = {-0.1, 0.2, 0.3};
+    input.more_hands[0].applied_W.force = {0.0, 1.5, 0.0};
+    const LessonFrame& frame = play.frame(input);
+    REQUIRE(frame.more_hands.size() == 1);
+    CHECK(frame.more_hands[0].tool_pose_W.position == Vector3(-0.1, 0.2, 0.3));
+    CHECK(frame.more_hands[0].applied_W.force == Vector3(0.0, 1.5, 0.0));
+    LessonReply reply;
+    reply.more_aims = {{true, Pose::at(Vector3(0.0, 0.5, 0.0)), 1}};
+    const auto output = play.session->finish_frame(reply);
+    REQUIRE(output);
+    REQUIRE(output->more_aims.size() == 1);
+    CHECK(output->more_aims[0].target_W.position == Vector3(0.0, 0.5, 0.0));
+    CHECK(play.frame().more_hands.empty());
+}
+
 TEST_CASE("session: the end is kept once, with stars and score") {
     Play play;
     play.frame();

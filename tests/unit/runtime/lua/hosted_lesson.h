@@ -33,14 +33,15 @@ inline std::string run_script(const std::string& text) {
 /// The body of a lesson, between head and return; line 2 is the first of it.
 struct HostedLesson {
     LoadMessage message{};
+    std::string says;  ///< in lesson { … } besides, after a comma
     std::unique_ptr<LessonHost> host;
     LessonReply reply{};
     std::string prints;  ///< of loading and of every frame, each with a ';' behind it
 
     /// Loads; the error's sentence, empty when it went well.
     std::string load(const std::string& body, const std::string& hand = {}) {
-        message.lesson = {"lesson.lua", "local L = lesson { id = \"t\", title = \"T\" }\n" + body +
-                                            "\nreturn L\n"};
+        message.lesson = {"lesson.lua", "local L = lesson { id = \"t\", title = \"T\"" + says +
+                                            " }\n" + body + "\nreturn L\n"};
         if (!hand.empty()) {
             message.hand = {"hand.lua", hand};
         }

@@ -44,6 +44,66 @@ TEST_CASE("declarations: everything that is said arrives, with its line") {
     CHECK((d.forces[2].field.range_m == 0.2 && d.forces[2].field.anchor_W == Vector3(0, 1, 0)));
 }
 
+TEST_CASE("declarations: a second hand has a place of its own, where the lesson says so") {
+    HostedLesson lesson;
+    lesson.says = ", hands = 2";
+    REQUIRE(lesson.start("world:hand { centre = { 0.1, 0.2, 0 }, rate = 2000 }\n"
+                         "local left = world:hand { centre = { -0.1, 0.2, 0 }, scale = 2, cursor = "
+                         "'ball', cursor_size = 0.01, needed = true }\n"
+                         "print(left)") == "");
+    const LessonDescription& d = lesson.host->description();
+    CHECK(d.hand.centre_W == Vector3(0.1, 0.2, 0));
+    CHECK_FALSE(d.hand.needed);
+    REQUIRE(d.more_hands.size() == 1);
+    CHECK(d.more_hands[0].centre_W == Vector3(-0.1, 0.2, 0));
+    CHECK(d.more_hands[0].scale == 2.0);
+    CHECK(d.more_hands[0].line == 3);
+    CHECK(d.more_hands[0].needed);
+    CHECK(std::get<SphereShape>(d.more_hands[0].cursor).radius_m == 0.01);
+    const auto refuses = [](const char* body) {
+        HostedLesson two;
+        two.says = ", hands = 2";
+        return two.start(body);
+    };
+    CHECK(refuses("world:hand {}") ==
+          "lesson.lua:1: the lesson says hands = 2; declare the second one by another world:hand "
+          "{ … } in L:start.");
+    CHECK(refuses("world:hand {} world:hand {}\nworld:hand {}") ==
+          "lesson.lua:3: a lesson has at most two hands; this is the third world:hand { … }.");
+    CHECK(refuses("world:hand { needed = true }") ==
+          "lesson.lua:2: the first hand is always there; give needed to the second world:hand "
+          "{ … }, or leave it out.");
+    CHECK(refuses("world:hand {}\nworld:hand { rate = 2000 }") ==
+          "lesson.lua:3: all hands are computed in one round; give rate to the first world:hand "
+          "{ … } alone.");
+    CHECK(refuses("world:hand {}\nworld:hand {}:force(function() return 0, 0, 0 end)") ==
+          "lesson.lua:3: the lesson's own force is the first hand's; call force of what the first "
+          "world:hand { … } gave.");
+    CHECK(refuses("world:hand {} local left = world:hand {}\nprint(left.there)") ==
+          "lesson.lua:3: hand.there is known once the lesson runs, in L:update and later, not in "
+          "L:start.");
+}
+
+TEST_CASE("declarations: a lesson is told how many hands are there, and where each is") {
+    HostedLesson lesson;
+    lesson.says = ", hands = 2";
+    REQUIRE(lesson.load("local right, left\n"
+                        "function L:start(world) right, left = world:hand {}, world:hand {} end\n"
+                        "function L:update(world)\n"
+                        "  local tool = left.tool\n"
+                        "  print(world.hands, right.there, left.there, right.tool.x, tool and "
+                        "tool.x or 'none', tool and tool.force or 'none')\n"
+                        "end") == "");
+    LessonFrame frame = lesson.frame();
+    frame.tool_pose_W.position.x() = 0.5;
+    CHECK(lesson.play(frame) == "");
+    CHECK(lesson.prints == "1\ttrue\tfalse\t0.5\tnone\tnone;");
+    lesson.prints.clear();
+    frame.more_hands = {{Pose::at(Vector3(-0.25, 0, 0)), {}, {Vector3(0, 3, 4), Vector3::Zero()}}};
+    CHECK(lesson.play(frame) == "");
+    CHECK(lesson.prints == "2\ttrue\ttrue\t0.5\t-0.25\t5.0;");
+}
+
 TEST_CASE("declarations: the hand is declared once, and is a thing of its own") {
     HostedLesson lesson;
     REQUIRE(lesson.start("local h = world:hand { scale = 2 } print(h, h == h, h ~= world)\n"
@@ -54,8 +114,8 @@ TEST_CASE("declarations: the hand is declared once, and is a thing of its own") 
     CHECK(lesson.host->description().hand.force_line == 3);
     // Not even the same again: a second {} would take back what the first said.
     CHECK(HostedLesson().start("world:hand { scale = 2 }\nworld:hand {}") ==
-          "lesson.lua:3: a lesson has one hand; this is the second world:hand { … }; keep what the "
-          "first one gives.");
+          "lesson.lua:3: a lesson has one hand unless it says hands = 2 in lesson { … }; this is "
+          "the second world:hand { … }; keep what the first one gives.");
     // One that was refused was not declared.
     HostedLesson again;
     CHECK(again.start("print(pcall(world.hand, world, { scale = 0 })) world:hand { scale = 3 }") ==

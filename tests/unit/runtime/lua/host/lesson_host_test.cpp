@@ -84,6 +84,31 @@ TEST_CASE(
     CHECK_FALSE(lesson.reply.has_hand_target);
 }
 
+TEST_CASE("lesson host: two simulated hands each follow a script of their own") {
+    const char* body = "function L:start(world) world:hand {} world:hand {} end";
+    HostedLesson lesson;
+    lesson.says = ", hands = 2";
+    lesson.message.second_hand = {"left.lua",
+                                  "n = 0 return function(hand, t, world) n = n + 1 "
+                                  "return hand.x, n, world.hands, true end"};
+    REQUIRE(lesson.load(body, "n = 10 return function(hand) n = n + 1 return hand.x, n, 0 end") ==
+            "");
+    LessonFrame frame = lesson.frame();
+    frame.tool_pose_W.position.x() = 0.5;
+    frame.more_hands = {{Pose::at(Vector3(-0.25, 0, 0)), {}, {}}};
+    REQUIRE(lesson.play(frame) == "");
+    CHECK(lesson.reply.hand_target_W.position == Vector3(0.5, 11, 0));
+    REQUIRE(lesson.reply.more_aims.size() == 1);
+    CHECK(lesson.reply.more_aims[0].is_given);
+    CHECK(lesson.reply.more_aims[0].target_W.position == Vector3(-0.25, 1, 2));
+    CHECK(lesson.reply.more_aims[0].buttons == 1U);
+    CHECK(lesson.reply.hand_buttons == 0U);
+    // A mistake is told with its own file.
+    lesson.message.second_hand = {"left.lua", "return function() return 'up' end"};
+    REQUIRE(lesson.load(body, "return function() return 1, 2, 3 end") == "");
+    CHECK(lesson.play(lesson.frame()).starts_with("left.lua:1: a simulated hand gives x, y and z"));
+}
+
 TEST_CASE("lesson host: a hand may turn, in degrees about a direction") {
     HostedLesson lesson;
     REQUIRE(lesson.load("", "return function() return 1, 2, 3, 0, { 0, 90, 0 } end") == "");

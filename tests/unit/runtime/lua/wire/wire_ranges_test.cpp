@@ -204,6 +204,8 @@ TEST_CASE("wire: what a row of the table allows is carried, or refused in the le
               "turn.at least", "turn.at most",
               // Only a rod has another end; no edge is thinner than what touches it can tell.
               "body.joint.end_at least", "body.joint.end_at most", "body.size least",
+              // Who says two hands declares two.
+              "lesson.hands most",
               // Somebody answers from say, or a simulated learner does.
               "test.learner.form least", "test.learner.form most", "test.learner.unclear least",
               "test.learner.unclear most", "test.learner.wrong least", "test.learner.wrong most",

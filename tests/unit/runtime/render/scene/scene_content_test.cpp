@@ -139,6 +139,31 @@ TEST_CASE("content: the ghost appears as the arm leaves the tool") {
     CHECK_FALSE(read(view).ghost);
 }
 
+TEST_CASE("content: each hand is there with its mark, its number and its own ghost") {
+    View view;
+    view.tool = body_at(0.0, 0.4, 0.0);
+    const std::size_t n_items = read(view).items.size();
+    const std::size_t n_marks = read(view).marks.size();
+    view.more_hands.resize(1);
+    view.more_hands[0].tool = body_at(0.2, 0.4, 0.0);
+    view.more_hands[0].tool.label = "2";
+    view.more_hands[0].ghost_visible = true;
+    view.more_hands[0].ghost_pose_W.position = {0.4, 0.4, 0.0};
+    const SceneContent content = read(view);
+    CHECK(content.items.size() == n_items + 1);
+    CHECK(content.marks.size() == n_marks + 1);
+    REQUIRE(content.labels.size() == 1);
+    CHECK(content.labels[0].text == "2");
+    CHECK_FALSE(content.ghost);
+    REQUIRE(content.more_ghosts.size() == 1);
+    CHECK(content.more_ghosts[0].strength == 1.0F);
+    CHECK(content.more_ghosts[0].item.bounds.centre_W.x() == Approx(0.4).margin(1e-6));
+    view.more_hands[0].tool.pose_W.position.x() = kNan;
+    view.more_hands[0].ghost_pose_W.position.x() = kNan;
+    CHECK(read(view).items.size() == n_items);
+    CHECK(read(view).more_ghosts.empty());
+}
+
 TEST_CASE("content: labels stand where their things are seen") {
     View view = without_tool();
     view.bodies = {body_at(0.2, 0.5, 0.0)};

@@ -1,0 +1,2 @@
+-- The simulated finger on the left.
+return require "pinch"(-1)

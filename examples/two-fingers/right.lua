@@ -1,0 +1,2 @@
+-- The simulated finger on the right.
+return require "pinch"(1)

@@ -1,0 +1,164 @@
+// What a lesson's run has to do with hands beside the first; for lesson_run.cpp.
+#include "runtime/app/hand_fitting.h"
+#include "runtime/app/lesson_run.h"
+#include "runtime/lesson/compose_view.h"
+#include "runtime/scene/plan_hands.h"
+
+#include <utility>
+
+namespace fulcrum::runtime {
+
+// As many as are planned; the request has been settled. Each device stands before the learner as it is kept for it, at the lesson's scale.
+Expected<void> LessonRun::open_more_hands(const RunRequest& request, ProgressStore& store) {
+    plan_.notices.insert(plan_.notices.end(), hand_notices_.begin(), hand_notices_.end());
+    for (std::size_t i = 0; i < plan_.more_hands.size(); ++i) {
+        const HapticPlan& plan = plan_.more_hands[i];
+        if (auto good = validate(plan); !good) {
+            return good;
+        }
+        RunRequest own = request;
+        static_cast<HandChoice&>(own) = request.more_hands[i];
+        own.fit = {};
+        own.replayed = nullptr;
+        auto whole = with_record(std::move(own));
+        if (!whole) {
+            return tl::unexpected(whole.error());
+        }
+        auto device = HandDevice::open(with_kept_fit(*whole, store), plan);
+        if (!device) {
+            return tl::unexpected(device.error());
+        }
+        auto hand = std::make_unique<MoreHand>();
+        hand->device = std::move(*device);
+        if (auto fits = validate(plan, hand->device->device().traits()); !fits) {
+            return fits;
+        }
+        if (plan_.rigid) {
+            hand->channels.rigid = &hand->rigid;
+        }
+        more_hands_.push_back(std::move(hand));
+    }
+    if (plan_.record && !more_hands_.empty()) {
+        plan_.notices.emplace_back(
+            "The record keeps the first hand alone: played again, nobody moves the second one.");
+    }
+    return {};
+}
+
+void LessonRun::build_more_loops() {
+    if (more_hands_.empty()) {
+        return;
+    }
+    std::vector<HandInRound> hands{{haptic_loop_.get(), &channels_}};
+    for (std::size_t i = 0; i < more_hands_.size(); ++i) {
+        MoreHand& hand = *more_hands_[i];
+        hand.loop =
+            std::make_unique<HapticLoop>(plan_.more_hands[i], hand.device->device(), hand.channels);
+        hands.push_back({hand.loop.get(), &hand.channels});
+        fill_in_memory(plan_, name_of_loop(i + 1), *hand.loop);
+    }
+    hands_loop_ = std::make_unique<HandsLoop>(hands);
+}
+
+PeriodicTask& LessonRun::hands_loop() {
+    return hands_loop_ ? static_cast<PeriodicTask&>(*hands_loop_) : *haptic_loop_;
+}
+
+void LessonRun::step_hands(double now_s, StageListener& listener) {
+    if (hands_loop_) {
+        hands_loop_->step_observed(now_s, listener);
+    } else {
+        haptic_loop_->step_observed(now_s, listener);
+    }
+}
+
+std::optional<std::size_t> LessonRun::find_hand(HandKind kind) const {
+    if (hand_->kind() == kind) {
+        return 0;
+    }
+    for (std::size_t i = 0; i < more_hands_.size(); ++i) {
+        if (more_hands_[i]->device->kind() == kind) {
+            return i + 1;
+        }
+    }
+    return std::nullopt;
+}
+
+bool LessonRun::renders_force() const {
+    bool renders = device().traits().renders_force;
+    for (const auto& hand : more_hands_) {
+        renders = renders || hand->device->device().traits().renders_force;
+    }
+    return renders;
+}
+
+void LessonRun::gather_more_hands(SessionInput& gathered) {
+    for (const auto& hand : more_hands_) {
+        hand->channels.state_for_lesson.take();
+        gathered.more_hands.push_back(hand->channels.state_for_lesson.value());
+    }
+}
+
+// The lesson speaks to all alike; a simulated one goes where its own script wants.
+void LessonRun::lead_more_hands(const SessionOutput& output) {
+    for (std::size_t i = 0; i < more_hands_.size(); ++i) {
+        MoreHand& hand = *more_hands_[i];
+        hand.channels.command.publish(output.force);
+        if (i < output.more_aims.size() && output.more_aims[i].is_given) {
+            const HandAim& aim = output.more_aims[i];
+            hand.device->follow(aim.target_W, aim.buttons);
+            hand.wish = HandWish{aim.target_W, aim.buttons, {}};
+        }
+    }
+}
+
+void LessonRun::show_more_hands(Scenery& scenery) const {
+    for (const auto& hand : more_hands_) {
+        const HapticState& state = hand->channels.state_for_lesson.value();
+        const bool points =
+            !hand->device->device().traits().renders_force && hand->device->points();
+        scenery.more_hands.push_back(
+            {state, points, points ? hand->device->pointer_W() : state.tool_pose_W});
+    }
+}
+
+std::optional<HandWish> LessonRun::second_wish() const {
+    return more_hands_.empty() ? std::nullopt : more_hands_.front()->wish;
+}
+
+void LessonRun::point_at(std::size_t hand, const Vector3& position_W, std::uint32_t buttons) {
+    (hand == 0 ? *hand_ : *more_hands_[hand - 1]->device).point_at(position_W, buttons);
+}
+
+bool LessonRun::device_is_lost() const {
+    const auto is_lost = [](const HapticState& state) {
+        return any(state.faults & (Fault::device_read | Fault::device_stale | Fault::device_write));
+    };
+    bool lost = is_lost(channels_.state_for_lesson.value());
+    for (const auto& hand : more_hands_) {
+        lost = lost || is_lost(hand->channels.state_for_lesson.value());
+    }
+    return lost;
+}
+
+std::string LessonRun::take_device_notice() {
+    std::string notice = hand_->take_notice();
+    for (const auto& hand : more_hands_) {
+        if (const std::string more = hand->device->take_notice(); !more.empty()) {
+            notice += (notice.empty() ? "" : " ") + ("The second hand: " + more);
+        }
+    }
+    return notice;
+}
+
+void fill_in_memory(Plan& plan, const std::string& name, const HapticLoop& loop) {
+    for (const StageInfo& built : loop.stages()) {
+        for (PlanStage& planned : plan.stages) {
+            if (planned.loop == name && planned.name == name_of(built.stage)) {
+                planned.memory_bytes = built.bytes;
+            }
+        }
+    }
+}
+
+}  // namespace fulcrum::runtime
