@@ -30,6 +30,22 @@ Vector6 remove_from(const Matrix6& Q, int n, const Vector6& row, Vector6& along)
     return rest;
 }
 
+// Of a triangle of three rows, by hand: Eigen's solver of many right sides may allocate.
+Matrix3 invert_lower(const Matrix3& L) noexcept {
+    Matrix3 inverse = Matrix3::Zero();
+    for (int i = 0; i < 3; ++i) {
+        inverse(i, i) = 1.0 / L(i, i);
+        for (int j = i - 1; j >= 0; --j) {
+            double sum = 0.0;
+            for (int k = j; k < i; ++k) {
+                sum -= L(i, k) * inverse(k, j);
+            }
+            inverse(i, j) = sum / L(i, i);
+        }
+    }
+    return inverse;
+}
+
 // R x = b, or R^T x = b, of the first n rows and columns.
 Vector6 solve_upper(const Matrix6& R, int n, const Vector6& b) noexcept {
     Vector6 x = Vector6::Zero();
@@ -67,7 +83,7 @@ bool LeastConstraintSolver::set_inertia(double mass_kg, const Matrix3& inertia_W
     L_.diagonal().head<3>().setConstant(std::sqrt(mass_kg));
     L_.bottomRightCorner<3, 3>() = factor.matrixL();
     per_root_mass_ = 1.0 / L_(0, 0);
-    per_root_inertia_ = factor.matrixL().solve(Matrix3::Identity());
+    per_root_inertia_ = invert_lower(L_.bottomRightCorner<3, 3>());
     return true;
 }
 

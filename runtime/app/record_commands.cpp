@@ -42,7 +42,7 @@ Expected<fs::path> choose_place(const Options& options) {
 }  // namespace
 
 int explain_force_command(const Options& options) {
-    if (options.analyze || options.seconds || !options.hand.empty() || !options.say.empty()) {
+    if (options.analyze || options.seconds || !options.hands.empty() || !options.say.empty()) {
         return complain({"--force is of a record, which is not played", {}, "leave the rest out"},
                         2);
     }

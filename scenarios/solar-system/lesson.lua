@@ -290,8 +290,7 @@ local replies = {
   heavy = function(name)
     if name == "Earth" then return "the Earth has a mass of six million million million million kilograms" end
     local times = planets.facts(name).mass / planets.facts("Earth").mass
-    if times < 1 then return "the Earth is " .. rounded(1 / times) .. " times as heavy as " .. name end
-    return name .. " is " .. rounded(times) .. " times as heavy as the Earth"
+    return times < 1 and "the Earth is " .. rounded(1 / times) .. " times as heavy as " .. name or name .. " is " .. rounded(times) .. " times as heavy as the Earth"
   end,
   ["day"] = function(name)
     return called(name) .. " turns round once in " .. math.floor(planets.facts(name).day / 3600 + 0.5) .. " hours"

@@ -26,7 +26,7 @@ const std::map<std::string, Stages> kAsked{
     {"textures", {"forces: weight", "falling bodies", "forces: transient", "forces: spring"}},
     {"solar-system", {"forces: weight", "falling bodies", "turning", "free English"}},
     {"lever", {"forces: weight", "falling bodies", "turning", "tool"}},
-    {"kite", {"forces: weight", "falling bodies", "forces: line", "flight"}},
+    {"kite", {"forces: weight", "falling bodies", "forces: line", "flight", "free English"}},
     {"stacks", {"rigid bodies", "pushing", "forces: transient"}},
     {"maze-park", {"forces: weight", "falling bodies", "forces: transient", "forces: spring"}},
 };

@@ -17,18 +17,13 @@ set(load_path
     transient_stage_build.cpp.o surface_effects_build.cpp.o
     sha256.cpp.o shape_bytes.cpp.o distance_field_bytes.cpp.o distance_band.cpp.o brick_sides.cpp.o brick_triangles.cpp.o shape_fit.cpp.o wall_thickness.cpp.o distance_field_build.cpp.o distance_field_settings.cpp.o shell_tree.cpp.o field_sampling_build.cpp.o field_load_build.cpp.o
     kite.cpp.o wind_settings.cpp.o line_build.cpp.o kite_flight_build.cpp.o line_feel_settings.cpp.o kite_loop_build.cpp.o kite_swap_build.cpp.o
-<<<<<<< HEAD
-    contact_solver_settings.cpp.o
-    swept_mesh.cpp.o
-=======
-    contact_solver_settings.cpp.o least_constraint_build.cpp.o
->>>>>>> 4f842ae (Questions take what pupils write for units, teach no clumsy form, and say what is meant)
+    contact_solver_settings.cpp.o least_constraint_build.cpp.o swept_mesh.cpp.o
     link_device_build.cpp.o arm_server_build.cpp.o
     link_faults.cpp.o spoiled_arm.cpp.o # never between a program and an arm but for trying
     realtime_thread.cpp.o) # the thread itself waits between the steps
 # Behind "=": functions that only load and stand in a file with others.
 set(load_functions
-    "virtual_coupling.cpp.o=validate" "hands_loop.cpp.o=HandsLoop::~HandsLoop" "god_object.cpp.o=GodObject::~?GodObject|validate"
+    "virtual_coupling.cpp.o=validate" "push_trial.cpp.o=validate" "hands_loop.cpp.o=HandsLoop::~HandsLoop" "god_object.cpp.o=GodObject::~?GodObject|validate"
     "moving_solid.cpp.o=MovingSolid::MovingSolid|bad_expected_access|expected_storage_base|Error::Error" "segment_structure.cpp.o=make_segment_structure|expected_storage_base|Structure::~|BruteForce::~"
     "h_collide.cpp.o=HCollide::(list_entries|plant|create|~?HCollide)|validate" "hash_grid.cpp.o=HashGrid::(reserve|HashGrid)" "obb_tree.cpp.o=ObbForest::(add|shrink)" "height_field.cpp.o=make_height_field"
     "worker_pool.cpp.o=WorkerPool::~?WorkerPool|jthread" "broad_phase.cpp.o=BroadPhase::BroadPhase|BoundedList" "island_solver.cpp.o=IslandSolver::IslandSolver|BoundedList|ContactProblem::~|ContactSolver::~|ImpactSolver::~|in_rounds|_Vector_base<double" "impact.cpp.o=ImpactSolver::~?ImpactSolver|ContactProblem::~|BodyMotion::~?BodyMotion" "islands.cpp.o=Groups::Groups|Islands::Islands|BoundedList" "contact_pairs.cpp.o=ContactPairs::ContactPairs|BoundedList" "contact_shape.cpp.o=make_contact_shape|make_faces|find_hull_round|find_corners_in_plane|KindOf|HullFaces|ContactShape|expected_storage_base|Error::|bad_expected_access"

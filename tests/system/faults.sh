@@ -38,7 +38,11 @@ lesson 3000 >"$home/litter/lesson.lua"
 for kind in tidy litter; do
     "$fulcrum" run "$home/$kind" --headless --seconds 10 --record "$home/$kind.rec" >"$home/$kind.log" 2>&1 || fail "the lesson $kind was not played"
 done
-cmp "$home/tidy.rec" "$home/litter.rec" || fail "what a lesson leaves to its garbage collector is felt"
+for kind in tidy litter; do
+    "$fulcrum" export "$home/$kind.rec" --out "$home/$kind.csv" >"$home/$kind.log" 2>&1 || fail "the record of $kind cannot be told"
+done
+[[ $(wc -l <"$home/tidy.csv") -gt 9000 ]] || fail "the record tells too few rounds"
+cmp "$home/tidy.csv" "$home/litter.csv" || fail "what a lesson leaves to its garbage collector is felt"
 
 # The record's disk is full after 500 kB: the lesson is played to its end, and one sentence says so.
 code=0

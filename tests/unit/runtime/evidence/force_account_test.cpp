@@ -133,7 +133,7 @@ TEST_CASE("force account: a time outside the record and a record without shares 
     old.version = 3;
     old.header.effects.clear();
     CHECK(find_account(old, 0.502).error().message.find("version 3") != std::string::npos);
-    old.version = 4;
+    old.version = kRecordVersion;
     CHECK(find_account(old, 0.502).error().message.find("no effect") != std::string::npos);
     Record empty = record;
     empty.samples.clear();
