@@ -94,13 +94,7 @@ Expected<void> LessonRun::load(const Places& places, RunRequest& request) {
 Expected<Plan> LessonRun::compile(const Places& places, const RunRequest& request,
                                   const LessonDescription& scene) const {
     PlanOptions options = request.plan;
-    options.device_force_limit_N = HandDevice::force_limit_N(request);
-    for (const HandChoice& choice : request.more_hands) {
-        RunRequest own = request;
-        static_cast<HandChoice&>(own) = choice;
-        options.device_force_limit_N =
-            std::min(options.device_force_limit_N, HandDevice::force_limit_N(own));
-    }
+    options.device_force_limit_N = force_limit_N(request);
     return compile_shown(scene, std::move(options), make_solid_loader(places, request.folder),
                          make_picture_loader(request.folder, scene.hand.scale))
         .and_then([](Plan&& plan) {
@@ -121,6 +115,9 @@ Expected<void> LessonRun::open_hand(const Places& places, const RunRequest& requ
         return tl::unexpected(hand.error());
     }
     hand_ = std::move(*hand);
+    if (auto fitted = fit_to_force(places, request); !fitted) {
+        return fitted;
+    }
     if (const double factor = choose_scale(request.fit, device().traits()); factor != 1.0) {
         fit_to_reach(places, request, factor);
     }

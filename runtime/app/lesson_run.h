@@ -185,6 +185,9 @@ class LessonRun {
     [[nodiscard]] Expected<void> build_loops(const Places& places, const RunRequest& request);
     [[nodiscard]] Expected<Plan> compile(const Places& places, const RunRequest& request,
                                          const LessonDescription& scene) const;
+    /// The most that all hands can give, newtons: as far as it is known before they are open, or of the first one as it says itself.
+    [[nodiscard]] double force_limit_N(const RunRequest& request) const;
+    [[nodiscard]] Expected<void> fit_to_force(const Places& places, const RunRequest& request);
     void fit_to_reach(const Places& places, const RunRequest& request, double factor);
     void build_why(const RunRequest& request);
     [[nodiscard]] Expected<void> build_recorder(const Places& places, const RunRequest& request);

@@ -2,6 +2,7 @@
 #include "runtime/app/hand_fitting.h"
 #include "runtime/app/lesson_run.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -52,6 +53,33 @@ void LessonRun::take_trial(const FirstUse& trial, bool asked, const RunRequest& 
     constexpr const char* kNotGood = "not good";
     tried.fit = {.checked = is_good ? verdict_of(asked, device().traits().name) : kNotGood};
     keep_fit_of(tried, store);
+}
+
+double LessonRun::force_limit_N(const RunRequest& request) const {
+    double least_N = HandDevice::force_limit_N(request);
+    // An arm at the other end of a link tells it when it is open.
+    if (hand_ && request.hand == HandKind::link) {
+        least_N = std::min(least_N, device().traits().max_force_N);
+    }
+    for (const HandChoice& choice : request.more_hands) {
+        RunRequest own = request;
+        static_cast<HandChoice&>(own) = choice;
+        least_N = std::min(least_N, HandDevice::force_limit_N(own));
+    }
+    return least_N;
+}
+
+// Weights that were fitted to more than the arm can give are fitted again, so that what is heavier is felt heavier.
+Expected<void> LessonRun::fit_to_force(const Places& places, const RunRequest& request) {
+    if (force_limit_N(request) >= plan_.haptic.safety.max_force_N) {
+        return {};
+    }
+    auto plan = compile(places, request, scene_);
+    if (!plan) {
+        return tl::unexpected(plan.error());
+    }
+    plan_ = std::move(*plan);
+    return {};
 }
 
 // Where the scene cannot be felt at that scale, the lesson's own stays: a part of it is then out of reach, but for the clutch.

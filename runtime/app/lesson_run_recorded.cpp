@@ -42,8 +42,9 @@ Expected<void> LessonRun::build_recorder(const Places& places, const RunRequest&
     if (!plan_.record && !compares) {
         return {};
     }
-    const RecordHeader header = describe_run(
-        {lesson, plan_, request, places, process_->files_read(), *haptic_loop_, device().traits()});
+    const RecordHeader header =
+        describe_run({lesson, plan_, request, places, process_->files_read(), *haptic_loop_,
+                      device().traits(), force_limit_N(request)});
     std::vector<std::string> forces;
     for (const ForceDescription& force : lesson.forces) {
         forces.push_back(force.name);

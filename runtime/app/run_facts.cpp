@@ -84,7 +84,7 @@ void add_options(const FactSources& run, Facts& facts) {
     facts.add("option.hand", std::string(kHands[static_cast<std::size_t>(run.request.hand)]));
     facts.add("option.day", run.plan.day);
     facts.add("option.scale", run.plan.haptic.workspace.scale / run.lesson.hand.scale);
-    facts.add("option.device N", HandDevice::force_limit_N(run.request));
+    facts.add("option.device N", run.device_force_limit_N);
     facts.add("option.hearing", std::string(name_of(run.plan.speech)));
 }
 

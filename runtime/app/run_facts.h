@@ -25,6 +25,7 @@ struct FactSources {
     const std::vector<std::filesystem::path>& files;  ///< that the lesson was read from
     const HapticLoop& loop;
     const DeviceTraits& device;
+    double device_force_limit_N;  ///< to which the plan was fitted
 };
 
 /// The header of the run's record.

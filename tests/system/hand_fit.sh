@@ -60,4 +60,21 @@ refuse "$home/third.log" 'so it moves' "the scale was not kept"
 play other --learner Jun --first-use never
 refuse "$home/other.log" 'pushes gently' "it was tried though it was to be never"
 expect "$home/other.log" 'so it moves 4[.]0 times' "another learner has Mina's scale"
+# An arm that may give less than the lesson asks for: the weights are fitted to it, and the record says to how much.
+kill "$arm" && wait "$arm" 2>/dev/null || true
+mkdir -p "$home/weak/fulcrum"
+echo "force_limit = 2" >"$home/weak/fulcrum/site.conf"
+: >"$home/arm.log"
+XDG_CONFIG_HOME=$home/weak "$fulcrum" arm --arm desktop --port 0 --key "$home/config/fulcrum/arm.key" <>"$home/keys" >"$home/arm.log" 2>&1 &
+arm=$!
+port=
+for _ in $(seq 100); do
+    port=$(sed -n 's/.* waits at 127[.]0[.]0[.]1:\([0-9]*\)[.].*/\1/p' "$home/arm.log")
+    [[ -n $port ]] && break
+    sleep 0.1
+done
+[[ -n $port ]] || fail "the weak arm does not say where it waits"
+play weak --learner Mina --first-use never --record "$home/weak.rec"
+"$fulcrum" export "$home/weak.rec" --out "$home/weak.csv" >"$home/export.log" 2>&1 || fail "the record was not exported"
+grep -hE '^"?option[.]device N"?,"?2"?' "$home"/weak*.csv >/dev/null || fail "the lesson was not fitted to an arm of 2 N: $(grep -h 'device N' "$home"/weak*.csv)"
 echo "hand_fit.sh: passed"

@@ -117,9 +117,14 @@ float lay_out_bottom(const View& view, const Font& font, const Measure& m, Panel
         // Before anything is typed the line says how to speak.
         MarkedText text = plain_text(view.input.empty() ? view.microphone.words : view.input);
         layout.input.words = set_words(font, m, text, {kSpokenText, 1e9F, 1});
+        if (view.input.empty() && layout.input.words.width_px > words) {
+            // A hint is read whole: smaller, where the line is short.
+            const float size = kSpokenText * words / layout.input.words.width_px;
+            layout.input.words = set_words(font, m, text, {size, 1e9F, 1});
+        }
         const auto& letters = layout.input.words.lines.front().letters;
         std::size_t first = 0;
-        while (first < letters.size() &&
+        while (!view.input.empty() && first < letters.size() &&
                layout.input.words.width_px - letters[first].x_px > words) {
             ++first;
         }

@@ -45,7 +45,8 @@ WhyLayout lay_out_why(const ViewWhy& why, const Font& font, const Measure& measu
         row.amount = set_line(font, m, share.amount, words - row.name.width_px - m.px(kRowGap));
         row.top = y + m.px(kRowGap);
         const float below = row.top + std::max(row.name.height_px, row.amount.height_px);
-        row.bar = {x, below, words, m.px(kBarHeight)};
+        // A sentence without an amount has no bar.
+        row.bar = {x, below, words, share.amount.empty() ? 0.0F : m.px(kBarHeight)};
         row.part = std::clamp(share.part, 0.0, 1.0);
         row.against = share.against;
         if (row.bar.bottom() + m.px(kWhyPad) > room.bottom()) {
@@ -75,6 +76,9 @@ void draw_why(const WhyLayout& layout, const Measure& measure, DrawList& list) {
     for (const WhyRow& row : layout.rows) {
         list.text(row.name, x, row.top, 0.0F, 0.0F, theme::kInk, theme::kEmphasisInk);
         list.text(row.amount, x, row.top, words, 1.0F, theme::kSoftInk, theme::kEmphasisInk);
+        if (row.bar.height <= 0.0F) {
+            continue;
+        }
         const float radius = 0.5F * row.bar.height;
         list.fill_box(row.bar, radius, theme::kIconPaper);
         if (row.part <= 0.0) {
