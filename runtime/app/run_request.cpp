@@ -134,7 +134,8 @@ bool keeps_time(const RunRequest& request) noexcept {
 
 Expected<std::vector<std::string>> settle_hands(const LessonDescription& lesson,
                                                 RunRequest& request) {
-    return settle_hands(lesson, {request, request.hands_there, request.by}, request.more_hands)
+    HandChoice& first = request;
+    return settle_hands(lesson, {first, request.hands_there, request.by}, request.more_hands)
         .map([&](std::vector<std::string>&& told) {
             request.plan.n_hands = 1 + request.more_hands.size();
             return std::move(told);
