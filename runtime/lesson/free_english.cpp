@@ -9,6 +9,27 @@
 #include <utility>
 
 namespace fulcrum::runtime {
+namespace {
+
+// Of "wooden block" what comes last is the thing; the Sun has a name.
+void add_thing(std::string_view called, std::vector<std::string>& things) {
+    std::string noun(called.substr(called.rfind(' ') + 1));
+    if (!noun.empty() && noun == dialogue::lower_case(noun) &&
+        std::find(things.begin(), things.end(), noun) == things.end()) {
+        things.push_back(std::move(noun));
+    }
+}
+
+// "stone|rock": one thing by several names.
+void add_each(std::string_view alternatives, std::vector<std::string>& things) {
+    while (!alternatives.empty()) {
+        const std::size_t bar = std::min(alternatives.find('|'), alternatives.size());
+        add_thing(alternatives.substr(0, bar), things);
+        alternatives.remove_prefix(std::min(bar + 1, alternatives.size()));
+    }
+}
+
+}  // namespace
 
 Expected<dialogue::FormCheck> open_free_english(std::vector<std::string> things) {
     auto lexicon = dialogue::Lexicon::open();
@@ -27,27 +48,14 @@ Expected<dialogue::FormCheck> open_free_english(std::vector<std::string> things)
 
 std::vector<std::string> things_of(const LessonDescription& lesson) {
     std::vector<std::string> things;
-    const auto add = [&things](std::string_view called) {
-        // Of "wooden block" what comes last is the thing; the Sun has a name.
-        std::string noun(called.substr(called.rfind(' ') + 1));
-        if (!noun.empty() && noun == dialogue::lower_case(noun) &&
-            std::find(things.begin(), things.end(), noun) == things.end()) {
-            things.push_back(std::move(noun));
-        }
-    };
     for (const BodyDescription& body : lesson.bodies) {
-        add(body.noun);
+        add_thing(body.noun, things);
     }
     for (const QuestionDescription& question : lesson.questions) {
         for (const auto& [name, words] : question.lists) {
-            if (name == "thing") {
-                for (std::string_view alternatives : words) {
-                    for (bool more = true; more;) {
-                        const std::size_t bar = alternatives.find('|');
-                        add(alternatives.substr(0, bar));
-                        more = bar != std::string_view::npos;
-                        alternatives.remove_prefix(more ? bar + 1 : 0);
-                    }
+            for (const std::string& alternatives : words) {
+                if (name == "thing") {
+                    add_each(alternatives, things);
                 }
             }
         }

@@ -172,16 +172,21 @@ void write_lesson(const LessonReport& lesson, const ReportStyle& style, std::str
     write_table(lesson, out);
 }
 
+// "(gravity: heavier, said "the egg")".
+std::string where_stuck(const LessonReport& lesson, const QuestionReport& question) {
+    const std::string said = printable(question.last_wrong);
+    return " (" + printable(lesson.lesson) + ": " + printable(question.question) +
+           (said.empty() ? "" : ", said \"" + said + "\"") + ")";
+}
+
 void write_stuck(const Report& report, std::string& out) {
     std::string names;
     for (const LearnerReport& learner : report.learners) {
         for (const LessonReport& lesson : learner.lessons) {
             for (const QuestionReport& question : lesson.questions) {
                 if (question.stuck == Stuck::now) {
-                    const std::string said = printable(question.last_wrong);
                     names += (names.empty() ? "" : ", ") + printable(learner.learner.nickname) +
-                             " (" + printable(lesson.lesson) + ": " + printable(question.question) +
-                             (said.empty() ? "" : ", said \"" + said + "\"") + ")";
+                             where_stuck(lesson, question);
                 }
             }
         }

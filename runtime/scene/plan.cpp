@@ -319,17 +319,12 @@ Expected<Plan> compile_plan(const LessonDescription& lesson, const PlanOptions& 
                             const SolidLoader& load_solid, const PictureLoader& load_picture) {
     PlanOptions options = asked;
     options.site = lower(asked.site, lesson.force_limit_N);
-    if (auto counts = check_counts(lesson); !counts) {
-        return tl::unexpected(counts.error());
-    }
-    if (auto fields = check_felt_fields(lesson); !fields) {
-        return tl::unexpected(fields.error());
-    }
-    if (auto hands = check_more_hands(lesson); !hands) {
-        return tl::unexpected(hands.error());
-    }
-    if (auto order = check_felt_order(lesson.bodies); !order) {
-        return tl::unexpected(order.error());
+    const auto good = check_counts(lesson)
+                          .and_then([&] { return check_felt_fields(lesson); })
+                          .and_then([&] { return check_more_hands(lesson); })
+                          .and_then([&] { return check_felt_order(lesson.bodies); });
+    if (!good) {
+        return tl::unexpected(good.error());
     }
 
     Plan plan;

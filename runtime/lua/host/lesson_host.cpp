@@ -222,6 +222,19 @@ void LessonHost::run_callbacks(lua_State* lua) {
     }
 }
 
+void LessonHost::judge_answer(lua_State* lua, const std::string& asked, const LessonEvent& event) {
+    for (const auto& [question, right_ref] : lesson_.judges) {
+        if (question == asked) {
+            lua_rawgeti(lua, LUA_REGISTRYINDEX, right_ref);
+            push_event(lua, lesson_, event);
+            lesson_script_->call(lua, 1, 1);
+            const bool right = lua_toboolean(lua, -1) != 0;
+            lua_pop(lua, 1);
+            add_command(lua, VerdictCommand{question, right});
+        }
+    }
+}
+
 void LessonHost::deliver(lua_State* lua, const LessonEvent& event) {
     ScriptState& script = *lesson_script_;
     if (const auto* ready = std::get_if<ReadyEvent>(&event)) {
@@ -234,16 +247,7 @@ void LessonHost::deliver(lua_State* lua, const LessonEvent& event) {
         return;
     }
     if (const auto* judge = std::get_if<JudgeEvent>(&event)) {
-        for (const auto& [question, right_ref] : lesson_.judges) {
-            if (question == judge->question) {
-                lua_rawgeti(lua, LUA_REGISTRYINDEX, right_ref);
-                push_event(lua, lesson_, event);
-                script.call(lua, 1, 1);
-                const bool right = lua_toboolean(lua, -1) != 0;
-                lua_pop(lua, 1);
-                add_command(lua, VerdictCommand{question, right});
-            }
-        }
+        judge_answer(lua, judge->question, event);
         return;
     }
     if (const auto* asked = std::get_if<AskedEvent>(&event)) {

@@ -17,6 +17,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace fulcrum::runtime {
 
@@ -54,6 +55,7 @@ class LessonHost {
     [[nodiscard]] std::optional<ScriptError> load_lesson();
     [[nodiscard]] std::optional<ScriptError> load_hand(std::size_t index);
     void deliver(lua_State* lua, const LessonEvent& event);
+    void judge_answer(lua_State* lua, const std::string& asked, const LessonEvent& event);
     void tell(lua_State* lua, const AskedEvent& asked);
     void run_callbacks(lua_State* lua);
     [[nodiscard]] std::optional<ScriptError> run_hand(std::size_t index, const LessonFrame& frame,
