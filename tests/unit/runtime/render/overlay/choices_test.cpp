@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <utility>
+
 using namespace fulcrum::runtime;
 
 TEST_CASE(
@@ -48,4 +50,23 @@ TEST_CASE(
     }
     view.input_visible = false;
     CHECK(lay_out_panels(view, font, Measure(1280, 720)).choices.empty());
+}
+
+TEST_CASE(
+    "panels: a hint on how to answer is read from its first letter to its last, however short the "
+    "line") {
+    Font font = andika();
+    View view;
+    view.input_visible = true;
+    view.microphone.visible = true;
+    view.microphone.words = "Choose with the up and down arrows. Then press Enter.";
+    for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}, {800, 600}}) {
+        const PanelLayout layout = lay_out_panels(view, font, Measure(width, height));
+        const auto& letters = layout.input.words.lines.front().letters;
+        INFO(width << " x " << height);
+        REQUIRE_FALSE(letters.empty());
+        CHECK(letters.front().character == U'C');
+        CHECK(letters.back().character == U'.');
+        CHECK(layout.input.words.width_px < layout.input.box.width);
+    }
 }

@@ -137,25 +137,6 @@ TEST_CASE("panels: a long answer shows what was typed last") {
     CHECK(layout.input.words.width_px < layout.input.box.width);
 }
 
-TEST_CASE(
-    "panels: a hint on how to answer is read from its first letter to its last, however short the "
-    "line") {
-    Font font = andika();
-    View view = busy();
-    view.input.clear();
-    view.microphone.visible = true;
-    view.microphone.words = "Choose with the up and down arrows. Then press Enter.";
-    for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}, {800, 600}}) {
-        const PanelLayout layout = lay_out_panels(view, font, Measure(width, height));
-        const auto& letters = layout.input.words.lines.front().letters;
-        INFO(width << " x " << height);
-        REQUIRE_FALSE(letters.empty());
-        CHECK(letters.front().character == U'C');
-        CHECK(letters.back().character == U'.');
-        CHECK(layout.input.words.width_px < layout.input.box.width);
-    }
-}
-
 TEST_CASE("labels: none hides another, a panel, or leaves the picture") {
     Font font = andika();
     const Measure measure(1280, 720);
