@@ -19,6 +19,8 @@ fail() {
     for log in "$home"/*.log; do echo "== $log"; tail -n 12 "$log"; done >&2
     exit 1
 }
+# shellcheck source=tests/system/arm_port.sh
+source "$(dirname -- "$0")/arm_port.sh"
 # expect FILE PATTERN WHY
 expect() { grep -qE "$2" "$1" || fail "$3"; }
 # start_arm NAME OPTIONS…: in the background; its port in $port, its process in $arm.
@@ -30,12 +32,7 @@ start_arm() {
     "$fulcrum" arm --port 0 "$@" <>"$home/$name.keys" >"$home/$name.log" 2>&1 &
     arm=$!
     arms+=("$arm")
-    for _ in $(seq 100); do
-        port=$(sed -n 's/.* waits at 127[.]0[.]0[.]1:\([0-9]*\)[.].*/\1/p' "$home/$name.log")
-        [[ -n $port ]] && return
-        sleep 0.1
-    done
-    fail "the arm does not say where it waits"
+    await_arm "$home/$name.log"
 }
 play() { "$fulcrum" run gravity --headless --hand "udp:127.0.0.1:$port" "$@"; }
 # play_beside NAME OPTIONS…: in the background; its process in $player.

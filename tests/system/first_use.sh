@@ -19,17 +19,13 @@ fail() {
     for log in "$folder"/*.log; do echo "== $log"; tail -n 15 "$log"; done >&2
     exit 1
 }
+# shellcheck source=tests/system/arm_port.sh
+source "$(dirname -- "$0")/arm_port.sh"
 mkfifo "$folder/keys"
 : >"$folder/arm.log"
 "$fulcrum" arm --arm desktop --port 0 <>"$folder/keys" >"$folder/arm.log" 2>&1 &
 arm=$!
-port=
-for _ in $(seq 100); do
-    port=$(sed -n 's/.* waits at 127[.]0[.]0[.]1:\([0-9]*\)[.].*/\1/p' "$folder/arm.log")
-    [[ -n $port ]] && break
-    sleep 0.1
-done
-[[ -n $port ]] || fail "the arm does not say where it waits"
+await_arm "$folder/arm.log"
 
 # begin NAME LEARNER SECONDS: in the background, in $child; what it says in $said.
 begin() {

@@ -19,6 +19,8 @@ fail() {
     for log in "$home"/*.log; do echo "== $log"; tail -n 12 "$log"; done >&2
     exit 1
 }
+# shellcheck source=tests/system/arm_port.sh
+source "$(dirname -- "$0")/arm_port.sh"
 expect() { grep -qE "$2" "$1" || fail "$3"; }
 refuse() { ! grep -qE "$2" "$1" || fail "$3"; }
 
@@ -27,13 +29,7 @@ mkfifo "$home/keys"
 : >"$home/arm.log"  # is looked at before the arm has said anything
 "$fulcrum" arm --arm desktop --port 0 <>"$home/keys" >"$home/arm.log" 2>&1 &
 arm=$!
-port=
-for _ in $(seq 100); do
-    port=$(sed -n 's/.* waits at 127[.]0[.]0[.]1:\([0-9]*\)[.].*/\1/p' "$home/arm.log")
-    [[ -n $port ]] && break
-    sleep 0.1
-done
-[[ -n $port ]] || fail "the arm does not say where it waits"
+await_arm "$home/arm.log"
 echo "an egg is the lightest" >"$home/say.txt"
 # play NAME OPTIONS...: a second of the gravity game.
 play() {
@@ -67,13 +63,7 @@ echo "force_limit = 2" >"$home/weak/fulcrum/site.conf"
 : >"$home/arm.log"
 XDG_CONFIG_HOME=$home/weak "$fulcrum" arm --arm desktop --port 0 --key "$home/config/fulcrum/arm.key" <>"$home/keys" >"$home/arm.log" 2>&1 &
 arm=$!
-port=
-for _ in $(seq 100); do
-    port=$(sed -n 's/.* waits at 127[.]0[.]0[.]1:\([0-9]*\)[.].*/\1/p' "$home/arm.log")
-    [[ -n $port ]] && break
-    sleep 0.1
-done
-[[ -n $port ]] || fail "the weak arm does not say where it waits"
+await_arm "$home/arm.log"
 play weak --learner Mina --first-use never --record "$home/weak.rec"
 "$fulcrum" export "$home/weak.rec" --out "$home/weak.csv" >"$home/export.log" 2>&1 || fail "the record was not exported"
 grep -hE '^"?option[.]device N"?,"?2"?' "$home"/weak*.csv >/dev/null || fail "the lesson was not fitted to an arm of 2 N: $(grep -h 'device N' "$home"/weak*.csv)"

@@ -10,18 +10,6 @@ device=$4
 source "$(dirname -- "$0")/screen.sh"
 need xdotool
 
-# wait_for TEXT: until the program has said TEXT.
-wait_for() {
-    local deadline=$((SECONDS + 30))
-    until grep -qF -- "$1" "$folder/said"; do
-        if ((SECONDS > deadline)); then
-            echo "never said: $1"
-            cat "$folder/said"
-            exit 1
-        fi
-        sleep 0.05
-    done
-}
 # wait_until TEXT AWK: until a line "hand X Y" for which AWK holds comes after this call.
 wait_until() {
     local deadline=$((SECONDS + 30)) from

@@ -50,30 +50,17 @@ function L:start(world)
 end
 return L
 LUA
-flite -voice slt -t "the watermelon is heavier" -o "$folder/said.wav" </dev/null
+flite -voice slt -t "the watermelon is heavier" -o "$folder/voice.wav" </dev/null
 
-# wait_for TEXT SECONDS: until the program has said TEXT.
-wait_for() {
-    local deadline=$((SECONDS + $2))
-    until grep -qF -- "$1" "$folder/told"; do
-        if ((SECONDS > deadline)); then
-            echo "never said: $1"
-            cat "$folder/told"
-            exit 1
-        fi
-        sleep 0.1
-    done
-}
-
-: >"$folder/told"
-"$program" run "$folder/heard" --speech sphinx --listen always --seconds 90 --learner Ann >"$folder/told" 2>&1 &
+: >"$folder/said"
+"$program" run "$folder/heard" --speech sphinx --listen always --seconds 90 --learner Ann >"$folder/said" 2>&1 &
 child=$!
 wait_for asking 60
 # Spoken until it is heard: the program is deaf while it speaks itself.
 for _ in {1..8}; do
     sleep 3
-    ! grep -q answered "$folder/told" || break
-    paplay --device=ear "$folder/said.wav"
+    ! grep -q answered "$folder/said" || break
+    paplay --device=ear "$folder/voice.wav"
 done
 wait_for answered 20
 kill "$sound"
@@ -83,4 +70,4 @@ sleep 1
 xdotool type --delay 60 "the watermelon is heavier"
 xdotool key Return
 wait_for typed 20
-grep -F microphone "$folder/told" | head -n 2
+grep -F microphone "$folder/said" | head -n 2

@@ -27,3 +27,16 @@ finish() {
 trap finish EXIT
 DISPLAY=:$(head -n 1 "$folder/display")
 export DISPLAY
+
+# wait_for TEXT [SECONDS]: until $folder/said, to which the test sends what its program says, has TEXT; 30 seconds unless told.
+wait_for() {
+    local deadline=$((SECONDS + ${2:-30}))
+    until grep -qF -- "$1" "$folder/said"; do
+        if ((SECONDS > deadline)); then
+            echo "never said: $1"
+            cat "$folder/said"
+            exit 1
+        fi
+        sleep 0.05
+    done
+}

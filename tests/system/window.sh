@@ -6,18 +6,6 @@ program=$1
 # shellcheck source=tests/system/screen.sh
 source "$(dirname -- "$0")/screen.sh"
 
-# wait_for TEXT SECONDS: until the program has said TEXT.
-wait_for() {
-    local deadline=$((SECONDS + $2))
-    until grep -qF -- "$1" "$folder/said"; do
-        if ((SECONDS > deadline)); then
-            echo "never said: $1"
-            cat "$folder/said"
-            exit 1
-        fi
-        sleep 0.05
-    done
-}
 lesson() { printf '%s\n' 'local L = lesson { id = "x", title = "X", level = "A1", minutes = 1 }' "$@" 'return L' >"$folder/x/new" &&
     mv "$folder/x/new" "$folder/x/lesson.lua"; }
 

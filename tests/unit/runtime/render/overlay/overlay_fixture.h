@@ -1,13 +1,28 @@
-// A font, and how boxes of the overlay lie to one another.
+// A font, a picture in which much stands, and how boxes of the overlay lie to one another.
 #pragma once
 
 #include "runtime/render/overlay/measure.h"
 #include "runtime/render/renderer.h"
+#include "runtime/scene/view.h"
 
 namespace fulcrum::runtime {
 
 inline Font andika() {
     return Font(RendererSettings{}.font_folder);
+}
+
+inline View busy() {
+    View view;
+    view.title = "Which fruit is the heaviest?";
+    view.level = 3;
+    view.level_title = "Four fruits";
+    view.caption = "Weigh the apple, then the watermelon. Move the bucket under each and wait.";
+    view.feedback = "Yes. A watermelon is *the heaviest*.";
+    view.input_visible = true;
+    view.input = "the watermelon";
+    view.banner = "The arm is not plugged in, so the mouse moves the bucket.";
+    view.score = 12;
+    return view;
 }
 
 inline bool overlap(const Box& a, const Box& b) {

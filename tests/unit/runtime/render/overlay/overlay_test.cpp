@@ -17,20 +17,6 @@ using namespace fulcrum::runtime;
 
 namespace {
 
-View busy() {
-    View view;
-    view.title = "Which fruit is the heaviest?";
-    view.level = 3;
-    view.level_title = "Four fruits";
-    view.caption = "Weigh the apple, then the watermelon. Move the bucket under each and wait.";
-    view.feedback = "Yes. A watermelon is *the heaviest*.";
-    view.input_visible = true;
-    view.input = "the watermelon";
-    view.banner = "The arm is not plugged in, so the mouse moves the bucket.";
-    view.score = 12;
-    return view;
-}
-
 View menu_of(int count, int chosen) {
     View view;
     view.title = "What shall we play?";

@@ -15,15 +15,8 @@ using namespace fulcrum::runtime;
 namespace {
 
 View asking_why(int n_shares) {
-    View view;
-    view.title = "Which fruit is the heaviest?";
-    view.level = 3;
-    view.level_title = "Four fruits";
-    view.caption = "Weigh the apple, then the watermelon. Move the bucket under each and wait.";
-    view.feedback = "Yes. A watermelon is *the heaviest*.";
-    view.input_visible = true;
-    view.banner = "The arm is not plugged in, so the mouse moves the bucket.";
-    view.score = 12;
+    View view = busy();
+    view.input.clear();
     view.why = {true, "Why do I feel this?", {}};
     for (int i = 0; i < n_shares; ++i) {
         view.why.shares.push_back({"force number " + std::to_string(i + 1),
