@@ -73,8 +73,8 @@ struct HapticChannels {
     /// Set by anybody while the lesson has failed: the force fades, and comes back softly after it
     /// is cleared.
     std::atomic<bool> lesson_failed{false};
-    /// Set by a person's explicit wish; the haptic loop takes it back when it has left the stop. It
-    /// waits while `emergency_stop` is still pressed.
+    /// Set by a person's explicit wish after `emergency_stop` was let go; the haptic loop takes it back when it has left the
+    /// stop. A stop that comes before that takes it back too.
     std::atomic<bool> rearm{false};
     /// Set by anybody when the run is over: the force fades and stays away. Nothing has failed.
     std::atomic<bool> ended{false};

@@ -128,7 +128,9 @@ void ArmServer::forget_holder() noexcept {
 
 void ArmServer::take_stops() noexcept {
     if (stop_.take()) {
+        // Who lifted an earlier stop has not lifted this one.
         faults_ |= Fault::emergency_stop;
+        rearm_wanted_.store(false, std::memory_order_release);
     } else if (!gate_.is_fading() && rearm_wanted_.exchange(false, std::memory_order_acq_rel) &&
                gate_.phase() == GatePhase::stopped) {
         gate_.reset();

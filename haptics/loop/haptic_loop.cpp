@@ -113,7 +113,9 @@ void HapticLoop::take_inputs() noexcept {
         state_.faults |= Fault::ended;
     }
     if (channels_.emergency_stop.take()) {
+        // Who lifted an earlier stop has not lifted this one.
         state_.faults |= Fault::emergency_stop;
+        channels_.rearm.store(false, std::memory_order_release);
     } else if (channels_.rearm.load(std::memory_order_acquire) && !gate_.is_fading()) {
         // A stop's fade comes to its end first; where nothing was stopped there is nothing to lift.
         channels_.rearm.store(false, std::memory_order_release);

@@ -139,7 +139,7 @@ PushVerdict judge_pushes(const Vector3& way_W, const Vector3& plus_W, const Vect
     if (!motion_W.allFinite() || motion_W.norm() < kLeastMotion_m) {
         return PushVerdict::unfelt;
     }
-    if (across_m > std::abs(along_m)) {
+    if (across_m > kMostAside * std::abs(along_m)) {
         return PushVerdict::aside;
     }
     return along_m < 0.0 ? PushVerdict::against : PushVerdict::with;

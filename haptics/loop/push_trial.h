@@ -8,7 +8,9 @@
 // A hand is a spring about where its owner wants it, so that m = F u / k: along the push. Of two opposite pushes
 //   d = (m_+ - m_-) / 2
 // slow wandering falls out, and d.u tells: below -least the arm pushes against what it is told, which would make every wall pull and
-// every spring throw; above it goes with it, unless most of d lies across. Nearer to zero nothing was felt, as in a clamped arm.
+// every spring throw; above it goes with it, unless d lies across. Nearer to zero nothing was felt, as in a clamped arm. Motors that are exchanged give d.u = 0;
+// dry friction in some joints of an arm turns d too, for it gives way along the others alone, by 45 degrees in a WAM: work is done on it
+// all the same, so that d.u > 0. The border is at 63 degrees.
 // A hand that goes back by more than kMostBack_m, or anywhere by more than kMostWay_m, ends the push at once.
 //
 // It commands and is limited like a lesson (ForceCommand::linearised): gate, hand guard and the arm's own limits come behind it.
@@ -28,12 +30,13 @@ struct PushSettings {
     double settle_s = 0.4;  ///< 0.3 to 3
 };
 
-inline constexpr double kMostPush_N = 1.0;
+inline constexpr double kMostPush_N = 3.0;   ///< the dry friction of a heavy arm, and as much again
 inline constexpr double kLook_s = 0.2;       ///< over which a place is averaged
 inline constexpr double kMostBack_m = 0.01;  ///< against the push
 inline constexpr double kMostWay_m = 0.08;   ///< anywhere
 inline constexpr double kLeastMotion_m =
     0.001;  ///< of d: several steps of an arm's encoder, and above a hand's tremor
+inline constexpr double kMostAside = 2.0;       ///< of d: across against along
 inline constexpr int kMostBeginnings = 4;       ///< a push that something disturbed is begun anew
 inline constexpr double kLongestWait_s = 10.0;  ///< for the gate
 

@@ -43,9 +43,6 @@ void LessonRun::take_trial(const FirstUse& trial, bool asked, const RunRequest& 
     if (!is_good) {
         std::fprintf(stderr, "%s\n", sentence.c_str());
     }
-    if (trial.end() == FirstUseEnd::unfelt) {
-        return;
-    }
     if (!is_good) {
         hand_->give_no_force();
     }

@@ -9,11 +9,10 @@ namespace {
 
 constexpr std::array<Way, kWays> kOrder{Way::right, Way::up,   Way::left,
                                         Way::away,  Way::down, Way::near};
-constexpr double kStrong_N = 0.8;
-constexpr double kWeak_N = 0.4;
-// The stronger one comes first, then last: who always says the same is found out.
-constexpr std::array<std::array<double, 2>, 2> kCompared{
-    {{kStrong_N, kWeak_N}, {kWeak_N, kStrong_N}}};
+// What an arm's own friction hides is pushed again, stronger.
+constexpr std::array<double, 3> kPushes_N{0.8, 1.6, kMostPush_N};
+// Parts of that. The stronger one comes first, then last: who always says the same is found out.
+constexpr std::array<std::array<double, 2>, 2> kCompared{{{1.0, 0.5}, {0.5, 1.0}}};
 
 struct Word {
     std::string_view word;
@@ -98,7 +97,8 @@ FirstUse::FirstUse(bool asks) : asks_(asks) {
 
 void FirstUse::begin_push() {
     const Vector3 way_W = vector_of(compares_ ? Way::up : kOrder[next_]);
-    push_.emplace(PushSettings{.force_N = compares_ ? kCompared[round_][next_] : kStrong_N}, way_W);
+    const double part = compares_ ? kCompared[round_][next_] : 1.0;
+    push_.emplace(PushSettings{.force_N = part * kPushes_N[strength_]}, way_W);
 }
 
 Vector3 FirstUse::step(const HapticState& state, double now_s) {
@@ -125,6 +125,11 @@ void FirstUse::finish_push() {
     }
     if (!compares_) {
         const Way way = kOrder[next_];
+        if (push_->motion_W().norm() < kLeastMotion_m && strength_ + 1 < kPushes_N.size()) {
+            ++strength_;
+            begin_push();
+            return;
+        }
         motions_W_[index_of(way)] = push_->motion_W();
         if (motions_W_[index_of(opposite(way))] && !second_try_ && !judge_axis(way)) {
             return;
@@ -147,8 +152,12 @@ bool FirstUse::judge_axis(Way way) {
         case PushVerdict::with:
             return true;
         case PushVerdict::unfelt:
-            ++unfelt_axes_;
-            return true;
+            // Who is asked may feel what does not move.
+            if (asks_) {
+                return true;
+            }
+            end_ = FirstUseEnd::unfelt;
+            break;
         case PushVerdict::against:
             end_ = FirstUseEnd::against;
             break;
@@ -162,12 +171,11 @@ bool FirstUse::judge_axis(Way way) {
 
 // The next push, or what all of them say.
 void FirstUse::go_on() {
-    constexpr int kAxes = 3;
     ++next_;
     second_try_ = compares_ && second_try_;
     if (!compares_ && next_ == kWays) {
         if (!asks_) {
-            end_ = unfelt_axes_ == kAxes ? FirstUseEnd::unfelt : FirstUseEnd::good;
+            end_ = FirstUseEnd::good;
             return;
         }
         judge_answers();
@@ -205,7 +213,7 @@ bool FirstUse::answer(std::string_view said) {
 
 void FirstUse::hear_stronger(int which) {
     question_ = FirstUseQuestion::none;
-    if (kCompared[round_][static_cast<std::size_t>(which)] == kStrong_N) {
+    if (kCompared[round_][static_cast<std::size_t>(which)] == 1.0) {
         second_try_ = false;
         ++round_;
     } else if (std::exchange(second_try_, true)) {
@@ -254,9 +262,9 @@ std::string tell(const FirstUse& trial, const AxisOrder& axes) {
             return kOff + std::string("the hand goes across its push, ") + axis +
                    "; motors are exchanged, have that mended.";
         case FirstUseEnd::unfelt:
-            return "the arm's pushes moved the hand along no axis, so nothing is known of them: it "
-                   "is "
-                   "stiff, or its motors are off.";
+            return kOff + std::string("its pushes did not move the hand, ") + axis +
+                   "; it is stiff, or a motor is off: start the lesson in a window, where the "
+                   "learner is asked what is felt.";
         case FirstUseEnd::disturbed:
             return kOff + std::string(
                               "its pushes could not be tried; hold it loosely and still, and "

@@ -2,12 +2,14 @@
 // answer they say, in their own words, which way it was and which of two pushes was stronger.
 //
 //   for each of right, up, left, away, down, near:   push (loop/push_trial.h) -> "Which way does the arm push?"
-//   then 0.8 N and 0.4 N up, then 0.4 N and 0.8 N:   "Which push was stronger: the first or the second?"
+//   then that push and half of it up, then half and whole:   "Which push was stronger: the first or the second?"
+// A push has 0.8 N. Where it does not move the hand, as on an arm whose own dry friction takes it up, it and all after it have 1.6 N, then
+// 3 N.
 // Two opposite pushes against which the hand goes, or across, end it: the motors are wired otherwise than the arm says, and no setting
 // mends that. What is said wrong is pushed and asked once more; then, where all answers together are one turn or mirror M of the pushes, the
-// arm stands otherwise than it says, and axes M A are what mends it (device/fitted/axis_order.h). A push that an arm's own friction takes up
-// is felt and not seen: then what is said decides, and where nobody is asked nothing is known. In every other case but a good one there is
-// to be no force.
+// arm stands otherwise than it says, and axes M A are what mends it (device/fitted/axis_order.h). A push that moves nothing even then may be
+// felt and not seen: what is said decides, and where nobody is asked nothing is known. In every case but a good one there is to be no
+// force.
 //
 // Thread: lesson loop, some 60 times a second. Cost: nothing to speak of.
 #pragma once
@@ -42,7 +44,7 @@ enum class FirstUseEnd : std::uint8_t {
     good,
     against,    ///< the hand goes against the push
     aside,      ///< or across
-    unfelt,     ///< along no axis did it move, and nobody was asked
+    unfelt,     ///< along an axis it did not move, and nobody was asked
     disturbed,  ///< it could not be tried: let go, stopped, moved
     turned,     ///< the arm stands otherwise than it says
     unsure      ///< the answers fit no way it could stand, or the stronger push was not told
@@ -62,7 +64,7 @@ class FirstUse {
     bool answer(std::string_view said);
 
     [[nodiscard]] FirstUseEnd end() const noexcept { return end_; }
-    /// Which axis is against or aside, or how the axes are as the learner felt them, where it is turned.
+    /// Which axis is against, aside or unfelt, or how the axes are as the learner felt them, where it is turned.
     [[nodiscard]] int axis() const noexcept { return axis_; }
     [[nodiscard]] const std::optional<AxisOrder>& felt() const noexcept { return felt_; }
 
@@ -78,13 +80,13 @@ class FirstUse {
     FirstUseEnd end_ = FirstUseEnd::running;
     FirstUseQuestion question_ = FirstUseQuestion::none;
     std::optional<PushTrial> push_;
-    std::size_t next_ = 0;  // of the ways; then of the two pushes that are compared
+    std::size_t next_ = 0;      // of the ways; then of the two pushes that are compared
+    std::size_t strength_ = 0;  // how often it was pushed again, stronger
     bool compares_ = false;
     std::size_t round_ = 0;  // of the comparisons
     bool second_try_ = false;
     std::array<std::optional<Vector3>, kWays> motions_W_{};
     std::array<Way, kWays> said_{};
-    int unfelt_axes_ = 0;
     int axis_ = 0;
     std::optional<AxisOrder> felt_;
 };

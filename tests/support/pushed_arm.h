@@ -1,4 +1,4 @@
-// A simulated arm that a lesson's side pushes through a whole haptic loop of at most 1 N, as at a learner's first use: one whose motors
+// A simulated arm that a lesson's side pushes through a whole haptic loop, as at a learner's first use: one whose motors
 // may be wired otherwise than it says, and one that may stand otherwise than it says.
 #pragma once
 
@@ -8,19 +8,20 @@
 #include "haptics/loop/push_trial.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
+#include <utility>
 
 namespace fulcrum {
 
 /// What it is told is turned by a matrix before it acts.
 class MiswiredArm final : public Device {
   public:
-    MiswiredArm(const SimulatedArmSettings& settings, LatestValue<HandTarget>& target,
-                const Matrix3& wiring)
-        : arm_(settings, target), wiring_(wiring) {}
-    [[nodiscard]] const DeviceTraits& traits() const noexcept override { return arm_.traits(); }
+    MiswiredArm(std::unique_ptr<Device> arm, const Matrix3& wiring)
+        : arm_(std::move(arm)), wiring_(wiring) {}
+    [[nodiscard]] const DeviceTraits& traits() const noexcept override { return arm_->traits(); }
     [[nodiscard]] bool read(double now_s, DeviceReading& reading) noexcept override {
-        const bool is_read = arm_.read(now_s, reading);
+        const bool is_read = arm_->read(now_s, reading);
         reading.faults |= told;
         return is_read;
     }
@@ -28,7 +29,7 @@ class MiswiredArm final : public Device {
         largest_N = std::max(largest_N, wrench_D.force.norm());
         largest_step_N = std::max(largest_step_N, (wrench_D.force - written_N).norm());
         written_N = wrench_D.force;
-        return arm_.write(now_s, {wiring_ * wrench_D.force, wrench_D.torque});
+        return arm_->write(now_s, {wiring_ * wrench_D.force, wrench_D.torque});
     }
 
     Fault told = Fault::none;  ///< with every reading
@@ -37,7 +38,7 @@ class MiswiredArm final : public Device {
     double largest_step_N = 0.0;
 
   private:
-    SimulatedArm arm_;
+    std::unique_ptr<Device> arm_;
     Matrix3 wiring_;
 };
 
@@ -51,9 +52,17 @@ inline SimulatedArmSettings arm_held_by(const HumanImpedance& human) {
 struct PushedArm {
     explicit PushedArm(const Matrix3& wiring = Matrix3::Identity(),
                        const SimulatedArmSettings& settings = arm_held_by(kPosture),
-                       const DeviceFit& fit = {}) {
+                       const DeviceFit& fit = {})
+        : PushedArm(
+              wiring,
+              [&](LatestValue<HandTarget>& wanted) -> std::unique_ptr<Device> {
+                  return std::make_unique<SimulatedArm>(settings, wanted);
+              },
+              fit) {}
+    using MakeArm = std::function<std::unique_ptr<Device>(LatestValue<HandTarget>&)>;
+    PushedArm(const Matrix3& wiring, const MakeArm& make, const DeviceFit& fit = {}) {
         target.publish({});
-        auto made = std::make_unique<MiswiredArm>(settings, target, wiring);
+        auto made = std::make_unique<MiswiredArm>(make(target), wiring);
         arm = made.get();
         device = std::make_unique<FittedDevice>(fit, std::move(made));
         HapticPlan plan;

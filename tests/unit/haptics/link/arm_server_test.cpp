@@ -127,6 +127,24 @@ TEST_CASE(
     CHECK(held.hand.written_D.force.x() == Approx(3.0));
 }
 
+TEST_CASE("link: a stop at the arm that comes while an earlier one is being lifted stays") {
+    Held held;
+    held.engage();
+    held.pair.server.stop();
+    held.run(5);
+    held.pair.server.rearm();
+    held.run(5);
+    REQUIRE(held.hand.written_D.force.norm() > 0.0);  // it still fades
+    held.pair.server.stop();
+    held.pair.server.stop_switch().release();
+    held.wrench = {};
+    held.run(1000);
+    CHECK(held.arm().gate == GatePhase::stopped);
+    held.pair.server.rearm();
+    held.run(10);
+    CHECK(held.arm().gate != GatePhase::stopped);
+}
+
 TEST_CASE("link: the arm trusts its own sensors no more than the program's commands") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (int kind = 0; kind < 5; ++kind) {

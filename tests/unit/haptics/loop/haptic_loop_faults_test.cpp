@@ -321,6 +321,23 @@ TEST_CASE("haptic loop: the emergency stop latches until it is lifted and rearme
     CHECK_FALSE(bench.channels->rearm.load());
 }
 
+TEST_CASE("haptic loop: a stop that comes while an earlier one is being lifted stays") {
+    Bench bench(make_weight_plan());
+    hold(bench);
+    bench.channels->emergency_stop.tap();
+    bench.run(5);
+    bench.channels->rearm.store(true);  // waits until the fade is over
+    bench.run(5);
+    REQUIRE(bench.device.written_D.force.norm() > 0.0);
+    bench.channels->emergency_stop.tap();
+    bench.world.carried_force_W.setZero();
+    bench.run(1000);
+    CHECK(bench.loop.state().gate == GatePhase::stopped);
+    bench.channels->rearm.store(true);
+    bench.run(10);
+    CHECK(bench.loop.state().gate != GatePhase::stopped);
+}
+
 TEST_CASE("haptic loop: silence writes zero and the force must engage again") {
     Bench bench(make_weight_plan());
     hold(bench);
