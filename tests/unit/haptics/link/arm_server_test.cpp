@@ -193,6 +193,11 @@ TEST_CASE("link: silence leaves the arm without force and says bye") {
     held.serves = false;
     held.run(2);
     CHECK_FALSE(held.gives_pose);
+    // Nobody holds it any more.
+    held.serves = true;
+    held.commands = false;
+    held.run(1);
+    CHECK_FALSE(held.arm().held);
 }
 
 TEST_CASE("link: a flood of hellos gets few answers") {

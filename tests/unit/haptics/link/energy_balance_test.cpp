@@ -157,6 +157,18 @@ TEST_CASE("energy balance: credit is small and short-lived") {
     CHECK(arm.excess_J() < 0.1e-3);
 }
 
+TEST_CASE("energy balance: credit that nobody uses fades by 1 - T / memory a round") {
+    EnergyBalance arm(LinkSide::arm, {.headroom_J = 0.001, .memory_s = 0.1});
+    arm.step(Vector3::Zero(), Vector3::Zero(), 5.0, kRound_s);
+    for (int i = 0; i < 99; ++i) {
+        arm.step(Vector3::Zero(), Vector3::Zero(), 5.0, kRound_s);
+    }
+    // What is left after a hundred rounds, and out of it 1 mJ.
+    const double left_J = 0.001 * std::pow(0.99, 100);
+    arm.step(along(1.0), along(0.001), 5.0, kRound_s);
+    CHECK(arm.excess_J() == Approx(0.001 - left_J).epsilon(1e-9));
+}
+
 TEST_CASE("energy balance: what is not finite and sums that shrink are not counted") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EnergyBalance arm(LinkSide::arm, kNoCredit);

@@ -1,5 +1,6 @@
 #include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/loop/haptic_loop.h"
+#include "haptics/math/rotation.h"
 #include "tests/unit/haptics/link/held_arm.h"
 
 #include <catch2/catch.hpp>
@@ -171,4 +172,101 @@ TEST_CASE(
         last_s = held.reading.stamp_s;
     }
     CHECK(n_same >= 25);
+}
+
+TEST_CASE("link: a way that takes longer than a hand can be served over gives no pose") {
+    Held held({.delay_s = 0.15});
+    (void)held.pair.link();
+    held.run(3000);
+    CHECK(held.pair.device.status().round_trip_s > 0.25);
+    CHECK_FALSE(held.gives_pose);
+    CHECK(held.n_poses == 0);
+}
+
+TEST_CASE("link: a pose that was overtaken on its way is not taken for the newest") {
+    Held held({.jitter_s = 0.01, .reorder = 0.5, .seed = 3});
+    REQUIRE(held.pair.link());
+    double before_m = -1.0;
+    for (int i = 0; i < 3000; ++i) {
+        held.hand.pose_D.position.x() += 1.0e-5;
+        held.run(1);
+        if (held.gives_pose) {
+            REQUIRE(held.reading.pose_D.position.x() >= before_m);
+            before_m = held.reading.pose_D.position.x();
+        }
+    }
+    CHECK(before_m > 0.0);
+}
+
+TEST_CASE("link: another arm than that of the beginning is not taken for it") {
+    ScriptedDevice hand;
+    MemoryChannel channel;
+    test_link::HmacSeal seal;
+    test_link::CountedNumbers program_numbers(1), arm_numbers(5000);
+    LinkDevice device({}, channel.end(0), seal, program_numbers);
+    double now_s = 0.0;
+    DeviceReading reading;
+    for (const double mass_kg : {0.1, 0.1, 0.3}) {
+        hand.traits_.mass_kg = mass_kg;
+        ArmServer server({}, hand, channel.end(1), seal, arm_numbers);
+        bool reads = false;
+        for (int i = 0; i < 1000; ++i) {
+            now_s += kStep_s;
+            server.step(now_s);
+            reads = device.read(now_s, reading);
+            (void)device.write(now_s, {});
+        }
+        CHECK(reads == (mass_kg == 0.1));
+        CHECK(device.status().changed == (mass_kg != 0.1));
+        CHECK(server.status().held == (mass_kg == 0.1));
+    }
+}
+
+TEST_CASE("link: nothing is measured after it is heard of, whatever an arm says of its clock") {
+    Held held;
+    REQUIRE(held.pair.link());
+    held.run(200);
+    for (int i = 0; i < 19; ++i) {
+        held.hand.age_s -= 0.001;  // its sensor's clock runs twice as fast
+        held.run(1);
+        REQUIRE(held.gives_pose);
+        REQUIRE(held.reading.stamp_s <= held.pair.now_s);
+    }
+    for (int i = 0; i < 20; ++i) {
+        held.hand.age_s = i % 2 == 0 ? 0.019 : -0.019;
+        held.run(1);
+        REQUIRE(held.reading.stamp_s <= held.pair.now_s);
+    }
+}
+
+TEST_CASE("link: a wrench that is no number is not sent") {
+    Held held;
+    held.engage();
+    held.pair.tap.keeps = true;
+    for (const double bad : {std::nan(""), HUGE_VAL}) {
+        CHECK_FALSE(
+            held.pair.device.write(held.pair.now_s + kStep_s, {Vector3(0.0, bad, 0.0), {}}));
+        CHECK_FALSE(
+            held.pair.device.write(held.pair.now_s + kStep_s, {{}, Vector3(bad, 0.0, 0.0)}));
+    }
+    CHECK(held.pair.tap.sent.empty());
+}
+
+TEST_CASE("link: what the scene takes by a torque that nobody has put in turns its hand aside") {
+    // The arm gives no torque, so its hand pays nothing; the scene asks for one against the turning.
+    Held held({}, {.safety = {.max_torque_Nm = 0.0}});
+    REQUIRE(held.pair.link());
+    held.run(200);
+    held.wrench.torque = {0.1, 0.0, 0.0};
+    for (int i = 0; i < 300; ++i) {
+        held.hand.pose_D.orientation =
+            compute_exp(Vector3(-1.0e-3, 0.0, 0.0)) * held.hand.pose_D.orientation;
+        held.run(1);
+    }
+    const Quaternion aside =
+        held.reading.pose_D.orientation * held.hand.pose_D.orientation.conjugate();
+    const Vector3 turned = compute_log(aside);
+    CHECK(turned.x() > 0.05);
+    CHECK(turned.x() <= 0.5 + 1.0e-9);
+    CHECK(std::hypot(turned.y(), turned.z()) < 1.0e-6);
 }
