@@ -2,12 +2,13 @@
 // happened and was decided meanwhile.
 //
 // File, little-endian throughout; a text is a u32 number of bytes and so many of UTF-8, at most 4096:
-//   header           magic 89 46 4C 43 52 0D 0A 1A | u32 version = 5 | u32 header bytes |
+//   header           magic 89 46 4C 43 52 0D 0A 1A | u32 version = 6 | u32 header bytes |
 //                    f64 rate in hertz | f64 the gate's newtons | f64 its newton metres | text lesson |
 //                    u32 n, n texts: the effects | u32 n, n texts: the bodies |
 //                    u32 n, n pairs of texts: what the run was made with, name and value |
+//                    u32 n, of each hand beside the first: f64 its gate's newtons | f64 newton metres | u32 m, m texts: its effects |
 //                    u32 CRC-32 of all before it
-//   block  16 bytes  u32 "BLK1" | u32 kind (1 samples, 2 events, 3 end, 4 bodies) | u32 payload bytes |
+//   block  16 bytes  u32 "BLK1" | u32 kind (1 samples, 2 events, 3 end, 4 bodies, 5 hand) | u32 payload bytes |
 //                    u32 CRC-32 of kind, length and payload; then the payload:
 //   sample 240 bytes u64 tick | f64 time | f64 stamp | f64 pose (x y z, quaternion w x y z) |
 //                    f64 twist (linear, angular) | f64 commanded (force, torque) |
@@ -16,11 +17,13 @@
 //   event            f64 time | u32 kind | i32 body | text
 //   body    96 bytes f64 time | i32 body | u32 where (BodyWhere) | f64 pose as a sample's | f64 velocity;
 //                    of those that are not as they were told last
-//   end     24 bytes u64 number of samples | u64 of events | u64 of bodies; always the last block
+//   hand             u32 which, 1 for the second | its samples, as the first one's
+//   end     32 bytes u64 number of samples | u64 of events | u64 of bodies | u64 of samples of all other hands; always the last block
 // faults are the bits of base/fault.h, gate is GatePhase.
 // Versions 1 to 4 are read too: their header has 88 bytes, which end with the lesson in 60 and the CRC; their samples
 // have neither touched body nor effects, their events 48 bytes of text padded with zeros; they have no bodies. Version 1
-// knew no Fault::ended, version 2 none of those of hand_guard.h, version 3 no clutch.
+// knew no Fault::ended, version 2 none of those of hand_guard.h, version 3 no clutch. Version 5 knew one hand: its header ends
+// with the facts, its end has 24 bytes.
 // No clock of the day and no address is in it: the same run of the same program makes the same bytes. A file without the
 // end block was cut off; its whole blocks are good.
 //
@@ -35,6 +38,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,7 +46,7 @@
 
 namespace fulcrum {
 
-inline constexpr std::uint32_t kRecordVersion = 5;
+inline constexpr std::uint32_t kRecordVersion = 6;
 inline constexpr std::size_t kRecordTextBytes = 4096;  ///< of any text, at most
 inline constexpr std::size_t kRecordSampleBytes = 240;
 inline constexpr std::size_t kRecordShareBytes = 48;
@@ -99,23 +103,39 @@ struct RecordFact {
     friend bool operator==(const RecordFact&, const RecordFact&) = default;
 };
 
+/// What stands at the head of a record of a hand beside the first.
+struct RecordHand {
+    double max_force_N = 0.0;  ///< its gate's limit
+    double max_torque_Nm = 0.0;
+    std::vector<std::string> effects{};  ///< what may add to its force, at most kMostEffects
+    friend bool operator==(const RecordHand&, const RecordHand&) = default;
+};
+inline constexpr std::size_t kRecordMoreHands = 3;  ///< at most
+
 /// What stands at the head of a record.
 struct RecordHeader {
-    double rate_Hz = 1000.0;             ///< of the haptic loop, 1 to 100000
-    std::string lesson;                  ///< its id
-    double max_force_N = 0.0;            ///< the last gate's limit; 0 where it is not known
-    double max_torque_Nm = 0.0;          ///< likewise
-    std::vector<std::string> effects{};  ///< what may add to the force, at most kMostEffects
-    std::vector<std::string> bodies{};   ///< their names, at most kMaxBodies
-    std::vector<RecordFact> facts{};     ///< in the order in which they are to be told
+    double rate_Hz = 1000.0;               ///< of the haptic loop, 1 to 100000
+    std::string lesson;                    ///< its id
+    double max_force_N = 0.0;              ///< the last gate's limit; 0 where it is not known
+    double max_torque_Nm = 0.0;            ///< likewise
+    std::vector<std::string> effects{};    ///< what may add to the force, at most kMostEffects
+    std::vector<std::string> bodies{};     ///< their names, at most kMaxBodies
+    std::vector<RecordFact> facts{};       ///< in the order in which they are to be told
+    std::vector<RecordHand> more_hands{};  ///< at most kRecordMoreHands
 };
 
-/// A record in memory.
-struct Record {
+/// The rounds of one hand.
+struct RecordRounds {
+    std::vector<RecordSample> samples;  ///< in the order of time
+    std::vector<Wrench>
+        shares_W;  ///< of each sample in turn as many as the header has effects of that hand
+};
+
+/// A record in memory: the first hand's rounds, and what is of all.
+struct Record : RecordRounds {
     RecordHeader header;
     std::uint32_t version = kRecordVersion;  ///< that it was read from
-    std::vector<RecordSample> samples;       ///< in the order of time
-    std::vector<Wrench> shares_W;  ///< of each sample in turn as many as the header has effects
+    std::vector<RecordRounds> more_hands;    ///< as many as the header has
     std::vector<RecordEvent> events;
     std::vector<RecordBody> bodies;
     bool cut_off = false;  ///< the end was missing; what is here is whole
@@ -136,6 +156,14 @@ struct Record {
 [[nodiscard]] Expected<Record> recover_record(std::span<const std::byte> bytes);
 /// Reads the file at `path` (at most 2 GB) with `recover_record`; `where` of an error is the path.
 [[nodiscard]] Expected<Record> load_record(const std::string& path);
+
+/// What another hand of the record did, as a record of it alone: `hand` is 1 for the second; facts of the device are its own. Nothing
+/// where there is none.
+[[nodiscard]] std::optional<Record> find_hand(const Record& record, std::size_t hand);
+/// The header of such a record; `hand` is there.
+[[nodiscard]] RecordHeader header_of_hand(const RecordHeader& header, std::size_t hand);
+/// Before the facts of that hand's device: "hand 2.".
+[[nodiscard]] std::string fact_prefix(std::size_t hand);
 
 /// CRC-32 of `bytes`; `before` is the checksum of what came before them, 0 at the start.
 [[nodiscard]] std::uint32_t compute_crc32(std::span<const std::byte> bytes,

@@ -15,7 +15,8 @@ constexpr const char* kHeadAgain = "record the run again";
 // Magic, version, length; then in each version its own.
 constexpr std::size_t kFirstBytes = 16;
 constexpr std::size_t kChecksumBytes = 4;
-constexpr std::uint32_t kFirstOfToday = 5;  // the first version whose header has lists
+constexpr std::uint32_t kFirstWithLists = 5;  // the first version whose header has lists
+constexpr std::uint32_t kFirstWithHands = 6;
 
 void put_list(Sink& sink, const std::vector<std::string>& texts, std::size_t most) {
     const std::size_t n = std::min(texts.size(), most);
@@ -58,18 +59,43 @@ bool take_facts(Source& source, std::vector<RecordFact>& facts) {
     });
 }
 
+bool is_limit(double most) {
+    return most >= 0.0 && std::isfinite(most);
+}
+
+bool take_limits(Source& source, double& force_N, double& torque_Nm) {
+    if (!source.has(2 * sizeof(double))) {
+        return false;
+    }
+    source.field(force_N);
+    source.field(torque_Nm);
+    return is_limit(force_N) && is_limit(torque_Nm);
+}
+
+bool take_hands(Source& source, std::vector<RecordHand>& hands) {
+    std::uint32_t n = 0;
+    if (!take_count(source, kRecordMoreHands, n)) {
+        return false;
+    }
+    hands.resize(n);
+    return std::all_of(hands.begin(), hands.end(), [&](RecordHand& hand) {
+        return take_limits(source, hand.max_force_N, hand.max_torque_Nm) &&
+               take_list(source, kMostEffects, hand.effects);
+    });
+}
+
 // All behind magic, version and length, but for the checksum; false where it cannot be.
-bool take_new(Source source, RecordHeader& header) {
-    if (!source.has(3 * sizeof(double))) {
+bool take_new(Source source, std::uint32_t version, RecordHeader& header) {
+    if (!source.has(sizeof(double))) {
         return false;
     }
     source.field(header.rate_Hz);
-    source.field(header.max_force_N);
-    source.field(header.max_torque_Nm);
+    if (!take_limits(source, header.max_force_N, header.max_torque_Nm)) {
+        return false;
+    }
     return take_text(source, header.lesson) && take_list(source, kMostEffects, header.effects) &&
            take_list(source, kMaxBodies, header.bodies) && take_facts(source, header.facts) &&
-           !source.has(1) && header.max_force_N >= 0.0 && std::isfinite(header.max_force_N) &&
-           header.max_torque_Nm >= 0.0 && std::isfinite(header.max_torque_Nm);
+           (version < kFirstWithHands || take_hands(source, header.more_hands)) && !source.has(1);
 }
 
 bool take_old(Source source, RecordHeader& header) {
@@ -94,6 +120,13 @@ void put_header(const RecordHeader& header, std::vector<std::byte>& bytes) {
     for (std::size_t i = 0; i < n; ++i) {
         sink.text(header.facts[i].name);
         sink.text(header.facts[i].value);
+    }
+    const std::size_t n_hands = std::min(header.more_hands.size(), kRecordMoreHands);
+    sink.field(static_cast<std::uint32_t>(n_hands));
+    for (std::size_t i = 0; i < n_hands; ++i) {
+        sink.field(header.more_hands[i].max_force_N);
+        sink.field(header.more_hands[i].max_torque_Nm);
+        put_list(sink, header.more_hands[i].effects, kMostEffects);
     }
     std::vector<std::byte> head;
     Sink first(head);
@@ -128,7 +161,7 @@ Expected<Head> read_header(std::span<const std::byte> bytes) {
                         ", and this program reads versions 1 to " + std::to_string(kRecordVersion),
                     {}, "use the program that made it");
     }
-    const bool is_old = head.version < kFirstOfToday;
+    const bool is_old = head.version < kFirstWithLists;
     if (is_old ? size != kRecordOldHeaderBytes
                : size < kFirstBytes + kChecksumBytes || size > kMostHeaderBytes) {
         return fail("the record's header is damaged: it cannot have this length", {}, kHeadAgain);
@@ -144,7 +177,8 @@ Expected<Head> read_header(std::span<const std::byte> bytes) {
         return fail("the record's header is damaged: its checksum does not fit", {}, kHeadAgain);
     }
     const Source body(checked.subspan(kFirstBytes));
-    const bool is_good = is_old ? take_old(body, head.header) : take_new(body, head.header);
+    const bool is_good =
+        is_old ? take_old(body, head.header) : take_new(body, head.version, head.header);
     if (!is_good || !(head.header.rate_Hz >= 1.0 && head.header.rate_Hz <= 100000.0)) {
         return fail("the record's header names an impossible rate, lesson, limit or list", {},
                     kHeadAgain);

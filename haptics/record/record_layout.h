@@ -27,9 +27,10 @@ inline constexpr std::size_t kBlockHeadBytes = 16;
 inline constexpr std::size_t kOldEndBytes = 16;  // of versions 1 to 4, as are the next two
 inline constexpr std::size_t kOldLessonBytes = 60;
 inline constexpr std::size_t kOldTextBytes = 48;
-inline constexpr std::size_t kEndBytes = 24;
+inline constexpr std::size_t kEndBytesOfOneHand = 24;  // of version 5
+inline constexpr std::size_t kEndBytes = 32;
 inline constexpr std::size_t kMostHeaderBytes = std::size_t{1} << 24;
-enum class BlockKind : std::uint32_t { samples = 1, events = 2, end = 3, bodies = 4 };
+enum class BlockKind : std::uint32_t { samples = 1, events = 2, end = 3, bodies = 4, hand = 5 };
 
 /// Appends fields to a vector.
 class Sink {

@@ -19,11 +19,12 @@ constexpr std::size_t kMostSamplesInBlock = 65536;
 constexpr std::size_t kMostPayloadBytes =
     kMostSamplesInBlock * (kRecordSampleBytes + kMostEffects * kRecordShareBytes);
 // The last fault that each version knows, oldest first.
-constexpr Fault kLastFaults[] = {Fault::device_write, Fault::ended, Fault::too_much_energy,
-                                 Fault::clutched, Fault::clutched};
+constexpr Fault kLastFaults[] = {Fault::device_write, Fault::ended,    Fault::too_much_energy,
+                                 Fault::clutched,     Fault::clutched, Fault::clutched};
 static_assert(std::size(kLastFaults) == kRecordVersion);
 constexpr std::uint32_t kFirstWithShares = 5;  // version whose samples tell what each effect adds
-constexpr std::size_t kEventHeadBytes = 16;    // time, kind, body
+constexpr std::uint32_t kFirstWithHands = 6;
+constexpr std::size_t kEventHeadBytes = 16;  // time, kind, body
 constexpr double kUnitTolerance = 1.0e-3;
 constexpr std::size_t kLargestFile_bytes = std::size_t{2} << 30;
 
@@ -44,12 +45,18 @@ class Reader {
 
   private:
     Problem read_block();
-    Problem read_samples(std::span<const std::byte> payload);
+    Problem read_samples(std::span<const std::byte> payload, std::size_t n_effects,
+                         RecordRounds& rounds) const;
+    Problem read_hand(std::span<const std::byte> payload);
     Problem read_events(std::span<const std::byte> payload);
     Problem read_bodies(std::span<const std::byte> payload);
     Problem read_end(std::span<const std::byte> payload);
     [[nodiscard]] bool is_old() const { return record_.version < kFirstWithShares; }
+    [[nodiscard]] bool knows_hands() const { return record_.version >= kFirstWithHands; }
+    [[nodiscard]] bool take_sample(Source& source, const RecordRounds& before,
+                                   RecordSample& sample) const;
     [[nodiscard]] bool take_event(Source& source, RecordEvent& event) const;
+    [[nodiscard]] static bool take_body(Source& source, RecordBody& body);
 
     std::span<const std::byte> rest_;
     Record record_;
@@ -64,6 +71,7 @@ Expected<void> Reader::read_header() {
     }
     record_.header = std::move(head->header);
     record_.version = head->version;
+    record_.more_hands.resize(record_.header.more_hands.size());
     known_faults_ = 2 * static_cast<std::uint32_t>(kLastFaults[head->version - 1]) - 1;
     rest_ = rest_.subspan(head->n_bytes);
     return {};
@@ -111,7 +119,12 @@ Problem Reader::read_block() {
     rest_ = rest_.subspan(record_layout::kBlockHeadBytes + size);
     switch (static_cast<BlockKind>(kind)) {
         case BlockKind::samples:
-            return read_samples(payload);
+            return read_samples(payload, record_.header.effects.size(), record_);
+        case BlockKind::hand:
+            if (knows_hands()) {
+                return read_hand(payload);
+            }
+            break;
         case BlockKind::events:
             return read_events(payload);
         case BlockKind::end:
@@ -137,39 +150,78 @@ bool is_body(std::int32_t body) {
     return body >= kNoBody && body < kMaxBodies;
 }
 
-Problem Reader::read_samples(std::span<const std::byte> payload) {
-    const std::size_t n_effects = record_.header.effects.size();
-    const std::size_t sample_bytes = kRecordSampleBytes + n_effects * kRecordShareBytes;
-    if (payload.empty() || payload.size() % sample_bytes != 0) {
-        return "the record is damaged: a block of samples has no whole number of them";
+// Reads parts of one kind to the end of the payload; where one is not whole, or cannot be, none of them stays.
+template <class Part, class Take>
+Problem read_parts(std::span<const std::byte> payload, const char* kind, std::vector<Part>& parts,
+                   const Take& take) {
+    if (payload.empty()) {
+        return std::string("the record is damaged: a block has no ") + kind + " in it";
     }
     Source source(payload);
-    const std::size_t before = record_.samples.size();
-    for (std::size_t i = 0; i < payload.size() / sample_bytes; ++i) {
-        RecordSample sample;
-        std::uint32_t faults = 0;
-        std::uint32_t gate = 0;
-        record_layout::visit_fields(source, sample, faults, gate);
-        if (is_old()) {
-            sample.touched_body = kNoBody;
+    const std::size_t before = parts.size();
+    while (source.has(1)) {
+        Part part;
+        if (!take(source, part)) {
+            const std::size_t bad = parts.size();
+            parts.resize(before);
+            return std::string("the record holds an impossible ") + kind + ", number " +
+                   std::to_string(bad);
         }
-        const double not_before_s =
-            record_.samples.empty() ? -1.0e300 : record_.samples.back().time_s;
-        if (!is_possible(sample, not_before_s) || (faults & ~known_faults_) != 0 ||
-            gate > static_cast<std::uint32_t>(GatePhase::stopped) ||
-            !is_body(sample.touched_body)) {
-            record_.samples.resize(before);
-            record_.shares_W.resize(n_effects * before);
-            return "the record holds an impossible sample, number " + std::to_string(before + i);
-        }
-        sample.faults = static_cast<Fault>(faults);
-        sample.gate = static_cast<GatePhase>(gate);
-        record_.samples.push_back(sample);
-        for (std::size_t k = 0; k < n_effects; ++k) {
-            record_layout::visit_wrench(source, record_.shares_W.emplace_back());
-        }
+        parts.push_back(std::move(part));
     }
     return {};
+}
+
+bool Reader::take_sample(Source& source, const RecordRounds& before, RecordSample& sample) const {
+    if (!source.has(kRecordSampleBytes)) {
+        return false;
+    }
+    std::uint32_t faults = 0;
+    std::uint32_t gate = 0;
+    record_layout::visit_fields(source, sample, faults, gate);
+    if (is_old()) {
+        sample.touched_body = kNoBody;
+    }
+    sample.faults = static_cast<Fault>(faults);
+    sample.gate = static_cast<GatePhase>(gate);
+    const double not_before_s = before.samples.empty() ? -1.0e300 : before.samples.back().time_s;
+    return is_possible(sample, not_before_s) && (faults & ~known_faults_) == 0 &&
+           gate <= static_cast<std::uint32_t>(GatePhase::stopped) && is_body(sample.touched_body);
+}
+
+Problem Reader::read_samples(std::span<const std::byte> payload, std::size_t n_effects,
+                             RecordRounds& rounds) const {
+    const std::size_t before = rounds.samples.size();
+    const Problem problem =
+        read_parts(payload, "sample", rounds.samples, [&](Source& source, RecordSample& sample) {
+            if (!take_sample(source, rounds, sample) ||
+                !source.has(n_effects * kRecordShareBytes)) {
+                return false;
+            }
+            for (std::size_t k = 0; k < n_effects; ++k) {
+                record_layout::visit_wrench(source, rounds.shares_W.emplace_back());
+            }
+            return true;
+        });
+    if (problem) {
+        rounds.shares_W.resize(n_effects * before);
+    }
+    return problem;
+}
+
+// Rounds of a hand beside the first.
+Problem Reader::read_hand(std::span<const std::byte> payload) {
+    std::uint32_t number = 0;
+    Source source(payload);
+    if (source.has(sizeof number)) {
+        source.field(number);
+    }
+    if (number == 0 || number > record_.more_hands.size()) {
+        return "the record is damaged: it tells of a hand that its header has not";
+    }
+    return read_samples(payload.subspan(sizeof number),
+                        record_.header.more_hands[number - 1].effects.size(),
+                        record_.more_hands[number - 1]);
 }
 
 // False where the bytes hold no whole event, or an impossible one.
@@ -193,60 +245,48 @@ bool Reader::take_event(Source& source, RecordEvent& event) const {
 }
 
 Problem Reader::read_events(std::span<const std::byte> payload) {
-    constexpr std::size_t kOldBytes = kEventHeadBytes + record_layout::kOldTextBytes;
-    if (payload.empty() || (is_old() && payload.size() % kOldBytes != 0)) {
-        return "the record is damaged: a block of events has no whole number of them";
+    return read_parts(payload, "event", record_.events, [this](Source& source, RecordEvent& event) {
+        return take_event(source, event);
+    });
+}
+
+bool Reader::take_body(Source& source, RecordBody& body) {
+    if (!source.has(kRecordBodyBytes)) {
+        return false;
     }
-    Source source(payload);
-    const std::size_t before = record_.events.size();
-    while (source.has(1)) {
-        if (!take_event(source, record_.events.emplace_back())) {
-            const std::size_t bad = record_.events.size() - 1;
-            record_.events.resize(before);
-            return "the record holds an impossible event, number " + std::to_string(bad);
-        }
-    }
-    return {};
+    std::uint32_t where = 0;
+    record_layout::visit_fields(source, body, where);
+    body.state.where = static_cast<BodyWhere>(where);
+    return std::isfinite(body.time_s) && body.body >= 0 && body.body < kMaxBodies &&
+           where <= static_cast<std::uint32_t>(BodyWhere::landed);
 }
 
 Problem Reader::read_bodies(std::span<const std::byte> payload) {
-    if (payload.empty() || payload.size() % kRecordBodyBytes != 0) {
-        return "the record is damaged: a block of bodies has no whole number of them";
-    }
-    Source source(payload);
-    const std::size_t before = record_.bodies.size();
-    for (std::size_t i = 0; i < payload.size() / kRecordBodyBytes; ++i) {
-        RecordBody body;
-        std::uint32_t where = 0;
-        record_layout::visit_fields(source, body, where);
-        if (!std::isfinite(body.time_s) || body.body < 0 || body.body >= kMaxBodies ||
-            where > static_cast<std::uint32_t>(BodyWhere::landed)) {
-            record_.bodies.resize(before);
-            return "the record holds an impossible body, number " + std::to_string(before + i);
-        }
-        body.state.where = static_cast<BodyWhere>(where);
-        record_.bodies.push_back(body);
-    }
-    return {};
+    return read_parts(payload, "body", record_.bodies, take_body);
 }
 
 Problem Reader::read_end(std::span<const std::byte> payload) {
-    if (payload.size() != (is_old() ? record_layout::kOldEndBytes : record_layout::kEndBytes)) {
+    const std::size_t size = is_old()        ? record_layout::kOldEndBytes
+                             : knows_hands() ? record_layout::kEndBytes
+                                             : record_layout::kEndBytesOfOneHand;
+    if (payload.size() != size) {
         return "the record is damaged: its end has a wrong size";
     }
-    Source source(payload);
-    std::uint64_t n_samples = 0;
-    std::uint64_t n_events = 0;
-    std::uint64_t n_bodies = 0;
-    source.field(n_samples);
-    source.field(n_events);
-    if (!is_old()) {
-        source.field(n_bodies);
+    std::size_t n_others = 0;
+    for (const RecordRounds& rounds : record_.more_hands) {
+        n_others += rounds.samples.size();
     }
-    if (n_samples != record_.samples.size() || n_events != record_.events.size() ||
-        n_bodies != record_.bodies.size()) {
-        return "the record is damaged: it holds other numbers of samples, events and bodies than "
-               "its end says";
+    Source source(payload);
+    for (const std::size_t n :
+         {record_.samples.size(), record_.events.size(), record_.bodies.size(), n_others}) {
+        std::uint64_t told = 0;
+        if (source.has(sizeof told)) {
+            source.field(told);
+        }
+        if (told != n) {
+            return "the record is damaged: it holds other numbers of samples, events and bodies "
+                   "than its end says";
+        }
     }
     ended_ = true;
     return {};

@@ -20,30 +20,41 @@ constexpr std::size_t kFullPayload_bytes = std::size_t{1} << 20;
 
 }  // namespace
 
-RecordEncoder::RecordEncoder(const RecordHeader& header)
-    : n_effects_(std::min(header.effects.size(), kMostEffects)) {
+RecordEncoder::RecordEncoder(const RecordHeader& header) {
+    hands_.push_back({std::min(header.effects.size(), kMostEffects)});
+    for (std::size_t i = 0; i < std::min(header.more_hands.size(), kRecordMoreHands); ++i) {
+        hands_.push_back({std::min(header.more_hands[i].effects.size(), kMostEffects)});
+    }
     record_layout::put_header(header, bytes_);
 }
 
-void RecordEncoder::append(const RecordSample& sample, std::span<const Wrench> shares_W) {
-    Sink sink(samples_);
+void RecordEncoder::append(std::size_t number, const RecordSample& sample,
+                           std::span<const Wrench> shares_W) {
+    if (number >= hands_.size()) {
+        return;
+    }
+    Hand& hand = hands_[number];
+    Sink sink(hand.bytes);
+    if (number > 0 && hand.n_open == 0) {
+        sink.field(static_cast<std::uint32_t>(number));
+    }
     auto faults = static_cast<std::uint32_t>(sample.faults);
     auto gate = static_cast<std::uint32_t>(sample.gate);
     record_layout::visit_fields(sink, sample, faults, gate);
-    for (std::size_t i = 0; i < n_effects_; ++i) {
+    for (std::size_t i = 0; i < hand.n_effects; ++i) {
         const Wrench share_W = i < shares_W.size() ? shares_W[i] : Wrench{};
         record_layout::visit_wrench(sink, share_W);
     }
-    ++n_samples_;
-    if (++n_open_ == kRecordBlockSamples) {
+    ++hand.n_samples;
+    if (++hand.n_open == kRecordBlockSamples) {
         close_blocks();
     }
 }
 
-void RecordEncoder::append(const RecordRound& round) {
+void RecordEncoder::append(std::size_t hand, const RecordRound& round) {
     const auto n = std::clamp<std::size_t>(static_cast<std::size_t>(round.shares.n), 0,
                                            round.shares.each_W.size());
-    append(round.sample, std::span(round.shares.each_W).first(n));
+    append(hand, round.sample, std::span(round.shares.each_W).first(n));
 }
 
 void RecordEncoder::append(const RecordEvent& event) {
@@ -69,13 +80,16 @@ void RecordEncoder::append(const RecordBody& body) {
 }
 
 void RecordEncoder::close_blocks() {
-    put_block(static_cast<std::uint32_t>(BlockKind::samples), samples_);
+    for (std::size_t i = 0; i < hands_.size(); ++i) {
+        const BlockKind kind = i == 0 ? BlockKind::samples : BlockKind::hand;
+        put_block(static_cast<std::uint32_t>(kind), hands_[i].bytes);
+        hands_[i].bytes.clear();
+        hands_[i].n_open = 0;
+    }
     put_block(static_cast<std::uint32_t>(BlockKind::events), events_);
     put_block(static_cast<std::uint32_t>(BlockKind::bodies), bodies_);
-    samples_.clear();
     events_.clear();
     bodies_.clear();
-    n_open_ = 0;
 }
 
 void RecordEncoder::put_block(std::uint32_t kind, const std::vector<std::byte>& payload) {
@@ -95,9 +109,14 @@ void RecordEncoder::put_block(std::uint32_t kind, const std::vector<std::byte>& 
 void RecordEncoder::finish() {
     close_blocks();
     std::vector<std::byte> payload;
-    Sink(payload).field(n_samples_);
+    Sink(payload).field(hands_.front().n_samples);
     Sink(payload).field(n_events_);
     Sink(payload).field(n_bodies_);
+    std::uint64_t n_others = 0;
+    for (std::size_t i = 1; i < hands_.size(); ++i) {
+        n_others += hands_[i].n_samples;
+    }
+    Sink(payload).field(n_others);
     put_block(static_cast<std::uint32_t>(BlockKind::end), payload);
 }
 
@@ -129,8 +148,8 @@ Expected<void> RecordWriter::drain(RecordRing& ring) {
     return write_out();
 }
 
-Expected<void> RecordWriter::append(const RecordRound& round) {
-    encoder_.append(round);
+Expected<void> RecordWriter::append(std::size_t hand, const RecordRound& round) {
+    encoder_.append(hand, round);
     return write_out();
 }
 

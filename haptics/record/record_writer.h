@@ -26,8 +26,14 @@ class RecordEncoder {
 
     /// Adds one round of the haptic loop; every kRecordBlockSamples of them close a block. `shares_W`: what each effect of the
     /// header adds to its force; those that are missing are zero.
-    void append(const RecordSample& sample, std::span<const Wrench> shares_W = {});
-    void append(const RecordRound& round);
+    void append(const RecordSample& sample, std::span<const Wrench> shares_W = {}) {
+        append(0, sample, shares_W);
+    }
+    void append(const RecordRound& round) { append(0, round); }
+    /// The same of hand `hand`, 0 for the first; of one that the header has not nothing is kept.
+    void append(std::size_t hand, const RecordSample& sample,
+                std::span<const Wrench> shares_W = {});
+    void append(std::size_t hand, const RecordRound& round);
     /// Adds an event; it is written when the next block of samples closes.
     void append(const RecordEvent& event);
     /// Adds where a body was found; written like an event.
@@ -42,13 +48,18 @@ class RecordEncoder {
   private:
     void put_block(std::uint32_t kind, const std::vector<std::byte>& payload);
 
+    // The samples of a hand's open block.
+    struct Hand {
+        std::size_t n_effects = 0;
+        std::vector<std::byte> bytes{};
+        std::size_t n_open = 0;
+        std::uint64_t n_samples = 0;
+    };
+
     std::vector<std::byte> bytes_;
-    std::vector<std::byte> samples_;
+    std::vector<Hand> hands_;  // the first, and the others
     std::vector<std::byte> events_;
     std::vector<std::byte> bodies_;
-    std::size_t n_effects_;
-    std::size_t n_open_ = 0;  // samples in the open block
-    std::uint64_t n_samples_ = 0;
     std::uint64_t n_events_ = 0;
     std::uint64_t n_bodies_ = 0;
 };
@@ -66,7 +77,9 @@ class RecordWriter {
 
     /// Adds everything that waits in the ring. The ring's only consumer.
     [[nodiscard]] Expected<void> drain(RecordRing& ring);
-    [[nodiscard]] Expected<void> append(const RecordRound& round);
+    [[nodiscard]] Expected<void> append(const RecordRound& round) { return append(0, round); }
+    /// Of hand `hand`, 0 for the first.
+    [[nodiscard]] Expected<void> append(std::size_t hand, const RecordRound& round);
     [[nodiscard]] Expected<void> append(const RecordEvent& event);
     [[nodiscard]] Expected<void> append(const RecordBody& body);
     /// Writes the end and closes the file.

@@ -144,6 +144,8 @@ Expected<void> LessonRun::build_loops(const Places& places, const RunRequest& re
         }
     }
     haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, hand_->device(), channels_);
+    build_more_loops();
+    build_replayed_stops(request);
     build_why(request);
     if (auto recorded = build_recorder(places, request); !recorded) {
         return recorded;
@@ -158,7 +160,9 @@ Expected<void> LessonRun::build_loops(const Places& places, const RunRequest& re
                                                   *world_channels_, channels_);
     }
     fill_in_memory(plan_, name_of_loop(0), *haptic_loop_);
-    build_more_loops();
+    for (std::size_t i = 0; i < more_hands_.size(); ++i) {
+        fill_in_memory(plan_, name_of_loop(i + 1), *more_hands_[i]->loop);
+    }
     return {};
 }
 

@@ -17,6 +17,7 @@
 #include "runtime/app/hand_device.h"
 #include "runtime/app/places.h"
 #include "runtime/app/replayed_input.h"
+#include "runtime/app/replayed_stops.h"
 #include "runtime/app/run_recorder.h"
 #include "runtime/app/run_request.h"
 #include "runtime/audio/touch_sound.h"
@@ -62,6 +63,7 @@ struct MoreHand {
     std::unique_ptr<HandDevice> device;
     std::unique_ptr<HapticLoop> loop;
     std::optional<HandWish> wish;
+    std::shared_ptr<const Record> replayed;  ///< of this hand alone; null where none is repeated
 };
 
 /// What a frame asks of the driver.
@@ -157,9 +159,9 @@ class LessonRun {
     [[nodiscard]] std::string take_device_notice();
     /// What got lost between the loops, a sentence each; none in a good run. Call it when the loops stand still.
     [[nodiscard]] std::vector<std::string> losses() const;
-    /// How the forces compare with those of the record that is repeated; null where none is.
-    [[nodiscard]] const ReplayCheck* replay_check() const {
-        return recorder_ ? recorder_->check() : nullptr;
+    /// How a hand's forces compare with those of the record that is repeated; null where none is.
+    [[nodiscard]] const ReplayCheck* replay_check(std::size_t hand = 0) const {
+        return recorder_ ? recorder_->check(hand) : nullptr;
     }
     /// When that record ends, on the run's clock; nothing where none is repeated, or an old one.
     [[nodiscard]] std::optional<double> replay_end_s() const;
@@ -193,6 +195,7 @@ class LessonRun {
     [[nodiscard]] Expected<void> build_recorder(const Places& places, const RunRequest& request);
     void build_touch_sound();
     void build_more_loops();
+    void build_replayed_stops(const RunRequest& request);
     void gather_more_hands(SessionInput& gathered);
     void show_more_hands(Scenery& scenery) const;
     void lead_more_hands(const SessionOutput& output);
@@ -223,6 +226,7 @@ class LessonRun {
     std::vector<std::unique_ptr<MoreHand>> more_hands_;
     std::vector<std::string> hand_notices_;  // of who moves which
     std::unique_ptr<HandsLoop> hands_loop_;  // null with one hand
+    std::unique_ptr<ReplayedStops> stops_;   // around either, where a record is repeated
     std::unique_ptr<WorldLoop> world_loop_;
     std::unique_ptr<KiteLoop> kite_loop_;
     std::unique_ptr<RigidChannels> rigid_;  // null without rigid bodies, like the next

@@ -7,6 +7,18 @@
 #include <utility>
 
 namespace fulcrum::runtime {
+namespace {
+
+// What the record that the first hand repeats has of this one; null where it has nothing, or another file is repeated.
+std::shared_ptr<const Record> find_replayed(const RunRequest& request, std::size_t hand) {
+    const HandChoice& choice = request.more_hands[hand - 1];
+    const bool is_of_it = request.replayed && choice.hand == HandKind::replay &&
+                          choice.hand_file == request.hand_file;
+    auto alone = is_of_it ? find_hand(*request.replayed, hand) : std::nullopt;
+    return alone ? std::make_shared<const Record>(std::move(*alone)) : nullptr;
+}
+
+}  // namespace
 
 // As many as are planned; the request has been settled. Each device stands before the learner as it is kept for it, at the lesson's scale.
 Expected<void> LessonRun::open_more_hands(const RunRequest& request, ProgressStore& store) {
@@ -20,16 +32,19 @@ Expected<void> LessonRun::open_more_hands(const RunRequest& request, ProgressSto
         static_cast<HandChoice&>(own) = request.more_hands[i];
         own.fit = {};
         own.replayed = nullptr;
-        auto whole = with_record(std::move(own));
+        const std::shared_ptr<const Record> alone = find_replayed(request, i + 1);
+        auto whole = alone ? Expected<RunRequest>(own) : with_record(own);
         if (!whole) {
             return tl::unexpected(whole.error());
         }
+        whole->replayed = alone ? alone : whole->replayed;
         auto device = HandDevice::open(with_kept_fit(*whole, store), plan);
         if (!device) {
             return tl::unexpected(device.error());
         }
         auto hand = std::make_unique<MoreHand>();
         hand->device = std::move(*device);
+        hand->replayed = alone;
         if (auto fits = validate(plan, hand->device->device().traits()); !fits) {
             return fits;
         }
@@ -37,10 +52,6 @@ Expected<void> LessonRun::open_more_hands(const RunRequest& request, ProgressSto
             hand->channels.rigid = &hand->rigid;
         }
         more_hands_.push_back(std::move(hand));
-    }
-    if (plan_.record && !more_hands_.empty()) {
-        plan_.notices.emplace_back(
-            "The record keeps the first hand alone: played again, nobody moves the second one.");
     }
     return {};
 }
@@ -55,16 +66,35 @@ void LessonRun::build_more_loops() {
         hand.loop =
             std::make_unique<HapticLoop>(plan_.more_hands[i], hand.device->device(), hand.channels);
         hands.push_back({hand.loop.get(), &hand.channels});
-        fill_in_memory(plan_, name_of_loop(i + 1), *hand.loop);
     }
     hands_loop_ = std::make_unique<HandsLoop>(hands);
 }
 
+void LessonRun::build_replayed_stops(const RunRequest& request) {
+    std::vector<ReplayedStops::Hand> hands;
+    if (request.replayed) {
+        hands.push_back({request.replayed, &channels_});
+    }
+    for (const auto& hand : more_hands_) {
+        if (hand->replayed) {
+            hands.push_back({hand->replayed, &hand->channels});
+        }
+    }
+    if (!hands.empty()) {
+        stops_ = std::make_unique<ReplayedStops>(std::move(hands), hands_loop());
+    }
+}
+
 PeriodicTask& LessonRun::hands_loop() {
-    return hands_loop_ ? static_cast<PeriodicTask&>(*hands_loop_) : *haptic_loop_;
+    return stops_        ? static_cast<PeriodicTask&>(*stops_)
+           : hands_loop_ ? static_cast<PeriodicTask&>(*hands_loop_)
+                         : *haptic_loop_;
 }
 
 void LessonRun::step_hands(double now_s, StageListener& listener) {
+    if (stops_) {
+        stops_->repeat(now_s);
+    }
     if (hands_loop_) {
         hands_loop_->step_observed(now_s, listener);
     } else {

@@ -42,21 +42,38 @@ Expected<void> LessonRun::build_recorder(const Places& places, const RunRequest&
     if (!plan_.record && !compares) {
         return {};
     }
-    const RecordHeader header =
-        describe_run({lesson, plan_, request, places, process_->files_read(), *haptic_loop_,
-                      device().traits(), force_limit_N(request)});
+    FactSources sources{lesson,
+                        plan_,
+                        request,
+                        places,
+                        process_->files_read(),
+                        *haptic_loop_,
+                        device().traits(),
+                        force_limit_N(request)};
+    std::vector<HapticChannels*> channels{&channels_};
+    for (const auto& hand : more_hands_) {
+        sources.more_hands.push_back({*hand->loop, hand->device->device().traits()});
+        channels.push_back(&hand->channels);
+    }
+    const RecordHeader header = describe_run(sources);
     std::vector<std::string> forces;
     for (const ForceDescription& force : lesson.forces) {
         forces.push_back(force.name);
     }
     auto recorder = RunRecorder::create(plan_.record ? request.record_file : std::string(), header,
-                                        channels_, std::move(forces));
+                                        channels, std::move(forces));
     if (!recorder) {
         return tl::unexpected(recorder.error());
     }
     recorder_ = std::move(*recorder);
     if (compares) {
         recorder_->compare_with(request.replayed, header);
+        for (std::size_t i = 0; i < more_hands_.size(); ++i) {
+            if (more_hands_[i]->replayed) {
+                recorder_->compare_with(more_hands_[i]->replayed, header_of_hand(header, i + 1),
+                                        i + 1);
+            }
+        }
     }
     return {};
 }

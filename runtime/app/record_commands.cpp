@@ -10,11 +10,26 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace fulcrum::runtime {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Of each hand.
+Expected<std::vector<ForceAccount>> find_accounts(const Record& record, double time_s) {
+    std::vector<ForceAccount> accounts;
+    for (std::size_t hand = 0; hand <= record.more_hands.size(); ++hand) {
+        const auto account = hand == 0 ? find_account(record, time_s)
+                                       : find_account(*find_hand(record, hand), time_s);
+        if (!account) {
+            return tl::unexpected(account.error());
+        }
+        accounts.push_back(*account);
+    }
+    return accounts;
+}
 
 Expected<Record> load_told(const std::string& path) {
     auto record = load_record(path);
@@ -46,15 +61,21 @@ int explain_force_command(const Options& options) {
         return complain({"--force is of a record, which is not played", {}, "leave the rest out"},
                         2);
     }
-    const auto account = load_told(options.lesson).and_then([&](const Record& record) {
-        return find_account(record, *options.force_at_s);
+    const auto accounts = load_told(options.lesson).and_then([&](const Record& record) {
+        return find_accounts(record, *options.force_at_s);
     });
-    if (!account) {
-        Error error = account.error();
+    if (!accounts) {
+        Error error = accounts.error();
         error.where = error.where.empty() ? options.lesson : error.where;
         return complain(error, 2);
     }
-    std::fputs((options.json ? account_json(*account) : account_text(*account)).c_str(), stdout);
+    for (std::size_t i = 0; i < accounts->size(); ++i) {
+        const ForceAccount& account = (*accounts)[i];
+        if (accounts->size() > 1 && !options.json) {
+            std::printf("%sHand %zu\n", i == 0 ? "" : "\n", i + 1);
+        }
+        std::fputs((options.json ? account_json(account) : account_text(account)).c_str(), stdout);
+    }
     return 0;
 }
 

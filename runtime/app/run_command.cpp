@@ -73,14 +73,16 @@ class ScreenshotTaker {
     bool failed_ = false;
 };
 
-// Whether the forces were those of the record that was repeated; the exit code.
+// Whether the forces of each hand were those of the record that was repeated; the exit code.
 int tell_replay(const LessonRun& run) {
-    const ReplayCheck* const check = run.replay_check();
-    if (check == nullptr) {
-        return 0;
+    int code = 0;
+    for (std::size_t hand = 0; hand < run.n_hands(); ++hand) {
+        if (const ReplayCheck* const check = run.replay_check(hand)) {
+            std::printf("%s%s\n", hand == 0 ? "" : "The second hand: ", check->sentence().c_str());
+            code = check->report().same() ? code : kForcesDiffer;
+        }
     }
-    std::printf("%s\n", check->sentence().c_str());
-    return check->report().same() ? 0 : kForcesDiffer;
+    return code;
 }
 
 int run_without_window(const Installation& installation, const Options& options,

@@ -157,6 +157,19 @@ void add_plan(const FactSources& run, Facts& facts) {
     }
 }
 
+void add_more_hands(const FactSources& run, RecordHeader& header) {
+    for (const FactSources::Hand& hand : run.more_hands) {
+        header.more_hands.push_back({hand.loop.max_force_N(), hand.loop.max_torque_Nm(),
+                                     effect_words(hand.loop.effects(), run.lesson)});
+        std::vector<RecordFact> traits;
+        list_traits(hand.device, traits);
+        for (RecordFact& trait : traits) {
+            header.facts.push_back(
+                {fact_prefix(header.more_hands.size()) + trait.name, std::move(trait.value)});
+        }
+    }
+}
+
 }  // namespace
 
 RecordHeader describe_run(const FactSources& run) {
@@ -182,6 +195,7 @@ RecordHeader describe_run(const FactSources& run) {
     add_options(run, facts);
     list_traits(run.device, header.facts);
     facts.add("device.reach m", run.device.reach_m);
+    add_more_hands(run, header);
     add_workspace(run.plan.haptic.workspace, facts);
     add_limits(run, facts);
     add_plan(run, facts);

@@ -26,6 +26,11 @@ struct FactSources {
     const HapticLoop& loop;
     const DeviceTraits& device;
     double device_force_limit_N;  ///< to which the plan was fitted
+    struct Hand {
+        const HapticLoop& loop;
+        const DeviceTraits& device;
+    };
+    std::vector<Hand> more_hands{};
 };
 
 /// The header of the run's record.

@@ -35,10 +35,9 @@ bool is_same(const BodyState& a, const BodyState& b) {
 
 }  // namespace
 
-Expected<std::unique_ptr<RunRecorder>> RunRecorder::create(const std::string& file,
-                                                           const RecordHeader& header,
-                                                           HapticChannels& channels,
-                                                           std::vector<std::string> forces) {
+Expected<std::unique_ptr<RunRecorder>> RunRecorder::create(
+    const std::string& file, const RecordHeader& header, std::span<HapticChannels* const> channels,
+    std::vector<std::string> forces) {
     std::unique_ptr<RunRecorder> recorder(
         new RunRecorder(std::move(forces), static_cast<int>(header.bodies.size())));
     if (!file.empty()) {
@@ -48,7 +47,10 @@ Expected<std::unique_ptr<RunRecorder>> RunRecorder::create(const std::string& fi
         }
         recorder->writer_.emplace(std::move(*writer));
     }
-    channels.record = &recorder->ring_;
+    for (HapticChannels* const hand : channels) {
+        recorder->hands_.push_back(std::make_unique<Hand>());
+        hand->record = &recorder->hands_.back()->ring;
+    }
     return recorder;
 }
 
@@ -70,21 +72,32 @@ void RunRecorder::keep(double time_s, RecordEventKind kind, std::int32_t body,
     write(RecordEvent{time_s, kind, body, text});
 }
 
-// Every round, and where the gate or a fault has changed, that too: who reads events alone must not miss it.
 void RunRecorder::drain() {
-    for (RecordRound round; ring_.pop(round);) {
+    for (std::size_t i = 0; i < hands_.size(); ++i) {
+        drain(i);
+    }
+}
+
+// Every round, and where the gate or a fault has changed, that too: who reads events alone must not miss it.
+void RunRecorder::drain(std::size_t number) {
+    Hand& hand = *hands_[number];
+    const std::string whose = number == 0 ? "" : "hand " + std::to_string(number + 1) + ": ";
+    for (RecordRound round; hand.ring.pop(round);) {
         const RecordSample& sample = round.sample;
-        write(round);
-        if (check_) {
-            check_->take(round);
+        if (writer_) {
+            note(writer_->append(number, round));
         }
-        if (sample.faults != faults_) {
-            faults_ = sample.faults;
-            keep(sample.time_s, RecordEventKind::fault, kNoBody, fault_words(faults_));
+        if (hand.check) {
+            hand.check->take(round);
         }
-        if (sample.gate != gate_) {
-            gate_ = sample.gate;
-            keep(sample.time_s, RecordEventKind::gate, kNoBody, std::string(gate_word(gate_)));
+        if (sample.faults != hand.faults) {
+            hand.faults = sample.faults;
+            keep(sample.time_s, RecordEventKind::fault, kNoBody, whose + fault_words(hand.faults));
+        }
+        if (sample.gate != hand.gate) {
+            hand.gate = sample.gate;
+            keep(sample.time_s, RecordEventKind::gate, kNoBody,
+                 whose + std::string(gate_word(hand.gate)));
         }
     }
 }

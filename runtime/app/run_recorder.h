@@ -12,6 +12,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,17 +20,27 @@ namespace fulcrum::runtime {
 
 class RunRecorder {
   public:
-    /// Makes the file, or says why not, and gives `channels` a ring to fill. Outlives the haptic loop's last round. `forces`: the names of
-    /// the lesson's declared ones. Without a file nothing is written.
+    /// Makes the file, or says why not, and gives `channels`, of each hand, a ring to fill. Outlives the haptic loops' last round. `forces`:
+    /// the names of the lesson's declared ones. Without a file nothing is written.
+    [[nodiscard]] static Expected<std::unique_ptr<RunRecorder>> create(
+        const std::string& file, const RecordHeader& header,
+        std::span<HapticChannels* const> channels, std::vector<std::string> forces = {});
+    /// The same of one hand.
     [[nodiscard]] static Expected<std::unique_ptr<RunRecorder>> create(
         const std::string& file, const RecordHeader& header, HapticChannels& channels,
-        std::vector<std::string> forces = {});
-    /// From now on every round is compared with that of a record.
-    void compare_with(std::shared_ptr<const Record> record, const RecordHeader& header) {
-        check_.emplace(std::move(record), header);
+        std::vector<std::string> forces = {}) {
+        HapticChannels* const one[] = {&channels};
+        return create(file, header, one, std::move(forces));
+    }
+    /// From now on every round of this hand is compared with that of a record of it alone; `header` is of this run.
+    void compare_with(std::shared_ptr<const Record> record, const RecordHeader& header,
+                      std::size_t hand = 0) {
+        hands_[hand]->check.emplace(std::move(record), header);
     }
     /// Null where nothing is compared.
-    [[nodiscard]] const ReplayCheck* check() const { return check_ ? &*check_ : nullptr; }
+    [[nodiscard]] const ReplayCheck* check(std::size_t hand = 0) const {
+        return hand < hands_.size() && hands_[hand]->check ? &*hands_[hand]->check : nullptr;
+    }
 
     /// Keeps what came in with a frame of the lesson.
     void keep_frame(const SessionInput& input);
@@ -40,9 +51,23 @@ class RunRecorder {
     /// Writes the rest and closes the file; tells the first trouble of the whole run.
     [[nodiscard]] Expected<void> finish();
     /// Rounds that were lost because the disk was too slow.
-    [[nodiscard]] std::uint64_t dropped() const noexcept { return ring_.dropped(); }
+    [[nodiscard]] std::uint64_t dropped() const noexcept {
+        std::uint64_t n = 0;
+        for (const auto& hand : hands_) {
+            n += hand->ring.dropped();
+        }
+        return n;
+    }
 
   private:
+    // A hand's rounds, and as they were told last.
+    struct Hand {
+        RecordRing ring;
+        std::optional<ReplayCheck> check{};
+        GatePhase gate = GatePhase::waiting;
+        Fault faults = Fault::none;
+    };
+
     RunRecorder(std::vector<std::string> forces, int n_bodies)
         : forces_(std::move(forces)), n_bodies_(n_bodies) {}
     template <class Part>
@@ -51,20 +76,18 @@ class RunRecorder {
     void keep(double time_s, RecordEventKind kind, std::int32_t body = kNoBody,
               const std::string& text = {});
     void drain();
+    void drain(std::size_t number);
     void keep_bodies(const SessionInput& input);
     void keep_body(double time_s, std::int32_t body, const BodyState& state);
     void keep_effort(double time_s, const ToolEffort& effort);
 
-    RecordRing ring_;
+    std::vector<std::unique_ptr<Hand>> hands_;
     std::optional<RecordWriter> writer_;
-    std::optional<ReplayCheck> check_;
     std::vector<std::string> forces_;
     std::int32_t n_bodies_;
     Expected<void> trouble_{};
     // As it was told last.
     std::int32_t touched_ = kNoBody;
-    GatePhase gate_ = GatePhase::waiting;
-    Fault faults_ = Fault::none;
     ToolEffort effort_{};
     std::array<BodyState, kMaxBodies> bodies_{};
     std::array<FieldCommand, kMaxFields> fields_{};

@@ -170,6 +170,13 @@ Expected<RunRequest> with_record(RunRequest request) {
         double scale = 1.0;
         number("option.scale", scale);
         request.fit.scale = request.fit.scale.value_or(scale);
+        // Who is not told otherwise repeats all hands.
+        for (std::size_t i = request.more_hands.size(); i < record.more_hands.size(); ++i) {
+            HandChoice repeated;
+            repeated.hand = HandKind::replay;
+            repeated.hand_file = request.hand_file;
+            request.more_hands.push_back(std::move(repeated));
+        }
         request.replayed = std::make_shared<const Record>(std::move(record));
         return std::move(request);
     });

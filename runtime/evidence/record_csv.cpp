@@ -152,6 +152,22 @@ Expected<void> write_table(Table& table, const std::string& head, const Rows& ro
     return good.and_then([&] { return table.close(); });
 }
 
+// A table of rounds for each hand beside the first.
+Expected<void> export_more_hands(const Record& record, const fs::path& file,
+                                 const std::function<bool(std::size_t)>& go_on) {
+    Expected<void> good;
+    for (std::size_t hand = 1; good && hand <= record.more_hands.size(); ++hand) {
+        const std::string name = ".hand" + std::to_string(hand + 1);
+        const Record alone = *find_hand(record, hand);
+        Table rounds(beside(file, name.c_str()));
+        good = write_table(
+                   rounds, sample_header(alone), alone.samples,
+                   [&](std::size_t i) { return sample_row(alone, i); }, go_on)
+                   .and_then([&] { return rounds.take_place(); });
+    }
+    return good;
+}
+
 }  // namespace
 
 std::string sample_header(const Record& record) {
@@ -230,7 +246,8 @@ Expected<void> export_record(const Record& record, const fs::path& file,
         .and_then([&] { return facts.take_place(); })
         .and_then([&] { return bodies.take_place(); })
         .and_then([&] { return events.take_place(); })
-        .and_then([&] { return samples.take_place(); });
+        .and_then([&] { return samples.take_place(); })
+        .and_then([&] { return export_more_hands(record, file, go_on); });
 }
 
 }  // namespace fulcrum::runtime

@@ -35,6 +35,12 @@ Bytes encode(const fulcrum::Record& record) {
     for (std::size_t i = 0; i < record.samples.size(); ++i) {
         encoder.append(record.samples[i], record.shares_of(i));
     }
+    for (std::size_t hand = 1; hand <= record.more_hands.size(); ++hand) {
+        const fulcrum::Record alone = *find_hand(record, hand);
+        for (std::size_t i = 0; i < alone.samples.size(); ++i) {
+            encoder.append(hand, alone.samples[i], alone.shares_of(i));
+        }
+    }
     for (const auto& event : record.events) {
         encoder.append(event);
     }

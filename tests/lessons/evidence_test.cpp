@@ -62,6 +62,7 @@ TEST_CASE(
     check_repeats(sandbox, "kite", "4");
     check_repeats(sandbox, "lever", "5");
     check_repeats(sandbox, "stacks", "8");
+    check_repeats(sandbox, FULCRUM_EXAMPLES "/two-fingers", "8");
     check_repeats(sandbox, "maze-park", "8", "--seed 7");
 }
 

@@ -103,7 +103,9 @@ TEST_CASE("push trial: what disturbs it makes it begin anew, and in the end give
         bench.frame(force_W);
     }
     CHECK(disturbances == 2);
-    CHECK(trial.end() == PushEnd::done);
+    REQUIRE(trial.end() == PushEnd::done);
+    // What was seen while it was disturbed is not counted.
+    CHECK(trial.motion_W().x() > 0.5 * 0.8 / kPosture.stiffness_N_per_m);
     Bench shut;
     shut.arm->told = Fault::emergency_stop;
     const PushTrial waits = shut.push(Vector3::UnitX());
@@ -137,6 +139,17 @@ TEST_CASE("push trial: slow wandering falls out of two opposite pushes") {
     CHECK(judge_pushes(way_W, wandering + pushed, wandering - pushed) == PushVerdict::with);
     CHECK(judge_pushes(way_W, wandering - pushed, wandering + pushed) == PushVerdict::against);
     CHECK(judge_pushes(way_W, wandering, wandering) == PushVerdict::unfelt);
+    // At the border.
+    const auto judge = [&](double along_m, double across_m) {
+        const Vector3 motion_W(across_m, along_m, 0.0);
+        return judge_pushes(way_W, motion_W, -motion_W);
+    };
+    CHECK(judge(0.99 * kLeastMotion_m, 0.0) == PushVerdict::unfelt);
+    CHECK(judge(-0.99 * kLeastMotion_m, 0.0) == PushVerdict::unfelt);
+    CHECK(judge(1.01 * kLeastMotion_m, 0.0) == PushVerdict::with);
+    CHECK(judge(-1.01 * kLeastMotion_m, 0.0) == PushVerdict::against);
+    CHECK(judge(0.002, 0.0039) == PushVerdict::with);
+    CHECK(judge(0.002, 0.0041) == PushVerdict::aside);
 }
 
 TEST_CASE(

@@ -13,7 +13,7 @@ using namespace fulcrum;
 
 namespace {
 
-constexpr std::ptrdiff_t kEndBlockBytes = 16 + 24;
+constexpr std::ptrdiff_t kEndBlockBytes = 16 + 32;
 
 // What the reader says about these bytes.
 std::string complaint(const std::vector<std::byte>& bytes) {
@@ -178,7 +178,7 @@ TEST_CASE("record: hostile blocks are refused, each with its sentence") {
     bytes = good;
     put_u32(bytes, block + 8, 239);
     mend_first_block(bytes);
-    CHECK(complaint(bytes).find("no whole number") != std::string::npos);
+    CHECK(complaint(bytes).find("impossible sample") != std::string::npos);
     // Second sample's time moved before the first's.
     bytes = good;
     const double early_s = -5.0;
@@ -247,7 +247,7 @@ TEST_CASE("record: hostile events and bodies are refused, each with its sentence
     auto bytes = of_body(make_body(4));
     put_u32(bytes, block + 8, kRecordBodyBytes - 1);
     mend_first_block(bytes);
-    CHECK(complaint(bytes).find("bodies has no whole number") != std::string::npos);
+    CHECK(complaint(bytes).find("impossible body") != std::string::npos);
 }
 
 TEST_CASE("record: an end that counts otherwise is refused") {

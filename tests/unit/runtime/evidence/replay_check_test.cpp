@@ -178,9 +178,10 @@ TEST_CASE("replay check: the headers say why") {
     }
     was.facts.push_back({"lesson.gone", "a"});
     CHECK(explain_difference(was, is) == "the lesson's files have changed (0, 1, 2 and 3 more)");
-    ReplayCheck old(
-        std::make_shared<const Record>(Record{{}, 3, {make_round(1).sample}, {}, {}, {}, false}),
-        make_header());
+    Record early;
+    early.version = 3;
+    early.samples = {make_round(1).sample};
+    ReplayCheck old(std::make_shared<const Record>(std::move(early)), make_header());
     old.take(make_round(2));
     RecordRound other = make_round(1);
     other.sample.applied_W.force.x() += 1.0;
