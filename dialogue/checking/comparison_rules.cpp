@@ -53,6 +53,12 @@ bool behind_be(const FreeSentence& sentence, int i) {
            sentence.is(at, {"be", "get", "gets", "got", "been"});
 }
 
+/// "the " where a superlative put in place of word `i` stands `alone` behind "is": what it needs there (find_bare_superlative).
+std::string with_the(const FreeSentence& sentence, int i, Degree degree, bool alone) {
+    const bool bare = degree == Degree::superlative && alone && sentence.be_at(i - 1);
+    return bare && !sentence.is(i + 2, {"to", "from", "when", "where", "at", "in"}) ? "the " : "";
+}
+
 /// more heavier, most heaviest; more heavy, most heavy.
 void find_doubled(const FreeSentence& sentence, int i, Proposals& proposals) {
     if (!sentence.is(i, {"more", "most"}) || sentence[i].before_stop) {
@@ -61,7 +67,9 @@ void find_doubled(const FreeSentence& sentence, int i, Proposals& proposals) {
     const FreeWord& word = sentence[i + 1];
     const Degree degree = sentence.text(i) == "more" ? Degree::comparative : Degree::superlative;
     if (is_compared(word)) {
-        const std::string right = first_form(word.adjective, degree);
+        const bool alone = sentence.ends_at(i + 1) || sentence[i + 2].closed;
+        const std::string right =
+            with_the(sentence, i, degree, alone) + first_form(word.adjective, degree);
         proposals.replace(i, i + 2, ErrorCode::adjective_form, right);
         return;
     }
@@ -84,7 +92,8 @@ void find_doubled(const FreeSentence& sentence, int i, Proposals& proposals) {
     const bool fits = superlative ? sentence.is(i - 1, {"the"}) || (alone && behind_be(sentence, i))
                                   : than || before_noun || (alone && behind_be(sentence, i));
     if (fits) {
-        proposals.replace(i, i + 2, ErrorCode::adjective_form, first_form(word.text, degree));
+        proposals.replace(i, i + 2, ErrorCode::adjective_form,
+                          with_the(sentence, i, degree, alone) + first_form(word.text, degree));
     }
 }
 

@@ -17,6 +17,21 @@ bool asks(std::string_view sentence) {
     return sentence.ends_with('?');
 }
 
+/// "Yes, it is heavier": said already.
+bool says_yes_or_no(const Mark& mark) {
+    const std::string first = mark.corrected.substr(0, mark.corrected.find_first_of(" ,."));
+    return first == "Yes" || first == "Yeah" || first == "Sure" ||
+           mark.corrected.starts_with("No,");
+}
+
+/// How the right sentence is said back.
+const char* recast_key(const Mark& mark) {
+    if (asks(mark.corrected)) {
+        return "feedback.recast_question";
+    }
+    return says_yes_or_no(mark) ? "feedback.recast_said" : "feedback.recast";
+}
+
 /// "a watermelon, an apple or an egg".
 std::string listed(const Catalogue& catalogue, const std::vector<std::string>& words) {
     std::string list;
@@ -94,7 +109,7 @@ Feedback Conversation::respond_to_form(const Mark& mark) {
         return praise(mark);
     }
     const CatalogueSlots sentence{{"sentence", mark.emphasised}, {"gap", mark.gapped}};
-    const char* recast = asks(mark.corrected) ? "feedback.recast_question" : "feedback.recast";
+    const char* recast = recast_key(mark);
     const FeedbackLadder& ladder = question_->ladder.empty() ? settings_.ladder : question_->ladder;
     Feedback feedback;
     switch (step_at(ladder, ++seen_[ladder_key(*error)])) {
@@ -113,7 +128,8 @@ Feedback Conversation::respond_to_form(const Mark& mark) {
                                        {"right", error->right},
                                        {"said", error->said},
                                        {"phrase", "*" + error->phrase + "*"}};
-            feedback = say(FeedbackKind::rule, "feedback.rule",
+            feedback = say(FeedbackKind::rule,
+                           says_yes_or_no(mark) ? "feedback.rule_said" : "feedback.rule",
                            {{"sentence", mark.emphasised}, {"rule", catalogue_->say(key, words)}});
             feedback.keys.push_back(key);
             break;
@@ -149,7 +165,8 @@ Feedback Conversation::respond_to_repeat(const Mark& mark, bool meaning_right) {
     const bool shown = repaired && !mark.short_answer;
     Feedback feedback =
         shown ? say(FeedbackKind::praise, "feedback.repaired", {{"sentence", mark.corrected}})
-              : say(FeedbackKind::recast, "feedback.recast", {{"sentence", accepted_.emphasised}});
+              : say(FeedbackKind::recast, recast_key(accepted_),
+                    {{"sentence", accepted_.emphasised}});
     feedback.uptake = shown ? Uptake::repaired : Uptake::not_repaired;
     if (shown) {
         seen_.clear();
@@ -204,7 +221,7 @@ void Conversation::show_good_english(const Mark& mark, Feedback& feedback) const
     }
     const bool has_end =
         std::string_view(".?!").find(checked.corrected.back()) != std::string_view::npos;
-    const std::string sentence = sentence_case(checked.marked) + (has_end ? "" : ".");
+    const std::string sentence = sentences_case(checked.marked) + (has_end ? "" : ".");
     feedback.text =
         catalogue_->say("feedback.free_form", {{"sentence", sentence}, {"then", feedback.text}});
     feedback.keys.push_back("feedback.free_form");

@@ -65,7 +65,7 @@ bool is_of_pointing(const FormError& error) {
 }
 
 /// Rules that hold for one code, whatever the word.
-constexpr std::array<std::pair<ErrorCode, std::string_view>, 21> kRules = {{
+constexpr std::array<std::pair<ErrorCode, std::string_view>, 22> kRules = {{
     {ErrorCode::wording, "rule.wording"},
     {ErrorCode::word_order, "rule.wording"},
     {ErrorCode::missing_determiner, "rule.article.missing"},
@@ -81,6 +81,7 @@ constexpr std::array<std::pair<ErrorCode, std::string_view>, 21> kRules = {{
     {ErrorCode::noun_inflection, "rule.noun.plural"},
     {ErrorCode::orthography, "rule.spelling"},
     {ErrorCode::missing_pronoun, "rule.pronoun.missing"},
+    {ErrorCode::wrong_pronoun, "rule.pronoun.number"},
     {ErrorCode::missing_conjunction, "rule.and"},
     {ErrorCode::wrong_conjunction, "rule.and"},
     {ErrorCode::extra_preposition, "rule.preposition.extra"},
@@ -101,7 +102,9 @@ std::vector<CatalogueNeed> make_needs() {
                                      {"feedback.recast", {"sentence"}},
                                      {"feedback.recast_question", {"sentence"}},
                                      {"feedback.prompt", {"sentence", "gap"}},
+                                     {"feedback.recast_said", {"sentence"}},
                                      {"feedback.rule", {"sentence", "rule"}},
+                                     {"feedback.rule_said", {"sentence", "rule"}},
                                      {"feedback.wrong_meaning", {}},
                                      {"feedback.wrong_meaning.again", {"again"}},
                                      {"feedback.other_number", {"said"}},
@@ -127,7 +130,7 @@ std::vector<CatalogueNeed> make_needs() {
           "rule.superlative.the", "rule.comparative.ending", "rule.comparative.more_most",
           "rule.comparative.irregular", "rule.than", "rule.preposition", "rule.passive.be",
           "rule.passive.of", "rule.passive.from", "rule.adjective.degree", "rule.article.adjective",
-          "rule.article.material", "rule.noun.material", "rule.this"}) {
+          "rule.article.material", "rule.noun.material", "rule.this", "rule.contraction"}) {
         needs.push_back({key, words});
     }
     return needs;
@@ -144,6 +147,9 @@ std::string rule_key(const FormError& error) {
     }
     if (is_of_pointing(error)) {
         return "rule.this";
+    }
+    if (error.code == ErrorCode::orthography && error.right.find('\'') != std::string::npos) {
+        return "rule.contraction";
     }
     if (is_of_material(error)) {
         return error.role == Role::noun ? "rule.noun.material" : "rule.article.material";

@@ -40,9 +40,10 @@ enum class ErrorCode : std::uint8_t {
     wording,     ///< R:OTHER     "how many moons Jupiter has": the whole sentence goes another way
     verb_voice,  ///< R:VERB:VOICE "a spaceship makes of metal"
     word_order,  ///< R:WO       "a rock hard", "what it is?"
+    wrong_pronoun,  ///< R:PRON  "they are made of metal" of one thing
 };
 
-inline constexpr int kErrorCodes = 26;
+inline constexpr int kErrorCodes = 27;
 
 /// The code as ERRANT writes it, e.g. "R:ADJ:FORM"; empty for `none`.
 [[nodiscard]] constexpr std::string_view errant_code(ErrorCode code) {
@@ -52,7 +53,7 @@ inline constexpr int kErrorCodes = 26;
         "R:PREP",     "M:PREP", "R:ADV",       "R:NOUN:NUM",   "R:NOUN:INFL",
         "R:SPELL",    "R:ORTH", "M:PRON",      "R:MORPH",      "M:CONJ",
         "R:CONJ",     "U:PREP", "R:VERB:INFL", "R:OTHER",      "R:VERB:VOICE",
-        "R:WO"};
+        "R:WO",       "R:PRON"};
     return kNames[static_cast<std::size_t>(code)];
 }
 

@@ -26,6 +26,29 @@ std::string sentence_case(std::string_view text) {
     return result;
 }
 
+std::string sentences_case(std::string_view text) {
+    std::string result(text);
+    const auto is_letter = [](char c) {  // all of a letter beyond ASCII too
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+               (static_cast<unsigned char>(c) & 0x80U) != 0;
+    };
+    const auto parts_word = [](char c) { return c == ' ' || c == '*' || c == '\'' || c == ','; };
+    bool starts = true;  // the next letter begins a sentence
+    bool ended = false;  // a stop stood before this blank
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        char& letter = result[i];
+        const bool alone = letter == 'i' && (i == 0 || parts_word(result[i - 1])) &&
+                           (i + 1 == result.size() || parts_word(result[i + 1]));
+        if (alone || (starts && letter >= 'a' && letter <= 'z')) {
+            letter = static_cast<char>(letter - 'a' + 'A');
+        }
+        starts = (starts && !is_letter(letter) && (letter < '0' || letter > '9')) ||
+                 (ended && (letter == ' ' || letter == '\n'));
+        ended = letter == '.' || letter == '!' || letter == '?' || (ended && letter == '*');
+    }
+    return result;
+}
+
 int edit_distance(std::string_view a, std::string_view b) {
     if (a.size() > kLongestWord || b.size() > kLongestWord) {
         return static_cast<int>(kLongestWord) + 1;

@@ -22,6 +22,9 @@ namespace fulcrum::dialogue {
 /// The first letter in upper case when it is ASCII: "a watermelon" -> "A watermelon".
 [[nodiscard]] std::string sentence_case(std::string_view text);
 
+/// The same of every sentence of `text`, also inside *asterisks*; and "i" alone is "I".
+[[nodiscard]] std::string sentences_case(std::string_view text);
+
 /// Smallest number of letters inserted, deleted, replaced or swapped with their neighbour that turns `a` into `b`.
 /// Words longer than 32 bytes are at distance 33.
 [[nodiscard]] int edit_distance(std::string_view a, std::string_view b);

@@ -10,7 +10,7 @@ namespace fulcrum::dialogue {
 namespace {
 
 /// British, American.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kSpellings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kSpellings = {{
     {"tyre", "tire"},
     {"colour", "color"},
     {"grey", "gray"},
@@ -26,6 +26,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kSpellin
     {"fibreglass", "fiberglass"},
     {"plough", "plow"},
     {"sulphur", "sulfur"},
+    {"towards", "toward"},
+    {"forwards", "forward"},
+    {"backwards", "backward"},
+    {"upwards", "upward"},
+    {"downwards", "downward"},
+    {"inwards", "inward"},
+    {"outwards", "outward"},
 }};
 
 /// The other spelling of one word, also of its plural in -s; empty when there is none.
@@ -33,6 +40,9 @@ std::string other_word(std::string_view word) {
     const bool plural = word.size() > 1 && word.back() == 's';
     const std::string_view stem = plural ? word.substr(0, word.size() - 1) : word;
     for (const auto& [british, american] : kSpellings) {
+        if (word == british || word == american) {
+            return std::string(word == british ? american : british);
+        }
         if (stem == british || stem == american) {
             return std::string(stem == british ? american : british) + (plural ? "s" : "");
         }

@@ -48,6 +48,7 @@ GrammarPoint grammar_point(const FormError& error) {
             return GrammarPoint::verb;
         case ErrorCode::missing_pronoun:
         case ErrorCode::extra_pronoun:
+        case ErrorCode::wrong_pronoun:
             return GrammarPoint::pronoun;
         case ErrorCode::wrong_preposition:
         case ErrorCode::missing_preposition:

@@ -50,7 +50,22 @@ FormError error_of(const std::vector<Piece>& pieces, int at) {
     error.degree = piece.element.degree;
     error.target = piece.element.target || belongs_to_target(pieces, at);
     error.passive = piece.element.passive;
+    if (error.code == ErrorCode::orthography && !piece.short_form.empty()) {
+        error.right = error.phrase = piece.short_form;
+    }
     return error;
+}
+
+/// The phrase around a piece, with the verb where both were written as one: "its".
+PieceRange phrase_of(const std::vector<Piece>& pieces, int at) {
+    PieceRange range = phrase_around(pieces, at);
+    if (pieces[static_cast<std::size_t>(at)].goes_on) {
+        while (range.last < static_cast<int>(pieces.size()) &&
+               pieces[static_cast<std::size_t>(range.last - 1)].element.role != Role::verb) {
+            ++range.last;
+        }
+    }
+    return range;
 }
 
 /// The phrase of a short answer, found again in its whole sentence: the one with the same slot.
@@ -86,8 +101,8 @@ PieceRange same_phrase(const std::vector<Piece>& whole, const std::vector<Piece>
 void write_sentences(const TemplateSet& set, const Parse& parse, int main_piece, Mark& mark) {
     const Graph& graph = set.graphs[static_cast<std::size_t>(parse.graph)];
     std::vector<Piece> pieces = parse.pieces;
-    PieceRange range = main_piece == kNone ? PieceRange{} : phrase_around(pieces, main_piece);
-    if (!graph.whole_sentence) {
+    PieceRange range = main_piece == kNone ? PieceRange{} : phrase_of(pieces, main_piece);
+    if (!graph.whole_sentence || (main_piece == kNone && parse.leaves_out)) {
         pieces = canonical_pieces(set, graph.answer, parse.slots);
         range = main_piece == kNone ? PieceRange{} : same_phrase(pieces, parse.pieces, main_piece);
     }
@@ -167,7 +182,7 @@ Mark mark_answer(const Question& question, std::string_view text, double confide
     }
     mark.understood = true;
     const Graph& graph = set.graphs[static_cast<std::size_t>(parse->graph)];
-    mark.short_answer = graph.short_answer;
+    mark.short_answer = graph.short_answer || parse->leaves_out;
     mark.turned_round = graph.turned_round;
     mark.answer = graph.answer;
     mark.slots = parse->slots;

@@ -63,12 +63,14 @@ bool is_number(std::string_view text) {
     });
 }
 
-/// The first number in `text`; a whole one, or one with a point in it.
+/// The first number in `text`; a whole one, one with a point in it, or one below zero.
 std::optional<Span> number_in(std::string_view text) {
     std::optional<Span> number;
     for (const Token& token : tokenise(text)) {
         const bool is_digits = token.text.find_first_not_of("0123456789") == std::string::npos;
-        if (is_digits || is_number_word(token.text)) {
+        if (token.text == "minus" && !number) {
+            number = Span{token.begin, token.end};
+        } else if (is_digits || is_number_word(token.text)) {
             number = Span{number ? number->begin : token.begin, token.end};
         } else if (number && token.text != "and" && token.text != "point") {
             break;

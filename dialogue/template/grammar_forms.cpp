@@ -101,6 +101,7 @@ Expected<Built> GraphBuilder::made_of(const Syntax& syntax, const SyntaxNode& pa
         return tl::unexpected(words.error());
     }
     const int material = add_made_of(writer_, neighbours, from);
+    form_slots_.subject = neighbours.subject;
     Built built{writer_.add_node(), words->bits(), words->bits()};
     add_material(writer_, words->words(), words->slot, material, built.to);
     form_slots_.material = words->slot;
@@ -129,11 +130,11 @@ Expected<Built> GraphBuilder::form(const Syntax& syntax, const SyntaxNode& part,
     }
     Built built{writer_.add_node()};
     if (name == "plural" && !with_list) {
-        add_plural(writer_, part.argument, from, built.to);
+        add_plural(writer_, part.argument, neighbours.after_list, from, built.to);
     } else if (name == "article") {
         add_article(writer_, {}, neighbours.noun, from, built.to);
     } else if (name == "it") {
-        add_it(writer_, from, built.to);
+        add_it(writer_, pronoun_, from, built.to);
     } else {
         return with_list ? fail("<plural:…> takes a word, not a list; write the word", part.column)
                          : no_such_form(part);

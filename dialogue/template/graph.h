@@ -70,6 +70,8 @@ struct Element {
     VerbForms verb{};                  ///< verb
     bool target = false;               ///< a form that the question teaches
     bool passive = false;              ///< part of "is made of"
+    bool brings_article =
+        false;  ///< noun: said without the article that belongs to it, "apples" for "an apple"
 };
 
 /// One step of a sentence: some words that may be said at a place.

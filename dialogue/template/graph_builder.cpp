@@ -85,6 +85,12 @@ bool may_be_noun(const SyntaxNode& part) {
            !is_preposition(part.text) && !understand_verb(part.text, forms);
 }
 
+/// A plain noun with no other noun behind it, no name.
+bool is_head_noun(const SyntaxNode& part, const SyntaxNode* next) {
+    return may_be_noun(part) && part.argument.empty() && (next == nullptr || !may_be_noun(*next)) &&
+           (next == nullptr || next->kind != Kind::list);
+}
+
 /// The number of a subject that is a plain word.
 SubjectNumber subject_number(const SyntaxNode& part) {
     if (part.kind != Kind::word) {
@@ -174,6 +180,8 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
     Built built{from};
     const bool adjective_follows = neighbours.before_adjective;
     const SubjectNumber noun_follows = neighbours.noun;
+    int article_at = kNone;  // the node before an article, and the article
+    std::string_view article;
     for (std::size_t i = 0; i < part.children.size(); ++i) {
         const int child = part.children[i];
         const auto policy = article_policy(syntax, child);
@@ -183,6 +191,7 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
         neighbours.noun =
             policy ? noun_number_after(syntax, part, i, noun_follows) : SubjectNumber::unknown;
         const bool noun_phrase = policy && next != nullptr && next->kind == Kind::list;
+        const int start = built.to;
         const auto made = noun_phrase ? list(*next, *policy, built.to)
                                       : node(syntax, child, built.to, neighbours);
         if (!made) {
@@ -198,6 +207,11 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
         built = {made->to, built.slots | made->slots, built.required | made->required,
                  built.definite | made->definite};
         const SyntaxNode& done = unwrapped(syntax, child);
+        if (article_at != kNone && is_head_noun(done, next)) {
+            add_kind(writer_, article, done.text, article_at, built.to);
+        }
+        article_at = policy ? start : kNone;
+        article = policy == ArticlePolicy::definite ? "the" : "a";
         neighbours = behind(done, policy.has_value(), noun_phrase);
     }
     return built;

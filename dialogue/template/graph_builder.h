@@ -27,6 +27,7 @@ struct FormSlots {
     std::vector<int> adjectives;  ///< <adjective:{…}>
     int things = kNone;           ///< the last list before <made_of:{…}>: what is made
     int material = kNone;         ///< <made_of:{…}>
+    SubjectNumber subject = SubjectNumber::unknown;  ///< of plain words before <made_of:…>
 };
 
 /// The rules of a question, parsed.
@@ -35,8 +36,10 @@ using ParsedRules = std::map<std::string, Syntax, std::less<>>;
 /// Builds one graph.
 class GraphBuilder {
   public:
-    GraphBuilder(TemplateSet& set, ArcWriter& writer, const ParsedRules& rules)
-        : set_(set), writer_(writer), rules_(rules) {}
+    /// `pronoun` is the number of what <it> stands for.
+    GraphBuilder(TemplateSet& set, ArcWriter& writer, const ParsedRules& rules,
+                 SubjectNumber pronoun = SubjectNumber::unknown)
+        : set_(set), writer_(writer), rules_(rules), pronoun_(pronoun) {}
 
     /// Writes `syntax` from `from` on.
     [[nodiscard]] Expected<Built> build(const Syntax& syntax, int from);
@@ -69,6 +72,7 @@ class GraphBuilder {
     TemplateSet& set_;
     ArcWriter& writer_;
     const ParsedRules& rules_;
+    SubjectNumber pronoun_;
     FormSlots form_slots_;
     std::vector<std::string> open_rules_;
 };

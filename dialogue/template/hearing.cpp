@@ -34,14 +34,14 @@ constexpr std::array<std::string_view, 35> kShortWords = {
 
 /// Contractions without their apostrophe.
 struct Contraction {
-    std::string_view typed, first, second;
+    std::string_view typed, first, second, written;
 };
 constexpr std::array kContractions = {
-    Contraction{"its", "it", "is"}, Contraction{"thats", "that", "is"},
-    Contraction{"theyre", "they", "are"}, Contraction{"im", "i", "am"}};
+    Contraction{"its", "it", "is", "it's"}, Contraction{"thats", "that", "is", "that's"},
+    Contraction{"theyre", "they", "are", "they're"}, Contraction{"im", "i", "am", "I'm"}};
 
 /// Real words that are never taken for a slip of another: a pear is no bear.
-constexpr std::array<std::string_view, 131> kRealWords = {
+constexpr std::array<std::string_view, 133> kRealWords = {
     "pear",     "bear",   "bean",   "beans",  "peach",  "plum",   "lemon",  "melon",  "mango",
     "grape",    "grapes", "lime",   "cherry", "berry",  "onion",  "carrot", "corn",   "nut",
     "nuts",     "egg",    "leg",    "ham",    "fish",   "dish",   "cat",    "hat",    "bat",
@@ -56,7 +56,7 @@ constexpr std::array<std::string_view, 131> kRealWords = {
     "stove",    "boot",   "coat",   "cap",    "cut",    "cub",    "coil",   "bull",   "wall",
     "cook",     "tablet", "cattle", "castor", "status", "battle", "chain",  "tile",   "time",
     "tired",    "widow",  "robber", "rudder", "stinky", "hare",   "herd",   "sort",   "sofa",
-    "slippers", "rack",   "roof",   "male",   "mode"};
+    "slippers", "rack",   "roof",   "male",   "mode",   "close",  "near"};
 
 template <class Table>
 bool contains(const Table& table, std::string_view word) {
@@ -180,6 +180,7 @@ void mark_phrases(const TemplateSet& set, const std::vector<Token>& tokens, std:
 struct MendedToken {
     Token token;
     ErrorCode slip = ErrorCode::none;
+    std::string_view short_form{};
 };
 
 /// Where a reason begins that the templates don't ask for: "… because it is big"; the number of tokens without one.
@@ -197,21 +198,23 @@ std::size_t reason_of(const TemplateSet& set, const std::vector<MendedToken>& to
 std::vector<MendedToken> parted(const TemplateSet& set, const Token& token) {
     for (const Contraction& contraction : kContractions) {
         if (contraction.typed == token.text && set.words.find(contraction.first) != kNone) {
-            return {
-                {{std::string(contraction.first), token.begin, token.end}, ErrorCode::orthography},
-                {{std::string(contraction.second), token.end, token.end}, ErrorCode::none}};
+            return {{{std::string(contraction.first), token.begin, token.end},
+                     ErrorCode::orthography,
+                     contraction.written},
+                    {{std::string(contraction.second), token.end, token.end}, ErrorCode::none}};
         }
     }
     return {};
 }
 
 /// Mends "its the watermelon" (the apostrophe is missing) and "water melon" (one word was written as two).
-std::vector<MendedToken> mended(const TemplateSet& set, const std::vector<Token>& tokens) {
+std::vector<MendedToken> mended(const TemplateSet& set, const std::vector<Token>& tokens, Its its) {
     std::vector<MendedToken> result;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const bool known = set.words.find(tokens[i].text) != kNone;
+        const bool whole = known && (its == Its::owner || tokens[i].text != "its");
         const std::vector<MendedToken> parts =
-            known ? std::vector<MendedToken>{} : parted(set, tokens[i]);
+            whole ? std::vector<MendedToken>{} : parted(set, tokens[i]);
         const std::string both =
             i + 1 < tokens.size() ? tokens[i].text + tokens[i + 1].text : std::string{};
         if (!parts.empty()) {
@@ -229,15 +232,23 @@ std::vector<MendedToken> mended(const TemplateSet& set, const std::vector<Token>
 
 }  // namespace
 
+bool its_is_open(const TemplateSet& set, std::string_view utterance) {
+    const std::vector<Token> tokens = tokenise(utterance);
+    return set.words.find("its") != kNone && set.words.find("it") != kNone &&
+           std::any_of(tokens.begin(), tokens.end(),
+                       [](const Token& token) { return token.text == "its"; });
+}
+
 std::vector<HeardWord> hear_words(const TemplateSet& set, std::string_view utterance,
-                                  std::size_t& comparisons) {
-    std::vector<MendedToken> said = mended(set, tokenise(utterance));
+                                  std::size_t& comparisons, Its its) {
+    std::vector<MendedToken> said = mended(set, tokenise(utterance), its);
     const std::size_t reason = reason_of(set, said);
     std::vector<Token> tokens;
     std::vector<HeardWord> heard;
     for (MendedToken& mended_token : said) {
         const Token& token = mended_token.token;
-        HeardWord word{kNone, token.begin, token.end, mended_token.slip, false};
+        HeardWord word{
+            kNone, token.begin, token.end, mended_token.slip, false, mended_token.short_form};
         if (heard.size() >= reason) {
             word.filler = true;
         } else {

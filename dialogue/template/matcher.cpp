@@ -123,6 +123,10 @@ Piece piece_of(const TemplateSet& set, const Graph& graph, const std::vector<Hea
     piece.end = count == 0 ? piece.begin : heard[word + count - 1].end;
     piece.said = std::string(utterance.substr(piece.begin, piece.end - piece.begin));
     for (std::size_t i = 0; i < count; ++i) {
+        if (!heard[word + i].short_form.empty()) {
+            piece.short_form = heard[word + i].short_form;
+            piece.goes_on = i + 1 == count;
+        }
         const ErrorCode slip = heard[word + i].slip;
         if (slip == ErrorCode::none) {
             continue;
@@ -148,6 +152,8 @@ Parse parse_of(const TemplateSet& set, int number, const Lattice& lattice,
     resolve(parse.pieces);
     parse.cost = total_cost(parse.pieces) + (graph.nearly ? kNearlyCost : 0);
     for (const Piece& piece : parse.pieces) {
+        parse.leaves_out = parse.leaves_out || (piece.element.role == Role::noun &&
+                                                !piece.element.base.empty() && piece.right.empty());
         if (piece.element.slot != kNone) {
             const auto slot = static_cast<std::size_t>(piece.element.slot);
             const WordList& list = set.lists[static_cast<std::size_t>(set.slot_lists[slot])];
@@ -160,13 +166,11 @@ Parse parse_of(const TemplateSet& set, int number, const Lattice& lattice,
 
 }  // namespace
 
-std::optional<Parse> match(const TemplateSet& set, std::string_view utterance, MatchWork* work) {
-    MatchWork own;
-    MatchWork& counted = work != nullptr ? *work : own;
-    if (utterance.size() > kLongestUtterance_bytes) {
-        return std::nullopt;
-    }
-    const std::vector<HeardWord> heard = hear_words(set, utterance, counted.comparisons);
+namespace {
+
+/// The best parse of the words as they were heard, or none.
+std::optional<Parse> match_heard(const TemplateSet& set, const std::vector<HeardWord>& heard,
+                                 std::string_view utterance, MatchWork& counted) {
     if (heard.empty() || heard.size() > kMostWords) {
         return std::nullopt;
     }
@@ -186,8 +190,30 @@ std::optional<Parse> match(const TemplateSet& set, std::string_view utterance, M
             continue;
         }
         Parse parse = parse_of(set, number, lattice, heard, utterance);
-        if (!best || parse.cost < best->cost) {
+        // What is said whole goes before what leaves something out.
+        if (!best || parse.cost < best->cost ||
+            (parse.cost == best->cost && best->leaves_out && !parse.leaves_out)) {
             best = std::move(parse);
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+std::optional<Parse> match(const TemplateSet& set, std::string_view utterance, MatchWork* work) {
+    MatchWork own;
+    MatchWork& counted = work != nullptr ? *work : own;
+    if (utterance.size() > kLongestUtterance_bytes) {
+        return std::nullopt;
+    }
+    auto best =
+        match_heard(set, hear_words(set, utterance, counted.comparisons), utterance, counted);
+    if (its_is_open(set, utterance) && (!best || best->cost > 0)) {
+        auto other = match_heard(set, hear_words(set, utterance, counted.comparisons, Its::owner),
+                                 utterance, counted);
+        if (other && (!best || other->cost < best->cost)) {
+            best = std::move(other);
         }
     }
     return best;

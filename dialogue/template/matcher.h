@@ -32,7 +32,9 @@ struct Piece {
     std::string said;       ///< the learner's own letters; empty when nothing was said
     std::size_t begin = 0;  ///< bytes of the utterance; begin == end where something is missing
     std::size_t end = 0;
-    std::string right;  ///< what belongs here; empty when nothing does
+    std::string right;         ///< what belongs here; empty when nothing does
+    std::string short_form{};  ///< "it's", where "its" was written for it
+    bool goes_on = false;      ///< the rest of the short form is the next piece's
     int item = kNone;
     Number number = Number::singular;
 };
@@ -41,6 +43,7 @@ struct Piece {
 struct Parse {
     int graph = kNone;
     int cost = 0;
+    bool leaves_out = false;  ///< "there are two": what was counted is not said
     std::vector<Piece> pieces;
     std::vector<std::pair<std::string, std::string>> slots;  ///< slot -> value, in the order said
 };

@@ -17,6 +17,8 @@ enum class Branch : std::uint8_t {
     with_a,           // a watermelon
     with_an,          // an apple
     with_both,        // a herb, an herb
+    one_with_a,       // "a tree", where the list has trees and the template no article
+    one_with_an,      // "an egg", likewise
     bare_or_the,      // water
     bare_plural,      // scissors
     made_plural,      // watermelons in general, where the list has watermelon
@@ -42,6 +44,10 @@ class ArticleWriter {
                 return count_noun("an", "a");
             case Branch::with_both:
                 return count_noun("a", "");
+            case Branch::one_with_a:
+                return one_of_several("a", "an");
+            case Branch::one_with_an:
+                return one_of_several("an", "a");
             case Branch::bare_or_the:
                 return without({"some", "this", "that"}, {"these", "those"});
             case Branch::bare_plural:
@@ -84,7 +90,7 @@ class ArticleWriter {
             right(own, !bare);
         }
         right("the", definite);
-        for (const std::string_view said : {"this", "that", "my", "your", "our"}) {
+        for (const std::string_view said : {"this", "that", "my", "your", "our", "its"}) {
             right(said, false);
         }
         wrong("these", "this", ErrorCode::wrong_determiner);
@@ -104,6 +110,15 @@ class ArticleWriter {
         }
     }
 
+    /// The singular of what a list has several of.
+    void one_of_several(std::string_view own, std::string_view other) {
+        for (const std::string_view said : {own, std::string_view("the"), std::string_view("this"),
+                                            std::string_view("that"), std::string_view("one")}) {
+            right(said, false);
+        }
+        wrong(other, own, ErrorCode::wrong_determiner);
+    }
+
     /// `others` point at what has the other number: "these metal", "this scissors".
     void without(const std::array<std::string_view, 3>& determiners,
                  const std::array<std::string_view, 2>& others) {
@@ -113,6 +128,7 @@ class ArticleWriter {
         for (const std::string_view said : determiners) {
             right(said, false);
         }
+        right("its", false);
         for (std::size_t i = 0; i < others.size(); ++i) {
             wrong(others[i], determiners[i + 1], ErrorCode::wrong_determiner);
         }
@@ -206,8 +222,9 @@ Branch branch_of(const Noun& noun) {
 /// Writes the noun in the number that its list doesn't give.
 class OtherNumber {
   public:
-    OtherNumber(ArcWriter& writer, int place, int to, std::function<int(Branch)> node_of)
-        : writer_(writer), place_(place), to_(to), node_of_(std::move(node_of)) {}
+    OtherNumber(ArcWriter& writer, ArticlePolicy policy, int place, int to,
+                std::function<int(Branch)> node_of)
+        : writer_(writer), policy_(policy), place_(place), to_(to), node_of_(std::move(node_of)) {}
 
     void add(const Noun& noun, int item, Branch branch) {
         switch (noun.noun_class) {
@@ -259,6 +276,11 @@ class OtherNumber {
             return wrong(Branch::bare_plural, singular, noun, item);
         }
         const bool with_an = indefinite_article(singular) == "an";
+        if (policy_ == ArticlePolicy::bare) {  // "from tree": one of them needs its article
+            wrong(Branch::bare_plural, singular, noun, item);
+            return right(with_an ? Branch::one_with_an : Branch::one_with_a, singular,
+                         Number::singular, item);
+        }
         right(with_an ? Branch::with_an : Branch::with_a, singular, Number::singular, item);
     }
 
@@ -273,6 +295,7 @@ class OtherNumber {
     }
 
     ArcWriter& writer_;
+    ArticlePolicy policy_;
     int place_, to_;
     std::function<int(Branch)> node_of_;
 };
@@ -297,7 +320,7 @@ void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticleP
         return entry->second;
     };
 
-    OtherNumber other_number(writer, place, to, node_of);
+    OtherNumber other_number(writer, policy, place, to, node_of);
     for (std::size_t i = 0; i < list.items.size() && !writer.full(); ++i) {
         const std::vector<Noun>& spoken = list.items[i].spoken;
         for (const Noun& noun : spoken) {

@@ -194,20 +194,44 @@ void add_article(ArcWriter& writer, std::string_view word, SubjectNumber noun, i
     writer.add_arc(from, to, determiner, {"", word, ErrorCode::missing_determiner, kSlipCost});
 }
 
-void add_it(ArcWriter& writer, int from, int to) {
+void add_it(ArcWriter& writer, SubjectNumber number, int from, int to) {
+    constexpr std::array<std::string_view, 3> kOne = {"it", "this", "that"};
+    constexpr std::array<std::string_view, 3> kMany = {"they", "these", "those"};
     const int place = writer.add_element({Role::noun});
-    writer.add_arc(from, to, place, {"", "it", ErrorCode::missing_pronoun, kPatternCost});
-    for (const std::string_view said : {"it", "this", "that"}) {
-        writer.add_arc(from, to, place, {said, said, ErrorCode::none, 0, said == "it"});
-    }
-    for (const std::string_view said : {"they", "these", "those"}) {
-        ArcText arc{said, said};
-        arc.number = Number::plural;
-        writer.add_arc(from, to, place, arc);
+    const bool is_many = number == SubjectNumber::plural;
+    const std::string_view own = is_many ? "they" : "it";
+    ArcText missing{"", own, ErrorCode::missing_pronoun, kPatternCost};
+    missing.number = is_many ? Number::plural : Number::singular;
+    writer.add_arc(from, to, place, missing);
+    for (const bool many : {false, true}) {
+        const bool wrong = number != SubjectNumber::unknown && many != is_many;
+        for (std::size_t i = 0; i < kOne.size(); ++i) {
+            const std::string_view said = many ? kMany[i] : kOne[i];
+            ArcText arc{said, said, ErrorCode::none, 0, said == own};
+            if (wrong) {
+                arc = {said, many ? kOne[i] : kMany[i], ErrorCode::wrong_pronoun, kSlipCost};
+            }
+            arc.number = many != wrong ? Number::plural : Number::singular;
+            writer.add_arc(from, to, place, arc);
+        }
     }
 }
 
-void add_plural(ArcWriter& writer, std::string_view noun, int from, int to) {
+void add_kind(ArcWriter& writer, std::string_view article, std::string_view noun, int from,
+              int to) {
+    const std::string plural = plural_of(noun);
+    if (is_mass_noun(noun) || looks_plural(noun) || plural == noun) {
+        return;
+    }
+    Element element{Role::noun};
+    element.brings_article = true;
+    const std::string_view own = article == "the" ? article : indefinite_article(noun);
+    const std::string right = std::string(own) + " " + std::string(noun);
+    writer.add_arc(from, to, writer.add_element(std::move(element)),
+                   {plural, right, ErrorCode::noun_number, kKindCost});
+}
+
+void add_plural(ArcWriter& writer, std::string_view noun, bool after_list, int from, int to) {
     Element element{Role::noun};
     element.base = std::string(noun);
     element.target = true;
@@ -216,6 +240,9 @@ void add_plural(ArcWriter& writer, std::string_view noun, int from, int to) {
     ArcText arc{right, right, ErrorCode::none, 0, true};
     arc.number = Number::plural;
     writer.add_arc(from, to, place, arc);
+    if (after_list) {
+        writer.add_arc(from, to, place, {"", ""});
+    }
     if (right != noun) {
         arc = {noun, right, ErrorCode::noun_number, kSlipCost};
         arc.number = Number::plural;

@@ -17,6 +17,8 @@ namespace fulcrum::dialogue {
 inline constexpr int kSlipCost = 10;
 inline constexpr int kPatternCost = 20;
 inline constexpr int kOtherDegreeCost = 30;
+inline constexpr int kKindCost =
+    30;  ///< "apples" for "the apple", before it is known whether that is right
 
 /// The article that a template asks for before a list.
 enum class ArticlePolicy : std::uint8_t {
@@ -57,14 +59,17 @@ int add_made_of(ArcWriter& writer, Neighbours near, int from);
 /// What something is made of: one of `words` without an article, which fills `slot` unless that is kNone.
 void add_material(ArcWriter& writer, const WordList& words, int slot, int from, int to);
 
-/// <it>: it, this, that, they, these, those; the verb behind it agrees.
-void add_it(ArcWriter& writer, int from, int to);
+/// <it>: it, this, that, they, these, those; the verb behind it agrees. Of what is known to be one thing "they" is wrong, of several "it".
+void add_it(ArcWriter& writer, SubjectNumber number, int from, int to);
 
 /// Lets "it" or "they" repeat the subject that ends at `from`, as an error; the node behind it.
 int add_repeated_subject(ArcWriter& writer, int from);
 
-/// <plural:moon>.
-void add_plural(ArcWriter& writer, std::string_view noun, int from, int to);
+/// <plural:moon>; right behind a number (`after_list`) it may be left out: "there are two".
+void add_plural(ArcWriter& writer, std::string_view noun, bool after_list, int from, int to);
+
+/// All of a kind, "apples", where the template has `article`, "the" or another, and `noun`; whether that is right is settled in resolve.h.
+void add_kind(ArcWriter& writer, std::string_view article, std::string_view noun, int from, int to);
 
 /// <article> or a literal article before plain words; `word` is empty for <article>. Before a plain noun of number `noun`
 /// "this" or "these" may stand there as well.

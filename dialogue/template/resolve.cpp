@@ -2,7 +2,10 @@
 
 #include "dialogue/english/letters.h"
 #include "dialogue/english/making.h"
+#include "dialogue/english/noun.h"
+#include "dialogue/english/number.h"
 #include "dialogue/template/phrases.h"
+#include "dialogue/template/tokens.h"
 
 #include <algorithm>
 #include <array>
@@ -109,6 +112,11 @@ void agree(Piece& verb, Number number, bool excused) {
     verb.cost = same ? 0 : kSlipCost;
 }
 
+/// One thing of what is counted.
+bool means_one(const std::string& counted) {
+    return counted == "one" || counted == "1" || counted == "a" || counted == "an";
+}
+
 /// "There is one moon", "there are two moons": the verb goes with the number behind it.
 void agree_there(std::vector<Piece>& pieces, int number, Number counted) {
     const int verb = before(pieces, number);
@@ -119,16 +127,60 @@ void agree_there(std::vector<Piece>& pieces, int number, Number counted) {
     }
 }
 
+/// "There is one", "there are two": nothing is said of what.
+void agree_there_alone(std::vector<Piece>& pieces, int number) {
+    const Piece& piece = pieces[static_cast<std::size_t>(number)];
+    const int next = after(pieces, number);
+    const bool counts =
+        next != kNone && !pieces[static_cast<std::size_t>(next)].element.base.empty();
+    const std::vector<std::string> words = words_of(piece.right);
+    const bool is_number = !words.empty() && is_number_word(words.front());
+    if (is_number && !counts) {
+        agree_there(pieces, number,
+                    means_one(lower_case(piece.right)) ? Number::singular : Number::plural);
+    }
+}
+
+/// "An egg": the article that counts goes by the sound of what it counts.
+void sound_counted(Piece& number, const std::string& noun) {
+    const std::string counted = lower_case(number.right);
+    if ((counted != "a" && counted != "an") || both_articles(noun)) {
+        return;
+    }
+    number.right = std::string(indefinite_article(noun));
+    if (number.right != counted && number.code == ErrorCode::none && !number.said.empty()) {
+        number.code = ErrorCode::wrong_determiner;
+        number.cost = kSlipCost;
+    }
+}
+
+/// "It has two": the noun may be left out behind a number; not behind "a" and "no".
+void leave_out(std::vector<Piece>& pieces, int number, Piece& noun) {
+    const std::string counted = lower_case(pieces[static_cast<std::size_t>(number)].right);
+    const bool none = counted == "no";
+    if (none || counted == "a" || counted == "an") {
+        noun.right = none ? plural_of(noun.element.base) : noun.element.base;
+        noun.code = ErrorCode::wording;
+        noun.cost = kPatternCost;
+        Piece& article = pieces[static_cast<std::size_t>(number)];
+        article.right = none ? article.right : std::string(indefinite_article(noun.right));
+    }
+    agree_there(pieces, number, means_one(counted) ? Number::singular : Number::plural);
+}
+
 /// "one moon", "two moons": the counted noun goes with the number before it.
 void count(std::vector<Piece>& pieces, int at) {
     Piece& noun = pieces[static_cast<std::size_t>(at)];
+    if (noun.right.empty()) {
+        leave_out(pieces, before(pieces, at), noun);
+        return;
+    }
     const int number = before(pieces, at);
     const std::string counted =
         number == kNone ? "" : lower_case(pieces[static_cast<std::size_t>(number)].right);
     // "No moon" is as good as "no moons", and is said back as it was said.
     const bool is_none = counted == "no" && noun.code == ErrorCode::noun_number;
-    const bool is_one =
-        is_none || counted == "one" || counted == "1" || counted == "a" || counted == "an";
+    const bool is_one = is_none || means_one(counted);
     if (number != kNone) {
         agree_there(pieces, number, is_one ? Number::singular : Number::plural);
     }
@@ -138,6 +190,9 @@ void count(std::vector<Piece>& pieces, int at) {
     const bool is_plural = noun.code == ErrorCode::none;
     noun.right = noun.element.base;
     noun.number = Number::singular;
+    if (number != kNone) {
+        sound_counted(pieces[static_cast<std::size_t>(number)], noun.right);
+    }
     if (noun.said.empty() || noun.code == ErrorCode::noun_number) {
         noun.code = ErrorCode::none;
         noun.cost = 0;
@@ -147,20 +202,90 @@ void count(std::vector<Piece>& pieces, int at) {
     }
 }
 
-/// "the heavier than": without "than" it is right.
-void drop_the_before_than(std::vector<Piece>& pieces, int adjective) {
+/// "The heavier *one*": a noun that the article belongs to.
+bool carries_article(const Piece& piece) {
+    constexpr std::array<std::string_view, 12> kNever = {"near", "above", "below", "under",
+                                                         "over", "high",  "here",  "there",
+                                                         "now",  "then",  "when",  "if"};
+    return piece.element.role == Role::noun || piece.element.role == Role::adjective ||
+           (piece.element.role == Role::word &&
+            std::find(kNever.begin(), kNever.end(), piece.right) == kNever.end());
+}
+
+/// "The heavier than": without "than" it is right. "The heaviest" of two is heavier, and goes without "the": one error.
+void drop_the(std::vector<Piece>& pieces, int adjective) {
     const int the = before(pieces, adjective);
-    const int than = after(pieces, adjective);
-    if (the == kNone || than == kNone || pieces[static_cast<std::size_t>(than)].right != "than") {
+    const int next = after(pieces, adjective);
+    if (the == kNone) {
         return;
     }
     Piece& article = pieces[static_cast<std::size_t>(the)];
-    const bool optional =
-        article.element.role == Role::determiner && article.code == ErrorCode::none;
-    if (optional && article.right == "the" && article.element.target) {
+    const bool optional = article.element.role == Role::determiner &&
+                          article.code == ErrorCode::none && article.right == "the" &&
+                          article.element.target;
+    const bool than = next != kNone && pieces[static_cast<std::size_t>(next)].right == "than";
+    const bool alone = next == kNone || !carries_article(pieces[static_cast<std::size_t>(next)]);
+    if (optional && than) {
         article.right.clear();
         article.code = ErrorCode::extra_determiner;
         article.cost = kSlipCost;
+    } else if (optional && alone &&
+               pieces[static_cast<std::size_t>(adjective)].code == ErrorCode::adjective_form) {
+        article.right.clear();
+    }
+}
+
+/// "Apples are heavier than eggs": all of a kind, though the template speaks of the one that is there. As a subject and
+/// behind "than" that is right; elsewhere the one is meant.
+void allow_kind(std::vector<Piece>& pieces, int at) {
+    Piece& noun = pieces[static_cast<std::size_t>(at)];
+    const int determiner = at - 1;
+    const bool apart = determiner >= 0 && !noun.element.brings_article;
+    Piece* article = apart ? &pieces[static_cast<std::size_t>(determiner)] : nullptr;
+    const bool bare = article == nullptr
+                          ? noun.element.brings_article
+                          : article->element.role == Role::determiner && article->said.empty() &&
+                                article->code == ErrorCode::missing_determiner;
+    if (noun.code != ErrorCode::noun_number || noun.said.empty() || !bare ||
+        noun.number != Number::singular) {
+        return;
+    }
+    const std::string kind = understand_noun(noun.right).text;
+    const int next = after(pieces, at);
+    const int last = before(pieces, apart ? determiner : at);
+    const bool subject =
+        next != kNone &&
+        (pieces[static_cast<std::size_t>(next)].element.role == Role::verb ||
+         is_auxiliary(pieces[static_cast<std::size_t>(next)].right)) &&
+        (last == kNone || !is_auxiliary(pieces[static_cast<std::size_t>(last)].right));
+    const bool compared = last != kNone && pieces[static_cast<std::size_t>(last)].right == "than";
+    if ((!subject && !compared) || (is_mass_noun(kind) && !has_kinds(kind))) {
+        return;
+    }
+    noun.right = plural_of(kind);
+    noun.number = Number::plural;
+    noun.cost -= noun.element.brings_article ? kKindCost : kSlipCost;
+    noun.code = noun.cost > 0 ? ErrorCode::spelling : ErrorCode::none;
+    if (article != nullptr) {
+        article->right.clear();
+        article->code = ErrorCode::none;
+        article->cost = 0;
+    }
+}
+
+/// "Nearer the stone" is as good as "nearer to the stone".
+void allow_near(std::vector<Piece>& pieces, int preposition) {
+    constexpr std::array<std::string_view, 4> kNear = {"near", "nearer", "nearest", "opposite"};
+    Piece& to = pieces[static_cast<std::size_t>(preposition)];
+    const int last = before(pieces, preposition);
+    if (to.code != ErrorCode::missing_preposition || to.right != "to" || last == kNone) {
+        return;
+    }
+    const std::vector<std::string> words = words_of(pieces[static_cast<std::size_t>(last)].right);
+    if (std::find(kNear.begin(), kNear.end(), words.back()) != kNear.end()) {
+        to.right.clear();
+        to.code = ErrorCode::none;
+        to.cost = 0;
     }
 }
 
@@ -198,6 +323,43 @@ void allow_from(std::vector<Piece>& pieces, int preposition) {
     }
 }
 
+/// "Nearest to the Sun": which one is told, so it needs no "the"; alone, "is nearest", a superlative has it.
+void allow_bare_nearest(std::vector<Piece>& pieces, int adjective) {
+    constexpr std::array<std::string_view, 3> kPlaces = {"near", "close", "far"};
+    const std::string& base = pieces[static_cast<std::size_t>(adjective)].element.base;
+    const int the = before(pieces, adjective);
+    const auto next = static_cast<std::size_t>(adjective) + 1;
+    if (the == kNone || next >= pieces.size() || pieces[next].element.role != Role::preposition ||
+        std::find(kPlaces.begin(), kPlaces.end(), base) == kPlaces.end()) {
+        return;
+    }
+    Piece& article = pieces[static_cast<std::size_t>(the)];
+    if (article.element.role == Role::determiner && article.right == "the" &&
+        article.code == ErrorCode::missing_determiner) {
+        article.right.clear();
+        article.code = ErrorCode::none;
+        article.cost = 0;
+    }
+}
+
+void resolve_adjective(std::vector<Piece>& pieces, int at) {
+    const Degree degree = pieces[static_cast<std::size_t>(at)].element.degree;
+    if (degree == Degree::comparative) {
+        drop_the(pieces, at);
+    } else if (degree == Degree::superlative) {
+        allow_bare_nearest(pieces, at);
+    }
+}
+
+void resolve_noun(std::vector<Piece>& pieces, int at) {
+    if (!pieces[static_cast<std::size_t>(at)].element.base.empty()) {
+        count(pieces, at);
+    } else {
+        allow_kind(pieces, at);
+        agree_there_alone(pieces, at);
+    }
+}
+
 }  // namespace
 
 void resolve(std::vector<Piece>& pieces) {
@@ -208,19 +370,19 @@ void resolve(std::vector<Piece>& pieces) {
                 agree(piece, *asked, false);
             } else if (const auto number = subject_number(pieces, i)) {
                 const int noun = before(pieces, i);
+                const ErrorCode error = pieces[static_cast<std::size_t>(noun)].code;
                 agree(piece, *number,
-                      pieces[static_cast<std::size_t>(noun)].code == ErrorCode::noun_number ||
+                      error == ErrorCode::noun_number || error == ErrorCode::wrong_pronoun ||
                           points_in_other_number(pieces, noun));
             }
-        } else if (piece.element.role == Role::adjective &&
-                   piece.element.degree == Degree::comparative) {
-            drop_the_before_than(pieces, i);
-        } else if (piece.element.role == Role::noun && !piece.element.base.empty()) {
-            count(pieces, i);
+        } else if (piece.element.role == Role::adjective) {
+            resolve_adjective(pieces, i);
+        } else if (piece.element.role == Role::noun) {
+            resolve_noun(pieces, i);
         } else if (piece.element.role == Role::determiner) {
             sound(pieces, i);
-        } else if (piece.element.role == Role::preposition && piece.element.passive) {
-            allow_from(pieces, i);
+        } else if (piece.element.role == Role::preposition) {
+            piece.element.passive ? allow_from(pieces, i) : allow_near(pieces, i);
         }
     }
 }

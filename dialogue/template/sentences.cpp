@@ -19,6 +19,7 @@ bool asks(const std::string& sentence) {
                                                           "was",   "were", "does",  "can"};
     std::string first = lower_case(sentence.substr(0, sentence.find(' ')));
     std::erase(first, '*');
+    first = first.ends_with("n't") ? first.substr(0, first.size() - 3) : first;
     return std::find(kAsking.begin(), kAsking.end(), first) != kAsking.end();
 }
 
@@ -205,12 +206,48 @@ PieceRange passive_around(const std::vector<Piece>& pieces, int at) {
     return range;
 }
 
+namespace {
+
+/// "No, it isn't" has a comma, "no moons" has none.
+bool begins_clause(std::string_view part) {
+    constexpr std::array<std::string_view, 12> kSubjects = {
+        "it", "they", "this", "that", "the", "a", "an", "i", "we", "you", "he", "she"};
+    std::string word = lower_case(part.substr(0, part.find(' ')));
+    std::erase(word, '*');
+    return std::find(kSubjects.begin(), kSubjects.end(), word) != kSubjects.end();
+}
+
+/// What parts `text` from the words `part` behind it.
+std::string_view between(const std::string& text, std::string_view part) {
+    const std::string first = lower_case(text);
+    if (part.starts_with("n't")) {
+        return "";
+    }
+    const bool yes = first == "yes" || first == "yeah";
+    if (text.empty() || text.back() == '-') {
+        return "";
+    }
+    return yes || ((first == "no" || first == "sure") && begins_clause(part)) ? ", " : " ";
+}
+
+/// "Can't" and "won't" lose letters.
+void shorten_before(std::string_view right, std::string& text) {
+    if (right == "n't" && text.ends_with("an")) {
+        text.pop_back();
+    } else if (right == "n't" && text.ends_with("will")) {
+        text.replace(text.size() - 3, 3, "o");
+    }
+}
+
+}  // namespace
+
 std::string render_phrase(const std::vector<Piece>& pieces, PieceRange range) {
     std::string text;
     for (int i = range.first; i < range.last; ++i) {
         const std::string& right = pieces[static_cast<std::size_t>(i)].right;
         if (!right.empty()) {
-            text += text.empty() ? "" : " ";
+            text += between(text, right);
+            shorten_before(right, text);
             text += right == "i" ? "I" : right;
         }
     }
@@ -230,7 +267,8 @@ std::string render(const std::vector<Piece>& pieces, PieceRange mark, bool blank
     std::string text;
     for (const std::string& part : {head, middle, tail}) {
         if (!part.empty()) {
-            text += (text.empty() ? "" : " ") + part;
+            text += between(text, part);
+            text += part;
         }
     }
     const bool open = text.size() >= kGap.size() && text.substr(text.size() - kGap.size()) == kGap;

@@ -43,13 +43,16 @@ bool may_be_empty(const Graph& graph) {
 /// Adds the short answers of one sentence.
 class ShortAnswers {
   public:
-    ShortAnswers(TemplateSet& set, const ParsedRules& rules, int sentence)
-        : set_(set), rules_(rules), sentence_(sentence) {}
+    ShortAnswers(TemplateSet& set, const ParsedRules& rules, int sentence, SubjectNumber subject)
+        : set_(set), rules_(rules), sentence_(sentence), subject_(subject) {}
 
     /// "The watermelon." and "It is the watermelon."
     Expected<bool> of_noun(int slot) {
         const bool definite = (graph().definite & bit_of(slot)) != 0;
         const auto bare = noun_alone(slot, ArticlePolicy::short_answer, true);
+        if (bare && describes_things(slot)) {  // "it is blue", and not "it is the blue"
+            return add(concat({"(it|this|that) is ", reference(slot)}), false);
+        }
         return bare ? add(concat({"(it|this|that) is ", definite ? "the " : "<article> ",
                                   reference(slot)}),
                           true)
@@ -106,6 +109,15 @@ class ShortAnswers {
         return concat({"{", list.name, ":", set_.slots[number], "}"});
     }
 
+    /// A list of adjectives, "blue", "heavy", which a noun of the sentence follows.
+    [[nodiscard]] bool describes_things(int slot) const {
+        const auto number = static_cast<std::size_t>(slot);
+        const WordList& list = set_.lists[static_cast<std::size_t>(set_.slot_lists[number])];
+        return std::all_of(list.items.begin(), list.items.end(), [](const ListItem& item) {
+            return describes(item.spoken.front().text);
+        });
+    }
+
     Expected<bool> noun_alone(int slot, ArticlePolicy policy, bool completed) {
         const auto number = static_cast<std::size_t>(slot);
         const WordList& list = set_.lists[static_cast<std::size_t>(set_.slot_lists[number])];
@@ -123,7 +135,7 @@ class ShortAnswers {
     }
 
     Expected<bool> add(const std::string& text, bool whole) {
-        auto sentence = build_sentence(set_, rules_, text);
+        auto sentence = build_sentence(set_, rules_, text, subject_);
         if (!sentence) {
             return tl::unexpected(sentence.error());
         }
@@ -141,7 +153,24 @@ class ShortAnswers {
     TemplateSet& set_;
     const ParsedRules& rules_;
     int sentence_;
+    SubjectNumber subject_;
 };
+
+/// The number of what is made: of all that a list has, or of the template's own words.
+SubjectNumber number_of_subject(const TemplateSet& set, const FormSlots& forms) {
+    if (forms.material == kNone || forms.things == kNone) {
+        return forms.subject;
+    }
+    const auto slot = static_cast<std::size_t>(forms.things);
+    const WordList& list = set.lists[static_cast<std::size_t>(set.slot_lists[slot])];
+    std::size_t plurals = 0;
+    for (const ListItem& item : list.items) {
+        plurals += item.spoken.front().number() == Number::plural ? 1 : 0;
+    }
+    return plurals == 0                   ? SubjectNumber::singular
+           : plurals == list.items.size() ? SubjectNumber::plural
+                                          : SubjectNumber::unknown;
+}
 
 /// A slot of the same name as `slot` that is filled from another list; kNone when there is no room.
 int twin_slot(TemplateSet& set, int slot, int list) {
@@ -199,14 +228,14 @@ std::uint32_t asked_slots(const Graph& graph, const FormSlots& forms) {
 }  // namespace
 
 Expected<BuiltSentence> build_sentence(TemplateSet& set, const ParsedRules& rules,
-                                       const std::string& text) {
+                                       const std::string& text, SubjectNumber pronoun) {
     const auto syntax = parse_template(text);
     if (!syntax) {
         return tl::unexpected(syntax.error());
     }
     ArcWriter writer(set, arcs_left(set));
     const int start = writer.add_node();
-    GraphBuilder builder(set, writer, rules);
+    GraphBuilder builder(set, writer, rules, pronoun);
     const auto built = builder.build(*syntax, start);
     if (!built) {
         return tl::unexpected(built.error());
@@ -237,7 +266,7 @@ Expected<bool> add_short_answers(TemplateSet& set, const ParsedRules& rules,
             continue;
         }
         done |= asked;
-        ShortAnswers answers(set, rules, i);
+        ShortAnswers answers(set, rules, i, number_of_subject(set, own));
         const auto added = own.material != kNone     ? answers.of_material(own.material)
                            : !own.adjectives.empty() ? answers.of_adjectives(own.adjectives)
                                                      : answers.of_noun(std::countr_zero(asked));

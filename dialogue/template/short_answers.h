@@ -22,9 +22,10 @@ struct BuiltSentence {
     FormSlots forms;
 };
 
-/// Compiles one sentence of `set`; an error has its column.
-[[nodiscard]] Expected<BuiltSentence> build_sentence(TemplateSet& set, const ParsedRules& rules,
-                                                     const std::string& text);
+/// Compiles one sentence of `set`; an error has its column. `pronoun` is the number of what <it> stands for.
+[[nodiscard]] Expected<BuiltSentence> build_sentence(
+    TemplateSet& set, const ParsedRules& rules, const std::string& text,
+    SubjectNumber pronoun = SubjectNumber::unknown);
 
 /// Adds the graphs that `set.answers` sentences ask for; `forms` has the slots of each.
 [[nodiscard]] Expected<bool> add_short_answers(TemplateSet& set, const ParsedRules& rules,

@@ -1,5 +1,6 @@
 #include "dialogue/template/syntax.h"
 
+#include "dialogue/english/letters.h"
 #include "dialogue/template/tokens.h"
 
 #include <algorithm>
@@ -226,9 +227,30 @@ class Parser {
         for (const Token& token : tokenise(plain)) {
             const int made = add(Kind::word, static_cast<int>(start + token.begin) + 1);
             node(made).text = token.text;
+            node(made).argument = written(plain, token, start + token.begin == 0);
             node(holder).children.push_back(made);
         }
         return true;
+    }
+
+    /// How a word is shown where that differs from its text: "Earth", "twenty-" of "twenty-four". At the start of a
+    /// template a capital says nothing.
+    static std::string written(std::string_view plain, const Token& token, bool starts) {
+        std::string letters(plain.substr(token.begin, token.end - token.begin));
+        if (token.text == "not" && lower_case(letters) != "not") {
+            return "n't";  // "isn't it?" is not asked as "is not it?"
+        }
+        if (lower_case(letters) != token.text) {
+            return {};  // part of a contraction, a number in digits
+        }
+        if (token.end + 1 < plain.size() && plain[token.end] == '-' &&
+            is_name_character(plain[token.end + 1])) {
+            letters.push_back('-');
+        }
+        const bool first_capital =
+            starts && lower_case(letters).substr(1) == std::string_view(letters).substr(1);
+        letters = first_capital ? lower_case(letters) : letters;
+        return letters == token.text ? std::string() : letters;
     }
 
     std::string_view text_;

@@ -39,8 +39,9 @@ struct SyntaxNode {
         rule
     };
     Kind kind = Kind::sequence;
-    std::string text;      ///< the word; the list's or rule's name
-    std::string argument;  ///< the slot of a list, the word of a form; may be empty
+    std::string text;  ///< the word; the list's or rule's name
+    std::string
+        argument;  ///< the slot of a list, the word of a form, a word as it is shown ("Earth"); may be empty
     std::vector<int>
         children;  ///< of sequence, alternatives, permutation, optional (one child), form of a list (the list)
     int column = 1;  ///< where it begins

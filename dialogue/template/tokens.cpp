@@ -50,8 +50,9 @@ bool is_word_character(std::uint32_t code) {
         return is_digit(code) || (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z');
     }
     const bool latin_letter = code >= 0xC0 && code != 0xD7 && code != 0xF7;
-    const bool punctuation =
-        (code >= 0x2000 && code <= 0x206F) || (code >= 0x3000 && code <= 0x303F) || code >= 0xE000;
+    const bool punctuation =  // with arrows and signs of calculation
+        (code >= 0x2000 && code <= 0x206F) || (code >= 0x2190 && code <= 0x23FF) ||
+        (code >= 0x3000 && code <= 0x303F) || code >= 0xE000;
     return latin_letter && !punctuation;
 }
 
@@ -133,15 +134,51 @@ struct Run {
     bool number = false;
 };
 
+/// The digits of a whole number from `at` on: "3", "1,000", "3.0"; where they end in `end`.
+std::string whole_digits(std::string_view text, std::size_t at, std::size_t& end) {
+    const auto digits_from = [&](std::size_t from) {
+        const std::size_t stop = std::min(text.find_first_not_of("0123456789", from), text.size());
+        return stop - std::min(from, stop);
+    };
+    constexpr std::size_t kGroup = 3;
+    std::size_t count = digits_from(at);
+    std::string digits(text.substr(at, count));
+    end = at + count;
+    while (count <= kGroup && text.substr(end, 1) == "," && digits_from(end + 1) == kGroup) {
+        digits += text.substr(end + 1, kGroup);
+        end += 1 + kGroup;
+    }
+    // "3.0" is 3, "3.5" isn't.
+    if (const std::size_t behind = text.substr(end, 1) == "." ? digits_from(end + 1) : 0;
+        behind > 0) {
+        const std::string_view fraction = text.substr(end + 1, behind);
+        end += fraction.find_first_not_of('0') == std::string_view::npos ? 1 + behind : 0;
+    }
+    return digits;
+}
+
+/// A sign of its own before a number: "-3", no hyphen of "two-3" and no range "2-3".
+bool is_minus(std::string_view text, std::size_t at, const Character& sign) {
+    constexpr std::uint32_t kMinus = 0x2212;
+    const std::size_t next = at + sign.length;
+    const bool apart = at == 0 || text[at - 1] == ' ' || text[at - 1] == '(';
+    return (sign.code == '-' || sign.code == kMinus) && apart && next < text.size() &&
+           is_digit(decode(text, next).code);
+}
+
 /// Takes the run that begins at `at`; empty when a word can't begin there.
 Run take_run(std::string_view text, std::size_t at) {
     Run run{{"", at, at}, at, is_digit(decode(text, at).code)};
+    if (run.number) {
+        run.raw.text = whole_digits(text, at, run.raw.end);
+        return run;
+    }
     while (at < text.size()) {
         const Character character = decode(text, at);
         const bool letter = is_word_character(character.code) && !is_digit(character.code);
-        if (run.number ? is_digit(character.code) : letter) {
+        if (letter) {
             append_lower(run.raw.text, text.substr(at, character.length), character.code);
-        } else if (!run.number && is_apostrophe(character.code) && !run.raw.text.empty()) {
+        } else if (is_apostrophe(character.code) && !run.raw.text.empty()) {
             run.raw.text.push_back('\'');
             run.apostrophe = at;
         } else {
@@ -161,7 +198,11 @@ std::vector<Token> tokenise(std::string_view text) {
     while (at < text.size()) {
         const Run run = take_run(text, at);
         if (run.raw.text.empty()) {
-            at += decode(text, at).length;
+            const Character sign = decode(text, at);
+            if (is_minus(text, at, sign)) {
+                tokens.push_back({"minus", at, at + sign.length});
+            }
+            at += sign.length;
             continue;
         }
         at = run.raw.end;

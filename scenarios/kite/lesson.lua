@@ -14,7 +14,6 @@ local breeze, strong = 4.5, 5.8     -- metres a second, 10 metres up; in the str
 local most_in_breeze = 2.8          -- newtons in the hand
 local short, long, longest = 12, 17, 18   -- metres of line
 local lowest_knot, good_knot, highest_knot = 0.56, 0.68, 0.85   -- metres from the foot
-
 local kite, balloon
 
 function L:start(world)
@@ -54,9 +53,7 @@ end
 
 local function flies() return kite.altitude > 0.5 * kite.line and not kite.snapped end
 local function lies() return kite.altitude < 0.5 and kite.speed < 0.2 end
-
 require "asked" (L, function() return kite end)
-
 local stays, may_reel = false, false   -- stays: it is launched again whenever it has come down
 local down, quiet = 0, 0               -- seconds
 
@@ -102,6 +99,7 @@ end
 -- What is said of a part, and what becomes of it; nil when it cannot be changed that way any further.
 local function change_of(answer)
   local size = answer.size or answer.tail_size
+  if answer.part then return {}, answer.part end
   if size or answer.missing then
     local tail = math.max(0, math.min(kite.tail + (size == "shorter" and -1 or 2), 8))
     return { tail = tail ~= kite.tail and tail or nil }, "tail"
@@ -124,7 +122,7 @@ L:question "change" {
     "the tail (must|should|has to) be {size}", who .. "(move|put|push|tie) the knot {way}", who .. "make the cloth {weight}",
     "the cloth (must|should|has to) be {weight}", it .. "needs a {weight} cloth", who .. "(use|take) a {weight} cloth",
     who .. "(use|take) {cloth}", who .. "(add|give it|give the kite|put on|put|make|use) a {tail_size} tail",
-    who .. "(add|give it|give the kite|put on|put|make|use) a {missing}", "a {tail_size} tail", "a {weight} cloth", "a {missing}",
+    who .. "(add|give it|give the kite|put on|put|make|use) a {missing}", "a {tail_size} tail", "a {weight} cloth", "a {missing}", who .. "change the {part}", "the {part}",
   },
   nearly = {
     "make tail {size}", "tail {size}", "more {tail_size} tail", "{tail_size} tail", "{missing}", "the {missing}",
@@ -133,7 +131,7 @@ L:question "change" {
   },
   lists = {
     size = { "longer|long|bigger", "shorter|short|smaller" }, tail_size = { "longer|long|bigger", "shorter|short|smaller" },
-    missing = { "tail|kite tail" }, way = { "up|higher|further up", "down|lower|further down" },
+    missing = { "tail|kite tail" }, part = { "knot", "cloth" }, way = { "up|higher|further up", "down|lower|further down" },
     weight = { "lighter|light", "heavier|heavy" }, cloth = { "silk", "paper", "plastic", "nylon" },
   },
   -- Anything may be tried that can be done: the flight is the judge.
@@ -146,6 +144,8 @@ local tried = {
   cloth = "The cloth makes it lighter or heavier.",
 }
 
+local which_way = { knot = "Up or down?", cloth = "Lighter or heavier?" }
+
 -- Asks what to change until it is something that can be done, and does it; gives which part it was.
 local function change_it(world)
   local answer, change, part
@@ -154,7 +154,7 @@ local function change_it(world)
     change, part = change_of(answer)
     if answer.understood and not answer.right and not answer.over then
       wait(2)
-      say(world, part == "tail" and kite.tail == 0 and "It has no tail yet." or "That is as far as it goes.", 2.5)
+      say(world, answer.part and which_way[part] or part == "tail" and kite.tail == 0 and "It has no tail yet." or "That is as far as it goes.", 2.5)
     end
   until answer.over
   wait(2.5)

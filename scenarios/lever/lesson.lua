@@ -200,7 +200,7 @@ L:question "near_far" {
 
 local ways = { Earth = -0.1, hand = 0.1 }   -- where the two are from the support
 
-local toward = "([(nearer|closer)] to|near|nearer|towards) the {goal}"
+local toward = "([(nearer|closer|close)] to|near|nearer|towards) the {goal}"
 
 L:question "which_way" {
   prompt = "Where must the support go: to the Earth or to your hand?",

@@ -150,7 +150,7 @@ L:question "planets" {
   again = "Let's count them.",
   answers = {
     "there are {number} <plural:planet>",
-    "(there are|I see|I can see|I count|I counted|we have|[the] Sun has|it has) {number} [<plural:planet>] [in the solar system]",
+    "(there are|I see|I can see|I count|I counted|we have|the Sun has|it has) {number} <plural:planet> [in the solar system]",
     "{number} <plural:planet> [(go|move|turn|are) (round|around) (it|the Sun)]",
   },
   nearly = {
@@ -170,7 +170,7 @@ for _, name in ipairs { "Earth", "Mars" } do
     again = "Let's look again.",
     answers = {
       called .. " has {number} <plural:moon>",
-      "(it|" .. named .. ") has [got] {number} [<plural:moon>]",
+      "(it|" .. named .. ") has [got] {number} <plural:moon>",
       "there are {number} <plural:moon>",
       "(I see|I can see) {number} <plural:moon>",
       "{number} <plural:moon>",

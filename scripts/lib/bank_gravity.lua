@@ -16,6 +16,8 @@ end
 
 local function one(name) return (name:match "^[aeiou]" and "an " or "a ") .. name end
 
+local both = "(they [both]|both|[both] (an|the) apple and (a|the) watermelon) [begin to]"
+
 -- "Which one is the heaviest?", of all four.
 local function superlative(adjective, sign, most)
   local right = heaviest(fruit, sign)
@@ -23,7 +25,7 @@ local function superlative(adjective, sign, most)
   return {
     id = "gravity_" .. most, like = { most }, point = "comparison", idea = "weight",
     prompt = ("A watermelon, an apple, a banana and an egg: which one is the %s?"):format(most),
-    answers = { "[a|an|the] {thing} is the <superlative:" .. adjective .. "> [one|thing]",
+    answers = { "[a|an|the] {thing} is the <superlative:" .. adjective .. "> [one|thing] [of (all|them all|the four)]",
                 "the <superlative:" .. adjective .. "> [one|thing] is [a|an|the] {thing}" },
     lists = { thing = fruit },
     right = function(a) return a.thing ~= nil and heaviest(fruit, sign) == a.thing end,
@@ -68,11 +70,13 @@ return {
   {
     id = "gravity_together", like = { "heavier" }, point = "verb", idea = "weight",
     prompt = "There is no air. An apple and a watermelon begin to fall at the same time. Which one is faster, or do they fall together?",
-    answers = { "they fall {together}", "they fall {same}", "[a|an|the] {thing} is <comparative:fast>",
+    answers = { both .. " fall {together}", both .. " fall {same}", "(they|both) are {equal}", "{neither} is <comparative:fast>",
+                "[a|an|the] {thing} is <comparative:fast>",
                 "[a|an|the] {thing} falls <comparative:fast>" },
     lists = { together = { "together|at the same time|equally fast|just as fast" },
-              same = { "at the same speed|at one speed|with the same speed" }, thing = { "apple", "watermelon" } },
-    right = function(a) return a.together ~= nil or a.same ~= nil end,
+              same = { "at the same speed|at one speed|with the same speed" }, equal = { "equally fast|just as fast" },
+              neither = { "neither|neither of them|none of them|no one" }, thing = { "apple", "watermelon" } },
+    right = function(a) return (a.together or a.same or a.equal or a.neither) ~= nil end,
     hint = "Without air nothing slows them down.",
     solution = "They fall together: without air all things fall equally fast.",
     examples = { right = { "they fall together", "they fall at the same speed" }, wrong = { "the watermelon is faster" },
@@ -108,7 +112,8 @@ return {
     id = "gravity_unit", like = { "heaviest" }, point = "noun_number", idea = "weight",
     prompt = "What do we measure weight in: newtons, metres or seconds?",
     answers = { "(we|you|people) measure (it|weight|the weight) in <plural:newton>", "(weight|it) is [measured] in <plural:newton>", "[in] <plural:newton>",
-                "(we|you|people) measure (it|weight|the weight) in {unit}", "(weight|it) is [measured] in {unit}", "[in] {unit}" },
+                "(we|you|people) measure (it|weight|the weight) in {unit}", "(weight|it) is [measured] in {unit}", "[in] {unit}",
+                "[(it|the unit [(of|for) weight]) is] the newton", "(we|you) use newtons" },
     nearly = { "(we|you) (measures|are measure|measuring) [the] (it|weight) (in|with|by) (newton|newtons)", "(with|by) (newton|newtons)" },
     lists = { unit = { "metres|metre", "seconds|second" } },
     right = function(a) return a.unit == nil end,

@@ -2,17 +2,22 @@
 
 local forces = { "lift|lift force", "drag|drag force", "weight|gravity", "tension|tension force|pull of the line" }
 
+local kite = "(it|a kite|the kite)"
+
+-- The first of each bracket's words, without what may be left out.
+local function plainly(said) return (said:gsub("%s*%b[]", ""):gsub("%((.-)|.-%)", "%1")) end
+
 -- "Which force …?", answered by "The lift holds it up."
 local function which(id, right, prompt, said, verb, plain, hint)
   return {
     id = "kite_" .. id, like = { id == "tension" and "hand" or "up" }, point = "article", idea = "flight",
     prompt = prompt,
-    answers = { ("the {force} %s"):format(said), "it is the {force}", "the {force} [does]" },
+    answers = { ("the {force} %s"):format(said), "it is the {force}", "the {force} [does]", "I feel the {force} [in my hand]" },
     nearly = { ("{force} (%s|%s)"):format(said, (said:gsub(verb, plain))), ("the {force} %s"):format((said:gsub(verb, plain))), "{force}", "it is {force}" },
     lists = { force = forces },
     right = function(a) return a.force == right end,
     hint = hint,
-    solution = ("The %s %s."):format(right, said:gsub("[%(%)]", ""):gsub("|[%w%s]*", "")),
+    solution = ("The %s %s."):format(right, plainly(said)),
     examples = {
       right = { ("the %s"):format(right), ("it is the %s"):format(right) },
       wrong = { right == "drag" and "the lift" or "the drag" },
@@ -22,14 +27,15 @@ local function which(id, right, prompt, said, verb, plain, hint)
 end
 
 return {
-  which("up", "lift", "Which force holds a kite up?", "holds it up", "holds", "hold", "It points up, across the wind."),
-  which("down", "weight", "Which force pulls a kite down?", "pulls it down", "pulls", "pull", "Everything has it, on the ground too."),
-  which("away", "drag", "Which force pushes a kite away with the wind?", "pushes it away", "pushes", "push", "It points along the wind."),
+  which("up", "lift", "Which force holds a kite up?", "holds " .. kite .. " up", "holds", "hold", "It points up, across the wind."),
+  which("down", "weight", "Which force pulls a kite down?", "pulls " .. kite .. " down", "pulls", "pull", "Everything has it, on the ground too."),
+  which("away", "drag", "Which force pushes a kite away with the wind?", "pushes " .. kite .. " away [with the wind]", "pushes", "push", "It points along the wind."),
   which("tension", "tension", "Which force of the line do you feel in your hand?", "pulls my hand", "pulls", "pull", "A line that is tight has it."),
   {
     id = "kite_four", like = { "up", "hand" }, point = "noun_number", idea = "flight",
     prompt = "How many forces act on a kite in the wind?",
-    answers = { "there are {number} <plural:force>", "{number} <plural:force> [act on (it|a kite)]", "it has {number} <plural:force>" },
+    answers = { ("there are {number} <plural:force> [on %s]"):format(kite), ("{number} <plural:force> [act on %s [in the wind]]"):format(kite),
+                "it has {number} <plural:force>", "there are {number}" },
     nearly = { "(it|they|there) (is|are|have) {number} (force|forces)" },
     lists = { number = { "two|2", "three|3", "four|4", "five|5" } },
     right = function(a) return a.number == "four" end,
@@ -42,7 +48,7 @@ return {
     prompt = "A kite stands high in the wind, and its line is tight. Which force is bigger: the lift or the weight?",
     answers = { "the {force} is <comparative:big> [than the {other}]", "it is the {force}", "the {force} [is]" },
     nearly = { "{force} [is bigger]", "it is {force}" },
-    lists = { force = { "lift", "weight" }, other = { "lift", "weight" } },
+    lists = { force = { "lift|lift force", "weight|gravity" }, other = { "lift", "weight" } },
     right = function(a) return a.force == "lift" and a.other ~= "lift" end,
     hint = "The lift carries the weight, and pulls the line tight as well.",
     solution = "The lift is bigger than the weight.",
@@ -54,7 +60,7 @@ return {
     prompt = "The wind stops, and the kite begins to fall. Which force is smaller then: the lift or the weight?",
     answers = { "the {force} is <comparative:small> [than the {other}]", "it is the {force}", "the {force} [is]" },
     nearly = { "{force} [is smaller]", "it is {force}" },
-    lists = { force = { "lift", "weight" }, other = { "lift", "weight" } },
+    lists = { force = { "lift|lift force", "weight|gravity" }, other = { "lift", "weight" } },
     right = function(a) return a.force == "lift" and a.other ~= "lift" end,
     hint = "The weight stays the same, but lift needs wind.",
     solution = "The lift is smaller than the weight.",
@@ -75,7 +81,7 @@ return {
   {
     id = "kite_tail", like = { "change" }, point = "article", idea = "flight",
     prompt = "A kite turns and swings. What does it need?",
-    answers = { "it needs a {part}", "it needs a <comparative:long> {part}", "it needs a long {part}", "a {part}", "a <comparative:long> {part}", "a long {part}" },
+    answers = { kite .. " needs a {part}", kite .. " needs a <comparative:long> {part}", kite .. " needs a long {part}", "a {part}", "a <comparative:long> {part}", "a long {part}" },
     nearly = { "it (need|is need) [a] [longer] {part}", "it needs {part}", "{part}" },
     lists = { part = { "tail", "wheel", "window", "door" } },
     right = function(a) return a.part == "tail" end,
@@ -87,7 +93,7 @@ return {
   {
     id = "kite_cloth", like = { "change" }, point = "adjective", idea = "flight",
     prompt = "There is only a gentle wind. Should the cloth of a kite be light or heavy?",
-    answers = { "(it|the cloth) (should|must) be {weight}", "{weight}", "a {cloth}", "(I|we) need a {cloth}" },
+    answers = { "(it|the cloth [of (a|the) kite]) (should|must) be {weight}", "{weight}", "a {cloth}", "(I|we) need a {cloth}" },
     nearly = { "(it|cloth|the cloth) (should|must) {weight}", "(it|cloth|the cloth) (should|must) (is|to be) {weight}", "[the] {cloth}" },
     lists = { weight = { "light", "heavy" }, cloth = { "light cloth", "heavy cloth" } },
     right = function(a) return a.weight == "light" or a.cloth == "light cloth" end,

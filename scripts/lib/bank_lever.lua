@@ -2,6 +2,9 @@
 
 local numbers = require "numbers"
 
+local press = "[to press [(it|a lever|the lever)]]"
+local nearer = "([(nearer|closer)] to|near|towards) (the|my|your) {goal}"
+
 -- Newtons that balance a load when the arms are so long.
 local function balances(load, load_arm, arm) return load * load_arm / arm end
 
@@ -31,10 +34,10 @@ return {
     id = "lever_easier", like = { "near_far" }, point = "comparison", idea = "lever",
     prompt = "Where is it easier to press a lever: near the support or far from it?",
     answers = { "it is <comparative:easy> {far} from the support", "it is <comparative:easy> {near} the support",
-                "it is <comparative:easy> [to press] {far} [from (the support|it)]", "it is <comparative:easy> [to press] {near} [(the support|it)]",
+                "it is <comparative:easy> " .. press .. " {far} [from (the support|it)]", "it is <comparative:easy> " .. press .. " {near} [(the support|it)]",
                 "{far} from (the support|it)", "{near} (the support|it)", "{far}", "{near}" },
     nearly = { "in the {far}", "in the {near}" },
-    lists = { near = { "near|nearer|close to|next to" }, far = { "far|far away|farther|further away" } },
+    lists = { near = { "near|nearer|close to|closer to|next to" }, far = { "far|far away|farther|further away" } },
     right = function(a) return a.far ~= nil end,
     hint = "A long arm helps.",
     solution = "It is easier far from the support.",
@@ -44,7 +47,8 @@ return {
   {
     id = "lever_door", like = { "near_far" }, point = "preposition", idea = "lever",
     prompt = "Where is it easier to push a door: at the handle or near the hinge?",
-    answers = { "it is <comparative:easy> [to push [it]] at the {handle}", "it is <comparative:easy> [to push [it]] near the {hinge}",
+    answers = { "it is <comparative:easy> [to push [(it|a door|the door)]] at the {handle}",
+                "it is <comparative:easy> [to push [(it|a door|the door)]] near the {hinge}",
                 "at the {handle}", "near the {hinge}", "the {handle}", "the {hinge}" },
     nearly = { "(in|on|by) [the] {handle}", "(in|on|by) [the] {hinge}", "it is easier (in|on|by) [the] {handle}" },
     lists = { handle = { "handle" }, hinge = { "hinge" } },
@@ -79,8 +83,7 @@ return {
   {
     id = "lever_which_way", like = { "which_way" }, point = "preposition", idea = "lever",
     prompt = "A stone is too heavy. Must the support go nearer to the stone or nearer to your hand?",
-    answers = { "(it|the support) must go [nearer] to (the|my) {goal}", "[nearer] to (the|my) {goal}",
-                "(it|the support) (goes|moves) [nearer] to (the|my) {goal}" },
+    answers = { "(it|the support) must (go|move|be) " .. nearer, nearer, "(it|the support) (goes|moves) " .. nearer },
     nearly = { "(it|support|the support) (must to go|must goes|go|have to go) [nearer] [to] [(the|my)] {goal}", "[the] {goal}" },
     lists = { goal = { "stone", "hand" } },
     right = function(a) return a.goal == "stone" end,
@@ -92,7 +95,7 @@ return {
   {
     id = "lever_seesaw", like = { "near_far", "which_way" }, point = "comparison", idea = "lever",
     prompt = "A heavy child and a light child are on a seesaw. Who must sit nearer to the middle?",
-    answers = { "the {who} child must sit <comparative:near> to the middle", "the {who} (child|one) [must|does]", "the {who} child must sit nearer" },
+    answers = { "the {who} child must sit <comparative:near> to the middle", "the {who} (child|one) [must|does]", "the {who} child must sit nearer", "the {who} child must sit closer [to the middle]" },
     nearly = { "[the] {who} [child] (must to sit|sits|sit) [nearer] [to the middle]", "{who} child" },
     lists = { who = { "heavy|heavier", "light|lighter" } },
     right = function(a) return a.who == "heavy" end,

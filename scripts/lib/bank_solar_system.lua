@@ -30,11 +30,12 @@ local function moons(name)
   local n = planets.facts(name).moons
   local words = numbers.word(n)
   local thing = n == 1 and "moon" or "moons"
+  local named = name == "Earth" and "[the] Earth" or name
   return {
     id = "solar_moons_" .. name:lower(), like = { "moons_" .. name:lower(), "your_turn" }, point = "noun_number", idea = "planets",
     prompt = ("How many moons does %s have?"):format(called(name)),
-    answers = { called(name) .. " has {number} <plural:moon>", "(it|[the] " .. name .. ") has [got] {number} [<plural:moon>]",
-                "there are {number} [<plural:moon>]", "{number} <plural:moon>" },
+    answers = { called(name) .. " has {number} <plural:moon>", "(it|" .. named .. ") has [got] {number} <plural:moon>",
+                "there are {number} <plural:moon>", "{number} <plural:moon>" },
     nearly = { "(it|there|[the] " .. name .. ") [(is|are|has|have)] {number} [(moon|moons)]", "[it] (have|is|are) {number} [(moon|moons)]" },
     lists = { number = how_many },
     right = function(a) return numbers.value(a.number) == n end,
@@ -48,6 +49,14 @@ local function moons(name)
   }
 end
 
+-- Said for another adjective as well as that.
+local alike = { big = "large", near = "close", hard = "difficult" }
+
+local function degree(form, adjective)
+  local first = ("<%s:%s>"):format(form, adjective)
+  return alike[adjective] and ("(%s|<%s:%s>)"):format(first, form, alike[adjective]) or first
+end
+
 -- "Which planet is the biggest?"
 local function most(id, adjective, superlative, of, sign, tail)
   local right = extreme(of, sign)
@@ -55,7 +64,8 @@ local function most(id, adjective, superlative, of, sign, tail)
   return {
     id = "solar_" .. id, like = { "planets", "your_turn" }, point = "comparison", idea = "planets",
     prompt = ("Which planet is %s?"):format(superlative),
-    answers = { "[the] {planet} is the <superlative:" .. adjective .. "> [planet|one]" .. (tail and " [" .. tail .. "]" or ""), "[the] {planet} is", "[it is] [the] {planet}" },
+    answers = { "[the] {planet} is the " .. degree("superlative", adjective) .. " [planet|one]" .. (tail and " [" .. tail .. "]" or "")
+                  .. " [(of all|of them all|in (our|the) solar system)]", "[the] {planet} is", "[it is] [the] {planet}" },
     lists = { planet = names },
     right = function(a) return a.planet == right end,
     hint = "Remember how they go round the Sun, and how they look from near.",
@@ -77,7 +87,7 @@ local function compare(id, adjective, comparative, of, sign, first, second, tail
     id = ("solar_%s_%s_%s"):format(id, first:lower(), second:lower()), like = { "harder", "your_turn" }, point = "comparison",
     idea = id == "turn" and "turning" or "planets",
     prompt = ("Which one is %s%s: %s or %s?"):format(comparative, after, called(first), called(second)),
-    answers = { "[the] {planet} is <comparative:" .. adjective .. ">" .. (tail and " [" .. tail .. "]" or "") .. " [than [the] {other}]",
+    answers = { "[the] {planet} is " .. degree("comparative", adjective) .. (tail and " [" .. tail .. "]" or "") .. " [than [the] {other}]",
                 "[the] {planet} is", "[it is] [the] {planet}" },
     lists = { planet = { first, second }, other = { first, second } },
     right = function(a) return a.planet == right and a.other ~= right end,
@@ -96,7 +106,7 @@ return {
     id = "solar_planets", like = { "planets" }, point = "noun_number", idea = "planets",
     prompt = "How many planets are there in our solar system?",
     answers = { "there are {number} <plural:planet> [in (our|the) solar system]",
-                "(there are|we have|[the] Sun has|it has) {number} [<plural:planet>] [in (our|the) solar system]",
+                "(there are|we have|the Sun has|it has) {number} <plural:planet> [in (our|the) solar system]",
                 "{number} <plural:planet>" },
     nearly = { "(it|they|here|there|in solar system) (is|are|has|have) {number} [(planet|planets)]" },
     lists = { number = how_many },
@@ -143,7 +153,7 @@ return {
   {
     id = "solar_day", like = { "your_turn" }, point = "noun_number", idea = "planets",
     prompt = "How many hours does it take the Earth to turn round once?",
-    answers = { "it takes [(it|the Earth)] [about] {number} (<plural:hour>|h)", "(it|the Earth) (needs|takes) [about] {number} (<plural:hour>|h)",
+    answers = { "it takes [(it|the Earth)] [about] {number} (<plural:hour>|h) [to turn round [once]]", "(it|the Earth) (needs|takes) [about] {number} (<plural:hour>|h)",
                 "[about] {number} (<plural:hour>|h)" },
     nearly = { "(it|Earth|the Earth) (need|take|is|has) {number} (hour|hours)" },
     lists = { number = how_many },

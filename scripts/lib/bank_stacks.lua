@@ -7,7 +7,7 @@ local function where(id, told, asked, place, other, wrong)
     prompt = ("%s Where is the %s block?"):format(told, asked),
     answers = { "(it|the " .. asked .. " block) is {place} the {thing}", "[it is] {place} the {thing}" },
     nearly = { "(it|" .. asked .. " block) [is] {place} [the] {thing}", "{place} {thing}" },
-    lists = { place = { "on top of|on", "under|below", "next to|beside" },
+    lists = { place = { "on top of|on|above|over", "under|below|underneath|beneath", "next to|beside|near" },
               thing = { "red block", "blue block", "green block", "yellow block" } },
     right = function(a) return a.place == place and a.thing == other .. " block" end,
     hint = "Draw it in your head.",
@@ -29,7 +29,7 @@ return {
   {
     id = "stacks_between", like = { "between" }, point = "preposition", idea = "place",
     prompt = "From left to right there are a red, a blue and a green block. Which one is between the others?",
-    answers = { "the {colour} (block|one) is between (them|the others|the other blocks)", "it is the {colour} (block|one)", "the {colour} (block|one) [is]" },
+    answers = { "the {colour} (block|one) is between (them|the others|the other blocks|the red [(block|one)] and the green (block|one))", "it is the {colour} (block|one)", "the {colour} (block|one) [is]" },
     nearly = { "[it is] [the] {colour}", "{colour} block", "[the] {colour} (block|one) is between", "{colour} block is between them" },
     lists = { colour = { "red", "blue", "green" } },
     right = function(a) return a.colour == "blue" end,
@@ -41,7 +41,7 @@ return {
   {
     id = "stacks_tallest", like = { "taller" }, point = "comparison", idea = "place",
     prompt = "The red block is 10 centimetres tall, the blue one 20 and the green one 30. Which block is the tallest?",
-    answers = { "the {colour} (block|one) is the <superlative:tall> [(block|one)]", "it is the {colour} (block|one)", "the {colour} (block|one) [is]" },
+    answers = { "the {colour} (block|one) is the <superlative:tall> [(block|one)] [of (all|them all|the three)]", "it is the {colour} (block|one)", "the {colour} (block|one) [is]" },
     nearly = { "[the] {colour} [block]", "{colour} block is the tallest" },
     lists = { colour = { "red", "blue", "green" } },
     right = function(a) return a.colour ~= nil and height[a.colour] == 0.3 end,

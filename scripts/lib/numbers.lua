@@ -28,7 +28,7 @@ local function below_thousand(n)
   if rest == 0 then return word end
   if hundreds > 0 then word = word .. " and " end
   if rest < 20 then return word .. small[rest] end
-  return word .. tens[rest // 10] .. (rest % 10 > 0 and " " .. small[rest % 10] or "")
+  return word .. tens[rest // 10] .. (rest % 10 > 0 and "-" .. small[rest % 10] or "")
 end
 
 local function check_whole(called, n)
@@ -37,7 +37,7 @@ local function check_whole(called, n)
   end
 end
 
---- A number in words: 21 is "twenty one", 0 is "no", as in "no moons".
+--- A number in words: 21 is "twenty-one", 0 is "no", as in "no moons".
 ---@param n integer 0 to 999999
 ---@return string
 function numbers.word(n)
@@ -85,7 +85,7 @@ local value_of = { no = 0 }
 for n = 1, 19 do value_of[small[n]] = n end
 for n = 1, 9 do value_of[tens[n]] = 10 * n end
 
---- What an answer's number means: "twenty one" is 21; nil when it is none.
+--- What an answer's number means: "twenty-one" is 21; nil when it is none.
 ---@param word string|nil
 ---@return integer|nil
 function numbers.value(word)

@@ -102,6 +102,24 @@ TEST_CASE("conversation: the ladder is recast, prompt, rule, and a right sentenc
     CHECK(answer(talk, heaviest(), "an egg is the most heavy").kind == FeedbackKind::recast);
 }
 
+TEST_CASE("conversation: who has said yes or no is not told yes before it") {
+    Conversation talk(words());
+    const Question question =
+        compiled({"q",
+                  "Is a watermelon heavier than an egg?",
+                  {"(yes|no) [(a|the) watermelon (is|is not) <comparative:heavy>]"},
+                  {}});
+    CHECK(answer(talk, question, "yes a watermelon is more heavy").text ==
+          "Right. Yes, a watermelon is *heavier*.");
+    CHECK(answer(talk, question, "no the watermelon is not more heavy").may_repeat);
+    CHECK(answer(talk, question, "no the watermelon is not more heavy").text ==
+          "Right. No, the watermelon is not *heavier*. A short word gets -er: heavy, *heavier*.");
+    CHECK(answer(talk, heaviest(), "its the apple").text == "Yes. *It is* the apple.");
+    CHECK(answer(talk, heaviest(), "its the apple").may_repeat);
+    CHECK(answer(talk, heaviest(), "its the apple").text ==
+          "Yes. *It is* the apple. The short form has an apostrophe: *it's*.");
+}
+
 TEST_CASE("conversation: what is said after a prompt is taken up and never holds back") {
     Conversation talk(words());
     const auto invite = [&] {

@@ -47,6 +47,9 @@ TEST_CASE(
     REQUIRE(feedback.free_errors.size() == 1);
     CHECK(feedback.free_errors[0].code == ErrorCode::agreement);
     CHECK(feedback.keys.back() == "feedback.free_form");
+    // Each sentence with its capital, whatever was put right in it.
+    CHECK(answer_once(talk, heaviest(), "i like it. have i it?").text ==
+          "In English we say: I like it. *Has* I it? I did not understand. Please say it again.");
 }
 
 TEST_CASE(

@@ -59,3 +59,14 @@ TEST_CASE("conversation: a step may let the hand feel it again, and nobody is he
     CHECK(talk.state() == Conversation::State::done);
     CHECK_FALSE(climb(talk, heaviest(), "watermelon is most heavy").replay);
 }
+
+TEST_CASE(
+    "conversation: a rule names the word that is missing or misspelt, and reads as a sentence") {
+    ConversationSettings settings;
+    settings.ladder = {FeedbackStep::rule};
+    Conversation talk(ladder_words(), settings);
+    CHECK(climb(talk, heaviest(), "an apple the heaviest").text ==
+          "Yes. An apple *is* the heaviest. Every sentence needs a verb, here is.");
+    CHECK(climb(talk, heaviest(), "an appel is the heaviest").text ==
+          "Yes. *An apple* is the heaviest. The right spelling: apple.");
+}

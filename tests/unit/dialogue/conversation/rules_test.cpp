@@ -66,6 +66,8 @@ TEST_CASE("rules: adjectives, materials and the passive have their own") {
     CHECK(rule_for(feels, "metal is hard or smooth") == "rule.and");
     CHECK(rule_for(feels, "metal feels like hard") == "rule.preposition.extra");
     CHECK(rule_for(feels, "metal hard") == "rule.verb.missing");
+    CHECK(rule_for(spaceship_of_what(), "they are made of metal") == "rule.pronoun.number");
+    CHECK(rule_for(heaviest(), "its the apple") == "rule.contraction");
     CHECK(rule_for(compares_feel(), "wood is more soft than rock") == "rule.comparative.ending");
 }
 

@@ -19,6 +19,18 @@ TEST_CASE("letters: distance in closed form") {
     CHECK(edit_distance(std::string(33, 'a'), "a") == 33);
 }
 
+TEST_CASE("letters: every sentence begins with a capital, in asterisks too, and I is one") {
+    CHECK(sentences_case("") == "");
+    CHECK(sentences_case("it is big") == "It is big");
+    CHECK(sentences_case("*the* apple is big. *egg* is small! is it? yes") ==
+          "*The* apple is big. *Egg* is small! Is it? Yes");
+    CHECK(sentences_case("and i think i'm small, i") == "And I think I'm small, I");
+    CHECK(sentences_case("it has 3.5 moons. 4 are big") == "It has 3.5 moons. 4 are big");
+    CHECK(sentences_case("a file.txt is no end") == "A file.txt is no end");
+    CHECK(sentences_case("\xC3\xA9t\xC3\xA9. \xC3\xA9t\xC3\xA9") ==
+          "\xC3\xA9t\xC3\xA9. \xC3\xA9t\xC3\xA9");
+}
+
 TEST_CASE("letters: distance is symmetric, zero only for equals, and bounded by the longer word") {
     CHECK(rc::check([](const std::string& a, const std::string& b) {
         const std::string first = a.substr(0, 32);

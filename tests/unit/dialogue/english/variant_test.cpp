@@ -12,7 +12,9 @@ TEST_CASE(
     CHECK(other_spelling("car tyre") == "car tire");
     CHECK(other_spelling("grey ball") == "gray ball");
     CHECK(other_spelling("aluminum") == "aluminium");
-    for (const char* word : {"colour", "metre", "fibre", "jewellery", "doughnuts"}) {
+    CHECK(other_spelling("towards") == "toward");
+    CHECK(other_spelling("toward") == "towards");
+    for (const char* word : {"colour", "metre", "fibre", "jewellery", "doughnuts", "upwards"}) {
         INFO(word);
         CHECK(other_spelling(other_spelling(word)) == word);
     }

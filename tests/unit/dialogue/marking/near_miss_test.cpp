@@ -25,6 +25,9 @@ TEST_CASE("near miss: a number that no list has is understood, fills no slot, an
                 {"I think there are twenty one eggs", "twenty one"},
                 {"one hundred and five eggs", "one hundred and five"},
                 {"2.5 eggs", "2.5"},
+                {"-3", "-3"},
+                {"there are -3 eggs", "-3"},
+                {"minus three", "minus three"},
                 {"12345678 eggs", "12345678"},
                 {"five egg", "five"}};
     for (const auto& row : rows) {

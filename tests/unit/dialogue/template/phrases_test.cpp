@@ -93,12 +93,16 @@ TEST_CASE("phrases: degrees and plurals hold right and wrong forms") {
     CHECK(heaviest.count("the") == 0);
     CHECK(heaviest.count("much") == 0);
     const auto feet =
-        codes([](ArcWriter& writer, int a, int b) { add_plural(writer, "foot", a, b); });
+        codes([](ArcWriter& writer, int a, int b) { add_plural(writer, "foot", false, a, b); });
     CHECK(feet.at("feet") == ErrorCode::none);
     CHECK(feet.at("foot") == ErrorCode::noun_number);
     CHECK(feet.at("foots") == ErrorCode::noun_inflection);
+    CHECK(feet.count("") == 0);
+    const auto counted =
+        codes([](ArcWriter& writer, int a, int b) { add_plural(writer, "foot", true, a, b); });
+    CHECK(counted.at("") == ErrorCode::none);
     const auto sheep =
-        codes([](ArcWriter& writer, int a, int b) { add_plural(writer, "sheep", a, b); });
+        codes([](ArcWriter& writer, int a, int b) { add_plural(writer, "sheep", false, a, b); });
     CHECK(sheep.at("sheep") == ErrorCode::none);
 }
 
@@ -128,10 +132,19 @@ TEST_CASE("phrases: feels takes no like before an adjective, and may be felt") {
 }
 
 TEST_CASE("phrases: <it> is one or many, or forgotten; tyre is tire") {
-    const auto it = codes([](ArcWriter& writer, int a, int b) { add_it(writer, a, b); });
+    const auto it = codes(
+        [](ArcWriter& writer, int a, int b) { add_it(writer, SubjectNumber::unknown, a, b); });
     CHECK(it.at("it") == ErrorCode::none);
     CHECK(it.at("those") == ErrorCode::none);
     CHECK(it.at("") == ErrorCode::missing_pronoun);
+    const auto one = codes(
+        [](ArcWriter& writer, int a, int b) { add_it(writer, SubjectNumber::singular, a, b); });
+    CHECK(one.at("it") == ErrorCode::none);
+    CHECK(one.at("they") == ErrorCode::wrong_pronoun);
+    const auto many =
+        codes([](ArcWriter& writer, int a, int b) { add_it(writer, SubjectNumber::plural, a, b); });
+    CHECK(many.at("those") == ErrorCode::none);
+    CHECK(many.at("this") == ErrorCode::wrong_pronoun);
     const auto tyre =
         codes([](ArcWriter& writer, int a, int b) { add_word(writer, "tyre", "tyre", {}, a, b); });
     CHECK(tyre.at("tire") == ErrorCode::none);

@@ -25,9 +25,9 @@ TEST_CASE("numbers: are said as people say them") {
     CHECK(
         printed("for _, n in ipairs { 0, 1, 10, 19, 20, 21, 99, 100, 105, 318, 1000, 1001, 2100, "
                 "999999 } do print(numbers.word(n)) end") ==
-        "no;one;ten;nineteen;twenty;twenty one;ninety nine;one hundred;one hundred and five;three "
+        "no;one;ten;nineteen;twenty;twenty-one;ninety-nine;one hundred;one hundred and five;three "
         "hundred and eighteen;one thousand;one thousand and one;two thousand one hundred;nine "
-        "hundred and ninety nine thousand nine hundred and ninety nine;");
+        "hundred and ninety-nine thousand nine hundred and ninety-nine;");
 }
 
 TEST_CASE("numbers: what is said is what was meant") {
