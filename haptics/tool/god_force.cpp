@@ -1,0 +1,88 @@
+#include "haptics/tool/god_force.h"
+
+#include <cmath>
+
+namespace fulcrum {
+
+namespace {
+
+constexpr double kNothing_N = 1.0e-4;
+constexpr double kNothing_Nm = 1.0e-6;
+
+}  // namespace
+
+Vector6 find_way(const Pose& from_W, const Pose& to_W) noexcept {
+    Vector6 way;
+    way << to_W.position - from_W.position,
+        compute_log((to_W.orientation * from_W.orientation.conjugate()).normalized());
+    return way;
+}
+
+Pose go_along(const Pose& from_W, const Vector6& way) noexcept {
+    Pose to{from_W.position + way.head<3>(), compute_exp(way.tail<3>()) * from_W.orientation};
+    to.orientation.normalize();
+    return to;
+}
+
+GodForce::GodForce(const GodForceSettings& settings, std::size_t max_contacts)
+    : settings_(settings),
+      max_contacts_(max_contacts),
+      solver_(max_contacts),
+      scale_(settings.stiffness_N_per_m / (settings.step_share * settings.inertia.mass_kg)) {}
+
+void GodForce::begin(const Pose& tool_W) noexcept {
+    tool_W_ = tool_W;
+    solver_.set_inertia(settings_.inertia.mass_kg,
+                        compute_inertia_W(settings_.inertia, tool_W.orientation));
+    solver_.clear();
+}
+
+bool GodForce::add(const Vector3& arm_W, const Vector3& normal_W, double least_m) noexcept {
+    return solver_.add(arm_W, normal_W, least_m);
+}
+
+Wrench GodForce::compute_held(const Pose& wanted_W) noexcept {
+    presses_ = false;
+    if (solver_.size() == 0) {
+        return {};
+    }
+    const LeastConstraint& held = solver_.solve(settings_.step_share * find_way(tool_W_, wanted_W));
+    presses_ = held.acting > 0;
+    return {scale_ * held.force.head<3>(), scale_ * held.force.tail<3>()};
+}
+
+// What is taken of a push may not make it a pull, so that a tool that is lifted comes off without sticking; what is added fades by itself.
+Vector3 GodForce::find_carried(const Blended& blended, const Vector3& held, bool presses) noexcept {
+    const bool takes = blended.size.dot(blended.of) < 0.0;
+    if (!takes) {
+        return blended.size;
+    }
+    const double most = presses ? held.norm() : 0.0;
+    const double size = blended.size.norm();
+    return size > most ? Vector3(blended.size * (most / size)) : blended.size;
+}
+
+Wrench GodForce::compute(const Pose& wanted_W) noexcept {
+    Wrench felt = compute_held(wanted_W);
+    felt.force += find_carried(blended_.force, felt.force, presses_);
+    felt.torque += find_carried(blended_.torque, felt.torque, presses_);
+    return felt;
+}
+
+double GodForce::force_N(std::size_t k) const noexcept {
+    return presses_ ? scale_ * solver_.force_N(k) : 0.0;
+}
+
+void GodForce::blend(const Wrench& before, const Pose& wanted_W, double dt_s) noexcept {
+    const Wrench now = compute_held(wanted_W);
+    const double kept = settings_.fade_s > 0.0 ? std::exp(-dt_s / settings_.fade_s) : 0.0;
+    blended_.force = {kept * (before.force - now.force), now.force};
+    blended_.torque = {kept * (before.torque - now.torque), now.torque};
+    // What cannot be felt any more is nothing.
+    if (!presses_ && blended_.force.size.norm() < kNothing_N &&
+        blended_.torque.size.norm() < kNothing_Nm) {
+        blended_ = {};
+    }
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,340 @@
+#include "haptics/tool/god_object_tool.h"
+
+#include "haptics/math/length.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kContactGaps = 4.0;  // what is within so many gaps at rest is a contact, at least
+constexpr double kPressGaps = 2.0;    // what is within so many may press
+constexpr double kPressRise =
+    0.05;  // likewise; of a gap: what rounding and the last round leave of a flat contact
+constexpr double kWidens =
+    4.0;  // how far contacts are looked for, when the tool was stopped by another
+constexpr double kWidest = 0.1;    // of the tool's reach
+constexpr double kFreeGaps = 2.0;  // what is beyond is free
+constexpr double kTouchShare =
+    0.25;  // of the gap there is: the sweep stops between that and twice it
+constexpr double kLeastTouch = 1.0 / 64.0;  // of the gap at rest: nearer than that nothing goes
+constexpr double kSettledShare = 1.0e-4;    // of the gap at rest: a way as short is none
+constexpr double kSettlesNext =
+    0.02;                          // likewise, after the first round: it goes on in the next step
+constexpr double kTooNear = 0.75;  // likewise, a gap: the tool is pushed back first
+constexpr int kMovingTries = 4;
+constexpr double kNoProgress = 1.0e-6;  // of the objects' way
+
+bool is_number(const MovingFrame& frame) noexcept {
+    return is_finite(frame.pose_W) && frame.velocity_W.linear.allFinite() &&
+           frame.velocity_W.angular.allFinite() &&
+           std::abs(frame.pose_W.orientation.norm() - 1.0) < 1.0e-6;
+}
+
+bool is_same(const Pose& a, const Pose& b) noexcept {
+    return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
+Pose seen_from(const Pose& object_W, const Pose& tool_W) noexcept {
+    return object_W.inverse() * tool_W;
+}
+
+bool may_press(const GodContact& contact, const GodObjectSettings& settings) noexcept {
+    return contact.gap_m <= kPressGaps * settings.gap_m &&
+           contact.rise_m <= kPressRise * settings.gap_m;
+}
+
+// No longer than that; 0: as long as it is.
+void limit_length(double most, Vector3& v) noexcept {
+    const double length = compute_length(v);
+    if (most > 0.0 && length > most) {
+        v *= most / length;
+    }
+}
+
+}  // namespace
+
+Pose GodObjectTool::find_held_W(const Pose& handle_W) const noexcept {
+    Pose held;
+    held.orientation = (handle_W.orientation * settings_.handle_turn).normalized();
+    held.position = handle_W.position - held.orientation * settings_.grip_T;
+    return held;
+}
+
+Pose GodObjectTool::grip_W() const noexcept {
+    return {pose_W_ * settings_.grip_T, pose_W_.orientation * settings_.handle_turn.conjugate()};
+}
+
+void GodObjectTool::place(const Pose& handle_W) noexcept {
+    pose_W_ = find_held_W(handle_W);
+    is_begun_ = false;
+    for (GodPair& pair : pairs_) {
+        pair.forget();
+    }
+    step_ = {};
+    force_.begin(pose_W_);
+    force_.forget_blend();
+    std::ranges::fill(touches_, ToolTouch{});
+}
+
+bool GodObjectTool::is_free(std::span<const MovingFrame> objects) const noexcept {
+    if (objects.size() != pairs_.size() || !is_finite(pose_W_) ||
+        !std::ranges::all_of(objects, is_number)) {
+        return false;
+    }
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        if (!pairs_[i].is_apart(seen_from(objects[i].pose_W, pose_W_),
+                                kFreeGaps * settings_.gap_m)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool GodObjectTool::begin(std::span<const MovingFrame> objects) noexcept {
+    if (is_begun_) {
+        return true;
+    }
+    if (!is_free(objects)) {
+        return false;
+    }
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        objects_W_[i] = objects[i].pose_W;
+    }
+    is_begun_ = true;
+    within_m_ = kContactGaps * settings_.gap_m;
+    collect();
+    return true;
+}
+
+void GodObjectTool::collect() noexcept {
+    step_.contacts = 0;
+    step_.least_gap_m = std::numeric_limits<double>::infinity();
+    step_.too_many = false;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        pairs_[i].collect(seen_from(objects_W_[i], pose_W_), within_m_);
+        step_.contacts += static_cast<int>(pairs_[i].contacts().size());
+        step_.least_gap_m = std::min(step_.least_gap_m, pairs_[i].least_gap_m());
+        step_.too_many = step_.too_many || pairs_[i].is_full();
+    }
+}
+
+const LeastConstraint& GodObjectTool::solve(const Vector6& wanted,
+                                            std::span<const MovingFrame> objects,
+                                            bool pushes) noexcept {
+    solver_.clear();
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
+        const bool moves = !is_same(objects_W_[i], objects[i].pose_W);
+        for (const GodContact& contact : pairs_[i].contacts()) {
+            const Vector3 normal_W = R_WO * contact.normal_O;
+            double least_m = settings_.gap_m - contact.gap_m;
+            if (moves) {
+                least_m += normal_W.dot(objects[i].pose_W * contact.on_object_O -
+                                        objects_W_[i] * contact.on_object_O);
+            }
+            const Vector3 arm_W =
+                R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position;
+            solver_.add(arm_W, normal_W, pushes ? least_m : std::min(least_m, 0.0));
+        }
+    }
+    return solver_.solve(wanted);
+}
+
+Vector6 GodObjectTool::find_allowed(const Pose& wanted_W,
+                                    std::span<const MovingFrame> objects) noexcept {
+    const Vector6 wanted = find_way(pose_W_, wanted_W);
+    if (step_.contacts == 0) {
+        return wanted;
+    }
+    solver_.set_inertia(settings_.inertia.mass_kg,
+                        compute_inertia_W(settings_.inertia, pose_W_.orientation));
+    const LeastConstraint& allowed = solve(wanted, objects, true);
+    return allowed.exact ? allowed.acceleration : solve(wanted, objects, false).acceleration;
+}
+
+Pose GodObjectTool::find_object_W(std::size_t i, const MovingFrame& object,
+                                  double share) const noexcept {
+    if (share == 1.0 || is_same(objects_W_[i], object.pose_W)) {
+        return object.pose_W;
+    }
+    return go_along(objects_W_[i], share * find_way(objects_W_[i], object.pose_W));
+}
+
+double GodObjectTool::find_free_share(const Vector6& way,
+                                      std::span<const MovingFrame> objects) noexcept {
+    double touch_m = kTouchShare * std::min(settings_.gap_m, step_.least_gap_m);
+    const bool may_come_near = touch_m >= kLeastTouch * settings_.gap_m;
+    const bool objects_move = !have_arrived(objects);
+    double share = 1.0;
+    for (int i = 0; i < kMovingTries; ++i) {
+        const Pose end_W = go_along(pose_W_, share * way);
+        double free = 1.0;
+        for (std::size_t k = 0; k < pairs_.size() && free > 0.0; ++k) {
+            const Pose object_W = find_object_W(k, objects[k], share);
+            free = std::min(free, pairs_[k].find_free_share(seen_from(objects_W_[k], pose_W_),
+                                                            seen_from(object_W, end_W), touch_m));
+        }
+        if (free == 1.0) {
+            return share;
+        }
+        if (!may_come_near) {
+            return 0.0;
+        }
+        share *= free;
+        // Seen from an object that stands still, the shorter way is a part of the longer one. From one that moves it may be another: it is looked
+        // at itself, with less room, for it ends where the longer one touched.
+        if (!objects_move) {
+            return share;
+        }
+        touch_m *= kTouchShare;
+    }
+    return 0.0;
+}
+
+void GodObjectTool::advance(const Vector6& way, std::span<const MovingFrame> objects,
+                            double share) noexcept {
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        objects_W_[i] = find_object_W(i, objects[i], share);
+    }
+    pose_W_ = go_along(pose_W_, share * way);
+}
+
+bool GodObjectTool::have_arrived(std::span<const MovingFrame> objects) const noexcept {
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        if (!is_same(objects_W_[i], objects[i].pose_W)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Stopped by what it did not know of, it would turn from one such contact to the next and back: so they are looked for as far as it wants to go.
+// Where nothing stops it, ever less far.
+void GodObjectTool::look_farther(double way_m, double share, bool recovers) noexcept {
+    const double least_m = kContactGaps * settings_.gap_m;
+    if (share < 1.0) {
+        const double most_m = std::max(least_m, std::min(way_m, kWidest * reach_m_));
+        within_m_ = std::clamp(kWidens * within_m_, least_m, most_m);
+    } else if (!recovers) {
+        within_m_ = std::max(0.5 * within_m_, least_m);
+    }
+}
+
+void GodObjectTool::slide(const Pose& wanted_W, std::span<const MovingFrame> objects) noexcept {
+    step_.settled = false;
+    bool may_recover = true;
+    for (step_.rounds = 0; step_.rounds < settings_.most_rounds; ++step_.rounds) {
+        // Where it was stopped short of the gap at rest it is pushed there first: so short a way is as straight as its contacts take it to be.
+        const bool recovers = may_recover && step_.least_gap_m < kTooNear * settings_.gap_m;
+        may_recover = !recovers;
+        const Vector6 way = find_allowed(recovers ? pose_W_ : wanted_W, objects);
+        const double way_m = way.head<3>().norm() + reach_m_ * way.tail<3>().norm();
+        const bool arrived = have_arrived(objects);
+        const double none_m = settings_.gap_m * (step_.rounds == 0 ? kSettledShare : kSettlesNext);
+        if (arrived && way_m <= none_m) {
+            if (recovers) {
+                continue;
+            }
+            step_.settled = true;
+            break;
+        }
+        const double share = find_free_share(way, objects);
+        if (recovers && !(share > 0.0)) {
+            continue;
+        }
+        if (!(share > 0.0) ||
+            (share < kNoProgress && share * way_m < kSettledShare * settings_.gap_m)) {
+            break;
+        }
+        advance(way, objects, share);
+        look_farther(way_m, share, recovers);
+        collect();
+    }
+    step_.wedged = !have_arrived(objects);
+}
+
+Wrench GodObjectTool::about_grip(const Wrench& about_centre, const Pose& handle_W) const noexcept {
+    // The hand holds the tool stiffly where it would have it: the force acts there.
+    const Vector3 arm_W = find_held_W(handle_W).position - handle_W.position;
+    return {about_centre.force, about_centre.torque + arm_W.cross(about_centre.force)};
+}
+
+void GodObjectTool::tell_force() noexcept {
+    force_.begin(pose_W_);
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
+        for (const GodContact& contact : pairs_[i].contacts()) {
+            if (!may_press(contact, settings_)) {
+                continue;
+            }
+            const Vector3 arm_W =
+                R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position;
+            force_.add(arm_W, R_WO * contact.normal_O,
+                       std::min(settings_.gap_m - contact.gap_m, 0.0));
+        }
+    }
+}
+
+void GodObjectTool::tell_touches() noexcept {
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
+        touches_[i] = {};
+        for (const GodContact& contact : pairs_[i].contacts()) {
+            const double force_N = may_press(contact, settings_) ? force_.force_N(k++) : 0.0;
+            if (force_N > 0.0) {
+                const Vector3 force_W = force_N * (R_WO * contact.normal_O);
+                add_point_force(
+                    R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position, force_W,
+                    touches_[i].wrench_W);
+                touches_[i].touches = true;
+            }
+        }
+    }
+}
+
+Wrench GodObjectTool::force(const Pose& handle_W) noexcept {
+    if (!is_begun_ || !is_finite(handle_W)) {
+        return {};
+    }
+    Wrench felt = force_.compute(find_held_W(handle_W));
+    const ToolCouplingSettings& coupling = settings_.coupling;
+    limit_length(coupling.shift.stiffness_N_per_m * coupling.clamp_m, felt.force);
+    limit_length(coupling.turn.stiffness_Nm_per_rad * coupling.clamp_rad, felt.torque);
+    return about_grip(felt, handle_W);
+}
+
+ToolFelt GodObjectTool::move(const MovingFrame& handle, std::span<const MovingFrame> objects,
+                             double /*now_s*/, double dt_s) noexcept {
+    ToolFelt felt;
+    if (objects.size() != pairs_.size() || !is_number(handle) || !(dt_s > 0.0) ||
+        !std::ranges::all_of(objects, is_number) || !begin(objects)) {
+        felt.moved = false;
+        return felt;
+    }
+    const Pose held_W = find_held_W(handle.pose_W);
+    const Wrench before = force_.compute(held_W);
+    // As far as it may go.
+    const Pose wanted_W = go_along(pose_W_, settings_.step_share * find_way(pose_W_, held_W));
+    slide(wanted_W, objects);
+    // What the contacts there are felt like.
+    tell_force();
+    force_.blend(before, held_W, dt_s);
+    tell_touches();
+    felt.felt_W = force(handle.pose_W);
+    felt.spring_W = felt.felt_W;
+    const double stiffness = settings_.coupling.shift.stiffness_N_per_m;
+    felt.spring_energy_J =
+        stiffness > 0.0 ? compute_shift_energy_J(settings_.coupling,
+                                                 compute_length(felt.felt_W.force) / stiffness)
+                        : 0.0;
+    felt.effort.n_looks = step_.rounds + 1;
+    felt.effort.n_points = step_.contacts;
+    felt.effort.in_time = step_.settled;
+    return felt;
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,99 @@
+// The load path of god_object_tool.h.
+#include "haptics/base/range.h"
+#include "haptics/dynamics/integrator.h"
+#include "haptics/tool/god_object_tool.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kLeastShare = 1.0e-3;
+constexpr double kSmallestGap_m = 1.0e-9;
+constexpr double kLargestGap_m = 1.0e-3;
+constexpr double kMostContacts = 65536.0;
+
+std::size_t find_capacity(const std::vector<GodObjectPlan>& plans,
+                          const GodObjectSettings& settings) {
+    return plans.size() * static_cast<std::size_t>(settings.most_contacts);
+}
+
+GodForceSettings make_force_settings(const GodObjectSettings& settings) {
+    return {.inertia = settings.inertia,
+            .stiffness_N_per_m = settings.coupling.shift.stiffness_N_per_m,
+            .step_share = settings.step_share,
+            .fade_s = settings.fade_s};
+}
+
+}  // namespace
+
+Expected<void> validate(const GodObjectSettings& settings) {
+    if (const auto checked = validate(settings.coupling); !checked) {
+        return checked;
+    }
+    if (const auto checked = validate(settings.inertia); !checked) {
+        return checked;
+    }
+    const std::array<Range, 9> ranges{
+        {{"handle's turn: length of its quaternion", settings.handle_turn.coeffs().norm(),
+          1.0 - 1.0e-6, 1.0 + 1.0e-6},
+         {"grip_T x", settings.grip_T.x(), -10.0, 10.0},
+         {"grip_T y", settings.grip_T.y(), -10.0, 10.0},
+         {"grip_T z", settings.grip_T.z(), -10.0, 10.0},
+         {"step_share", settings.step_share, kLeastShare, 1.0},
+         {"gap_m", settings.gap_m, kSmallestGap_m, kLargestGap_m},
+         {"fade_s", settings.fade_s, 0.0, 1.0},
+         {"most_rounds", static_cast<double>(settings.most_rounds), 1.0, 1000.0},
+         {"most_contacts", static_cast<double>(settings.most_contacts), 1.0, kMostContacts}}};
+    return check_ranges("the tool's", ranges);
+}
+
+GodObjectTool::GodObjectTool(const std::vector<GodObjectPlan>& plans,
+                             const GodObjectSettings& settings)
+    : settings_(settings),
+      objects_W_(plans.size()),
+      touches_(plans.size()),
+      solver_(find_capacity(plans, settings)),
+      force_(make_force_settings(settings), find_capacity(plans, settings)) {
+    settings_.handle_turn.normalize();
+    pairs_.reserve(plans.size());
+    for (const GodObjectPlan& plan : plans) {
+        pairs_.emplace_back(plan.object, plan.tool, settings.most_contacts);
+        reach_m_ = std::max(reach_m_, plan.tool->swept().reach_m());
+    }
+}
+
+GodObjectTool::~GodObjectTool() = default;
+
+Expected<GodObjectTool> GodObjectTool::build(const std::vector<GodObjectPlan>& plans,
+                                             const GodObjectSettings& settings) {
+    if (const auto checked = validate(settings); !checked) {
+        return tl::unexpected(checked.error());
+    }
+    if (plans.empty()) {
+        return fail("the tool has no object to touch", {}, "make a body solid");
+    }
+    const auto is_missing = [](const GodObjectPlan& plan) {
+        return plan.object == nullptr || plan.tool == nullptr;
+    };
+    if (std::ranges::any_of(plans, is_missing)) {
+        return fail("a mesh of the tool or of an object is missing", {},
+                    "give every object its mesh and the tool's");
+    }
+    return GodObjectTool(plans, settings);
+}
+
+std::size_t GodObjectTool::memory_bytes() const noexcept {
+    constexpr std::size_t kPerRow = sizeof(Vector6) + 2 * sizeof(double);
+    std::size_t bytes = sizeof(*this) + objects_W_.capacity() * sizeof(Pose) +
+                        touches_.capacity() * sizeof(ToolTouch) + force_.memory_bytes();
+    for (const GodPair& pair : pairs_) {
+        bytes += sizeof(GodPair) + pair.memory_bytes() + pair.object().memory_bytes() +
+                 static_cast<std::size_t>(settings_.most_contacts) * kPerRow;
+    }
+    return bytes + (pairs_.empty() ? 0 : pairs_.front().tool().memory_bytes());
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,101 @@
+// A tool's mesh against one object's: when they would touch on a way, and all that is in contact at a place. For god_object_tool.h.
+//
+// In contact is every elementary pair of features, a corner and a face or two edges, that lies within a small distance: its nearest points give
+// a normal along which the tool must not come nearer. That is asked of every pair, not of the nearest of two triangles alone: a face that
+// lies flat on another is held at all its corners. Kept is where both surfaces fall away from each other (god_surface.h), so that no edge
+// within a plane is felt; what several triangles tell alike is kept once.
+//
+// What lies near is listed once and serves as long as the tool has not gone far: with W the width of the list, made where the tool was at X,
+//   every pair of triangles that is not listed is farther apart than W - (how far any point of the tool has gone since X)
+//   a listed one, d apart at X, is farther apart than d - that
+// so while what is asked of is nearer, only the list is asked, and of it only what may be so near. A way too long for that is swept in whole.
+//
+// Thread: the tool's. Cost: that of mesh_sweep.h, and 4 us a pair of triangles in contact; no allocation after it was built.
+// Source: the elementary contacts: S. Redon, A. Kheddar, S. Coquillart 2002 (continuous/in_between_motion.h).
+#pragma once
+
+#include "haptics/base/bounded_list.h"
+#include "haptics/continuous/mesh_sweep.h"
+#include "haptics/tool/god_surface.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace fulcrum {
+
+/// Two features near each other, in the object's frame.
+struct GodContact {
+    Vector3 on_object_O{Vector3::Zero()};
+    Vector3 on_tool_O{Vector3::Zero()};
+    Vector3 normal_O{Vector3::Zero()};  ///< unit, from the object to the tool
+    double gap_m = 0.0;
+    /// How far one of the surfaces rises beside it towards the other: where it does, another contact is nearer, until the tool turns.
+    double rise_m = 0.0;
+};
+
+class GodPair {
+  public:
+    GodPair(std::shared_ptr<const GodSurface> object, std::shared_ptr<const GodSurface> tool,
+            int most_contacts);
+
+    /// Whatever was known of where things are: forgotten. For a tool put elsewhere.
+    void forget() noexcept { width_m_ = -1.0; }
+    /// All features within `within_m` of each other where the tool is held at X_OT, beside which no surface rises by more.
+    void collect(const Pose& X_OT, double within_m) noexcept;
+    [[nodiscard]] std::span<const GodContact> contacts() const noexcept { return contacts_.all(); }
+    /// Of all triangles within that; infinite without any.
+    [[nodiscard]] double least_gap_m() const noexcept { return least_gap_m_; }
+    /// There were more than there is room for.
+    [[nodiscard]] bool is_full() const noexcept { return is_full_; }
+
+    /// How much of the way between two poses may be gone: all of it is 1. Where less, the gap there is in (`touch_m`, 2 `touch_m`];
+    /// 0 where they cross, or a pose is none.
+    [[nodiscard]] double find_free_share(const Pose& from_OT, const Pose& to_OT,
+                                         double touch_m) noexcept;
+    /// Whether no part of the surfaces is within `touch_m` of the other.
+    [[nodiscard]] bool is_apart(const Pose& X_OT, double touch_m) const noexcept;
+
+    [[nodiscard]] const GodSurface& object() const noexcept { return *object_; }
+    [[nodiscard]] const GodSurface& tool() const noexcept { return *tool_; }
+    /// Without the meshes.
+    [[nodiscard]] std::size_t memory_bytes() const noexcept;
+
+  private:
+    // How far any point of the tool goes at most between two poses.
+    [[nodiscard]] double find_way_m(const Pose& from_OT, const Pose& to_OT) const noexcept;
+    // Makes the list at X_OT, so wide if there is room; whether it is wider than `least_m`.
+    bool list(const Pose& X_OT, double wanted_m, double least_m) noexcept;
+    [[nodiscard]] double sweep_listed(const InBetweenMotion& motion, double reach_m,
+                                      const SweepSettings& settings) const noexcept;
+    [[nodiscard]] double sweep_all(const InBetweenMotion& motion,
+                                   const SweepSettings& settings) const noexcept;
+    void add(const GodContact& contact) noexcept;
+    void add_all_of(const NearTriangles& near, const Pose& X_OT, double within_m) noexcept;
+    // Of a surface, where these two features are nearest.
+    [[nodiscard]] double find_rise_m(const NearTriangles& near, const NearFeatures& features,
+                                     const Vector3& normal_O, const Pose& X_OT) const noexcept;
+    // May they touch what no others do?
+    [[nodiscard]] bool carries(const NearTriangles& near,
+                               const NearFeatures& features) const noexcept;
+
+    std::shared_ptr<const GodSurface> object_;
+    std::shared_ptr<const GodSurface> tool_;
+    BoundedList<NearTriangles> near_;
+    BoundedList<GodContact> contacts_;
+    // Which contacts there are, by what they are rounded to: a table of indices, open addressing.
+    struct Place {
+        std::uint32_t round = 0;
+        std::uint32_t contact = 0;
+    };
+    std::vector<Place> places_;
+    std::uint32_t round_ = 0;
+    Pose listed_OT_{};
+    double width_m_ = -1.0;  // of the list; below 0: there is none
+    double usual_way_m_ = 0.0;
+    double least_gap_m_ = 0.0;
+    bool is_full_ = false;
+};
+
+}  // namespace fulcrum

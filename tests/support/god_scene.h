@@ -1,0 +1,98 @@
+// A god-object's tool and what it meets, for tests: meshes in, a tool out; and whether anything is inside anything, exactly.
+#pragma once
+
+#include "haptics/geometry/shape.h"
+#include "haptics/tool/god_object_tool.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace fulcrum::test {
+
+inline constexpr double kGodDt_s = 0.001;
+
+/// What is felt is as large as the springs make it, and a set of contacts is felt at once.
+inline GodObjectSettings make_god_settings(const Inertia& inertia) {
+    GodObjectSettings settings;
+    settings.inertia = inertia;
+    settings.fade_s = 0.0;
+    return settings;
+}
+
+inline GodObjectTool make_god_tool(const TriangleMesh& tool,
+                                   const std::vector<TriangleMesh>& objects,
+                                   const GodObjectSettings& settings) {
+    const auto swept = GodSurface::create(tool);
+    std::vector<GodObjectPlan> plans;
+    plans.reserve(objects.size());
+    for (const TriangleMesh& object : objects) {
+        plans.push_back({GodSurface::create(object), swept});
+    }
+    return GodObjectTool::build(plans, settings).value();
+}
+
+/// Do surfaces cross? Every triangle against every other whose boxes along the axes meet, by exact signs.
+inline bool do_cross(const TriangleMesh& object, const Pose& object_W, const TriangleMesh& tool,
+                     const Pose& tool_W) {
+    const Pose X_OT = object_W.inverse() * tool_W;
+    struct Boxed {
+        Triangle corners;
+        Vector3 low, high;
+    };
+    const auto list = [](const TriangleMesh& mesh, const Pose& pose) {
+        std::vector<Boxed> all;
+        all.reserve(mesh.triangles().size());
+        for (const TriangleCorners& t : mesh.triangles()) {
+            const auto at = [&](std::size_t i) -> Vector3 {
+                return pose * mesh.vertices_B()[static_cast<std::size_t>(t[i])];
+            };
+            const Triangle c{at(0), at(1), at(2)};
+            all.push_back(
+                {c, c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2])});
+        }
+        return all;
+    };
+    const std::vector<Boxed> fixed = list(object, Pose{});
+    for (const Boxed& moving : list(tool, X_OT)) {
+        for (const Boxed& held : fixed) {
+            if ((moving.low.array() <= held.high.array()).all() &&
+                (held.low.array() <= moving.high.array()).all() &&
+                fulcrum::do_cross(held.corners, moving.corners)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// A block along z with a hole along z, round with n sides that touch a circle of `hole_m`; 8 n triangles.
+inline TriangleMesh make_block_with_hole(int n, double hole_m, double outside_m, double height_m) {
+    std::vector<Vector3> vertices;
+    std::vector<TriangleCorners> triangles;
+    const double corner_m = hole_m / std::cos(std::numbers::pi / n);
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / n;
+        const Vector3 along(std::cos(angle), std::sin(angle), 0.0);
+        const Vector3 up(0.0, 0.0, 0.5 * height_m);
+        vertices.insert(vertices.end(), {corner_m * along - up, corner_m * along + up,
+                                         outside_m * along - up, outside_m * along + up});
+    }
+    const auto quad = [&](int a, int b, int c, int d) {
+        triangles.push_back({a, b, c});
+        triangles.push_back({a, c, d});
+    };
+    for (int i = 0; i < n; ++i) {
+        const int a = 4 * i;
+        const int b = 4 * ((i + 1) % n);
+        quad(a, a + 1, b + 1, b);          // the hole's wall
+        quad(a + 2, b + 2, b + 3, a + 3);  // outside
+        quad(a + 1, a + 3, b + 3, b + 1);  // above
+        quad(a, b, b + 2, a + 2);          // below
+    }
+    return TriangleMesh::build(std::move(vertices), std::move(triangles)).value();
+}
+
+}  // namespace fulcrum::test

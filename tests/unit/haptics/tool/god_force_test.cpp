@@ -1,0 +1,128 @@
+#include "haptics/tool/god_force.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kStiffness = 400.0;
+constexpr double kDt_s = 0.001;
+constexpr double kFade_s = 0.02;
+constexpr double kDepth_m = 0.003;
+const Vector3 kUp = Vector3::UnitY();
+
+GodForce make_force(double share = 0.5, double fade_s = kFade_s) {
+    return {{.inertia = make_box_inertia(0.1, {0.1, 0.2, 0.3}),
+             .stiffness_N_per_m = kStiffness,
+             .step_share = share,
+             .fade_s = fade_s},
+            64};
+}
+
+// On a floor, held below it: three contacts round the centre.
+void put_on_floor(GodForce& force) {
+    force.begin(Pose{});
+    for (const double angle : {0.0, 2.1, 4.2}) {
+        REQUIRE(force.add({0.05 * std::cos(angle), -0.05, 0.05 * std::sin(angle)}, kUp, 0.0));
+    }
+}
+
+TEST_CASE(
+    "god force: against a wall it is stiffness times depth, whatever share of the way a step "
+    "goes; without contacts and beside them nothing") {
+    for (const double share : {0.1, 0.5, 1.0}) {
+        GodForce force = make_force(share);
+        force.begin(Pose{});
+        CHECK(force.compute(Pose::at({1.0, 2.0, 3.0})).force == Vector3::Zero());
+        put_on_floor(force);
+        const Wrench pressed = force.compute(Pose::at({0.02, -kDepth_m, 0.01}));
+        CHECK((pressed.force - kStiffness * kDepth_m * kUp).norm() < 1.0e-12);
+        CHECK(pressed.torque.norm() < 1.0e-12);
+        const double sum_N = force.force_N(0) + force.force_N(1) + force.force_N(2);
+        CHECK(sum_N == Approx(kStiffness * kDepth_m));
+        CHECK(force.compute(Pose::at({0.02, kDepth_m, 0.01})).force == Vector3::Zero());
+        CHECK(force.force_N(0) == 0.0);
+    }
+}
+
+TEST_CASE("god force: a contact that is a little away lets the tool go there first") {
+    GodForce force = make_force(1.0);
+    force.begin(Pose{});
+    REQUIRE(force.add({0.0, -0.05, 0.0}, kUp, -0.001));
+    CHECK(force.compute(Pose::at({0.0, -0.001, 0.0})).force == Vector3::Zero());
+    CHECK(force.compute(Pose::at({0.0, -0.003, 0.0})).force.y() == Approx(kStiffness * 0.002));
+}
+
+TEST_CASE(
+    "god force: a new set of contacts goes on from the force of the one before, which fades as "
+    "the exponential does") {
+    GodForce force = make_force();
+    const Pose handle = Pose::at({0.0, -kDepth_m, 0.0});
+    force.begin(Pose{});
+    const double whole_N = kStiffness * kDepth_m;
+    double kept = 1.0;
+    for (int i = 0; i < 100; ++i) {
+        const Wrench before = force.compute(handle);
+        put_on_floor(force);
+        force.blend(before, handle, kDt_s);
+        kept *= std::exp(-kDt_s / kFade_s);
+        CHECK(force.compute(handle).force.y() == Approx(whole_N * (1.0 - kept)).epsilon(1.0e-9));
+    }
+    // What the handle changes comes at once.
+    const double now_N = force.compute(handle).force.y();
+    CHECK(force.compute(Pose::at({0.0, -kDepth_m - 0.001, 0.0})).force.y() ==
+          Approx(now_N + kStiffness * 0.001));
+}
+
+TEST_CASE("god force: lifted while a contact is still blended in, nothing pulls") {
+    GodForce force = make_force();
+    const Pose handle = Pose::at({0.0, -kDepth_m, 0.0});
+    force.begin(Pose{});
+    const Wrench before = force.compute(handle);
+    put_on_floor(force);
+    force.blend(before, handle, kDt_s);
+    for (int i = 0; i <= 30; ++i) {
+        const Wrench felt = force.compute(Pose::at({0.0, -kDepth_m + 0.0002 * i, 0.0}));
+        CHECK(felt.force.y() >= -1.0e-15);
+    }
+    CHECK(force.compute(Pose::at({0.0, 0.001, 0.0})).force == Vector3::Zero());
+}
+
+TEST_CASE("god force: a loaded tool that slips into the free fades to exactly nothing") {
+    GodForce force = make_force();
+    const Pose handle = Pose::at({0.0, -kDepth_m, 0.0});
+    put_on_floor(force);
+    double last_N = force.compute(handle).force.norm();
+    int n = 0;
+    for (; n < 1000 && last_N > 0.0; ++n) {
+        const Wrench before = force.compute(handle);
+        force.begin(Pose{});
+        force.blend(before, handle, kDt_s);
+        const double now_N = force.compute(handle).force.norm();
+        CHECK(now_N <= last_N);
+        CHECK(last_N - now_N <= std::max(1.01 * last_N * kDt_s / kFade_s, 1.1e-4));
+        last_N = now_N;
+    }
+    CHECK(last_N == 0.0);
+    CHECK(n < 300);
+    // At once where nothing is to fade.
+    GodForce hard = make_force(0.5, 0.0);
+    put_on_floor(hard);
+    const Wrench before = hard.compute(handle);
+    hard.begin(Pose{});
+    hard.blend(before, handle, kDt_s);
+    CHECK(hard.compute(handle).force == Vector3::Zero());
+}
+
+TEST_CASE("god force: a way there and along it are each other's inverse") {
+    const Pose from{Vector3(0.1, -0.2, 0.3), compute_exp(Vector3(0.4, 0.5, -0.6))};
+    Vector6 way;
+    way << 0.3, 0.1, -0.7, 1.0, -0.5, 2.0;
+    CHECK((find_way(from, go_along(from, way)) - way).norm() < 1.0e-14);
+    CHECK(find_way(from, from).norm() < 1.0e-15);
+}
+
+}  // namespace
+}  // namespace fulcrum

@@ -1,0 +1,283 @@
+#include "haptics/tool/god_object_tool.h"
+
+#include "haptics/math/rotation.h"
+#include "tests/support/god_scene.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace fulcrum {
+namespace {
+
+using test::kGodDt_s;
+
+constexpr double kGap_m = 1.0e-6;
+constexpr double kStiffness = 500.0;
+constexpr double kExact_N = 1.0e-6;
+constexpr double kHalf_m = 0.02;  // of the tool, a cube
+
+const Inertia kCube = make_box_inertia(0.05, Vector3::Constant(2.0 * kHalf_m));
+
+TriangleMesh make_cube() {
+    return make_box(Vector3::Constant(2.0 * kHalf_m)).value();
+}
+
+// Its upper face at y = 0.
+TriangleMesh make_floor() {
+    TriangleMesh floor = make_box({0.5, 0.1, 0.5}).value();
+    return TriangleMesh::build(
+               [&] {
+                   std::vector<Vector3> moved = floor.vertices_B();
+                   for (Vector3& v : moved) {
+                       v.y() -= 0.05;
+                   }
+                   return moved;
+               }(),
+               floor.triangles())
+        .value();
+}
+
+// A sheet of n x n squares in y = 0.
+TriangleMesh make_sheet(int n, double side_m) {
+    std::vector<Vector3> vertices;
+    std::vector<TriangleCorners> triangles;
+    for (int i = 0; i <= n; ++i) {
+        for (int j = 0; j <= n; ++j) {
+            vertices.emplace_back(side_m * (static_cast<double>(i) / n - 0.5), 0.0,
+                                  side_m * (static_cast<double>(j) / n - 0.5));
+        }
+    }
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            const int a = i * (n + 1) + j;
+            triangles.push_back({a, a + 1, a + n + 2});
+            triangles.push_back({a, a + n + 2, a + n + 1});
+        }
+    }
+    return TriangleMesh::build(std::move(vertices), std::move(triangles)).value();
+}
+
+ToolFelt move_to(GodObjectTool& tool, const Pose& handle_W, int n_steps = 1,
+                 const Pose& object_W = {}) {
+    ToolFelt felt;
+    const MovingFrame object{object_W, {}};
+    for (int i = 0; i < n_steps; ++i) {
+        felt = tool.move({handle_W, {}}, {&object, 1}, 0.0, kGodDt_s);
+    }
+    return felt;
+}
+
+TEST_CASE("god-object tool: in free space it follows the handle, and nothing is felt") {
+    GodObjectTool tool =
+        test::make_god_tool(make_cube(), {make_floor()}, test::make_god_settings(kCube));
+    Random random(1);
+    Pose handle = Pose::at({0.0, 0.1, 0.0});
+    tool.place(handle);
+    for (int i = 0; i < 500; ++i) {
+        handle.position += 0.002 * random.in_cube();
+        handle.position.y() = std::max(handle.position.y(), 0.05);
+        handle.orientation = compute_exp(0.02 * random.in_cube()) * handle.orientation;
+        const Pose before = tool.pose_W();
+        const ToolFelt felt = move_to(tool, handle);
+        REQUIRE(felt.moved);
+        REQUIRE(felt.felt_W.force == Vector3::Zero());
+        REQUIRE(felt.felt_W.torque == Vector3::Zero());
+        // Half of the way that is left, by shift and turn.
+        const Vector6 left = find_way(before, handle);
+        REQUIRE((find_way(before, tool.pose_W()) - 0.5 * left).norm() < 1.0e-12);
+    }
+}
+
+TEST_CASE(
+    "god-object tool: a cube pressed flat onto a floor feels stiffness times depth, dragged "
+    "along it too") {
+    const bool fine = GENERATE(false, true);
+    const TriangleMesh floor = fine ? make_sheet(24, 0.3) : make_floor();
+    const TriangleMesh cube = make_cube();
+    GodObjectTool tool = test::make_god_tool(cube, {floor}, test::make_god_settings(kCube));
+    tool.place(Pose::at({0.0, 0.05, 0.0}));
+    const double rest_m = kHalf_m + kGap_m;
+    (void)move_to(tool, Pose::at({0.0, rest_m - 0.003, 0.0}), 60);
+    for (int i = 0; i < 300; ++i) {
+        const double depth_m = 0.003 + 0.002 * std::sin(0.05 * i);
+        const Pose handle =
+            Pose::at({0.05 * std::sin(0.02 * i), rest_m - depth_m, 0.03 * std::sin(0.013 * i)});
+        const Vector3 before = tool.centre_W();
+        const ToolFelt felt = move_to(tool, handle);
+        CAPTURE(fine, i, tool.last_step().rounds, tool.last_step().contacts);
+        CHECK((felt.felt_W.force - Vector3(0.0, kStiffness * depth_m, 0.0)).norm() < kExact_N);
+        CHECK(felt.felt_W.torque.norm() < kExact_N);
+        // Along the floor as in free space.
+        const Vector3 gone = tool.centre_W() - before;
+        const Vector3 free = 0.5 * (handle.position - before);
+        CHECK(std::abs(gone.x() - free.x()) + std::abs(gone.z() - free.z()) < 1.0e-9);
+        CHECK(std::abs(tool.centre_W().y() - rest_m) < 1.0e-10);
+        REQUIRE_FALSE(test::do_cross(floor, {}, cube, tool.pose_W()));
+    }
+}
+
+TEST_CASE("god-object tool: pressed while it is turned, it feels the turn by its inertia") {
+    GodObjectTool tool =
+        test::make_god_tool(make_cube(), {make_floor()}, test::make_god_settings(kCube));
+    const double rest_m = kHalf_m + kGap_m;
+    tool.place(Pose::at({0.0, rest_m + 0.001, 0.0}));
+    constexpr double kTurn_rad = 0.05;
+    const Pose handle{Vector3(0.0, rest_m - 0.004, 0.0), compute_exp(Vector3(kTurn_rad, 0.3, 0.0))};
+    const ToolFelt felt = move_to(tool, handle, 400);
+    const double turn_stiffness = kStiffness * kCube.moments_kg_m2.x() / kCube.mass_kg;
+    // About the floor's normal it turns freely; what is left is the turn to the handle from there.
+    const Vector6 left = find_way(tool.pose_W(), handle);
+    CHECK(std::abs(left[4]) < 1.0e-6);
+    CHECK((felt.felt_W.force - Vector3(0.0, kStiffness * 0.004, 0.0)).norm() < 1.0e-5);
+    CHECK((felt.felt_W.torque + turn_stiffness * left.tail<3>()).norm() < 1.0e-6);
+    CHECK(felt.felt_W.torque.norm() > 0.9 * turn_stiffness * kTurn_rad);
+}
+
+// Blocks beside each other, as one object; a floor whose top is at y = 0 among them.
+TriangleMesh make_blocks(const std::vector<std::pair<Vector3, Vector3>>& middles_and_sizes) {
+    std::vector<Vector3> vertices;
+    std::vector<TriangleCorners> triangles;
+    for (const auto& [middle, size] : middles_and_sizes) {
+        const TriangleMesh box = make_box(size).value();
+        const auto first = static_cast<std::int32_t>(vertices.size());
+        for (const Vector3& v : box.vertices_B()) {
+            vertices.push_back(middle + v);
+        }
+        for (const TriangleCorners& t : box.triangles()) {
+            triangles.push_back({first + t[0], first + t[1], first + t[2]});
+        }
+    }
+    return TriangleMesh::build(std::move(vertices), std::move(triangles)).value();
+}
+
+TEST_CASE(
+    "god-object tool: along a hollow corner both walls are felt by their depth, and nothing "
+    "along it") {
+    const TriangleMesh corner =
+        make_blocks({{{0.0, -0.05, 0.0}, {0.5, 0.1, 0.5}},
+                     {{-0.1, 0.1, 0.0}, {0.1, 0.3, 0.5}}});  // wall: x = -0.05
+    const TriangleMesh cube = make_cube();
+    GodObjectTool tool = test::make_god_tool(cube, {corner}, test::make_god_settings(kCube));
+    const Vector3 rest(-0.05 + kHalf_m + kGap_m, kHalf_m + kGap_m, 0.0);
+    tool.place(Pose::at(rest + Vector3(0.01, 0.01, 0.0)));
+    (void)move_to(tool, Pose::at(rest - Vector3(0.002, 0.002, 0.0)), 60);
+    for (int i = 0; i < 200; ++i) {
+        const Vector3 depth(0.002 + 0.001 * std::sin(0.1 * i), 0.003 + 0.001 * std::cos(0.07 * i),
+                            -0.08 * std::sin(0.02 * i));
+        const ToolFelt felt = move_to(tool, Pose::at(rest - depth));
+        CAPTURE(i, tool.last_step().rounds, tool.last_step().contacts);
+        CHECK((felt.felt_W.force - kStiffness * Vector3(depth.x(), depth.y(), 0.0)).norm() <
+              kExact_N);
+        CHECK(felt.felt_W.torque.norm() < kExact_N);
+        REQUIRE_FALSE(test::do_cross(corner, {}, cube, tool.pose_W()));
+    }
+}
+
+TEST_CASE(
+    "god-object tool: in a slot of 10 micrometres more than its width it slides freely, and "
+    "feels what turns it and lifts it nothing of the walls") {
+    constexpr double kPlay_m = 1.0e-5;
+    const double wall_m = kHalf_m + 0.5 * kPlay_m;
+    const TriangleMesh slot = make_blocks({{{-wall_m - 0.05, 0.0, 0.0}, {0.1, 0.2, 0.5}},
+                                           {{wall_m + 0.05, 0.0, 0.0}, {0.1, 0.2, 0.5}}});
+    const TriangleMesh cube = make_cube();
+    GodObjectTool tool = test::make_god_tool(cube, {slot}, test::make_god_settings(kCube));
+    tool.place(Pose::at({0.0, 0.2, 0.0}));
+    // In from above: half the play less the gap is how far it may go to either side.
+    const double side_m = 0.5 * kPlay_m - kGap_m;
+    for (int i = 0; i < 400; ++i) {
+        const double pull_m = 0.002 * std::sin(0.05 * i);
+        const Pose handle = Pose::at({i < 60 ? 0.0 : pull_m, std::max(0.2 - 0.003 * i, 0.0),
+                                      i < 100 ? 0.0 : 0.1 * std::sin(0.02 * (i - 100))});
+        const Vector3 before = tool.centre_W();
+        const ToolFelt felt = move_to(tool, handle);
+        const double wanted_m = std::abs(handle.position.x());
+        const double force_N =
+            kStiffness * std::copysign(std::max(wanted_m - side_m, 0.0), -handle.position.x());
+        CAPTURE(i, tool.last_step().rounds, tool.last_step().contacts, tool.centre_W());
+        if (i > 100) {
+            CHECK(std::abs(felt.felt_W.force.x() - force_N) < kExact_N);
+            CHECK(felt.felt_W.force.tail<2>().norm() < kExact_N);
+            CHECK(felt.felt_W.torque.norm() < kExact_N);
+            const Vector3 free = 0.5 * (handle.position - before);
+            CHECK((tool.centre_W() - before - free).tail<2>().norm() < 1.0e-9);
+        }
+        REQUIRE_FALSE(test::do_cross(slot, {}, cube, tool.pose_W()));
+    }
+    // Turned about y by a hand, it is held at what the play lets it.
+    const ToolFelt turned =
+        move_to(tool, {Vector3::Zero(), compute_exp(Vector3(0.0, 0.2, 0.0))}, 50);
+    const double turn_stiffness = kStiffness * kCube.moments_kg_m2.y() / kCube.mass_kg;
+    CHECK(turned.felt_W.torque.y() == Approx(-turn_stiffness * 0.2).epsilon(0.01));
+    CHECK(turned.felt_W.force.norm() < 1.0e-3);
+}
+
+TEST_CASE("god-object tool: no motion by chance brings it into a block, whatever its speed") {
+    const TriangleMesh cube = make_cube();
+    const TriangleMesh block = make_box({0.06, 0.05, 0.07}).value();
+    GodObjectTool tool = test::make_god_tool(cube, {block}, test::make_god_settings(kCube));
+    const Pose object_W{Vector3(0.01, 0.0, 0.0), compute_exp(Vector3(0.3, 0.2, 0.1))};
+    Random random(3);
+    Pose handle = Pose::at({0.0, 0.09, 0.0});
+    tool.place(handle);
+    int n_touching = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const double speed = i % 500 < 100 ? 0.05 : 0.002;
+        handle.position = 0.99 * handle.position + speed * random.in_cube();
+        handle.orientation = compute_exp(20.0 * speed * random.in_cube()) * handle.orientation;
+        handle.orientation.normalize();
+        const ToolFelt felt = move_to(tool, handle, 1, object_W);
+        REQUIRE(felt.moved);
+        n_touching += tool.touches()[0].touches ? 1 : 0;
+        CAPTURE(i, tool.last_step().rounds, tool.last_step().contacts,
+                tool.last_step().least_gap_m);
+        REQUIRE_FALSE(test::do_cross(block, object_W, cube, tool.pose_W()));
+        REQUIRE(tool.last_step().least_gap_m > kGap_m / 300.0);
+    }
+    CHECK(n_touching > 500);
+}
+
+TEST_CASE("god-object tool: a handle that is no number leaves it standing, with nothing felt") {
+    GodObjectTool tool =
+        test::make_god_tool(make_cube(), {make_floor()}, test::make_god_settings(kCube));
+    tool.place(Pose::at({0.0, 0.03, 0.0}));
+    (void)move_to(tool, Pose::at({0.0, 0.01, 0.0}), 50);
+    const Pose before = tool.pose_W();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const ToolFelt felt = move_to(tool, Pose::at({nan, 0.0, 0.0}));
+    CHECK_FALSE(felt.moved);
+    CHECK(felt.felt_W.force == Vector3::Zero());
+    CHECK(tool.pose_W().position == before.position);
+    CHECK(tool.force(Pose::at({nan, 0.0, 0.0})).force == Vector3::Zero());
+    // It goes on afterwards as if nothing had been.
+    CHECK(move_to(tool, Pose::at({0.0, 0.01, 0.0})).felt_W.force.y() ==
+          Approx(kStiffness * 0.010001));
+}
+
+TEST_CASE("god-object tool: settings out of range and missing meshes are refused") {
+    const auto refused = [](auto change) {
+        GodObjectSettings settings = test::make_god_settings(kCube);
+        change(settings);
+        return !validate(settings).has_value();
+    };
+    CHECK_FALSE(refused([](GodObjectSettings& /*s*/) {}));
+    CHECK(refused([](GodObjectSettings& s) { s.gap_m = 0.0; }));
+    CHECK(refused([](GodObjectSettings& s) { s.gap_m = std::nan(""); }));
+    CHECK(refused([](GodObjectSettings& s) { s.step_share = 0.0; }));
+    CHECK(refused([](GodObjectSettings& s) { s.step_share = 1.1; }));
+    CHECK(refused([](GodObjectSettings& s) { s.fade_s = -1.0; }));
+    CHECK(refused([](GodObjectSettings& s) { s.most_rounds = 0; }));
+    CHECK(refused([](GodObjectSettings& s) { s.most_contacts = 0; }));
+    CHECK(refused([](GodObjectSettings& s) { s.grip_T.x() = 11.0; }));
+    CHECK(refused([](GodObjectSettings& s) { s.handle_turn.w() = 2.0; }));
+    CHECK(refused([](GodObjectSettings& s) { s.inertia.mass_kg = 0.0; }));
+    CHECK(refused([](GodObjectSettings& s) { s.coupling.shift.stiffness_N_per_m = -1.0; }));
+    CHECK_FALSE(GodObjectTool::build({}, test::make_god_settings(kCube)).has_value());
+    CHECK_FALSE(GodObjectTool::build({{}}, test::make_god_settings(kCube)).has_value());
+}
+
+}  // namespace
+}  // namespace fulcrum

@@ -1,0 +1,102 @@
+#include "haptics/tool/god_pair.h"
+
+#include "haptics/geometry/shape.h"
+#include "haptics/math/rotation.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kTouch_m = 2.5e-7;
+
+GodPair make_pair(const TriangleMesh& object, const TriangleMesh& tool, int most = 512) {
+    return {GodSurface::create(object), GodSurface::create(tool), most};
+}
+
+TEST_CASE("god pair: a cube flat over a plate is held at its four corners, each once") {
+    GodPair pair =
+        make_pair(make_plate(0.2, 0.2, 10).value(), make_box({0.02, 0.02, 0.02}).value());
+    constexpr double kGap_m = 1.0e-6;
+    pair.collect(Pose::at({0.003, 0.01 + kGap_m, 0.001}), 4.0 * kGap_m);
+    REQUIRE(pair.contacts().size() == 4);
+    CHECK_FALSE(pair.is_full());
+    CHECK(pair.least_gap_m() == Approx(kGap_m).epsilon(1.0e-9));
+    for (const GodContact& contact : pair.contacts()) {
+        CHECK((contact.normal_O - Vector3::UnitY()).norm() < 1.0e-9);
+        CHECK(contact.gap_m == Approx(kGap_m).epsilon(1.0e-9));
+        CHECK(std::abs(std::abs(contact.on_tool_O.x() - 0.003) - 0.01) < 1.0e-12);
+        CHECK(contact.rise_m == 0.0);
+    }
+    // Beyond, nothing.
+    pair.collect(Pose::at({0.003, 0.01 + 5.0 * kGap_m, 0.001}), 4.0 * kGap_m);
+    CHECK(pair.contacts().empty());
+    CHECK(pair.least_gap_m() == std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE("god pair: over the border of a plate the tool is held along the line between both") {
+    GodPair pair =
+        make_pair(make_plate(0.2, 0.2, 10).value(), make_box({0.02, 0.02, 0.02}).value());
+    // An edge of the cube along z, aside of the plate's border along z and above it.
+    const Vector3 off(1.0e-6, 2.0e-6, 0.0);
+    pair.collect(Pose::at(Vector3(0.1 + 0.01, 0.01, 0.0) + off), 4.0e-6);
+    REQUIRE_FALSE(pair.contacts().empty());
+    for (const GodContact& contact : pair.contacts()) {
+        CHECK((contact.normal_O - off.normalized()).norm() < 1.0e-8);
+    }
+}
+
+TEST_CASE(
+    "god pair: with its list it finds what the whole meshes' sweep finds, whatever was asked "
+    "before") {
+    const TriangleMesh object = make_bumpy_sphere(0.05, 6, 0.15, 90.0).value();
+    const TriangleMesh tool = make_bumpy_sphere(0.03, 5, 0.2, 120.0).value();
+    GodPair pair = make_pair(object, tool);
+    Random random(5);
+    Pose at = Pose::at({0.0, 0.12, 0.0});
+    int n_touching = 0;
+    for (int i = 0; i < 400; ++i) {
+        const double speed = i % 40 == 0 ? 0.03 : 0.0008;
+        const Pose to{at.position + speed * random.in_cube() - 0.01 * speed * 100.0 * at.position,
+                      (compute_exp(10.0 * speed * random.in_cube()) * at.orientation).normalized()};
+        const MeshSweep whole = sweep_meshes(*SweptMesh::create(object), *SweptMesh::create(tool),
+                                             InBetweenMotion(at, to), {kTouch_m, kTouch_m});
+        const double free = pair.find_free_share(at, to, kTouch_m);
+        CAPTURE(i, whole.contact.time);
+        REQUIRE(free == (whole.outcome == SweepOutcome::free ? 1.0 : whole.contact.time));
+        n_touching += free < 1.0 ? 1 : 0;
+        // On to shortly before, so that the next way begins apart.
+        const InBetweenMotion motion(at, to);
+        at = free == 1.0 ? to : motion.pose(0.99 * free);
+        // Contacts are those of a list made there.
+        pair.collect(at, 1.0e-4);
+        GodPair fresh = make_pair(object, tool);
+        fresh.collect(at, 1.0e-4);
+        REQUIRE(pair.contacts().size() == fresh.contacts().size());
+        REQUIRE(pair.is_apart(at, 1.0e-12));
+    }
+    CHECK(n_touching > 30);
+}
+
+TEST_CASE(
+    "god pair: more contacts than there is room for are told, poses that are none are not gone") {
+    GodPair pair = make_pair(make_plate(0.2, 0.2, 40).value(), make_plate(0.1, 0.1, 40).value(), 8);
+    pair.collect(Pose::at({0.0001, 1.0e-6, 0.0001}), 4.0e-6);
+    CHECK(pair.is_full());
+    CHECK(pair.contacts().size() <= 8);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(pair.find_free_share(Pose{}, Pose::at({nan, 0.0, 0.0}), kTouch_m) == 0.0);
+    CHECK_FALSE(pair.is_apart(Pose::at({0.0, 0.0, nan}), kTouch_m));
+    // Crossing: nothing may be gone.
+    CHECK(pair.find_free_share({Vector3::Zero(), compute_exp(Vector3(1.0, 0.0, 0.0))},
+                               {Vector3(0.01, 0.0, 0.0), compute_exp(Vector3(1.0, 0.0, 0.0))},
+                               kTouch_m) == 0.0);
+    CHECK(pair.memory_bytes() > 0);
+}
+
+}  // namespace
+}  // namespace fulcrum
