@@ -49,12 +49,28 @@ Expected<FeedbackLadder> read_ladder(const std::vector<std::string>& names) {
     return ladder;
 }
 
-FeedbackStep step_at(const FeedbackLadder& ladder, int sighting) {
-    if (ladder.empty()) {
-        return step_at(default_ladder(), sighting);
+Expected<FeedbackLadder> read_ladder_text(std::string_view names) {
+    std::vector<std::string> list;
+    for (std::size_t at = 0; at <= names.size();) {
+        const std::size_t end = std::min(names.find(',', at), names.size());
+        list.emplace_back(names.substr(at, end - at));
+        at = end + 1;
     }
+    return read_ladder(list);
+}
+
+std::string ladder_text(const FeedbackLadder& ladder) {
+    std::string text;
+    for (const FeedbackStep step : ladder) {
+        text += (text.empty() ? "" : ",") + std::string(name_of(step));
+    }
+    return text;
+}
+
+FeedbackStep step_at(const FeedbackLadder& ladder, int sighting) {
+    const FeedbackLadder steps = ladder.empty() ? default_ladder() : ladder;
     const auto rung = static_cast<std::size_t>(std::max(sighting, 1) - 1);
-    return ladder[std::min(rung, ladder.size() - 1)];
+    return steps[std::min(rung, steps.size() - 1)];
 }
 
 }  // namespace fulcrum::dialogue

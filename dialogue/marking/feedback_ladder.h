@@ -37,6 +37,10 @@ inline constexpr std::size_t kLongestLadder = 8;
 /// The steps of these names. An error, without a place, for none, too many or a word that is no step.
 [[nodiscard]] Expected<FeedbackLadder> read_ladder(const std::vector<std::string>& names);
 
+/// The same from one text, "recast,prompt,rule", and back.
+[[nodiscard]] Expected<FeedbackLadder> read_ladder_text(std::string_view names);
+[[nodiscard]] std::string ladder_text(const FeedbackLadder& ladder);
+
 /// The step for the `sighting`-th time of the same error, 1 the first. An empty ladder is the default one.
 [[nodiscard]] FeedbackStep step_at(const FeedbackLadder& ladder, int sighting);
 

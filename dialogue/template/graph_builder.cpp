@@ -91,6 +91,21 @@ bool is_head_noun(const SyntaxNode& part, const SyntaxNode* next) {
            (next == nullptr || next->kind != Kind::list);
 }
 
+/// An article of plain words, and the node before it.
+struct SaidArticle {
+    std::optional<ArticlePolicy> policy{};
+    int from = kNone;
+};
+
+/// "Apples" beside "an apple", where `part`, which ends at `to`, is its noun.
+void add_kind_behind(ArcWriter& writer, const SaidArticle& article, const SyntaxNode& part,
+                     const SyntaxNode* next, int to) {
+    if (article.policy && is_head_noun(part, next)) {
+        const bool definite = *article.policy == ArticlePolicy::definite;
+        add_kind(writer, definite ? "the" : "a", part.text, article.from, to);
+    }
+}
+
 /// The number of a subject that is a plain word.
 SubjectNumber subject_number(const SyntaxNode& part) {
     if (part.kind != Kind::word) {
@@ -180,8 +195,7 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
     Built built{from};
     const bool adjective_follows = neighbours.before_adjective;
     const SubjectNumber noun_follows = neighbours.noun;
-    int article_at = kNone;  // the node before an article, and the article
-    std::string_view article;
+    SaidArticle article;
     for (std::size_t i = 0; i < part.children.size(); ++i) {
         const int child = part.children[i];
         const auto policy = article_policy(syntax, child);
@@ -207,11 +221,8 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
         built = {made->to, built.slots | made->slots, built.required | made->required,
                  built.definite | made->definite};
         const SyntaxNode& done = unwrapped(syntax, child);
-        if (article_at != kNone && is_head_noun(done, next)) {
-            add_kind(writer_, article, done.text, article_at, built.to);
-        }
-        article_at = policy ? start : kNone;
-        article = policy == ArticlePolicy::definite ? "the" : "a";
+        add_kind_behind(writer_, article, done, next, built.to);
+        article = {policy, start};
         neighbours = behind(done, policy.has_value(), noun_phrase);
     }
     return built;

@@ -5,6 +5,7 @@
 #include "runtime/app/lesson_parts.h"
 #include "runtime/files/shape_cache.h"
 #include "runtime/lesson/compose_view.h"
+#include "runtime/lesson/learner_feedback.h"
 #include "runtime/lesson/learner_throat.h"
 #include "runtime/lesson/past_answers.h"
 #include "runtime/lesson/questions.h"
@@ -205,17 +206,18 @@ std::vector<PastAnswers> recall(ProgressStore& store, const Learner& learner, bo
 Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore& store,
                                         const dialogue::Catalogue& catalogue) {
     LessonDescription description = scene_;
-    choose_feedback(description, request.feedback);
     at_desk_ = request.by != PlayedBy::arm;
     fit_ = request.fit;
     const auto learner = store.enrol(request.learner.empty() ? kGuest : request.learner);
     if (!learner) {
         return tl::unexpected(learner.error());
     }
+    const bool is_known = !request.learner.empty() && learner->nickname != kSimulatedPupil;
+    const auto own = is_known ? read_feedback(store, *learner) : dialogue::FeedbackLadder{};
+    choose_feedback(description, request.feedback.value_or(own));
     choose_pupil(description, request);
     auto past = recall(store, *learner, description.wants_past);
-    if (plan_.recogniser && plan_.hearing.takes_throat && plan_.hearing.throat == 0.0 &&
-        !request.learner.empty() && learner->nickname != kSimulatedPupil) {
+    if (plan_.recogniser && plan_.hearing.takes_throat && plan_.hearing.throat == 0.0 && is_known) {
         plan_.hearing.throat = read_throat(store, *learner).value_or(0.0);
     }
     auto session =
@@ -225,6 +227,9 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
         return tl::unexpected(session.error());
     }
     session_ = std::move(*session);
+    if (request.feedback && is_known) {
+        session_->keep_setting(kFeedback, feedback_text(*request.feedback));
+    }
     place_visible_bodies();
     return {};
 }

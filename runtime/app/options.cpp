@@ -1,6 +1,7 @@
 #include "runtime/app/options.h"
 
 #include "runtime/app/options_parts.h"
+#include "runtime/lesson/learner_feedback.h"
 
 #include <algorithm>
 #include <array>
@@ -67,18 +68,16 @@ Expected<void> set_speech(Options& options, const std::string& value) {
     return fail("--speech " + value + " is not known", "", "use text, sphinx or exec:COMMAND");
 }
 
-// "recast,prompt,rule".
+// "recast,prompt,rule", or "lesson", as that says.
 Expected<void> set_feedback(Options& options, const std::string& value) {
-    std::vector<std::string> names;
-    for (std::size_t at = 0; at <= value.size();) {
-        const std::size_t end = std::min(value.find(',', at), value.size());
-        names.push_back(value.substr(at, end - at));
-        at = end + 1;
+    options.feedback.emplace();
+    if (value == kAsLessonSays) {
+        return {};
     }
-    auto ladder = dialogue::read_ladder(names);
+    auto ladder = dialogue::read_ladder_text(value);
     if (!ladder) {
         return fail("--feedback " + value + ": " + ladder.error().message, "",
-                    "write for instance --feedback recast,prompt,rule");
+                    "write for instance --feedback recast,prompt,rule, or --feedback lesson");
     }
     options.feedback = std::move(*ladder);
     return {};
@@ -358,7 +357,7 @@ std::string usage() {
       --seed N               what the lesson leaves to chance goes as it went with this number; without a window 1
       --force-limit N        newtons at most, 0.5 to 10 (5); never more than /etc/fulcrum/site.conf allows
       --feedback STEP,…      what is done about an error of form the first time, the second …: recast, prompt, rule, replay
-                             (as the lesson says, else recast,prompt,rule)
+                             (as the lesson says, else recast,prompt,rule); kept with a --learner until another is given, or lesson
       --mute                 without sound
       --watch                runs again whenever a file of the lesson is saved, not only after a mistake
       --speech NAME          how answers come beside typing: text, not at all (text); sphinx, spoken, heard by PocketSphinx;

@@ -84,9 +84,10 @@ struct Options {
     bool json = false;                    ///< explain, devices: for programs
     std::optional<double> force_limit_N;  ///< newtons, 0.5 to 10; no more than the site allows
     SiteLimits site{};                    ///< found for it (site_file.h)
-    dialogue::FeedbackLadder feedback{};  ///< of this site; empty: as each lesson says
-    std::string format = "text";          ///< report: text or csv
-    std::string out;  ///< report: file instead of the screen; export: the table's
+    std::optional<dialogue::FeedbackLadder>
+        feedback{};  ///< empty: as each lesson says; none: as the learner's own is, if one is kept
+    std::string format = "text";  ///< report: text or csv
+    std::string out;              ///< report: file instead of the screen; export: the table's
     ArmOptions arm{};
     HandFit fit{};  ///< how the hand's device is set, as far as it is said
     FirstUseTrial first_use = FirstUseTrial::once;

@@ -34,7 +34,8 @@ struct RunRequest : HandChoice {
     std::uint64_t seed = 1;   ///< of the lesson's math.random
     bool seed_is_given = false;
     std::shared_ptr<const Record> replayed;  ///< replay: the record, once it is read
-    dialogue::FeedbackLadder feedback{};     ///< instead of what the lesson says; empty: as it says
+    std::optional<dialogue::FeedbackLadder>
+        feedback{};  ///< instead of what the lesson says; empty: as it says; none: the learner's own
 };
 
 /// Whether any of its hands keeps its own time.

@@ -103,6 +103,10 @@ class LessonSession {
         ProgressStore& store, LearnerId learner, std::string lesson_version,
         std::vector<PastAnswers> past = {});
 
+    /// Keeps what was chosen for this session and its learner, beside its settings.
+    void keep_setting(const std::string& name, const std::string& value) {
+        log_.keep_setting(name, value);
+    }
     /// The message for the lesson's process; valid until the next call.
     [[nodiscard]] const LessonFrame& begin_frame(const SessionInput& input);
     /// The newest one, as it was sent.

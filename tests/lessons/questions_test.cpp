@@ -88,9 +88,8 @@ end
 namespace {
 
 // One question four times, felt again where the ladder says so.
-std::string climb(const std::string& lesson_fields, const std::string& question_fields,
-                  const std::string& options = "") {
-    const Sandbox sandbox;
+std::string climb_in(const Sandbox& sandbox, const std::string& lesson_fields,
+                     const std::string& question_fields, const std::string& options) {
     sandbox.write("odd/lesson.lua", R"(
 local game = require "game"
 local L = lesson { id = "q", title = "Q", minutes = 1)" +
@@ -127,6 +126,11 @@ L:question "q" { prompt = "Which one is the heaviest?", answers = { "the {thing}
     return steps;
 }
 
+std::string climb(const std::string& lesson_fields, const std::string& question_fields,
+                  const std::string& options = "") {
+    return climb_in(Sandbox(), lesson_fields, question_fields, options);
+}
+
 }  // namespace
 
 TEST_CASE(
@@ -138,6 +142,21 @@ TEST_CASE(
     CHECK(climb(of_lesson, of_question) == "recast felt prompt prompt prompt ");
     CHECK(climb(of_lesson, of_question, "--feedback recast,replay") ==
           "recast recast felt recast felt recast felt ");
+}
+
+TEST_CASE("questions: a ladder that is chosen for a learner is kept until another is, or none") {
+    const Sandbox sandbox;
+    const auto play = [&](const std::string& options) {
+        return climb_in(sandbox, ", feedback = { \"recast\" }", "", "--db p.db " + options);
+    };
+    const std::string of_lesson = "recast recast recast recast ";
+    CHECK(play("--learner Mina") == of_lesson);
+    CHECK(play("--learner Mina --feedback rule") == "rule rule rule rule ");
+    CHECK(play("--learner Mina") == "rule rule rule rule ");
+    CHECK(play("--learner Tom") == of_lesson);
+    CHECK(play("") == of_lesson);
+    CHECK(play("--learner Mina --feedback lesson") == of_lesson);
+    CHECK(play("--learner Mina") == of_lesson);
 }
 
 TEST_CASE("questions: steps of feedback that there are not are one sentence with their line") {

@@ -35,6 +35,19 @@ TEST_CASE("feedback ladder: nonsense is one sentence that says what there is") {
     CHECK_FALSE(read_ladder({""}));
 }
 
+TEST_CASE("feedback ladder: a text of steps is read and written") {
+    for (const char* text : {"recast", "recast,prompt,rule", "rule,rule,replay"}) {
+        const auto ladder = read_ladder_text(text);
+        REQUIRE(ladder);
+        CHECK(ladder_text(*ladder) == text);
+    }
+    for (const char* text : {"", ",", "recast,", "recast, rule", "rule;recast"}) {
+        INFO(text);
+        CHECK_FALSE(read_ladder_text(text));
+    }
+    CHECK(ladder_text({}).empty());
+}
+
 TEST_CASE("feedback ladder: each sighting has a step, and the last one stays") {
     CHECK(step_at({}, 1) == FeedbackStep::recast);
     CHECK(step_at({}, 2) == FeedbackStep::prompt);
