@@ -16,14 +16,16 @@ constexpr double kPressRise =
 constexpr double kWidens =
     4.0;  // how far contacts are looked for, when the tool was stopped by another
 constexpr double kWidest = 0.1;    // of the tool's reach
-constexpr double kFreeGaps = 2.0;  // what is beyond is free
+constexpr double kFreeGaps = 1.0;  // what is within is not free, beyond twice that it is
 constexpr double kTouchShare =
     0.25;  // of the gap there is: the sweep stops between that and twice it
 constexpr double kLeastTouch = 1.0 / 64.0;  // of the gap at rest: nearer than that nothing goes
 constexpr double kSettledShare = 1.0e-4;    // of the gap at rest: a way as short is none
 constexpr double kSettlesNext =
-    0.02;                          // likewise, after the first round: it goes on in the next step
-constexpr double kTooNear = 0.75;  // likewise, a gap: the tool is pushed back first
+    0.02;                           // likewise, after the first round: it goes on in the next step
+constexpr double kTooNear = 0.75;   // likewise, a gap: the tool is pushed back first
+constexpr double kObjectWay = 0.1;  // of the tool's reach, that an object goes in a round
+constexpr double kObjectTurn_rad = 0.02;  // likewise
 constexpr int kMovingTries = 4;
 constexpr double kNoProgress = 1.0e-6;  // of the objects' way
 
@@ -80,6 +82,18 @@ void GodObjectTool::place(const Pose& handle_W) noexcept {
 }
 
 bool GodObjectTool::is_free(std::span<const MovingFrame> objects) const noexcept {
+    if (!is_apart(objects)) {
+        return false;
+    }
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        if (pairs_[i].is_enclosed(seen_from(objects[i].pose_W, pose_W_))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool GodObjectTool::is_apart(std::span<const MovingFrame> objects) const noexcept {
     if (objects.size() != pairs_.size() || !is_finite(pose_W_) ||
         !std::ranges::all_of(objects, is_number)) {
         return false;
@@ -97,7 +111,7 @@ bool GodObjectTool::begin(std::span<const MovingFrame> objects) noexcept {
     if (is_begun_) {
         return true;
     }
-    if (!is_free(objects)) {
+    if (!is_apart(objects)) {
         return false;
     }
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -121,18 +135,16 @@ void GodObjectTool::collect() noexcept {
     }
 }
 
-const LeastConstraint& GodObjectTool::solve(const Vector6& wanted,
-                                            std::span<const MovingFrame> objects,
-                                            bool pushes) noexcept {
+const LeastConstraint& GodObjectTool::solve(const Vector6& wanted, bool pushes) noexcept {
     solver_.clear();
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
         const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
-        const bool moves = !is_same(objects_W_[i], objects[i].pose_W);
+        const bool moves = !is_same(objects_W_[i], goals_W_[i]);
         for (const GodContact& contact : pairs_[i].contacts()) {
             const Vector3 normal_W = R_WO * contact.normal_O;
             double least_m = settings_.gap_m - contact.gap_m;
             if (moves) {
-                least_m += normal_W.dot(objects[i].pose_W * contact.on_object_O -
+                least_m += normal_W.dot(goals_W_[i] * contact.on_object_O -
                                         objects_W_[i] * contact.on_object_O);
             }
             const Vector3 arm_W =
@@ -143,37 +155,50 @@ const LeastConstraint& GodObjectTool::solve(const Vector6& wanted,
     return solver_.solve(wanted);
 }
 
-Vector6 GodObjectTool::find_allowed(const Pose& wanted_W,
-                                    std::span<const MovingFrame> objects) noexcept {
+Vector6 GodObjectTool::find_allowed(const Pose& wanted_W) noexcept {
     const Vector6 wanted = find_way(pose_W_, wanted_W);
     if (step_.contacts == 0) {
         return wanted;
     }
     solver_.set_inertia(settings_.inertia.mass_kg,
                         compute_inertia_W(settings_.inertia, pose_W_.orientation));
-    const LeastConstraint& allowed = solve(wanted, objects, true);
-    return allowed.exact ? allowed.acceleration : solve(wanted, objects, false).acceleration;
+    const LeastConstraint& allowed = solve(wanted, true);
+    return allowed.exact ? allowed.acceleration : solve(wanted, false).acceleration;
 }
 
-Pose GodObjectTool::find_object_W(std::size_t i, const MovingFrame& object,
-                                  double share) const noexcept {
-    if (share == 1.0 || is_same(objects_W_[i], object.pose_W)) {
-        return object.pose_W;
+Pose GodObjectTool::find_object_W(std::size_t i, double share) const noexcept {
+    if (share == 1.0 || is_same(objects_W_[i], goals_W_[i])) {
+        return goals_W_[i];
     }
-    return go_along(objects_W_[i], share * find_way(objects_W_[i], object.pose_W));
+    return go_along(objects_W_[i], share * find_way(objects_W_[i], goals_W_[i]));
 }
 
-double GodObjectTool::find_free_share(const Vector6& way,
-                                      std::span<const MovingFrame> objects) noexcept {
+// Where an object may be at most at the end of this round: a turn so short that what it pushes goes straight.
+void GodObjectTool::set_goals(std::span<const MovingFrame> objects) noexcept {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        goals_W_[i] = objects[i].pose_W;
+        if (step_.contacts == 0 || is_same(objects_W_[i], goals_W_[i])) {
+            continue;
+        }
+        const Vector6 way = find_way(objects_W_[i], goals_W_[i]);
+        const double parts = std::max(way.head<3>().norm() / (kObjectWay * reach_m_),
+                                      way.tail<3>().norm() / kObjectTurn_rad);
+        if (parts > 1.0) {
+            goals_W_[i] = go_along(objects_W_[i], way / parts);
+        }
+    }
+}
+
+double GodObjectTool::find_free_share(const Vector6& way) noexcept {
     double touch_m = kTouchShare * std::min(settings_.gap_m, step_.least_gap_m);
     const bool may_come_near = touch_m >= kLeastTouch * settings_.gap_m;
-    const bool objects_move = !have_arrived(objects);
+    const bool objects_move = !have_arrived();
     double share = 1.0;
     for (int i = 0; i < kMovingTries; ++i) {
         const Pose end_W = go_along(pose_W_, share * way);
         double free = 1.0;
         for (std::size_t k = 0; k < pairs_.size() && free > 0.0; ++k) {
-            const Pose object_W = find_object_W(k, objects[k], share);
+            const Pose object_W = find_object_W(k, share);
             free = std::min(free, pairs_[k].find_free_share(seen_from(objects_W_[k], pose_W_),
                                                             seen_from(object_W, end_W), touch_m));
         }
@@ -194,17 +219,16 @@ double GodObjectTool::find_free_share(const Vector6& way,
     return 0.0;
 }
 
-void GodObjectTool::advance(const Vector6& way, std::span<const MovingFrame> objects,
-                            double share) noexcept {
+void GodObjectTool::advance(const Vector6& way, double share) noexcept {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        objects_W_[i] = find_object_W(i, objects[i], share);
+        objects_W_[i] = find_object_W(i, share);
     }
     pose_W_ = go_along(pose_W_, share * way);
 }
 
-bool GodObjectTool::have_arrived(std::span<const MovingFrame> objects) const noexcept {
+bool GodObjectTool::have_arrived() const noexcept {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        if (!is_same(objects_W_[i], objects[i].pose_W)) {
+        if (!is_same(objects_W_[i], goals_W_[i])) {
             return false;
         }
     }
@@ -228,11 +252,12 @@ void GodObjectTool::slide(const Pose& wanted_W, std::span<const MovingFrame> obj
     bool may_recover = true;
     for (step_.rounds = 0; step_.rounds < settings_.most_rounds; ++step_.rounds) {
         // Where it was stopped short of the gap at rest it is pushed there first: so short a way is as straight as its contacts take it to be.
+        set_goals(objects);
         const bool recovers = may_recover && step_.least_gap_m < kTooNear * settings_.gap_m;
         may_recover = !recovers;
-        const Vector6 way = find_allowed(recovers ? pose_W_ : wanted_W, objects);
+        const Vector6 way = find_allowed(recovers ? pose_W_ : wanted_W);
         const double way_m = way.head<3>().norm() + reach_m_ * way.tail<3>().norm();
-        const bool arrived = have_arrived(objects);
+        const bool arrived = have_arrived();
         const double none_m = settings_.gap_m * (step_.rounds == 0 ? kSettledShare : kSettlesNext);
         if (arrived && way_m <= none_m) {
             if (recovers) {
@@ -241,7 +266,7 @@ void GodObjectTool::slide(const Pose& wanted_W, std::span<const MovingFrame> obj
             step_.settled = true;
             break;
         }
-        const double share = find_free_share(way, objects);
+        const double share = find_free_share(way);
         if (recovers && !(share > 0.0)) {
             continue;
         }
@@ -249,11 +274,14 @@ void GodObjectTool::slide(const Pose& wanted_W, std::span<const MovingFrame> obj
             (share < kNoProgress && share * way_m < kSettledShare * settings_.gap_m)) {
             break;
         }
-        advance(way, objects, share);
+        advance(way, share);
         look_farther(way_m, share, recovers);
         collect();
     }
-    step_.wedged = !have_arrived(objects);
+    step_.wedged = false;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        step_.wedged = step_.wedged || !is_same(objects_W_[i], objects[i].pose_W);
+    }
 }
 
 Wrench GodObjectTool::about_grip(const Wrench& about_centre, const Pose& handle_W) const noexcept {

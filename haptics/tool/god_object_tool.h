@@ -77,7 +77,7 @@ class GodObjectTool final : public ToolSolver {
     ~GodObjectTool() override;
 
     void place(const Pose& handle_W) noexcept override;
-    /// With twice the gap at rest.
+    /// Farther apart than twice the gap at rest, or the gap at least; not inside what a closed mesh encloses.
     [[nodiscard]] bool is_free(std::span<const MovingFrame> objects) const noexcept override;
     /// What is no number, and objects that overlap the tool in the first step after it was placed, leave it standing; nothing is felt.
     [[nodiscard]] ToolFelt move(const MovingFrame& handle, std::span<const MovingFrame> objects,
@@ -99,25 +99,22 @@ class GodObjectTool final : public ToolSolver {
   private:
     GodObjectTool(const std::vector<GodObjectPlan>& plans, const GodObjectSettings& settings);
     [[nodiscard]] Pose find_held_W(const Pose& handle_W) const noexcept;
+    [[nodiscard]] bool is_apart(std::span<const MovingFrame> objects) const noexcept;
     // Whether tool and objects are apart where the tool was placed.
     [[nodiscard]] bool begin(std::span<const MovingFrame> objects) noexcept;
     void slide(const Pose& wanted_W, std::span<const MovingFrame> objects) noexcept;
     // The allowed way nearest to the one that leads to `wanted_W`.
-    [[nodiscard]] Vector6 find_allowed(const Pose& wanted_W,
-                                       std::span<const MovingFrame> objects) noexcept;
+    [[nodiscard]] Vector6 find_allowed(const Pose& wanted_W) noexcept;
     // With contacts that are too near pushing the tool back, or only not letting it nearer.
-    [[nodiscard]] const LeastConstraint& solve(const Vector6& wanted,
-                                               std::span<const MovingFrame> objects,
-                                               bool pushes) noexcept;
+    [[nodiscard]] const LeastConstraint& solve(const Vector6& wanted, bool pushes) noexcept;
     // How much of the way it, and the objects theirs, may go.
-    [[nodiscard]] double find_free_share(const Vector6& way,
-                                         std::span<const MovingFrame> objects) noexcept;
-    [[nodiscard]] Pose find_object_W(std::size_t i, const MovingFrame& object,
-                                     double share) const noexcept;
-    void advance(const Vector6& way, std::span<const MovingFrame> objects, double share) noexcept;
+    [[nodiscard]] double find_free_share(const Vector6& way) noexcept;
+    void set_goals(std::span<const MovingFrame> objects) noexcept;
+    [[nodiscard]] Pose find_object_W(std::size_t i, double share) const noexcept;
+    void advance(const Vector6& way, double share) noexcept;
+    [[nodiscard]] bool have_arrived() const noexcept;
     void collect() noexcept;
     void look_farther(double way_m, double share, bool recovers) noexcept;
-    [[nodiscard]] bool have_arrived(std::span<const MovingFrame> objects) const noexcept;
     void tell_force() noexcept;
     void tell_touches() noexcept;
     [[nodiscard]] Wrench about_grip(const Wrench& about_centre,
@@ -126,6 +123,7 @@ class GodObjectTool final : public ToolSolver {
     GodObjectSettings settings_;
     std::vector<GodPair> pairs_;
     std::vector<Pose> objects_W_;
+    std::vector<Pose> goals_W_;  // of this round
     std::vector<ToolTouch> touches_;
     LeastConstraintSolver solver_;
     GodForce force_;

@@ -54,6 +54,7 @@ GodObjectTool::GodObjectTool(const std::vector<GodObjectPlan>& plans,
                              const GodObjectSettings& settings)
     : settings_(settings),
       objects_W_(plans.size()),
+      goals_W_(plans.size()),
       touches_(plans.size()),
       solver_(find_capacity(plans, settings)),
       force_(make_force_settings(settings), find_capacity(plans, settings)) {
@@ -87,7 +88,7 @@ Expected<GodObjectTool> GodObjectTool::build(const std::vector<GodObjectPlan>& p
 
 std::size_t GodObjectTool::memory_bytes() const noexcept {
     constexpr std::size_t kPerRow = sizeof(Vector6) + 2 * sizeof(double);
-    std::size_t bytes = sizeof(*this) + objects_W_.capacity() * sizeof(Pose) +
+    std::size_t bytes = sizeof(*this) + 2 * objects_W_.capacity() * sizeof(Pose) +
                         touches_.capacity() * sizeof(ToolTouch) + force_.memory_bytes();
     for (const GodPair& pair : pairs_) {
         bytes += sizeof(GodPair) + pair.memory_bytes() + pair.object().memory_bytes() +

@@ -234,6 +234,11 @@ bool GodPair::is_apart(const Pose& X_OT, double touch_m) const noexcept {
                .outcome == SweepOutcome::free;
 }
 
+bool GodPair::is_enclosed(const Pose& X_OT) const noexcept {
+    return object_->encloses(X_OT * tool_->place_B(0)) ||
+           tool_->encloses(X_OT.inverse() * object_->place_B(0));
+}
+
 std::size_t GodPair::memory_bytes() const noexcept {
     return near_.capacity() * sizeof(NearTriangles) + contacts_.capacity() * sizeof(GodContact) +
            places_.capacity() * sizeof(Place);

@@ -57,6 +57,9 @@ class GodPair {
     /// Whether no part of the surfaces is within `touch_m` of the other.
     [[nodiscard]] bool is_apart(const Pose& X_OT, double touch_m) const noexcept;
 
+    /// Whether one of them is inside what the other encloses, told by a corner of it: for two that are apart.
+    [[nodiscard]] bool is_enclosed(const Pose& X_OT) const noexcept;
+
     [[nodiscard]] const GodSurface& object() const noexcept { return *object_; }
     [[nodiscard]] const GodSurface& tool() const noexcept { return *tool_; }
     /// Without the meshes.

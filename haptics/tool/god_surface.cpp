@@ -1,6 +1,7 @@
 #include "haptics/tool/god_surface.h"
 
 #include "haptics/geometry/mesh_edges.h"
+#include "haptics/math/orientation.h"
 
 #include <algorithm>
 #include <array>
@@ -95,6 +96,7 @@ void GodSurface::list_edges() {
                 }
             }
         }
+        is_closed_ = is_closed_ && shared.size() == 2;
         const bool carries = !is_flat(low, high, std::span(wings_.places).subspan(begin));
         wings_.first.push_back(static_cast<std::int32_t>(wings_.places.size()));
         edge_carries_.push_back(carries);
@@ -145,6 +147,41 @@ double GodSurface::find_rise_m(std::int32_t triangle, const Vector3& at_B,
     return edge == kNoCorner
                ? 0.0
                : find_rise_m(wings_.of(edge_of(triangle, edge)), at_B, direction_B, epsilon);
+}
+
+// By the number of triangles between there and far away: odd inside. A line that meets an edge says nothing; the next one does.
+bool GodSurface::encloses(const Vector3& at_B) const noexcept {
+    constexpr double kFar = 4.0;  // reaches
+    const std::array<Vector3, 3> directions{Vector3(0.3183, 0.7071, 0.6313),
+                                            Vector3(-0.8415, 0.1411, 0.5213),
+                                            Vector3(0.1234, -0.9056, 0.4057)};
+    if (!is_closed_ || at_B.norm() > swept_->reach_m()) {
+        return false;
+    }
+    for (const Vector3& direction : directions) {
+        const Vector3 far = at_B + kFar * swept_->reach_m() * direction;
+        int n_met = 0;
+        bool is_sure = true;
+        swept_->boxes().for_each_met(
+            swept_->root(), to_centred(at_B, far), [&](std::int32_t triangle) {
+                const Triangle t = swept_->triangle(triangle);
+                const int from = orientation(t[0], t[1], t[2], at_B);
+                const int to = orientation(t[0], t[1], t[2], far);
+                const std::array<int, 3> round{orientation(at_B, far, t[0], t[1]),
+                                               orientation(at_B, far, t[1], t[2]),
+                                               orientation(at_B, far, t[2], t[0])};
+                const auto [least, most] = std::ranges::minmax(round);
+                if (from * to > 0 || (least < 0 && most > 0)) {
+                    return;
+                }
+                is_sure = is_sure && from * to < 0 && least * most > 0;
+                ++n_met;
+            });
+        if (is_sure) {
+            return n_met % 2 == 1;
+        }
+    }
+    return false;
 }
 
 std::size_t GodSurface::memory_bytes() const noexcept {

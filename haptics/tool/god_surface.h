@@ -36,6 +36,11 @@ class GodSurface {
     /// How far the surface round a place of the triangle, on its border or inside it, rises along a direction, metres; 0: it falls away.
     [[nodiscard]] double find_rise_m(std::int32_t triangle, const Vector3& at_B,
                                      const Vector3& direction_B, double epsilon) const noexcept;
+    /// Whether the place is inside what a closed mesh encloses, wherever its fronts face; of an open one never.
+    [[nodiscard]] bool encloses(const Vector3& at_B) const noexcept;
+    /// Corners, each place once.
+    [[nodiscard]] std::size_t n_places() const noexcept { return places_B_.size(); }
+    [[nodiscard]] const Vector3& place_B(std::size_t i) const noexcept { return places_B_[i]; }
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
   private:
@@ -71,6 +76,7 @@ class GodSurface {
     Lists rings_;                             // of a place: the other ends of its edges
     std::vector<bool> corner_carries_;        // of a place
     std::vector<bool> edge_carries_;
+    bool is_closed_ = true;  // every edge has two triangles
 };
 
 }  // namespace fulcrum

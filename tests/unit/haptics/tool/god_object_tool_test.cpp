@@ -257,6 +257,26 @@ TEST_CASE("god-object tool: a handle that is no number leaves it standing, with 
           Approx(kStiffness * 0.010001));
 }
 
+TEST_CASE("god-object tool: it is free beside a block, not on it, in it or around it") {
+    GodObjectTool tool = test::make_god_tool(make_cube(), {make_box({0.1, 0.1, 0.1}).value()},
+                                             test::make_god_settings(kCube));
+    const MovingFrame object{};
+    const auto is_free = [&](const Vector3& at) {
+        tool.place(Pose::at(at));
+        return tool.is_free({&object, 1});
+    };
+    CHECK(is_free({0.0, 0.05 + kHalf_m + 3.0 * kGap_m, 0.0}));
+    CHECK_FALSE(is_free({0.0, 0.05 + kHalf_m + kGap_m, 0.0}));
+    CHECK_FALSE(is_free({0.0, 0.05, 0.0}));
+    CHECK_FALSE(is_free(Vector3::Zero()));
+    GodObjectTool large =
+        test::make_god_tool(make_box({0.5, 0.5, 0.5}).value(), {make_box({0.1, 0.1, 0.1}).value()},
+                            test::make_god_settings(kCube));
+    large.place(Pose{});
+    CHECK_FALSE(large.is_free({&object, 1}));
+    CHECK_FALSE(large.is_free({}));
+}
+
 TEST_CASE("god-object tool: settings out of range and missing meshes are refused") {
     const auto refused = [](auto change) {
         GodObjectSettings settings = test::make_god_settings(kCube);

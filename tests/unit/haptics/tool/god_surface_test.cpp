@@ -2,10 +2,12 @@
 
 #include "haptics/geometry/shape.h"
 #include "tests/support/hard_meshes.h"
+#include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fulcrum {
 namespace {
@@ -92,6 +94,30 @@ TEST_CASE(
     }
     CHECK(n_carrying >= 36);
     CHECK(messy->memory_bytes() > whole->memory_bytes());
+}
+
+TEST_CASE(
+    "god surface: it encloses what is inside a closed mesh, turned inside out or not, and nothing "
+    "that is in its hollow") {
+    const TriangleMesh ball = make_sphere(0.1, 6).value();
+    const TriangleMesh inner = make_sphere(0.05, 4).value();
+    const auto solid = GodSurface::create(ball);
+    const auto inverted = GodSurface::create(make_inverted(ball).value());
+    const auto hollow = GodSurface::create(make_hollow(ball, inner).value());
+    const auto open = GodSurface::create(make_plate(0.2, 0.2, 4).value());
+    Random random(4);
+    for (int i = 0; i < 300; ++i) {
+        const Vector3 at = 0.12 * random.in_cube();
+        // The facets of a ball lie a little inside it.
+        if (std::abs(at.norm() - 0.1) < 0.005 || std::abs(at.norm() - 0.05) < 0.005) {
+            continue;
+        }
+        CHECK(solid->encloses(at) == (at.norm() < 0.1));
+        CHECK(inverted->encloses(at) == (at.norm() < 0.1));
+        CHECK(hollow->encloses(at) == (at.norm() < 0.1 && at.norm() > 0.05));
+        CHECK_FALSE(open->encloses(at));
+    }
+    CHECK(solid->encloses(Vector3::Zero()));
 }
 
 }  // namespace
