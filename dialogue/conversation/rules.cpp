@@ -64,6 +64,11 @@ bool is_of_pointing(const FormError& error) {
             error.right == "those");
 }
 
+/// "Its" for "it's".
+bool is_of_contraction(const FormError& error) {
+    return error.code == ErrorCode::orthography && error.right.find('\'') != std::string::npos;
+}
+
 /// Rules that hold for one code, whatever the word.
 constexpr std::array<std::pair<ErrorCode, std::string_view>, 22> kRules = {{
     {ErrorCode::wording, "rule.wording"},
@@ -148,7 +153,7 @@ std::string rule_key(const FormError& error) {
     if (is_of_pointing(error)) {
         return "rule.this";
     }
-    if (error.code == ErrorCode::orthography && error.right.find('\'') != std::string::npos) {
+    if (is_of_contraction(error)) {
         return "rule.contraction";
     }
     if (is_of_material(error)) {

@@ -2,6 +2,7 @@
 
 #include "dialogue/speech/sphinx/noise_floor.h"
 #include "dialogue/speech/sphinx/pronunciation.h"
+#include "dialogue/speech/sphinx/quieten.h"
 #include "dialogue/speech/sphinx/stretch.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace {
 constexpr const char* kGraphName = "question";
 constexpr double kNoisyRoom_dB = 36.0;  // from here on the allowance grows
 constexpr double kNoisyRange_dB = 5.0;  // until it is whole
+constexpr double kLoudRoom_dB = 28.0;   // from here on the noise is taken out
 constexpr double kSilence_s = 0.3;      // before and behind, for what was cut close
 
 struct FreeDecoder {
@@ -114,11 +116,11 @@ struct Decoder::Engines {
         }
     }
 
-    // As a grown-up of a throat so much larger would have said it.
-    [[nodiscard]] Decoded decode(std::span<const std::int16_t> sound, double size) const {
+    // As a grown-up of a throat so much larger would have said it, in a quiet room or not.
+    [[nodiscard]] Decoded decode(std::span<const std::int16_t> sound, double size,
+                                 bool is_quiet) const {
         const std::vector<std::int16_t> slower = stretch(sound, size);
         // Silence beside a room's noise would be taken for the room.
-        const bool is_quiet = room_below_voice_dB(sound) > kNoisyRoom_dB;
         const auto n_silent =
             is_quiet ? static_cast<std::size_t>(kSilence_s * kHeardRate_Hz) : std::size_t{0};
         std::vector<std::int16_t> padded(slower.size() + 2 * n_silent, 0);
@@ -257,17 +259,23 @@ Decoded Decoder::decode(std::span<const std::int16_t> sound) {
     }
     const DecoderSettings& settings = engines_->settings;
     // Noise takes from the graph's score more than from that of the sounds.
-    const double noisy =
-        std::clamp((kNoisyRoom_dB - room_below_voice_dB(sound)) / kNoisyRange_dB, 0.0, 1.0);
+    const double room_dB = room_below_voice_dB(sound);
+    const double noisy = std::clamp((kNoisyRoom_dB - room_dB) / kNoisyRange_dB, 0.0, 1.0);
+    const bool is_quiet = room_dB > kNoisyRoom_dB;
+    std::vector<std::int16_t> quieter;
+    if (room_dB < kLoudRoom_dB) {
+        quieter = quieten(sound);
+        sound = quieter;
+    }
     const double middle = settings.middle - noisy * settings.noise_allowance;
     constexpr double kSure = 2.0;  // widths above the middle: 88 % by the confidence
-    Decoded decoded = engines_->decode(sound, engines_->throat);
+    Decoded decoded = engines_->decode(sound, engines_->throat, is_quiet);
     if (decoded.text.empty() || decoded.difference < middle + kSure * settings.width) {
         for (const double throat : settings.throats) {
             if (throat == engines_->throat) {
                 continue;
             }
-            Decoded other = engines_->decode(sound, throat);
+            Decoded other = engines_->decode(sound, throat, is_quiet);
             if (!other.text.empty() &&
                 (decoded.text.empty() || other.difference > decoded.difference)) {
                 decoded = std::move(other);

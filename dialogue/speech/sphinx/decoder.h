@@ -7,7 +7,8 @@
 // The middle and its width were read off synthetic voices: `fulcrum bench hearing` has the curve, what is kept against what is wrongly let in.
 //
 // In a room whose noise is less than 36 dB below the voice the same words give a smaller d, and the middle goes down by noise_allowance until
-// 31 dB. Nearer noise is not mended by any middle: then the words themselves are heard wrongly.
+// 31 dB. Nearer noise is not mended by any middle: then the words themselves are heard wrongly, and from 28 dB on the noise is taken out of
+// the sound first (quieten.h).
 //
 // The model is of grown-ups' throats. A child's is shorter: where the learner's last throat is not surely right, all of `throats` are tried
 // (stretch.h), the one with the greatest d is taken, and when it is likelier right than not it is the learner's from then on.

@@ -9,8 +9,11 @@
 #include <catch2/catch.hpp>
 
 #include <atomic>
+#include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 using namespace fulcrum;
@@ -116,6 +119,39 @@ TEST_CASE("hearing: a voice four semitones higher is heard by a smaller throat, 
     };
     CHECK(n_heard({FULCRUM_SPHINX, "--throats", "1"}) == 0);
     CHECK(n_heard({FULCRUM_SPHINX}) >= 3);
+}
+
+TEST_CASE("hearing: in a loud room some is heard, and what fits nothing is still not taken in") {
+    const dialogue::Question question = make_question();
+    const auto in_room = [](std::string_view text) {
+        const test::Samples voice =
+            test::joined({test::silence(0.3), test::said(text), test::silence(0.3)});
+        double power = 0.0;
+        for (const std::int16_t x : voice) {
+            power += std::pow(x / 32767.0, 2) / static_cast<double>(voice.size());
+        }
+        // 20 dB below the voice.
+        return test::added(test::noise(test::seconds_of(voice), 0.1 * std::sqrt(power)), voice);
+    };
+    const auto recogniser = start({FULCRUM_SPHINX});
+    const auto is_heard = [&](std::string_view text) {
+        REQUIRE(recogniser->listen(question.templates));
+        recogniser->hear(in_room(text));
+        const auto heard = recogniser->poll();
+        REQUIRE(heard.size() == 1);
+        return heard.front().confidence > 0.4;
+    };
+    int n = 0;
+    for (const char* text :
+         {"the watermelon is the heaviest", "the apple is the heaviest", "the egg is the heaviest",
+          "the banana is the heaviest", "an apple is the heaviest", "the egg is most heavy",
+          "banana is heaviest", "the apple is the most heaviest"}) {
+        n += is_heard(text) ? 1 : 0;
+    }
+    CHECK(n >= 4);
+    for (const char* text : {"the weather is nice today", "my brother plays football"}) {
+        CHECK_FALSE(is_heard(text));
+    }
 }
 
 TEST_CASE("hearing: a list of throats that is none is refused") {
