@@ -15,8 +15,9 @@ constexpr double kPressRise =
     0.05;  // likewise; of a gap: what rounding and the last round leave of a flat contact
 constexpr double kWidens =
     4.0;  // how far contacts are looked for, when the tool was stopped by another
-constexpr double kWidest = 0.1;    // of the tool's reach
-constexpr double kFreeGaps = 1.0;  // what is within is not free, beyond twice that it is
+constexpr double kStuckShare = 0.1;  // of its way, that is
+constexpr double kWidest = 0.1;      // of the tool's reach
+constexpr double kFreeGaps = 1.0;    // what is within is not free, beyond twice that it is
 constexpr double kTouchShare =
     0.25;  // of the gap there is: the sweep stops between that and twice it
 constexpr double kLeastTouch = 1.0 / 64.0;  // of the gap at rest: nearer than that nothing goes
@@ -133,6 +134,12 @@ void GodObjectTool::collect() noexcept {
         step_.least_gap_m = std::min(step_.least_gap_m, pairs_[i].least_gap_m());
         step_.too_many = step_.too_many || pairs_[i].is_full();
     }
+    // More than there is room for, since they were looked for far away: then only those that hold it.
+    const double least_m = kContactGaps * settings_.gap_m;
+    if (step_.too_many && within_m_ > least_m) {
+        within_m_ = least_m;
+        collect();
+    }
 }
 
 const LeastConstraint& GodObjectTool::solve(const Vector6& wanted, bool pushes) noexcept {
@@ -235,11 +242,11 @@ bool GodObjectTool::have_arrived() const noexcept {
     return true;
 }
 
-// Stopped by what it did not know of, it would turn from one such contact to the next and back: so they are looked for as far as it wants to go.
-// Where nothing stops it, ever less far.
+// Stopped at once by what it did not know of, it would turn from one such contact to the next and back: so they are looked for ever farther, as
+// far as it wants to go. Where it gets on, ever less far.
 void GodObjectTool::look_farther(double way_m, double share, bool recovers) noexcept {
     const double least_m = kContactGaps * settings_.gap_m;
-    if (share < 1.0) {
+    if (share < kStuckShare) {
         const double most_m = std::max(least_m, std::min(way_m, kWidest * reach_m_));
         within_m_ = std::clamp(kWidens * within_m_, least_m, most_m);
     } else if (!recovers) {
@@ -272,6 +279,11 @@ void GodObjectTool::slide(const Pose& wanted_W, std::span<const MovingFrame> obj
         }
         if (!(share > 0.0) ||
             (share < kNoProgress && share * way_m < kSettledShare * settings_.gap_m)) {
+            // What was looked for far away may be what holds it.
+            if (within_m_ > kContactGaps * settings_.gap_m) {
+                within_m_ = kContactGaps * settings_.gap_m;
+                collect();
+            }
             break;
         }
         advance(way, share);
