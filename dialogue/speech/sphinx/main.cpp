@@ -54,21 +54,30 @@ bool take_first(std::string_view text, std::vector<double>& numbers) {
     return true;
 }
 
+// False for a name that is none, and for a value that is none of it.
+bool take_setting(std::string_view name, std::string_view value, DecoderSettings& settings) {
+    if (name == "--models") {
+        settings.models = value;
+        return !value.empty();
+    }
+    if (name == "--middle" || name == "--width") {
+        return take_number(value, name == "--middle" ? settings.middle : settings.width);
+    }
+    if (name == "--throats") {
+        return take_numbers(value, settings.throats);
+    }
+    return name == "--throat" && take_first(value, settings.throats);
+}
+
 Expected<DecoderSettings> read_settings(std::span<char*> words) {
     DecoderSettings settings;
     for (std::size_t i = 1; i < words.size(); i += 2) {
         const std::string_view name = words[i];
         const std::string_view value = i + 1 < words.size() ? words[i + 1] : "";
-        const bool good = name == "--models"    ? !(settings.models = value).empty()
-                          : name == "--middle"  ? take_number(value, settings.middle)
-                          : name == "--width"   ? take_number(value, settings.width)
-                          : name == "--throats" ? take_numbers(value, settings.throats)
-                          : name == "--throat"  ? take_first(value, settings.throats)
-                                                : false;
-        if (!good) {
-            return fail(concat({"fulcrum-sphinx does not understand ", name, " ", value,
-                                "; it takes --middle N, --width N, --throats N,N, --throat N and "
-                                "--models FOLDER"}));
+        if (!take_setting(name, value, settings)) {
+            constexpr std::string_view kTakes =
+                "; it takes --middle N, --width N, --throats N,N, --throat N and --models FOLDER";
+            return fail(concat({"fulcrum-sphinx does not understand ", name, " ", value, kTakes}));
         }
     }
     return settings;

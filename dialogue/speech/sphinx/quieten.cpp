@@ -66,6 +66,7 @@ std::vector<Spectrum> spectra_of(std::span<const std::int16_t> sound) {
 /// The power of the room alone, by frequency.
 std::vector<double> noise_of(const std::vector<Spectrum>& frames) {
     std::vector<double> power;
+    power.reserve(frames.size());
     for (const Spectrum& frame : frames) {
         power.push_back(std::accumulate(
             frame.begin(), frame.end(), 0.0,
