@@ -72,22 +72,26 @@ void ForceTrial::frame(bool rests) {
 
 Expected<void> try_forces(LessonRun& run, const RunRequest& request, ProgressStore& store) {
     constexpr bool kAsked = false;
-    if (!is_somebody(request) || !run.needs_trial(request, kAsked)) {
-        return {};
+    for (std::size_t hand = 0; hand < run.n_hands() && !interrupted(); ++hand) {
+        if (!run.needs_trial(hand, request, kAsked) ||
+            !is_somebody(run.request_of(hand, request))) {
+            continue;
+        }
+        std::printf("%s pushes gently for a moment, to be tried.\n",
+                    hand == 0 ? "The arm" : "The second arm");
+        (void)std::fflush(stdout);
+        auto begun = ForceTrial::begin(run.hand_to_try(hand).device(), run.limits_of(hand), kAsked);
+        if (!begun) {
+            return tl::unexpected(begun.error());
+        }
+        while ((*begun)->trial().end() == FirstUseEnd::running && !interrupted()) {
+            (*begun)->frame(false);
+            rest_s(kFrame_s);
+        }
+        const FirstUse trial = (*begun)->trial();
+        begun->reset();
+        run.take_trial(hand, trial, kAsked, request, store);
     }
-    std::printf("The arm pushes gently for a moment, to be tried.\n");
-    (void)std::fflush(stdout);
-    auto begun = ForceTrial::begin(run.hand_to_try().device(), run.plan().haptic.safety, kAsked);
-    if (!begun) {
-        return tl::unexpected(begun.error());
-    }
-    while ((*begun)->trial().end() == FirstUseEnd::running && !interrupted()) {
-        (*begun)->frame(false);
-        rest_s(kFrame_s);
-    }
-    const FirstUse trial = (*begun)->trial();
-    begun->reset();
-    run.take_trial(trial, kAsked, request, store);
     return {};
 }
 

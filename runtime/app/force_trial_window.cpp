@@ -15,10 +15,11 @@ namespace {
 
 class TrialScreen {
   public:
-    TrialScreen(ForceTrial& trial, Desktop& desktop, const dialogue::Catalogue& words)
-        : trial_(trial), desktop_(desktop), words_(words) {
+    TrialScreen(ForceTrial& trial, Desktop& desktop, const dialogue::Catalogue& words,
+                const char* first_words)
+        : trial_(trial), desktop_(desktop), words_(words), first_words_(first_words) {
         stop_.watch(&trial.channels());
-        desktop_.say({words_.say("first_use.hold")});
+        desktop_.say({words_.say(first_words_)});
     }
     ~TrialScreen() { stop_.watch(nullptr); }
     TrialScreen(const TrialScreen&) = delete;
@@ -118,7 +119,7 @@ class TrialScreen {
     [[nodiscard]] const char* key() const {
         return asked_ == FirstUseQuestion::way        ? "first_use.way"
                : asked_ == FirstUseQuestion::stronger ? "first_use.stronger"
-                                                      : "first_use.hold";
+                                                      : first_words_;
     }
     [[nodiscard]] bool is_over() const { return trial_.trial().end() != FirstUseEnd::running; }
 
@@ -146,6 +147,7 @@ class TrialScreen {
     ForceTrial& trial_;
     Desktop& desktop_;
     const dialogue::Catalogue& words_;
+    const char* first_words_;  // while nothing is asked
     StopKeys stop_;
     TypedLine typing_;
     FirstUseQuestion asked_ = FirstUseQuestion::none;
@@ -162,21 +164,25 @@ Expected<TrialLeft> try_forces_in_window(LessonRun& run, const RunRequest& reque
                                          const dialogue::Catalogue& catalogue,
                                          std::optional<double> end_s) {
     constexpr bool kAsked = true;
-    if (!run.needs_trial(request, kAsked)) {
-        return TrialLeft::done;
+    for (std::size_t hand = 0; hand < run.n_hands(); ++hand) {
+        if (!run.needs_trial(hand, request, kAsked)) {
+            continue;
+        }
+        auto begun = ForceTrial::begin(run.hand_to_try(hand).device(), run.limits_of(hand), kAsked);
+        if (!begun) {
+            return tl::unexpected(begun.error());
+        }
+        const char* const first_words = hand == 0 ? "first_use.hold" : "first_use.hold_second";
+        const TrialLeft left = TrialScreen(**begun, desktop, catalogue, first_words).play(end_s);
+        const FirstUse trial = (*begun)->trial();
+        begun->reset();
+        // Who left has not tried it to the end: nothing is known, and nothing is felt.
+        if (left != TrialLeft::done) {
+            return left;
+        }
+        run.take_trial(hand, trial, kAsked, request, store);
     }
-    auto begun = ForceTrial::begin(run.hand_to_try().device(), run.plan().haptic.safety, kAsked);
-    if (!begun) {
-        return tl::unexpected(begun.error());
-    }
-    const TrialLeft left = TrialScreen(**begun, desktop, catalogue).play(end_s);
-    const FirstUse trial = (*begun)->trial();
-    begun->reset();
-    // Who left has not tried it to the end: nothing is known, and nothing is felt.
-    if (left == TrialLeft::done) {
-        run.take_trial(trial, kAsked, request, store);
-    }
-    return left;
+    return TrialLeft::done;
 }
 
 }  // namespace fulcrum::runtime

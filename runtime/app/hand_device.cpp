@@ -15,6 +15,7 @@
 #include <chrono>
 #include <limits>
 #include <thread>
+#include <utility>
 
 namespace fulcrum::runtime {
 namespace {
@@ -32,6 +33,13 @@ std::optional<double> find_number(const RunRequest& request, const char* name) {
     const bool is_number =
         text && std::from_chars(text->data(), text->data() + text->size(), value).ec == std::errc{};
     return is_number ? std::optional(value) : std::nullopt;
+}
+
+// Whether there is a mouse, and no hand that it moves.
+bool mouse_is_free(const RunRequest& request) {
+    return request.hands_there == HandsThere::desk && request.hand != HandKind::mouse &&
+           std::ranges::find(request.more_hands, HandKind::mouse, &HandChoice::hand) ==
+               request.more_hands.end();
 }
 
 // Why no arm has said welcome.
@@ -81,7 +89,16 @@ Expected<std::unique_ptr<HandDevice>> HandDevice::open(const RunRequest& request
     }
     hand->device_ = fit_device(request, std::move(hand->device_));
     hand->fitted_ = dynamic_cast<FittedDevice*>(hand->device_.get());
-    return hand;
+    if (hand->hid_ == nullptr || !mouse_is_free(request)) {
+        return hand;
+    }
+    return hand->make_pointer().map([&](std::unique_ptr<PointerDevice>&& pointer) {
+        auto stand_in =
+            std::make_unique<StandInDevice>(std::move(hand->device_), std::move(pointer));
+        hand->stand_in_ = stand_in.get();
+        hand->device_ = std::move(stand_in);
+        return std::move(hand);
+    });
 }
 
 double HandDevice::force_limit_N(const RunRequest& request) {
@@ -122,16 +139,11 @@ Expected<void> HandDevice::make(const RunRequest& request) {
             });
         }
         case HandKind::mouse:
-        case HandKind::keys: {
-            PointerSettings settings;
-            settings.sag_m_per_N = kMouseSag_m_per_N;
-            settings.slow_per_N = kMouseSlow_per_N;
-            settings.half_extent_D = Vector3::Constant(1.0 / std::max(workspace_.scale, 0.1));
-            return validate(settings).map([&] {
-                device_ = std::make_unique<PointerDevice>(settings, pointer_target_);
+        case HandKind::keys:
+            return make_pointer().map([&](std::unique_ptr<PointerDevice>&& pointer) {
+                device_ = std::move(pointer);
                 pointer_target_.publish({});
             });
-        }
         case HandKind::hid:
             return open_hid_hand(request.hid, workspace_)
                 .map([&](std::unique_ptr<hid::HidHand>&& opened) {
@@ -152,6 +164,15 @@ Expected<void> HandDevice::make(const RunRequest& request) {
             break;
     }
     return fail("nobody moves this hand", {}, "give --hand a device");
+}
+
+Expected<std::unique_ptr<PointerDevice>> HandDevice::make_pointer() {
+    PointerSettings settings;
+    settings.sag_m_per_N = kMouseSag_m_per_N;
+    settings.slow_per_N = kMouseSlow_per_N;
+    settings.half_extent_D = Vector3::Constant(1.0 / std::max(workspace_.scale, 0.1));
+    return validate(settings).map(
+        [&] { return std::make_unique<PointerDevice>(settings, pointer_target_); });
 }
 
 // All in this program, under its clock; every number comes from the seed.
@@ -224,7 +245,13 @@ std::optional<Vector3> HandDevice::true_velocity_W() const {
 }
 
 std::string HandDevice::take_notice() {
-    return hid_ != nullptr ? hid_->take_notice() : std::string();
+    std::string notice = hid_ != nullptr ? hid_->take_notice() : std::string();
+    if (stands_in() != std::exchange(told_stand_in_, stands_in())) {
+        notice += (notice.empty() ? "" : " ") +
+                  std::string(stands_in() ? "The mouse moves the hand until it is plugged in again."
+                                          : "It moves the hand again; its force comes softly.");
+    }
+    return notice;
 }
 
 void HandDevice::follow(const Pose& target_W, std::uint32_t buttons) {

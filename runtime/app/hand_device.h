@@ -9,6 +9,7 @@
 #include "haptics/device/hid/hid_hand.h"
 #include "haptics/device/mouse/pointer_device.h"
 #include "haptics/device/simulated/simulated_hand.h"
+#include "haptics/device/stand_in/stand_in_device.h"
 #include "haptics/link/link_device.h"
 #include "haptics/link/spoiled_arm.h"
 #include "haptics/loop/haptic_plan.h"
@@ -48,7 +49,17 @@ class HandDevice {
     [[nodiscard]] const Pose& pointer_W() const noexcept { return pointer_W_; }
 
     /// True where a pointer stands for the hand, false where the device itself tells its place.
-    [[nodiscard]] bool points() const noexcept { return hid_ == nullptr && linked_ == nullptr; }
+    [[nodiscard]] bool points() const noexcept {
+        return stands_in() || (hid_ == nullptr && linked_ == nullptr);
+    }
+    /// Whether what it does is felt now.
+    [[nodiscard]] bool renders_force() const noexcept {
+        return device_->traits().renders_force && !stands_in();
+    }
+    /// True while a pointer moves it for a device that was unplugged.
+    [[nodiscard]] bool stands_in() const noexcept {
+        return stand_in_ != nullptr && stand_in_->stands_in();
+    }
     /// True for an arm, which can push.
     [[nodiscard]] bool is_arm() const noexcept { return linked_ != nullptr; }
     /// From now on an arm gives none, whatever a loop asks for. Before the loop steps.
@@ -74,6 +85,7 @@ class HandDevice {
     [[nodiscard]] Expected<void> make(const RunRequest& request);
     [[nodiscard]] Expected<void> link(const HandChoice& request);
     void spoil(std::uint64_t seed);
+    [[nodiscard]] Expected<std::unique_ptr<PointerDevice>> make_pointer();
 
     HandKind kind_ = HandKind::none;
     Workspace workspace_;
@@ -87,6 +99,9 @@ class HandDevice {
     hid::HidHand* hid_ = nullptr;               // likewise, as are the next
     LinkDevice* linked_ = nullptr;
     FittedDevice* fitted_ = nullptr;  // around either of these
+    const StandInDevice* stand_in_ =
+        nullptr;  // around a HID device, where the mouse has nothing else to move
+    bool told_stand_in_ = false;
     const SpoiledArm* spoiled_ = nullptr;
 };
 

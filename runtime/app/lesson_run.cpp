@@ -61,7 +61,7 @@ Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
     RunRequest settled = with_kept_fit(*whole, store);
     const auto built = run->load(places, settled)
                            .and_then([&] { return run->open_hand(places, settled); })
-                           .and_then([&] { return run->open_more_hands(settled, store); })
+                           .and_then([&] { return run->open_more_hands(places, settled, store); })
                            .and_then([&] { return run->build_loops(places, settled); })
                            .and_then([&] { return run->build_session(settled, store, catalogue); });
     if (!built) {
@@ -120,7 +120,7 @@ Expected<void> LessonRun::open_hand(const Places& places, const RunRequest& requ
         return fitted;
     }
     if (const double factor = choose_scale(request.fit, device().traits()); factor != 1.0) {
-        fit_to_reach(places, request, factor);
+        fit_to_reach(places, request, 0, factor);
     }
     return validate(plan_.haptic, device().traits());
 }
@@ -386,7 +386,7 @@ View LessonRun::view(const dialogue::Catalogue& catalogue) const {
     scenery.world = newest_world();
     scenery.axles = newest_axles();
     scenery.kite = newest_kite();
-    scenery.renders_force = device().traits().renders_force;
+    scenery.renders_force = hand_->renders_force();
     const bool points = !scenery.renders_force && hand_->points();
     scenery.ghost = points || plan_.haptic.tool != nullptr;
     scenery.ghost_pose_W = points ? hand_->pointer_W() : scenery.hand.tool_pose_W;

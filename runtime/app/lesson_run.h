@@ -64,6 +64,8 @@ struct MoreHand {
     std::unique_ptr<HapticLoop> loop;
     std::optional<HandWish> wish;
     std::shared_ptr<const Record> replayed;  ///< of this hand alone; null where none is repeated
+    HandChoice choice{};                     ///< as it was settled
+    HandFit fit{};                           ///< said and kept
 };
 
 /// What a frame asks of the driver.
@@ -116,12 +118,18 @@ class LessonRun {
     [[nodiscard]] const HandDevice& hand() const { return *hand_; }
     /// Whether the learner holds the mouse, or the arm, in the left hand.
     [[nodiscard]] bool left_handed() const { return fit_.left_handed.value_or(false); }
-    /// Whether the hand's forces are to be tried first; `asked`: somebody will answer.
-    [[nodiscard]] bool needs_trial(const RunRequest& request, bool asked) const;
+    /// Whether this hand's forces are to be tried first; `asked`: somebody will answer.
+    [[nodiscard]] bool needs_trial(std::size_t hand, const RunRequest& request, bool asked) const;
     /// The hand's device while no loop of the lesson has it; `begin_anew` it behind.
-    [[nodiscard]] HandDevice& hand_to_try() { return *hand_; }
+    [[nodiscard]] HandDevice& hand_to_try(std::size_t hand) { return hand_at(hand); }
+    /// The run's request as of this hand alone.
+    [[nodiscard]] RunRequest request_of(std::size_t hand, const RunRequest& request) const;
+    /// The limits that hold for it.
+    [[nodiscard]] const SafetySettings& limits_of(std::size_t hand) const {
+        return hand == 0 ? plan_.haptic.safety : plan_.more_hands[hand - 1].safety;
+    }
     /// Keeps how it came out for this learner; without force where it was not good, in this run.
-    void take_trial(const FirstUse& trial, bool asked, const RunRequest& request,
+    void take_trial(std::size_t hand, const FirstUse& trial, bool asked, const RunRequest& request,
                     ProgressStore& store);
     /// The last gate as the lesson loop knows it.
     [[nodiscard]] GatePhase gate() const { return channels_.state_for_lesson.value().gate; }
@@ -183,14 +191,27 @@ class LessonRun {
     // In this order.
     [[nodiscard]] Expected<void> load(const Places& places, RunRequest& request);
     [[nodiscard]] Expected<void> open_hand(const Places& places, const RunRequest& request);
-    [[nodiscard]] Expected<void> open_more_hands(const RunRequest& request, ProgressStore& store);
+    [[nodiscard]] Expected<void> open_more_hands(const Places& places, const RunRequest& request,
+                                                 ProgressStore& store);
+    [[nodiscard]] HandDevice& hand_at(std::size_t hand) const {
+        return hand == 0 ? *hand_ : *more_hands_[hand - 1]->device;
+    }
+    [[nodiscard]] const HandFit& fit_of(std::size_t hand) const {
+        return hand == 0 ? fit_ : more_hands_[hand - 1]->fit;
+    }
     [[nodiscard]] Expected<void> build_loops(const Places& places, const RunRequest& request);
     [[nodiscard]] Expected<Plan> compile(const Places& places, const RunRequest& request,
                                          const LessonDescription& scene) const;
     /// The most that all hands can give, newtons: as far as it is known before they are open, or of the first one as it says itself.
     [[nodiscard]] double force_limit_N(const RunRequest& request) const;
     [[nodiscard]] Expected<void> fit_to_force(const Places& places, const RunRequest& request);
-    void fit_to_reach(const Places& places, const RunRequest& request, double factor);
+    [[nodiscard]] Expected<Plan> compile_scaled(const Places& places, const RunRequest& request,
+                                                std::size_t hand, double factor,
+                                                LessonDescription& scene) const;
+    [[nodiscard]] Expected<void> scale_as_said(const Places& places, const RunRequest& request,
+                                               std::size_t hand, const HandFit& fit);
+    void fit_to_reach(const Places& places, const RunRequest& request, std::size_t hand,
+                      double factor);
     void build_why(const RunRequest& request);
     [[nodiscard]] Expected<void> build_recorder(const Places& places, const RunRequest& request);
     void build_touch_sound();

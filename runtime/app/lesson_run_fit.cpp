@@ -24,31 +24,40 @@ std::string verdict_of(bool asked, const std::string& arm) {
 
 }  // namespace
 
-bool LessonRun::needs_trial(const RunRequest& request, bool asked) const {
-    if (!hand_->is_arm() || !device().traits().renders_force ||
+bool LessonRun::needs_trial(std::size_t hand, const RunRequest& request, bool asked) const {
+    const HandDevice& tried = hand_at(hand);
+    if (!tried.is_arm() || !tried.device().traits().renders_force ||
         request.first_use == FirstUseTrial::never) {
         return false;
     }
-    const std::string& arm = device().traits().name;
+    const std::string& arm = tried.device().traits().name;
+    const std::string& checked = fit_of(hand).checked;
     const bool is_known =
-        fit_.checked == verdict_of(true, arm) || (!asked && fit_.checked == verdict_of(false, arm));
+        checked == verdict_of(true, arm) || (!asked && checked == verdict_of(false, arm));
     return request.first_use == FirstUseTrial::again || !is_known;
 }
 
-void LessonRun::take_trial(const FirstUse& trial, bool asked, const RunRequest& request,
-                           ProgressStore& store) {
-    hand_->begin_anew();
-    const std::string sentence = tell(trial, fit_.axes.value_or(AxisOrder{}));
+RunRequest LessonRun::request_of(std::size_t hand, const RunRequest& request) const {
+    RunRequest own = request;
+    if (hand > 0) {
+        static_cast<HandChoice&>(own) = more_hands_[hand - 1]->choice;
+    }
+    return own;
+}
+
+void LessonRun::take_trial(std::size_t hand, const FirstUse& trial, bool asked,
+                           const RunRequest& request, ProgressStore& store) {
+    HandDevice& device = hand_at(hand);
+    device.begin_anew();
     const bool is_good = trial.end() == FirstUseEnd::good;
     if (!is_good) {
-        std::fprintf(stderr, "%s\n", sentence.c_str());
+        const std::string sentence = tell(trial, fit_of(hand).axes.value_or(AxisOrder{}));
+        std::fprintf(stderr, "%s%s\n", hand == 0 ? "" : "The second arm: ", sentence.c_str());
+        device.give_no_force();
     }
-    if (!is_good) {
-        hand_->give_no_force();
-    }
-    RunRequest tried = request;
+    RunRequest tried = request_of(hand, request);
     constexpr const char* kNotGood = "not good";
-    tried.fit = {.checked = is_good ? verdict_of(asked, device().traits().name) : kNotGood};
+    tried.fit = {.checked = is_good ? verdict_of(asked, device.device().traits().name) : kNotGood};
     keep_fit_of(tried, store);
 }
 
@@ -79,18 +88,41 @@ Expected<void> LessonRun::fit_to_force(const Places& places, const RunRequest& r
     return {};
 }
 
-// Where the scene cannot be felt at that scale, the lesson's own stays: a part of it is then out of reach, but for the clutch.
-void LessonRun::fit_to_reach(const Places& places, const RunRequest& request, double factor) {
-    LessonDescription scene = scene_;
-    scene.hand.scale *= factor;
-    const std::string reached = "The arm reaches " + size_of(device().traits().reach_m);
-    auto plan = compile(places, request, scene).and_then([&](Plan&& compiled) {
-        return validate(compiled.haptic, device().traits()).map([&] {
-            return std::move(compiled);
-        });
+// The lesson as it is when this hand goes `factor` times as far; its plan must suit the hand's device where that is open.
+Expected<Plan> LessonRun::compile_scaled(const Places& places, const RunRequest& request,
+                                         std::size_t hand, double factor,
+                                         LessonDescription& scene) const {
+    (hand == 0 ? scene.hand : scene.more_hands[hand - 1]).scale *= factor;
+    return compile(places, request, scene).and_then([&](Plan&& compiled) {
+        const HapticPlan& plan = hand == 0 ? compiled.haptic : compiled.more_hands[hand - 1];
+        const bool is_open = hand <= more_hands_.size();
+        return (is_open ? validate(plan, hand_at(hand).device().traits()) : validate(plan))
+            .map([&] { return std::move(compiled); });
     });
+}
+
+// Of a hand beside the first; that one's scale is in the scene from the beginning.
+Expected<void> LessonRun::scale_as_said(const Places& places, const RunRequest& request,
+                                        std::size_t hand, const HandFit& fit) {
+    if (fit.scale.value_or(1.0) == 1.0) {
+        return {};
+    }
+    LessonDescription scene = scene_;
+    return compile_scaled(places, request, hand, *fit.scale, scene).map([&](Plan&& plan) {
+        plan_ = std::move(plan);
+        scene_ = std::move(scene);
+    });
+}
+
+// Where the scene cannot be felt at that scale, the lesson's own stays: a part of it is then out of reach, but for the clutch.
+void LessonRun::fit_to_reach(const Places& places, const RunRequest& request, std::size_t hand,
+                             double factor) {
+    const std::string reached = std::string(hand == 0 ? "The arm" : "The second arm") +
+                                " reaches " + size_of(hand_at(hand).device().traits().reach_m);
+    LessonDescription scene = scene_;
+    auto plan = compile_scaled(places, request, hand, factor, scene);
     if (!plan) {
-        plan_.notices.push_back(
+        hand_notices_.push_back(
             reached + ", and a part of the scene lies outside that: " + to_sentence(plan.error()));
         return;
     }
@@ -98,7 +130,7 @@ void LessonRun::fit_to_reach(const Places& places, const RunRequest& request, do
     std::snprintf(times.data(), times.size(), "%.1f", factor);
     plan_ = std::move(*plan);
     scene_ = std::move(scene);
-    plan_.notices.push_back(
+    hand_notices_.push_back(
         reached + ", so it moves " + times.data() +
         " times as far in the scene as the lesson says; --scale says otherwise.");
 }

@@ -20,39 +20,44 @@ std::shared_ptr<const Record> find_replayed(const RunRequest& request, std::size
 
 }  // namespace
 
-// As many as are planned; the request has been settled. Each device stands before the learner as it is kept for it, at the lesson's scale.
-Expected<void> LessonRun::open_more_hands(const RunRequest& request, ProgressStore& store) {
-    plan_.notices.insert(plan_.notices.end(), hand_notices_.begin(), hand_notices_.end());
-    for (std::size_t i = 0; i < plan_.more_hands.size(); ++i) {
-        const HapticPlan& plan = plan_.more_hands[i];
-        if (auto good = validate(plan); !good) {
-            return good;
-        }
-        RunRequest own = request;
-        static_cast<HandChoice&>(own) = request.more_hands[i];
-        own.fit = {};
-        own.replayed = nullptr;
-        const std::shared_ptr<const Record> alone = find_replayed(request, i + 1);
+// As many as are planned; the request has been settled. Each device stands before the learner as it is kept for it, and goes as far in the
+// scene as was said or as it reaches.
+Expected<void> LessonRun::open_more_hands(const Places& places, const RunRequest& request,
+                                          ProgressStore& store) {
+    for (std::size_t hand = 1; hand <= plan_.more_hands.size(); ++hand) {
+        RunRequest own = of_hand(request, hand);
+        const std::shared_ptr<const Record> alone = find_replayed(request, hand);
         auto whole = alone ? Expected<RunRequest>(own) : with_record(own);
         if (!whole) {
             return tl::unexpected(whole.error());
         }
         whole->replayed = alone ? alone : whole->replayed;
-        auto device = HandDevice::open(with_kept_fit(*whole, store), plan);
+        const RunRequest fitted = with_kept_fit(*whole, store);
+        if (auto scaled = scale_as_said(places, request, hand, fitted.fit); !scaled) {
+            return scaled;
+        }
+        auto device = HandDevice::open(fitted, plan_.more_hands[hand - 1]);
         if (!device) {
             return tl::unexpected(device.error());
         }
-        auto hand = std::make_unique<MoreHand>();
-        hand->device = std::move(*device);
-        hand->replayed = alone;
-        if (auto fits = validate(plan, hand->device->device().traits()); !fits) {
+        auto made = std::make_unique<MoreHand>();
+        made->device = std::move(*device);
+        made->replayed = alone;
+        made->choice = request.more_hands[hand - 1];
+        made->fit = fitted.fit;
+        if (plan_.rigid) {
+            made->channels.rigid = &made->rigid;
+        }
+        more_hands_.push_back(std::move(made));
+        const DeviceTraits& traits = hand_at(hand).device().traits();
+        if (const double factor = choose_scale(fitted.fit, traits); factor != 1.0) {
+            fit_to_reach(places, request, hand, factor);
+        }
+        if (auto fits = validate(plan_.more_hands[hand - 1], traits); !fits) {
             return fits;
         }
-        if (plan_.rigid) {
-            hand->channels.rigid = &hand->rigid;
-        }
-        more_hands_.push_back(std::move(hand));
     }
+    plan_.notices.insert(plan_.notices.end(), hand_notices_.begin(), hand_notices_.end());
     return {};
 }
 
@@ -111,13 +116,21 @@ std::optional<std::size_t> LessonRun::find_hand(HandKind kind) const {
             return i + 1;
         }
     }
+    // What was unplugged is moved by the mouse.
+    if (kind == HandKind::mouse) {
+        for (std::size_t i = 0; i <= more_hands_.size(); ++i) {
+            if ((i == 0 ? *hand_ : *more_hands_[i - 1]->device).stands_in()) {
+                return i;
+            }
+        }
+    }
     return std::nullopt;
 }
 
 bool LessonRun::renders_force() const {
-    bool renders = device().traits().renders_force;
+    bool renders = hand_->renders_force();
     for (const auto& hand : more_hands_) {
-        renders = renders || hand->device->device().traits().renders_force;
+        renders = renders || hand->device->renders_force();
     }
     return renders;
 }
@@ -145,8 +158,7 @@ void LessonRun::lead_more_hands(const SessionOutput& output) {
 void LessonRun::show_more_hands(Scenery& scenery) const {
     for (const auto& hand : more_hands_) {
         const HapticState& state = hand->channels.state_for_lesson.value();
-        const bool points =
-            !hand->device->device().traits().renders_force && hand->device->points();
+        const bool points = !hand->device->renders_force() && hand->device->points();
         scenery.more_hands.push_back(
             {state, points, points ? hand->device->pointer_W() : state.tool_pose_W});
     }

@@ -182,6 +182,18 @@ Expected<RunRequest> with_record(RunRequest request) {
     });
 }
 
+RunRequest of_hand(const RunRequest& request, std::size_t hand) {
+    RunRequest own = request;
+    if (hand > 0) {
+        const HandChoice& first = request;
+        static_cast<HandChoice&>(own) = request.more_hands[hand - 1];
+        own.more_hands[hand - 1] = first;
+        own.fit = {};
+        own.replayed = nullptr;
+    }
+    return own;
+}
+
 bool repeats_input(const RunRequest& request) noexcept {
     constexpr std::uint32_t kFirstThatTells = 5;
     return request.replayed != nullptr && request.replayed->version >= kFirstThatTells &&

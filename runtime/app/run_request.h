@@ -50,6 +50,10 @@ struct RunRequest : HandChoice {
 /// Reads the record that is to be repeated, and takes over what belongs to its run and was not asked for otherwise: seed, day and the hand's scale.
 /// Other requests stay as they are.
 [[nodiscard]] Expected<RunRequest> with_record(RunRequest request);
+
+/// A settled request as if this hand, counted from 0, were the first, and that one another: what was said of how an arm stands is of the
+/// first.
+[[nodiscard]] RunRequest of_hand(const RunRequest& request, std::size_t hand);
 /// Whether the record of such a request tells what was typed, said and pressed, so that nobody else need answer.
 [[nodiscard]] bool repeats_input(const RunRequest& request) noexcept;
 /// The same where keys move a hand of their own, and the mouse another one or none.

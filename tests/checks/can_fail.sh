@@ -52,7 +52,7 @@ spoilt() {
 }
 
 good_tree
-for check in include_direction vendor_headers unfinished same_bits file_length sources_have_tests project_files; do
+for check in include_direction vendor_headers unfinished same_bits file_length sources_have_tests project_files merge_markers; do
     passes "$check"
 done
 
@@ -83,6 +83,9 @@ spoilt file_length 'long.cpp: 401 lines' haptics/math/long.cpp "$(printf 'x\\n%.
 spoilt sources_have_tests 'runtime/app/lonely.cpp: no test' runtime/app/lonely.cpp ''
 spoilt sources_have_tests 'has its test' tests/checks/untested.txt 'runtime/app/main.cpp # tested elsewhere'
 spoilt sources_have_tests 'does not exist' tests/checks/untested.txt 'runtime/app/gone.cpp # tested elsewhere'
+for mark in '<''<<<<<< HEAD' '|''|||||| base' '>''>>>>>> 0a1b2c3 A change'; do
+    spoilt merge_markers 'was not finished' haptics/math/bad.md "before\\n$mark\\nafter"
+done
 rm -- "$tree/LICENSE"
 spoilt project_files 'LICENSE: missing' scripts/good.lua ''
 spoilt project_files 'no row of the folder table for attic/' attic/bad.h ''

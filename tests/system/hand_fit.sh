@@ -7,8 +7,10 @@ home=$(mktemp -d)
 export HOME=$home XDG_CONFIG_HOME=$home/config
 unset DISPLAY
 arm=
+second=
 cleanup() {
     [[ -z $arm ]] || kill "$arm" 2>/dev/null || true
+    [[ -z $second ]] || kill "$second" 2>/dev/null || true
     wait 2>/dev/null || true
     rm -rf "$home"
 }
@@ -67,4 +69,24 @@ await_arm "$home/arm.log"
 play weak --learner Mina --first-use never --record "$home/weak.rec"
 "$fulcrum" export "$home/weak.rec" --out "$home/weak.csv" >"$home/export.log" 2>&1 || fail "the record was not exported"
 grep -hE '^"?option[.]device N"?,"?2"?' "$home"/weak*.csv >/dev/null || fail "the lesson was not fitted to an arm of 2 N: $(grep -h 'device N' "$home"/weak*.csv)"
+# Two arms: each is tried once and moves as far as it reaches; each has settings of its own.
+first_port=$port
+: >"$home/second.log"
+"$fulcrum" arm --arm desktop --port 0 --key "$home/config/fulcrum/arm.key" <>"$home/keys" >"$home/second.log" 2>&1 &
+second=$!
+await_arm "$home/second.log"
+play_both() {
+    "$fulcrum" run "$(dirname -- "$0")/../../examples/two-fingers" --headless --hand "udp:127.0.0.1:$first_port" \
+        --hand "udp:127.0.0.1:$port" --say "$home/say.txt" --db "$home/p.db" --seconds 1 --learner Ana >"$1" 2>&1 ||
+        fail "two arms: the lesson was not played"
+}
+play_both "$home/both.log"
+expect "$home/both.log" '^The arm pushes gently' "the first arm's forces were not tried"
+expect "$home/both.log" '^The second arm pushes gently' "the second arm's forces were not tried"
+refuse "$home/both.log" 'no force in this lesson' "a good arm was found bad"
+expect "$home/both.log" 'The second arm reaches 16 by 12 by 7 cm, so it moves' "the second hand's scale was not fitted"
+felt=$(sed -n 's/.*most \([0-9.]*\).*/\1/p' "$home/second.log" | tail -n 1)
+[[ -n $felt ]] && awk "BEGIN { exit !($felt > 0.5) }" || fail "the second arm felt $felt N"
+play_both "$home/again.log"
+refuse "$home/again.log" 'pushes gently' "an arm was tried again"
 echo "hand_fit.sh: passed"

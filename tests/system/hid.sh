@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # hid.sh cap|stick PROGRAM SHIM DEVICE: plays with a HID device in a real window on a screen of its own. It moves the hand, is pulled
-# out in the middle and put in again; a stick's force is felt, ends when it should, and when the program is killed.
+# out in the middle, while the mouse moves the hand, and put in again; a stick's force is felt, ends when it should, and when the program is killed.
 set -euo pipefail
 kind=$1
 program=$2
@@ -91,9 +91,14 @@ if [[ $kind == cap ]]; then name=SpaceNavigator; else name="Force stick"; fi
 wait_for "$name has gone; plug it in again, and the lesson goes on with it."
 [[ $kind == cap ]] || [[ $(ask still) == still ]]
 wait_until "the lesson goes on without it" '1'
+# The mouse moves the hand meanwhile: to the upper left.
+wait_for "The mouse moves the hand until it is plugged in again."
+xdotool mousemove 200 60
+wait_until "the mouse moves the hand" '$2 < -0.05 && $3 > 0.05'
 tell push 0 0 0
 tell plug
 wait_for "$name is back."
+wait_for "It moves the hand again; its force comes softly."
 if [[ $kind == cap ]]; then
     tell push -350 0 0
     wait_until "the hand goes to the left" '$2 < -0.1'

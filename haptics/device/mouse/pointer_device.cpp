@@ -27,6 +27,14 @@ bool PointerDevice::read(double now_s, DeviceReading& reading) noexcept {
     return true;
 }
 
+void PointerDevice::put(double now_s, const Vector3& position_D) noexcept {
+    now_s_ = now_s;
+    position_D_ = position_D;
+    velocity_D_.setZero();
+    force_D_.setZero();
+    started_ = true;
+}
+
 void PointerDevice::follow(const Vector3& target_D, double dt_s) noexcept {
     const double w = settings_.natural_rad_per_s / (1.0 + settings_.slow_per_N * force_D_.norm());
     const double decay = std::exp(-w * dt_s);

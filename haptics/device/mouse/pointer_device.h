@@ -57,6 +57,8 @@ class PointerDevice final : public Device {
     /// Nothing can be felt, but the hand on the screen yields. False for a wrench that is not
     /// finite, which counts as none.
     [[nodiscard]] bool write(double now_s, const Wrench& wrench_D) noexcept override;
+    /// At `now_s` the hand is there, at rest, and goes on from there. On the haptic thread.
+    void put(double now_s, const Vector3& position_D) noexcept;
 
   private:
     void follow(const Vector3& target_D, double dt_s) noexcept;
