@@ -126,14 +126,23 @@ void ArmServer::forget_holder() noexcept {
     torque_.reset();
 }
 
+// As the haptic loop does it: a stop that comes while an earlier one is being lifted stays.
 void ArmServer::take_stops() noexcept {
+    const bool lifts = rearm_wanted_.load(std::memory_order_acquire);
     if (stop_.take()) {
-        // Who lifted an earlier stop has not lifted this one.
         faults_ |= Fault::emergency_stop;
+        if (lift_waits_) {
+            rearm_wanted_.store(false, std::memory_order_release);
+        }
+        lift_waits_ = lifts && !lift_waits_;
+        return;
+    }
+    lift_waits_ = lifts && gate_.is_fading();
+    if (lifts && !lift_waits_) {
         rearm_wanted_.store(false, std::memory_order_release);
-    } else if (!gate_.is_fading() && rearm_wanted_.exchange(false, std::memory_order_acq_rel) &&
-               gate_.phase() == GatePhase::stopped) {
-        gate_.reset();
+        if (gate_.phase() == GatePhase::stopped) {
+            gate_.reset();
+        }
     }
 }
 

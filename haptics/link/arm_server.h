@@ -115,6 +115,7 @@ class ArmServer final : public PeriodicTask {
     AngularVelocityEstimator angular_velocity_;
     StopSwitch stop_;
     std::atomic<bool> rearm_wanted_{false};
+    bool lift_waits_ = false;  // it was wanted in an earlier round
 
     // This round.
     double now_s_ = 0.0;

@@ -112,12 +112,23 @@ void HapticLoop::take_inputs() noexcept {
     if (channels_.ended.load(std::memory_order_acquire)) {
         state_.faults |= Fault::ended;
     }
+    take_stop();
+}
+
+// A stop's fade comes to its end before it is lifted; a stop that comes meanwhile has been lifted by nobody.
+void HapticLoop::take_stop() noexcept {
+    const bool lifts = channels_.rearm.load(std::memory_order_acquire);
     if (channels_.emergency_stop.take()) {
-        // Who lifted an earlier stop has not lifted this one.
         state_.faults |= Fault::emergency_stop;
-        channels_.rearm.store(false, std::memory_order_release);
-    } else if (channels_.rearm.load(std::memory_order_acquire) && !gate_.is_fading()) {
-        // A stop's fade comes to its end first; where nothing was stopped there is nothing to lift.
+        if (lift_waits_) {
+            channels_.rearm.store(false, std::memory_order_release);
+        }
+        lift_waits_ = lifts && !lift_waits_;
+        return;
+    }
+    lift_waits_ = lifts && gate_.is_fading();
+    if (lifts && !lift_waits_) {
+        // Where nothing was stopped there is nothing to lift.
         channels_.rearm.store(false, std::memory_order_release);
         if (gate_.phase() == GatePhase::stopped) {
             gate_.reset();

@@ -100,6 +100,7 @@ class HapticLoop final : public PeriodicTask {
     void run_round(double now_s, const Passed& passed) noexcept;
     void begin_round(double now_s) noexcept;
     void take_inputs() noexcept;
+    void take_stop() noexcept;
     void read_device() noexcept;
     void estimate_motion() noexcept;
     void watch_hand() noexcept;
@@ -163,6 +164,7 @@ class HapticLoop final : public PeriodicTask {
     // Take inputs: what was heard last.
     bool heard_lesson_ = false;
     bool heard_world_ = false;
+    bool lift_waits_ = false;          // a stop's lifting was asked for in an earlier round
     Fault late_faults_ = Fault::none;  // found after the gate of the last round
     // Read: the newest good pose, and the newest that the device told, for the record.
     DeviceReading reading_{};

@@ -1,4 +1,4 @@
-// The loop asks its guard in each round: limits of speed and energy hold whatever the scene wants.
+// What the loop lets nobody talk it out of: its guard's limits of speed and energy, and a stop.
 #include "tests/unit/haptics/loop/haptic_loop_fixture.h"
 
 using namespace fulcrum;
@@ -43,4 +43,21 @@ TEST_CASE("haptic loop: energy given beyond what may be fades the force") {
     // What is forgotten meanwhile, and what the fade still gives.
     CHECK(given_J < 3.2);
     CHECK(given_J > 2.0);
+}
+
+TEST_CASE(
+    "haptic loop: a stop that is pressed and lifted between two rounds fades, and is lifted then") {
+    Bench bench(make_weight_plan());
+    hold(bench);
+    bench.channels->emergency_stop.press();
+    bench.channels->emergency_stop.release();
+    bench.channels->rearm.store(true);
+    bench.run(1);
+    CHECK(bench.loop.state().gate == GatePhase::stopped);
+    bench.run(90);
+    CHECK(bench.loop.state().gate == GatePhase::stopped);
+    bench.run(20);
+    CHECK(bench.device.written_D.force.norm() == 0.0);
+    CHECK(bench.loop.state().gate != GatePhase::stopped);
+    CHECK_FALSE(bench.channels->rearm.load());
 }
