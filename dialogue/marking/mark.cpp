@@ -231,6 +231,15 @@ std::string sentence_frame(const Question& question) {
             }
         }
     }
+    // Two words that are wanted side by side are one gap.
+    const auto is_gap = [](const Piece& piece) { return piece.right == "…"; };
+    bool behind_gap = false;
+    for (Piece& piece : pieces) {
+        if (is_gap(piece) && behind_gap) {
+            piece.right.clear();
+        }
+        behind_gap = is_gap(piece) || (behind_gap && piece.right.empty());
+    }
     return render(pieces);
 }
 

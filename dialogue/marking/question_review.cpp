@@ -1,13 +1,11 @@
 #include "dialogue/marking/question_review.h"
 
 #include "dialogue/english/letters.h"
-#include "dialogue/english/opposite.h"
 #include "dialogue/template/matcher.h"
 #include "dialogue/template/sentences.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
 namespace fulcrum::dialogue {
@@ -87,50 +85,89 @@ void find_ambiguous(const TemplateSet& set, const std::vector<Sample>& samples,
     }
 }
 
-/// The sample with the opposite of one of its adjectives that fills no slot; empty without one.
-std::string opposite_of(const Sample& sample) {
-    for (const Piece& piece : sample.pieces) {
-        const Element& element = piece.element;
-        if (element.role != Role::adjective || element.slot != kNone || element.base.empty()) {
-            continue;
+/// Does one of the sentences have those words?
+bool has_words(const std::vector<std::string>& sentences, const std::string& words) {
+    return std::any_of(sentences.begin(), sentences.end(), [&](const std::string& sentence) {
+        const std::string padded = concat({" ", lower_case(sentence), " "});
+        const std::size_t at = padded.find(concat({" ", words}));
+        return at != std::string::npos &&
+               std::string_view(" .,!?").find(padded[at + 1 + words.size()]) !=
+                   std::string_view::npos;
+    });
+}
+
+/// The sentences that have the opposite of one word of `said` instead of it, as far as the templates know its first word.
+std::vector<std::string> turned(const TemplateSet& set, const std::string& said,
+                                const Opposites& opposites, const std::vector<std::string>& meant) {
+    std::vector<std::string> sentences;
+    for (std::size_t begin = 0; begin < said.size();) {
+        const std::size_t end = std::min(said.find(' ', begin), said.size());
+        for (const std::string& opposite : opposites(lower_case(said.substr(begin, end - begin)))) {
+            if (set.words.find(opposite.substr(0, opposite.find(' '))) != kNone &&
+                !has_words(meant, opposite)) {
+                sentences.push_back(std::string(said).replace(begin, end - begin, opposite));
+            }
         }
-        const std::vector<std::string_view> opposites = opposites_of(element.base);
-        const std::string form = degree_forms(element.base, element.degree).front();
-        const std::size_t at = sample.said.find(form);
-        if (!opposites.empty() && at != std::string::npos) {
-            return std::string(sample.said)
-                .replace(at, form.size(), degree_forms(opposites.front(), element.degree).front());
-        }
+        begin = end + 1;
     }
-    return {};
+    return sentences;
 }
 
 /// An opposite that is taken for the same answer: nothing tells the lesson which of them was said.
 void find_opposite_taken(const TemplateSet& set, const std::vector<Sample>& samples,
+                         const Opposites& opposites, const std::vector<std::string>& meant,
                          std::vector<std::string>& found) {
+    // "Wind." is short for "no wind": what was left out is not what was turned.
+    const auto is_short = [&](const Parse& parse) {
+        return set.graphs[static_cast<std::size_t>(parse.graph)].short_answer;
+    };
     for (const Sample& sample : samples) {
-        const std::string turned = opposite_of(sample);
-        const auto parse = turned.empty() ? std::optional<Parse>{} : match(set, turned);
-        if (parse && parse->cost == 0 && sorted(parse->slots) == sorted(sample.slots)) {
-            found.push_back(concat({quoted(turned), " counts as ", quoted(sample.said),
-                                    "; give the adjective a list, so that the lesson can tell"}));
-            return;
+        for (const std::string& other : turned(set, sample.said, opposites, meant)) {
+            const auto parse = match(set, other);
+            if (parse && parse->cost == 0 && !is_short(*parse) &&
+                sorted(parse->slots) == sorted(sample.slots)) {
+                found.push_back(concat({quoted(other), " counts as ", quoted(sample.said),
+                                        "; give the two words a list, so that the lesson can "
+                                        "tell, or the question both in its examples, as right"}));
+                return;
+            }
         }
     }
 }
 
 }  // namespace
 
-std::vector<std::string> review_question(const Question& question) {
+std::vector<std::string> review_question(const Question& question, const Opposites& opposites,
+                                         const std::vector<std::string>& meant) {
     std::vector<std::string> found;
     const TemplateSet& set = *question.templates;
     for (int number = 0; number < set.answers; ++number) {
         const std::vector<Sample> samples = samples_of(set, number);
         find_unreachable(set, number, samples, found);
         find_ambiguous(set, samples, found);
-        find_opposite_taken(set, samples, found);
+        find_opposite_taken(set, samples, opposites, meant, found);
     }
     return found;
+}
+
+std::vector<SaidBack> said_back(const Question& question) {
+    constexpr std::size_t kMostSentences = 6;  // of one answer
+    std::vector<SaidBack> all;
+    const TemplateSet& set = *question.templates;
+    for (int answer = 0; answer < set.answers; ++answer) {
+        std::vector<std::string> sentences{render(canonical_pieces(set, answer, {}))};
+        for (const Sample& sample : samples_of(set, answer)) {
+            std::string sentence = render(canonical_pieces(set, answer, sample.slots));
+            if (sentences.size() < kMostSentences &&
+                std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) {
+                sentences.push_back(std::move(sentence));
+            }
+        }
+        for (std::string& sentence : sentences) {
+            all.push_back({answer, std::move(sentence)});
+        }
+    }
+    return all;
 }
 
 std::vector<std::string> unheard_words(const Question& question,

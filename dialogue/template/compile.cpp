@@ -25,6 +25,12 @@ Expected<ListItem> parse_item(const std::string& entry) {
         return fail(concat({"an entry is longer than ", std::to_string(kLongestEntry_bytes),
                             " bytes; shorten it"}));
     }
+    // A word of a list is what the lesson is told: what could be several words is for the sentence around it.
+    if (const std::size_t sign = entry.find_first_of("[](){}<>;\\"); sign != std::string::npos) {
+        return fail(concat({"the entry \"", entry, "\" has \"", std::string(1, entry[sign]),
+                            "\"; a list holds plain words, with | between two ways to say one, "
+                            "so write the rest in the sentence"}));
+    }
     ListItem item;
     std::string_view rest = entry;
     while (true) {
@@ -78,6 +84,12 @@ Expected<std::vector<WordList>> parse_lists(const NamedLists& lists) {
             auto item = parse_item(text);
             if (!item) {
                 return within(where, item.error());
+            }
+            const bool is_there =
+                std::any_of(list.items.begin(), list.items.end(),
+                            [&](const ListItem& other) { return other.value == item->value; });
+            if (is_there) {
+                return fail(where + ": \"" + item->value + "\" stands in it twice; take one out");
             }
             list.items.push_back(std::move(*item));
         }

@@ -27,7 +27,7 @@ struct Material {
 [[nodiscard]] Expected<void> validate(const Material& material);
 
 /// What a hand would find out about a material, from its numbers alone. The grades run from 0 to 1, and the middle parts the
-/// words of a lesson: hard from soft, rough from smooth, slippery from sticky.
+/// words of a lesson: hard from soft, rough from smooth (`felt_words`).
 struct MaterialFacts {
     double stiffness_N_per_m = 0.0;
     double ringing_Hz = 0.0;  ///< of a tap; 0 where nothing rings
@@ -43,7 +43,9 @@ struct MaterialFacts {
 };
 
 inline constexpr double kGradeMiddle = 0.5;  ///< at or above it a thing is hard, rough, slippery
-inline constexpr double kPress_N = 1.0;      ///< with which roughness is judged
+/// Below it a thing is sticky: rubber is, wood and paper are not, and nobody calls them slippery.
+inline constexpr double kStickyBelow = 0.15;
+inline constexpr double kPress_N = 1.0;  ///< with which roughness is judged
 
 /// Between which numbers a grade goes from 0 to 1, evenly in the logarithm, for people judge ratios (Weber's law).
 struct GradeScale {
@@ -63,5 +65,21 @@ inline constexpr GradeScale kFrictionScale{0.05, 1.0};     ///< middle 0.22
 
 /// Of a material that `validate` accepted. Cost: as making its texture.
 [[nodiscard]] MaterialFacts describe(const Material& material);
+
+/// What people call a material of those grades.
+struct FeltWords {
+    const char* hardness;      ///< hard or soft
+    const char* roughness;     ///< rough or smooth
+    const char* slipperiness;  ///< slippery or sticky; empty between the two
+};
+
+[[nodiscard]] constexpr FeltWords felt_words(double hardness, double roughness,
+                                             double slipperiness) noexcept {
+    return {hardness >= kGradeMiddle ? "hard" : "soft",
+            roughness >= kGradeMiddle ? "rough" : "smooth",
+            slipperiness >= kGradeMiddle  ? "slippery"
+            : slipperiness < kStickyBelow ? "sticky"
+                                          : ""};
+}
 
 }  // namespace fulcrum

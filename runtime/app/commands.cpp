@@ -1,6 +1,5 @@
 #include "runtime/app/commands.h"
 
-#include "haptics/collision/self_intersection.h"
 #include "haptics/device/hid/hidapi/hidapi_bus.h"
 #include "runtime/app/device_list.h"
 #include "runtime/app/headless.h"
@@ -10,14 +9,13 @@
 #include "runtime/app/menu_screen.h"
 #include "runtime/app/open_store.h"
 #include "runtime/app/question_examples.h"
+#include "runtime/app/quiet_run.h"
 #include "runtime/app/run_request.h"
 #include "runtime/app/stage_clock.h"
-#include "runtime/lesson/question_notes.h"
 #include "runtime/progress/database_path.h"
 #include "runtime/progress/report.h"
 #include "runtime/progress/sqlite/sqlite_store.h"
 #include "runtime/scene/explain.h"
-#include "runtime/scene/picture/grey_picture.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -29,35 +27,6 @@
 
 namespace fulcrum::runtime {
 namespace {
-
-constexpr double kCheckedPlay_s =
-    10.0;  // how much of a lesson `check` plays, under a virtual clock
-
-RunRequest quiet_request(const Options& options) {
-    RunRequest request;
-    request.plan.site = options.site;
-    request.plan.speech = options.speech;
-    request.plan.picture = false;
-    request.plan.sound = false;
-    request.own_test = true;
-    request.hands_there = HandsThere::all;
-    return request;
-}
-
-/// Builds a run of the lesson that `options` name, keeping no progress, and gives it and the lesson's folder to `use`.
-template <class Use>
-int with_run(const Installation& installation, const Options& options, RunRequest request,
-             const Use& use) {
-    const auto folder = find_lesson(installation.places, options.lesson);
-    if (!folder) {
-        return complain(folder.error(), 2);
-    }
-    request.folder = *folder;
-    const auto store = make_null_store();
-    const auto run =
-        LessonRun::create(installation.places, request, *store, installation.catalogue);
-    return run ? use(**run, *folder) : complain_of_loading(run.error());
-}
 
 // What L:test{ expect = … } may name (kTestFacts), as text.
 std::map<std::string, std::string> facts_of(const SessionResult& result) {
@@ -83,52 +52,6 @@ int count_unmet(const LessonTestDescription& test, const SessionResult& result) 
         }
     }
     return unmet;
-}
-
-// The examples of its questions, once the lesson has played; gives the exit code, 0 when all are as they are said to be.
-int tell_unmet_examples(LessonRun& run) {
-    const auto unmet = find_unmet_examples(run);
-    if (!unmet) {
-        return complain(unmet.error(), 1);
-    }
-    for (const std::string& sentence : *unmet) {
-        std::fprintf(stderr, "%s\n", sentence.c_str());
-    }
-    return unmet->empty() ? 0 : 1;
-}
-
-// A surface with holes can be touched, so that is no mistake, but it may not feel as it looks. Models that come with the program
-// are passed over: whoever writes a lesson cannot mend them.
-void say_of_mesh(const Places& places, const std::filesystem::path& folder,
-                 const BodyDescription& body) {
-    if (find_model(places, folder, body.model).parent_path() != folder) {
-        return;
-    }
-    const auto mesh = load_solid_mesh(places, folder, body);
-    if (!mesh) {
-        return;  // the plan was compiled from the same file a moment ago
-    }
-    const MeshReport report = compute_full_mesh_report(*mesh);
-    if (!report.is_sound()) {
-        std::printf("lesson.lua:%d: %s: %s\n", body.line, body.name.c_str(),
-                    to_sentence(report).c_str());
-    }
-}
-
-// A picture of one grey has no relief, so that is no mistake, but hardly what was meant.
-void say_of_pictures(const LessonDescription& lesson, const std::filesystem::path& folder) {
-    for (const MaterialDescription& material : lesson.materials) {
-        if (material.image.empty()) {
-            continue;
-        }
-        const auto picture = load_grey_picture(folder / material.image);
-        if (picture && is_flat(*picture)) {
-            std::printf(
-                "lesson.lua:%d: %s is one grey all over, so nothing of it is felt; take a "
-                "picture with dark and light places.\n",
-                material.line, material.image.c_str());
-        }
-    }
 }
 
 // Plays the lesson under the virtual clock, each stage timed. The lesson's prints would be in the way of the figures.
@@ -157,6 +80,17 @@ Expected<Analysis> measure_stages(LessonRun& run, const std::optional<double>& e
 }
 
 }  // namespace
+
+int tell_unmet_examples(LessonRun& run) {
+    const auto unmet = find_unmet_examples(run);
+    if (!unmet) {
+        return complain(unmet.error(), 1);
+    }
+    for (const std::string& sentence : *unmet) {
+        std::fprintf(stderr, "%s\n", sentence.c_str());
+    }
+    return unmet->empty() ? 0 : 1;
+}
 
 Expected<Installation> open_installation(double started_s) {
     auto places = find_places();
@@ -200,38 +134,6 @@ int list_command(const Installation& installation) {
     return 0;
 }
 
-int check_command(const Installation& installation, const Options& options) {
-    return with_run(installation, options, quiet_request(options),
-                    [&](LessonRun& run, const auto& folder) {
-                        std::set<std::string> told;  // bodies of one model are alike
-                        for (const BodyDescription& body : run.description().bodies) {
-                            const BodyDescription felt = as_felt(body);
-                            if (body.solid && told.insert(felt.model).second) {
-                                say_of_mesh(installation.places, folder, felt);
-                            }
-                        }
-                        say_of_pictures(run.description(), folder);
-                        for (const std::string& note : question_notes(run.description())) {
-                            std::printf("%s\n", note.c_str());
-                        }
-                        for (const std::string& notice : run.plan().notices) {
-                            std::printf("%s\n", notice.c_str());
-                        }
-                        // What stands in functions is only known to be right when it runs.
-                        HeadlessSettings settings;
-                        settings.end_s = kCheckedPlay_s;
-                        settings.shows_prints = false;
-                        if (const auto outcome = run_headless(run, settings); !outcome) {
-                            return complain(outcome.error(), 1);
-                        }
-                        if (const int unmet = tell_unmet_examples(run); unmet != 0) {
-                            return unmet;
-                        }
-                        std::printf("%s: no mistakes found.\n", run.description().id.c_str());
-                        return 0;
-                    });
-}
-
 namespace {
 
 // Files of simulated hands instead of those that the test names.
@@ -255,8 +157,8 @@ Expected<void> name_files(const Options& options, RunRequest& request) {
     return {};
 }
 
-// The lesson's own test, played by this; gives the exit code.
-int test_by(const Installation& installation, const Options& options, PlayedBy by) {
+// The lesson's own test, played by this; gives the exit code. `played`: whether it came to that.
+int test_by(const Installation& installation, const Options& options, PlayedBy by, bool& played) {
     RunRequest request = quiet_request(options);
     request.hands_there = options.hands.empty() ? HandsThere::simulated : HandsThere::nobody;
     if (auto named = name_files(options, request); !named) {
@@ -273,6 +175,7 @@ int test_by(const Installation& installation, const Options& options, PlayedBy b
                 {"the lesson has no test", (folder / "lesson.lua").string(), "add L:test { … }"},
                 1);
         }
+        played = true;
         HeadlessSettings settings;
         const auto desk = seat_player(run, request);
         settings.desk = desk.get();
@@ -302,14 +205,16 @@ int test_by(const Installation& installation, const Options& options, PlayedBy b
 }  // namespace
 
 int test_command(const Installation& installation, const Options& options) {
+    bool played = true;
     if (options.by) {
-        return test_by(installation, options, *options.by);
+        return test_by(installation, options, *options.by, played);
     }
     int worst = 0;
     for (const PlayedBy by : kAllPlayers) {
-        worst = std::max(worst, test_by(installation, options, by));
-        if (interrupted()) {
-            break;
+        played = false;
+        worst = std::max(worst, test_by(installation, options, by, played));
+        if (interrupted() || !played) {
+            break;  // what cannot be played by one cannot be played by the others, and has been said
         }
     }
     return worst;

@@ -112,6 +112,8 @@ class LessonRun {
     [[nodiscard]] Expected<bool> ask_verdict(const JudgeEvent& judge);
     /// Likewise what the lesson tells who asks for something; empty where it does not know that.
     [[nodiscard]] Expected<std::string> ask_knowledge(const AskedEvent& asked);
+    /// The lesson hears of the event as of any other; what it replies is not done. An error is the lesson's own.
+    [[nodiscard]] Expected<void> happen_aside(const LessonEvent& event);
     [[nodiscard]] const Device& device() const { return hand_->device(); }
     /// What strokes and taps sound like; null when the plan has no sound of touch.
     [[nodiscard]] SoundStream* touch_sound() { return touch_sound_.get(); }

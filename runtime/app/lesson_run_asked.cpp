@@ -33,4 +33,8 @@ Expected<std::string> LessonRun::ask_knowledge(const AskedEvent& asked) {
     });
 }
 
+Expected<void> LessonRun::happen_aside(const LessonEvent& event) {
+    return ask_aside(event).map([](const LessonReply& /*reply*/) {});
+}
+
 }  // namespace fulcrum::runtime

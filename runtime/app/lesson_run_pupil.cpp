@@ -53,6 +53,9 @@ void LessonRun::choose_pupil(const LessonDescription& description, const RunRequ
     if (rates && request.say.empty()) {
         pupil_.emplace(LearnerModel(*rates, request.seed));
         say_line_ = plays_own_test ? description.tests.front().line : 0;
+    } else if (request.learner_without_test && request.say.empty() &&
+               (!plays_own_test || description.tests.front().say.empty())) {
+        pupil_.emplace(LearnerModel(*request.learner_without_test, request.seed));
     } else if (plays_own_test || !request.say.empty()) {
         const bool says_own = plays_own_test && request.say.empty();
         pupil_.emplace(says_own ? description.tests.front().say : request.say);

@@ -103,7 +103,10 @@ Expected<void> ask_everything(LessonRun& run, const Knowledge& known) {
             continue;
         }
         if (const auto told = run.ask_knowledge({asked->knowledge, asked->mark.slots}); !told) {
-            return tl::unexpected(told.error());
+            Error error = told.error();
+            error.message = "what the lesson knows as \"" + asked->knowledge + "\", asked \"" +
+                            sentence.said + "\": " + error.message;
+            return tl::unexpected(std::move(error));
         }
     }
     return {};
@@ -123,7 +126,10 @@ Expected<std::vector<std::string>> find_unmet_examples(LessonRun& run) {
                 const auto difference =
                     find_difference(run, questions->at(described.id), said, kind);
                 if (!difference) {
-                    return tl::unexpected(difference.error());
+                    Error error = difference.error();
+                    error.message = "question \"" + described.id + "\", tried with \"" + said +
+                                    "\": " + error.message;
+                    return tl::unexpected(std::move(error));
                 }
                 if (!difference->empty()) {
                     unmet.push_back(

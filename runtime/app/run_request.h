@@ -26,6 +26,8 @@ struct RunRequest : HandChoice {
     HandsThere hands_there = HandsThere::simulated;  ///< for the hands that nobody chose for
     std::vector<std::string> say;  ///< answers of a simulated pupil; empty: somebody types
     std::optional<LearnerRates> learner_rates;  ///< a simulated learner answers instead
+    /// Where the lesson has no test of its own, or its test answers nothing, this one answers.
+    std::optional<LearnerRates> learner_without_test;
     bool own_test = false;  ///< use the hand and the answers of the lesson's first L:test
     FirstUseTrial first_use = FirstUseTrial::once;
     HandFit fit{};            ///< how the hand's device is set, as far as somebody says it

@@ -1,23 +1,31 @@
 #include "runtime/lesson/question_notes.h"
 
+#include "dialogue/english/antonyms.h"
+#include "dialogue/english/letters.h"
+#include "dialogue/english/opposite.h"
 #include "dialogue/marking/question_review.h"
 #include "dialogue/speech/sphinx/pronunciation.h"
 #include "runtime/lesson/knowledge.h"
 #include "runtime/lesson/questions.h"
+#include "runtime/lua/api/asked_questions.h"
 
 #include <algorithm>
 #include <fstream>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace fulcrum::runtime {
 namespace {
 
-/// The dictionary of sounds: word -> sounds.
-std::map<std::string, std::string, std::less<>> read_sounds(const std::string& path) {
-    std::map<std::string, std::string, std::less<>> sounds;
+/// word -> its sounds.
+using Sounds = std::map<std::string, std::string, std::less<>>;
+
+Sounds read_sounds(const std::string& path) {
+    Sounds sounds;
     std::ifstream file(path);
     std::string line;
     while (std::getline(file, line)) {
@@ -36,14 +44,190 @@ std::string listed(const std::vector<std::string>& words) {
     return text;
 }
 
-std::string tell_unheard(const std::vector<std::string>& words) {
-    return "nobody can hear " + listed(words) +
-           "; write other words beside, as in \"bike|bicycle\".";
+/// The first letter of `word` that is none of English's, as it is written; empty when all are.
+std::string foreign_letter(const std::string& word) {
+    const auto is_foreign = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
+    const auto begin = std::ranges::find_if(word, is_foreign);
+    auto end = begin;
+    while (end != word.end() &&
+           (end == begin || (static_cast<unsigned char>(*end) & 0xC0U) == 0x80U)) {
+        ++end;
+    }
+    return {begin, end};
 }
+
+/// How often a word, or what it is a form of, stands in tagged texts.
+int how_common(const dialogue::Lexicon& lexicon, const std::string& word) {
+    int most = 0;
+    for (const dialogue::WordKind kind : dialogue::kWordKinds) {
+        std::vector<std::string> entries = lexicon.bases(word, kind);
+        entries.push_back(word);
+        for (const std::string& entry : entries) {
+            most = std::max(most, lexicon.count(entry, kind));
+        }
+    }
+    return most;
+}
+
+/// The word with sounds that it is most likely a slip of, the most common one; empty when none is near.
+std::string meant_word(const Sounds& sounds, const std::string& word) {
+    constexpr std::size_t kShortest = 4;  // of three letters nearly all is near something
+    if (word.size() < kShortest) {
+        return {};
+    }
+    const auto lexicon = dialogue::Lexicon::open();
+    std::string meant;
+    int most = 0;
+    for (const auto& [known, sound] : sounds) {
+        const bool is_like = known.front() == word.front() && known.size() <= word.size() + 1 &&
+                             word.size() <= known.size() + 1;
+        if (!lexicon || !is_like || dialogue::edit_distance(known, word) != 1) {
+            continue;
+        }
+        if (const int common = how_common(*lexicon, known); common > most) {
+            most = common;
+            meant = known;
+        }
+    }
+    return meant;
+}
+
+/// Of words that cannot be spoken, what to do; a sentence of those with foreign letters, of each slip, and of the rest.
+void add_unheard(const std::string& head, std::vector<std::string> words, const Sounds& sounds,
+                 std::vector<std::string>& notes) {
+    // A plural of what is told anyway.
+    std::erase_if(words, [&](const std::string& word) {
+        return word.ends_with('s') &&
+               std::ranges::find(words, word.substr(0, word.size() - 1)) != words.end();
+    });
+    std::vector<std::string> rest;
+    for (const std::string& word : words) {
+        const std::string foreign = foreign_letter(word);
+        const std::string meant = foreign.empty() ? meant_word(sounds, word) : "";
+        if (!foreign.empty()) {
+            notes.push_back(head + "\"" + word + "\" has the letter \"" + foreign +
+                            "\", which English has not, so nobody can say it; write it with a to "
+                            "z.");
+        } else if (!meant.empty()) {
+            notes.push_back(head + "\"" + word +
+                            "\" is no word that is known here; did you mean \"" + meant + "\"?");
+        } else {
+            rest.push_back(word);
+        }
+    }
+    if (!rest.empty()) {
+        notes.push_back(head + "nobody knows how to say " + listed(rest) +
+                        ", so it can be typed and not spoken; is it spelt right? If so, write "
+                        "other words beside, as in \"bike|bicycle\".");
+    }
+}
+
+/// How the lesson's texts ask its questions, as far as they show it.
+class Asking {
+  public:
+    explicit Asking(const std::vector<std::string>& texts) {
+        for (const std::string& text : texts) {
+            for (AskUse& use : find_asked(text)) {
+                uses_.push_back(std::move(use));
+            }
+        }
+        texts_ = &texts;
+    }
+
+    [[nodiscard]] bool lacks_hint(const QuestionDescription& question) const {
+        return question.again.empty() && std::ranges::none_of(uses_, [&](const AskUse& use) {
+                   return use.has_hint && (use.name.empty() || use.name == question.id);
+               });
+    }
+    /// It is declared by its name, and the name stands nowhere else.
+    [[nodiscard]] bool is_forgotten(const QuestionDescription& question) const {
+        const bool any_computed =
+            std::ranges::any_of(uses_, [](const AskUse& use) { return use.name.empty(); });
+        const auto [declared, mentioned] = count_names(question.id);
+        return !any_computed && declared > 0 && mentioned == 0;
+    }
+
+  private:
+    /// How often the texts have `question "name"`, and the name otherwise.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> count_names(const std::string& name) const {
+        std::pair<std::size_t, std::size_t> counts{0, 0};
+        for (const std::string& text : *texts_) {
+            for (const std::string& quoted : {'"' + name + '"', "'" + name + "'"}) {
+                for (std::size_t at = text.find(quoted); at != std::string::npos;
+                     at = text.find(quoted, at + 1)) {
+                    const std::string_view before = std::string_view(text).substr(0, at);
+                    const std::size_t end = before.find_last_not_of(" \t(");
+                    const bool declares = end != std::string_view::npos &&
+                                          before.substr(0, end + 1).ends_with("question");
+                    ++(declares ? counts.first : counts.second);
+                }
+            }
+        }
+        return counts;
+    }
+
+    const std::vector<std::string>* texts_ = nullptr;
+    std::vector<AskUse> uses_;
+};
+
+/// WordNet's, or the table where that is not there.
+dialogue::Opposites open_opposites() {
+    auto antonyms = dialogue::Antonyms::open();
+    if (!antonyms) {
+        return [](std::string_view word) {
+            const auto known = dialogue::opposites_of(word);
+            return std::vector<std::string>(known.begin(), known.end());
+        };
+    }
+    const auto shared = std::make_shared<dialogue::Antonyms>(std::move(*antonyms));
+    return [shared](std::string_view word) { return shared->of(word); };
+}
+
+/// "is is": a form of grammar brings a word that the template has as well.
+std::string doubled_word(std::string_view sentence) {
+    std::string_view before;
+    while (!sentence.empty()) {
+        const std::size_t end = std::min(sentence.find(' '), sentence.size());
+        const std::string_view word = sentence.substr(0, end);
+        if (word == before && word != "that" && word != "had") {
+            return std::string(word);
+        }
+        before = word;
+        sentence.remove_prefix(std::min(end + 1, sentence.size()));
+    }
+    return {};
+}
+
+/// What is wrong with an English sentence, as a sentence's end; empty for nothing.
+std::string tell_form(const dialogue::FormCheck& check, const std::string& sentence) {
+    if (const std::string doubled = doubled_word(sentence); !doubled.empty()) {
+        return "has \"" + doubled + "\" twice; take one out, or the form of grammar that brings it";
+    }
+    const dialogue::CheckedText checked = check(sentence);
+    return checked.errors.empty() ? ""
+                                  : "is no good English; better is \"" + checked.corrected + '"';
+}
+
+/// Sentences that the program would say back, and that it would correct if a learner said them.
+void add_form_notes(const std::string& head, const dialogue::Question& question,
+                    const dialogue::FormCheck& check, std::vector<std::string>& notes) {
+    int told = dialogue::kNone;  // one an answer is enough
+    for (const dialogue::SaidBack& back : dialogue::said_back(question)) {
+        if (const std::string wrong = told == back.answer ? "" : tell_form(check, back.sentence);
+            !wrong.empty()) {
+            told = back.answer;
+            notes.push_back(head + "answer " + std::to_string(back.answer + 1) + ": \"" +
+                            back.sentence + "\" " + wrong + ".");
+        }
+    }
+}
+
+constexpr int kMostLookedAt = 12;  // ways to ask for one thing, for their English
 
 /// Of what a learner may ask: sentences that ask for something else first, words without pronunciation.
 void add_knowledge_notes(const LessonDescription& lesson,
                          const std::function<bool(std::string_view)>& can_be_heard,
+                         const Sounds& sounds, const dialogue::FormCheck& check,
                          std::vector<std::string>& notes) {
     const dialogue::Catalogue no_words;
     const auto compiled = Knowledge::compile(lesson, no_words);
@@ -56,7 +240,16 @@ void add_knowledge_notes(const LessonDescription& lesson,
         return "lesson.lua:" + std::to_string(described->line) + ": ";
     };
     std::set<std::string> told;
+    std::map<std::string, int> looked_at;  // sentences, by what is known
     for (const AskingSentence& sentence : knowledge.every_way()) {
+        if (check && ++looked_at[sentence.knowledge] <= kMostLookedAt) {
+            if (const std::string wrong = tell_form(check, sentence.said); !wrong.empty()) {
+                looked_at[sentence.knowledge] = kMostLookedAt;  // one is enough
+                notes.push_back(line_of(sentence.knowledge) + "what the lesson knows as \"" +
+                                sentence.knowledge + "\": \"" + sentence.said + "\" " + wrong +
+                                ".");
+            }
+        }
         const auto asked = knowledge.find(sentence.said);
         if ((asked && asked->knowledge == sentence.knowledge) ||
             !told.insert(sentence.knowledge).second) {
@@ -68,45 +261,59 @@ void add_knowledge_notes(const LessonDescription& lesson,
             (asked ? "\"" + asked->knowledge + "\" takes it first." : "nobody understands it."));
     }
     const auto unheard = dialogue::unheard_words(knowledge.question(), can_be_heard);
-    if (!unheard.empty()) {
-        notes.push_back(line_of(lesson.knowledge.front().id) +
-                        "what a learner may ask: " + tell_unheard(unheard));
-    }
+    add_unheard(line_of(lesson.knowledge.front().id) + "what a learner may ask: ", unheard, sounds,
+                notes);
 }
 
 }  // namespace
 
 std::vector<std::string> question_notes(const LessonDescription& lesson,
-                                        const std::string& heard_words) {
+                                        const NoteSources& sources) {
     std::vector<std::string> notes;
     const auto questions = compile_questions(lesson);
     if (!questions) {
         return notes;
     }
-    const auto sounds = read_sounds(heard_words);
+    const Asking asking(sources.texts);
+    const dialogue::Opposites opposites = open_opposites();
+    const auto sounds = read_sounds(sources.heard_words);
     const dialogue::LookUp look_up = [&](std::string_view word) -> std::optional<std::string> {
         const auto found = sounds.find(word);
         return found == sounds.end() ? std::nullopt : std::optional<std::string>(found->second);
     };
     const auto can_be_heard = [&](std::string_view word) {
-        return sounds.empty() || dialogue::pronounce(word, look_up).has_value();
+        return sounds.empty() ? foreign_letter(std::string(word)).empty()
+                              : dialogue::pronounce(word, look_up).has_value();
     };
     for (const QuestionDescription& described : lesson.questions) {
         const dialogue::Question& question = questions->at(described.id);
         const std::string head = "lesson.lua:" + std::to_string(described.line) + ": question \"" +
                                  described.id + "\": ";
-        for (const std::string& found : dialogue::review_question(question)) {
+        for (const std::string& found :
+             dialogue::review_question(question, opposites, described.examples.right)) {
             notes.push_back(head + found + ".");
         }
         const auto unheard = dialogue::unheard_words(question, can_be_heard);
-        if (!unheard.empty()) {
-            notes.push_back(head + tell_unheard(unheard));
+        add_unheard(head, unheard, sounds, notes);
+        if (sources.check) {
+            add_form_notes(head, question, sources.check, notes);
+            for (const std::string& text : {described.prompt, described.again}) {
+                if (const std::string wrong = tell_form(sources.check, text); !wrong.empty()) {
+                    notes.push_back(head + '"' + text + "\" " + wrong + ".");
+                }
+            }
         }
-        if (described.again.empty()) {
-            notes.push_back(head + "it has no `again`, so after a wrong answer no hint is given.");
+        if (asking.lacks_hint(described)) {
+            notes.push_back(head +
+                            "it has no `again`, and game.ask no `hint` for it, so after a wrong "
+                            "answer nothing helps; give it one of them.");
+        }
+        if (asking.is_forgotten(described)) {
+            notes.push_back(head + "nothing asks it; write game.ask \"" + described.id +
+                            "\", or take it out.");
         }
     }
-    add_knowledge_notes(lesson, can_be_heard, notes);
+    add_knowledge_notes(lesson, can_be_heard, sounds, sources.check, notes);
     return notes;
 }
 

@@ -38,15 +38,12 @@ std::string materials_table(const LessonDescription& lesson, const Plan& plan) {
     for (std::size_t i = 0; i < n; ++i) {
         const MaterialDescription& material = lesson.materials[i];
         const MaterialFacts& facts = plan.material_facts[i];
-        const auto word = [](double grade, const char* high, const char* low) {
-            return grade >= kGradeMiddle ? high : low;
-        };
+        const FeltWords words = felt_words(facts.hardness, facts.roughness, facts.slipperiness);
         std::array<char, 256> line{};
-        std::snprintf(
-            line.data(), line.size(), "%-16.48s %.2f %-6s %.2f %-8s %.2f %-10s %s\n",
-            material.felt.name.c_str(), facts.hardness, word(facts.hardness, "hard", "soft"),
-            facts.roughness, word(facts.roughness, "rough", "smooth"), facts.slipperiness,
-            word(facts.slipperiness, "slippery", "sticky"), line_text(material.line).c_str());
+        std::snprintf(line.data(), line.size(), "%-16.48s %.2f %-6s %.2f %-8s %.2f %-10s %s\n",
+                      material.felt.name.c_str(), facts.hardness, words.hardness, facts.roughness,
+                      words.roughness, facts.slipperiness, words.slipperiness,
+                      line_text(material.line).c_str());
         text += line.data();
     }
     if (text.empty()) {

@@ -138,7 +138,8 @@ struct LessonFrame {
     std::vector<HingeState> hinges;     ///< of the bodies that have one, in their order
     std::optional<KiteState> kite;      ///< once it flies
     std::vector<LessonEvent> events;
-    bool only_asks = false;  ///< for verdicts: no time passes, and nobody but `right` is called
+    bool only_asks =
+        false;  ///< for verdicts: no time passes, and nobody is called but for the events
 };
 
 // ---- commands: lesson -> program -----------------------------------------------------------------------------

@@ -210,7 +210,7 @@ end
 L:question "up" {
   prompt = "Which force holds the kite up?", again = "Look at the arrows.",
   answers = { "the {force} holds (it|the kite) up", "the {force} (pulls|pushes|keeps) (it|the kite) up",
-              "the {force} lifts (it|the kite) [up]", "it is the {force}", "the {force}" },
+              "the {force} lifts (it|the kite) [up]", "it is the {force}", "the {force}" }, examples = { right = { "The lift pulls it up.", "The lift pushes it up." } },
   nearly = { "[the] {force} (hold|holds|is hold|is holding|keep|lift) [(it|the kite)] up",
              "[the] {force} (pull|push) [(it|the kite)] up", "[the] {force} it (hold|holds) [(it|the kite)] [up]", "{force}", "it is {force}" },
   lists = { force = { "lift|lift force", "drag|drag force", "weight|gravity", "tension|tension force" } },

@@ -217,6 +217,9 @@ L:question "which_way" {
     "[must] go " .. toward,
   },
   lists = { goal = { "Earth|left|left side", "hand|right|right side" } },
+  -- Both verbs are right: the learner's hand may be here or there.
+  examples = { right = { "The support must go to the Earth.", "It must come to the Earth.", "The support goes nearer to the Earth.",
+                         "It comes nearer to the Earth." } },
   right = function(a) return needed(end_x, support_x + ways[a.goal]) < needed(end_x, support_x) end,
 }
 

@@ -3,11 +3,11 @@
 local numbers = require "numbers"
 local planets = require "planets"
 
--- NASA's Planetary Fact Sheets and "Solar System Exploration": what most of each is.
+-- NASA's Planetary Fact Sheets and "Solar System Exploration": what most of each is. The ices of Uranus and Neptune are water, ammonia and methane.
 local stuff = {
   Mercury = "rock and iron", Venus = "rock and iron", Earth = "rock and iron", Mars = "rock and iron",
   Jupiter = "gas, hydrogen and helium", Saturn = "gas, hydrogen and helium",
-  Uranus = "ices under hydrogen and helium", Neptune = "ices under hydrogen and helium",
+  Uranus = "ice and gas", Neptune = "ice and gas",
 }
 
 return function(L, shown)
@@ -59,7 +59,7 @@ return function(L, shown)
     { "what is {planet} made of", "what is (it|this|that) made of", "what is {planet}" },
     { "what {planet} [is] made of", "what is {planet} (make|made) (of|from|by)" },
     { right = { "What is Jupiter made of?", "what is this made of" }, form = { "what is Mars make of" } },
-    function(name) return ("%s is made of %s, mostly."):format(named(name), stuff[name]) end)
+    function(name) return ("%s is mostly made of %s."):format(named(name), stuff[name]) end)
 
   knows("distance",
     { "how far is {planet} [away] [from the Sun]", "how far away is {planet} [from the Sun]", "how far is it from the Sun" },

@@ -149,7 +149,7 @@ L:test {
   hand = "stacker.lua",
   say = { "the metal block is heavier than the wooden block", "the stone block is the tallest",
           "the stone block is between them", "it is on top of the metal block" },
-  expect = { finished = true, stars = "3" },
+  expect = { finished = true, stars = 3 },
 }
 
 return L

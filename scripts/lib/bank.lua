@@ -59,10 +59,13 @@ function bank.all()
   return copy
 end
 
+local declared = false
+
 --- Declares them all on a lesson, under their ids.
 ---@param lesson Lesson
 function bank.declare(lesson)
   if type(lesson) ~= "table" then mistake("bank.declare takes the lesson, bank.declare(L); got " .. shown(lesson)) end
+  declared = true
   for _, question in ipairs(all) do
     lesson:question(question.id) {
       prompt = question.prompt, answers = question.answers, nearly = question.nearly, lists = question.lists,
@@ -156,6 +159,7 @@ function bank.ask(question)
   if type(question) ~= "table" or not question.id then
     mistake("bank.ask takes a question that bank.choose gave; got " .. shown(question))
   end
+  if not declared then mistake "bank.ask asks what was declared; write bank.declare(L) at the top of the file" end
   local answer = game.ask(question.id, { solution = question.solution })
   count(by_point, question.point, answer)
   count(by_idea, question.idea, answer)

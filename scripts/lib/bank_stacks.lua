@@ -28,7 +28,7 @@ return {
   where("next", "The blue block is next to the green block.", "green", "next to", "blue", "under"),
   {
     id = "stacks_between", like = { "between" }, point = "preposition", idea = "place",
-    prompt = "From left to right there are a red, a blue and a green block. Which one is between the others?",
+    prompt = "A red, a blue and a green block stand in a row. Which one is between the others?",
     answers = { "the {colour} (block|one) is between (them|the others|the other blocks|the red [(block|one)] and the green (block|one))", "it is the {colour} (block|one)", "the {colour} (block|one) [is]" },
     nearly = { "[it is] [the] {colour}", "{colour} block", "[the] {colour} (block|one) is between", "{colour} block is between them" },
     lists = { colour = { "red", "blue", "green" } },

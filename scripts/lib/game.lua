@@ -61,6 +61,7 @@ function game.miss(points)
   add(0, points or 1)
 end
 
+local type_words = { string = "text", ["function"] = "function" }
 local ask_options = { hint = "string", again = "function", solution = "string" }
 
 local function check_options(options)
@@ -70,7 +71,7 @@ local function check_options(options)
   for name, value in pairs(options) do
     if ask_options[name] == nil then program.unknown("game.ask", ask_options, name) end
     if type(value) ~= ask_options[name] and not (name == "solution" and type(value) == "function") then
-      mistake("game.ask's " .. name .. " is a " .. ask_options[name] .. "; got " .. shown(value))
+      mistake("game.ask's " .. name .. " is a " .. type_words[ask_options[name]] .. "; got " .. shown(value))
     end
   end
 end

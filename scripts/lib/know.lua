@@ -33,15 +33,7 @@ local function called(asked, body)
   return asked.bodies.thing and "The " .. body.noun or "It"
 end
 
--- What is true of a material, from its stiffness, the tone of a tap, its relief and its friction: 0 to 1 each.
-local feels = {
-  hard = function(m) return m.hardness >= 0.5 end,
-  soft = function(m) return m.hardness < 0.5 end,
-  rough = function(m) return m.roughness >= 0.5 end,
-  smooth = function(m) return m.roughness < 0.5 end,
-  slippery = function(m) return m.slipperiness >= 0.5 end,
-  sticky = function(m) return m.slipperiness < 0.15 end,   -- between the two it is neither
-}
+local adjectives = { hard = true, soft = true, rough = true, smooth = true, slippery = true, sticky = true }
 
 --- Is that adjective true of a material: "hard", "soft", "rough", "smooth", "slippery" or "sticky"?
 ---@param material Material
@@ -49,13 +41,13 @@ local feels = {
 ---@return boolean
 function know.feels(material, adjective)
   if type(material) ~= "userdata" then mistake("know.feels takes a material, such as body.material; got " .. shown(material)) end
-  if feels[adjective] == nil then program.unknown("know.feels", feels, adjective) end
-  return feels[adjective](material)
+  if adjectives[adjective] == nil then program.unknown("know.feels", adjectives, adjective) end
+  return material.words[adjective] == true
 end
 
 -- What can truly be said of a material, two words: hard and smooth.
 local function feel_of(material)
-  return feels.hard(material) and "hard" or "soft", feels.rough(material) and "rough" or "smooth"
+  return material.words.hard and "hard" or "soft", material.words.rough and "rough" or "smooth"
 end
 
 local known = {

@@ -77,6 +77,7 @@ function numbers.words(from, to)
   end
   check_whole("numbers.words", from)
   check_whole("numbers.words", to)
+  if from > to then mistake(("numbers.words goes from the smaller number to the larger; got %d, %d"):format(from, to)) end
   for n = from, to do list[#list + 1] = entry(n) end
   return list
 end

@@ -82,7 +82,8 @@ local Body = {}
 ---@field name string
 ---@field hardness number 0 (soft) to 1, hard from 0.5 on: from the stiffness of its spring and the tone of a tap
 ---@field roughness number 0 (smooth) to 1, rough from 0.5 on: from its relief and how it pushes sideways
----@field slipperiness number 0 (sticky) to 1, slippery from 0.5 on: from its friction while it slides
+---@field slipperiness number 0 to 1, slippery from 0.5 on, sticky below 0.15: from its friction while it slides
+---@field words table<string, boolean> what is true of it: hard or soft, rough or smooth, slippery or sticky or neither; material.words.hard is true or nil
 ---@field stiffness number newtons per metre; of its spring
 ---@field friction number what holds a resting hand, in parts of how hard it presses
 ---@field ring number hertz; the tone of a tap; 0 when it has none
@@ -158,9 +159,9 @@ function lesson(options) end
 ---@field prompt string what the learner is asked; of at most 1000 letters
 ---@field answers string[] templates of the sentences that answer it; the first of several articles is the one that is said back: "[a|an|the] {thing}" gives "An apple is …", "[the|a|an] {thing}" gives "The apple is …"
 ---@field nearly? string[] templates of what learners say for them that is no good English: understood, and said back as the first answer with the same {slots}
----@field lists? table<string, string[]> words that {name} in a template may stand for; {thing} and {other} are by default the nouns of all bodies of the scene, whether they move, are solid or neither; not of those with noun = ""
+---@field lists? table<string, string[]> plain words that {name} in a template may stand for, with | between two ways to say one, such as { size = { "big|large", "small" } }; no [ ], ( ), { } or < >; {thing} and {other} are by default the nouns of all bodies of the scene, whether they move, are solid or neither; not of those with noun = ""
 ---@field again? string what is said after "Not yet." when the meaning is wrong, such as "Let's weigh both again."; "Try again." by default; of at most 200 letters
----@field right function function(answer): is the meaning right? see answer
+---@field right function function(answer): is the meaning right? see answer; ./fulcrum check calls it with what the answers can mean, when the question is asked
 ---@field examples? QuestionExamples answers that are marked by ./fulcrum check and test, and must come out as said
 ---@field feedback? string[] as the lesson's, for this question alone
 

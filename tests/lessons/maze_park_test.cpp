@@ -171,5 +171,5 @@ return L
         INFO(words);
         CHECK(run.output.find(words) != std::string::npos);
     }
-    CHECK(lines_with(run.output, "lesson.lua:2").size() == 5);
+    CHECK(lines_with(run.output, "lesson.lua:2").size() == 6);
 }

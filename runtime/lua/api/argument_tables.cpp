@@ -3,6 +3,7 @@
 #include "runtime/lua/sandbox/safe_library.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace fulcrum::runtime {
 
@@ -27,7 +28,7 @@ const char* type_words(ParameterType type) {
         case ParameterType::lists:
             return "a table of lists of texts";
         case ParameterType::values:
-            return "a table of numbers and texts";
+            return "a table of numbers, true and false";
         case ParameterType::choice:
             return "";
         case ParameterType::record:
@@ -69,6 +70,24 @@ std::string check_text(lua_State* lua, const Place& place, int index, std::size_
 
 namespace {
 
+/// What has a name among the `n` texts of a list is an error: it would be passed over.
+void check_only_items(lua_State* lua, const Place& place, int index, std::size_t n) {
+    for (lua_pushnil(lua); lua_next(lua, index) != 0; lua_pop(lua, 1)) {
+        if (lua_type(lua, -2) == LUA_TSTRING) {
+            const std::string name = clean_text(lua_tostring(lua, -2), kMaxShownBytes);
+            raise_in_lesson(lua,
+                            place.label + " has a field \"" + name +
+                                "\" among its texts; write texts alone, { \"…\", \"…\" }" +
+                                (n == 0 ? "" : ", or a comma and a brace where it should end"));
+        }
+        if (lua_isinteger(lua, -2) == 0 || lua_tointeger(lua, -2) < 1 ||
+            std::cmp_greater(lua_tointeger(lua, -2), n)) {
+            raise_in_lesson(lua, place.label + " has nothing at one of its places before " +
+                                     given_text(lua, -1) + "; is a name there that has no value?");
+        }
+    }
+}
+
 std::vector<std::string> check_texts(lua_State* lua, const Place& place, int index) {
     if (!lua_istable(lua, index)) {
         refuse(lua, place, given_text(lua, index) + "; put braces around it, { \"…\", \"…\" }");
@@ -79,10 +98,17 @@ std::vector<std::string> check_texts(lua_State* lua, const Place& place, int ind
         raise_in_lesson(lua, place.label + " has " + std::to_string(n) + " items; " +
                                  std::to_string(kMaxListItems) + " are the most");
     }
+    check_only_items(lua, place, index, n);
     std::vector<std::string> texts;
+    const Parameter item{"", ParameterType::text, "", 0, static_cast<double>(kMaxTextBytes)};
     for (std::size_t i = 1; i <= n; ++i) {
         lua_rawgeti(lua, index, static_cast<lua_Integer>(i));
-        texts.push_back(check_text(lua, place, -1, kMaxTextBytes));
+        const Place at{item, place.label + "[" + std::to_string(i) + "]", lua_gettop(lua)};
+        if (lua_type(lua, -1) == LUA_TNUMBER) {
+            const std::string number = given_text(lua, -1);
+            refuse(lua, at, number + "; put it in quotation marks, \"" + number + "\"");
+        }
+        texts.push_back(check_text(lua, at, at.index, kMaxTextBytes));
         lua_pop(lua, 1);
     }
     return texts;
@@ -171,7 +197,8 @@ std::vector<PlacedBox> check_boxes(lua_State* lua, const Place& place) {
     return boxes;
 }
 
-std::string check_value(lua_State* lua, const Place& place) {
+/// A number, true or false, as text; `place` is the table's, `name` the field's.
+std::string check_value(lua_State* lua, const Place& table, const std::string& name) {
     if (lua_type(lua, -1) == LUA_TBOOLEAN) {
         return lua_toboolean(lua, -1) != 0 ? "true" : "false";
     }
@@ -181,7 +208,9 @@ std::string check_value(lua_State* lua, const Place& place) {
         lua_pop(lua, 1);
         return text;
     }
-    return check_text(lua, place, -1, kMaxTextBytes);
+    raise_in_lesson(
+        lua, table.label + '.' + name + " is a number, true or false; got " + given_text(lua, -1) +
+                 (lua_type(lua, -1) == LUA_TSTRING ? "; take its quotation marks away" : ""));
 }
 
 }  // namespace
@@ -206,7 +235,7 @@ void check_tables(lua_State* lua, const Place& place, PlainArgument& argument) {
         });
     } else {
         for_each_name(lua, place, [&](const std::string& name) {
-            argument.values.emplace_back(name, check_value(lua, place));
+            argument.values.emplace_back(name, check_value(lua, place, name));
         });
     }
 }

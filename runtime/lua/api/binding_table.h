@@ -33,7 +33,7 @@ enum class ParameterType : std::uint8_t {
     function,
     texts,     ///< a list of texts
     lists,     ///< a table: name -> list of texts
-    values,    ///< a table: name -> number, text or boolean
+    values,    ///< a table: name -> number or boolean
     choice,    ///< one of `choices`
     record,    ///< a table of `fields`
     material,  ///< what world:material gave, or the name of a material

@@ -48,7 +48,8 @@ was left out is nil; to ask for one that none of the question's sentences has is
 constexpr const char* kTemplates = R"(
 ## Templates of answers
 
-The sentences in `answers` of `L:question`. Case and punctuation don't matter; learners' usual errors of form (articles,
+The sentences in `answers` of `L:question`, in good English: the program says them back. `<made_of:metal>` has its own "is",
+`<superlative:heavy>` needs the template's own "the". Case and punctuation don't matter; learners' usual errors of form (articles,
 degrees, plurals, agreement) are understood and corrected.
 
 | in a template | means |
@@ -75,8 +76,10 @@ A learner may point at what is named: "this metal", "these rocks", "that apple" 
 "these metal", "this rocks" are errors of form. Who only points, "this one is heavier", is asked "Which one? Say its name."
 A number that is in none of the lists ("fifteen" where they end at ten) is a wrong answer, told so without asking `right`.
 
-A list's word may be said in several ways, `"bike|bicycle"`; the answer has the first. British and American spelling of a
-word ("tyre", "tire") need not be listed. A number ("two"), a place ("far") and what begins with a preposition ("to the left")
+A list holds plain words, no template: none of `[ ] ( ) { } < > ; \`. What may be left out or changes its form stands around the
+{list} in the sentence: `"[big] {thing}"`, `"<comparative:{size}>"`. A list's word may be several, with the article that it always has
+(`"the Moon"`, `"stone block"`), and may be said in several ways, `"bike|bicycle"`; the answer has the first. British and American
+spelling of a word ("tyre", "tire") need not be listed. A number ("two"), a place ("far") and what begins with a preposition ("to the left")
 never take an article.
 
 What learners say that is no good English at all stands in `nearly`: `nearly = { "how many moons {planet} has" }` is

@@ -143,7 +143,8 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
     }
     if (std::any_of(bodies.begin(), bodies.end(),
                     [&](const auto& b) { return b.name == body.name; })) {
-        raise_in_lesson(lua, "there is already a body \"" + body.name + '"');
+        raise_in_lesson(
+            lua, "there is already a body \"" + body.name + "\"; give this one another name");
     }
     if (bodies.size() >= static_cast<std::size_t>(kMaxBodies)) {
         raise_in_lesson(lua, "a lesson has at most " + std::to_string(kMaxBodies) + " bodies");
@@ -194,7 +195,8 @@ int add_force(lua_State* lua, LessonContext& context, const Argument& name, cons
                            place_in_lesson(lua).line};
     if (std::any_of(forces.begin(), forces.end(),
                     [&](const auto& f) { return f.name == force.name; })) {
-        raise_in_lesson(lua, "there is already a force \"" + force.name + '"');
+        raise_in_lesson(
+            lua, "there is already a force \"" + force.name + "\"; give this one another name");
     }
     forces.push_back(std::move(force));
     context.fields.push_back(FieldCommand{true, field.anchor_W, 1.0});

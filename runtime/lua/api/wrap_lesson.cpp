@@ -116,7 +116,8 @@ int add_question(lua_State* lua, LessonContext& context, const Arguments& argume
     auto& known = context.description.questions;
     if (std::any_of(known.begin(), known.end(),
                     [&](const auto& q) { return q.id == question.id; })) {
-        raise_in_lesson(lua, "there is already a question \"" + question.id + '"');
+        raise_in_lesson(
+            lua, "there is already a question \"" + question.id + "\"; give this one another name");
     }
     if (known.size() >= kMaxQuestions) {
         raise_in_lesson(lua,
@@ -154,7 +155,8 @@ int add_knowledge(lua_State* lua, LessonContext& context, const Arguments& argum
     auto& known = context.description.knowledge;
     if (std::any_of(known.begin(), known.end(),
                     [&](const auto& k) { return k.id == knowledge.id; })) {
-        raise_in_lesson(lua, "the lesson knows \"" + knowledge.id + "\" already");
+        raise_in_lesson(
+            lua, "the lesson knows \"" + knowledge.id + "\" already; give this another name");
     }
     if (known.size() >= kMaxQuestions) {
         raise_in_lesson(lua, "a lesson knows at most " + std::to_string(kMaxQuestions) + " things");
@@ -270,7 +272,9 @@ void add_lesson_api(ApiTable& table) {
            "templates of what learners say for them that is no good English: understood, and said "
            "back as the first answer with the same {slots}"},
           {"lists", lists, "", 0, 0, "nil",
-           "words that {name} in a template may stand for; {thing} and {other} are by default the "
+           "plain words that {name} in a template may stand for, with | between two ways to say "
+           "one, such as { size = { \"big|large\", \"small\" } }; no [ ], ( ), { } or < >; {thing} "
+           "and {other} are by default the "
            "nouns "
            "of all bodies of the scene, whether they move, are solid or neither; not of those with "
            "noun = \"\""},
@@ -278,7 +282,9 @@ void add_lesson_api(ApiTable& table) {
            "what is said after \"Not yet.\" when the meaning is wrong, such as \"Let's weigh both "
            "again.\"; \"Try again.\" by default"},
           {"right", function, "", 0, 0, kRequired,
-           "function(answer): is the meaning right? see answer"},
+           "function(answer): is the meaning right? see answer; ./fulcrum check calls it with what "
+           "the "
+           "answers can mean, when the question is asked"},
           {"examples", record, "", 0, 0, "nil",
            "answers that are marked by ./fulcrum check and test, and must come out as said", "",
            kExamples, std::size(kExamples)},

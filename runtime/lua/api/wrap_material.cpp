@@ -135,7 +135,8 @@ int make_material(lua_State* lua, LessonContext& context, const Arguments& argum
     if (std::ranges::any_of(others, [&](const MaterialDescription& other) {
             return other.felt.name == material.felt.name;
         })) {
-        raise_in_lesson(lua, "there is already a material \"" + material.felt.name + '"');
+        raise_in_lesson(lua, "there is already a material \"" + material.felt.name +
+                                 "\"; give this one another name");
     }
     take(arguments["stiffness"], material.felt.coupling.stiffness_N_per_m);
     take(arguments["damping"], material.felt.coupling.damping_Ns_per_m);
@@ -176,15 +177,33 @@ int get_number(lua_State* lua, LessonContext& context, std::int32_t index) {
 }
 
 /// A grade as a field: the program finds it out once a picture's heights are read too.
-template <auto kGrade>
-int get_grade(lua_State* lua, LessonContext& context, std::int32_t index) {
+const MaterialGrades& grades_of(lua_State* lua, const LessonContext& context, std::int32_t index) {
     const auto i = static_cast<std::size_t>(index);
     if (i >= context.grades.size()) {
         raise_in_lesson(lua,
                         "what a material is like is known once the lesson runs, in L:update and "
                         "later, not in L:start");
     }
-    lua_pushnumber(lua, context.grades[i].*kGrade);
+    return context.grades[i];
+}
+
+template <auto kGrade>
+int get_grade(lua_State* lua, LessonContext& context, std::int32_t index) {
+    lua_pushnumber(lua, grades_of(lua, context, index).*kGrade);
+    return 1;
+}
+
+/// The words that are true of it: { hard = true, smooth = true }.
+int get_words(lua_State* lua, LessonContext& context, std::int32_t index) {
+    const MaterialGrades& grades = grades_of(lua, context, index);
+    const FeltWords words = felt_words(grades.hardness, grades.roughness, grades.slipperiness);
+    lua_newtable(lua);
+    for (const char* word : {words.hardness, words.roughness, words.slipperiness}) {
+        if (*word != '\0') {
+            lua_pushboolean(lua, 1);
+            lua_setfield(lua, -2, word);
+        }
+    }
     return 1;
 }
 
@@ -208,8 +227,12 @@ void add_properties(ApiTable& table) {
         "0 (smooth) to 1, rough from 0.5 on: from its relief and how it pushes sideways",
         &get_grade<&MaterialGrades::roughness>);
     add("slipperiness", "",
-        "0 (sticky) to 1, slippery from 0.5 on: from its friction while it slides",
+        "0 to 1, slippery from 0.5 on, sticky below 0.15: from its friction while it slides",
         &get_grade<&MaterialGrades::slipperiness>);
+    table.properties.push_back({"material", "words", "table<string, boolean>", "",
+                                "what is true of it: hard or soft, rough or smooth, slippery or "
+                                "sticky or neither; material.words.hard is true or nil",
+                                &get_words});
     add("stiffness", "newtons per metre", "of its spring",
         &get_number<[](const Material& m) { return m.coupling.stiffness_N_per_m; }>);
     add("friction", "", "what holds a resting hand, in parts of how hard it presses",

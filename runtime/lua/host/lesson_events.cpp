@@ -72,7 +72,11 @@ int read_unfilled(lua_State* lua) {
         raise_in_lesson(lua, "answer." + name + " is known when `right` has judged, not yet in it");
     }
     if (!name.empty() && std::ranges::find(slots, name) == slots.end()) {
-        const std::string near = nearest_word(name, slots);
+        std::vector<std::string> meant = slots;
+        for (const FieldText& field : answer_fields()) {
+            meant.emplace_back(field.name);
+        }
+        const std::string near = nearest_word(name, meant);
         raise_in_lesson(
             lua, "no sentence of the question \"" + question + "\" has {" + clean_text(name, 40) +
                      "}; " +

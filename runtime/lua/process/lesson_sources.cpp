@@ -68,6 +68,18 @@ Expected<LuaSource> read_lua_file(const std::filesystem::path& path, const std::
     if (source.text.starts_with(kByteOrderMark)) {
         source.text.erase(0, kByteOrderMark.size());
     }
+    const bool is_utf16 =
+        source.text.starts_with("\xFF\xFE") || source.text.starts_with("\xFE\xFF") ||
+        (source.text.size() > 1 && (source.text[0] == '\0') != (source.text[1] == '\0'));
+    if (is_utf16) {
+        return fail("this is saved as UTF-16, not as UTF-8", shown_name,
+                    "save it again with the encoding UTF-8, which every text editor offers");
+    }
+    if (source.text.starts_with("PK\x03\x04") || source.text.starts_with("{\\rtf") ||
+        source.text.starts_with("\xD0\xCF\x11\xE0")) {
+        return fail("this is a document of a word processor, not a plain text", shown_name,
+                    "save it as plain text, with the encoding UTF-8");
+    }
     if (source.text.starts_with(kCompiledMark)) {
         return fail("this is compiled Lua", path.string(), "give the text of the lesson");
     }

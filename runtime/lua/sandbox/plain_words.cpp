@@ -1,5 +1,6 @@
 #include "runtime/lua/sandbox/plain_words.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -39,7 +40,8 @@ std::string advice_for_nil(std::string_view message) {
     for (const std::string_view kind :
          {"(local '", "(field '", "(upvalue '", "(global '", "(constant '"}) {
         if (const std::string_view name = word_behind(message, kind); !name.empty()) {
-            return std::string(name) + " has no value here";
+            return name == "?" ? "the table has nothing under the name that is looked for"
+                               : std::string(name) + " has no value here";
         }
     }
     return {};
@@ -52,6 +54,12 @@ struct Advice {
 constexpr std::array kAdvice = {
     Advice{"near '<\\", "only plain signs belong there; write straight quotation marks, \"…\""},
     Advice{"near '!'", "\"is not\" is written ~="},
+    Advice{"'end' expected (to close 'function' at line",
+           "write the end of that function before this, or == where two values are compared"},
+    Advice{"'(' expected near",
+           "a function with a name stands outside all braces; is a } missing before it?"},
+    Advice{"unexpected symbol near 'local'", "is a } missing before it?"},
+    Advice{"unexpected symbol near 'return'", "is a } missing before it?"},
     Advice{"' expected near '='", "two values are compared with =="},
     Advice{"malformed number", "write a number without its unit, and with a point: 0.5"},
     Advice{"unfinished string",
@@ -67,10 +75,20 @@ constexpr std::array kAdvice = {
     Advice{"attempt to compare", "only two numbers can be compared, or two texts"},
 };
 
+/// Where a word that only begins a statement is met, a brace was left open before it: no field begins so.
+bool begins_statement(std::string_view message) {
+    constexpr std::array<std::string_view, 6> kWords = {"near 'local'", "near 'return'",
+                                                        "near 'if'",    "near 'for'",
+                                                        "near 'while'", "near 'function'"};
+    return std::ranges::any_of(kWords,
+                               [&](std::string_view word) { return message.ends_with(word); });
+}
+
 std::string advice_for(std::string_view message) {
     // Where the end of the file or another end is met, what is open is the mistake; else it is more likely a comma.
     const bool unclosed = message.find("(to close '") != std::string_view::npos &&
-                          (message.ends_with("near <eof>") || message.ends_with("near 'end'"));
+                          (message.ends_with("near <eof>") || message.ends_with("near 'end'") ||
+                           (message.starts_with("'}'") && begins_statement(message)));
     if (unclosed) {
         return close_what(message);
     }

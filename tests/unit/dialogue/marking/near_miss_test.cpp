@@ -89,6 +89,12 @@ TEST_CASE("near miss: at most one thing is said of an answer") {
 }
 
 TEST_CASE("near miss: the frame of a counting sentence counts several") {
+    // What is wanted side by side is one gap.
+    CHECK(sentence_frame(compiled({"q",
+                                   "Where?",
+                                   {"it is {place} the {thing}"},
+                                   {{"place", {"on", "under"}}, {"thing", {"egg", "rock"}}}})) ==
+          "It is …");
     CHECK(sentence_frame(compiled(
               {"q", "How many?", {"{number} <plural:egg>"}, {{"number", {"one|a|an", "two"}}}})) ==
           "… eggs.");

@@ -34,6 +34,22 @@ TEST_CASE("compile: rules are put in their place, lists may be said in several w
     CHECK(parse->cost == 0);
 }
 
+TEST_CASE("compile: a list holds plain words, each once") {
+    for (const std::string entry : {"the <superlative:good>", "(wood|timber)", "[nice] wood",
+                                    "{thing}", "wood; metal", "wo\\od", "wood>"}) {
+        INFO(entry);
+        const std::string error = error_of({{"it is {stuff}"}, {{"stuff", {"glass", entry}}}, {}});
+        CHECK_THAT(error, Catch::StartsWith("list \"stuff\": the entry \"" + entry + "\" has \""));
+        CHECK_THAT(error,
+                   Catch::Contains("a list holds plain words, with | between two ways to say"));
+    }
+    CHECK_THAT(error_of({{"it is {stuff}"}, {{"stuff", {"wood", "glass", "wood|timber"}}}, {}}),
+               Catch::Contains("list \"stuff\": \"wood\" stands in it twice; take one out"));
+    CHECK(
+        error_of({{"it is {stuff}"}, {{"stuff", {"the Moon", "stone block", "o'clock|hour"}}}, {}})
+            .empty());
+}
+
 TEST_CASE("compile: mistakes name their place") {
     CHECK_THAT(error_of({{}, {}, {}}), Catch::Contains("between 1 and 64 answers"));
     CHECK_THAT(error_of({{"a", "b ["}, {}, {}}), Catch::Contains("answer 2"));

@@ -53,10 +53,26 @@ TEST_CASE("materials: what people say of them is true of their numbers") {
         INFO(slippery);
         CHECK(facts_of(slippery).slipperiness >= kGradeMiddle);
     }
-    for (const char* sticky : {"rubber", "rock", "sandpaper", "wood"}) {
+    for (const char* sticky : {"rubber", "sandpaper"}) {
         INFO(sticky);
-        CHECK(facts_of(sticky).slipperiness < kGradeMiddle);
+        CHECK(facts_of(sticky).slipperiness < kStickyBelow);
     }
+    for (const char* neither : {"wood", "rock"}) {
+        INFO(neither);
+        CHECK(facts_of(neither).slipperiness >= kStickyBelow);
+        CHECK(facts_of(neither).slipperiness < kGradeMiddle);
+    }
+}
+
+TEST_CASE("materials: the words part at the middle, and between slippery and sticky is neither") {
+    const auto told = [](double hardness, double roughness, double slipperiness) {
+        const FeltWords words = felt_words(hardness, roughness, slipperiness);
+        return std::string(words.hardness) + " " + words.roughness + " " + words.slipperiness;
+    };
+    CHECK(told(0.5, 0.5, 0.5) == "hard rough slippery");
+    CHECK(told(0.49, 0.49, 0.49) == "soft smooth ");
+    CHECK(told(1.0, 0.0, 0.15) == "hard smooth ");
+    CHECK(told(1.0, 0.0, 0.149) == "hard smooth sticky");
 }
 
 TEST_CASE("materials: each differs from each other in something that is felt") {

@@ -11,6 +11,8 @@ using namespace fulcrum::runtime::test;
 
 namespace {
 
+const NoteSources kSilent{{}, "/nowhere"};
+
 LessonDescription with_answers(std::vector<std::string> answers) {
     LessonDescription lesson = two_things();
     lesson.questions[0].answers = std::move(answers);
@@ -23,18 +25,19 @@ LessonDescription with_answers(std::vector<std::string> answers) {
 TEST_CASE("question notes: a question without a hint is told with its line") {
     LessonDescription lesson = two_things();
     lesson.questions[0].again.clear();
-    const auto notes = question_notes(lesson, "/nowhere");
+    const auto notes = question_notes(lesson, kSilent);
     REQUIRE(notes.size() == 1);
-    CHECK(notes[0] ==
-          "lesson.lua:7: question \"heaviest\": it has no `again`, so after a wrong "
-          "answer no hint is given.");
+    CHECK(
+        notes[0] ==
+        "lesson.lua:7: question \"heaviest\": it has no `again`, and game.ask no `hint` for it, so "
+        "after a wrong answer nothing helps; give it one of them.");
     lesson.questions[0].again = "Weigh them again.";
-    CHECK(question_notes(lesson, "/nowhere").empty());
+    CHECK(question_notes(lesson, kSilent).empty());
 }
 
 TEST_CASE("question notes: what the review finds has the question's line") {
     const auto notes = question_notes(
-        with_answers({"the {thing} is [very] heavy", "the {thing} is heavy"}), "/nowhere");
+        with_answers({"the {thing} is [very] heavy", "the {thing} is heavy"}), kSilent);
     REQUIRE(notes.size() == 1);
     CHECK_THAT(notes[0],
                Catch::StartsWith("lesson.lua:7: question \"heaviest\": answer 2 is never"));
@@ -45,13 +48,78 @@ TEST_CASE("question notes: words that no dictionary and no rule can say are name
     const ScratchFolder folder;
     folder.write("sounds", "the DH AH\nis IH Z\nheavy HH EH V IY\negg EH G\napple AE P AH L\n");
     const std::string sounds = (folder.path() / "sounds").string();
-    const auto notes = question_notes(with_answers({"the {thing} is heavy and zorbly"}), sounds);
+    const auto notes =
+        question_notes(with_answers({"the {thing} is heavy and zorbly"}), {{}, sounds});
     REQUIRE(notes.size() == 1);
-    CHECK_THAT(notes[0], Catch::StartsWith("lesson.lua:7: ") && Catch::Contains("nobody can hear"));
+    CHECK_THAT(notes[0],
+               Catch::StartsWith("lesson.lua:7: ") && Catch::Contains("nobody knows how to say"));
     CHECK_THAT(notes[0], Catch::Contains("\"zorbly\""));
     CHECK_THAT(notes[0], !Catch::Contains("\"egg\"") && !Catch::Contains("\"heavy\""));
 }
 
+TEST_CASE(
+    "question notes: a slip of the pen is told with the word that was meant, a foreign letter as "
+    "such") {
+    const ScratchFolder folder;
+    folder.write("sounds",
+                 "the DH AH\nis IH Z\nheavy HH EH V IY\negg EH G\napple AE P AH L\nthings TH IH NG "
+                 "Z\nthighs TH AY Z\n");
+    const std::string sounds = (folder.path() / "sounds").string();
+    const auto noted = [&](const std::string& word) {
+        std::string all;
+        for (const std::string& note :
+             question_notes(with_answers({"the {thing} is heavy " + word}), {{}, sounds})) {
+            all += note + "\n";
+        }
+        return all;
+    };
+    CHECK_THAT(
+        noted("thigns"),
+        Catch::Contains("\"thigns\" is no word that is known here; did you mean \"things\"?\n"));
+    CHECK_THAT(
+        noted("caf\xC3\xA9"),
+        Catch::Contains("\"caf\xC3\xA9\" has the letter \"\xC3\xA9\", which English has not"));
+    CHECK_THAT(noted("met\xD0\xB0l"),
+               Catch::Contains("has the letter \"\xD0\xB0\", which English has not"));
+    CHECK_THAT(noted("zorblyq"),
+               Catch::Contains("nobody knows how to say") && Catch::Contains("\"zorblyq\""));
+}
+
 TEST_CASE("question notes: questions that do not compile have none") {
-    CHECK(question_notes(with_answers({"the {thng} is heavy"}), "/nowhere").empty());
+    CHECK(question_notes(with_answers({"the {thng} is heavy"}), kSilent).empty());
+}
+
+TEST_CASE("question notes: a hint of game.ask is as good as `again`") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].again.clear();
+    const auto noted = [&](const std::string& text) {
+        return question_notes(lesson, {{"L:question \"heaviest\" { }", text}, "/nowhere"}).size();
+    };
+    CHECK(noted("game.ask(\"heaviest\", { hint = \"Lift them.\" })") == 0);
+    CHECK(noted("game.ask(\"heaviest\", { solution = \"It is.\" })") == 1);
+    CHECK(noted("-- game.ask(\"heaviest\", { hint = \"Lift them.\" })\nstory.ask(world, "
+                "\"heaviest\")") == 1);
+    CHECK(noted("for _, q in ipairs { \"heaviest\" } do game.ask(q, { hint = \"Lift.\" }) end") ==
+          0);
+}
+
+TEST_CASE("question notes: a question that nothing asks is told") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].again = "Weigh them again.";
+    const auto notes =
+        question_notes(lesson, {{"L:question \"heaviest\" { }\ngame.ask \"heavist\""}, "/nowhere"});
+    REQUIRE(notes.size() == 1);
+    CHECK_THAT(
+        notes[0],
+        Catch::Contains("question \"heaviest\": nothing asks it; write game.ask \"heaviest\""));
+    CHECK(question_notes(lesson, {{"L:question 'heaviest' { }\ngame.ask 'heaviest'"}, "/nowhere"})
+              .empty());
+    CHECK(question_notes(
+              lesson,
+              {{"L:question \"heaviest\" { }\nfor i = 1, 3 do game.ask(names[i]) end"}, "/nowhere"})
+              .empty());
+    // Declared by a name that is put together.
+    CHECK(question_notes(lesson, {{"L:question(\"heav\" .. \"iest\") { }\ngame.ask(\"heaviest\")"},
+                                  "/nowhere"})
+              .empty());
 }

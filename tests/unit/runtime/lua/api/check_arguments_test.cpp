@@ -72,7 +72,7 @@ TEST_CASE("arguments: lists and tables are checked item by item, and come sorted
     REQUIRE(lesson.load("L:question 'q' { prompt = 'p', answers = { 'a', 'b' }, lists = { z = { "
                         "'1' }, a = { '2', '3' } }, right = print }\n"
                         "L:test { say = { 'x' }, expect = { score = 7, finished = true, "
-                        "caught = '3' } }") == "");
+                        "caught = 3 } }") == "");
     const auto& question = lesson.host->description().questions.at(0);
     CHECK(question.answers == std::vector<std::string>{"a", "b"});
     REQUIRE(question.lists.size() == 2);
@@ -85,7 +85,29 @@ TEST_CASE("arguments: lists and tables are checked item by item, and come sorted
         return HostedLesson().load("L:question 'q' { prompt = 'p', right = print, " + fields +
                                    " }");
     };
-    CHECK(wrong("answers = { 3 }") == "lesson.lua:2: question.answers is a list of texts; got 3.");
+    CHECK(wrong("answers = { 3 }") ==
+          "lesson.lua:2: question.answers[1] is a text of at most 1000 letters; got 3; put it in "
+          "quotation marks, \"3\".");
+    CHECK(wrong("answers = { 'a', ('x'):rep(1001) }") ==
+          "lesson.lua:2: question.answers[2] is a text of at most 1000 letters; got 1001 letters.");
+    CHECK(wrong("answers = { 'a', again = 'b' }") ==
+          "lesson.lua:2: question.answers has a field \"again\" among its texts; write texts "
+          "alone, { "
+          "\"…\", \"…\" }, or a comma and a brace where it should end.");
+    CHECK(wrong("answers = { 'a' }, lists = { feel = { hard = true } }") ==
+          "lesson.lua:2: question.lists.feel has a field \"hard\" among its texts; write texts "
+          "alone, "
+          "{ \"…\", \"…\" }.");
+    CHECK(HostedLesson().load(
+              "local none local t = { 'a' } t[3] = 'c' L:question 'q' { prompt = 'p', "
+              "right = print, answers = t }") ==
+          "lesson.lua:2: question.answers has nothing at one of its places before the text \"c\"; "
+          "is a "
+          "name there that has no value?");
+    CHECK(
+        HostedLesson().load("L:test { expect = { stars = '3' } }") ==
+        "lesson.lua:2: test.expect.stars is a number, true or false; got the text \"3\"; take its "
+        "quotation marks away.");
     CHECK(wrong("answers = 'a'") ==
           "lesson.lua:2: question.answers is a list of texts; got the text \"a\"; put braces "
           "around it, { \"…\", \"…\" }.");

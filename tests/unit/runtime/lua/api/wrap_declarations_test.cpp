@@ -142,7 +142,7 @@ TEST_CASE("declarations: what there is room for, and no more") {
           "lesson.lua:2: a lesson has at most 8 springs, magnets and viscosities.");
     CHECK(HostedLesson().start("world:viscosity { name = 'v', damping = 1 } world:viscosity { name "
                                "= 'v', damping = 1 }") ==
-          "lesson.lua:2: there is already a force \"v\".");
+          "lesson.lua:2: there is already a force \"v\"; give this one another name.");
     CHECK(HostedLesson().start(
               "local h = world:hand {} h:force(print) print('one') h:force(print)") ==
           "lesson.lua:2: a lesson has one force function; this is the second hand:force(…).");

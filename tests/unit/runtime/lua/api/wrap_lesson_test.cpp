@@ -30,7 +30,8 @@ TEST_CASE("lesson: one lesson, questions of different names, hands beside it") {
     CHECK(HostedLesson().load("lesson { id = 'u', title = 'U' }") ==
           "lesson.lua:2: a file makes one lesson; this is the second lesson{…}.");
     const std::string q = "L:question 'q' { prompt = '', answers = { 'a' }, right = print } ";
-    CHECK(HostedLesson().load(q + q) == "lesson.lua:2: there is already a question \"q\".");
+    CHECK(HostedLesson().load(q + q) ==
+          "lesson.lua:2: there is already a question \"q\"; give this one another name.");
     CHECK(HostedLesson().load("L:test { hand = 'sub/x.lua' }") ==
           "lesson.lua:2: test.hand is the name of a Lua file beside the lesson, such as "
           "\"sweep.lua\"; got \"sub/x.lua\".");
@@ -89,7 +90,10 @@ TEST_CASE("lesson: a test expects only what a lesson ends with") {
           "lesson.lua:2: test.expect has no \"happiness\"; it has finished, stars, score, level, "
           "attempts, caught and form_errors.");
     CHECK(sentence("score = 7.5") == "lesson.lua:2: test.expect.score is a whole number; got 7.5.");
-    CHECK(sentence("score = '-'") == "lesson.lua:2: test.expect.score is a whole number; got -.");
+    CHECK(
+        sentence("score = '-'") ==
+        "lesson.lua:2: test.expect.score is a number, true or false; got the text \"-\"; take its "
+        "quotation marks away.");
     CHECK(sentence("score = true") ==
           "lesson.lua:2: test.expect.score is a whole number; got true.");
     CHECK(sentence("finished = 1") ==

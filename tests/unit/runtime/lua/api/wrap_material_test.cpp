@@ -107,7 +107,7 @@ TEST_CASE("materials: what is wrong is told with its line and what was meant") {
         "lesson.lua:2: material.sliding_friction is more than friction; what slides is never held "
         "more than what rests.");
     CHECK(sentence("world:material { name = 'm' } world:material { name = 'm' }") ==
-          "lesson.lua:2: there is already a material \"m\".");
+          "lesson.lua:2: there is already a material \"m\"; give this one another name.");
     CHECK(sentence("for i = 1, 33 do world:material { name = 'm' .. i } end") ==
           "lesson.lua:2: a lesson has at most 32 materials.");
     CHECK(sentence("world:material { name = 'm' }.hardness = 3") ==

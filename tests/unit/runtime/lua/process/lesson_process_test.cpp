@@ -185,7 +185,7 @@ TEST_CASE("lesson process: one sentence with file and line for each mistake of a
     CHECK(in_start("local b = world:body { name = 'b' } b.x = 3") ==
           "lesson.lua:3: body.x can't be set; use body:place{…}, body:drop{…} or body:turn{…}.");
     CHECK(in_start("world:body { name = 'b' } world:body { name = 'b' }") ==
-          "lesson.lua:3: there is already a body \"b\".");
+          "lesson.lua:3: there is already a body \"b\"; give this one another name.");
     CHECK(in_start("world:ask 'x'") == "lesson.lua:3: there is no question \"x\".");
     CHECK(in_start("local b = world:body { name = 'b' } b:drop()") ==
           "lesson.lua:3: b can't fall or be held; declare it with movable = true.");

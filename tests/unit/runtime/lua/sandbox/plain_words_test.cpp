@@ -38,6 +38,20 @@ TEST_CASE("plain words: what Lua cannot read is told with what to do") {
         {"local a = \"one\nlocal b",
          "lesson.lua:2: unfinished string near '\"one'; a text ends on its own line, with the "
          "quotation mark that it began with."},
+        {"local t = {\n  a = 1,\n\nlocal b = 2",
+         "lesson.lua:5: unexpected symbol near 'local'; is a } missing before it?"},
+        {"local t = {\n  a = f { }\n\nlocal b = 2",
+         "lesson.lua:5: '}' expected (to close '{' at line 2) near 'local'; write the } that "
+         "belongs "
+         "to the { of line 2."},
+        {"local t = {\n  a = f { },\nfunction L:start() end",
+         "lesson.lua:4: '(' expected near 'L'; a function with a name stands outside all braces; "
+         "is a } "
+         "missing before it?"},
+        {"local t = {\n  a = function()\n    return 1,\n  b = 2 }",
+         "lesson.lua:5: 'end' expected (to close 'function' at line 3) near '='; write the end of "
+         "that "
+         "function before this, or == where two values are compared."},
         {"print(1)\nend",
          "lesson.lua:3: <eof> expected near 'end'; take out this end, or one before it."},
     };
@@ -53,6 +67,10 @@ TEST_CASE("plain words: what fails while it runs is told with what to do") {
     } rows[] = {
         {"local t = {} t.a.b = 1",
          "lesson.lua:2: attempt to index a nil value (field 'a'); a has no value here."},
+        {"local t = { a = 1 } local k = \"b\" print(\"is \" .. t[k])",
+         "lesson.lua:2: attempt to concatenate a nil value (field '?'); the table has nothing "
+         "under "
+         "the name that is looked for."},
         {"local n = nil print(n + 1)",
          "lesson.lua:2: attempt to perform arithmetic on a nil value (local 'n'); n has no value "
          "here."},

@@ -1,0 +1,173 @@
+// fulcrum check: what is wrong with a lesson, found without a window and without a hand.
+#include "haptics/collision/self_intersection.h"
+#include "runtime/app/headless.h"
+#include "runtime/app/interrupt.h"
+#include "runtime/app/lesson_parts.h"
+#include "runtime/app/question_trials.h"
+#include "runtime/app/quiet_run.h"
+#include "runtime/lesson/free_english.h"
+#include "runtime/lesson/question_notes.h"
+#include "runtime/scene/picture/grey_picture.h"
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace fulcrum::runtime {
+namespace {
+
+/// How much of a lesson is played, under a virtual clock.
+constexpr double kCheckedPlay_s = 600.0;
+/// Who answers where it has no test of its own: every kind of answer shall come.
+constexpr LearnerRates kErringLearner{0.3, 0.2, 0.1};
+/// Who answers when it is played again: hints, what is felt again and solutions come, each of them.
+constexpr LearnerRates kWrongLearner{1.0, 0.0, 0.0};
+
+/// Says each on the terminal; how many there were.
+std::size_t say_each(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) {
+        std::printf("%s\n", note.c_str());
+    }
+    std::fflush(stdout);  // what goes wrong later is told behind it
+    return notes.size();
+}
+
+std::string at_line(int line) {
+    return "lesson.lua:" + std::to_string(line) + ": ";
+}
+
+/// A surface with holes can be touched, so that is no mistake, but it may not feel as it looks. Models that come with the program
+/// are passed over: whoever writes a lesson cannot mend them.
+void add_mesh_notes(const Places& places, const std::filesystem::path& folder,
+                    const LessonDescription& lesson, std::vector<std::string>& notes) {
+    std::set<std::string> told;  // bodies of one model are alike
+    for (const BodyDescription& body : lesson.bodies) {
+        const BodyDescription felt = as_felt(body);
+        const bool is_own = find_model(places, folder, felt.model).parent_path() == folder;
+        if (!body.solid || !is_own || !told.insert(felt.model).second) {
+            continue;
+        }
+        const auto mesh = load_solid_mesh(places, folder, felt);
+        if (!mesh) {
+            continue;  // the plan was compiled from the same file a moment ago
+        }
+        if (const MeshReport report = compute_full_mesh_report(*mesh); !report.is_sound()) {
+            notes.push_back(at_line(felt.line) + felt.name + ": " + to_sentence(report));
+        }
+    }
+}
+
+/// A picture of one grey has no relief, so that is no mistake, but hardly what was meant.
+void add_picture_notes(const LessonDescription& lesson, const std::filesystem::path& folder,
+                       std::vector<std::string>& notes) {
+    for (const MaterialDescription& material : lesson.materials) {
+        if (material.image.empty()) {
+            continue;
+        }
+        const auto picture = load_grey_picture(folder / material.image);
+        if (picture && is_flat(*picture)) {
+            notes.push_back(at_line(material.line) + material.image +
+                            " is one grey all over, so nothing of it is felt; take a picture with "
+                            "dark and light places.");
+        }
+    }
+}
+
+/// The Lua texts that stand in the lesson's own folder.
+std::vector<std::string> own_texts(const LessonRun& run, const std::filesystem::path& folder) {
+    std::vector<std::string> texts;
+    for (const std::filesystem::path& path : run.process().files_read()) {
+        if (path.parent_path() == folder) {
+            std::ifstream file(path);
+            texts.emplace_back(std::istreambuf_iterator<char>(file),
+                               std::istreambuf_iterator<char>());
+        }
+    }
+    return texts;
+}
+
+/// What can be seen before it plays, and is no mistake.
+std::vector<std::string> notes_before_play(const Installation& installation, const LessonRun& run,
+                                           const std::filesystem::path& folder) {
+    const LessonDescription& lesson = run.description();
+    std::vector<std::string> notes;
+    add_mesh_notes(installation.places, folder, lesson, notes);
+    add_picture_notes(lesson, folder, notes);
+    NoteSources sources{own_texts(run, folder)};
+    if (auto check = open_free_english(things_of(lesson)); check) {
+        sources.check = std::move(*check);
+    }
+    for (std::string& note : question_notes(lesson, sources)) {
+        notes.push_back(std::move(note));
+    }
+    notes.insert(notes.end(), run.plan().notices.begin(), run.plan().notices.end());
+    return notes;
+}
+
+/// What a check has come to.
+struct Checked {
+    std::string lesson;
+    std::size_t n_notes = 0;
+};
+
+/// Plays the lesson's own test; gives the exit code.
+int check_as_meant(const Installation& installation, LessonRun& run,
+                   const std::filesystem::path& folder, Checked& checked) {
+    checked.lesson = run.description().id;
+    checked.n_notes = say_each(notes_before_play(installation, run, folder));
+    // What stands in functions is only known to be right when it runs.
+    QuestionTrials trials(run);
+    HeadlessSettings settings;
+    settings.end_s = kCheckedPlay_s;
+    settings.shows_prints = false;
+    settings.after_frame = [&](double now_s) { trials.try_open_one(now_s); };
+    const auto outcome = run_headless(run, settings);
+    if (!outcome || trials.failed()) {
+        return complain(trials.failed() ? *trials.failed() : outcome.error(), 1);
+    }
+    if (const int unmet = tell_unmet_examples(run); unmet != 0) {
+        return unmet;
+    }
+    trials.try_others();
+    checked.n_notes += say_each(trials.notes());
+    return 0;
+}
+
+/// Plays it again with a learner who never knows, so that hints and what is felt again come too, and anything may happen at its end.
+int check_with_errors(LessonRun& run) {
+    HeadlessSettings settings;
+    settings.end_s = kCheckedPlay_s;
+    settings.shows_prints = false;
+    if (const auto outcome = run_headless(run, settings); !outcome) {
+        return complain(outcome.error(), 1);
+    }
+    const auto happened = try_events(run);
+    return happened ? 0 : complain(happened.error(), 1);
+}
+
+}  // namespace
+
+int check_command(const Installation& installation, const Options& options) {
+    Checked checked;
+    RunRequest request = quiet_request(options);
+    request.learner_without_test = kErringLearner;
+    int code = with_run(installation, options, request, [&](LessonRun& run, const auto& folder) {
+        return check_as_meant(installation, run, folder, checked);
+    });
+    if (code != 0 || interrupted()) {
+        return code;
+    }
+    request.learner_rates = kWrongLearner;
+    code = with_run(installation, options, request,
+                    [](LessonRun& run, const auto& /*folder*/) { return check_with_errors(run); });
+    if (code == 0 && checked.n_notes == 0) {
+        std::printf("%s: no mistakes found.\n", checked.lesson.c_str());
+    } else if (code == 0) {
+        std::printf("%s: it can be played, but see the %s above.\n", checked.lesson.c_str(),
+                    checked.n_notes == 1 ? "sentence" : "sentences");
+    }
+    return code;
+}
+
+}  // namespace fulcrum::runtime
