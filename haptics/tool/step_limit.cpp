@@ -27,14 +27,17 @@ Springs find_springs(const ToolPlan& plan) {
     const ToolCouplingSettings& coupling = plan.settings.coupling;
     springs.most_force_N = coupling.shift.stiffness_N_per_m * coupling.clamp_m;
     springs.along_normals = std::holds_alternative<std::vector<VoxelSamplingPlan>>(plan.objects);
-    std::visit(
-        [&](const auto& objects) {
-            for (const auto& object : objects) {
-                springs.stiffness_N_per_m =
-                    std::max(springs.stiffness_N_per_m, object.settings.stiffness_N_per_m);
-            }
-        },
-        plan.objects);
+    const auto take_stiffest = [&](const auto& objects) {
+        for (const auto& object : objects) {
+            springs.stiffness_N_per_m =
+                std::max(springs.stiffness_N_per_m, object.settings.stiffness_N_per_m);
+        }
+    };
+    if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
+        take_stiffest(*voxels);
+    } else if (const auto* fields = std::get_if<std::vector<FieldSamplingPlan>>(&plan.objects)) {
+        take_stiffest(*fields);
+    }
     return springs;
 }
 

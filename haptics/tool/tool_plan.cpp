@@ -84,8 +84,33 @@ Expected<ToolPlan> make_field_tool_plan(const ToolOrder& order,
     return ToolPlan{std::move(objects), make_clamped(order)};
 }
 
+ToolPlan make_god_object_plan(const ToolOrder& order, const std::shared_ptr<const GodSurface>& tool,
+                              const std::vector<std::shared_ptr<const GodSurface>>& objects) {
+    std::vector<GodObjectPlan> plans;
+    plans.reserve(objects.size());
+    for (const std::shared_ptr<const GodSurface>& object : objects) {
+        plans.push_back({object, tool});
+    }
+    return {std::move(plans), make_clamped(order)};
+}
+
+GodObjectSettings make_god_object_settings(const VoxelToolSettings& settings) {
+    GodObjectSettings made;
+    made.coupling = settings.coupling;
+    made.inertia = settings.inertia;
+    made.inertia.moments_kg_m2 =
+        Vector3::Constant(settings.inertia.mass_kg * settings.coupling.turn.stiffness_Nm_per_rad /
+                          settings.coupling.shift.stiffness_N_per_m);
+    made.grip_T = settings.grip_T;
+    made.handle_turn = settings.handle_turn;
+    return made;
+}
+
 std::size_t count_points(const ToolPlan& plan) {
     std::size_t most = 0;
+    if (const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects)) {
+        return meshes->empty() ? 0 : meshes->front().tool->n_places();
+    }
     if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
         for (const VoxelSamplingPlan& object : *voxels) {
             most = std::max(most, object.shell.size());
@@ -102,6 +127,10 @@ Expected<void> validate(const ToolPlan& plan) {
     if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
         return VoxelTool::build(*voxels, plan.settings).map([](const VoxelTool&) {});
     }
+    if (const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects)) {
+        return GodObjectTool::build(*meshes, make_god_object_settings(plan.settings))
+            .map([](const GodObjectTool&) {});
+    }
     return FieldTool::build(std::get<std::vector<FieldSamplingPlan>>(plan.objects), plan.settings)
         .map([](const FieldTool&) {});
 }
@@ -109,6 +138,10 @@ Expected<void> validate(const ToolPlan& plan) {
 std::unique_ptr<ToolSolver> make_tool(const ToolPlan& plan) {
     if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
         return std::make_unique<VoxelTool>(VoxelTool::build(*voxels, plan.settings).value());
+    }
+    if (const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects)) {
+        return std::make_unique<GodObjectTool>(
+            GodObjectTool::build(*meshes, make_god_object_settings(plan.settings)).value());
     }
     return std::make_unique<FieldTool>(
         FieldTool::build(std::get<std::vector<FieldSamplingPlan>>(plan.objects), plan.settings)

@@ -5,11 +5,13 @@
 // and each single point holds twice that as deep as it may be:
 //   k_point s / 2 = 2 F   in voxels of side s, where each pushes within half a voxel
 //   k_point b     = 2 F   in a field whose band is b deep
-// McNeely clamps at c = s / 2, so that with fine voxels a soft coupling could not press.
+// McNeely clamps at c = s / 2, so that with fine voxels a soft coupling could not press. A god-object is clamped likewise; the inertia by which it
+// answers a turn is such that the coupling's springs are what is felt, I = m k_r / k along all axes.
 //
 // Thread: load path.
 #pragma once
 
+#include "haptics/tool/god_object_tool.h"
 #include "haptics/tool/voxel_tool.h"
 
 #include <memory>
@@ -18,8 +20,9 @@
 
 namespace fulcrum {
 
-/// What the tool's points are sampled in, one a solid of the haptic plan, in its order: voxels or fields.
-using ToolObjects = std::variant<std::vector<VoxelSamplingPlan>, std::vector<FieldSamplingPlan>>;
+/// What the tool meets, one a solid of the haptic plan, in its order: voxels or fields, which its points are sampled in, or meshes.
+using ToolObjects = std::variant<std::vector<VoxelSamplingPlan>, std::vector<FieldSamplingPlan>,
+                                 std::vector<GodObjectPlan>>;
 
 struct ToolPlan {
     ToolObjects objects;
@@ -51,7 +54,14 @@ struct ToolOrder {
 [[nodiscard]] Expected<ToolPlan> make_field_tool_plan(
     const ToolOrder& order, const std::vector<FieldSampler::Field>& fields);
 
-/// Points of the tool, against the object that asks for the most of them.
+/// The tool's mesh, about its centre of mass, along its principal axes, among meshes.
+[[nodiscard]] ToolPlan make_god_object_plan(
+    const ToolOrder& order, const std::shared_ptr<const GodSurface>& tool,
+    const std::vector<std::shared_ptr<const GodSurface>>& objects);
+/// Of such a plan: what its tool is built with.
+[[nodiscard]] GodObjectSettings make_god_object_settings(const VoxelToolSettings& settings);
+
+/// Points of the tool, of a god-object the corners of its triangles, against the object that asks for the most of them.
 [[nodiscard]] std::size_t count_points(const ToolPlan& plan);
 
 /// Refuses what the method's build does.

@@ -14,10 +14,11 @@
 
 namespace fulcrum {
 
-/// How a tool's points are kept out of an object, by the names of the literature.
+/// How a tool is kept out of an object, by the names of the literature.
 enum class ToolMethod : std::uint8_t {
     field_sampling,  ///< points in a distance field (Barbic and James 2008)
     voxel_sampling,  ///< points in voxels, tangent planes (McNeely, Puterbaugh and Troy 1999)
+    god_object,  ///< its mesh against theirs, never inside them (Ortega, Redon and Coquillart 2007)
 };
 
 /// How one object acts on the tool.

@@ -33,6 +33,14 @@ double find_farthest_m(const ShellTree& shell, const Vector3& direction_T) {
     return farthest_m;
 }
 
+double find_farthest_m(const GodSurface& surface, const Vector3& direction_T) {
+    double farthest_m = 0.0;
+    for (std::size_t i = 0; i < surface.n_places(); ++i) {
+        farthest_m = std::max(farthest_m, surface.place_B(i).dot(direction_T));
+    }
+    return farthest_m;
+}
+
 }  // namespace
 
 double compute_tool_extent_m(const ToolPlan& plan, const Quaternion& turn_W,
@@ -42,6 +50,8 @@ double compute_tool_extent_m(const ToolPlan& plan, const Quaternion& turn_W,
     double farthest_m = 0.0;
     if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
         farthest_m = voxels->empty() ? 0.0 : find_farthest_m(voxels->front().shell, direction_T);
+    } else if (const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects)) {
+        farthest_m = meshes->empty() ? 0.0 : find_farthest_m(*meshes->front().tool, direction_T);
     } else if (const auto& fields = std::get<std::vector<FieldSamplingPlan>>(plan.objects);
                !fields.empty() && fields.front().shell != nullptr) {
         farthest_m = find_farthest_m(*fields.front().shell, direction_T);

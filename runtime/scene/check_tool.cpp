@@ -92,7 +92,7 @@ Expected<void> check_tool_time(const HandDescription& hand) {
 Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,
                           const Pointshell& shell) {
     const VoxelToolSettings& settings = plan.settings;
-    if (settings.mass == ToolMass::massless ||
+    if (hand.tool->method == ToolMethod::god_object || settings.mass == ToolMass::massless ||
         settings.integrator.integrator == Integrator::backward_euler) {
         return {};
     }
@@ -118,7 +118,7 @@ double find_tool_time_us(double rate_hz) {
 std::optional<std::string> find_tool_notice(const HandDescription& hand, const ToolPlan& plan) {
     const auto n = static_cast<double>(count_points(plan));
     const double most_points = find_tool_time_us(hand.rate_hz) * 1.0e3 / kFieldPoint_ns;
-    if (hand.tool->method == ToolMethod::voxel_sampling || n <= most_points) {
+    if (hand.tool->method != ToolMethod::field_sampling || n <= most_points) {
         return std::nullopt;
     }
     return to_sentence(

@@ -87,6 +87,7 @@ nlohmann::ordered_json json_of_tool(const LessonDescription& lesson, const Plan&
         bodies.push_back({{"name", lesson.bodies[body].name},
                           {"voxels", facts[i].frame.n_cells},
                           {"voxel_m", facts[i].frame.voxel_m},
+                          {"triangles", facts[i].n_triangles},
                           {"memory_bytes", facts[i].bytes},
                           {"source", source_of(plan.tool_shapes[i])}});
     }

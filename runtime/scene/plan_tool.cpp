@@ -163,9 +163,26 @@ void put_in_rows(const TriangleMesh& mesh, int most_points, const ToolBodies& bo
     }
 }
 
+// About its centre of mass, along its principal axes.
+Expected<std::shared_ptr<const GodSurface>> make_surface(const TriangleMesh& mesh,
+                                                         const ToolOrder& order) {
+    const Pose X_PB{order.settings.grip_T, order.settings.handle_turn.conjugate()};
+    std::vector<Vector3> vertices = mesh.vertices_B();
+    for (Vector3& vertex : vertices) {
+        vertex = X_PB * vertex;
+    }
+    return TriangleMesh::build(std::move(vertices), mesh.triangles())
+        .map([](const TriangleMesh& moved) { return GodSurface::create(moved); });
+}
+
 // The tool among its bodies.
-Expected<ToolPlan> put_among(const ToolDescription& tool, const ToolOrder& order,
-                             const ToolBodies& bodies) {
+Expected<ToolPlan> put_among(const ToolDescription& tool, const TriangleMesh& mesh,
+                             const ToolOrder& order, const ToolBodies& bodies) {
+    if (tool.method == ToolMethod::god_object) {
+        return make_surface(mesh, order).map([&](const std::shared_ptr<const GodSurface>& own) {
+            return make_god_object_plan(order, own, bodies.surfaces);
+        });
+    }
     auto made = tool.method == ToolMethod::voxel_sampling
                     ? Expected<ToolPlan>(make_voxel_tool_plan(order, bodies.grids))
                     : make_field_tool_plan(order, bodies.fields);
@@ -191,7 +208,8 @@ std::string name_of(const ToolDescription& tool) {
 }
 
 const char* name_of(ToolMethod method) {
-    return method == ToolMethod::voxel_sampling ? "voxel_sampling" : "field_sampling";
+    constexpr std::array<const char*, 3> kNames{"field_sampling", "voxel_sampling", "god_object"};
+    return kNames.at(static_cast<std::size_t>(method));
 }
 
 Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load_solid,
@@ -242,7 +260,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
         return tl::unexpected(bodies.error());
     }
     put_in_rows(*mesh, lesson.hand.tool->points, *bodies, *order);
-    auto made = put_among(*lesson.hand.tool, *order, *bodies);
+    auto made = put_among(*lesson.hand.tool, *mesh, *order, *bodies);
     if (!made) {
         return refuse_tool(made.error(), lesson.hand.line);
     }
@@ -264,6 +282,13 @@ std::vector<ToolObjectFacts> find_object_facts(const ToolPlan& plan) {
     if (const auto* fields = std::get_if<std::vector<FieldSamplingPlan>>(&plan.objects)) {
         for (const FieldSamplingPlan& object : *fields) {
             facts.push_back({object.field->frame(), object.field->memory_bytes()});
+        }
+        return facts;
+    }
+    if (const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects)) {
+        for (const GodObjectPlan& object : *meshes) {
+            facts.push_back(
+                {{}, object.object->memory_bytes(), object.object->swept().n_triangles()});
         }
         return facts;
     }
@@ -290,17 +315,35 @@ std::string tool_table(const LessonDescription& lesson, const Plan& plan) {
                   tool.stiffness_N_per_m,
                   settings.coupling.turn.stiffness_Nm_per_rad / lesson.hand.scale,
                   name_of(plan.tool_shapes.back()));
+    const bool is_god_object = tool.method == ToolMethod::god_object;
+    if (is_god_object) {
+        std::snprintf(line.data(), line.size(),
+                      "%-16.48s %s, %d corners, %.3g N/m and %.3g Nm/rad in the hand\n",
+                      name_of(tool).c_str(), name_of(tool.method),
+                      static_cast<int>(count_points(*plan.haptic.tool)), tool.stiffness_N_per_m,
+                      settings.coupling.turn.stiffness_Nm_per_rad / lesson.hand.scale);
+    }
     std::string text = line.data();
     const std::vector<ToolObjectFacts> facts = find_object_facts(*plan.haptic.tool);
     for (std::size_t i = 0; i < facts.size(); ++i) {
         const BodyDescription& body =
             lesson.bodies[static_cast<std::size_t>(plan.haptic.solids[i].body)];
         const VoxelFrame::Cell& n = facts[i].frame.n_cells;
+        if (facts[i].n_triangles > 0) {
+            std::snprintf(line.data(), line.size(), "%-16.48s %d triangles, %s, %s\n",
+                          body.noun.c_str(), static_cast<int>(facts[i].n_triangles),
+                          bytes_text(facts[i].bytes).c_str(), name_of(plan.tool_shapes[i]));
+            text += line.data();
+            continue;
+        }
         std::snprintf(line.data(), line.size(), "%-16.48s %d x %d x %d voxels of %s, %s, %s\n",
                       body.noun.c_str(), n[0], n[1], n[2],
                       metres_text(facts[i].frame.voxel_m).c_str(),
                       bytes_text(facts[i].bytes).c_str(), name_of(plan.tool_shapes[i]));
         text += line.data();
+    }
+    if (is_god_object) {
+        return "\nThe tool in the hand, and what it meets:\n" + text;
     }
     std::snprintf(
         line.data(), line.size(),

@@ -32,8 +32,9 @@ namespace fulcrum::runtime {
 
 /// A solid body as the tool meets it.
 struct ToolObjectFacts {
-    VoxelFrame frame;
+    VoxelFrame frame;  ///< of a god-object's body no voxels
     std::size_t bytes = 0;
+    std::int32_t n_triangles = 0;  ///< of a god-object's body
 };
 
 /// Of each solid, in the plan's order.
@@ -42,7 +43,7 @@ struct ToolObjectFacts {
 /// "made now" or "from the cache".
 [[nodiscard]] const char* name_of(ShapeSource source);
 
-/// "voxel_sampling" or "field_sampling", as a lesson calls it.
+/// "voxel_sampling", "field_sampling" or "god_object", as a lesson calls it.
 [[nodiscard]] const char* name_of(ToolMethod method);
 
 /// For people who ask what runs: method, points, springs, and the voxels of each body, made now or from the cache; empty without a

@@ -234,6 +234,11 @@ Expected<ToolBodies> make_tool_bodies(const LessonDescription& lesson, const Too
     ToolBodies made;
     for (std::size_t i = 0; i < list.meshes.size(); ++i) {
         const ToolBodyList::Mesh& of = list.meshes[i];
+        if (tool.method == ToolMethod::god_object) {
+            made.surfaces.push_back(GodSurface::create(of.mesh));
+            made.sources.push_back(ShapeSource::made);
+            continue;
+        }
         LoadProgress part;
         if (progress) {
             part = [&progress, &of, i, n = list.meshes.size()](double share) {
@@ -266,6 +271,7 @@ Expected<ToolBodies> make_tool_bodies(const LessonDescription& lesson, const Too
     }
     made.grids = deal_out(made.grids, list.mesh_of);
     made.fields = deal_out(made.fields, list.mesh_of);
+    made.surfaces = deal_out(made.surfaces, list.mesh_of);
     made.sources = deal_out(made.sources, list.mesh_of);
     return made;
 }

@@ -3,6 +3,7 @@
 //   voxel   as the lesson says; else as fine as a body asks for, and no finer than its share of all voxels allows
 //             s = max(length / 400, (volume of its box / 4 million)^(1/3), s_share, 0.05 mm)
 //             s_share: the body's block, margins and all, has kMostVoxels / n voxels, with n meshes
+//   meshes  as they are, for a god-object
 //   fields  4 voxels deep on both sides of the surface
 //   voxels  the layer that pushes lies one voxel outside the body, which holds the tool out where its points are as near to each
 //           other as voxels are; those that brake reach 4 mm further, in the hand's metres: two steps of a hand at 2 m/s at 1 kHz
@@ -13,6 +14,7 @@
 
 #include "haptics/geometry/triangle_mesh.h"
 #include "haptics/tool/field_sampling.h"
+#include "haptics/tool/god_surface.h"
 #include "haptics/voxel/voxel_grid.h"
 #include "runtime/scene/plan.h"
 
@@ -44,10 +46,11 @@ struct ToolBodyList {
 /// Whether a lesson may ask for voxels of that side of a body so long.
 [[nodiscard]] bool can_be_met_with(double length_m, double voxel_m);
 
-/// One of both kinds for each solid, in the plan's order, the same for bodies that share a mesh.
+/// One of a kind for each solid, in the plan's order, the same for bodies that share a mesh.
 struct ToolBodies {
     std::vector<std::shared_ptr<const VoxelGrid>> grids;
     std::vector<FieldSampler::Field> fields;
+    std::vector<std::shared_ptr<const GodSurface>> surfaces;
     std::vector<ShapeSource> sources;
     std::vector<std::string> notices;  ///< of holes, sheets and thin walls
 };

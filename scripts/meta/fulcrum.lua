@@ -332,7 +332,7 @@ function World:magnet(options) end
 ---@field turn_stiffness? number of the spring that turns it as the hand turns; by default as stiff at its far end as the other spring; what is felt of it is at most 0.3 newton metres, and less where the program is told to be gentler; in newton metres per radian, 0.001 to 10
 ---@field voxel? number side of the cubes that bodies are made of for it; smaller follows their shape more closely and takes more memory: at most 480 along a body and 64 million in all; fine enough for each body by default, and for all together; in metres, 0.0001 to 1
 ---@field points? integer on its surface; more follow it more closely and take more time; voxel_sampling has one a voxel of the tool where that is no more, and is best so: with fewer it pushes sideways beside edges; 100 to 200000; default 2000
----@field method? string how its points are kept outside bodies, by the name of the method: by the distance to their surface, or by cubes that they are made of; "field_sampling" or "voxel_sampling"; default field_sampling
+---@field method? string how it is kept outside bodies, by the name of the method: points on it by the distance to their surface, or by cubes that they are made of; or all of its triangles, which never get into theirs, however thin they are (god_object: mass, points and voxel say nothing then); "field_sampling", "voxel_sampling" or "god_object"; default field_sampling
 ---@field massless? boolean it has no mass of its own: nothing smooths what it meets; default false
 ---@field integrator? string how it is moved on; all but backward_euler want a heavy tool and a soft spring; not with massless; "explicit_euler", "semi_implicit_euler", "verlet", "runge_kutta_4" or "backward_euler"; default backward_euler
 

@@ -46,11 +46,9 @@ TEST_CASE(
     VoxelToolSettings explicit_steps;
     explicit_steps.integrator.integrator = Integrator::runge_kutta_4;
     const std::pair<VoxelToolSettings, ToolMethod> tools[] = {
-        {{}, ToolMethod::field_sampling},
-        {{}, ToolMethod::voxel_sampling},
-        {massless, ToolMethod::field_sampling},
-        {massless, ToolMethod::voxel_sampling},
-        {explicit_steps, ToolMethod::voxel_sampling}};
+        {{}, ToolMethod::field_sampling},       {{}, ToolMethod::voxel_sampling},
+        {{}, ToolMethod::god_object},           {massless, ToolMethod::field_sampling},
+        {massless, ToolMethod::voxel_sampling}, {explicit_steps, ToolMethod::voxel_sampling}};
     for (const auto& [settings, method] : tools) {
         auto channels = std::make_unique<HapticChannels>();
         auto axles = std::make_unique<AxleChannels>();

@@ -38,6 +38,15 @@ inline std::shared_ptr<const ToolPlan> make_tool_of(ToolScene scene,
         make_surface_pointshell(scene.tool, scene.n_points).value());
     order.settings = scene.settings;
     order.most_force_N = scene.most_force_N;
+    if (scene.method == ToolMethod::god_object) {
+        std::vector<std::shared_ptr<const GodSurface>> surfaces;
+        surfaces.reserve(objects.size());
+        for (const TriangleMesh& object : objects) {
+            surfaces.push_back(GodSurface::create(object));
+        }
+        return std::make_shared<const ToolPlan>(
+            make_god_object_plan(order, GodSurface::create(scene.tool), surfaces));
+    }
     std::vector<std::shared_ptr<const VoxelGrid>> grids;
     std::vector<FieldSampler::Field> fields;
     for (const TriangleMesh& object : objects) {

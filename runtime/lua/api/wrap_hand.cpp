@@ -66,9 +66,10 @@ constexpr Parameter kTool[] = {
      "of the tool where that is no more, and is best so: with fewer it pushes sideways beside "
      "edges"},
     {"method", ParameterType::choice, "", 0, 0, "field_sampling",
-     "how its points are kept outside bodies, by the name of the method: by the distance to their "
-     "surface, or by cubes that they are made of",
-     "field_sampling voxel_sampling"},
+     "how it is kept outside bodies, by the name of the method: points on it by the distance to "
+     "their surface, or by cubes that they are made of; or all of its triangles, which never get "
+     "into theirs, however thin they are (god_object: mass, points and voxel say nothing then)",
+     "field_sampling voxel_sampling god_object"},
     {"massless", ParameterType::flag, "", 0, 0, "false",
      "it has no mass of its own: nothing smooths what it meets"},
     {"integrator", ParameterType::choice, "", 0, 0, "backward_euler",
@@ -94,6 +95,13 @@ Integrator integrator_of(std::string_view name) {
                                            "runge_kutta_4", "backward_euler"};
     const auto* const found = std::ranges::find(kNames, name);
     return kIntegrators[static_cast<std::size_t>(found - std::begin(kNames))];
+}
+
+ToolMethod method_of(std::string_view name) {
+    if (name == "god_object") {
+        return ToolMethod::god_object;
+    }
+    return name == "voxel_sampling" ? ToolMethod::voxel_sampling : ToolMethod::field_sampling;
 }
 
 // What is said of a tool and would not be looked at is a mistake.
@@ -156,8 +164,7 @@ ToolDescription take_tool(lua_State* lua, const Arguments& arguments) {
         arguments["turn_stiffness"].given ? arguments["turn_stiffness"].number : 0.0;
     tool.voxel_m = arguments["voxel"].given ? arguments["voxel"].number : 0.0;
     tool.points = static_cast<int>(arguments["points"].number);
-    tool.method = arguments["method"].text == "voxel_sampling" ? ToolMethod::voxel_sampling
-                                                               : ToolMethod::field_sampling;
+    tool.method = method_of(arguments["method"].text);
     tool.massless = arguments["massless"].flag;
     tool.integrator = integrator_of(arguments["integrator"].text);
     return tool;

@@ -91,6 +91,30 @@ TEST_CASE("plan: a tool in the hand is a stage of its own, instead of the proxy'
     }
 }
 
+TEST_CASE("plan: a god-object's tool meets the triangles of bodies, and turns on the same spring") {
+    LessonDescription lesson = make_lesson();
+    lesson.hand.tool->method = ToolMethod::god_object;
+    const auto plan = compile(lesson);
+    REQUIRE(plan);
+    REQUIRE(plan->haptic.tool);
+    CHECK(validate(plan->haptic));
+    const auto& objects = std::get<std::vector<GodObjectPlan>>(plan->haptic.tool->objects);
+    REQUIRE(objects.size() == 1);
+    CHECK(objects[0].object->swept().n_triangles() == 12);
+    const GodObjectSettings settings = make_god_object_settings(plan->haptic.tool->settings);
+    const ToolCouplingSettings& coupling = plan->haptic.tool->settings.coupling;
+    CHECK(settings.coupling.shift.stiffness_N_per_m * settings.inertia.moments_kg_m2.y() /
+              settings.inertia.mass_kg ==
+          Approx(coupling.turn.stiffness_Nm_per_rad));
+    const std::string text = explain(lesson, *plan);
+    CHECK(text.find("god_object, ") != std::string::npos);
+    CHECK(text.find("12 triangles") != std::string::npos);
+    CHECK(text.find("backward Euler") == std::string::npos);
+    const auto tool = nlohmann::json::parse(explain_json(lesson, *plan, nullptr)).at("tool");
+    CHECK(tool["method"] == "god_object");
+    CHECK(tool["bodies"][0]["triangles"] == 12);
+}
+
 TEST_CASE("plan: without a tool nothing of it is there") {
     LessonDescription lesson = make_lesson();
     lesson.hand.tool.reset();
