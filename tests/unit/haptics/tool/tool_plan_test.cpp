@@ -17,6 +17,16 @@ namespace {
 
 constexpr double kDt_s = 0.001;
 
+// Of a plan that has points: its first object.
+template <class Change>
+void change_points(ToolPlan& plan, const Change& change) {
+    if (auto* const voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
+        change(voxels->front());
+    } else if (auto* const fields = std::get_if<std::vector<FieldSamplingPlan>>(&plan.objects)) {
+        change(fields->front());
+    }
+}
+
 constexpr ToolMethod kMethods[] = {ToolMethod::field_sampling, ToolMethod::voxel_sampling};
 
 TriangleMesh make_floor_box() {
@@ -117,11 +127,10 @@ TEST_CASE("tool plan: what cannot be a tool is refused") {
             std::visit([](auto& objects) { objects.clear(); }, plan.objects);
         }));
         CHECK(refused(method, [](ToolPlan& plan) {
-            std::visit([](auto& objects) { objects[0].shell = {}; }, plan.objects);
+            change_points(plan, [](auto& object) { object.shell = {}; });
         }));
         CHECK(refused(method, [](ToolPlan& plan) {
-            std::visit([](auto& objects) { objects[0].settings.stiffness_N_per_m = -1.0; },
-                       plan.objects);
+            change_points(plan, [](auto& object) { object.settings.stiffness_N_per_m = -1.0; });
         }));
         CHECK(refused(method, [](ToolPlan& plan) { plan.settings.inertia.mass_kg = 0.0; }));
         CHECK(refused(method, [](ToolPlan& plan) {
