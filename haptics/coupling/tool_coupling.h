@@ -24,6 +24,9 @@
 #include "haptics/math/rotation.h"
 #include "haptics/math/wrench_jacobian.h"
 
+#include <algorithm>
+#include <span>
+
 namespace fulcrum {
 
 /// The half that answers a turn. With the last three fields zero the spring is linear up to pi.
@@ -65,6 +68,14 @@ struct MovingFrame {
     Pose pose_W{};
     Twist velocity_W{};
 };
+
+[[nodiscard]] inline bool is_finite(const MovingFrame& frame) noexcept {
+    return is_finite(frame.pose_W) && frame.velocity_W.linear.allFinite() &&
+           frame.velocity_W.angular.allFinite();
+}
+[[nodiscard]] inline bool are_finite(std::span<const MovingFrame> frames) noexcept {
+    return std::ranges::all_of(frames, [](const MovingFrame& one) { return is_finite(one); });
+}
 
 /// Of a place that moves with the frame.
 [[nodiscard]] inline Vector3 compute_velocity_at(const MovingFrame& frame,

@@ -30,7 +30,7 @@ Push compute_push(const PlaneContact& contact, const BodyPoint& point) noexcept 
     if (!(depth_m > 0.0)) {
         return {};
     }
-    const double sinking_m_per_s = -contact.normal_W.dot(point.velocity);
+    const double sinking_m_per_s = -contact.normal_W.dot(point.velocity - contact.plane_velocity_W);
     // s(d) = min(d / d_r, 1); its slope is 1/d_r on the ramp and 0 behind it.
     const bool on_ramp = depth_m < contact.damping_ramp_m;
     const double share = on_ramp ? depth_m / contact.damping_ramp_m : 1.0;

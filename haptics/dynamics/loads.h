@@ -2,7 +2,7 @@
 //
 //   spring     F = -k (p - a) - b u                  at the body's point p = x + R r, u its velocity
 //   contact    d = -n.(p - p0) > 0:  f = k d + b s(d) (-n.u),  F = max(f, 0) n;   s(d) = min(d/d_r, 1)
-//              A wall pushes and never holds. With d_r > 0 the damper comes in over that depth, so F is
+//              u relative to the plane, where that moves. A wall pushes and never holds. With d_r > 0 the damper comes in over that depth, so F is
 //              continuous at the touch; d_r = 0 is the plain Kelvin-Voigt law, which jumps there by b |u|, and
 //              then an implicit step that ends at the touch may have no solution (StepStatus).
 //   coupling   tool_coupling.h, at the grip p = x + R c; the handle moves on from its stamp along its twist
@@ -56,12 +56,13 @@ class PointSpringLoad final : public Load {
 
 /// A body's point that may touch a plane.
 struct PlaneContact {
-    Vector3 point_B{Vector3::Zero()};        ///< metres from the centre of mass, body frame
-    Vector3 plane_point_W{Vector3::Zero()};  ///< any place on the plane, metres
-    Vector3 normal_W{Vector3::UnitY()};      ///< unit, out of the obstacle
-    double stiffness_N_per_m = 2000.0;       ///< 0 or more
-    double damping_Ns_per_m = 0.0;           ///< 0 or more
-    double damping_ramp_m = 1.0e-4;          ///< depth over which the damper comes in, 0 or more
+    Vector3 point_B{Vector3::Zero()};           ///< metres from the centre of mass, body frame
+    Vector3 plane_point_W{Vector3::Zero()};     ///< any place on the plane, metres
+    Vector3 normal_W{Vector3::UnitY()};         ///< unit, out of the obstacle
+    Vector3 plane_velocity_W{Vector3::Zero()};  ///< of the obstacle where the point is, m/s
+    double stiffness_N_per_m = 2000.0;          ///< 0 or more
+    double damping_Ns_per_m = 0.0;              ///< 0 or more
+    double damping_ramp_m = 1.0e-4;             ///< depth over which the damper comes in, 0 or more
 };
 
 /// How deep the contact's point lies behind its plane, metres; negative outside.

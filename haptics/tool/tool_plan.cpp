@@ -12,6 +12,9 @@ constexpr double kFullContacts = 4.0;     // points in voxels that push with all
 constexpr double kLookAheadCycles = 2.0;  // what leads nowhere within two steps is not braked
 constexpr std::size_t kCachedBytes = 2U << 20U;  // a grid up to here is faster than a tree
 constexpr int kTreeDepth = 2;
+constexpr double kNearShare = 0.1;     // of the tool's reach: what counts as near at most
+constexpr double kNearVoxels = 0.5;    // and of a field's voxel, so that a clearance of one is free
+constexpr double kClusterShare = 0.3;  // of its reach: how wide a cluster is
 
 VoxelToolSettings make_clamped(const ToolOrder& order) {
     VoxelToolSettings settings = order.settings;
@@ -22,6 +25,25 @@ VoxelToolSettings make_clamped(const ToolOrder& order) {
         std::min(std::numbers::pi, order.most_force_N * compute_reach_m(*order.shell) /
                                        coupling.turn.stiffness_Nm_per_rad);
     return settings;
+}
+
+// What contacts are found and pushed by, as a plan has it.
+ImplicitPenaltyPlan make_penalty(const ToolPlan& plan) {
+    ImplicitPenaltyPlan penalty;
+    for (const auto& object : std::get<std::vector<FieldSamplingPlan>>(plan.objects)) {
+        penalty.objects.push_back({object.field, object.shell});
+    }
+    const VoxelToolSettings& settings = plan.settings;
+    penalty.settings = {.coupling = settings.coupling,
+                        .critically_damped = settings.critically_damped,
+                        .inertia = settings.inertia,
+                        .grip_T = settings.grip_T,
+                        .handle_turn = settings.handle_turn,
+                        .silent_in_free_space = settings.silent_in_free_space,
+                        .contacts = plan.penalty->contacts,
+                        .clusters = plan.penalty->clusters,
+                        .round_s = plan.penalty->round_s};
+    return penalty;
 }
 
 // What is large is kept as a tree.
@@ -106,6 +128,26 @@ GodObjectSettings make_god_object_settings(const VoxelToolSettings& settings) {
     return made;
 }
 
+Expected<ToolPlan> make_penalty_tool_plan(const ToolOrder& order,
+                                          const std::vector<FieldSampler::Field>& fields) {
+    return make_field_tool_plan(order, fields).map([&](ToolPlan plan) {
+        const double reach_m = compute_reach_m(*order.shell);
+        double within_m = kNearShare * reach_m;
+        for (const FieldSampler::Field& field : fields) {
+            if (field != nullptr) {
+                within_m = std::min(within_m, kNearVoxels * field->frame().voxel_m);
+            }
+        }
+        PenaltyPlan penalty;
+        penalty.contacts = {.stiffness_N_per_m = kHoldsTimes * order.most_force_N / within_m,
+                            .damping_Ns_per_m = kCriticalDamping,
+                            .within_m = within_m};
+        penalty.clusters.radius_m = std::max(kClusterShare * reach_m, within_m);
+        plan.penalty = penalty;
+        return plan;
+    });
+}
+
 std::size_t count_points(const ToolPlan& plan) {
     std::size_t most = 0;
     if (const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects)) {
@@ -124,6 +166,9 @@ std::size_t count_points(const ToolPlan& plan) {
 }
 
 Expected<void> validate(const ToolPlan& plan) {
+    if (plan.penalty) {
+        return ImplicitPenaltyTool::build(make_penalty(plan)).map([](const auto&) {});
+    }
     if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
         return VoxelTool::build(*voxels, plan.settings).map([](const VoxelTool&) {});
     }
@@ -136,6 +181,10 @@ Expected<void> validate(const ToolPlan& plan) {
 }
 
 std::unique_ptr<ToolSolver> make_tool(const ToolPlan& plan) {
+    if (plan.penalty) {
+        return std::make_unique<ImplicitPenaltyTool>(
+            ImplicitPenaltyTool::build(make_penalty(plan)).value());
+    }
     if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
         return std::make_unique<VoxelTool>(VoxelTool::build(*voxels, plan.settings).value());
     }

@@ -5,16 +5,21 @@
 // and each single point holds twice that as deep as it may be:
 //   k_point s / 2 = 2 F   in voxels of side s, where each pushes within half a voxel
 //   k_point b     = 2 F   in a field whose band is b deep
-// McNeely clamps at c = s / 2, so that with fine voxels a soft coupling could not press. A god-object is clamped likewise; the inertia by which it
-// answers a turn is such that the coupling's springs are what is felt, I = m k_r / k along all axes.
+// McNeely clamps at c = s / 2, so that with fine voxels a soft coupling could not press.
+// Among clusters of contact that push from d outside on, each holds it outside:
+//   k_cluster d   = 2 F
+// A god-object is clamped likewise; the inertia by which it answers a turn is such that the coupling's springs are what is felt,
+// I = m k_r / k along all axes.
 //
 // Thread: load path.
 #pragma once
 
 #include "haptics/tool/god_object_tool.h"
+#include "haptics/tool/implicit_penalty.h"
 #include "haptics/tool/voxel_tool.h"
 
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -24,9 +29,17 @@ namespace fulcrum {
 using ToolObjects = std::variant<std::vector<VoxelSamplingPlan>, std::vector<FieldSamplingPlan>,
                                  std::vector<GodObjectPlan>>;
 
+/// How clusters of contact push, where they do (implicit_penalty.h).
+struct PenaltyPlan {
+    ContactPlanesSettings contacts{};
+    ContactClusterSettings clusters{};
+    double round_s = 0.0;  ///< of the contact rounds; 0: each step
+};
+
 struct ToolPlan {
     ToolObjects objects;
     VoxelToolSettings settings{};
+    std::optional<PenaltyPlan> penalty{};  ///< then among fields, which find the contacts
 
     [[nodiscard]] std::size_t n_objects() const {
         return std::visit([](const auto& plans) { return plans.size(); }, objects);
@@ -52,6 +65,10 @@ struct ToolOrder {
 
 /// The tool among fields, pushed along their slopes, so that no closed way gains energy. Refuses a shell that has no tree.
 [[nodiscard]] Expected<ToolPlan> make_field_tool_plan(
+    const ToolOrder& order, const std::vector<FieldSampler::Field>& fields);
+
+/// The tool among contacts that fields find, held by planes.
+[[nodiscard]] Expected<ToolPlan> make_penalty_tool_plan(
     const ToolOrder& order, const std::vector<FieldSampler::Field>& fields);
 
 /// The tool's mesh, about its centre of mass, along its principal axes, among meshes.

@@ -16,8 +16,9 @@ namespace fulcrum {
 
 /// How a tool is kept out of an object, by the names of the literature.
 enum class ToolMethod : std::uint8_t {
-    field_sampling,  ///< points in a distance field (Barbic and James 2008)
-    voxel_sampling,  ///< points in voxels, tangent planes (McNeely, Puterbaugh and Troy 1999)
+    field_sampling,    ///< points in a distance field (Barbic and James 2008)
+    voxel_sampling,    ///< points in voxels, tangent planes (McNeely, Puterbaugh and Troy 1999)
+    implicit_penalty,  ///< contacts in clusters, planes, one implicit step (Otaduy and Lin 2005)
     god_object,  ///< its mesh against theirs, never inside them (Ortega, Redon and Coquillart 2007)
 };
 

@@ -10,11 +10,6 @@
 namespace fulcrum {
 namespace {
 
-bool is_number(const MovingFrame& frame) noexcept {
-    return is_finite(frame.pose_W) && frame.velocity_W.linear.allFinite() &&
-           frame.velocity_W.angular.allFinite();
-}
-
 // The velocity with which pull + damping velocity is at most `most`, along it; `most` 0: any. Along the damper's axes.
 Vector3 limit_velocity(const Vector3& velocity, const Vector3& pull, const Vector3& damping,
                        double most) noexcept {
@@ -155,7 +150,7 @@ VoxelContact SampledTool<Sampling, Plan>::look(double now_s) noexcept {
 
 template <class Sampling, class Plan>
 bool SampledTool<Sampling, Plan>::is_free(std::span<const MovingFrame> objects) const noexcept {
-    if (objects.size() != samplings_.size() || !std::ranges::all_of(objects, is_number)) {
+    if (objects.size() != samplings_.size() || !are_finite(objects)) {
         return false;
     }
     begin_time(1);
@@ -205,8 +200,7 @@ VoxelToolResult SampledTool<Sampling, Plan>::run(MovingFrame handle,
                                                  std::span<const MovingFrame> objects, double now_s,
                                                  double dt_s) noexcept {
     VoxelToolResult result;
-    if (objects.size() != samplings_.size() || !is_number(handle) ||
-        !std::ranges::all_of(objects, is_number)) {
+    if (objects.size() != samplings_.size() || !is_finite(handle) || !are_finite(objects)) {
         result.moved = false;
         result.step.status = StepStatus::not_finite;
         return result;

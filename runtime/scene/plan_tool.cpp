@@ -185,6 +185,8 @@ Expected<ToolPlan> put_among(const ToolDescription& tool, const TriangleMesh& me
     }
     auto made = tool.method == ToolMethod::voxel_sampling
                     ? Expected<ToolPlan>(make_voxel_tool_plan(order, bodies.grids))
+                : tool.method == ToolMethod::implicit_penalty
+                    ? make_penalty_tool_plan(order, bodies.fields)
                     : make_field_tool_plan(order, bodies.fields);
     if (!made) {
         return made;
@@ -208,7 +210,8 @@ std::string name_of(const ToolDescription& tool) {
 }
 
 const char* name_of(ToolMethod method) {
-    constexpr std::array<const char*, 3> kNames{"field_sampling", "voxel_sampling", "god_object"};
+    constexpr std::array<const char*, 4> kNames{"field_sampling", "voxel_sampling",
+                                                "implicit_penalty", "god_object"};
     return kNames.at(static_cast<std::size_t>(method));
 }
 

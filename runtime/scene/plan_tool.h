@@ -43,7 +43,7 @@ struct ToolObjectFacts {
 /// "made now" or "from the cache".
 [[nodiscard]] const char* name_of(ShapeSource source);
 
-/// "voxel_sampling", "field_sampling" or "god_object", as a lesson calls it.
+/// "field_sampling", "voxel_sampling", "implicit_penalty" or "god_object", as a lesson calls it.
 [[nodiscard]] const char* name_of(ToolMethod method);
 
 /// For people who ask what runs: method, points, springs, and the voxels of each body, made now or from the cache; empty without a

@@ -11,11 +11,11 @@ set(load_path
     mesh_report.cpp.o solid_moments.cpp.o shape.cpp.o triangle_mesh.cpp.o weld.cpp.o crack.cpp.o mesh_edges.cpp.o convex_hull.cpp.o self_intersection.cpp.o
     axle_settings.cpp.o mesh_inertia.cpp.o shape_inertia.cpp.o joint_settings.cpp.o rigid_world_build.cpp.o rigid_loop_build.cpp.o body_stage_build.cpp.o axle_stage_build.cpp.o solid_places_build.cpp.o tool_stage_build.cpp.o tool_plan.cpp.o step_limit.cpp.o make_proxy.cpp.o make_obstacle.cpp.o solid_shape.cpp.o
     voxelise.cpp.o voxmap.cpp.o pointshell.cpp.o surface_samples.cpp.o sampled_shape_build.cpp.o voxel_sampling_build.cpp.o voxel_tool_build.cpp.o
-    record_header.cpp.o recorded_traits.cpp.o record_layout.cpp.o record_reader.cpp.o record_writer.cpp.o
+    record_header.cpp.o record_hand.cpp.o stand_in_device_build.cpp.o record_hand.cpp.o stand_in_device_build.cpp.o recorded_traits.cpp.o record_layout.cpp.o record_reader.cpp.o record_writer.cpp.o
     friction.cpp.o texture_settings.cpp.o transient_settings.cpp.o surface_plan.cpp.o material.cpp.o materials.cpp.o relief.cpp.o
     texture_map_build.cpp.o texture_build.cpp.o shading_build.cpp.o contact_stage_build.cpp.o texture_stage_build.cpp.o
     transient_stage_build.cpp.o surface_effects_build.cpp.o
-    sha256.cpp.o shape_bytes.cpp.o distance_field_bytes.cpp.o distance_band.cpp.o brick_sides.cpp.o brick_triangles.cpp.o shape_fit.cpp.o wall_thickness.cpp.o distance_field_build.cpp.o distance_field_settings.cpp.o shell_tree.cpp.o field_sampling_build.cpp.o field_load_build.cpp.o
+    sha256.cpp.o shape_bytes.cpp.o distance_field_bytes.cpp.o distance_band.cpp.o brick_sides.cpp.o brick_triangles.cpp.o shape_fit.cpp.o wall_thickness.cpp.o distance_field_build.cpp.o distance_field_settings.cpp.o shell_tree.cpp.o field_sampling_build.cpp.o field_load_build.cpp.o field_contacts_build.cpp.o contact_loop_build.cpp.o implicit_penalty_build.cpp.o god_object_tool_build.cpp.o god_surface.cpp.o
     kite.cpp.o wind_settings.cpp.o line_build.cpp.o kite_flight_build.cpp.o line_feel_settings.cpp.o kite_loop_build.cpp.o kite_swap_build.cpp.o
     contact_solver_settings.cpp.o least_constraint_build.cpp.o swept_mesh.cpp.o
     link_device_build.cpp.o arm_server_build.cpp.o
@@ -34,7 +34,7 @@ set(load_functions
     "virtual_proxy.cpp.o=VirtualProxy::~?VirtualProxy"
     "contact_problem.cpp.o=ContactProblem::~?ContactProblem" "block_system.cpp.o=BlockSystem::~?BlockSystem"
     "dantzig_solver.cpp.o=DantzigSolver::~?DantzigSolver|BodyMotion::~?BodyMotion|IncrementalLdlt::~" "incremental_ldlt.cpp.o=IncrementalLdlt::IncrementalLdlt"
-    "newton_solver.cpp.o=NewtonSolver::~?NewtonSolver|BlockSystem::~|BodyMotion::~?BodyMotion|SetSolver::~" "set_solver.cpp.o=SetSolver::SetSolver" "iterative_solver.cpp.o=IterativeSolver::~?IterativeSolver|BodyMotion::~?BodyMotion"
+    "newton_solver.cpp.o=NewtonSolver::~?NewtonSolver|BlockSystem::~|BodyMotion::~?BodyMotion|SetSolver::~" "set_solver.cpp.o=SetSolver::SetSolver" "god_pair.cpp.o=GodPair::~?GodPair" "iterative_solver.cpp.o=IterativeSolver::~?IterativeSolver|BodyMotion::~?BodyMotion"
     "touch_motion.cpp.o=TouchMotion::TouchMotion" "touch_teller.cpp.o=TouchTeller::TouchTeller"
     "triangle_clusters.cpp.o=TriangleClusters::TriangleClusters|build_(leaves|parents)" "slope_boxes.cpp.o=SlopeBoxes::SlopeBoxes" "distance_field.cpp.o=memory_bytes"
     "bounding_tree.cpp.o=BoundingTree::BoundingTree|build_nodes|find_centres|put_in_order|memory_bytes")

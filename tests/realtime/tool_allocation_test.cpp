@@ -48,7 +48,8 @@ TEST_CASE(
     const std::pair<VoxelToolSettings, ToolMethod> tools[] = {
         {{}, ToolMethod::field_sampling},       {{}, ToolMethod::voxel_sampling},
         {{}, ToolMethod::god_object},           {massless, ToolMethod::field_sampling},
-        {massless, ToolMethod::voxel_sampling}, {explicit_steps, ToolMethod::voxel_sampling}};
+        {massless, ToolMethod::voxel_sampling}, {explicit_steps, ToolMethod::voxel_sampling},
+        {{}, ToolMethod::implicit_penalty}};
     for (const auto& [settings, method] : tools) {
         auto channels = std::make_unique<HapticChannels>();
         auto axles = std::make_unique<AxleChannels>();

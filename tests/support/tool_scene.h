@@ -50,7 +50,7 @@ inline std::shared_ptr<const ToolPlan> make_tool_of(ToolScene scene,
     std::vector<std::shared_ptr<const VoxelGrid>> grids;
     std::vector<FieldSampler::Field> fields;
     for (const TriangleMesh& object : objects) {
-        if (scene.method == ToolMethod::field_sampling) {
+        if (scene.method != ToolMethod::voxel_sampling) {
             const double length_m = (object.upper_B() - object.lower_B()).maxCoeff();
             const int n_along =
                 8 * static_cast<int>(std::ceil(length_m / scene.voxel_m / 8.0)) + 16;
@@ -63,9 +63,16 @@ inline std::shared_ptr<const ToolPlan> make_tool_of(ToolScene scene,
             voxelise(object, {.voxel_m = scene.voxel_m, .offset_layers = 1, .proximity_layers = 2})
                 .value()));
     }
-    return std::make_shared<const ToolPlan>(scene.method == ToolMethod::field_sampling
-                                                ? make_field_tool_plan(order, fields).value()
-                                                : make_voxel_tool_plan(order, grids));
+    switch (scene.method) {
+        case ToolMethod::field_sampling:
+            return std::make_shared<const ToolPlan>(make_field_tool_plan(order, fields).value());
+        case ToolMethod::implicit_penalty:
+            return std::make_shared<const ToolPlan>(make_penalty_tool_plan(order, fields).value());
+        case ToolMethod::voxel_sampling:
+        case ToolMethod::god_object:
+            break;
+    }
+    return std::make_shared<const ToolPlan>(make_voxel_tool_plan(order, grids));
 }
 
 }  // namespace fulcrum::test

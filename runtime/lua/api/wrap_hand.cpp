@@ -67,9 +67,11 @@ constexpr Parameter kTool[] = {
      "edges"},
     {"method", ParameterType::choice, "", 0, 0, "field_sampling",
      "how it is kept outside bodies, by the name of the method: points on it by the distance to "
-     "their surface, or by cubes that they are made of; or all of its triangles, which never get "
-     "into theirs, however thin they are (god_object: mass, points and voxel say nothing then)",
-     "field_sampling voxel_sampling god_object"},
+     "their surface, or by cubes that they are made of; or by planes that a few clusters of "
+     "contact lie on, which hold even where contact is found late (implicit_penalty); or all of "
+     "its triangles, which never get into theirs, however thin they are (god_object: mass, points "
+     "and voxel say nothing then)",
+     "field_sampling voxel_sampling implicit_penalty god_object"},
     {"massless", ParameterType::flag, "", 0, 0, "false",
      "it has no mass of its own: nothing smooths what it meets"},
     {"integrator", ParameterType::choice, "", 0, 0, "backward_euler",
@@ -101,6 +103,9 @@ ToolMethod method_of(std::string_view name) {
     if (name == "god_object") {
         return ToolMethod::god_object;
     }
+    if (name == "implicit_penalty") {
+        return ToolMethod::implicit_penalty;
+    }
     return name == "voxel_sampling" ? ToolMethod::voxel_sampling : ToolMethod::field_sampling;
 }
 
@@ -130,7 +135,11 @@ void check_tool_size(lua_State* lua, const Arguments& arguments) {
         {"length", has_model, "a model has its own size"},
         {"length", !has_model && shape == "ball", "a ball has none"},
         {"mass", arguments["massless"].flag, "it is massless"},
-        {"integrator", arguments["massless"].flag, "it is massless, and rests where all balances"}};
+        {"integrator", arguments["massless"].flag, "it is massless, and rests where all balances"},
+        {"integrator", arguments["method"].text == "implicit_penalty",
+         "implicit_penalty is moved on by backward_euler"},
+        {"massless", arguments["method"].text == "implicit_penalty",
+         "implicit_penalty moves a mass"}};
     for (const auto& [given, is_clash, because] : clashes) {
         if (is_clash && arguments[given].given) {
             raise_in_lesson(lua, std::string("the tool's ") + given + " is of no use: " + because +

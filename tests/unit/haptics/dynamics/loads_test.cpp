@@ -1,6 +1,7 @@
 #include "haptics/dynamics/loads.h"
 
 #include "tests/support/adding_load.h"
+#include "tests/support/differentiated_loads.h"
 #include "tests/unit/haptics/dynamics/integrator_fixture.h"
 
 #include <catch2/catch.hpp>
@@ -15,50 +16,6 @@ using namespace fulcrum::test;
 namespace {
 
 constexpr double kRounding = 1.0e-12;
-
-Vector6 wrench_at(const Load& load, const RigidState& state) {
-    Wrench wrench;
-    load.add_wrench(state, 0.0, wrench);
-    Vector6 both;
-    both << wrench.force, wrench.torque;
-    return both;
-}
-
-RigidState perturbed(RigidState state, int column, bool velocity, double by) {
-    const Vector3 along = by * Vector3::Unit(column % 3);
-    if (velocity) {
-        (column < 3 ? state.velocity_W.linear : state.velocity_W.angular) += along;
-    } else if (column < 3) {
-        state.pose_W.position += along;
-    } else {
-        state.pose_W.orientation = compute_exp(along) * state.pose_W.orientation;
-    }
-    return state;
-}
-
-// The largest difference between the analytic derivatives and central differences, over the largest entry.
-double jacobian_error(const Load& load, const RigidState& state) {
-    Wrench wrench;
-    WrenchJacobian analytic;
-    load.add_linearised_wrench(state, 0.0, wrench, analytic);
-    Vector6 both;
-    both << wrench.force, wrench.torque;
-    double worst = (both - wrench_at(load, state)).norm();
-    constexpr double kStep = 1.0e-6;
-    for (const bool velocity : {false, true}) {
-        const Matrix6& jacobian = velocity ? analytic.velocity : analytic.pose;
-        const double size = std::max(1.0, jacobian.cwiseAbs().maxCoeff());
-        for (int column = 0; column < 6; ++column) {
-            const Vector6 difference =
-                (wrench_at(load, perturbed(state, column, velocity, kStep)) -
-                 wrench_at(load, perturbed(state, column, velocity, -kStep))) /
-                (2.0 * kStep);
-            worst =
-                std::max(worst, (difference - jacobian.col(column)).cwiseAbs().maxCoeff() / size);
-        }
-    }
-    return worst;
-}
 
 // Central differences of 1e-6 on laws whose third derivatives are some 1e4 of the first: 1e-8 and rounding.
 constexpr double kDifferences = 1.0e-6;
@@ -107,8 +64,8 @@ TEST_CASE("loads: a constant load is what it is") {
     const ConstantLoad load({{1.0, -2.0, 3.0}, {0.1, 0.2, -0.3}});
     Vector6 expected;
     expected << 1.0, -2.0, 3.0, 0.1, 0.2, -0.3;
-    CHECK((wrench_at(load, any_state()) - expected).norm() == 0.0);
-    CHECK(jacobian_error(load, any_state()) < kDifferences);
+    CHECK((find_wrench(load, any_state()) - expected).norm() == 0.0);
+    CHECK(find_jacobian_error(load, any_state()) < kDifferences);
 }
 
 TEST_CASE("loads: a point spring pulls to its anchor, damps its point, and turns by its arm") {
@@ -118,7 +75,7 @@ TEST_CASE("loads: a point spring pulls to its anchor, damps its point, and turns
                                 .damping_Ns_per_m = 2.0});
     RigidState state;
     state.velocity_W.angular = {0.0, 0.0, 4.0};  // the point moves at -0.4 along x
-    const Vector6 wrench = wrench_at(load, state);
+    const Vector6 wrench = find_wrench(load, state);
     CHECK(wrench[0] == Approx(30.0 + 0.8).epsilon(kRounding));
     CHECK(wrench[5] == Approx(-0.1 * 30.8).epsilon(kRounding));
     CHECK(wrench.segment<4>(1).norm() < kRounding);
@@ -127,7 +84,7 @@ TEST_CASE("loads: a point spring pulls to its anchor, damps its point, and turns
 TEST_CASE("loads: a contact pushes along its normal with k d - b u_n, and makes torque") {
     const std::array<PlaneContact, 1> contacts{kContact};
     const PlaneContactsLoad load(contacts);
-    const Vector6 wrench = wrench_at(load, touching(0.001, 0.1));
+    const Vector6 wrench = find_wrench(load, touching(0.001, 0.1));
     const double push_N = 2000.0 * 0.001 + 5.0 * 0.1;
     CHECK((wrench.head<3>() - push_N * kContact.normal_W).norm() < 1.0e-10);
     CHECK((wrench.tail<3>() - kContact.point_B.cross(push_N * kContact.normal_W)).norm() < 1.0e-10);
@@ -207,11 +164,11 @@ TEST_CASE("loads: every analytic derivative is that of finite differences") {
                              {{0.1, -0.2, 0.3}, {1.0, 2.0, -1.0}}};
     CHECK(rc::check([&] {
         const RigidState state = random_state();
-        RC_ASSERT(jacobian_error(PointSpringLoad(spring), state) < kDifferences);
+        RC_ASSERT(find_jacobian_error(PointSpringLoad(spring), state) < kDifferences);
         for (const ToolCouplingSettings& settings : {plain, saturating, clamped}) {
             ToolCouplingLoad coupling(settings, {0.01, -0.02, 0.03});
             coupling.set_handle(handle, -0.01);
-            RC_ASSERT(jacobian_error(coupling, state) < kDifferences);
+            RC_ASSERT(find_jacobian_error(coupling, state) < kDifferences);
         }
     }));
 }
@@ -230,10 +187,37 @@ TEST_CASE(
             const double push_N = compute_push_N(kContact, state);
             const double ramped_N = compute_push_N(ramped, state);
             if ((depth_m < 0.0) || (push_N > 1e-3 && ramped_N > 1e-3)) {
-                RC_ASSERT(jacobian_error(PlaneContactsLoad(contacts), state) < kDifferences);
+                RC_ASSERT(find_jacobian_error(PlaneContactsLoad(contacts), state) < kDifferences);
             }
         }
     }));
+}
+
+TEST_CASE("loads: contact and coupling have the derivatives that automatic differentiation finds") {
+    const ToolCouplingSettings coupling{
+        .shift = {.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 4.0},
+        .turn = {.stiffness_Nm_per_rad = 0.5, .damping_Nms_per_rad = {0.001, 0.003, 0.002}}};
+    const MovingFrame handle{{{0.03, 0.01, -0.04}, compute_exp({0.3, 0.8, -0.5})},
+                             {{0.1, -0.2, 0.3}, {1.0, 2.0, -1.0}}};
+    const Vector3 grip(0.01, -0.02, 0.03);
+    int n_pushing = 0;
+    CHECK(rc::check([&] {
+        RigidState state = random_state();
+        ToolCouplingLoad load(coupling, grip);
+        load.set_handle(handle, 0.0);
+        RC_ASSERT(find_slope_error(load, state, find_coupling(coupling, handle, grip, state)) <
+                  1.0e-9);
+        // A wall that moves, met a millimetre deep.
+        PlaneContact contact = kContact;
+        contact.plane_velocity_W = {0.1, -0.3, 0.2};
+        state.pose_W.position -=
+            (0.001 - compute_depth_m(contact, state.pose_W)) * contact.normal_W;
+        const std::array<PlaneContact, 1> contacts{contact};
+        RC_ASSERT(find_slope_error(PlaneContactsLoad(contacts), state,
+                                   find_contact(contact, state)) < 1.0e-9);
+        n_pushing += compute_push_N(contact, state) > 0.0 ? 1 : 0;
+    }));
+    CHECK(n_pushing > 20);
 }
 
 TEST_CASE("loads: the hand feels the opposite of what the coupling does to the tool at its grip") {
@@ -241,7 +225,7 @@ TEST_CASE("loads: the hand feels the opposite of what the coupling does to the t
     load.set_handle({{{0.01, 0.0, 0.0}, compute_exp({0.0, 0.3, 0.0})}, {}}, 0.0);
     const RigidState state = any_state();
     const Wrench felt = load.compute_felt_wrench(state, 0.0);
-    const Vector6 on_tool = wrench_at(load, state);
+    const Vector6 on_tool = find_wrench(load, state);
     const Vector3 arm = state.pose_W.orientation * Vector3(0.02, 0.01, -0.03);
     CHECK((on_tool.head<3>() + felt.force).norm() < kRounding);
     CHECK((on_tool.tail<3>() + felt.torque + arm.cross(felt.force)).norm() < kRounding);
@@ -284,8 +268,8 @@ TEST_CASE("loads: several as one add up") {
     const RigidState state = touching(0.002, 0.0);
     const Loads all(weight, spring, contact);
     const Vector6 sum =
-        wrench_at(weight, state) + wrench_at(spring, state) + wrench_at(contact, state);
-    CHECK((wrench_at(all, state) - sum).norm() < kRounding);
-    CHECK(jacobian_error(all, state) < kDifferences);
-    CHECK(wrench_at(Loads<>(), state).norm() == 0.0);
+        find_wrench(weight, state) + find_wrench(spring, state) + find_wrench(contact, state);
+    CHECK((find_wrench(all, state) - sum).norm() < kRounding);
+    CHECK(find_jacobian_error(all, state) < kDifferences);
+    CHECK(find_wrench(Loads<>(), state).norm() == 0.0);
 }

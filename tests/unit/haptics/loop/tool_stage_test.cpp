@@ -80,7 +80,8 @@ TEST_CASE("tool stage: free space gives exactly nothing, however the hand moves 
 TEST_CASE(
     "tool stage: pressed on a floor the tool stays outside, and the hand feels the coupling's "
     "stretch") {
-    for (const ToolMethod method : {ToolMethod::field_sampling, ToolMethod::voxel_sampling}) {
+    for (const ToolMethod method :
+         {ToolMethod::field_sampling, ToolMethod::voxel_sampling, ToolMethod::implicit_penalty}) {
         Bench bench(make_floor(Vector3::Zero(), 1.0, method));
         begin(bench);
         go(bench, Vector3(0.01, 0.016, 0.0));
@@ -98,7 +99,8 @@ TEST_CASE(
 }
 
 TEST_CASE("tool stage: no hand presses the tool through; it feels the limit") {
-    for (const ToolMethod method : {ToolMethod::field_sampling, ToolMethod::voxel_sampling}) {
+    for (const ToolMethod method :
+         {ToolMethod::field_sampling, ToolMethod::voxel_sampling, ToolMethod::implicit_penalty}) {
         Bench bench(make_floor(Vector3::Zero(), 1.0, method));
         begin(bench);
         go(bench, Vector3(0.0, -0.03, 0.0));

@@ -27,7 +27,8 @@ void change_points(ToolPlan& plan, const Change& change) {
     }
 }
 
-constexpr ToolMethod kMethods[] = {ToolMethod::field_sampling, ToolMethod::voxel_sampling};
+constexpr ToolMethod kMethods[] = {ToolMethod::field_sampling, ToolMethod::voxel_sampling,
+                                   ToolMethod::implicit_penalty};
 
 TriangleMesh make_floor_box() {
     return make_box({0.2, 0.04, 0.2}).value();
@@ -62,6 +63,13 @@ TEST_CASE("tool plan: the coupling pulls and turns with at most the force that m
             const FieldSamplingPlan& field = first_field(*plan);
             CHECK(field.settings.stiffness_N_per_m * field.field->band_m() == Approx(8.0));
             CHECK(field.settings.along == ForceAlong::slopes);
+        }
+        // And so does a cluster, where the layer in which it pushes ends.
+        CHECK(plan->penalty.has_value() == (method == ToolMethod::implicit_penalty));
+        if (plan->penalty) {
+            const ContactPlanesSettings& contacts = plan->penalty->contacts;
+            CHECK(contacts.stiffness_N_per_m * contacts.within_m == Approx(8.0));
+            CHECK(contacts.within_m <= 0.1 * 0.0201);
         }
     }
 }
@@ -131,6 +139,9 @@ TEST_CASE("tool plan: what cannot be a tool is refused") {
         }));
         CHECK(refused(method, [](ToolPlan& plan) {
             change_points(plan, [](auto& object) { object.settings.stiffness_N_per_m = -1.0; });
+            if (plan.penalty) {
+                plan.penalty->contacts.stiffness_N_per_m = -1.0;
+            }
         }));
         CHECK(refused(method, [](ToolPlan& plan) { plan.settings.inertia.mass_kg = 0.0; }));
         CHECK(refused(method, [](ToolPlan& plan) {
@@ -229,7 +240,7 @@ TEST_CASE("tool plan: a box among voxels is lifted along its side faces, whichev
 
 TEST_CASE(
     "tool plan: a tool that lies flat and still is held in few iterations, by the force of many") {
-    for (const ToolMethod method : kMethods) {
+    for (const ToolMethod method : {ToolMethod::field_sampling, ToolMethod::voxel_sampling}) {
         ToolScene scene = make_ball_tool(method);
         scene.tool = make_box({0.02, 0.02, 0.1}).value();
         scene.inertia = make_box_inertia(0.02, {0.02, 0.02, 0.1});

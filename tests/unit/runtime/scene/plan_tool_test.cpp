@@ -57,11 +57,13 @@ std::string refusal(const LessonDescription& lesson) {
 }  // namespace
 
 TEST_CASE("plan: a tool in the hand is a stage of its own, instead of the proxy's") {
-    for (const ToolMethod method : {ToolMethod::field_sampling, ToolMethod::voxel_sampling}) {
+    for (const ToolMethod method :
+         {ToolMethod::field_sampling, ToolMethod::voxel_sampling, ToolMethod::implicit_penalty}) {
         LessonDescription lesson = make_lesson();
         lesson.hand.tool->method = method;
         const auto plan = compile(lesson);
         REQUIRE(plan);
+        CHECK(plan->haptic.tool->penalty.has_value() == (method == ToolMethod::implicit_penalty));
         CHECK(validate(plan->haptic));
         CHECK(plan->has("haptic", "tool"));
         CHECK_FALSE(plan->has("haptic", "proxy"));
@@ -73,9 +75,7 @@ TEST_CASE("plan: a tool in the hand is a stage of its own, instead of the proxy'
         CHECK(text.find("lesson.lua:7") != std::string::npos);
         CHECK(text.find("2000 points, backward Euler, 500 N/m") != std::string::npos);
         CHECK(text.find("block            4") != std::string::npos);
-        CHECK(
-            text.find(method == ToolMethod::voxel_sampling ? "voxel_sampling" : "field_sampling") !=
-            std::string::npos);
+        CHECK(text.find(name_of(method)) != std::string::npos);
         // The same for programs.
         const auto tool = nlohmann::json::parse(explain_json(lesson, *plan, nullptr)).at("tool");
         CHECK(tool["name"] == "cylinder");

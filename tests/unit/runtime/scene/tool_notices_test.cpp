@@ -38,7 +38,8 @@ std::vector<std::string> notices_of(const LessonDescription& lesson, const Vecto
     return plan->notices;
 }
 
-constexpr ToolMethod kMethods[]{ToolMethod::field_sampling, ToolMethod::voxel_sampling};
+constexpr ToolMethod kMethods[]{ToolMethod::field_sampling, ToolMethod::voxel_sampling,
+                                ToolMethod::implicit_penalty};
 
 }  // namespace
 

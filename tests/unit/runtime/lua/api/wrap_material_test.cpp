@@ -240,7 +240,11 @@ TEST_CASE("hand: mistakes with a tool get one sentence") {
         {"shape = 'ball', length = 0.1", "length is of no use: a ball has none"},
         {"massless = true, mass = 0.1", "mass is of no use: it is massless"},
         {"massless = true, integrator = 'verlet'",
-         "integrator is of no use: it is massless, and rests where all balances"}};
+         "integrator is of no use: it is massless, and rests where all balances"},
+        {"method = 'implicit_penalty', integrator = 'verlet'",
+         "integrator is of no use: implicit_penalty is moved on by backward_euler"},
+        {"method = 'implicit_penalty', massless = true",
+         "massless is of no use: implicit_penalty moves a mass"}};
     for (const auto& [fields, because] : useless) {
         CHECK(sentence("world:hand { tool = { " + fields + " } }") ==
               "lesson.lua:2: the tool's " + because + "; leave it out.");
@@ -255,7 +259,7 @@ TEST_CASE("hand: mistakes with a tool get one sentence") {
     CHECK(sentence("world:hand { tool = { shape = 'capsule', length = 0.04 } }")
               .find("a capsule is longer than twice its radius") != std::string::npos);
     CHECK(sentence("world:hand { tool = { method = 'magic' } }")
-              .find("\"field_sampling\", \"voxel_sampling\" or \"god_object\"") !=
+              .find("\"voxel_sampling\", \"implicit_penalty\" or \"god_object\"") !=
           std::string::npos);
     CHECK(sentence("world:hand { tool = { mass = 5 } }").find("0.005 to 1") != std::string::npos);
 }

@@ -1,0 +1,68 @@
+#include "haptics/tool/contact_loop.h"
+
+#include "haptics/math/spatial.h"
+
+#include <algorithm>
+
+namespace fulcrum {
+namespace {
+
+bool is_place(const ToolPlace& place) noexcept {
+    return place.stamp_s >= 0.0 && is_finite(place.tool) &&
+           are_finite(std::span(place.objects).first(static_cast<std::size_t>(place.n_objects)));
+}
+
+}  // namespace
+
+void ContactLoop::tell(const ToolPlace& place) noexcept {
+    model_.n = 0;
+    for (std::size_t i = 0; i < finders_.size(); ++i) {
+        const MovingFrame& object = place.objects[i];
+        const Quaternion q_OW = object.pose_W.orientation.conjugate();
+        const Pose X_OT = object.pose_W.inverse() * place.tool.pose_W;
+        const Twist seen_O{
+            q_OW * Vector3(place.tool.velocity_W.linear -
+                           compute_velocity_at(object, place.tool.pose_W.position)),
+            q_OW * Vector3(place.tool.velocity_W.angular - object.velocity_W.angular)};
+        for (const ContactCluster& cluster : clusters_[i].all()) {
+            // The oldest of each object come first; what is too much is left out.
+            if (model_.n == kMostClusters) {
+                return;
+            }
+            model_.contacts[static_cast<std::size_t>(model_.n++)] = {static_cast<std::int32_t>(i),
+                                                                     cluster, X_OT, seen_O};
+        }
+    }
+}
+
+void ContactLoop::step(double /*now_s*/) noexcept {
+    if (!channels_.place.take()) {
+        return;
+    }
+    const ToolPlace& place = channels_.place.value();
+    if (static_cast<std::size_t>(place.n_objects) != finders_.size() || !is_place(place)) {
+        return;
+    }
+    if (place.n_placements != n_placements_) {
+        n_placements_ = place.n_placements;
+        model_.stamp_s = -1.0;
+        std::ranges::for_each(clusters_, [](ContactClusters& one) { one.clear(); });
+    }
+    const double dt_s = model_.stamp_s < 0.0 ? 0.0 : std::max(place.stamp_s - model_.stamp_s, 0.0);
+    model_.n_near = 0;
+    for (std::size_t i = 0; i < finders_.size(); ++i) {
+        const Pose X_OT = place.objects[i].pose_W.inverse() * place.tool.pose_W;
+        near_.clear();
+        finders_[i]->find(X_OT, settings_.clusters.within_m, near_);
+        model_.n_near += static_cast<std::int32_t>(near_.count());
+        clusters_[i].update(near_.all(), X_OT, dt_s);
+    }
+    tell(place);
+    model_.stamp_s = place.stamp_s;
+    model_.n_placements = place.n_placements;
+    channels_.model.publish(model_);
+}
+
+void ContactLoop::silence(double /*now_s*/) noexcept {}
+
+}  // namespace fulcrum

@@ -1,0 +1,61 @@
+// The contact thread's round: where is the tool near anything, in a few clusters?
+//
+//   fetch the tool's place -> find what is near, object by object -> cluster -> tell the haptic loop
+// It goes as fast as it can; the haptic loop goes on with the last answer, as a model of the surfaces near it (contact_planes.h).
+//
+// Thread: one beside the haptic one, or that itself, or a virtual clock. Cost: that of finding and 0.1 us a contact; no allocation.
+// Source: M. Otaduy, M. Lin 2005, section 3.1.
+#pragma once
+
+#include "haptics/base/periodic_task.h"
+#include "haptics/tool/contact_model.h"
+
+#include <memory>
+#include <vector>
+
+namespace fulcrum {
+
+/// Fixed at load.
+struct ContactLoopSettings {
+    ContactClusterSettings clusters{};  ///< `most` is of all objects together
+    int most_near = 2048;               ///< contacts an object at a time, 32 to 65536
+};
+
+/// Refuses settings outside their ranges, NaN included.
+[[nodiscard]] Expected<void> validate(const ContactLoopSettings& settings);
+
+class ContactLoop final : public PeriodicTask {
+  public:
+    /// Refuses what `validate` does, no finder, a null one, and more than kMaxSolids. The channels outlive it.
+    [[nodiscard]] static Expected<std::unique_ptr<ContactLoop>> create(
+        std::vector<std::unique_ptr<ContactFinder>> finders, const ContactLoopSettings& settings,
+        ContactChannels& channels);
+
+    ContactLoop(const ContactLoop&) = delete;
+    ContactLoop& operator=(const ContactLoop&) = delete;
+    ~ContactLoop() override;
+
+    /// One round. Nothing is told before the haptic loop has told of a place, nor of one that is no number.
+    void step(double now_s) noexcept override;
+    /// It drives nothing: the haptic loop lets go by itself.
+    void silence(double now_s) noexcept override;
+
+    [[nodiscard]] double reach_m() const noexcept { return finders_.front()->reach_m(); }
+    [[nodiscard]] std::size_t n_objects() const noexcept { return finders_.size(); }
+    [[nodiscard]] std::size_t memory_bytes() const noexcept;
+
+  private:
+    ContactLoop(std::vector<std::unique_ptr<ContactFinder>> finders,
+                const ContactLoopSettings& settings, ContactChannels& channels);
+    void tell(const ToolPlace& place) noexcept;
+
+    std::vector<std::unique_ptr<ContactFinder>> finders_;
+    std::vector<ContactClusters> clusters_;  // one an object
+    ContactLoopSettings settings_;
+    ContactChannels& channels_;
+    BoundedList<NearContact> near_;
+    ContactModel model_{};
+    std::uint32_t n_placements_ = 0;
+};
+
+}  // namespace fulcrum

@@ -1,0 +1,267 @@
+// A tool held out by clusters of contact (implicit_penalty.h) where that is hardest: a peg wedged by a turn, a plate on a thousand contacts, a
+// sheet between two sheets, a wedge, a bar spun at 20 rad/s in a cage, tools of 1 to 500 g, and a contact thread that stalls for 200 ms.
+#include "haptics/geometry/shape.h"
+#include "haptics/math/rotation.h"
+#include "haptics/tool/tool_plan.h"
+#include "tests/stability/cases/stability_case.h"
+#include "tests/support/gear.h"
+#include "tests/support/tool_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace fulcrum::stability {
+namespace {
+
+constexpr double kDt_s = 0.001;
+constexpr double kMost_N = 5.0;
+
+test::ToolScene make_scene(const TriangleMesh& tool, const Inertia& inertia, double voxel_m) {
+    test::ToolScene scene{.tool = tool,
+                          .inertia = inertia,
+                          .method = ToolMethod::implicit_penalty,
+                          .voxel_m = voxel_m,
+                          .n_points = 3000,
+                          .most_force_N = kMost_N};
+    scene.settings.coupling.shift.stiffness_N_per_m = 500.0;
+    scene.settings.coupling.turn.stiffness_Nm_per_rad = 0.2;
+    return scene;
+}
+
+// What a course led to: the worst of its last fifth, in which the hand is still, and of all of it.
+struct Rest {
+    double speed_m_per_s = 0.0;
+    double ripple_N = 0.0;
+    double felt_N = 0.0;
+    double most_N = 0.0;  // ever
+    double most_Nm = 0.0;
+    double step_N = 0.0;  // from one millisecond to the next, ever
+    bool moved = true;
+};
+
+Rest run(ToolSolver& tool, std::size_t n_objects, int n_steps,
+         const std::function<MovingFrame(double)>& hand, bool place = true) {
+    const std::vector<MovingFrame> objects(n_objects);
+    if (place) {
+        tool.place(hand(0.0).pose_W);
+    }
+    Rest rest;
+    double least_N = HUGE_VAL;
+    double greatest_N = 0.0;
+    Vector3 last_N = Vector3::Zero();
+    Vector3 last_m = tool.grip_W().position;
+    for (int i = 1; i <= n_steps; ++i) {
+        const ToolFelt felt =
+            tool.move(hand(static_cast<double>(i) / n_steps), objects, i * kDt_s, kDt_s);
+        const double felt_N = felt.felt_W.force.norm();
+        rest.moved = rest.moved && felt.moved;
+        rest.most_N = worse(rest.most_N, felt_N);
+        rest.most_Nm = worse(rest.most_Nm, felt.felt_W.torque.norm());
+        rest.step_N = worse(rest.step_N, (felt.felt_W.force - last_N).norm());
+        if (i > n_steps * 4 / 5) {
+            rest.speed_m_per_s =
+                worse(rest.speed_m_per_s, (tool.grip_W().position - last_m).norm() / kDt_s);
+            least_N = std::min(least_N, felt_N);
+            greatest_N = worse(greatest_N, felt_N);
+        }
+        rest.felt_N = felt_N;
+        last_N = felt.felt_W.force;
+        last_m = tool.grip_W().position;
+    }
+    rest.ripple_N = greatest_N - least_N;
+    return rest;
+}
+
+constexpr const char* kMeasured =
+    "worst of: speed at rest in 5 mm/s, ripple in 0.05 N, force ever felt in the clamp's, its step "
+    "in a millisecond in 2 N; 100: it could not be moved, or nothing is felt";
+
+Finding judge(const Rest& rest, double least_N = 0.5) {
+    double worst = worse(rest.speed_m_per_s / 5.0e-3, rest.ripple_N / 0.05);
+    worst = worse(worst, rest.most_N / (1.0001 * kMost_N));
+    worst = worse(worst, rest.step_N / 2.0);
+    worst = worse(worst, rest.moved && rest.felt_N >= least_N ? 0.0 : 100.0);
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(),
+                  "%.2g N at rest, ripple %.1g N, %.1g mm/s, at most %.2g N, steps of %.2g N",
+                  rest.felt_N, rest.ripple_N, 1.0e3 * rest.speed_m_per_s, rest.most_N, rest.step_N);
+    return {worst, 1.0, text.data()};
+}
+
+Finding worse_of(const Finding& a, const Finding& b) {
+    return {worse(a.worst, b.worst), a.limit, a.note + "; " + b.note};
+}
+
+std::function<MovingFrame(double)> along(const Vector3& from, const Vector3& to) {
+    return [from, to](double share) {
+        return MovingFrame{Pose::at(from + std::min(1.0, 2.0 * share) * (to - from)), {}};
+    };
+}
+
+Finding wedge_peg_by_turn() {
+    const test::ToolScene scene = make_scene(make_peg(0.01, 0.06, 72).value(),
+                                             make_box_inertia(0.05, {0.02, 0.02, 0.06}), 0.001);
+    const auto tool =
+        make_tool(*test::make_tool_of(scene, {make_bush(0.02, 0.0115, 0.03, 35).value()}));
+    // In, then turned askew by a third of a radian and pressed down on that.
+    return judge(run(*tool, 1, 4000, [](double share) {
+        const double in = std::min(1.0, 4.0 * share);
+        const double askew = std::clamp(4.0 * share - 1.0, 0.0, 1.0);
+        return MovingFrame{
+            {{0.0, 0.006 * askew, 0.07 - 0.07 * in}, compute_exp(Vector3(0.33 * askew, 0.0, 0.0))},
+            {}};
+    }));
+}
+
+Finding rest_on_a_thousand() {
+    const Vector3 size(0.1, 0.01, 0.1);
+    const auto tool = make_tool(
+        *test::make_tool_of(make_scene(make_box(size).value(), make_box_inertia(0.1, size), 0.002),
+                            {make_box({0.2, 0.02, 0.2}).value()}));
+    return judge(run(*tool, 1, 1000, along({0.0, 0.03, 0.0}, {0.0, 0.01, 0.0})));
+}
+
+// A plate of 2 mm goes in between two of 4 mm that are 3 mm apart, is pressed on one, and on the other.
+Finding slide_between_sheets() {
+    const TriangleMesh sheet = make_box({0.12, 0.004, 0.08}).value();
+    const Vector3 size(0.06, 0.002, 0.04);
+    const auto tool = make_tool(*test::make_tool_of(
+        make_scene(make_box(size).value(), make_box_inertia(0.02, size), 0.001), {sheet, sheet}));
+    const std::array<MovingFrame, 2> sheets{
+        {{Pose::at({0.0, -0.0035, 0.0}), {}}, {Pose::at({0.0, 0.0035, 0.0}), {}}}};
+    Finding all{0.0, 1.0, {}};
+    for (const double side : {-1.0, 1.0}) {
+        tool->place(Pose::at({-0.12, 0.0, 0.0}));
+        Rest rest;
+        double least_N = HUGE_VAL;
+        double greatest_N = 0.0;
+        Vector3 last_N = Vector3::Zero();
+        for (int i = 1; i <= 3000; ++i) {
+            const double in = std::min(1.0, i / 1000.0);
+            const double press = std::clamp(i / 1000.0 - 1.0, 0.0, 1.0);
+            const Vector3 before = tool->grip_W().position;
+            const ToolFelt felt =
+                tool->move({Pose::at({-0.12 + 0.12 * in, side * 0.004 * press, 0.0}), {}}, sheets,
+                           i * kDt_s, kDt_s);
+            rest.moved = rest.moved && felt.moved;
+            rest.felt_N = felt.felt_W.force.norm();
+            rest.most_N = worse(rest.most_N, rest.felt_N);
+            rest.step_N = worse(rest.step_N, (felt.felt_W.force - last_N).norm());
+            last_N = felt.felt_W.force;
+            if (i > 2600) {
+                rest.speed_m_per_s =
+                    worse(rest.speed_m_per_s, (tool->grip_W().position - before).norm() / kDt_s);
+                least_N = std::min(least_N, rest.felt_N);
+                greatest_N = worse(greatest_N, rest.felt_N);
+            }
+        }
+        rest.ripple_N = greatest_N - least_N;
+        Finding one = judge(rest);
+        // It may not have gone through either.
+        one.worst = worse(one.worst, std::abs(tool->grip_W().position.y()) < 0.0015 ? 0.0 : 100.0);
+        all = all.note.empty() ? one : worse_of(all, one);
+    }
+    return all;
+}
+
+// A bar in the square hole of a bush of four sides, which it cannot turn in: the hand turns at 20 rad/s.
+Finding spin_in_cage() {
+    const Vector3 size(0.05, 0.008, 0.02);
+    const auto tool = make_tool(
+        *test::make_tool_of(make_scene(make_box(size).value(), make_box_inertia(0.02, size), 0.001),
+                            {make_bush(0.05, 0.03, 0.04, 4).value()}));
+    Rest rest = run(*tool, 1, 3000, [](double share) {
+        const double angle = 20.0 * 3.0 * share;
+        return MovingFrame{{Vector3::Zero(), compute_exp(Vector3(0.0, 0.0, angle))},
+                           {Vector3::Zero(), Vector3(0.0, 0.0, 20.0)}};
+    });
+    // It is struck about all the time, so nothing rests; it stays within the cage, and the force within the clamp.
+    const double away_m = tool->grip_W().position.norm();
+    const double clamp_Nm = 1.01 * kMost_N * 0.5 * size.norm();
+    std::array<char, 96> text{};
+    std::snprintf(text.data(), text.size(), "at most %.2g N and %.2g Nm, %.2g mm off the middle",
+                  rest.most_N, rest.most_Nm, 1.0e3 * away_m);
+    double worst = worse(rest.most_N / (1.0001 * kMost_N), rest.most_Nm / clamp_Nm);
+    worst = worse(worst, away_m / 0.03);
+    return {rest.moved && rest.most_Nm > 0.5 * clamp_Nm ? worst : 100.0, 1.0, text.data()};
+}
+
+Finding press_light_and_heavy() {
+    Finding all{0.0, 1.0, {}};
+    for (const double mass_kg : {0.001, 0.01, 0.1, 0.5}) {
+        const Vector3 size(0.04, 0.02, 0.04);
+        const auto tool = make_tool(*test::make_tool_of(
+            make_scene(make_box(size).value(), make_box_inertia(mass_kg, size), 0.002),
+            {make_box({0.2, 0.04, 0.2}).value()}));
+        const Finding one = judge(run(*tool, 1, 2000, along({0.0, 0.06, 0.0}, {0.0, 0.01, 0.0})));
+        all = all.note.empty() ? one : worse_of(all, one);
+    }
+    return all;
+}
+
+// The hand slides over a block and off its edge while nothing is told of contact, from 0.5 s to 0.7 s.
+Finding stall_contact_thread() {
+    const Vector3 size(0.04, 0.02, 0.04);
+    const ToolPlan plan =
+        *test::make_tool_of(make_scene(make_box(size).value(), make_box_inertia(0.01, size), 0.002),
+                            {make_box({0.1, 0.04, 0.1}).value()});
+    ImplicitPenaltyPlan penalty;
+    for (const auto& object : std::get<std::vector<FieldSamplingPlan>>(plan.objects)) {
+        penalty.objects.push_back({object.field, object.shell});
+    }
+    penalty.settings.coupling = plan.settings.coupling;
+    penalty.settings.inertia = plan.settings.inertia;
+    penalty.settings.contacts = plan.penalty->contacts;
+    penalty.settings.clusters = plan.penalty->clusters;
+    penalty.settings.own_rounds = false;
+    auto tool = ImplicitPenaltyTool::build(penalty).value();
+    const MovingFrame block;
+    tool.place(Pose::at({-0.03, 0.04, 0.0}));
+    Rest rest;
+    Vector3 last_N = Vector3::Zero();
+    for (int i = 1; i <= 1400; ++i) {
+        const double t_s = i * kDt_s;
+        if (t_s < 0.5 || t_s > 0.7) {
+            tool.contact_loop().step(t_s);
+        }
+        const double down = std::min(1.0, t_s / 0.3) - std::clamp((t_s - 0.9) / 0.3, 0.0, 1.0);
+        const Vector3 at(-0.03 + 0.12 * std::clamp((t_s - 0.3) / 0.5, 0.0, 1.0),
+                         0.04 - 0.015 * down, 0.0);
+        const ToolFelt felt = tool.move({Pose::at(at), {}}, {&block, 1}, t_s, kDt_s);
+        rest.moved = rest.moved && felt.moved;
+        rest.felt_N = felt.felt_W.force.norm();
+        rest.most_N = worse(rest.most_N, rest.felt_N);
+        rest.step_N = worse(rest.step_N, (felt.felt_W.force - last_N).norm());
+        last_N = felt.felt_W.force;
+    }
+    // At the end the hand has left, and nothing is felt.
+    Finding finding = judge(rest, 0.0);
+    finding.worst = worse(finding.worst, rest.felt_N > 0.0 ? 100.0 : 0.0);
+    finding.worst = worse(finding.worst, rest.most_N > 2.0 ? 0.0 : 100.0);
+    return finding;
+}
+
+const HardCase kTurned{{"penalty peg wedged by a turn", "in a hole, turned askew, pressed",
+                        kMeasured, "", wedge_peg_by_turn}};
+const HardCase kFlat{{"penalty tool flat on a thousand contacts", "a plate at rest on a plate",
+                      kMeasured, "", rest_on_a_thousand}};
+const HardCase kSheets{{"penalty sheet between two sheets", "2 mm between 3 mm, pressed on either",
+                        kMeasured, "", slide_between_sheets}};
+const HardCase kSpun{
+    {"penalty bar spun in a cage", "20 rad/s against four walls that it cannot turn between",
+     "force and torque ever felt in the clamps', way from the middle in 3 cm; 100: it could not "
+     "be moved, or turned freely",
+     "", spin_in_cage}};
+const HardCase kMasses{{"penalty tools of 1 to 500 g", "pressed far deeper than the coupling pulls",
+                        kMeasured, "", press_light_and_heavy}};
+const HardCase kStalled{{"penalty tool while contact stalls",
+                         "200 ms without a round of the contact thread, over an edge", kMeasured,
+                         "", stall_contact_thread}};
+
+}  // namespace
+}  // namespace fulcrum::stability

@@ -1,0 +1,161 @@
+#include "haptics/tool/contact_loop.h"
+
+#include "haptics/math/rotation.h"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+using namespace fulcrum;
+
+namespace {
+
+// A floor at y = 0 of its frame under a tool that has one point.
+class OnePoint final : public ContactFinder {
+  public:
+    explicit OnePoint(int& n_asked) : n_asked_(n_asked) {}
+    void find(const Pose& X_OT, double within_m, BoundedList<NearContact>& near) noexcept override {
+        ++n_asked_;
+        const double depth_m = -(X_OT * kPoint).y();
+        if (depth_m > -within_m) {
+            near.add({kPoint, Vector3::UnitY(), depth_m});
+        }
+    }
+    [[nodiscard]] double reach_m() const noexcept override { return kPoint.norm(); }
+    [[nodiscard]] std::size_t memory_bytes() const noexcept override { return sizeof(*this); }
+
+    static inline const Vector3 kPoint{0.0, -0.01, 0.0};
+
+  private:
+    int& n_asked_;
+};
+
+struct Bench {
+    int n_asked = 0;
+    ContactChannels channels;
+    std::unique_ptr<ContactLoop> loop;
+
+    explicit Bench(std::size_t n_objects = 1) {
+        std::vector<std::unique_ptr<ContactFinder>> finders;
+        for (std::size_t i = 0; i < n_objects; ++i) {
+            finders.push_back(std::make_unique<OnePoint>(n_asked));
+        }
+        loop = ContactLoop::create(std::move(finders), {}, channels).value();
+    }
+    // Where the contact model is, if there is a new one.
+    const ContactModel* look(const ToolPlace& place) {
+        channels.place.publish(place);
+        loop->step(0.0);
+        return channels.model.take() ? &channels.model.value() : nullptr;
+    }
+};
+
+ToolPlace place_at(double y_m, double stamp_s = 0.0, std::int32_t n_objects = 1) {
+    ToolPlace place;
+    place.stamp_s = stamp_s;
+    place.tool.pose_W = Pose::at({0.0, y_m, 0.0});
+    place.n_objects = n_objects;
+    return place;
+}
+
+}  // namespace
+
+TEST_CASE("contact loop: it tells of the newest place, once") {
+    Bench bench;
+    bench.loop->step(0.0);
+    CHECK_FALSE(bench.channels.model.take());
+    CHECK(bench.n_asked == 0);
+    const ContactModel* model = bench.look(place_at(0.0096, 0.5));
+    REQUIRE(model != nullptr);
+    CHECK(model->stamp_s == 0.5);
+    CHECK(model->n_near == 1);
+    REQUIRE(model->n == 1);
+    CHECK(model->contacts[0].cluster.depth_m == Approx(0.0004).epsilon(1e-9));
+    CHECK(model->contacts[0].cluster.place_O.norm() < 1.0e-12);
+    // Nothing new: nothing is looked at again.
+    bench.loop->step(1.0);
+    CHECK(bench.n_asked == 1);
+    CHECK_FALSE(bench.channels.model.take());
+    bench.loop->silence(1.0);
+}
+
+TEST_CASE("contact loop: what an object sees of the tool is relative to it") {
+    Bench bench(2);
+    ToolPlace place = place_at(0.0, 0.0, 2);
+    // The second object lies on its side elsewhere, on its way, and the tool goes with it, turning a little faster.
+    MovingFrame& object = place.objects[1];
+    object.pose_W = {{0.5, 0.4, 0.3}, compute_exp(Vector3(0.0, 0.0, -1.2))};
+    object.velocity_W = {{0.2, -0.1, 0.4}, {0.0, 3.0, 0.0}};
+    const Pose X_OT = {Vector3(0.02, 0.0098, 0.0), Quaternion::Identity()};
+    place.tool.pose_W = object.pose_W * X_OT;
+    place.tool.velocity_W.linear = compute_velocity_at(object, place.tool.pose_W.position);
+    place.tool.velocity_W.angular =
+        object.velocity_W.angular + object.pose_W.orientation * Vector3(0.0, 0.0, 0.5);
+    place.objects[0].pose_W = Pose::at({0.0, -5.0, 0.0});
+    const ContactModel* model = bench.look(place);
+    REQUIRE(model != nullptr);
+    REQUIRE(model->n == 1);
+    const ToldContact& told = model->contacts[0];
+    CHECK(told.object == 1);
+    CHECK((told.X_OT.position - X_OT.position).norm() < 1.0e-12);
+    CHECK(told.velocity_O.linear.norm() < 1.0e-12);
+    CHECK((told.velocity_O.angular - Vector3(0.0, 0.0, 0.5)).norm() < 1.0e-12);
+    CHECK(told.cluster.depth_m == Approx(0.0002).epsilon(1e-9));
+}
+
+TEST_CASE("contact loop: a place that is none tells nothing, and the next one is told again") {
+    Bench bench;
+    ToolPlace spoiled = place_at(0.0096);
+    spoiled.tool.pose_W.position.x() = std::numeric_limits<double>::quiet_NaN();
+    CHECK(bench.look(spoiled) == nullptr);
+    spoiled = place_at(0.0096);
+    spoiled.objects[0].velocity_W.angular.y() = std::numeric_limits<double>::infinity();
+    CHECK(bench.look(spoiled) == nullptr);
+    CHECK(bench.look(place_at(0.0096, -1.0)) == nullptr);
+    CHECK(bench.look(place_at(0.0096, 0.0, 2)) == nullptr);
+    CHECK(bench.n_asked == 0);
+    CHECK(bench.look(place_at(0.0096)) != nullptr);
+}
+
+TEST_CASE(
+    "contact loop: clusters live on from round to round, and end where the tool was put "
+    "elsewhere") {
+    Bench bench;
+    const std::uint32_t first = bench.look(place_at(0.0096, 0.0))->contacts[0].cluster.id;
+    CHECK(bench.look(place_at(0.0095, 0.001))->contacts[0].cluster.id == first);
+    // Off the floor it fades, in the time that passed.
+    const ContactModel* model = bench.look(place_at(0.02, 0.006));
+    REQUIRE(model->n == 1);
+    CHECK(model->contacts[0].cluster.strength == Approx(0.5).epsilon(1e-9));
+    ToolPlace anew = place_at(0.02, 0.007);
+    anew.n_placements = 1;
+    model = bench.look(anew);
+    CHECK(model->n == 0);
+    CHECK(model->n_placements == 1);
+}
+
+TEST_CASE("contact loop: what cannot be is refused") {
+    ContactChannels channels;
+    CHECK_FALSE(ContactLoop::create({}, {}, channels));
+    std::vector<std::unique_ptr<ContactFinder>> none(1);
+    CHECK_FALSE(ContactLoop::create(std::move(none), {}, channels));
+    int n_asked = 0;
+    std::vector<std::unique_ptr<ContactFinder>> many;
+    for (int i = 0; i <= kMaxSolids; ++i) {
+        many.push_back(std::make_unique<OnePoint>(n_asked));
+    }
+    CHECK_FALSE(ContactLoop::create(std::move(many), {}, channels));
+    ContactLoopSettings spoiled;
+    spoiled.most_near = 1;
+    CHECK_FALSE(validate(spoiled));
+    spoiled = {};
+    spoiled.clusters.most = 0;
+    CHECK_FALSE(validate(spoiled));
+    const Bench bench(3);
+    CHECK(bench.loop->n_objects() == 3);
+    CHECK(bench.loop->reach_m() == Approx(0.01));
+    CHECK(bench.loop->memory_bytes() > sizeof(ContactLoop) + 2048 * sizeof(NearContact));
+}
