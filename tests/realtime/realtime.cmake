@@ -11,7 +11,7 @@ set(load_path
     mesh_report.cpp.o solid_moments.cpp.o shape.cpp.o triangle_mesh.cpp.o weld.cpp.o crack.cpp.o mesh_edges.cpp.o convex_hull.cpp.o self_intersection.cpp.o
     axle_settings.cpp.o mesh_inertia.cpp.o shape_inertia.cpp.o joint_settings.cpp.o rigid_world_build.cpp.o rigid_loop_build.cpp.o body_stage_build.cpp.o axle_stage_build.cpp.o solid_places_build.cpp.o tool_stage_build.cpp.o tool_plan.cpp.o step_limit.cpp.o make_proxy.cpp.o make_obstacle.cpp.o solid_shape.cpp.o
     voxelise.cpp.o voxmap.cpp.o pointshell.cpp.o surface_samples.cpp.o sampled_shape_build.cpp.o voxel_sampling_build.cpp.o voxel_tool_build.cpp.o
-    record_header.cpp.o record_hand.cpp.o stand_in_device_build.cpp.o record_hand.cpp.o stand_in_device_build.cpp.o recorded_traits.cpp.o record_layout.cpp.o record_reader.cpp.o record_writer.cpp.o
+    record_header.cpp.o record_hand.cpp.o stand_in_device_build.cpp.o recorded_traits.cpp.o record_layout.cpp.o record_reader.cpp.o record_writer.cpp.o
     friction.cpp.o texture_settings.cpp.o transient_settings.cpp.o surface_plan.cpp.o material.cpp.o materials.cpp.o relief.cpp.o
     texture_map_build.cpp.o texture_build.cpp.o shading_build.cpp.o contact_stage_build.cpp.o texture_stage_build.cpp.o
     transient_stage_build.cpp.o surface_effects_build.cpp.o
