@@ -41,7 +41,7 @@ bool ImplicitPenaltyTool::is_free(std::span<const MovingFrame> objects) const no
     }
     near_->clear();
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        finders_[i]->find(objects[i].pose_W.inverse() * state_.pose_W, settings_.clusters.within_m,
+        finders_[i]->find(objects[i].pose_W.inverse() * state_.pose_W, settings_.contacts.within_m,
                           *near_);
     }
     return near_->count() == 0;

@@ -38,11 +38,10 @@ struct ImplicitPenaltySettings {
         Quaternion::Identity()};  ///< q_HT, unit: how the tool lies in the handle
     int newton_iterations = 4;    ///< 1 is the source's; 1 to 100
     bool silent_in_free_space = true;
-    ContactPlanesSettings contacts{.damping_Ns_per_m =
-                                       kCriticalDamping};  ///< `within_m` is the clusters' too
-    ContactClusterSettings clusters{};
-    int most_near = 2048;    ///< contacts an object at a time
-    bool own_rounds = true;  ///< the tool runs the contact rounds within its steps
+    ContactPlanesSettings contacts{.damping_Ns_per_m = kCriticalDamping};
+    ContactClusterSettings clusters{};  ///< found as far out as they push, at least
+    int most_near = 2048;               ///< contacts an object at a time
+    bool own_rounds = true;             ///< the tool runs the contact rounds within its steps
     double round_s =
         0.0;  ///< of its own: 0, each step, told at once; else 1e-4 to 1, told a round late
 };

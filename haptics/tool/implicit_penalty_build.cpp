@@ -32,7 +32,7 @@ ImplicitPenaltySettings complete(ImplicitPenaltySettings settings) {
         settings.coupling = make_critically_damped(settings.coupling, settings.inertia.mass_kg,
                                                    settings.inertia.moments_kg_m2);
     }
-    settings.clusters.within_m = settings.contacts.within_m;
+    settings.clusters.within_m = std::max(settings.clusters.within_m, settings.contacts.within_m);
     return settings;
 }
 
@@ -69,11 +69,10 @@ Expected<void> validate(const ImplicitPenaltySettings& given) {
 namespace {
 
 Expected<std::vector<std::unique_ptr<ContactFinder>>> make_finders(
-    const ImplicitPenaltyPlan& plan) {
+    const std::vector<FieldContactsPlan>& objects, double within_m) {
     std::vector<std::unique_ptr<ContactFinder>> finders;
-    for (const FieldContactsPlan& object : plan.objects) {
-        auto finder =
-            FieldContacts::create(object.field, object.shell, plan.settings.contacts.within_m);
+    for (const FieldContactsPlan& object : objects) {
+        auto finder = FieldContacts::create(object.field, object.shell, within_m);
         if (!finder) {
             return tl::unexpected(finder.error());
         }
@@ -88,12 +87,12 @@ Expected<ImplicitPenaltyTool> ImplicitPenaltyTool::build(const ImplicitPenaltyPl
     if (auto good = validate(plan.settings); !good) {
         return tl::unexpected(good.error());
     }
-    auto finders = make_finders(plan);
-    auto own = make_finders(plan);
+    const ImplicitPenaltySettings settings = complete(plan.settings);
+    auto finders = make_finders(plan.objects, settings.clusters.within_m);
+    auto own = make_finders(plan.objects, settings.clusters.within_m);
     if (!finders || !own) {
         return tl::unexpected(finders ? own.error() : finders.error());
     }
-    const ImplicitPenaltySettings settings = complete(plan.settings);
     auto channels = std::make_unique<ContactChannels>();
     auto loop = ContactLoop::create(std::move(*finders), {settings.clusters, settings.most_near},
                                     *channels);

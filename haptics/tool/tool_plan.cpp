@@ -13,6 +13,7 @@ constexpr double kLookAheadCycles = 2.0;  // what leads nowhere within two steps
 constexpr std::size_t kCachedBytes = 2U << 20U;  // a grid up to here is faster than a tree
 constexpr int kTreeDepth = 2;
 constexpr double kNearShare = 0.1;     // of the tool's reach: what counts as near at most
+constexpr double kLayerShare = 0.25;   // of that: from how far outside it pushes
 constexpr double kNearVoxels = 0.5;    // and of a field's voxel, so that a clearance of one is free
 constexpr double kClusterShare = 0.3;  // of its reach: how wide a cluster is
 
@@ -139,9 +140,11 @@ Expected<ToolPlan> make_penalty_tool_plan(const ToolOrder& order,
             }
         }
         PenaltyPlan penalty;
-        penalty.contacts = {.stiffness_N_per_m = kHoldsTimes * order.most_force_N / within_m,
+        const double layer_m = kLayerShare * within_m;
+        penalty.contacts = {.stiffness_N_per_m = kHoldsTimes * order.most_force_N / layer_m,
                             .damping_Ns_per_m = kCriticalDamping,
-                            .within_m = within_m};
+                            .within_m = layer_m};
+        penalty.clusters.within_m = within_m;
         penalty.clusters.radius_m = std::max(kClusterShare * reach_m, within_m);
         plan.penalty = penalty;
         return plan;

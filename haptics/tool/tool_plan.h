@@ -6,7 +6,7 @@
 //   k_point s / 2 = 2 F   in voxels of side s, where each pushes within half a voxel
 //   k_point b     = 2 F   in a field whose band is b deep
 // McNeely clamps at c = s / 2, so that with fine voxels a soft coupling could not press.
-// Among clusters of contact that push from d outside on, each holds it outside:
+// Among clusters of contact that push from d outside on, a quarter of how far off they are found, each holds it outside:
 //   k_cluster d   = 2 F
 // A god-object is clamped likewise; the inertia by which it answers a turn is such that the coupling's springs are what is felt,
 // I = m k_r / k along all axes.

@@ -19,6 +19,7 @@ struct ToolScene {
     double voxel_m = 0.004;
     int n_points = 2000;
     double most_force_N = 5.0;
+    bool in_rows = false;  ///< among voxels a point a voxel, as a plan has them
     VoxelToolSettings settings{};
 };
 
@@ -62,6 +63,11 @@ inline std::shared_ptr<const ToolPlan> make_tool_of(ToolScene scene,
         grids.push_back(std::make_shared<const VoxelGrid>(
             voxelise(object, {.voxel_m = scene.voxel_m, .offset_layers = 1, .proximity_layers = 2})
                 .value()));
+    }
+    if (scene.in_rows) {
+        order.shells.assign(grids.size(),
+                            std::make_shared<const Pointshell>(
+                                make_voxel_pointshell(scene.tool, scene.voxel_m).value()));
     }
     switch (scene.method) {
         case ToolMethod::field_sampling:

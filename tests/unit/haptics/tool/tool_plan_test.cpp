@@ -69,7 +69,8 @@ TEST_CASE("tool plan: the coupling pulls and turns with at most the force that m
         if (plan->penalty) {
             const ContactPlanesSettings& contacts = plan->penalty->contacts;
             CHECK(contacts.stiffness_N_per_m * contacts.within_m == Approx(8.0));
-            CHECK(contacts.within_m <= 0.1 * 0.0201);
+            CHECK(contacts.within_m <= 0.025 * 0.0201);
+            CHECK(plan->penalty->clusters.within_m == Approx(4.0 * contacts.within_m));
         }
     }
 }
