@@ -27,9 +27,11 @@ Expected<ListItem> parse_item(const std::string& entry) {
     }
     // A word of a list is what the lesson is told: what could be several words is for the sentence around it.
     if (const std::size_t sign = entry.find_first_of("[](){}<>;\\"); sign != std::string::npos) {
-        return fail(concat({"the entry \"", entry, "\" has \"", std::string(1, entry[sign]),
-                            "\"; a list holds plain words, with | between two ways to say one, "
-                            "so write the rest in the sentence"}));
+        const char* const what_to_do =
+            "\"; a list holds plain words, with | between two ways to say one, so write the rest "
+            "in the sentence";
+        return fail(
+            concat({"the entry \"", entry, "\" has \"", std::string(1, entry[sign]), what_to_do}));
     }
     ListItem item;
     std::string_view rest = entry;

@@ -111,7 +111,7 @@ Look look_at(const Way& way, double t, bool is_begin, double t_end) noexcept {
 
 TriangleSweep sweep_triangles(const InBetweenMotion& motion, const Triangle& fixed,
                               const MovingTriangle& moving, const SweepSettings& settings,
-                              double t_begin, double t_end) noexcept {
+                              double t_begin, double t_end, const Vector3& hint_A) noexcept {
     if (!motion.is_valid() || !is_valid(settings) || !is_finite(fixed) || !is_finite(moving) ||
         !(t_begin >= 0.0 && t_begin <= t_end && t_end <= 1.0)) {
         return {.outcome = SweepOutcome::invalid};
@@ -120,6 +120,9 @@ TriangleSweep sweep_triangles(const InBetweenMotion& motion, const Triangle& fix
                   SweepBounds::of(motion, moving.reach_m, find_reach_m(fixed), settings)};
     double t = t_begin;
     std::int32_t looks = 0;
+    if (t + find_free_time(way, hint_A, t, motion.turn_at(t)) > t_end) {
+        return {};
+    }
     while (looks < kMostSweepLooks) {
         Look look = look_at(way, t, looks == 0, t_end);
         ++looks;
@@ -139,6 +142,12 @@ TriangleSweep sweep_triangles(const InBetweenMotion& motion, const Triangle& fix
     told.looks += looks;
     told.by_intervals = true;
     return told;
+}
+
+TriangleSweep sweep_triangles(const InBetweenMotion& motion, const Triangle& fixed,
+                              const MovingTriangle& moving, const SweepSettings& settings,
+                              double t_begin, double t_end) noexcept {
+    return sweep_triangles(motion, fixed, moving, settings, t_begin, t_end, Vector3::Zero());
 }
 
 }  // namespace fulcrum

@@ -32,5 +32,10 @@ inline constexpr int kMostSweepLooks = 48;
                                             const MovingTriangle& moving,
                                             const SweepSettings& settings, double t_begin = 0.0,
                                             double t_end = 1.0) noexcept;
+/// The same where a direction, unit, from the held one, may keep them apart all the way: where it does, nothing else is asked. Zero: none.
+[[nodiscard]] TriangleSweep sweep_triangles(const InBetweenMotion& motion, const Triangle& fixed,
+                                            const MovingTriangle& moving,
+                                            const SweepSettings& settings, double t_begin,
+                                            double t_end, const Vector3& hint_A) noexcept;
 
 }  // namespace fulcrum

@@ -42,7 +42,7 @@ void ContactClusters::begin_round() noexcept {
 }
 
 bool ContactClusters::share_out(const NearContact& contact) noexcept {
-    std::array<double, kMostClusters> part;
+    std::array<double, kMostClusters> part{};
     double all = 0.0;
     for (std::size_t j = 0; j < n_; ++j) {
         part[j] = growth_[j].is_empty

@@ -39,6 +39,20 @@ bool is_alike(const GodContact& a, const GodContact& b) noexcept {
            (a.normal_O - b.normal_O).squaredNorm() <= kSameNormal * kSameNormal;
 }
 
+// What kept them apart where they were listed may do so elsewhere.
+Vector3 find_hint(const NearTriangles& near) noexcept {
+    const NearFeatures& features = near.features;
+    return features.distance_m > 0.0
+               ? Vector3((features.on_moving - features.on_fixed) / features.distance_m)
+               : Vector3::Zero();
+}
+
+// How far apart along a direction: never more than they are.
+double find_apart_m(const Triangle& object, const Triangle& tool, const Vector3& along) noexcept {
+    return std::min({along.dot(tool[0]), along.dot(tool[1]), along.dot(tool[2])}) -
+           std::max({along.dot(object[0]), along.dot(object[1]), along.dot(object[2])});
+}
+
 }  // namespace
 
 GodPair::GodPair(std::shared_ptr<const GodSurface> object, std::shared_ptr<const GodSurface> tool,
@@ -103,6 +117,9 @@ void GodPair::add_all_of(const NearTriangles& near, const Pose& X_OT, double wit
     const Triangle object = object_->swept().triangle(near.fixed_triangle);
     const Triangle own = tool_->swept().triangle(near.moving_triangle);
     const Triangle tool{X_OT * own[0], X_OT * own[1], X_OT * own[2]};
+    if (find_apart_m(object, tool, find_hint(near)) > within_m) {
+        return;
+    }
     const auto offer = [&](FeaturePair pair, std::uint8_t i, std::uint8_t j) {
         NearFeatures found{.pair = pair, .fixed_feature = i, .moving_feature = j};
         if (!carries(near, found)) {
@@ -184,7 +201,7 @@ double GodPair::sweep_listed(const InBetweenMotion& motion, double reach_m,
         const TriangleSweep told = sweep_triangles(
             motion, object_->swept().triangle(near.fixed_triangle),
             MovingTriangle::of(motion, tool_->swept().triangle(near.moving_triangle)), settings,
-            0.0, free);
+            0.0, free, find_hint(near));
         if (told.outcome == SweepOutcome::touching) {
             free = std::min(free, told.contact.time);
         } else if (told.outcome != SweepOutcome::free) {
