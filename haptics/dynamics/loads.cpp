@@ -18,6 +18,13 @@ BodyPoint locate(const RigidState& state, const Vector3& point_B) noexcept {
             state.velocity_W.linear + state.velocity_W.angular.cross(arm)};
 }
 
+// The same where the body's turn is known as a matrix: for many points at once.
+BodyPoint locate(const RigidState& state, const Matrix3& R, const Vector3& point_B) noexcept {
+    const Vector3 arm = R * point_B;
+    return {arm, state.pose_W.position + arm,
+            state.velocity_W.linear + state.velocity_W.angular.cross(arm)};
+}
+
 // A contact's push and how it changes with depth and with the speed of sinking.
 struct Push {
     double push_N = 0.0;
@@ -90,8 +97,9 @@ double compute_push_N(const PlaneContact& contact, const RigidState& state) noex
 
 void PlaneContactsLoad::add_wrench(const RigidState& state, double /*time_s*/,
                                    Wrench& wrench) const noexcept {
+    const Matrix3 R = state.pose_W.orientation.toRotationMatrix();
     for (const PlaneContact& contact : contacts_) {
-        const BodyPoint point = locate(state, contact.point_B);
+        const BodyPoint point = locate(state, R, contact.point_B);
         add_point_force(point.arm, compute_push(contact, point).push_N * contact.normal_W, wrench);
     }
 }
@@ -99,8 +107,9 @@ void PlaneContactsLoad::add_wrench(const RigidState& state, double /*time_s*/,
 void PlaneContactsLoad::add_linearised_wrench(const RigidState& state, double /*time_s*/,
                                               Wrench& wrench,
                                               WrenchJacobian& jacobian) const noexcept {
+    const Matrix3 R = state.pose_W.orientation.toRotationMatrix();
     for (const PlaneContact& contact : contacts_) {
-        const BodyPoint point = locate(state, contact.point_B);
+        const BodyPoint point = locate(state, R, contact.point_B);
         const Push push = compute_push(contact, point);
         if (push.push_N > 0.0) {
             // Depth and sinking fall as the point goes along the normal.

@@ -17,6 +17,9 @@ Vector3 go_towards(const Vector3& from, const Vector3& to, double most) noexcept
 
 // Likewise of unit vectors, by no more than that angle. Opposite ones have no way between them: the new one counts.
 Vector3 turn_towards(const Vector3& from, const Vector3& to, double most_rad) noexcept {
+    if (from == to) {
+        return to;
+    }
     const Vector3 axis = from.cross(to);
     const double sine = axis.norm();
     const double angle = std::atan2(sine, from.dot(to));
@@ -62,7 +65,7 @@ void ContactPlanes::learn(const ContactModel& model) noexcept {
     }
 }
 
-void ContactPlanes::follow(const Pose& X_OT, double dt_s, Shown& shown) const noexcept {
+double ContactPlanes::follow(const Pose& X_OT, double dt_s, Shown& shown) const noexcept {
     const double d_m = settings_.within_m;
     const double rise_m = settings_.rise_m_per_s * dt_s;
     // How far it pushes: above 0 it does.
@@ -85,30 +88,36 @@ void ContactPlanes::follow(const Pose& X_OT, double dt_s, Shown& shown) const no
         aim_m = is_free && !(told_m > 0.0) ? told_m : aim_m;
     }
     shown.place_O = X_OT * shown.point_T + (aim_m - d_m) * shown.normal_O;
+    return aim_m;
 }
 
 void ContactPlanes::begin_step(const Pose& tool_W, std::span<const MovingFrame> objects,
                                double dt_s) noexcept {
     std::size_t kept = 0;
+    std::size_t seen = objects.size();  // the object by which the tool is at X_OT
+    Pose X_OT;
+    Matrix3 R_WO{Matrix3::Identity()};
     for (std::size_t i = 0; i < n_; ++i) {
         const auto object = static_cast<std::size_t>(shown_[i].object);
         if (object >= objects.size()) {
             continue;
         }
         const MovingFrame& frame = objects[object];
-        const Pose X_OT = move_evenly(frame, -dt_s).pose_W.inverse() * tool_W;
+        if (object != seen) {
+            seen = object;
+            X_OT = move_evenly(frame, -dt_s).pose_W.inverse() * tool_W;
+            R_WO = frame.pose_W.orientation.toRotationMatrix();
+        }
         Shown shown = shown_[i];
-        follow(X_OT, dt_s, shown);
-        const double reach_m =
-            shown.normal_O.dot(shown.place_O - X_OT * shown.point_T) + settings_.within_m;
+        const double reach_m = follow(X_OT, dt_s, shown);
         if (!shown.is_told && !(reach_m > 0.0)) {
             continue;
         }
         PlaneContact& plane = planes_[kept];
         plane.point_B = shown.point_T;
-        plane.normal_W = frame.pose_W.orientation * shown.normal_O;
+        plane.normal_W = R_WO * shown.normal_O;
         plane.plane_point_W =
-            frame.pose_W * Vector3(shown.place_O + settings_.within_m * shown.normal_O);
+            frame.pose_W.position + R_WO * shown.place_O + settings_.within_m * plane.normal_W;
         plane.plane_velocity_W = compute_velocity_at(frame, plane.plane_point_W);
         plane.stiffness_N_per_m = shown.strength * settings_.stiffness_N_per_m;
         plane.damping_Ns_per_m = shown.strength * settings_.damping_Ns_per_m;

@@ -77,7 +77,8 @@ class ContactPlanes {
         ContactCluster told{};
         bool is_told = false;
     };
-    void follow(const Pose& X_OT, double dt_s, Shown& shown) const noexcept;
+    // How far it pushes then.
+    double follow(const Pose& X_OT, double dt_s, Shown& shown) const noexcept;
 
     ContactPlanesSettings settings_;
     std::size_t n_ = 0;
