@@ -1,5 +1,6 @@
 #include "haptics/tool/god_object_tool.h"
 
+#include "haptics/base/clock.h"
 #include "haptics/math/length.h"
 
 #include <algorithm>
@@ -257,7 +258,14 @@ void GodObjectTool::look_farther(double way_m, double share, bool recovers) noex
 void GodObjectTool::slide(const Pose& wanted_W, std::span<const MovingFrame> objects) noexcept {
     step_.settled = false;
     bool may_recover = true;
+    const double end_s = settings_.budget_us > 0.0
+                             ? monotonic_now_s() + 1.0e-6 * settings_.budget_us
+                             : std::numeric_limits<double>::infinity();
     for (step_.rounds = 0; step_.rounds < settings_.most_rounds; ++step_.rounds) {
+        if (step_.rounds > 0 && end_s < std::numeric_limits<double>::infinity() &&
+            monotonic_now_s() > end_s) {
+            break;
+        }
         // Where it was stopped short of the gap at rest it is pushed there first: so short a way is as straight as its contacts take it to be.
         set_goals(objects);
         const bool recovers = may_recover && step_.least_gap_m < kTooNear * settings_.gap_m;

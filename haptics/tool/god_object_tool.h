@@ -46,7 +46,10 @@ struct GodObjectSettings {
     double gap_m = 1.0e-6;        ///< delta, 1e-9 to 1e-3; half of the tightest clearance at most
     double fade_s = 0.03;         ///< of what a new set of contacts changes of the force; 0 to 1
     int most_rounds = 12;         ///< a step, 1 to 1000
-    int most_contacts = 2048;     ///< of an object, 1 to 65536
+    /// Of a step, by the machine's clock: after it no round is begun but the first, and the rest of the way goes on in the next step. 0: as
+    /// long as it takes; else 1 to 1e5.
+    double budget_us = 0.0;
+    int most_contacts = 2048;  ///< of an object, 1 to 65536
 };
 
 /// Refuses settings outside their ranges, NaN included.

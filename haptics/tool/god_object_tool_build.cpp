@@ -36,7 +36,7 @@ Expected<void> validate(const GodObjectSettings& settings) {
     if (const auto checked = validate(settings.inertia); !checked) {
         return checked;
     }
-    const std::array<Range, 9> ranges{
+    const std::array<Range, 10> ranges{
         {{"handle's turn: length of its quaternion", settings.handle_turn.coeffs().norm(),
           1.0 - 1.0e-6, 1.0 + 1.0e-6},
          {"grip_T x", settings.grip_T.x(), -10.0, 10.0},
@@ -46,6 +46,7 @@ Expected<void> validate(const GodObjectSettings& settings) {
          {"gap_m", settings.gap_m, kSmallestGap_m, kLargestGap_m},
          {"fade_s", settings.fade_s, 0.0, 1.0},
          {"most_rounds", static_cast<double>(settings.most_rounds), 1.0, 1000.0},
+         {"budget_us", settings.budget_us, settings.budget_us == 0.0 ? 0.0 : 1.0, 1.0e5},
          {"most_contacts", static_cast<double>(settings.most_contacts), 1.0, kMostContacts}}};
     return check_ranges("the tool's", ranges);
 }

@@ -126,6 +126,7 @@ GodObjectSettings make_god_object_settings(const VoxelToolSettings& settings) {
                           settings.coupling.shift.stiffness_N_per_m);
     made.grip_T = settings.grip_T;
     made.handle_turn = settings.handle_turn;
+    made.budget_us = settings.budget_us;
     return made;
 }
 

@@ -115,6 +115,7 @@ std::vector<JawsSample> run_jaws(const JawsSettings& settings) {
     plan.settings.contacts.model = settings.model;
     plan.settings.contacts.stiffness_N_per_m = 5000.0;
     plan.settings.contacts.within_m = 0.5e-3;
+    plan.settings.clusters.within_m = 0.5e-3;
     plan.settings.clusters.radius_m = 0.006;
     plan.settings.own_rounds = false;
     plan.settings.silent_in_free_space = false;

@@ -240,6 +240,40 @@ TEST_CASE("god-object tool: no motion by chance brings it into a block, whatever
     CHECK(n_touching > 500);
 }
 
+TEST_CASE(
+    "god-object tool: out of time it makes one round a step, enters nothing, and comes to the same "
+    "rest") {
+    const TriangleMesh cube = make_cube();
+    const TriangleMesh floor = make_floor();
+    GodObjectSettings hurried = test::make_god_settings(kCube);
+    hurried.budget_us = 1.0;
+    GodObjectTool slow = test::make_god_tool(cube, {floor}, test::make_god_settings(kCube));
+    GodObjectTool fast = test::make_god_tool(cube, {floor}, hurried);
+    Random random(4);
+    Pose handle;
+    int n_cut = 0;
+    for (GodObjectTool* const tool : {&slow, &fast}) {
+        tool->place(Pose::at({0.0, 0.05, 0.0}));
+    }
+    for (int i = 0; i < 400; ++i) {
+        // Thrown at the floor, then held still.
+        if (i < 200 && i % 5 == 0) {
+            handle = {Vector3(0.0, 0.01, 0.0) + 0.03 * random.in_cube(),
+                      compute_exp(0.6 * random.in_cube())};
+        }
+        (void)move_to(slow, handle);
+        const ToolFelt felt = move_to(fast, handle);
+        REQUIRE(felt.moved);
+        REQUIRE(fast.last_step().rounds <= 1);
+        n_cut += felt.effort.in_time ? 0 : 1;
+        REQUIRE_FALSE(test::do_cross(floor, {}, cube, fast.pose_W()));
+    }
+    CHECK(n_cut > 20);
+    CHECK((fast.centre_W() - slow.centre_W()).norm() < 1.0e-6);
+    CHECK((move_to(fast, handle).felt_W.force - move_to(slow, handle).felt_W.force).norm() <
+          1.0e-3);
+}
+
 TEST_CASE("god-object tool: a handle that is no number leaves it standing, with nothing felt") {
     GodObjectTool tool =
         test::make_god_tool(make_cube(), {make_floor()}, test::make_god_settings(kCube));
@@ -290,6 +324,8 @@ TEST_CASE("god-object tool: settings out of range and missing meshes are refused
     CHECK(refused([](GodObjectSettings& s) { s.step_share = 1.1; }));
     CHECK(refused([](GodObjectSettings& s) { s.fade_s = -1.0; }));
     CHECK(refused([](GodObjectSettings& s) { s.most_rounds = 0; }));
+    CHECK(refused([](GodObjectSettings& s) { s.budget_us = 0.5; }));
+    CHECK(refused([](GodObjectSettings& s) { s.budget_us = std::nan(""); }));
     CHECK(refused([](GodObjectSettings& s) { s.most_contacts = 0; }));
     CHECK(refused([](GodObjectSettings& s) { s.grip_T.x() = 11.0; }));
     CHECK(refused([](GodObjectSettings& s) { s.handle_turn.w() = 2.0; }));
