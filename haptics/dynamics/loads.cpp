@@ -12,17 +12,9 @@ struct BodyPoint {
     Vector3 velocity;
 };
 
-BodyPoint locate(const RigidState& state, const Vector3& point_B) noexcept {
-    const Vector3 arm = state.pose_W.orientation * point_B;
-    return {arm, state.pose_W.position + arm,
-            state.velocity_W.linear + state.velocity_W.angular.cross(arm)};
-}
-
-// The same where the body's turn is known as a matrix: for many points at once.
-BodyPoint locate(const RigidState& state, const Matrix3& R, const Vector3& point_B) noexcept {
-    const Vector3 arm = R * point_B;
-    return {arm, state.pose_W.position + arm,
-            state.velocity_W.linear + state.velocity_W.angular.cross(arm)};
+BodyPoint locate(const RigidState& state, const Vector3& arm_W) noexcept {
+    return {arm_W, state.pose_W.position + arm_W,
+            state.velocity_W.linear + state.velocity_W.angular.cross(arm_W)};
 }
 
 // A contact's push and how it changes with depth and with the speed of sinking.
@@ -73,14 +65,14 @@ void ConstantLoad::add_linearised_wrench(const RigidState& state, double time_s,
 
 void PointSpringLoad::add_wrench(const RigidState& state, double /*time_s*/,
                                  Wrench& wrench) const noexcept {
-    const BodyPoint point = locate(state, spring_.point_B);
+    const BodyPoint point = locate(state, state.pose_W.orientation * spring_.point_B);
     add_point_force(point.arm, compute_spring_force(spring_, point), wrench);
 }
 
 void PointSpringLoad::add_linearised_wrench(const RigidState& state, double /*time_s*/,
                                             Wrench& wrench,
                                             WrenchJacobian& jacobian) const noexcept {
-    const BodyPoint point = locate(state, spring_.point_B);
+    const BodyPoint point = locate(state, state.pose_W.orientation * spring_.point_B);
     const PointForce force{compute_spring_force(spring_, point),
                            -spring_.stiffness_N_per_m * Matrix3::Identity(),
                            -spring_.damping_Ns_per_m * Matrix3::Identity()};
@@ -92,14 +84,14 @@ double compute_depth_m(const PlaneContact& contact, const Pose& pose_W) noexcept
 }
 
 double compute_push_N(const PlaneContact& contact, const RigidState& state) noexcept {
-    return compute_push(contact, locate(state, contact.point_B)).push_N;
+    return compute_push(contact, locate(state, state.pose_W.orientation * contact.point_B)).push_N;
 }
 
 void PlaneContactsLoad::add_wrench(const RigidState& state, double /*time_s*/,
                                    Wrench& wrench) const noexcept {
     const Matrix3 R = state.pose_W.orientation.toRotationMatrix();
     for (const PlaneContact& contact : contacts_) {
-        const BodyPoint point = locate(state, R, contact.point_B);
+        const BodyPoint point = locate(state, R * contact.point_B);
         add_point_force(point.arm, compute_push(contact, point).push_N * contact.normal_W, wrench);
     }
 }
@@ -109,7 +101,7 @@ void PlaneContactsLoad::add_linearised_wrench(const RigidState& state, double /*
                                               WrenchJacobian& jacobian) const noexcept {
     const Matrix3 R = state.pose_W.orientation.toRotationMatrix();
     for (const PlaneContact& contact : contacts_) {
-        const BodyPoint point = locate(state, R, contact.point_B);
+        const BodyPoint point = locate(state, R * contact.point_B);
         const Push push = compute_push(contact, point);
         if (push.push_N > 0.0) {
             // Depth and sinking fall as the point goes along the normal.
@@ -131,7 +123,7 @@ MovingFrame ToolCouplingLoad::compute_handle(double time_s) const noexcept {
 }
 
 MovingFrame ToolCouplingLoad::compute_grip(const RigidState& state) const noexcept {
-    const BodyPoint grip = locate(state, grip_B_);
+    const BodyPoint grip = locate(state, state.pose_W.orientation * grip_B_);
     return {{grip.position, state.pose_W.orientation}, {grip.velocity, state.velocity_W.angular}};
 }
 

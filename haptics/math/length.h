@@ -44,6 +44,14 @@ template <int N>
     return length > most ? Eigen::Matrix<double, N, 1>(v * (most / length)) : v;
 }
 
+/// `v` no longer than `most`, of numbers of any size; 0: as long as it is.
+template <int N>
+[[nodiscard]] Eigen::Matrix<double, N, 1> limit_length(const Eigen::Matrix<double, N, 1>& v,
+                                                       double most) noexcept {
+    const double length = compute_length(v);
+    return most > 0.0 && length > most ? Eigen::Matrix<double, N, 1>(v * (most / length)) : v;
+}
+
 /// Of length 1, to rounding; a vector without length or with an infinite one is given back as it is.
 template <int N>
 [[nodiscard]] Eigen::Matrix<double, N, 1> compute_direction(

@@ -32,9 +32,7 @@ constexpr int kMovingTries = 4;
 constexpr double kNoProgress = 1.0e-6;  // of the objects' way
 
 bool is_number(const MovingFrame& frame) noexcept {
-    return is_finite(frame.pose_W) && frame.velocity_W.linear.allFinite() &&
-           frame.velocity_W.angular.allFinite() &&
-           std::abs(frame.pose_W.orientation.norm() - 1.0) < 1.0e-6;
+    return is_finite(frame) && std::abs(frame.pose_W.orientation.norm() - 1.0) < 1.0e-6;
 }
 
 bool is_same(const Pose& a, const Pose& b) noexcept {
@@ -48,14 +46,6 @@ Pose seen_from(const Pose& object_W, const Pose& tool_W) noexcept {
 bool may_press(const GodContact& contact, const GodObjectSettings& settings) noexcept {
     return contact.gap_m <= kPressGaps * settings.gap_m &&
            contact.rise_m <= kPressRise * settings.gap_m;
-}
-
-// No longer than that; 0: as long as it is.
-void limit_length(double most, Vector3& v) noexcept {
-    const double length = compute_length(v);
-    if (most > 0.0 && length > most) {
-        v *= most / length;
-    }
 }
 
 }  // namespace
@@ -350,8 +340,9 @@ Wrench GodObjectTool::force(const Pose& handle_W) noexcept {
     }
     Wrench felt = force_.compute(find_held_W(handle_W));
     const ToolCouplingSettings& coupling = settings_.coupling;
-    limit_length(coupling.shift.stiffness_N_per_m * coupling.clamp_m, felt.force);
-    limit_length(coupling.turn.stiffness_Nm_per_rad * coupling.clamp_rad, felt.torque);
+    felt.force = limit_length(felt.force, coupling.shift.stiffness_N_per_m * coupling.clamp_m);
+    felt.torque =
+        limit_length(felt.torque, coupling.turn.stiffness_Nm_per_rad * coupling.clamp_rad);
     return about_grip(felt, handle_W);
 }
 

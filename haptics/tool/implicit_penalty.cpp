@@ -5,15 +5,6 @@
 #include <algorithm>
 
 namespace fulcrum {
-namespace {
-
-// No longer than that; 0: as long as it is.
-Vector3 keep_within(double most, const Vector3& v) noexcept {
-    return most > 0.0 ? shorten(v, most) : v;
-}
-
-}  // namespace
-
 Pose ImplicitPenaltyTool::held_W() const noexcept {
     return {state_.pose_W * settings_.grip_T, state_.pose_W.orientation};
 }
@@ -114,8 +105,8 @@ ToolFelt ImplicitPenaltyTool::feel(const ToolCouplingLoad& coupling, const Movin
     const Pose grip = held_W();
     const Wrench pull = compute_tool_coupling(settings_.coupling, {handle.pose_W, {}}, {grip, {}});
     felt.felt_W = coupling.compute_felt_wrench(state_, now_s);
-    felt.felt_W.force = keep_within(most_felt_N_, felt.felt_W.force);
-    felt.felt_W.torque = keep_within(most_felt_Nm_, felt.felt_W.torque);
+    felt.felt_W.force = limit_length(felt.felt_W.force, most_felt_N_);
+    felt.felt_W.torque = limit_length(felt.felt_W.torque, most_felt_Nm_);
     felt.spring_W = {-pull.force, -pull.torque};
     felt.spring_energy_J = compute_shift_energy_J(
         settings_.coupling, compute_length(Vector3(handle.pose_W.position - grip.position)));
@@ -133,7 +124,9 @@ ToolFelt ImplicitPenaltyTool::move(const MovingFrame& handle, std::span<const Mo
     held.pose_W.orientation = held.pose_W.orientation * settings_.handle_turn;
     // What is near.
     const double began_s = now_s - dt_s;
-    tell_place(objects, began_s, dt_s);
+    if (!settings_.own_rounds || began_s >= round_due_s_) {
+        tell_place(objects, began_s, dt_s);
+    }
     take_model(began_s);
     // Where coupling and contacts take the tool.
     ToolCouplingLoad coupling(settings_.coupling, settings_.grip_T);

@@ -28,25 +28,6 @@ VoxelToolSettings make_clamped(const ToolOrder& order) {
     return settings;
 }
 
-// What contacts are found and pushed by, as a plan has it.
-ImplicitPenaltyPlan make_penalty(const ToolPlan& plan) {
-    ImplicitPenaltyPlan penalty;
-    for (const auto& object : std::get<std::vector<FieldSamplingPlan>>(plan.objects)) {
-        penalty.objects.push_back({object.field, object.shell});
-    }
-    const VoxelToolSettings& settings = plan.settings;
-    penalty.settings = {.coupling = settings.coupling,
-                        .critically_damped = settings.critically_damped,
-                        .inertia = settings.inertia,
-                        .grip_T = settings.grip_T,
-                        .handle_turn = settings.handle_turn,
-                        .silent_in_free_space = settings.silent_in_free_space,
-                        .contacts = plan.penalty->contacts,
-                        .clusters = plan.penalty->clusters,
-                        .round_s = plan.penalty->round_s};
-    return penalty;
-}
-
 // What is large is kept as a tree.
 void put_map(const std::shared_ptr<const VoxelGrid>& grid, VoxelSamplingPlan& object) {
     object.grid = grid;
@@ -152,6 +133,24 @@ Expected<ToolPlan> make_penalty_tool_plan(const ToolOrder& order,
     });
 }
 
+ImplicitPenaltyPlan make_implicit_penalty_plan(const ToolPlan& plan) {
+    ImplicitPenaltyPlan penalty;
+    for (const auto& object : std::get<std::vector<FieldSamplingPlan>>(plan.objects)) {
+        penalty.objects.push_back({object.field, object.shell});
+    }
+    const VoxelToolSettings& settings = plan.settings;
+    penalty.settings = {.coupling = settings.coupling,
+                        .critically_damped = settings.critically_damped,
+                        .inertia = settings.inertia,
+                        .grip_T = settings.grip_T,
+                        .handle_turn = settings.handle_turn,
+                        .silent_in_free_space = settings.silent_in_free_space,
+                        .contacts = plan.penalty->contacts,
+                        .clusters = plan.penalty->clusters,
+                        .round_s = plan.penalty->round_s};
+    return penalty;
+}
+
 std::size_t count_points(const ToolPlan& plan) {
     std::size_t most = 0;
     if (const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects)) {
@@ -171,7 +170,7 @@ std::size_t count_points(const ToolPlan& plan) {
 
 Expected<void> validate(const ToolPlan& plan) {
     if (plan.penalty) {
-        return ImplicitPenaltyTool::build(make_penalty(plan)).map([](const auto&) {});
+        return ImplicitPenaltyTool::build(make_implicit_penalty_plan(plan)).map([](const auto&) {});
     }
     if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
         return VoxelTool::build(*voxels, plan.settings).map([](const VoxelTool&) {});
@@ -187,7 +186,7 @@ Expected<void> validate(const ToolPlan& plan) {
 std::unique_ptr<ToolSolver> make_tool(const ToolPlan& plan) {
     if (plan.penalty) {
         return std::make_unique<ImplicitPenaltyTool>(
-            ImplicitPenaltyTool::build(make_penalty(plan)).value());
+            ImplicitPenaltyTool::build(make_implicit_penalty_plan(plan)).value());
     }
     if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
         return std::make_unique<VoxelTool>(VoxelTool::build(*voxels, plan.settings).value());

@@ -78,6 +78,9 @@ struct ToolOrder {
 /// Of such a plan: what its tool is built with.
 [[nodiscard]] GodObjectSettings make_god_object_settings(const VoxelToolSettings& settings);
 
+/// Of such a plan: what its tool is built from.
+[[nodiscard]] ImplicitPenaltyPlan make_implicit_penalty_plan(const ToolPlan& plan);
+
 /// Points of the tool, of a god-object the corners of its triangles, against the object that asks for the most of them.
 [[nodiscard]] std::size_t count_points(const ToolPlan& plan);
 

@@ -8,6 +8,7 @@
 #include "haptics/coupling/tool_coupling.h"
 #include "haptics/handover/messages.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,6 +22,10 @@ enum class ToolMethod : std::uint8_t {
     implicit_penalty,  ///< contacts in clusters, planes, one implicit step (Otaduy and Lin 2005)
     god_object,  ///< its mesh against theirs, never inside them (Ortega, Redon and Coquillart 2007)
 };
+
+/// As lessons call them, in that order.
+inline constexpr std::array<const char*, 4> kToolMethods{"field_sampling", "voxel_sampling",
+                                                         "implicit_penalty", "god_object"};
 
 /// How one object acts on the tool.
 struct ToolTouch {

@@ -47,14 +47,6 @@ bool stop_at_touch(const FieldSampling& sampling, const ToolMotion& motion, doub
     return sampling.stop_at_touch(motion, depth_m, end);
 }
 
-// No longer than that; 0: as long as it is.
-void limit_length(double most, Vector3& v) noexcept {
-    const double length = compute_length(v);
-    if (most > 0.0 && length > most) {
-        v *= most / length;
-    }
-}
-
 }  // namespace
 
 template <class Sampling, class Plan>
@@ -233,10 +225,10 @@ VoxelToolResult SampledTool<Sampling, Plan>::run(MovingFrame handle,
         const Wrench pull = compute_tool_coupling(coupling_, {handle.pose_W, {}}, {grip, {}});
         result.felt_W = coupling.compute_felt_wrench(state_, now_s);
         if (settings_.lead_clamped) {
-            limit_length(coupling_.shift.stiffness_N_per_m * coupling_.clamp_m,
-                         result.felt_W.force);
-            limit_length(coupling_.turn.stiffness_Nm_per_rad * coupling_.clamp_rad,
-                         result.felt_W.torque);
+            result.felt_W.force = limit_length(
+                result.felt_W.force, coupling_.shift.stiffness_N_per_m * coupling_.clamp_m);
+            result.felt_W.torque = limit_length(
+                result.felt_W.torque, coupling_.turn.stiffness_Nm_per_rad * coupling_.clamp_rad);
         }
         result.spring_W = {-pull.force, -pull.torque};
         result.spring_energy_J = compute_shift_energy_J(

@@ -4,6 +4,7 @@
 #include "dialogue/english/letters.h"
 #include "dialogue/english/opposite.h"
 #include "dialogue/marking/question_review.h"
+#include "dialogue/result.h"
 #include "dialogue/speech/sphinx/pronunciation.h"
 #include "runtime/lesson/knowledge.h"
 #include "runtime/lesson/questions.h"
@@ -20,6 +21,8 @@
 
 namespace fulcrum::runtime {
 namespace {
+
+using dialogue::concat;
 
 /// word -> its sounds.
 using Sounds = std::map<std::string, std::string, std::less<>>;
@@ -105,12 +108,13 @@ void add_unheard(const std::string& head, std::vector<std::string> words, const 
         const std::string foreign = foreign_letter(word);
         const std::string meant = foreign.empty() ? meant_word(sounds, word) : "";
         if (!foreign.empty()) {
-            notes.push_back(head + "\"" + word + "\" has the letter \"" + foreign +
-                            "\", which English has not, so nobody can say it; write it with a to "
-                            "z.");
+            notes.push_back(concat({head, "\"", word, "\" has the letter \"", foreign,
+                                    "\", which English has not, so nobody can say it; write it "
+                                    "with a to z."}));
         } else if (!meant.empty()) {
-            notes.push_back(head + "\"" + word +
-                            "\" is no word that is known here; did you mean \"" + meant + "\"?");
+            notes.push_back(
+                concat({head, "\"", word, "\" is no word that is known here; did you mean \"",
+                        meant, "\"?"}));
         } else {
             rest.push_back(word);
         }
@@ -216,8 +220,18 @@ void add_form_notes(const std::string& head, const dialogue::Question& question,
         if (const std::string wrong = told == back.answer ? "" : tell_form(check, back.sentence);
             !wrong.empty()) {
             told = back.answer;
-            notes.push_back(head + "answer " + std::to_string(back.answer + 1) + ": \"" +
-                            back.sentence + "\" " + wrong + ".");
+            notes.push_back(concat({head, "answer ", std::to_string(back.answer + 1), ": \"",
+                                    back.sentence, "\" ", wrong, "."}));
+        }
+    }
+}
+
+/// What the program asks and says again, where it would correct it if a learner said it.
+void add_prompt_notes(const std::string& head, const QuestionDescription& described,
+                      const dialogue::FormCheck& check, std::vector<std::string>& notes) {
+    for (const std::string& text : {described.prompt, described.again}) {
+        if (const std::string wrong = tell_form(check, text); !wrong.empty()) {
+            notes.push_back(concat({head, "\"", text, "\" ", wrong, "."}));
         }
     }
 }
@@ -245,9 +259,9 @@ void add_knowledge_notes(const LessonDescription& lesson,
         if (check && ++looked_at[sentence.knowledge] <= kMostLookedAt) {
             if (const std::string wrong = tell_form(check, sentence.said); !wrong.empty()) {
                 looked_at[sentence.knowledge] = kMostLookedAt;  // one is enough
-                notes.push_back(line_of(sentence.knowledge) + "what the lesson knows as \"" +
-                                sentence.knowledge + "\": \"" + sentence.said + "\" " + wrong +
-                                ".");
+                notes.push_back(
+                    concat({line_of(sentence.knowledge), "what the lesson knows as \"",
+                            sentence.knowledge, "\": \"", sentence.said, "\" ", wrong, "."}));
             }
         }
         const auto asked = knowledge.find(sentence.said);
@@ -255,10 +269,10 @@ void add_knowledge_notes(const LessonDescription& lesson,
             !told.insert(sentence.knowledge).second) {
             continue;
         }
-        notes.push_back(
-            line_of(sentence.knowledge) + "\"" + sentence.said + "\" asks for \"" +
-            sentence.knowledge + "\", but " +
-            (asked ? "\"" + asked->knowledge + "\" takes it first." : "nobody understands it."));
+        notes.push_back(concat({line_of(sentence.knowledge), "\"", sentence.said, "\" asks for \"",
+                                sentence.knowledge, "\", but ",
+                                asked ? concat({"\"", asked->knowledge, "\" takes it first."})
+                                      : "nobody understands it."}));
     }
     const auto unheard = dialogue::unheard_words(knowledge.question(), can_be_heard);
     add_unheard(line_of(lesson.knowledge.front().id) + "what a learner may ask: ", unheard, sounds,
@@ -297,11 +311,7 @@ std::vector<std::string> question_notes(const LessonDescription& lesson,
         add_unheard(head, unheard, sounds, notes);
         if (sources.check) {
             add_form_notes(head, question, sources.check, notes);
-            for (const std::string& text : {described.prompt, described.again}) {
-                if (const std::string wrong = tell_form(sources.check, text); !wrong.empty()) {
-                    notes.push_back(head + '"' + text + "\" " + wrong + ".");
-                }
-            }
+            add_prompt_notes(head, described, sources.check, notes);
         }
         if (asking.lacks_hint(described)) {
             notes.push_back(head +

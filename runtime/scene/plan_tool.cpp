@@ -210,9 +210,7 @@ std::string name_of(const ToolDescription& tool) {
 }
 
 const char* name_of(ToolMethod method) {
-    constexpr std::array<const char*, 4> kNames{"field_sampling", "voxel_sampling",
-                                                "implicit_penalty", "god_object"};
-    return kNames.at(static_cast<std::size_t>(method));
+    return kToolMethods.at(static_cast<std::size_t>(method));
 }
 
 Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load_solid,

@@ -100,13 +100,8 @@ Integrator integrator_of(std::string_view name) {
 }
 
 ToolMethod method_of(std::string_view name) {
-    if (name == "god_object") {
-        return ToolMethod::god_object;
-    }
-    if (name == "implicit_penalty") {
-        return ToolMethod::implicit_penalty;
-    }
-    return name == "voxel_sampling" ? ToolMethod::voxel_sampling : ToolMethod::field_sampling;
+    const auto* const found = std::ranges::find(kToolMethods, name);
+    return static_cast<ToolMethod>(found - kToolMethods.begin());
 }
 
 // What is said of a tool and would not be looked at is a mistake.

@@ -1,5 +1,6 @@
 // Otaduy & Lin 2005, figure 4, on a scene of planes: penetration, coupling deviation, contact and felt force over 600 ms
 // for RK4 at 100 g and backward Euler at 10 g; and the least mass that each integrator can move there.
+#include "tests/bench/curves/l14_charts.h"
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/registry.h"
 #include "tests/support/spoon_scene.h"
@@ -17,28 +18,15 @@ using test::SpoonSettings;
 
 struct Variant {
     const char* name;
-    LineStyle style;
     SpoonSettings settings;
 };
 const std::array<Variant, 4> kVariants{
-    {{"RK4, 100 g, 2 kN/m",
-      LineStyle::measured,
-      {.integrator = Integrator::runge_kutta_4, .mass_kg = 0.1}},
-     {"backward Euler, 10 g, 2 kN/m", LineStyle::measured, {.mass_kg = 0.01}},
-     {"backward Euler, 10 g, 10 kN/m",
-      LineStyle::measured,
-      {.mass_kg = 0.01, .contact_stiffness_N_per_m = 1.0e4}},
-     {"RK4, 10 g, 2 kN/m: chatters",
-      LineStyle::measured,
-      {.integrator = Integrator::runge_kutta_4, .mass_kg = 0.01}}}};
+    {{"RK4, 100 g, 2 kN/m", {.integrator = Integrator::runge_kutta_4, .mass_kg = 0.1}},
+     {"backward Euler, 10 g, 2 kN/m", {.mass_kg = 0.01}},
+     {"backward Euler, 10 g, 10 kN/m", {.mass_kg = 0.01, .contact_stiffness_N_per_m = 1.0e4}},
+     {"RK4, 10 g, 2 kN/m: chatters", {.integrator = Integrator::runge_kutta_4, .mass_kg = 0.01}}}};
 
-struct Quantity {
-    const char* name;
-    const char* title;
-    Axis y;
-    double (*value)(const SpoonSample&);
-    const char* advice;
-};
+using Quantity = CourseQuantity<SpoonSample>;
 const std::array<Quantity, 4> kQuantities{
     {{"l14-penetration",
       "Penetration",
@@ -67,8 +55,7 @@ const std::array<Quantity, 4> kQuantities{
 
 LineChart make_chart(const Quantity& quantity,
                      const std::vector<std::vector<SpoonSample>>& courses) {
-    LineChart chart;
-    chart.name = quantity.name;
+    LineChart chart = make_course_chart(quantity, kVariants, courses);
     chart.title = std::string(quantity.title) + " of a spoon in a cup's handle";
     chart.work =
         "a spoon on a coupling of 500 N/m at 1 kHz, its stem through a ring, pressed against it "
@@ -79,17 +66,6 @@ LineChart make_chart(const Quantity& quantity,
         "after Otaduy & Lin 2005, figure 4, whose axes end at 0.7 mm, 5 mm and 1.8 N; their scene "
         "is of "
         "meshes, this one of planes";
-    chart.advice = quantity.advice;
-    chart.x = {"time", "ms"};
-    chart.y = quantity.y;
-    for (std::size_t i = 0; i < kVariants.size(); ++i) {
-        Line line{kVariants[i].name, kVariants[i].style, {}, {}};
-        for (const SpoonSample& sample : courses[i]) {
-            line.x.push_back(1.0e3 * sample.time_s);
-            line.y.push_back(quantity.value(sample));
-        }
-        chart.lines.push_back(std::move(line));
-    }
     return chart;
 }
 

@@ -1,5 +1,6 @@
 // Otaduy & Lin 2005, figure 6, on jaws of our own: penetration, the contact thread's rate, coupling deviation and felt force over 900 ms, with
 // contact found each millisecond or 100 times a second, by planes, by their linearised model, and without a model.
+#include "tests/bench/curves/l14_charts.h"
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/registry.h"
 #include "tests/support/jaws.h"
@@ -27,13 +28,7 @@ const std::array<Variant, 5> kVariants{
      {"linearised, 100 Hz", {.model = PenaltyModel::linearised, .round_s = 0.01}},
      {"no model, 500 Hz", {.model = PenaltyModel::held, .round_s = 0.002}}}};
 
-struct Quantity {
-    const char* name;
-    const char* title;
-    Axis y;
-    double (*value)(const JawsSample&);
-    const char* advice;
-};
+using Quantity = CourseQuantity<JawsSample>;
 constexpr double kAxisEnd_N = 10.0;  // what diverges ends there
 const std::array<Quantity, 4> kQuantities{
     {{"l14-jaws-penetration",
@@ -62,26 +57,13 @@ const std::array<Quantity, 4> kQuantities{
 
 LineChart make_chart(const Quantity& quantity,
                      const std::vector<std::vector<JawsSample>>& courses) {
-    LineChart chart;
-    chart.name = quantity.name;
-    chart.title = quantity.title;
+    LineChart chart = make_course_chart(quantity, kVariants, courses);
     chart.work =
         "an upper jaw of 20 k triangles and 10 g on a coupling of 500 N/m bites into a lower one "
         "and grinds on it, contacts of 5 kN/m; lines end where they leave the axes";
     chart.reference =
         "after Otaduy & Lin 2005, figure 6, whose jaws have 40 k triangles and whose contact "
         "thread is slowed by a finer tolerance; here it is slowed by the clock";
-    chart.advice = quantity.advice;
-    chart.x = {"time", "ms"};
-    chart.y = quantity.y;
-    for (std::size_t i = 0; i < kVariants.size(); ++i) {
-        Line line{kVariants[i].name, LineStyle::measured, {}, {}};
-        for (const JawsSample& sample : courses[i]) {
-            line.x.push_back(1.0e3 * sample.time_s);
-            line.y.push_back(quantity.value(sample));
-        }
-        chart.lines.push_back(std::move(line));
-    }
     return chart;
 }
 

@@ -44,37 +44,49 @@ struct Rest {
     bool moved = true;
 };
 
-Rest run(ToolSolver& tool, std::size_t n_objects, int n_steps,
-         const std::function<MovingFrame(double)>& hand, bool place = true) {
-    const std::vector<MovingFrame> objects(n_objects);
-    if (place) {
-        tool.place(hand(0.0).pose_W);
-    }
-    Rest rest;
-    double least_N = HUGE_VAL;
-    double greatest_N = 0.0;
-    Vector3 last_N = Vector3::Zero();
-    Vector3 last_m = tool.grip_W().position;
-    for (int i = 1; i <= n_steps; ++i) {
-        const ToolFelt felt =
-            tool.move(hand(static_cast<double>(i) / n_steps), objects, i * kDt_s, kDt_s);
-        const double felt_N = felt.felt_W.force.norm();
-        rest.moved = rest.moved && felt.moved;
-        rest.most_N = worse(rest.most_N, felt_N);
-        rest.most_Nm = worse(rest.most_Nm, felt.felt_W.torque.norm());
-        rest.step_N = worse(rest.step_N, (felt.felt_W.force - last_N).norm());
-        if (i > n_steps * 4 / 5) {
-            rest.speed_m_per_s =
-                worse(rest.speed_m_per_s, (tool.grip_W().position - last_m).norm() / kDt_s);
-            least_N = std::min(least_N, felt_N);
-            greatest_N = worse(greatest_N, felt_N);
+// Follows a tool step by step.
+class Watch {
+  public:
+    explicit Watch(const ToolSolver& tool) : tool_(tool), last_m_(tool.grip_W().position) {}
+
+    // Whether the hand is still in this step and the tool ought to be.
+    void see(const ToolFelt& felt, bool rests) {
+        rest_.moved = rest_.moved && felt.moved;
+        rest_.felt_N = felt.felt_W.force.norm();
+        rest_.most_N = worse(rest_.most_N, rest_.felt_N);
+        rest_.most_Nm = worse(rest_.most_Nm, felt.felt_W.torque.norm());
+        rest_.step_N = worse(rest_.step_N, (felt.felt_W.force - last_N_).norm());
+        if (rests) {
+            const double way_m = (tool_.grip_W().position - last_m_).norm();
+            rest_.speed_m_per_s = worse(rest_.speed_m_per_s, way_m / kDt_s);
+            least_N_ = std::min(least_N_, rest_.felt_N);
+            greatest_N_ = worse(greatest_N_, rest_.felt_N);
+            rest_.ripple_N = greatest_N_ - least_N_;
         }
-        rest.felt_N = felt_N;
-        last_N = felt.felt_W.force;
-        last_m = tool.grip_W().position;
+        last_N_ = felt.felt_W.force;
+        last_m_ = tool_.grip_W().position;
     }
-    rest.ripple_N = greatest_N - least_N;
-    return rest;
+    [[nodiscard]] const Rest& rest() const { return rest_; }
+
+  private:
+    const ToolSolver& tool_;
+    Rest rest_;
+    double least_N_ = HUGE_VAL;
+    double greatest_N_ = 0.0;
+    Vector3 last_N_{Vector3::Zero()};
+    Vector3 last_m_;
+};
+
+// The hand goes by shares of the course; in the last fifth it is still.
+Rest run(ToolSolver& tool, int n_steps, const std::function<MovingFrame(double)>& hand) {
+    const MovingFrame object;
+    tool.place(hand(0.0).pose_W);
+    Watch watch(tool);
+    for (int i = 1; i <= n_steps; ++i) {
+        watch.see(tool.move(hand(static_cast<double>(i) / n_steps), {&object, 1}, i * kDt_s, kDt_s),
+                  i > n_steps * 4 / 5);
+    }
+    return watch.rest();
 }
 
 constexpr const char* kMeasured =
@@ -109,7 +121,7 @@ Finding wedge_peg_by_turn() {
     const auto tool =
         make_tool(*test::make_tool_of(scene, {make_bush(0.02, 0.0115, 0.03, 35).value()}));
     // In, then turned askew by a third of a radian and pressed down on that.
-    return judge(run(*tool, 1, 4000, [](double share) {
+    return judge(run(*tool, 4000, [](double share) {
         const double in = std::min(1.0, 4.0 * share);
         const double askew = std::clamp(4.0 * share - 1.0, 0.0, 1.0);
         return MovingFrame{
@@ -123,7 +135,7 @@ Finding rest_on_a_thousand() {
     const auto tool = make_tool(
         *test::make_tool_of(make_scene(make_box(size).value(), make_box_inertia(0.1, size), 0.002),
                             {make_box({0.2, 0.02, 0.2}).value()}));
-    return judge(run(*tool, 1, 1000, along({0.0, 0.03, 0.0}, {0.0, 0.01, 0.0})));
+    return judge(run(*tool, 1000, along({0.0, 0.03, 0.0}, {0.0, 0.01, 0.0})));
 }
 
 // A plate of 2 mm goes in between two of 4 mm that are 3 mm apart, is pressed on one, and on the other.
@@ -137,31 +149,14 @@ Finding slide_between_sheets() {
     Finding all{0.0, 1.0, {}};
     for (const double side : {-1.0, 1.0}) {
         tool->place(Pose::at({-0.12, 0.0, 0.0}));
-        Rest rest;
-        double least_N = HUGE_VAL;
-        double greatest_N = 0.0;
-        Vector3 last_N = Vector3::Zero();
+        Watch watch(*tool);
         for (int i = 1; i <= 3000; ++i) {
             const double in = std::min(1.0, i / 1000.0);
             const double press = std::clamp(i / 1000.0 - 1.0, 0.0, 1.0);
-            const Vector3 before = tool->grip_W().position;
-            const ToolFelt felt =
-                tool->move({Pose::at({-0.12 + 0.12 * in, side * 0.004 * press, 0.0}), {}}, sheets,
-                           i * kDt_s, kDt_s);
-            rest.moved = rest.moved && felt.moved;
-            rest.felt_N = felt.felt_W.force.norm();
-            rest.most_N = worse(rest.most_N, rest.felt_N);
-            rest.step_N = worse(rest.step_N, (felt.felt_W.force - last_N).norm());
-            last_N = felt.felt_W.force;
-            if (i > 2600) {
-                rest.speed_m_per_s =
-                    worse(rest.speed_m_per_s, (tool->grip_W().position - before).norm() / kDt_s);
-                least_N = std::min(least_N, rest.felt_N);
-                greatest_N = worse(greatest_N, rest.felt_N);
-            }
+            const Pose hand = Pose::at({-0.12 + 0.12 * in, side * 0.004 * press, 0.0});
+            watch.see(tool->move({hand, {}}, sheets, i * kDt_s, kDt_s), i > 2600);
         }
-        rest.ripple_N = greatest_N - least_N;
-        Finding one = judge(rest);
+        Finding one = judge(watch.rest());
         // It may not have gone through either.
         one.worst = worse(one.worst, std::abs(tool->grip_W().position.y()) < 0.0015 ? 0.0 : 100.0);
         all = all.note.empty() ? one : worse_of(all, one);
@@ -175,7 +170,7 @@ Finding spin_in_cage() {
     const auto tool = make_tool(
         *test::make_tool_of(make_scene(make_box(size).value(), make_box_inertia(0.02, size), 0.001),
                             {make_bush(0.05, 0.03, 0.04, 4).value()}));
-    Rest rest = run(*tool, 1, 3000, [](double share) {
+    const Rest rest = run(*tool, 3000, [](double share) {
         const double angle = 20.0 * 3.0 * share;
         return MovingFrame{{Vector3::Zero(), compute_exp(Vector3(0.0, 0.0, angle))},
                            {Vector3::Zero(), Vector3(0.0, 0.0, 20.0)}};
@@ -198,7 +193,7 @@ Finding press_light_and_heavy() {
         const auto tool = make_tool(*test::make_tool_of(
             make_scene(make_box(size).value(), make_box_inertia(mass_kg, size), 0.002),
             {make_box({0.2, 0.04, 0.2}).value()}));
-        const Finding one = judge(run(*tool, 1, 2000, along({0.0, 0.06, 0.0}, {0.0, 0.01, 0.0})));
+        const Finding one = judge(run(*tool, 2000, along({0.0, 0.06, 0.0}, {0.0, 0.01, 0.0})));
         all = all.note.empty() ? one : worse_of(all, one);
     }
     return all;
@@ -210,20 +205,12 @@ Finding stall_contact_thread() {
     const ToolPlan plan =
         *test::make_tool_of(make_scene(make_box(size).value(), make_box_inertia(0.01, size), 0.002),
                             {make_box({0.1, 0.04, 0.1}).value()});
-    ImplicitPenaltyPlan penalty;
-    for (const auto& object : std::get<std::vector<FieldSamplingPlan>>(plan.objects)) {
-        penalty.objects.push_back({object.field, object.shell});
-    }
-    penalty.settings.coupling = plan.settings.coupling;
-    penalty.settings.inertia = plan.settings.inertia;
-    penalty.settings.contacts = plan.penalty->contacts;
-    penalty.settings.clusters = plan.penalty->clusters;
+    ImplicitPenaltyPlan penalty = make_implicit_penalty_plan(plan);
     penalty.settings.own_rounds = false;
     auto tool = ImplicitPenaltyTool::build(penalty).value();
     const MovingFrame block;
     tool.place(Pose::at({-0.03, 0.04, 0.0}));
-    Rest rest;
-    Vector3 last_N = Vector3::Zero();
+    Watch watch(tool);
     for (int i = 1; i <= 1400; ++i) {
         const double t_s = i * kDt_s;
         if (t_s < 0.5 || t_s > 0.7) {
@@ -232,13 +219,9 @@ Finding stall_contact_thread() {
         const double down = std::min(1.0, t_s / 0.3) - std::clamp((t_s - 0.9) / 0.3, 0.0, 1.0);
         const Vector3 at(-0.03 + 0.12 * std::clamp((t_s - 0.3) / 0.5, 0.0, 1.0),
                          0.04 - 0.015 * down, 0.0);
-        const ToolFelt felt = tool.move({Pose::at(at), {}}, {&block, 1}, t_s, kDt_s);
-        rest.moved = rest.moved && felt.moved;
-        rest.felt_N = felt.felt_W.force.norm();
-        rest.most_N = worse(rest.most_N, rest.felt_N);
-        rest.step_N = worse(rest.step_N, (felt.felt_W.force - last_N).norm());
-        last_N = felt.felt_W.force;
+        watch.see(tool.move({Pose::at(at), {}}, {&block, 1}, t_s, kDt_s), false);
     }
+    const Rest& rest = watch.rest();
     // At the end the hand has left, and nothing is felt.
     Finding finding = judge(rest, 0.0);
     finding.worst = worse(finding.worst, rest.felt_N > 0.0 ? 100.0 : 0.0);

@@ -244,17 +244,10 @@ TEST_CASE("implicit penalty: what one solve takes to and fro for ever rests with
         scene.n_points = 3000;
         scene.settings.coupling.turn.stiffness_Nm_per_rad = 0.2;
         const ToolPlan made = *test::make_tool_of(scene, {make_box({0.2, 0.04, 0.2}).value()});
-        ImplicitPenaltyPlan plan;
-        for (const auto& object : std::get<std::vector<FieldSamplingPlan>>(made.objects)) {
-            plan.objects.push_back({object.field, object.shell});
-        }
-        plan.settings.coupling = made.settings.coupling;
-        plan.settings.inertia = made.settings.inertia;
-        plan.settings.contacts = made.penalty->contacts;
+        ImplicitPenaltyPlan plan = make_implicit_penalty_plan(made);
         plan.settings.contacts.damping_Ns_per_m = 0.0;
         plan.settings.contacts.stiffness_N_per_m = 11'200.0;
         plan.settings.contacts.within_m = 0.9e-3;
-        plan.settings.clusters = made.penalty->clusters;
         plan.settings.newton_iterations = newton_iterations;
         auto tool = ImplicitPenaltyTool::build(plan).value();
         tool.place(Pose::at({0.0, 0.06, 0.0}));
