@@ -1,7 +1,6 @@
 // What a lesson's run has to do with records: its own, and the one that it repeats; for lesson_run.cpp.
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/run_facts.h"
-#include "runtime/evidence/record_words.h"
 
 #include <cstdio>
 
@@ -31,7 +30,7 @@ void LessonRun::build_why(const RunRequest& request) {
     }
     shares_ = std::make_unique<LatestValue<ForceShares>>();
     channels_.shares = shares_.get();
-    why_.emplace(effect_words(haptic_loop_->effects(), process_->description()),
+    why_.emplace(haptic_loop_->effects(), process_->description().forces,
                  MostFelt{haptic_loop_->max_force_N(), haptic_loop_->max_torque_Nm()});
 }
 

@@ -82,24 +82,32 @@ std::string_view where_word(BodyWhere where) noexcept {
     return kWords[static_cast<std::size_t>(where)];
 }
 
-std::string direction_words(const Vector3& force_W) {
+std::vector<int> main_axes(const Vector3& force_W) {
     const double length = compute_length(force_W);
+    std::vector<int> axes;
     if (!(length > 0.0) || !std::isfinite(length)) {
-        return "-";
+        return axes;
     }
-    constexpr std::array<std::pair<const char*, const char*>, 3> kAxes{
-        {{"right", "left"}, {"up", "down"}, {"towards you", "away from you"}}};
     std::array<int, 3> order{0, 1, 2};
     std::ranges::stable_sort(
         order, [&](int a, int b) { return std::abs(force_W[a]) > std::abs(force_W[b]); });
-    std::string text;
     for (const int axis : order) {
-        if (text.empty() || std::abs(force_W[axis]) > kSlant * length) {
-            const auto& [more, less] = kAxes[static_cast<std::size_t>(axis)];
-            text += (text.empty() ? "" : " and ") + std::string(force_W[axis] > 0.0 ? more : less);
+        if (axes.empty() || std::abs(force_W[axis]) > kSlant * length) {
+            axes.push_back(force_W[axis] > 0.0 ? axis + 1 : -axis - 1);
         }
     }
-    return text;
+    return axes;
+}
+
+std::string direction_words(const Vector3& force_W) {
+    constexpr std::array<std::pair<const char*, const char*>, 3> kWays{
+        {{"right", "left"}, {"up", "down"}, {"towards you", "away from you"}}};
+    std::string text;
+    for (const int axis : main_axes(force_W)) {
+        const auto& [more, less] = kWays[static_cast<std::size_t>(std::abs(axis) - 1)];
+        text += (text.empty() ? "" : " and ") + std::string(axis > 0 ? more : less);
+    }
+    return text.empty() ? "-" : text;
 }
 
 std::string exact_text(double value) {

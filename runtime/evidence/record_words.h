@@ -27,6 +27,8 @@ namespace fulcrum::runtime {
 [[nodiscard]] std::string_view event_word(RecordEventKind kind) noexcept;
 /// "hidden", "placed", "falling", "held", "landed".
 [[nodiscard]] std::string_view where_word(BodyWhere where) noexcept;
+/// Along which axes a force mainly is, the strongest first: 1, 2, 3 for x, y, z, negative where it runs back; none of no force.
+[[nodiscard]] std::vector<int> main_axes(const Vector3& force_W);
 /// Where a force pulls the hand, as who sits before the screen says it: "down", "up and left", "towards you"; "-" of no force.
 [[nodiscard]] std::string direction_words(const Vector3& force_W);
 /// The shortest number that is read as the same one again, in at most 17 digits.

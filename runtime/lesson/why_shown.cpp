@@ -5,8 +5,10 @@
 #include "runtime/lesson/compose_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <span>
+#include <cstdlib>
+#include <iterator>
 #include <utility>
 
 namespace fulcrum::runtime {
@@ -17,11 +19,43 @@ void calm_down(Wrench& shown, const Wrench& told, double share) {
     shown.torque += share * (told.torque - shown.torque);
 }
 
+const char* key_of(Effect effect) {
+    constexpr const char* kKeys[] = {
+        "hud.why_tool",  "hud.why_tool_damping", "hud.why_contact", "hud.why_contact_damping",
+        "hud.why_grip",  "hud.why_texture",      "hud.why_tap",     "hud.why_weight",
+        "hud.why_field", "hud.why_line",         "hud.why_lesson",  "hud.why_brake"};
+    static_assert(std::size(kKeys) == kEffectKinds);
+    return kKeys[static_cast<std::size_t>(effect)];
+}
+
+std::string say_direction(const Vector3& force_W, const dialogue::Catalogue& catalogue) {
+    constexpr std::array<std::pair<const char*, const char*>, 3> kWays{
+        {{"hud.way_right", "hud.way_left"},
+         {"hud.way_up", "hud.way_down"},
+         {"hud.way_near", "hud.way_away"}}};
+    std::string said;
+    for (const int axis : main_axes(force_W)) {
+        const auto& [more, less] = kWays[static_cast<std::size_t>(std::abs(axis) - 1)];
+        const std::string way = catalogue.say(axis > 0 ? more : less);
+        said = said.empty() ? way : catalogue.say("hud.way_and", {{"first", said}, {"next", way}});
+    }
+    return said;
+}
+
 }  // namespace
 
-WhyShown::WhyShown(std::vector<std::string> effects, const MostFelt& most) : most_(most) {
-    for (std::string& name : effects) {
-        calm_.effects.push_back({std::move(name), {}});
+WhyShown::WhyShown(std::span<const EffectSlot> effects, std::span<const ForceDescription> forces,
+                   const MostFelt& most)
+    : most_(most) {
+    for (const EffectSlot& slot : effects) {
+        const auto field = static_cast<std::size_t>(slot.field);
+        const bool is_field = slot.effect == Effect::field;
+        const bool is_named = is_field && field < forces.size();
+        keys_.push_back(key_of(slot.effect));
+        calm_.effects.push_back({is_named   ? forces[field].name
+                                 : is_field ? std::to_string(field + 1)
+                                            : std::string(),
+                                 {}});
     }
 }
 
@@ -63,19 +97,26 @@ ViewWhy WhyShown::show(const dialogue::Catalogue& catalogue) const {
             parts.push_back({name, force_W, newtons});
         }
     };
-    for (const ForcePart& part : calm_.effects) {
-        add(part.name, part.wrench_W.force);
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+        const ForcePart& part = calm_.effects[i];
+        add(catalogue.say(keys_[i], {{"name", part.name}}), part.wrench_W.force);
     }
     add(catalogue.say("hud.why_limits"), calm_.limit_W.force);
     add(catalogue.say("hud.why_gate"), calm_.gate_W.force);
     std::ranges::stable_sort(parts, std::ranges::greater{}, &Part::newtons);
+    // Of what is held back wholly nothing is felt, and it is against what was asked for.
+    const Vector3& felt_W = calm_.felt_W.force;
+    const Vector3& whole_W = compute_length(felt_W) > kShownShare_N ? felt_W : calm_.asked_W.force;
     ViewWhy why;
     why.visible = true;
     why.title = catalogue.say("hud.why");
     for (const Part& part : parts) {
         why.shares.push_back(
-            {part.name, newtons_text(part.newtons) + " N " + direction_words(part.force_W),
-             part.newtons / parts.front().newtons, part.force_W.dot(calm_.felt_W.force) < 0.0});
+            {part.name,
+             catalogue.say("hud.why_share",
+                           {{"newtons", newtons_text(part.newtons)},
+                            {"direction", say_direction(part.force_W, catalogue)}}),
+             part.newtons / parts.front().newtons, part.force_W.dot(whole_W) < 0.0});
     }
     if (why.shares.empty()) {
         why.shares.push_back({catalogue.say("hud.why_nothing"), "", 0.0, false});

@@ -71,7 +71,7 @@ struct Renderer::Parts {
     gl::FrameTarget target;
     Font font;
     DrawList list;
-    FeedbackPlace feedback_place;
+    MovedPanels moved;
     std::vector<Box> spots;  ///< of the view drawn last: the line to type in, then the choices
     std::vector<std::string> notices;
     std::optional<KiteSettings> kite;  ///< as it was drawn last
@@ -187,9 +187,8 @@ void Renderer::draw(const View& view, int width, int height) {
     const Measure measure(width, height);
     const Camera camera(view.camera, width, height);
     const Box hand = view.menu.empty() ? parts_->painter.hand_seen(view, camera) : Box{};
-    const PanelLayout panels =
-        lay_out_panels(view, parts_->font, measure, hand, parts_->feedback_place);
-    parts_->feedback_place = panels.feedback_place;
+    const PanelLayout panels = lay_out_panels(view, parts_->font, measure, hand, parts_->moved);
+    parts_->moved = panels.moved;
     parts_->spots = {panels.input.box};
     for (const Panel& choice : panels.choices) {
         parts_->spots.push_back(choice.box);

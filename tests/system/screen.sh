@@ -15,7 +15,10 @@ folder=$(mktemp -d)
 export HOME=$folder
 unset XDG_DATA_HOME XDG_CACHE_HOME WAYLAND_DISPLAY
 mkfifo "$folder/display"
-Xvfb -noreset -displayfd 3 -screen 0 1280x720x24 3>"$folder/display" 2>/dev/null &
+# What is seen stands in a file, as xwd writes it.
+mkdir "$folder/screen"
+screen_file=$folder/screen/Xvfb_screen0
+Xvfb -noreset -displayfd 3 -screen 0 1280x720x24 -fbdir "$folder/screen" 3>"$folder/display" 2>/dev/null &
 server=$!
 child=
 finish() {

@@ -5,6 +5,10 @@ if(TARGET fulcrum)
            COMMAND ${CMAKE_SOURCE_DIR}/tests/system/window.sh $<TARGET_FILE:fulcrum>)
   set_tests_properties("system: a window survives a broken lesson, a hung one, and runs the mended one"
                        PROPERTIES LABELS system TIMEOUT 120 SKIP_RETURN_CODE 77 ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
+  add_test(NAME "system: F3 says why a force is felt, out of the hand's way"
+           COMMAND ${CMAKE_SOURCE_DIR}/tests/system/why.sh $<TARGET_FILE:fulcrum>)
+  set_tests_properties("system: F3 says why a force is felt, out of the hand's way"
+                       PROPERTIES LABELS system TIMEOUT 180 SKIP_RETURN_CODE 77 ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
   add_test(NAME "system: with --mute no sound device is opened"
            COMMAND ${CMAKE_SOURCE_DIR}/tests/system/mute.sh $<TARGET_FILE:fulcrum>)
   set_tests_properties("system: with --mute no sound device is opened"

@@ -159,7 +159,7 @@ void lay_out_feedback(const View& view, const Font& font, const Measure& m, floa
     const float height = panel.words.height_px + 2.0F * m.px(kPadY);
     const Box high{0.5F * (m.width_px - width), top, width, height};
     const Box low{high.x, std::max(bottom - height, top), width, height};
-    bool& is_low = layout.feedback_place.is_low;
+    bool& is_low = layout.moved.feedback_is_low;
     if (meet(hand, is_low ? low : high) && !meet(hand, is_low ? high : low)) {
         is_low = !is_low;
     }
@@ -268,14 +268,25 @@ float lay_out_top_row(const View& view, const Font& font, const Measure& m, floa
     return bottom + m.px(kGap);
 }
 
-/// On the left, between what stands above and what stands below.
-Box find_room_for_why(const Measure& m, float top, float bottom, const PanelLayout& layout) {
+/// Between what stands above and what stands below; on the left, or on the right when it would hide the hand.
+void lay_out_why_beside(const View& view, const Font& font, const Measure& m, float top,
+                        float bottom, const Box& hand, PanelLayout& layout) {
     if (const Box& said = layout.feedback.box; said.width > 0.0F) {
-        (layout.feedback_place.is_low ? bottom : top) =
-            layout.feedback_place.is_low ? said.y - m.px(kGap) : said.bottom() + m.px(kGap);
+        (layout.moved.feedback_is_low ? bottom : top) =
+            layout.moved.feedback_is_low ? said.y - m.px(kGap) : said.bottom() + m.px(kGap);
     }
     const float margin = m.px(kMargin);
-    return {margin, top, m.width_px - 2.0F * margin, bottom - top};
+    const Box room{margin, top, m.width_px - 2.0F * margin, bottom - top};
+    layout.why = lay_out_why(view.why, font, m, room);
+    const Box left = layout.why.box;
+    const Box right{room.right() - left.width, left.y, left.width, left.height};
+    bool& is_right = layout.moved.why_is_right;
+    if (meet(hand, is_right ? right : left) && !meet(hand, is_right ? left : right)) {
+        is_right = !is_right;
+    }
+    if (is_right && left.width > 0.0F) {
+        layout.why = lay_out_why(view.why, font, m, {right.x, top, right.width, room.height});
+    }
 }
 
 }  // namespace
@@ -297,9 +308,10 @@ std::vector<Box> PanelLayout::shown() const {
 }
 
 PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure, const Box& hand,
-                           const FeedbackPlace& place) {
+                           const MovedPanels& before) {
     PanelLayout layout;
-    layout.feedback_place = {view.feedback, place.is_low && place.said == view.feedback};
+    layout.moved = {view.feedback, before.feedback_is_low && before.said == view.feedback,
+                    before.why_is_right && view.why.visible};
     float top = measure.px(kMargin);
     if (!view.banner.empty()) {
         lay_out_banner(view, font, measure, layout.banner);
@@ -315,8 +327,7 @@ PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure,
     if (view.menu.empty() && view.stars >= 0) {
         lay_out_stars(measure, layout.stars);
     } else if (view.menu.empty()) {
-        layout.why =
-            lay_out_why(view.why, font, measure, find_room_for_why(measure, top, bottom, layout));
+        lay_out_why_beside(view, font, measure, top, bottom, hand, layout);
     }
     return layout;
 }

@@ -3,7 +3,7 @@
 //   top     [banner across]
 //           [level, title]                         [star, score]
 //                     [feedback]
-//           [why the force is felt]
+//           [why the force is felt]                [or here, when it would hide the hand]
 //   middle            [stars at the end]
 //                     [feedback, when it would hide the hand above]
 //   bottom            [caption] / [choice] / … / [input]
@@ -28,10 +28,11 @@ struct Panel {
     Paragraph second;  ///< a line below, may be empty
 };
 
-/// Where the last words to the learner are, from frame to frame: they move away from the hand, and stay where they are otherwise.
-struct FeedbackPlace {
+/// Which panels have moved away from the hand, from frame to frame: they stay where they are until the hand comes there.
+struct MovedPanels {
     std::string said;
-    bool is_low = false;  ///< above the bottom's panels instead of below the top row
+    bool feedback_is_low = false;  ///< above the bottom's panels instead of below the top row
+    bool why_is_right = false;     ///< on the right instead of on the left
 };
 
 /// Where the panels are; those that are not shown have no width.
@@ -45,16 +46,16 @@ struct PanelLayout {
     std::vector<Panel> choices;  ///< as the view's
     Panel stars;
     WhyLayout why;
-    FeedbackPlace feedback_place;  ///< for the next frame
+    MovedPanels moved;  ///< for the next frame
 
     /// The boxes of all that are shown.
     [[nodiscard]] std::vector<Box> shown() const;
 };
 
 /// Sets all words and finds room for each panel. In the menu there are only banner, caption and
-/// feedback. `hand` is where the hand is seen, empty when it is not, and `place` the last frame's.
+/// feedback. `hand` is where the hand is seen, empty when it is not, and `before` the last frame's.
 [[nodiscard]] PanelLayout lay_out_panels(const View& view, Font& font, const Measure& measure,
-                                         const Box& hand = {}, const FeedbackPlace& place = {});
+                                         const Box& hand = {}, const MovedPanels& before = {});
 
 /// Where a choice's picture belongs.
 [[nodiscard]] Box choice_picture(const Panel& panel, const Measure& measure);

@@ -55,6 +55,8 @@ TEST_CASE("record words: directions are a person's before the screen, the strong
     CHECK(direction_words({1, above, 0}) == "right and up");
     CHECK(direction_words(Vector3::Zero()) == "-");
     CHECK(direction_words({std::numeric_limits<double>::quiet_NaN(), 0, 0}) == "-");
+    CHECK(main_axes({-2, 3, 0}) == std::vector<int>{2, -1});
+    CHECK(main_axes({0, 0, std::numeric_limits<double>::infinity()}).empty());
 }
 
 TEST_CASE("record words: numbers are read again to the bit") {

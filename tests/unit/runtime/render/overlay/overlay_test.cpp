@@ -75,14 +75,14 @@ TEST_CASE("panels: what was said moves away from the hand, and then stays where 
     Font font = andika();
     const Measure measure(1280, 720);
     View view = busy();
-    const auto laid = [&](const Box& hand, const FeedbackPlace& place) {
+    const auto laid = [&](const Box& hand, const MovedPanels& place) {
         return lay_out_panels(view, font, measure, hand, place);
     };
     const PanelLayout free = laid({}, {});
-    CHECK_FALSE(free.feedback_place.is_low);
+    CHECK_FALSE(free.moved.feedback_is_low);
     const Box under = {free.feedback.box.middle_x(), free.feedback.box.y, 60.0F, 60.0F};
-    const PanelLayout low = laid(under, free.feedback_place);
-    CHECK(low.feedback_place.is_low);
+    const PanelLayout low = laid(under, free.moved);
+    CHECK(low.moved.feedback_is_low);
     CHECK_FALSE(overlap(low.feedback.box, under));
     const std::vector<Box> boxes = low.shown();
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -92,12 +92,12 @@ TEST_CASE("panels: what was said moves away from the hand, and then stays where 
         }
     }
     // The hand is gone: the same words stay, new ones begin above again.
-    CHECK(laid({}, low.feedback_place).feedback.box.y == low.feedback.box.y);
-    CHECK(laid(low.feedback.box, low.feedback_place).feedback.box.y == free.feedback.box.y);
+    CHECK(laid({}, low.moved).feedback.box.y == low.feedback.box.y);
+    CHECK(laid(low.feedback.box, low.moved).feedback.box.y == free.feedback.box.y);
     view.feedback = "Not yet. Try again.";
-    CHECK_FALSE(laid({}, low.feedback_place).feedback_place.is_low);
+    CHECK_FALSE(laid({}, low.moved).moved.feedback_is_low);
     // A hand as large as the picture is hidden anyway.
-    CHECK_FALSE(laid({0.0F, 0.0F, 1280.0F, 720.0F}, {}).feedback_place.is_low);
+    CHECK_FALSE(laid({0.0F, 0.0F, 1280.0F, 720.0F}, {}).moved.feedback_is_low);
 }
 
 TEST_CASE("panels: what the view does not say is not shown") {

@@ -87,6 +87,43 @@ TEST_CASE(
     CHECK(why.rows[1].part == 0.5);
 }
 
+TEST_CASE("why panel: it moves away from the hand, stays there, and is in nobody's way there") {
+    Font font = andika();
+    for (const auto& [width, height] : {std::pair{1280, 720}, {1024, 768}, {3840, 2160}}) {
+        const Measure measure(width, height);
+        View view = asking_why(4);
+        view.banner.clear();
+        view.feedback.clear();
+        const auto laid = [&](const Box& hand, const MovedPanels& before) {
+            return lay_out_panels(view, font, measure, hand, before);
+        };
+        const PanelLayout left = laid({}, {});
+        CHECK_FALSE(left.moved.why_is_right);
+        const Box under{left.why.box.middle_x(), left.why.box.middle_y(), 40.0F, 40.0F};
+        const PanelLayout right = laid(under, left.moved);
+        INFO(width << " x " << height);
+        CHECK(right.moved.why_is_right);
+        CHECK_FALSE(overlap(right.why.box, under));
+        CHECK(right.why.rows.size() == left.why.rows.size());
+        CHECK(right.why.rows[0].bar.x > right.why.box.x);
+        const std::vector<Box> boxes = right.shown();
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            CHECK(inside(boxes[i], measure));
+            for (std::size_t j = 0; j < i; ++j) {
+                CHECK_FALSE(overlap(boxes[i], boxes[j]));
+            }
+        }
+        // The hand is gone: it stays. The hand comes here too: it goes back. Where it is asked for anew it begins on the left.
+        CHECK(laid({}, right.moved).why.box.x == right.why.box.x);
+        CHECK(laid(right.why.box, right.moved).why.box.x == left.why.box.x);
+        view.why.visible = false;
+        CHECK_FALSE(laid(under, right.moved).moved.why_is_right);
+        // A hand as large as the picture is hidden anyway.
+        view.why.visible = true;
+        CHECK_FALSE(laid({0.0F, 0.0F, measure.width_px, measure.height_px}, {}).moved.why_is_right);
+    }
+}
+
 TEST_CASE("why panel: it is there when it is asked for, and not over the stars or the menu") {
     Font font = andika();
     const Measure measure(1280, 720);
