@@ -1,0 +1,280 @@
+#include "haptics/levels/hull_pair.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+
+namespace {
+
+// Up to four support points and how the point nearest to the origin is blended of them.
+class BlendedSimplex {
+  public:
+    bool add(const Vector3& on_first, const Vector3& on_second) noexcept {
+        const Vector3 way = on_second - on_first;
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (corners_[i].way == way) {
+                return false;
+            }
+        }
+        corners_[count_++] = {way, on_first, on_second, 0.0};
+        return true;
+    }
+    // The nearest point; keeps what it is blended of. `holds_origin` says that it is inside of four.
+    Vector3 reduce() noexcept {
+        switch (count_) {
+            case 1:
+                corners_[0].weight = 1.0;
+                break;
+            case 2:
+                reduce_segment();
+                break;
+            case 3:
+                reduce_triangle();
+                break;
+            default:
+                reduce_tetrahedron();
+        }
+        Vector3 nearest = Vector3::Zero();
+        for (std::size_t i = 0; i < count_; ++i) {
+            nearest += corners_[i].weight * corners_[i].way;
+        }
+        return nearest;
+    }
+    [[nodiscard]] bool holds_origin() const noexcept { return count_ == 4; }
+    void tell(HullPair& pair) const noexcept {
+        pair.on_first.setZero();
+        pair.on_second.setZero();
+        for (std::size_t i = 0; i < count_; ++i) {
+            pair.on_first += corners_[i].weight * corners_[i].on_first;
+            pair.on_second += corners_[i].weight * corners_[i].on_second;
+        }
+    }
+
+  private:
+    struct Corner {
+        Vector3 way{Vector3::Zero()};
+        Vector3 on_first{Vector3::Zero()};
+        Vector3 on_second{Vector3::Zero()};
+        double weight = 0.0;
+    };
+
+    void keep_one(std::size_t i) noexcept {
+        corners_[0] = corners_[i];
+        corners_[0].weight = 1.0;
+        count_ = 1;
+    }
+    // The point at `t` of the way from corner i to corner j.
+    void keep_two(std::size_t i, std::size_t j, double t) noexcept {
+        const Corner from = corners_[i];
+        corners_[1] = corners_[j];
+        corners_[0] = from;
+        corners_[0].weight = 1.0 - t;
+        corners_[1].weight = t;
+        count_ = 2;
+    }
+    void reduce_segment() noexcept {
+        const Vector3 along = corners_[1].way - corners_[0].way;
+        const double before = -corners_[0].way.dot(along);
+        const double length = along.squaredNorm();
+        if (!(before > 0.0)) {
+            keep_one(0);
+        } else if (before >= length) {
+            keep_one(1);
+        } else {
+            keep_two(0, 1, before / length);
+        }
+    }
+    // By the regions of corners, edges and the face.
+    void reduce_triangle() noexcept {
+        const Vector3 ab = corners_[1].way - corners_[0].way;
+        const Vector3 ac = corners_[2].way - corners_[0].way;
+        const double d1 = -ab.dot(corners_[0].way);
+        const double d2 = -ac.dot(corners_[0].way);
+        if (d1 <= 0.0 && d2 <= 0.0) {
+            return keep_one(0);
+        }
+        const double d3 = -ab.dot(corners_[1].way);
+        const double d4 = -ac.dot(corners_[1].way);
+        if (d3 >= 0.0 && d4 <= d3) {
+            return keep_one(1);
+        }
+        const double vc = d1 * d4 - d3 * d2;
+        if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+            return keep_two(0, 1, d1 / (d1 - d3));
+        }
+        const double d5 = -ab.dot(corners_[2].way);
+        const double d6 = -ac.dot(corners_[2].way);
+        if (d6 >= 0.0 && d5 <= d6) {
+            return keep_one(2);
+        }
+        const double vb = d5 * d2 - d1 * d6;
+        if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+            return keep_two(0, 2, d2 / (d2 - d6));
+        }
+        const double va = d3 * d6 - d5 * d4;
+        if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
+            return keep_two(1, 2, (d4 - d3) / ((d4 - d3) + (d5 - d6)));
+        }
+        const double sum = va + vb + vc;
+        corners_[0].weight = va / sum;
+        corners_[1].weight = vb / sum;
+        corners_[2].weight = vc / sum;
+    }
+    // Inside, or the nearest of the faces that the origin is in front of; of all faces where it is flat.
+    void reduce_tetrahedron() noexcept {
+        constexpr std::array<std::array<std::size_t, 4>, 4> kFaces{
+            {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}}};
+        constexpr double kFlat = 1.0e-12;  // of an edge: a height of mere rounding has no inside
+        BlendedSimplex best;
+        double least = std::numeric_limits<double>::infinity();
+        for (const auto& face : kFaces) {
+            const Vector3& a = corners_[face[0]].way;
+            const Vector3 normal = (corners_[face[1]].way - a).cross(corners_[face[2]].way - a);
+            const Vector3 across = corners_[face[3]].way - a;
+            const double inwards = normal.dot(across);
+            if (-normal.dot(a) * inwards > 0.0 &&
+                std::abs(inwards) > kFlat * normal.norm() * across.norm()) {
+                continue;
+            }
+            BlendedSimplex triangle;
+            for (std::size_t i = 0; i < 3; ++i) {
+                triangle.corners_[i] = corners_[face[i]];
+            }
+            triangle.count_ = 3;
+            const double here = triangle.reduce().squaredNorm();
+            if (here < least) {
+                least = here;
+                best = triangle;
+            }
+        }
+        if (std::isfinite(least)) {
+            *this = best;
+            return;
+        }
+        for (Corner& corner : corners_) {
+            corner.weight = 0.25;  // the origin is inside: any blend will do
+        }
+    }
+
+    std::array<Corner, 4> corners_{};
+    std::size_t count_ = 0;
+};
+
+// `find_first(d)`: of the first the farthest along d, and so on.
+template <class FindFirst, class FindSecond>
+HullPair search(const Vector3& start, double enough_m, const FindFirst& find_first,
+                const FindSecond& find_second) noexcept {
+    constexpr int kMostSteps = 48;
+    constexpr double kEnough = 1.0e-9;  // of the distance: what may be left
+    constexpr double kMeet = 1.0e-13;   // of the difference's size: no distance
+    BlendedSimplex simplex;
+    HullPair pair;
+    Vector3 v = start;
+    double size_m = 0.0;
+    double last_m = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < kMostSteps; ++i) {
+        const double length_m = v.norm();
+        if (!(length_m > kMeet * size_m)) {
+            simplex.tell(pair);
+            pair.gap_m = 0.0;
+            pair.least_m = 0.0;
+            return pair;
+        }
+        const Vector3 normal = v / length_m;
+        const Vector3 on_first = find_first(normal);
+        const Vector3 on_second = find_second(Vector3(-normal));
+        const Vector3 w = on_second - on_first;
+        const double bound_m = normal.dot(w);
+        if (i == 0 || bound_m > pair.least_m) {
+            pair.least_m = std::max(bound_m, 0.0);
+            pair.normal = normal;
+        }
+        if (bound_m > enough_m) {
+            pair.gap_m = bound_m;
+            pair.is_far = true;
+            return pair;
+        }
+        size_m = std::max(size_m, w.norm());
+        const bool is_point_of_it = i > 0;
+        // A simplex that gets no nearer has come as near as rounding lets it.
+        const bool is_done =
+            is_point_of_it && (length_m - bound_m <= kEnough * length_m || !(length_m < last_m));
+        if (is_done || !simplex.add(on_first, on_second)) {
+            break;
+        }
+        last_m = is_point_of_it ? length_m : last_m;
+        v = simplex.reduce();
+        if (simplex.holds_origin()) {
+            simplex.tell(pair);
+            pair.gap_m = 0.0;
+            pair.least_m = 0.0;
+            return pair;
+        }
+    }
+    simplex.tell(pair);
+    pair.gap_m = (pair.on_second - pair.on_first).norm();
+    pair.least_m = std::min(pair.least_m, pair.gap_m);
+    return pair;
+}
+
+}  // namespace
+
+const Vector3& HullView::find_support(const Vector3& direction) const noexcept {
+    if (first_link.empty()) {
+        std::size_t best = 0;
+        double most = direction.dot(points[0]);
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double here = direction.dot(points[i]);
+            if (here > most) {
+                most = here;
+                best = i;
+            }
+        }
+        return points[best];
+    }
+    std::size_t at = 0;
+    double most = direction.dot(points[0]);
+    for (bool climbs = true; climbs;) {
+        climbs = false;
+        const auto begin = static_cast<std::size_t>(first_link[at]);
+        const auto end = static_cast<std::size_t>(first_link[at + 1]);
+        for (const std::int32_t link : links.subspan(begin, end - begin)) {
+            const double here = direction.dot(points[static_cast<std::size_t>(link)]);
+            if (here > most) {
+                most = here;
+                at = static_cast<std::size_t>(link);
+                climbs = true;
+            }
+        }
+    }
+    return points[at];
+}
+
+HullPair find_hull_pair(const HullView& first, const HullView& second, const Matrix3& turn,
+                        const Vector3& shift, const Vector3& start, double enough_m) noexcept {
+    return search(
+        start, enough_m,
+        [&first](const Vector3& d) noexcept -> Vector3 { return first.find_support(d); },
+        [&](const Vector3& d) noexcept -> Vector3 {
+            return turn * second.find_support(turn.transpose() * d) + shift;
+        });
+}
+
+double measure_along(const HullView& first, const HullView& second, const Matrix3& turn,
+                     const Vector3& shift, const Vector3& normal) noexcept {
+    const Vector3 back = turn.transpose() * -normal;
+    return normal.dot(turn * second.find_support(back) + shift) -
+           normal.dot(first.find_support(normal));
+}
+
+HullPair find_nearest_in_hull(const HullView& hull, const Vector3& point) noexcept {
+    const Vector3 start = point - hull.points[0];
+    return search(
+        start.squaredNorm() > 0.0 ? start : Vector3(Vector3::UnitY()),
+        std::numeric_limits<double>::infinity(),
+        [&hull](const Vector3& d) noexcept -> Vector3 { return hull.find_support(d); },
+        [&point](const Vector3&) noexcept -> Vector3 { return point; });
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,141 @@
+#include "haptics/levels/convex_pieces.h"
+
+#include "haptics/geometry/shape.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <vector>
+
+using namespace fulcrum;
+
+namespace {
+
+// The triangles of each piece.
+std::vector<PieceShape> collect_shapes(const TriangleMesh& mesh, const ConvexPieces& pieces) {
+    std::vector<PieceShape> shapes(static_cast<std::size_t>(pieces.n_pieces));
+    for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+        PieceTriangle places;
+        for (std::size_t k = 0; k < 3; ++k) {
+            places[k] = mesh.vertices_B()[static_cast<std::size_t>(mesh.triangles()[i][k])];
+        }
+        PieceShape& shape = shapes[static_cast<std::size_t>(pieces.piece_of[i])];
+        shape.add_triangle(places);
+        shape.corners.insert(shape.corners.end(), places.begin(), places.end());
+    }
+    return shapes;
+}
+
+// Every piece is what piece_shape.h says.
+void check_all(const TriangleMesh& mesh, const ConvexPieces& pieces) {
+    REQUIRE(pieces.piece_of.size() == mesh.triangles().size());
+    const auto [least, most] = std::ranges::minmax(pieces.piece_of);
+    REQUIRE(least == 0);
+    REQUIRE(most == pieces.n_pieces - 1);
+    const std::vector<PieceShape> shapes = collect_shapes(mesh, pieces);
+    for (std::size_t piece = 0; piece < shapes.size(); ++piece) {
+        const PieceShape& shape = shapes[piece];
+        for (const PiecePlane& plane : shape.planes) {
+            REQUIRE(shape.is_before(plane, pieces.slack_m));
+        }
+        if (shape.is_flat(pieces.slack_m)) {
+            CHECK((shape.planes.size() == 1 || shape.fills_its_polygon()));
+            continue;
+        }
+        CHECK(pieces.has_inside);
+        const InnerHull inner(shape);
+        for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+            const TriangleCorners& t = mesh.triangles()[i];
+            const auto at = [&](std::size_t k) {
+                return mesh.vertices_B()[static_cast<std::size_t>(t[k])];
+            };
+            if (static_cast<std::size_t>(pieces.piece_of[i]) != piece) {
+                CHECK_FALSE(inner.is_entered_by({at(0), at(1), at(2)}));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("convex pieces: what is convex is one piece") {
+    for (const TriangleMesh& mesh :
+         {make_box({0.1, 0.2, 0.3}).value(), make_sphere(0.1, 10).value(),
+          make_cylinder(0.1, 0.3, 40).value(), make_plate(0.2, 0.1, 7).value()}) {
+        const ConvexPieces pieces = make_convex_pieces(mesh).value();
+        CHECK(pieces.n_pieces == 1);
+        check_all(mesh, pieces);
+    }
+}
+
+TEST_CASE("convex pieces: all that is convex, clear and filled, on shapes that are not convex") {
+    for (const TriangleMesh& mesh :
+         {make_torus(0.1, 0.03, 24, 12).value(), make_bumpy_sphere(0.1, 8, 0.2, 30.0).value(),
+          make_boxes(std::vector<PlacedBox>{{{0, 0, 0}, {0.1, 0.1, 0.1}},
+                                            {{0.08, 0.02, 0.01}, {0.1, 0.05, 0.04}}})
+              .value()}) {
+        const ConvexPieces pieces = make_convex_pieces(mesh).value();
+        CHECK(pieces.has_inside);
+        CHECK(pieces.n_pieces > 1);
+        CHECK(pieces.n_pieces < static_cast<std::int32_t>(mesh.triangles().size()));
+        check_all(mesh, pieces);
+    }
+}
+
+TEST_CASE("convex pieces: a flat L is not filled by one polygon") {
+    // Three squares of a corner.
+    const TriangleMesh mesh =
+        TriangleMesh::build({{0, 0, 0},
+                             {1, 0, 0},
+                             {2, 0, 0},
+                             {0, 0, -1},
+                             {1, 0, -1},
+                             {2, 0, -1},
+                             {0, 0, -2},
+                             {1, 0, -2}},
+                            {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {3, 4, 7}, {3, 7, 6}})
+            .value();
+    const ConvexPieces pieces = make_convex_pieces(mesh).value();
+    CHECK_FALSE(pieces.has_inside);
+    CHECK(pieces.n_pieces >= 2);
+    check_all(mesh, pieces);
+}
+
+TEST_CASE("convex pieces: without an inside pieces are flat") {
+    const TriangleMesh ball = make_sphere(0.1, 6).value();
+    std::vector<TriangleCorners> open = ball.triangles();
+    open.resize(open.size() / 2);
+    const TriangleMesh cracked = TriangleMesh::build(ball.vertices_B(), open).value();
+    const ConvexPieces of_open = make_convex_pieces(cracked).value();
+    CHECK_FALSE(of_open.has_inside);
+    CHECK(of_open.n_pieces == static_cast<std::int32_t>(cracked.triangles().size()));
+    check_all(cracked, of_open);
+    std::vector<TriangleCorners> flipped = ball.triangles();
+    std::swap(flipped[3][0], flipped[3][1]);
+    const TriangleMesh mixed = TriangleMesh::build(ball.vertices_B(), flipped).value();
+    CHECK_FALSE(make_convex_pieces(mixed).value().has_inside);
+    CHECK_FALSE(make_convex_pieces(make_inverted(ball).value()).value().has_inside);
+    const TriangleMesh one =
+        TriangleMesh::build({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}).value();
+    CHECK(make_convex_pieces(one).value().n_pieces == 1);
+}
+
+TEST_CASE("convex pieces: a few holes leave an inside") {
+    std::vector<TriangleCorners> open = make_sphere(0.1, 8).value().triangles();
+    open.pop_back();
+    const TriangleMesh holed =
+        TriangleMesh::build(make_sphere(0.1, 8).value().vertices_B(), open).value();
+    const ConvexPieces pieces = make_convex_pieces(holed).value();
+    CHECK(pieces.has_inside);
+    CHECK(pieces.n_pieces == 1);
+    check_all(holed, pieces);
+}
+
+TEST_CASE("convex pieces: a mesh is cut the same way each time, and an order to stop is heard") {
+    const TriangleMesh mesh = make_bumpy_sphere(0.1, 10, 0.2, 30.0).value();
+    CHECK(make_convex_pieces(mesh).value().piece_of == make_convex_pieces(mesh).value().piece_of);
+    const Expected<ConvexPieces> stopped = make_convex_pieces(
+        make_bumpy_sphere(0.1, 80, 0.1, 200.0).value(), [](double) { return false; });
+    REQUIRE_FALSE(stopped);
+    CHECK(to_sentence(stopped.error()).find("stopped") != std::string::npos);
+}

@@ -1,0 +1,116 @@
+#include "haptics/levels/hull_pair.h"
+
+#include "haptics/math/rotation.h"
+
+#include <catch2/catch.hpp>
+
+#include <rapidcheck.h>
+#include <vector>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kRounding_m = 1.0e-8;  // of the search, in hulls a metre large
+
+std::vector<Vector3> make_box_corners(const Vector3& half) {
+    std::vector<Vector3> corners;
+    for (int i = 0; i < 8; ++i) {
+        corners.emplace_back((i & 1) != 0 ? half.x() : -half.x(),
+                             (i & 2) != 0 ? half.y() : -half.y(),
+                             (i & 4) != 0 ? half.z() : -half.z());
+    }
+    return corners;
+}
+
+HullPair find_pair(const std::vector<Vector3>& first, const std::vector<Vector3>& second,
+                   const Pose& X) {
+    return find_hull_pair({.points = first}, {.points = second}, X.orientation.toRotationMatrix(),
+                          X.position, Vector3::UnitX());
+}
+
+Vector3 draw_vector(double size) {
+    const auto number = [size] { return 1.0e-4 * size * *rc::gen::inRange(-10000, 10001); };
+    return {number(), number(), number()};
+}
+
+}  // namespace
+
+TEST_CASE("hull pair: boxes apart are as far as corner, edge and face say") {
+    const std::vector<Vector3> box = make_box_corners({0.5, 0.5, 0.5});
+    const HullPair face = find_pair(box, box, Pose::at({2.0, 0.3, 0.1}));
+    CHECK(face.gap_m == Approx(1.0).epsilon(1e-9));
+    CHECK((face.normal - Vector3::UnitX()).norm() < 1.0e-9);
+    const HullPair edge = find_pair(box, box, Pose::at({2.0, 2.0, 0.1}));
+    CHECK(edge.gap_m == Approx(std::sqrt(2.0)).epsilon(1e-9));
+    const HullPair corner = find_pair(box, box, Pose::at({2.0, 2.0, -2.0}));
+    CHECK(corner.gap_m == Approx(std::sqrt(3.0)).epsilon(1e-9));
+    CHECK((corner.on_first - Vector3(0.5, 0.5, -0.5)).norm() < kRounding_m);
+    CHECK((corner.on_second - Vector3(1.5, 1.5, -1.5)).norm() < kRounding_m);
+    const HullPair inside = find_pair(box, box, Pose::at({0.9, 0.0, 0.0}));
+    CHECK(inside.gap_m == 0.0);
+}
+
+TEST_CASE("hull pair: flat hulls, segments and points are hulls too") {
+    const std::vector<Vector3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const std::vector<Vector3> point{Vector3::Zero()};
+    const std::vector<Vector3> segment{{-1, 0, 0}, {1, 0, 0}};
+    CHECK(find_pair(square, square, Pose::at({0.2, 0.3, 0.25})).gap_m == Approx(0.25));
+    CHECK(find_pair(square, point, Pose::at({0.5, 0.5, -2.0})).gap_m == Approx(2.0));
+    CHECK(find_pair(square, segment, Pose::at({0.5, 3.0, 0.0})).gap_m == Approx(2.0));
+    CHECK(find_pair(point, point, Pose::at({0.0, 0.0, 0.0})).gap_m == 0.0);
+    CHECK(find_pair(square, square, Pose::at({2.0, 0.0, 0.0})).gap_m == Approx(1.0));
+}
+
+TEST_CASE("hull pair: bounds hold the distance between, and the points are so far apart") {
+    CHECK(rc::check([] {
+        std::vector<Vector3> first;
+        std::vector<Vector3> second;
+        for (int i = 0; i < 12; ++i) {
+            first.push_back(draw_vector(1.0));
+            second.push_back(draw_vector(1.0));
+        }
+        const Pose X{draw_vector(3.0), compute_exp(draw_vector(3.0))};
+        const HullPair pair = find_pair(first, second, X);
+        RC_ASSERT(pair.least_m <= pair.gap_m);
+        RC_ASSERT(pair.gap_m - pair.least_m <= kRounding_m);
+        if (pair.gap_m > 0.0) {
+            RC_ASSERT(std::abs((pair.on_second - pair.on_first).norm() - pair.gap_m) < kRounding_m);
+            // Nothing of either lies between the two planes across the way.
+            for (const Vector3& point : first) {
+                RC_ASSERT(pair.normal.dot(point - pair.on_first) < 1.0e-6);
+            }
+            for (const Vector3& point : second) {
+                RC_ASSERT(pair.normal.dot(X * point - pair.on_second) > -1.0e-6);
+            }
+        }
+    }));
+}
+
+TEST_CASE("hull pair: asked whether they are farther than so much, it ends with a true bound") {
+    CHECK(rc::check([] {
+        std::vector<Vector3> first;
+        std::vector<Vector3> second;
+        for (int i = 0; i < 8; ++i) {
+            first.push_back(draw_vector(1.0));
+            second.push_back(draw_vector(1.0));
+        }
+        const Pose X{draw_vector(4.0), compute_exp(draw_vector(3.0))};
+        const Matrix3 turn = X.orientation.toRotationMatrix();
+        const double exact_m = find_pair(first, second, X).gap_m;
+        const HullPair early = find_hull_pair({.points = first}, {.points = second}, turn,
+                                              X.position, Vector3::UnitY(), 0.3);
+        RC_ASSERT(early.least_m <= exact_m + kRounding_m);
+        RC_ASSERT(early.is_far == (exact_m > 0.3) || std::abs(exact_m - 0.3) < kRounding_m);
+    }));
+}
+
+TEST_CASE(
+    "hull pair: a point inside a hull is at no distance, one outside at that of its nearest") {
+    const std::vector<Vector3> box = make_box_corners({0.5, 1.0, 2.0});
+    CHECK(find_nearest_in_hull({.points = box}, {0.1, 0.2, 0.3}).gap_m == 0.0);
+    const HullPair outside = find_nearest_in_hull({.points = box}, {0.1, 3.0, 0.3});
+    CHECK(outside.gap_m == Approx(2.0));
+    CHECK((outside.on_first - Vector3(0.1, 1.0, 0.3)).norm() < kRounding_m);
+    CHECK(find_nearest_in_hull({.points = box}, box.front()).gap_m < kRounding_m);
+}
