@@ -1,7 +1,6 @@
 #include "runtime/app/force_trial.h"
 
 #include "haptics/base/clock.h"
-#include "runtime/app/hand_fitting.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/app/stop_signal.h"
 
@@ -73,8 +72,7 @@ void ForceTrial::frame(bool rests) {
 Expected<void> try_forces(LessonRun& run, const RunRequest& request, ProgressStore& store) {
     constexpr bool kAsked = false;
     for (std::size_t hand = 0; hand < run.n_hands() && !interrupted(); ++hand) {
-        if (!run.needs_trial(hand, request, kAsked) ||
-            !is_somebody(run.request_of(hand, request))) {
+        if (!run.needs_trial(hand, request, kAsked)) {
             continue;
         }
         std::printf("%s pushes gently for a moment, to be tried.\n",

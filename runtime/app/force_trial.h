@@ -47,7 +47,7 @@ class ForceTrial {
     double fade_s_ = 0.0;
 };
 
-/// Without a window: the arm is watched and nobody is asked, where the learner has a name and has not used it. Tells what comes of it.
+/// Without a window: the arm is watched and nobody is asked, where the learner has not used it; a guest never has. Tells what comes of it.
 [[nodiscard]] Expected<void> try_forces(LessonRun& run, const RunRequest& request,
                                         ProgressStore& store);
 

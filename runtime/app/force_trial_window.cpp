@@ -34,6 +34,7 @@ class TrialScreen {
                 left_ = TrialLeft::done;
             }
             ask();
+            tell_end();
             desktop_.draw(compose());
             desktop_.finish_frame();
             if (end_s && monotonic_now_s() >= *end_s) {
@@ -96,8 +97,22 @@ class TrialScreen {
                                      : typing_.text();
         const bool is_asked = trial_.trial().question() != FirstUseQuestion::none;
         is_unclear_ = is_asked && !trial_.trial().answer(said);
+        if (is_asked && !is_unclear_) {
+            std::printf("  %s\n", said.c_str());
+            (void)std::fflush(stdout);
+        }
         typing_.clear();
         chosen_ = -1;
+    }
+
+    // That it gives no force is said aloud as well, once.
+    void tell_end() {
+        if (is_over() && !has_told_end_) {
+            has_told_end_ = true;
+            if (const std::string words = end_words(); !words.empty()) {
+                desktop_.say({words});
+            }
+        }
     }
 
     // What is asked is said once, aloud as well.
@@ -109,7 +124,9 @@ class TrialScreen {
         asked_ = question;
         choices_.clear();
         if (question != FirstUseQuestion::none) {
-            choices_ = words_.series(key());
+            for (const std::string& choice : words_.series(key())) {
+                choices_.push_back(words_.say(choice));
+            }
             desktop_.say({words_.say(key())});
             std::printf("%s\n", words_.say(key()).c_str());
             (void)std::fflush(stdout);
@@ -122,6 +139,16 @@ class TrialScreen {
                                                       : first_words_;
     }
     [[nodiscard]] bool is_over() const { return trial_.trial().end() != FirstUseEnd::running; }
+
+    // Empty while it runs, and after a good one.
+    [[nodiscard]] std::string end_words() const {
+        const FirstUseEnd end = trial_.trial().end();
+        if (end == FirstUseEnd::running || end == FirstUseEnd::good) {
+            return {};
+        }
+        return words_.say(end == FirstUseEnd::unfelt ? "first_use.unfelt" : "first_use.off",
+                          {{"key", "Enter"}});
+    }
 
     [[nodiscard]] View compose() const {
         View view;
@@ -137,8 +164,8 @@ class TrialScreen {
         if (stop_.stopped()) {
             view.banner = words_.say("hud.emergency", {{"key", "Enter"}});
             view.banner_is_error = true;
-        } else if (is_over() && trial_.trial().end() != FirstUseEnd::good) {
-            view.banner = words_.say("first_use.off", {{"key", "Enter"}});
+        } else if (const std::string words = end_words(); !words.empty()) {
+            view.banner = words;
             view.banner_is_error = true;
         }
         return view;
@@ -154,6 +181,7 @@ class TrialScreen {
     std::vector<std::string> choices_;
     int chosen_ = -1;
     bool is_unclear_ = false;
+    bool has_told_end_ = false;
     std::optional<TrialLeft> left_;
 };
 

@@ -68,6 +68,9 @@ Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
         return tl::unexpected(built.error());
     }
     keep_fit_of(request, store);
+    for (std::size_t hand = 1; hand < run->n_hands(); ++hand) {
+        keep_fit_of(of_hand(settled, hand), store);
+    }
     return run;
 }
 

@@ -1,9 +1,13 @@
 // What a lesson's run has to do with hands beside the first; for lesson_run.cpp.
+#include "haptics/device/replay/recorded_traits.h"
 #include "runtime/app/hand_fitting.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/lesson/compose_view.h"
 #include "runtime/scene/plan_hands.h"
 
+#include <charconv>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 namespace fulcrum::runtime {
@@ -16,6 +20,15 @@ std::shared_ptr<const Record> find_replayed(const RunRequest& request, std::size
                           choice.hand_file == request.hand_file;
     auto alone = is_of_it ? find_hand(*request.replayed, hand) : std::nullopt;
     return alone ? std::make_shared<const Record>(std::move(*alone)) : nullptr;
+}
+
+// How far it went in the scene then, times the lesson's own scale.
+std::optional<double> find_replayed_scale(const RunRequest& request, std::size_t hand) {
+    const auto told = find_fact(request.replayed->header, fact_prefix(hand) + kScaleFact);
+    double scale = 1.0;
+    const bool is_number =
+        told && std::from_chars(told->data(), told->data() + told->size(), scale).ec == std::errc{};
+    return is_number ? std::optional(scale) : std::nullopt;
 }
 
 }  // namespace
@@ -31,7 +44,11 @@ Expected<void> LessonRun::open_more_hands(const Places& places, const RunRequest
         if (!whole) {
             return tl::unexpected(whole.error());
         }
-        whole->replayed = alone ? alone : whole->replayed;
+        if (alone) {
+            whole->replayed = alone;
+            whole->fit.scale =
+                whole->fit.scale ? whole->fit.scale : find_replayed_scale(request, hand);
+        }
         const RunRequest fitted = with_kept_fit(*whole, store);
         if (auto scaled = scale_as_said(places, request, hand, fitted.fit); !scaled) {
             return scaled;

@@ -344,7 +344,8 @@ std::string usage() {
       --scale N --axes -x,y,z --middle X,Y,Z --clutch N|none
                              how the arm stands before the learner: times the lesson's scale, 0.25 to 4; which of its axes are right,
                              up and near; the place, in metres, that is the middle; the button that holds the scene still while the
-                             arm moves on (3). All five are kept with the learner and the arm
+                             arm moves on (3). All five are kept with the learner and the arm;
+                             behind a second --hand the first four are of that one
       --first-use once|again|never  whether an arm pushes gently first and asks which way, so that one that is wired or stands
                              wrongly gives no force (once for each learner and arm)
       --by arm|mouse|keyboard  without a window: how the simulated hand plays, by an arm or as somebody at a desk (arm)

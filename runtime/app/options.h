@@ -90,6 +90,8 @@ struct Options {
     std::string out;              ///< report: file instead of the screen; export: the table's
     ArmOptions arm{};
     HandFit fit{};  ///< how the hand's device is set, as far as it is said
+    std::vector<HandFit>
+        more_fits;  ///< of the hands beside the first: what stands behind their --hand
     FirstUseTrial first_use = FirstUseTrial::once;
     std::optional<double>
         force_at_s;           ///< explain: of a record, the force at this time, 0 to 86 400

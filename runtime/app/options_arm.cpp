@@ -42,7 +42,13 @@ std::optional<Expected<void>> set_fit_value(Options& options, const std::string&
         return std::nullopt;
     }
     constexpr std::size_t kDashes = 2;
-    return set_fit(options.fit, std::string_view(flag).substr(kDashes), value);
+    const std::string_view name = std::string_view(flag).substr(kDashes);
+    // Behind a second --hand it is said of that one's device; which hand a person writes with is one thing for all.
+    if (options.hands.size() < 2 || name == "handed") {
+        return set_fit(options.fit, name, value);
+    }
+    options.more_fits.resize(options.hands.size() - 1);
+    return set_fit(options.more_fits.back(), name, value);
 }
 
 std::optional<Expected<void>> set_arm_value(Options& options, const std::string& flag,

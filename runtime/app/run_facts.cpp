@@ -10,6 +10,7 @@
 
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
@@ -76,14 +77,19 @@ void add_assets(const FactSources& run, Facts& facts) {
     }
 }
 
+std::string_view word_of(HandKind kind) {
+    constexpr std::string_view kWords[] = {"simulated",     "mouse", "replay", "HID",
+                                           "arm on a link", "keys",  "nobody"};
+    static_assert(std::size(kWords) == static_cast<std::size_t>(HandKind::none) + 1);
+    return kWords[static_cast<std::size_t>(kind)];
+}
+
 void add_options(const FactSources& run, Facts& facts) {
-    constexpr std::array<std::string_view, 5> kHands{"simulated", "mouse", "replay", "HID",
-                                                     "arm on a link"};
     facts.add("option.seed", std::to_string(run.request.seed));
     facts.add("option.clock", run.request.plan.live ? "real time" : "virtual");
-    facts.add("option.hand", std::string(kHands[static_cast<std::size_t>(run.request.hand)]));
+    facts.add("option.hand", std::string(word_of(run.request.hand)));
     facts.add("option.day", run.plan.day);
-    facts.add("option.scale", run.plan.haptic.workspace.scale / run.lesson.hand.scale);
+    facts.add(kScaleFact, run.plan.haptic.workspace.scale / run.lesson.hand.scale);
     facts.add("option.device N", run.device_force_limit_N);
     facts.add("option.hearing", std::string(name_of(run.plan.speech)));
 }
@@ -158,14 +164,19 @@ void add_plan(const FactSources& run, Facts& facts) {
 }
 
 void add_more_hands(const FactSources& run, RecordHeader& header) {
-    for (const FactSources::Hand& hand : run.more_hands) {
+    for (std::size_t i = 0; i < run.more_hands.size(); ++i) {
+        const FactSources::Hand& hand = run.more_hands[i];
         header.more_hands.push_back({hand.loop.max_force_N(), hand.loop.max_torque_Nm(),
                                      effect_words(hand.loop.effects(), run.lesson)});
+        Facts facts(header.facts);
+        const std::string prefix = fact_prefix(header.more_hands.size());
+        facts.add(prefix + "option.hand", std::string(word_of(run.request.more_hands[i].hand)));
+        facts.add(prefix + kScaleFact,
+                  run.plan.more_hands[i].workspace.scale / run.lesson.more_hands[i].scale);
         std::vector<RecordFact> traits;
         list_traits(hand.device, traits);
         for (RecordFact& trait : traits) {
-            header.facts.push_back(
-                {fact_prefix(header.more_hands.size()) + trait.name, std::move(trait.value)});
+            header.facts.push_back({prefix + trait.name, std::move(trait.value)});
         }
     }
 }

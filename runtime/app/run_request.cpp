@@ -168,7 +168,7 @@ Expected<RunRequest> with_record(RunRequest request) {
         }
         number("option.day", request.plan.day);
         double scale = 1.0;
-        number("option.scale", scale);
+        number(kScaleFact, scale);
         request.fit.scale = request.fit.scale.value_or(scale);
         // Who is not told otherwise repeats all hands.
         for (std::size_t i = request.more_hands.size(); i < record.more_hands.size(); ++i) {
@@ -188,7 +188,7 @@ RunRequest of_hand(const RunRequest& request, std::size_t hand) {
         const HandChoice& first = request;
         static_cast<HandChoice&>(own) = request.more_hands[hand - 1];
         own.more_hands[hand - 1] = first;
-        own.fit = {};
+        own.fit = hand <= request.more_fits.size() ? request.more_fits[hand - 1] : HandFit{};
         own.replayed = nullptr;
     }
     return own;
@@ -234,6 +234,7 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     request.record_file = options.record;
     request.feedback = options.feedback;
     request.fit = options.fit;
+    request.more_fits = options.more_fits;
     request.first_use = options.first_use;
     return choose_hands(options, in_window, request)
         .and_then([&] { return choose_answers(options, in_window, request); })

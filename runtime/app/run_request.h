@@ -30,10 +30,11 @@ struct RunRequest : HandChoice {
     std::optional<LearnerRates> learner_without_test;
     bool own_test = false;  ///< use the hand and the answers of the lesson's first L:test
     FirstUseTrial first_use = FirstUseTrial::once;
-    HandFit fit{};            ///< how the hand's device is set, as far as somebody says it
-    std::string record_file;  ///< empty: nothing is recorded
-    std::string learner;      ///< nickname; empty: "guest"
-    std::uint64_t seed = 1;   ///< of the lesson's math.random
+    HandFit fit{};                   ///< how the hand's device is set, as far as somebody says it
+    std::vector<HandFit> more_fits;  ///< those beside it; as many as somebody says something of
+    std::string record_file;         ///< empty: nothing is recorded
+    std::string learner;             ///< nickname; empty: "guest"
+    std::uint64_t seed = 1;          ///< of the lesson's math.random
     bool seed_is_given = false;
     std::shared_ptr<const Record> replayed;  ///< replay: the record, once it is read
     std::optional<dialogue::FeedbackLadder>
@@ -49,12 +50,13 @@ struct RunRequest : HandChoice {
 /// Which words say how the hand is moved: the catalogue's key, in the words of what is held; `has_reel` where a kite flies.
 [[nodiscard]] const char* how_to_move(const RunRequest& request, bool has_reel,
                                       bool left_handed) noexcept;
+/// A record's fact: how far the hand went in the scene, times the lesson's own scale.
+inline constexpr const char* kScaleFact = "option.scale";
 /// Reads the record that is to be repeated, and takes over what belongs to its run and was not asked for otherwise: seed, day and the hand's scale.
 /// Other requests stay as they are.
 [[nodiscard]] Expected<RunRequest> with_record(RunRequest request);
 
-/// A settled request as if this hand, counted from 0, were the first, and that one another: what was said of how an arm stands is of the
-/// first.
+/// A settled request as if this hand, counted from 0, were the first, and that one another: with what was said of how its arm stands.
 [[nodiscard]] RunRequest of_hand(const RunRequest& request, std::size_t hand);
 /// Whether the record of such a request tells what was typed, said and pressed, so that nobody else need answer.
 [[nodiscard]] bool repeats_input(const RunRequest& request) noexcept;

@@ -91,6 +91,14 @@ std::optional<int> which_in(std::string_view said) {
     return first == second ? std::nullopt : std::optional(second ? 1 : 0);
 }
 
+bool says_nothing(std::string_view said) {
+    constexpr std::array<std::string_view, 6> kNothing{"nothing", "none",    "neither",
+                                                       "same",    "equally", "equal"};
+    return std::ranges::any_of(words_in(said), [&](const std::string& word) {
+        return std::ranges::find(kNothing, std::string_view(word)) != kNothing.end();
+    });
+}
+
 FirstUse::FirstUse(bool asks) : asks_(asks) {
     begin_push();
 }
@@ -189,31 +197,45 @@ void FirstUse::go_on() {
 }
 
 bool FirstUse::answer(std::string_view said) {
+    const bool felt_nothing = says_nothing(said);
     if (question_ == FirstUseQuestion::stronger) {
-        const auto which = which_in(said);
-        if (which) {
-            hear_stronger(*which);
+        const auto which = felt_nothing ? std::nullopt : which_in(said);
+        if (which || felt_nothing) {
+            hear_stronger(which);
         }
-        return which.has_value();
+        return which || felt_nothing;
     }
-    const auto way = question_ == FirstUseQuestion::way ? way_in(said) : std::nullopt;
-    if (!way) {
+    const auto way =
+        question_ == FirstUseQuestion::way && !felt_nothing ? way_in(said) : std::nullopt;
+    if (question_ == FirstUseQuestion::none || (!way && !felt_nothing)) {
         return false;
     }
-    question_ = FirstUseQuestion::none;
-    said_[index_of(kOrder[next_])] = *way;
-    if (*way != kOrder[next_] && !second_try_) {
-        second_try_ = true;
-        begin_push();
-    } else {
-        go_on();
-    }
+    hear_way(way);
     return true;
 }
 
-void FirstUse::hear_stronger(int which) {
+// None where nothing was felt.
+void FirstUse::hear_way(std::optional<Way> way) {
     question_ = FirstUseQuestion::none;
-    if (kCompared[round_][static_cast<std::size_t>(which)] == 1.0) {
+    const Way pushed = kOrder[next_];
+    if (way != pushed && !second_try_) {
+        second_try_ = true;
+        begin_push();
+        return;
+    }
+    if (!way) {
+        axis_ = static_cast<int>(index_of(pushed) / 2);
+        end_ = FirstUseEnd::unfelt;
+        return;
+    }
+    said_[index_of(pushed)] = *way;
+    go_on();
+}
+
+// None where they felt alike.
+void FirstUse::hear_stronger(std::optional<int> which) {
+    question_ = FirstUseQuestion::none;
+    if (which && kCompared[round_][static_cast<std::size_t>(*which)] == 1.0) {
         second_try_ = false;
         ++round_;
     } else if (std::exchange(second_try_, true)) {
@@ -262,6 +284,10 @@ std::string tell(const FirstUse& trial, const AxisOrder& axes) {
             return kOff + std::string("the hand goes across its push, ") + axis +
                    "; motors are exchanged, have that mended.";
         case FirstUseEnd::unfelt:
+            if (trial.asks()) {
+                return kOff + std::string("its pushes were not felt, ") + axis +
+                       "; it is stiff, or a motor is off, have that mended.";
+            }
             return kOff + std::string("its pushes did not move the hand, ") + axis +
                    "; it is stiff, or a motor is off: start the lesson in a window, where the "
                    "learner is asked what is felt.";

@@ -6,7 +6,7 @@
 // A push has 0.8 N. Where it does not move the hand, as on an arm whose own dry friction takes it up, it and all after it have 1.6 N, then
 // 3 N.
 // Two opposite pushes against which the hand goes, or across, end it: the motors are wired otherwise than the arm says, and no setting
-// mends that. What is said wrong is pushed and asked once more; then, where all answers together are one turn or mirror M of the pushes, the
+// mends that. What is said wrong is pushed and asked once more; who feels nothing twice is right, whatever moved; then, where all answers together are one turn or mirror M of the pushes, the
 // arm stands otherwise than it says, and axes M A are what mends it (device/fitted/axis_order.h). A push that moves nothing even then may be
 // felt and not seen: what is said decides, and where nobody is asked nothing is known. In every case but a good one there is to be no
 // force.
@@ -35,6 +35,8 @@ inline constexpr std::size_t kWays = 6;
 [[nodiscard]] std::optional<Way> way_in(std::string_view said);
 /// 0 for the first, 1 for the second; nothing where it names neither, or both.
 [[nodiscard]] std::optional<int> which_in(std::string_view said);
+/// Whether it says that there was no push, or no difference: "I feel nothing", "They are the same."
+[[nodiscard]] bool says_nothing(std::string_view said);
 
 enum class FirstUseQuestion : std::uint8_t { none, way, stronger };
 
@@ -42,9 +44,9 @@ enum class FirstUseQuestion : std::uint8_t { none, way, stronger };
 enum class FirstUseEnd : std::uint8_t {
     running,
     good,
-    against,    ///< the hand goes against the push
-    aside,      ///< or across
-    unfelt,     ///< along an axis it did not move, and nobody was asked
+    against,  ///< the hand goes against the push
+    aside,    ///< or across
+    unfelt,   ///< along an axis it did not move and nobody was asked, or who was asked felt nothing
     disturbed,  ///< it could not be tried: let go, stopped, moved
     turned,     ///< the arm stands otherwise than it says
     unsure      ///< the answers fit no way it could stand, or the stronger push was not told
@@ -63,6 +65,7 @@ class FirstUse {
     /// True when the words were understood; then the question is closed.
     bool answer(std::string_view said);
 
+    [[nodiscard]] bool asks() const noexcept { return asks_; }
     [[nodiscard]] FirstUseEnd end() const noexcept { return end_; }
     /// Which axis is against, aside or unfelt, or how the axes are as the learner felt them, where it is turned.
     [[nodiscard]] int axis() const noexcept { return axis_; }
@@ -74,7 +77,8 @@ class FirstUse {
     void go_on();
     [[nodiscard]] bool judge_axis(Way way);
     void judge_answers();
-    void hear_stronger(int which);
+    void hear_way(std::optional<Way> way);
+    void hear_stronger(std::optional<int> which);
 
     bool asks_;
     FirstUseEnd end_ = FirstUseEnd::running;

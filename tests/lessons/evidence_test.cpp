@@ -63,6 +63,10 @@ TEST_CASE(
     check_repeats(sandbox, "lever", "5");
     check_repeats(sandbox, "stacks", "8");
     check_repeats(sandbox, FULCRUM_EXAMPLES "/two-fingers", "8");
+    const std::string two = FULCRUM_EXAMPLES "/two-fingers";
+    const std::string other_reach =
+        "--scale 1.2 --hand " + two + "/right.lua --hand " + two + "/left.lua --scale 1.5";
+    check_repeats(sandbox, two, "8", other_reach);
     check_repeats(sandbox, "maze-park", "8", "--seed 7");
 }
 

@@ -34,12 +34,13 @@ start_arm() {
     arms+=("$arm")
     await_arm "$home/$name.log"
 }
-play() { "$fulcrum" run gravity --headless --hand "udp:127.0.0.1:$port" "$@"; }
+# Nobody holds these arms: first use is hand_fit.sh's.
+play() { "$fulcrum" run gravity --headless --first-use never --hand "udp:127.0.0.1:$port" "$@"; }
 # play_beside NAME OPTIONS…: in the background; its process in $player.
 play_beside() {
     local name=$1
     shift
-    "$fulcrum" run gravity --headless --hand "udp:127.0.0.1:$port" "$@" >"$home/$name.log" 2>&1 &
+    "$fulcrum" run gravity --headless --first-use never --hand "udp:127.0.0.1:$port" "$@" >"$home/$name.log" 2>&1 &
     player=$!
 }
 

@@ -34,67 +34,74 @@ begin() {
     "$fulcrum" run gravity --mute --voice none --hand "udp:127.0.0.1:$port" --learner "$2" --seconds "$3" >"$said" 2>&1 &
     child=$!
 }
-# answer N WORDS: once so many questions have been asked.
-answer() {
-    local deadline=$((SECONDS + 30))
-    until (($(grep -c '?$' "$said") >= $1)); do
-        ((SECONDS < deadline)) || fail "question $1 was not asked"
-        kill -0 "$child" 2>/dev/null || fail "it ended before question $1"
+# count PATTERN: how many lines of what it says.
+count() { grep -c -- "$1" "$said" || true; }
+# await WHAT COMMAND…: until it is so, while the program runs; 60 s at most.
+await() {
+    local what=$1 deadline=$((SECONDS + 60))
+    shift
+    until "$@"; do
+        ((SECONDS < deadline)) || fail "$what: never"
+        kill -0 "$child" 2>/dev/null || fail "$what: it ended before"
         sleep 0.05
     done
-    sleep 0.2
-    xdotool type --delay 40 "$2"
-    xdotool key Return
 }
 has_focus() { xdotool search --onlyvisible --name Fulcrum windowfocus >/dev/null 2>&1; }
-# A window that has lost the keys has stopped the arm: return lifts that.
-await_window() {
-    for _ in $(seq 100); do
-        if has_focus; then
-            sleep 0.5
-            xdotool key Return
-            return
-        fi
-        sleep 0.1
-    done
-    fail "there is no window"
+is_asked() { (($(count '?$') >= $1)); }
+is_answered() { (($(count '^  ') >= $1)); }
+# A window that has lost the keys has stopped the arm: return lifts that, and does nothing else while nothing is asked.
+lift() { has_focus && xdotool key Return && sleep 0.2 && is_asked 1; }
+# answer N KEYS…: once so many questions have been asked; again where a stop took the keys.
+answer() {
+    local n=$1
+    shift
+    await "question $n" is_asked "$n"
+    give() {
+        xdotool key --delay 30 "$@" Return
+        local i
+        for i in $(seq 40); do
+            is_answered "$n" && return
+            sleep 0.05
+        done
+        xdotool key --delay 10 BackSpace BackSpace BackSpace BackSpace BackSpace BackSpace
+        return 1
+    }
+    await "an answer to question $n" give "$@"
 }
 # The arm's largest force so far, as it says it each second.
 most() { sed -n 's/.*most \([0-9.]*\).*/\1/p' "$folder/arm.log" | tail -n 1; }
 
-# Mina says what is so.
-begin good Mina 60
-await_window
+# Mina says what is so: typed, and the last one chosen.
+begin good Mina 200
+await "a first question" lift
 n=0
-for way in right up left away down near first second; do
+for way in "r i g h t" "u p" "l e f t" "a w a y" "d o w n" "n e a r" "f i r s t"; do
     n=$((n + 1))
-    answer $n "$way"
+    # shellcheck disable=SC2086
+    answer $n $way
 done
-sleep 3
+answer 8 Down Down
+grep -q '^  the second$' "$said" || fail "a choice is not one in words"
+begun() { grep -q 'Haptic loop:' "$said" || [[ $(xdotool search --onlyvisible --name Fulcrum) ]]; }
+await "the lesson" begun
 [[ $(most) == 0.8* ]] || fail "she was pushed with $(most) N, not with 0.8 N"
 grep -q 'no force in this lesson' "$said" && fail "a good arm was found bad"
-xdotool key Escape sleep 0.5 key Escape
+kill -INT "$child"
 wait "$child" || fail "it did not end well"
 # The second time she is not asked.
-begin again Mina 4
+begin again Mina 1
 wait "$child" || fail "it did not end well the second time"
 grep -q '?$' "$said" && fail "she was asked again"
 grep -q 'Haptic loop:' "$said" || fail "the lesson did not begin"
-# Jun says left for right and right for left, each time he is asked.
-begin turned Jun 60
-await_window
-n=0
-for way in left left up right right away down near; do
-    n=$((n + 1))
-    answer $n "$way"
-done
-for _ in $(seq 50); do
-    grep -q 'no force in this lesson: .*--axes -x,y,z[.]' "$said" && break
-    xdotool key Return
-    sleep 0.2
-done
-grep -q 'no force in this lesson: .*--axes -x,y,z[.]' "$said" || fail "nothing says how the arm stands"
-xdotool key Escape sleep 0.5 key Escape
+# Jun feels nothing, and says so once more: there is no force then, and the window says why until he has read it.
+begin unfelt Jun 200
+await "a first question" lift
+answer 1 Up
+answer 2 Up
+[[ $(count '^  I feel nothing$') == 2 ]] || fail "the last choice is not that nothing is felt"
+is_told() { xdotool key Return && sleep 0.2 && grep -q 'no force in this lesson: its pushes were not felt' "$said"; }
+await "a sentence on what was not felt" is_told
+kill -INT "$child"
 wait "$child" || true
 child=
 echo "first_use.sh: passed"

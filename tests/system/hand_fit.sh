@@ -87,6 +87,15 @@ refuse "$home/both.log" 'no force in this lesson' "a good arm was found bad"
 expect "$home/both.log" 'The second arm reaches 16 by 12 by 7 cm, so it moves' "the second hand's scale was not fitted"
 felt=$(sed -n 's/.*most \([0-9.]*\).*/\1/p' "$home/second.log" | tail -n 1)
 [[ -n $felt ]] && awk "BEGIN { exit !($felt > 0.5) }" || fail "the second arm felt $felt N"
+# Two arms that nobody has tried: a guest's are tried each time, without a window too; none pushes before that with more than 0.8 N.
+guest() {
+    "$fulcrum" run "$(dirname -- "$0")/../../examples/two-fingers" --headless --hand "udp:127.0.0.1:$first_port" \
+        --hand "udp:127.0.0.1:$port" --say "$home/say.txt" --db "$home/p.db" --seconds 1 >"$home/guest.log" 2>&1 ||
+        fail "a guest's lesson was not played"
+}
+guest
+expect "$home/guest.log" '^The arm pushes gently' "a guest's arm was not tried"
+expect "$home/guest.log" '^The second arm pushes gently' "a guest's second arm was not tried"
 play_both "$home/again.log"
 refuse "$home/again.log" 'pushes gently' "an arm was tried again"
 echo "hand_fit.sh: passed"

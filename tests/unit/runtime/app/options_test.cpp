@@ -161,6 +161,15 @@ TEST_CASE("options: how the hand is set is said in words, and what cannot be is 
                                                            {"clutch", "none"},
                                                            {"handed", "left"}});
     CHECK(words_of(parse({"run", "gravity"})->fit).empty());
+    // Behind a second --hand it is that one's; which hand a person uses is one thing for all of them.
+    using Words = std::vector<std::pair<std::string, std::string>>;
+    const auto both = parse({"run", "x", "--scale", "2", "--hand", "udp:a:1", "--axes", "y,x,z",
+                             "--hand", "udp:b:1", "--scale", "3", "--handed", "left"});
+    REQUIRE(both);
+    CHECK(words_of(both->fit) == Words{{"scale", "2"}, {"axes", "y,x,z"}, {"handed", "left"}});
+    REQUIRE(both->more_fits.size() == 1);
+    CHECK(words_of(both->more_fits[0]) == Words{{"scale", "3"}});
+    CHECK_FALSE(parse({"run", "x", "--hand", "mouse", "--hand", "keys", "--scale", "9"}));
     CHECK(parse({"run", "gravity"})->first_use == FirstUseTrial::once);
     CHECK(parse({"run", "gravity", "--first-use", "again"})->first_use == FirstUseTrial::again);
     CHECK(parse({"run", "gravity", "--first-use", "never"})->first_use == FirstUseTrial::never);

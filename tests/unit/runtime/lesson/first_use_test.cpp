@@ -85,6 +85,11 @@ TEST_CASE("first use: words name one way, or none") {
     CHECK(which_in("first") == 0);
     CHECK(which_in("first or second") == std::nullopt);
     CHECK(which_in("both") == std::nullopt);
+    CHECK(says_nothing("I feel nothing"));
+    CHECK(says_nothing("They are the same."));
+    CHECK_FALSE(says_nothing("right"));
+    CHECK_FALSE(says_nothing("samely, nothingness"));
+    CHECK_FALSE(says_nothing(""));
 }
 
 TEST_CASE("first use: a good arm is found good, watched or asked about, below 1 N and softly") {
@@ -171,6 +176,39 @@ TEST_CASE(
         PushedArm watched(Matrix3::Identity(), arm_held_by(kPosture), {.axes = axes});
         CHECK(play(watched, false).end() == FirstUseEnd::good);
     }
+}
+
+TEST_CASE(
+    "first use: who feels nothing twice gets no force, even of an arm that moved; once is asked "
+    "again") {
+    PushedArm dead(Matrix3::Zero());
+    const Speaks honest = [](FirstUseQuestion question, const Child& child) {
+        return child.second.norm() < 0.05 ? "I feel nothing" : child.answer(question);
+    };
+    // Its motors give nothing, whatever is commanded.
+    const FirstUse unfelt =
+        play(dead, true, [](FirstUseQuestion, const Child&) { return "I feel nothing"; });
+    CHECK(unfelt.end() == FirstUseEnd::unfelt);
+    CHECK(unfelt.axis() == 0);
+    CHECK(tell(unfelt, {}).find("were not felt, left and right") != std::string::npos);
+    PushedArm good;
+    const FirstUse numb =
+        play(good, true, [](FirstUseQuestion, const Child&) { return "nothing"; });
+    CHECK(numb.end() == FirstUseEnd::unfelt);
+    PushedArm other;
+    int asked = 0;
+    const Speaks once = [&](FirstUseQuestion question, const Child& child) {
+        return ++asked == 3 ? "I feel nothing" : honest(question, child);
+    };
+    CHECK(play(other, true, once).end() == FirstUseEnd::good);
+    CHECK(asked == 9);
+    // Two pushes that are always the same are not told apart.
+    PushedArm same;
+    const Speaks alike = [](FirstUseQuestion question, const Child& child) {
+        return question == FirstUseQuestion::stronger ? "They are the same."
+                                                      : child.answer(question);
+    };
+    CHECK(play(same, true, alike).end() == FirstUseEnd::unsure);
 }
 
 TEST_CASE("first use: one wrong answer is asked once more, always the same answer fits nothing") {
