@@ -175,7 +175,7 @@ class TrialScreen {
     Desktop& desktop_;
     const dialogue::Catalogue& words_;
     const char* first_words_;  // while nothing is asked
-    StopKeys stop_;
+    StopKeys stop_{stop_signals_seen()};
     TypedLine typing_;
     FirstUseQuestion asked_ = FirstUseQuestion::none;
     std::vector<std::string> choices_;

@@ -37,6 +37,8 @@ enum class ScreenOrder : std::uint8_t {
 
 class LessonInput {
   public:
+    /// `stops_seen`: from outside, before this.
+    explicit LessonInput(unsigned stops_seen = 0) : stop_(stops_seen) {}
     /// From now on this play's, with nothing typed yet; null for none. It outlives the next call.
     void begin(LessonRun* run);
     /// What was done in a frame of `dt_s`. `failed`: there is no lesson that plays.

@@ -79,7 +79,7 @@ class LessonScreen {
 
     SaidBefore said_before_;
     std::unique_ptr<LiveEar> ear_;  // null where the plan hears no microphone
-    LessonInput input_;
+    LessonInput input_{stop_signals_seen()};
     double polled_s_ = 0.0;  // when the window was asked last, monotonic clock
     bool has_begun_ = false;
     std::optional<Left> left_;

@@ -22,6 +22,8 @@ struct RunState {
 
 class StopKeys {
   public:
+    /// `seen`: how many stops from outside came before this (stop_signals_seen); they were others' business.
+    explicit StopKeys(unsigned seen = 0) noexcept : heard_(seen) {}
     /// From now on this run's; null for none. The channels outlive the next call. One that is stopped stays stopped.
     void watch(HapticChannels* channels) noexcept;
     /// A key that went down: "escape", "return" or any other.
@@ -40,7 +42,7 @@ class StopKeys {
 
     HapticChannels* channels_ = nullptr;
     bool stopped_ = false;
-    unsigned heard_ = 0;      // stops from outside
+    unsigned heard_;          // stops from outside
     int stopped_frames_ = 0;  // of the gate, while no key has stopped it
 };
 

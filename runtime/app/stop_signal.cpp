@@ -4,13 +4,15 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
 #include <sys/prctl.h>
-#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -20,42 +22,88 @@ namespace {
 std::atomic<StopSwitch*> stop_target{nullptr};
 std::atomic<unsigned> stops_seen{0};
 std::atomic<bool> stop_waits{false};  // it came while nothing could be stopped yet
+std::atomic<int> presses_running{0};  // handlers that may have the old target still
 static_assert(std::atomic<StopSwitch*>::is_always_lock_free &&
               std::atomic<unsigned>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 extern "C" void press_stop(int /*signal*/) {
-    if (StopSwitch* const target = stop_target.load(std::memory_order_acquire)) {
+    presses_running.fetch_add(1, std::memory_order_seq_cst);
+    if (StopSwitch* const target = stop_target.load(std::memory_order_seq_cst)) {
         target->press();
     } else {
-        stop_waits.store(true, std::memory_order_release);
+        stop_waits.store(true, std::memory_order_seq_cst);
     }
     stops_seen.fetch_add(1, std::memory_order_release);
+    presses_running.fetch_sub(1, std::memory_order_seq_cst);
 }
 
-// Running as this user, under the name that says that it can be stopped.
-bool can_be_stopped(const std::filesystem::path& process, std::string_view wanted) {
-    struct stat about {};
-    if (::stat(process.c_str(), &about) != 0 || about.st_uid != ::geteuid()) {
-        return false;
-    }
-    std::ifstream file(process / "comm");
+// What the system says of a process; the owner of its folder would not do, for that of one that may not be looked into is root.
+struct ProcessStatus {
     std::string name;
-    return std::getline(file, name) && name == wanted;
+    char state = 'X';
+    uid_t user = 0;  // the real one
+};
+
+ProcessStatus read_status(pid_t id) {
+    ProcessStatus status;
+    std::ifstream file("/proc/" + std::to_string(id) + "/status");
+    for (std::string word; file >> word;) {
+        if (word == "Name:") {
+            file >> status.name;
+        } else if (word == "State:") {
+            file >> status.state;
+        } else if (word == "Uid:") {
+            file >> status.user;
+            break;
+        }
+    }
+    return status;
 }
 
-std::vector<pid_t> find_stoppable(std::string_view wanted) {
+// Running, of this user or for root of anybody, under the name that says that it can be stopped. What has ended and was not buried feels
+// nothing any more.
+bool can_be_stopped(const ProcessStatus& status, std::string_view wanted) {
+    const uid_t me = ::geteuid();
+    return status.name == wanted && status.state != 'Z' && status.state != 'X' &&
+           (me == 0 || status.user == me || status.user == ::getuid());
+}
+
+std::vector<pid_t> list_processes() {
     std::vector<pid_t> found;
     std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
-        const std::string name = entry.path().filename();
+    for (std::filesystem::directory_iterator entry("/proc", error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string name = entry->path().filename();
         pid_t id = 0;
         const auto parsed = std::from_chars(name.data(), name.data() + name.size(), id);
         if (parsed.ec == std::errc{} && parsed.ptr == name.data() + name.size() &&
-            id != ::getpid() && can_be_stopped(entry.path(), wanted)) {
+            id != ::getpid()) {
             found.push_back(id);
         }
     }
     return found;
+}
+
+enum class Told : std::uint8_t { no_hand, stopped, missed };
+
+// Held fast before it is looked at: its number may be another's by the time that it is told (pidfd_open(2)). `errno` says why it was missed.
+Told tell_to_stop(pid_t id, std::string_view wanted) {
+    if (!can_be_stopped(read_status(id), wanted)) {
+        return Told::no_hand;
+    }
+    const int process = static_cast<int>(::syscall(SYS_pidfd_open, id, 0));
+    if (process < 0) {
+        return errno == ESRCH ? Told::no_hand : Told::missed;
+    }
+    Told told = Told::no_hand;
+    if (can_be_stopped(read_status(id), wanted)) {
+        const long sent = ::syscall(SYS_pidfd_send_signal, process, SIGUSR1, nullptr, 0);
+        told = sent == 0 ? Told::stopped : errno == ESRCH ? Told::no_hand : Told::missed;
+    }
+    const int why = errno;
+    ::close(process);
+    errno = why;
+    return told;
 }
 
 }  // namespace
@@ -71,6 +119,10 @@ void watch_for_stop_signal(const char* name) {
 
 void set_stop_target(StopSwitch* target) noexcept {
     stop_target.store(target, std::memory_order_seq_cst);
+    // Who began before that, on another thread, presses the old one or says that there was none: neither may be missed.
+    while (presses_running.load(std::memory_order_seq_cst) != 0) {
+        std::this_thread::yield();
+    }
     if (target != nullptr && stop_waits.exchange(false, std::memory_order_seq_cst)) {
         target->press();
     }
@@ -83,10 +135,10 @@ unsigned stop_signals_seen() noexcept {
 Expected<std::size_t> stop_all_hands(const char* name) {
     std::size_t n_stopped = 0;
     std::string missed;
-    for (const pid_t id : find_stoppable(name)) {
-        if (::kill(id, SIGUSR1) == 0) {
-            ++n_stopped;
-        } else if (errno != ESRCH) {
+    for (const pid_t id : list_processes()) {
+        const Told told = tell_to_stop(id, name);
+        n_stopped += told == Told::stopped ? 1 : 0;
+        if (told == Told::missed) {
             missed += (missed.empty() ? "" : ", ") + std::to_string(id) + " (" +
                       std::strerror(errno) + ")";
         }

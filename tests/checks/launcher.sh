@@ -145,6 +145,27 @@ mv "$tree" "$scratch/moved here" && tree="$scratch/moved here"
 start
 expect "a moved checkout: configured and built" "$called" 'cmake*ninja*'
 
+# The emergency stop waits for nothing, whatever has changed or is missing.
+touch "$tree/haptics/newest.cpp"
+echo 'zeta # not there' >>"$tree/packages.txt"
+start stop
+expect "stop: no package is asked for, nothing is built" "$called" ''
+expect "stop: the program stops" "$out" '<program><stop>'
+expect "stop: the program's status" "$status" 7
+# Without a program that can be run too; here under another name, or what else runs would be stopped.
+sed 's/fulcrum-hand/fulcrum-tried/' "$tree/fulcrum" >"$tree/stopper" && chmod +x "$tree/stopper"
+rm "$tree/build/dev/fulcrum"
+cp "$(command -v sleep)" "$scratch/fulcrum-tried"
+"$scratch/fulcrum-tried" 60 &
+hand=$!
+until [[ $(<"/proc/$hand/comm") == fulcrum-tried ]]; do sleep 0.01; done
+at=$tree/stopper start stop
+expect "stop without a program: who was told" "$out" 'Stopped: 1.'
+expect "stop without a program: nothing is built" "$called" ''
+code=0
+wait "$hand" 2>/dev/null || code=$?
+expect "stop without a program: the signal" "$code" $((128 + $(kill -l USR1)))
+
 # Tests.
 start test -L unit
 expect "test: all targets" "$called" '*ninja * all'

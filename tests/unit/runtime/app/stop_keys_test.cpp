@@ -17,6 +17,14 @@ struct Run {
     [[nodiscard]] bool is_rearmed() const { return channels->rearm.load(); }
 };
 
+TEST_CASE("stop keys: stops from outside that others heard before are no stops of this lesson") {
+    StopKeys keys(2);
+    keys.hear(2);
+    CHECK_FALSE(keys.stopped());
+    keys.hear(3);
+    CHECK(keys.stopped());
+}
+
 TEST_CASE("stop keys: escape presses, return lifts and rearms, a second escape leaves") {
     Run run;
     StopKeys keys;

@@ -2,8 +2,14 @@
 
 #include <catch2/catch.hpp>
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -15,49 +21,187 @@ namespace {
 
 // At most 15 letters are kept.
 constexpr const char* kTestName = "fulcrum-tried";
+constexpr uid_t kNobody = 65534;
 
-// Another process that can be stopped: it ends with 0 once its switch is pressed, with 1 if nobody does.
-int run_stoppable(int told) {
+constexpr std::chrono::seconds kPatience{10};
+
+enum class Kind : std::uint8_t { usual, hangs, closed, of_another };
+
+// Another process that can be stopped: it ends with 0 once its switch is pressed, with 1 if nobody does, with 2 after more signals than one.
+int run_stoppable(int told, Kind kind) {
     watch_for_stop_signal(kTestName);
     static StopSwitch target;
     set_stop_target(&target);
+    // Nobody may look into it: the system then says that its folder is root's.
+    if (kind == Kind::closed && ::prctl(PR_SET_DUMPABLE, 0) != 0) {
+        return 3;
+    }
+    if (kind == Kind::of_another && ::setuid(kNobody) != 0) {
+        return 3;
+    }
     const char ready = 'r';
     (void)!::write(told, &ready, 1);
-    for (int i = 0; i < 5000; ++i) {
+    const auto until = std::chrono::steady_clock::now() + kPatience;
+    while (std::chrono::steady_clock::now() < until) {
         if (target.is_pressed()) {
             return stop_signals_seen() == 1 ? 0 : 2;
         }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        // One that hangs asks for nothing and waits for nothing.
+        if (kind != Kind::hangs) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
     }
     return 1;
+}
+
+// Started, and known to be so; its exit code is asked for once.
+class Other {
+  public:
+    explicit Other(Kind kind = Kind::usual) {
+        int ends[2];
+        REQUIRE(::pipe(ends) == 0);
+        id_ = ::fork();
+        if (id_ == 0) {
+            ::_exit(run_stoppable(ends[1], kind));
+        }
+        ::close(ends[1]);
+        char ready = 0;
+        (void)!::read(ends[0], &ready, 1);
+        ::close(ends[0]);
+    }
+    [[nodiscard]] pid_t id() const { return id_; }
+    [[nodiscard]] int exit_code() const {
+        int status = 0;
+        return ::waitpid(id_, &status, 0) == id_ && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    // Until the system says that it is in this state.
+    void await_state(char wanted) const {
+        char state = ' ';
+        const auto until = std::chrono::steady_clock::now() + kPatience;
+        while (state != wanted && std::chrono::steady_clock::now() < until) {
+            std::ifstream file("/proc/" + std::to_string(id_) + "/status");
+            for (std::string word; file >> word && word != "State:";) {
+            }
+            file >> state;
+        }
+        CHECK(state == wanted);
+    }
+
+  private:
+    pid_t id_;
+};
+
+std::size_t stop_all() {
+    const auto stopped = stop_all_hands(kTestName);
+    REQUIRE(stopped);
+    return *stopped;
 }
 
 }  // namespace
 
 TEST_CASE("stop signal: presses the switch of every process that can be stopped, and of no other") {
-    int pipe_ends[2];
-    REQUIRE(::pipe(pipe_ends) == 0);
-    const pid_t stoppable = ::fork();
-    if (stoppable == 0) {
-        ::_exit(run_stoppable(pipe_ends[1]));
-    }
+    const Other first;
+    const Other second(Kind::hangs);
+    const Other third(Kind::closed);
     const pid_t other = ::fork();
     if (other == 0) {
         // Says nothing of itself: a signal would end it.
         std::this_thread::sleep_for(std::chrono::milliseconds(500));
         ::_exit(0);
     }
-    char ready = 0;
-    REQUIRE(::read(pipe_ends[0], &ready, 1) == 1);
-    const auto stopped = stop_all_hands(kTestName);
-    REQUIRE(stopped);
-    CHECK(*stopped == 1);
-    for (const pid_t child : {stoppable, other}) {
-        int status = 0;
-        REQUIRE(::waitpid(child, &status, 0) == child);
-        CHECK(WIFEXITED(status));
-        CHECK(WEXITSTATUS(status) == 0);
+    CHECK(stop_all() == 3);
+    CHECK(first.exit_code() == 0);
+    CHECK(second.exit_code() == 0);
+    CHECK(third.exit_code() == 0);
+    int status = 0;
+    REQUIRE(::waitpid(other, &status, 0) == other);
+    CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
+    // Nothing is left that could be told, and that is no error.
+    CHECK(stop_all() == 0);
+}
+
+TEST_CASE(
+    "stop signal: what was killed is not counted, what the system has halted hears it later") {
+    const Other killed;
+    const Other halted;
+    const Other living;
+    REQUIRE(::kill(killed.id(), SIGKILL) == 0);
+    killed.await_state('Z');  // it has ended, and nobody has buried it
+    REQUIRE(::kill(halted.id(), SIGSTOP) == 0);
+    halted.await_state('T');
+    CHECK(stop_all() == 2);
+    CHECK(living.exit_code() == 0);
+    REQUIRE(::kill(halted.id(), SIGCONT) == 0);
+    CHECK(halted.exit_code() == 0);
+    CHECK(killed.exit_code() == -1);
+}
+
+TEST_CASE("stop signal: root stops everybody's, others their own alone") {
+    if (::geteuid() != 0) {
+        SUCCEED("only root can be somebody else");
+        return;
     }
-    ::close(pipe_ends[0]);
-    ::close(pipe_ends[1]);
+    const Other of_root;
+    const Other of_nobody(Kind::of_another);
+    // As nobody: that one alone is told.
+    const pid_t stopper = ::fork();
+    if (stopper == 0) {
+        const bool is_nobody = ::setuid(kNobody) == 0;
+        const auto stopped = stop_all_hands(kTestName);
+        ::_exit(is_nobody && stopped && *stopped == 1 ? 0 : 1);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(stopper, &status, 0) == stopper);
+    CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
+    CHECK(of_nobody.exit_code() == 0);
+    const Other again(Kind::of_another);
+    CHECK(stop_all() == 2);
+    CHECK(of_root.exit_code() == 0);
+    CHECK(again.exit_code() == 0);
+}
+
+TEST_CASE("stop signal: none is lost between two targets, and none presses one that is gone") {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        watch_for_stop_signal(kTestName);
+        constexpr unsigned kStops = 2000;
+        // Signals come to one thread while the other changes what they press.
+        std::atomic<bool> ended{false};
+        std::thread sender([&] {
+            for (unsigned i = 0; i < kStops; ++i) {
+                (void)::pthread_kill(::pthread_self(), SIGUSR1);
+            }
+            ended.store(true);
+        });
+        unsigned pressed = 0;
+        bool waits = true;
+        while (waits) {
+            waits = !ended.load();
+            auto target = std::make_unique<StopSwitch>();
+            set_stop_target(target.get());
+            set_stop_target(nullptr);
+            pressed += target->is_pressed() ? 1 : 0;
+        }
+        sender.join();
+        ::_exit(stop_signals_seen() == kStops && pressed > 0 ? 0 : 1);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
+}
+
+TEST_CASE("stop signal: one that comes while nothing can be stopped stops what comes next") {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        watch_for_stop_signal(kTestName);
+        (void)::raise(SIGUSR1);
+        StopSwitch next;
+        set_stop_target(&next);
+        StopSwitch after;
+        set_stop_target(&after);
+        ::_exit(next.is_pressed() && !after.is_pressed() && stop_signals_seen() == 1 ? 0 : 1);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
 }
