@@ -23,9 +23,9 @@ constexpr double kTouchShare =
     0.25;  // of the gap there is: the sweep stops between that and twice it
 constexpr double kLeastTouch = 1.0 / 64.0;  // of the gap at rest: nearer than that nothing goes
 constexpr double kSettledShare = 1.0e-4;    // of the gap at rest: a way as short is none
-constexpr double kSettlesNext =
-    0.02;                           // likewise, after the first round: it goes on in the next step
-constexpr double kTooNear = 0.75;   // likewise, a gap: the tool is pushed back first
+// What is left after the first round goes on in the next step, if it is shorter than this of the gap at rest, or of the step's longest way.
+constexpr double kSettlesNext = 0.02;
+constexpr double kTooNear = 0.75;   // of the gap at rest: with less the tool is pushed back first
 constexpr double kObjectWay = 0.1;  // of the tool's reach, that an object goes in a round
 constexpr double kObjectTurn_rad = 0.02;  // likewise
 constexpr int kMovingTries = 4;
@@ -116,6 +116,16 @@ bool GodObjectTool::begin(std::span<const MovingFrame> objects) noexcept {
 }
 
 void GodObjectTool::collect() noexcept {
+    collect_within();
+    // More than there is room for, since they were looked for far away: then only those that hold it.
+    if (const double least_m = kContactGaps * settings_.gap_m;
+        step_.too_many && within_m_ > least_m) {
+        within_m_ = least_m;
+        collect_within();
+    }
+}
+
+void GodObjectTool::collect_within() noexcept {
     step_.contacts = 0;
     step_.least_gap_m = std::numeric_limits<double>::infinity();
     step_.too_many = false;
@@ -124,12 +134,6 @@ void GodObjectTool::collect() noexcept {
         step_.contacts += static_cast<int>(pairs_[i].contacts().size());
         step_.least_gap_m = std::min(step_.least_gap_m, pairs_[i].least_gap_m());
         step_.too_many = step_.too_many || pairs_[i].is_full();
-    }
-    // More than there is room for, since they were looked for far away: then only those that hold it.
-    const double least_m = kContactGaps * settings_.gap_m;
-    if (step_.too_many && within_m_ > least_m) {
-        within_m_ = least_m;
-        collect();
     }
 }
 
@@ -245,48 +249,54 @@ void GodObjectTool::look_farther(double way_m, double share, bool recovers) noex
     }
 }
 
+// One round; whether another may get farther.
+bool GodObjectTool::slide_once(const Pose& wanted_W, std::span<const MovingFrame> objects,
+                               bool recovers, double& longest_m) noexcept {
+    set_goals(objects);
+    const Vector6 way = find_allowed(recovers ? pose_W_ : wanted_W);
+    const double way_m = way.head<3>().norm() + reach_m_ * way.tail<3>().norm();
+    const double none_m =
+        step_.rounds == 0 ? settings_.gap_m * kSettledShare : longest_m * kSettlesNext;
+    if (way_m <= none_m && have_arrived()) {
+        step_.settled = !recovers;
+        return recovers;
+    }
+    longest_m = std::max(longest_m, recovers ? 0.0 : way_m);
+    const double share = find_free_share(way);
+    if (recovers && !(share > 0.0)) {
+        return true;
+    }
+    if (!(share > 0.0) ||
+        (share < kNoProgress && share * way_m < kSettledShare * settings_.gap_m)) {
+        // What was looked for far away may be what holds it.
+        if (within_m_ > kContactGaps * settings_.gap_m) {
+            within_m_ = kContactGaps * settings_.gap_m;
+            collect();
+        }
+        return false;
+    }
+    advance(way, share);
+    look_farther(way_m, share, recovers);
+    collect();
+    return true;
+}
+
 void GodObjectTool::slide(const Pose& wanted_W, std::span<const MovingFrame> objects) noexcept {
     step_.settled = false;
     bool may_recover = true;
-    const double end_s = settings_.budget_us > 0.0
-                             ? monotonic_now_s() + 1.0e-6 * settings_.budget_us
-                             : std::numeric_limits<double>::infinity();
+    double longest_m = settings_.gap_m;
+    const bool is_timed = settings_.budget_us > 0.0;
+    const double end_s = is_timed ? monotonic_now_s() + 1.0e-6 * settings_.budget_us : 0.0;
     for (step_.rounds = 0; step_.rounds < settings_.most_rounds; ++step_.rounds) {
-        if (step_.rounds > 0 && end_s < std::numeric_limits<double>::infinity() &&
-            monotonic_now_s() > end_s) {
+        if (is_timed && step_.rounds > 0 && monotonic_now_s() > end_s) {
             break;
         }
         // Where it was stopped short of the gap at rest it is pushed there first: so short a way is as straight as its contacts take it to be.
-        set_goals(objects);
         const bool recovers = may_recover && step_.least_gap_m < kTooNear * settings_.gap_m;
         may_recover = !recovers;
-        const Vector6 way = find_allowed(recovers ? pose_W_ : wanted_W);
-        const double way_m = way.head<3>().norm() + reach_m_ * way.tail<3>().norm();
-        const bool arrived = have_arrived();
-        const double none_m = settings_.gap_m * (step_.rounds == 0 ? kSettledShare : kSettlesNext);
-        if (arrived && way_m <= none_m) {
-            if (recovers) {
-                continue;
-            }
-            step_.settled = true;
+        if (!slide_once(wanted_W, objects, recovers, longest_m)) {
             break;
         }
-        const double share = find_free_share(way);
-        if (recovers && !(share > 0.0)) {
-            continue;
-        }
-        if (!(share > 0.0) ||
-            (share < kNoProgress && share * way_m < kSettledShare * settings_.gap_m)) {
-            // What was looked for far away may be what holds it.
-            if (within_m_ > kContactGaps * settings_.gap_m) {
-                within_m_ = kContactGaps * settings_.gap_m;
-                collect();
-            }
-            break;
-        }
-        advance(way, share);
-        look_farther(way_m, share, recovers);
-        collect();
     }
     step_.wedged = false;
     for (std::size_t i = 0; i < objects.size(); ++i) {

@@ -18,12 +18,10 @@ constexpr double kFallsAway =
     1.0e-8;  // what a surface may rise: a direction so far off is felt as friction
 constexpr double kRoundings = 4.0e-15;  // of lengths, in a direction between places a gap apart
 constexpr int kPairsPerContact = 8;
-constexpr double kWidth = 4.0;      // of the list, in what is asked of: it serves for so many steps
-constexpr double kNarrower = 0.25;  // of a list for which there was no room
-constexpr int kLists = 3;           // tried
-constexpr double kWidestList = 0.1;  // of the tool's reach
-constexpr double kForgets = 0.9;     // of the usual way, a step
-constexpr double kRounded = 1.0e-9;  // of lengths: more than any rounding here
+constexpr double kFar = 4.0;      // what has gone from the front, in usual ways
+constexpr double kLongWay = 0.1;  // of the tool's reach
+constexpr double kBend = 0.125;   // the most that an arc lies off its chord, in w^2 r
+constexpr double kForgets = 0.9;  // of the usual way, a step
 
 std::uint64_t mix(std::uint64_t hash, double value, double grid) noexcept {
     const double cell = value / grid;
@@ -39,54 +37,41 @@ bool is_alike(const GodContact& a, const GodContact& b) noexcept {
            (a.normal_O - b.normal_O).squaredNorm() <= kSameNormal * kSameNormal;
 }
 
-// What kept them apart where they were listed may do so elsewhere.
-Vector3 find_hint(const NearTriangles& near) noexcept {
-    const NearFeatures& features = near.features;
-    return features.distance_m > 0.0
-               ? Vector3((features.on_moving - features.on_fixed) / features.distance_m)
-               : Vector3::Zero();
-}
-
-// How far apart along a direction: never more than they are.
-double find_apart_m(const Triangle& object, const Triangle& tool, const Vector3& along) noexcept {
-    return std::min({along.dot(tool[0]), along.dot(tool[1]), along.dot(tool[2])}) -
-           std::max({along.dot(object[0]), along.dot(object[1]), along.dot(object[2])});
-}
-
 }  // namespace
 
 GodPair::GodPair(std::shared_ptr<const GodSurface> object, std::shared_ptr<const GodSurface> tool,
                  int most_contacts)
     : object_(std::move(object)),
       tool_(std::move(tool)),
-      near_(kPairsPerContact * most_contacts),
+      front_(object_->swept(), tool_->swept(), kPairsPerContact * most_contacts),
       contacts_(most_contacts),
       places_(std::bit_ceil(2U * static_cast<std::size_t>(most_contacts))),
       least_gap_m_(std::numeric_limits<double>::infinity()) {}
 
-bool GodPair::carries(const NearTriangles& near, const NearFeatures& features) const noexcept {
+bool GodPair::carries(const GodNear& near, const NearFeatures& features) const noexcept {
     switch (features.pair) {
         case FeaturePair::face_vertex:
-            return tool_->carries_corner(near.moving_triangle, features.moving_feature);
+            return tool_->carries_corner(near.tool_triangle, features.moving_feature);
         case FeaturePair::vertex_face:
-            return object_->carries_corner(near.fixed_triangle, features.fixed_feature);
+            return object_->carries_corner(near.object_triangle, features.fixed_feature);
         case FeaturePair::edge_edge:
             break;
     }
-    return object_->carries_edge(near.fixed_triangle, features.fixed_feature) &&
-           tool_->carries_edge(near.moving_triangle, features.moving_feature);
+    return object_->carries_edge(near.object_triangle, features.fixed_feature) &&
+           tool_->carries_edge(near.tool_triangle, features.moving_feature);
 }
 
-double GodPair::find_rise_m(const NearTriangles& near, const NearFeatures& features,
+double GodPair::find_rise_m(const GodNear& near, const NearFeatures& features,
                             const Vector3& normal_O, const Pose& X_OT) const noexcept {
     const double epsilon = std::max(
         kFallsAway,
         kRoundings * (features.on_fixed.norm() + X_OT.position.norm() + tool_->swept().reach_m()) /
             features.distance_m);
     const Pose X_TO = X_OT.inverse();
-    return std::max(object_->find_rise_m(near.fixed_triangle, features.on_fixed, normal_O, epsilon),
-                    tool_->find_rise_m(near.moving_triangle, X_TO * features.on_moving,
-                                       -(X_TO.orientation * normal_O), epsilon));
+    return std::max(
+        object_->find_rise_m(near.object_triangle, features.on_fixed, normal_O, epsilon),
+        tool_->find_rise_m(near.tool_triangle, X_TO * features.on_moving,
+                           -(X_TO.orientation * normal_O), epsilon));
 }
 
 void GodPair::add(const GodContact& contact) noexcept {
@@ -113,13 +98,14 @@ void GodPair::add(const GodContact& contact) noexcept {
     }
 }
 
-void GodPair::add_all_of(const NearTriangles& near, const Pose& X_OT, double within_m) noexcept {
-    const Triangle object = object_->swept().triangle(near.fixed_triangle);
-    const Triangle own = tool_->swept().triangle(near.moving_triangle);
-    const Triangle tool{X_OT * own[0], X_OT * own[1], X_OT * own[2]};
-    if (find_apart_m(object, tool, find_hint(near)) > within_m) {
-        return;
+bool GodPair::add_all_of(const GodNear& near, const GodPlace& place, double within_m) noexcept {
+    const Triangle own = tool_->swept().triangle(near.tool_triangle);
+    if (find_apart_m(near, own, place) > within_m) {
+        return true;
     }
+    bool is_near = false;
+    const Triangle object = object_->swept().triangle(near.object_triangle);
+    const Triangle tool = place.corners(own);
     const auto offer = [&](FeaturePair pair, std::uint8_t i, std::uint8_t j) {
         NearFeatures found{.pair = pair, .fixed_feature = i, .moving_feature = j};
         if (!carries(near, found)) {
@@ -129,9 +115,10 @@ void GodPair::add_all_of(const NearTriangles& near, const Pose& X_OT, double wit
         if (!(found.distance_m > 0.0 && found.distance_m <= within_m)) {
             return;
         }
+        is_near = true;
         const Vector3 normal_O = (found.on_moving - found.on_fixed) / found.distance_m;
         least_gap_m_ = std::min(least_gap_m_, found.distance_m);
-        const double rise_m = find_rise_m(near, found, normal_O, X_OT);
+        const double rise_m = find_rise_m(near, found, normal_O, place.X_OT);
         if (rise_m <= within_m) {
             add({found.on_fixed, found.on_moving, normal_O, found.distance_m, rise_m});
         }
@@ -143,65 +130,54 @@ void GodPair::add_all_of(const NearTriangles& near, const Pose& X_OT, double wit
             offer(FeaturePair::edge_edge, i, j);
         }
     }
-}
-
-double GodPair::find_way_m(const Pose& from_OT, const Pose& to_OT) const noexcept {
-    const double reach_m = tool_->swept().reach_m();
-    const double turn =
-        compute_log((to_OT.orientation * from_OT.orientation.conjugate()).normalized()).norm();
-    const double lengths_m = reach_m + object_->swept().reach_m() + from_OT.position.norm();
-    return (to_OT.position - from_OT.position).norm() + turn * reach_m + kRounded * lengths_m;
-}
-
-bool GodPair::list(const Pose& X_OT, double wanted_m, double least_m) noexcept {
-    double width_m = std::max(least_m, std::min(wanted_m, kWidestList * tool_->swept().reach_m()));
-    for (int i = 0; i < kLists; ++i) {
-        if (collect_near(object_->swept(), tool_->swept(), InBetweenMotion(X_OT, X_OT), 0.0,
-                         width_m, near_)) {
-            listed_OT_ = X_OT;
-            width_m_ = width_m;
-            return true;
-        }
-        if (width_m == least_m) {
-            break;
-        }
-        width_m = std::max(least_m, kNarrower * width_m);
-    }
-    width_m_ = -1.0;
-    return false;
+    return is_near;
 }
 
 void GodPair::collect(const Pose& X_OT, double within_m) noexcept {
     contacts_.clear();
     ++round_;
     least_gap_m_ = std::numeric_limits<double>::infinity();
-    is_full_ = false;
-    double gone_m = find_way_m(listed_OT_, X_OT);
-    if (width_m_ - gone_m < within_m) {
-        // Where there is no room for all, those that were found are kept.
-        const double least_m = within_m + find_way_m(X_OT, X_OT);
-        is_full_ = !list(X_OT, kWidth * (within_m + usual_way_m_), least_m);
-        listed_OT_ = X_OT;
-        gone_m = find_way_m(X_OT, X_OT);
-    }
-    for (const NearTriangles& near : near_.all()) {
-        if (near.features.distance_m - gone_m <= within_m) {
-            add_all_of(near, X_OT, within_m);
+    const GodPlace place = GodPlace::of(object_->swept(), tool_->swept(), X_OT);
+    // Where there is no room for all, those that were found are kept.
+    is_full_ = !front_.look(place, within_m);
+    for (const std::int32_t i : front_.near()) {
+        if (!add_all_of(front_.pair(i), place, within_m)) {
+            front_.aim(i, place);  // not to be asked again
         }
+    }
+    if (!is_full_) {
+        front_.tidy(place, kFar * usual_way_m_);
     }
 }
 
-double GodPair::sweep_listed(const InBetweenMotion& motion, double reach_m,
-                             const SweepSettings& settings) const noexcept {
+bool GodPair::stays_apart(std::int32_t i, const GodPlace& from, const GodPlace& to,
+                          double least_m) noexcept {
+    const GodNear& near = front_.pair(i);
+    const Triangle own = tool_->swept().triangle(near.tool_triangle);
+    const auto is_apart = [&] {
+        return std::min(find_apart_m(near, own, from), find_apart_m(near, own, to)) > least_m;
+    };
+    if (is_apart()) {
+        return true;
+    }
+    front_.aim(i, from);
+    return is_apart();
+}
+
+double GodPair::sweep_near(const InBetweenMotion& motion, const GodPlace& from, const GodPlace& to,
+                           const SweepSettings& settings) noexcept {
+    const double angle = motion.angle_rad();
+    const double bend_m = kBend * angle * angle * tool_->swept().reach_m();
     double free = 1.0;
-    for (const NearTriangles& near : near_.all()) {
-        if (near.features.distance_m > reach_m) {
+    for (const std::int32_t i : front_.near()) {
+        if (stays_apart(i, from, to, settings.touch_m + bend_m)) {
             continue;
         }
-        const TriangleSweep told = sweep_triangles(
-            motion, object_->swept().triangle(near.fixed_triangle),
-            MovingTriangle::of(motion, tool_->swept().triangle(near.moving_triangle)), settings,
-            0.0, free, find_hint(near));
+        const GodNear& near = front_.pair(i);
+        const TriangleSweep told =
+            sweep_triangles(motion, object_->swept().triangle(near.object_triangle),
+                            MovingTriangle::of(motion, tool_->swept().triangle(near.tool_triangle)),
+                            settings, 0.0, free, near.direction_O);
         if (told.outcome == SweepOutcome::touching) {
             free = std::min(free, told.contact.time);
         } else if (told.outcome != SweepOutcome::free) {
@@ -232,17 +208,15 @@ double GodPair::find_free_share(const Pose& from_OT, const Pose& to_OT, double t
     if (!motion.is_valid()) {
         return 0.0;
     }
-    const double way_m = find_way_m(from_OT, to_OT) + 2.0 * touch_m;
-    usual_way_m_ = std::max(way_m, kForgets * usual_way_m_);
-    double reach_m = find_way_m(listed_OT_, from_OT) + way_m;
-    if (reach_m > width_m_) {
-        if (way_m > kWidestList * tool_->swept().reach_m() ||
-            !list(from_OT, kWidth * usual_way_m_, way_m + find_way_m(from_OT, from_OT))) {
-            return sweep_all(motion, settings);
-        }
-        reach_m = find_way_m(from_OT, from_OT) + way_m;
+    const SweptMesh& object = object_->swept();
+    const SweptMesh& tool = tool_->swept();
+    const GodPlace from = GodPlace::of(object, tool, from_OT);
+    const double reach_m = find_way_m(object, tool, from_OT, to_OT) + 2.0 * touch_m;
+    usual_way_m_ = std::max(reach_m, kForgets * usual_way_m_);
+    if (reach_m > kLongWay * tool.reach_m() || !front_.look(from, reach_m)) {
+        return sweep_all(motion, settings);
     }
-    return sweep_listed(motion, reach_m, settings);
+    return sweep_near(motion, from, GodPlace::of(object, tool, to_OT), settings);
 }
 
 bool GodPair::is_apart(const Pose& X_OT, double touch_m) const noexcept {
@@ -257,7 +231,7 @@ bool GodPair::is_enclosed(const Pose& X_OT) const noexcept {
 }
 
 std::size_t GodPair::memory_bytes() const noexcept {
-    return near_.capacity() * sizeof(NearTriangles) + contacts_.capacity() * sizeof(GodContact) +
+    return front_.memory_bytes() + contacts_.capacity() * sizeof(GodContact) +
            places_.capacity() * sizeof(Place);
 }
 

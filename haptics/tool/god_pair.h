@@ -5,10 +5,10 @@
 // lies flat on another is held at all its corners. Kept is where both surfaces fall away from each other (god_surface.h), so that no edge
 // within a plane is felt; what several triangles tell alike is kept once.
 //
-// What lies near is listed once and serves as long as the tool has not gone far: with W the width of the list, made where the tool was at X,
-//   every pair of triangles that is not listed is farther apart than W - (how far any point of the tool has gone since X)
-//   a listed one, d apart at X, is farther apart than d - that
-// so while what is asked of is nearer, only the list is asked, and of it only what may be so near. A way too long for that is swept in whole.
+// What may come near is kept from step to step (god_front.h); a pair is swept only where its direction does not keep it apart on the whole way: on one
+// with a turn by the angle w, |r| <= r_max of the tool's points from its centre of mass, n . p lies above the chord between its ends but for
+// w^2 r_max / 8, by Taylor's theorem, so what at both ends is farther apart than that and `touch` touches nowhere. A way too long for that
+// is swept in whole.
 //
 // Thread: the tool's. Cost: that of mesh_sweep.h, and 4 us a pair of triangles in contact; no allocation after it was built.
 // Source: the elementary contacts: S. Redon, A. Kheddar, S. Coquillart 2002 (continuous/in_between_motion.h).
@@ -16,6 +16,7 @@
 
 #include "haptics/base/bounded_list.h"
 #include "haptics/continuous/mesh_sweep.h"
+#include "haptics/tool/god_front.h"
 #include "haptics/tool/god_surface.h"
 
 #include <cstdint>
@@ -41,7 +42,7 @@ class GodPair {
             int most_contacts);
 
     /// Whatever was known of where things are: forgotten. For a tool put elsewhere.
-    void forget() noexcept { width_m_ = -1.0; }
+    void forget() noexcept { front_.forget(); }
     /// All features within `within_m` of each other where the tool is held at X_OT, beside which no surface rises by more.
     void collect(const Pose& X_OT, double within_m) noexcept;
     [[nodiscard]] std::span<const GodContact> contacts() const noexcept { return contacts_.all(); }
@@ -66,26 +67,26 @@ class GodPair {
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
   private:
-    // How far any point of the tool goes at most between two poses.
-    [[nodiscard]] double find_way_m(const Pose& from_OT, const Pose& to_OT) const noexcept;
-    // Makes the list at X_OT, so wide if there is room; whether it is wider than `least_m`.
-    bool list(const Pose& X_OT, double wanted_m, double least_m) noexcept;
-    [[nodiscard]] double sweep_listed(const InBetweenMotion& motion, double reach_m,
-                                      const SweepSettings& settings) const noexcept;
+    // Does its direction keep the pair apart all the way? Where not it takes another one.
+    [[nodiscard]] bool stays_apart(std::int32_t i, const GodPlace& from, const GodPlace& to,
+                                   double least_m) noexcept;
+    // Of what the front's last look found near.
+    [[nodiscard]] double sweep_near(const InBetweenMotion& motion, const GodPlace& from,
+                                    const GodPlace& to, const SweepSettings& settings) noexcept;
     [[nodiscard]] double sweep_all(const InBetweenMotion& motion,
                                    const SweepSettings& settings) const noexcept;
     void add(const GodContact& contact) noexcept;
-    void add_all_of(const NearTriangles& near, const Pose& X_OT, double within_m) noexcept;
+    // False where its direction did not tell that nothing of the pair is so near.
+    bool add_all_of(const GodNear& near, const GodPlace& place, double within_m) noexcept;
     // Of a surface, where these two features are nearest.
-    [[nodiscard]] double find_rise_m(const NearTriangles& near, const NearFeatures& features,
+    [[nodiscard]] double find_rise_m(const GodNear& near, const NearFeatures& features,
                                      const Vector3& normal_O, const Pose& X_OT) const noexcept;
     // May they touch what no others do?
-    [[nodiscard]] bool carries(const NearTriangles& near,
-                               const NearFeatures& features) const noexcept;
+    [[nodiscard]] bool carries(const GodNear& near, const NearFeatures& features) const noexcept;
 
     std::shared_ptr<const GodSurface> object_;
     std::shared_ptr<const GodSurface> tool_;
-    BoundedList<NearTriangles> near_;
+    GodFront front_;
     BoundedList<GodContact> contacts_;
     // Which contacts there are, by what they are rounded to: a table of indices, open addressing.
     struct Place {
@@ -94,8 +95,6 @@ class GodPair {
     };
     std::vector<Place> places_;
     std::uint32_t round_ = 0;
-    Pose listed_OT_{};
-    double width_m_ = -1.0;  // of the list; below 0: there is none
     double usual_way_m_ = 0.0;
     double least_gap_m_ = 0.0;
     bool is_full_ = false;

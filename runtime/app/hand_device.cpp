@@ -171,8 +171,10 @@ Expected<std::unique_ptr<PointerDevice>> HandDevice::make_pointer() {
     settings.sag_m_per_N = kMouseSag_m_per_N;
     settings.slow_per_N = kMouseSlow_per_N;
     settings.half_extent_D = Vector3::Constant(1.0 / std::max(workspace_.scale, 0.1));
-    return validate(settings).map(
-        [&] { return std::make_unique<PointerDevice>(settings, pointer_target_); });
+    if (auto valid = validate(settings); !valid) {
+        return tl::unexpected(valid.error());
+    }
+    return std::make_unique<PointerDevice>(settings, pointer_target_);
 }
 
 // All in this program, under its clock; every number comes from the seed.

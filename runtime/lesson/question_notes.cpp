@@ -95,6 +95,9 @@ std::string meant_word(const Sounds& sounds, const std::string& word) {
     return meant;
 }
 
+constexpr const char* kNotEnglish =
+    "\", which English has not, so nobody can say it; write it with a to z.";
+
 /// Of words that cannot be spoken, what to do; a sentence of those with foreign letters, of each slip, and of the rest.
 void add_unheard(const std::string& head, std::vector<std::string> words, const Sounds& sounds,
                  std::vector<std::string>& notes) {
@@ -108,9 +111,8 @@ void add_unheard(const std::string& head, std::vector<std::string> words, const 
         const std::string foreign = foreign_letter(word);
         const std::string meant = foreign.empty() ? meant_word(sounds, word) : "";
         if (!foreign.empty()) {
-            notes.push_back(concat({head, "\"", word, "\" has the letter \"", foreign,
-                                    "\", which English has not, so nobody can say it; write it "
-                                    "with a to z."}));
+            notes.push_back(
+                concat({head, "\"", word, "\" has the letter \"", foreign, kNotEnglish}));
         } else if (!meant.empty()) {
             notes.push_back(
                 concat({head, "\"", word, "\" is no word that is known here; did you mean \"",

@@ -99,7 +99,7 @@ Eigen::Matrix4f Camera::clip_from_world() const {
 
 // Upright, so that moving the pointer up moves the hand up, not towards the wall.
 Vector3 pointer_plane_normal(const Camera& camera) {
-    const Vector3 forward = camera.forward_W();
+    const Vector3& forward = camera.forward_W();
     const Vector3 level(forward.x(), 0.0, forward.z());
     return level.norm() > kSteep ? Vector3(level.normalized()) : forward;
 }

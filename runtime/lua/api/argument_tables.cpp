@@ -106,7 +106,11 @@ std::vector<std::string> check_texts(lua_State* lua, const Place& place, int ind
         const Place at{item, place.label + "[" + std::to_string(i) + "]", lua_gettop(lua)};
         if (lua_type(lua, -1) == LUA_TNUMBER) {
             const std::string number = given_text(lua, -1);
-            refuse(lua, at, number + "; put it in quotation marks, \"" + number + "\"");
+            refuse(lua, at,
+                   std::string(number)
+                       .append("; put it in quotation marks, \"")
+                       .append(number)
+                       .append("\""));
         }
         texts.push_back(check_text(lua, at, at.index, kMaxTextBytes));
         lua_pop(lua, 1);

@@ -14,36 +14,39 @@ int depth_of(char passed) {
                                                              : 0;
 }
 
+bool begins_word(const TextScanner& scanner) {
+    return scanner.begins_name() && scanner.is_letter();
+}
+
+/// Passes the name of an option that helps, and what gives it its value.
+bool pass_help(TextScanner& scanner, AskUse& use) {
+    if (!begins_word(scanner) || !(scanner.pass("hint") || scanner.pass("again"))) {
+        return false;
+    }
+    use.has_hint = scanner.pass("=") || use.has_hint;
+    return true;
+}
+
 /// Passes ask's arguments, up to the bracket that closes them: perhaps a world, a name, perhaps options.
 AskUse take_arguments(TextScanner& scanner) {
     AskUse use;
     if (scanner.pass("world")) {
         scanner.pass(",");
     }
-    int depth = 1;
     bool behind_name = false;
-    while (!scanner.at_end() && depth > 0) {
+    for (int depth = 1; !scanner.at_end() && depth > 0;) {
         if (auto text = scanner.take_text()) {
             scanner.pass("");  // blanks
             const bool is_whole = depth == 1 && !behind_name && !scanner.pass("..");
-            if (is_whole) {
-                use.name = std::move(*text);
-            }
-            continue;
+            use.name = is_whole ? std::move(*text) : use.name;
+        } else if (!scanner.pass_comment_or_text() && !(depth == 2 && pass_help(scanner, use))) {
+            // A name behind the question's: options that were made elsewhere.
+            const bool is_options = depth == 1 && behind_name && begins_word(scanner);
+            use.has_hint = use.has_hint || is_options;
+            behind_name = behind_name || (depth == 1 && scanner.here() == ',');
+            depth += depth_of(scanner.here());
+            scanner.step();
         }
-        if (scanner.pass_comment_or_text()) {
-            continue;
-        }
-        const bool named = scanner.begins_name() && scanner.is_letter();
-        if (depth == 2 && named && (scanner.pass("hint") || scanner.pass("again"))) {
-            use.has_hint = scanner.pass("=") || use.has_hint;
-            continue;
-        }
-        // A name behind the question's: options that were made elsewhere.
-        use.has_hint = use.has_hint || (depth == 1 && named && behind_name);
-        behind_name = behind_name || (depth == 1 && scanner.here() == ',');
-        depth += depth_of(scanner.here());
-        scanner.step();
     }
     return use;
 }

@@ -30,6 +30,36 @@ bool is_module_name(std::string_view name) {
     return is_name(name) && name.find('-') == std::string_view::npos;
 }
 
+/// No more than a lesson may have; false where it can't be read: then `errno` says why.
+bool read_all(const OpenFile& file, std::string& text) {
+    text.assign(kMaxSourceBytes + 1, '\0');
+    std::size_t filled = 0;
+    while (filled < text.size()) {
+        const ssize_t n = read(file.descriptor, text.data() + filled, text.size() - filled);
+        if (n < 0 && errno != EINTR) {
+            return false;
+        }
+        if (n == 0) {
+            break;
+        }
+        filled += n > 0 ? static_cast<std::size_t>(n) : 0;
+    }
+    text.resize(std::min(filled, kMaxSourceBytes));
+    return true;
+}
+
+/// By its mark, or by the zeros that it has between letters.
+bool is_utf16(std::string_view text) {
+    return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+           (text.size() > 1 && (text[0] == '\0') != (text[1] == '\0'));
+}
+
+/// A word processor's.
+bool is_document(std::string_view text) {
+    return text.starts_with("PK\x03\x04") || text.starts_with("{\\rtf") ||
+           text.starts_with("\xD0\xCF\x11\xE0");
+}
+
 }  // namespace
 
 Expected<LuaSource> read_lua_file(const std::filesystem::path& path, const std::string& shown_name,
@@ -50,33 +80,19 @@ Expected<LuaSource> read_lua_file(const std::filesystem::path& path, const std::
         return fail("the file is longer than " + std::to_string(kMaxSourceBytes >> 10U) + " KB",
                     path.string(), "split it into modules");
     }
-    LuaSource source{shown_name, std::string(kMaxSourceBytes + 1, '\0')};
-    std::size_t filled = 0;
-    while (filled < source.text.size()) {
-        const ssize_t n =
-            read(file.descriptor, source.text.data() + filled, source.text.size() - filled);
-        if (n < 0 && errno != EINTR) {
-            return fail(std::string("the file can't be read (") + std::strerror(errno) + ")",
-                        path.string());
-        }
-        if (n == 0) {
-            break;
-        }
-        filled += n > 0 ? static_cast<std::size_t>(n) : 0;
+    LuaSource source{shown_name, {}};
+    if (!read_all(file, source.text)) {
+        return fail(std::string("the file can't be read (") + std::strerror(errno) + ")",
+                    path.string());
     }
-    source.text.resize(std::min(filled, kMaxSourceBytes));
     if (source.text.starts_with(kByteOrderMark)) {
         source.text.erase(0, kByteOrderMark.size());
     }
-    const bool is_utf16 =
-        source.text.starts_with("\xFF\xFE") || source.text.starts_with("\xFE\xFF") ||
-        (source.text.size() > 1 && (source.text[0] == '\0') != (source.text[1] == '\0'));
-    if (is_utf16) {
+    if (is_utf16(source.text)) {
         return fail("this is saved as UTF-16, not as UTF-8", shown_name,
                     "save it again with the encoding UTF-8, which every text editor offers");
     }
-    if (source.text.starts_with("PK\x03\x04") || source.text.starts_with("{\\rtf") ||
-        source.text.starts_with("\xD0\xCF\x11\xE0")) {
+    if (is_document(source.text)) {
         return fail("this is a document of a word processor, not a plain text", shown_name,
                     "save it as plain text, with the encoding UTF-8");
     }

@@ -177,6 +177,20 @@ void add_more_hands(SceneContent& content, const View& view, const Camera& camer
     }
 }
 
+void add_body(SceneContent& content, const ViewBody& body, const SceneItem* hand,
+              const Camera& camera, double floor_m, const FindMesh& find_mesh) {
+    if (body.model == kOrbitModel) {
+        add_orbit(content, body);
+    } else if (auto item = item_of(body, camera, find_mesh)) {
+        item->sunk_m = std::max(floor_m - item->bounds.lowest_m, 0.0);
+        content.items.push_back(*item);
+        if (body.marked && (hand == nullptr || !lies_in(*item, *hand))) {
+            add_mark(content, *item, camera, floor_m, false);
+        }
+        add_label(content, camera, body, *item);
+    }
+}
+
 }  // namespace
 
 SceneContent content_of(const View& view, const Camera& camera, const FindMesh& find_mesh) {
@@ -184,16 +198,7 @@ SceneContent content_of(const View& view, const Camera& camera, const FindMesh& 
     const double floor_m = std::isfinite(view.ground_height_m) ? view.ground_height_m : 0.0;
     const auto hand = view.tool_visible ? item_of(view.tool, camera, find_mesh) : std::nullopt;
     for (std::size_t i = 0; i < std::min(view.bodies.size(), kMostBodies); ++i) {
-        if (view.bodies[i].model == kOrbitModel) {
-            add_orbit(content, view.bodies[i]);
-        } else if (auto item = item_of(view.bodies[i], camera, find_mesh)) {
-            item->sunk_m = std::max(floor_m - item->bounds.lowest_m, 0.0);
-            content.items.push_back(*item);
-            if (view.bodies[i].marked && (!hand || !lies_in(*item, *hand))) {
-                add_mark(content, *item, camera, floor_m, false);
-            }
-            add_label(content, camera, view.bodies[i], *item);
-        }
+        add_body(content, view.bodies[i], hand ? &*hand : nullptr, camera, floor_m, find_mesh);
     }
     if (hand) {
         content.items.push_back(*hand);
