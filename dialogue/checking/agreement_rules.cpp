@@ -62,13 +62,31 @@ int verb_behind(const FreeSentence& sentence, int i) {
     return i;
 }
 
+/// "When I push the side it turn more": the clause before it has no comma. No verb that could govern a plain one stands anywhere.
+bool resumes(const FreeSentence& sentence, int i) {
+    constexpr std::array<std::string_view, 15> kGoverning = {
+        "do",  "does", "did",  "let",   "lets", "make", "makes", "made",
+        "see", "help", "feel", "watch", "not",  "hear", "saw"};
+    if (i < 2 || !sentence.is(i, {"it"}) || !sentence[i - 1].mainly_noun() || sentence.asks() ||
+        !sentence.is(0, {"when", "if", "near", "at", "on", "more", "far"})) {
+        return false;
+    }
+    for (int at = 0; at < sentence.size(); ++at) {
+        if (is_modal(sentence.text(at)) || std::find(kGoverning.begin(), kGoverning.end(),
+                                                     sentence.text(at)) != kGoverning.end()) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /// it have, they goes, I is.
 void find_after_pronoun(const FreeSentence& sentence, int i, Proposals& proposals) {
     const bool third = is_third_singular(sentence.text(i));
     const bool other = is_other_person(sentence.text(i));
     const FreeWord& subject = sentence[i];
     if (subject.hyphen_behind || (!third && !other) || sentence[i].before_stop ||
-        !sentence.clause_begins(i)) {
+        (!sentence.clause_begins(i) && !resumes(sentence, i))) {
         return;
     }
     // "If it were", "suggest that it go", and "you and I".
@@ -156,6 +174,9 @@ void find_after_there(const FreeSentence& sentence, int i, Proposals& proposals)
     if (one && (plural || (amount && noun.noun_count > 0)) &&
         !sentence.is(first, {"a", "an", "the", "this", "that", "one", "each", "every", "no"})) {
         proposals.replace(be, ErrorCode::agreement, sentence.text(be) == "is" ? "are" : "were");
+    } else if (!one && bare && is_material(noun.text) && !followed_by_and &&
+               (sentence.ends_at(first) || sentence[first + 1].closed)) {
+        proposals.replace(be, ErrorCode::agreement, sentence.text(be) == "are" ? "is" : "was");
     } else if (!one && sentence.is(first, {"no"}) && is_mass_noun(noun.text)) {
         proposals.replace(be, ErrorCode::agreement, sentence.text(be) == "are" ? "is" : "was");
     } else if (!one && (noun.singular_noun() || (bare && is_bare_singular(noun))) && !amount &&

@@ -198,12 +198,18 @@ void find_bare_thing(const FreeSentence& sentence, int i, Proposals& proposals) 
     const bool subject = starts && (sentence.be_at(i + 1) || is_modal(next.text) ||
                                     sentence.is(i + 1, {"has", "does", "did", "had"}) ||
                                     (next.verb_in_s && next.verb_count > 0 && !next.closed));
-    const bool place = sentence.is(first - 1, {"than", "near", "under", "behind", "on", "to", "at",
-                                               "below", "above", "beside"}) ||
-                       (sentence.is(first - 1, {"of"}) && sentence.is(first - 2, {"top"}));
+    const bool on_top = sentence.is(i, {"top"}) && sentence.is(first - 1, {"on", "at"});
+    const bool place =
+        sentence.is(first - 1, {"than", "near", "nearer", "under", "behind", "on", "to", "towards",
+                                "at", "below", "above", "beside"}) ||
+        (sentence.is(first - 1, {"of"}) &&
+         sentence.is(first - 2, {"top", "tension", "weight", "pull", "end", "side", "middle"}));
     const FreeWord& before = sentence[first - 1];
-    const bool object =
-        place || sentence.be_at(first - 1) || (before.verb_in_s && before.mainly_verb());
+    const bool acts = before.mainly_verb() && !before.closed &&
+                      (before.verb_in_s || (before.verb_plain && sentence.ends_at(i)));
+    const bool given = sentence.is(first - 2, {"give", "gives"}) && sentence.ends_at(i) &&
+                       sentence.is(first - 1, {"it", "them"});
+    const bool object = !on_top && (place || sentence.be_at(first - 1) || acts || given);
     if (subject || (object && !sentence[first].behind_stop)) {
         proposals.insert(first, ErrorCode::missing_determiner, "the");
     }

@@ -61,6 +61,7 @@ std::vector<Proposal> propose(const Lexicon& lexicon, const FreeSentence& senten
     Proposals proposals(sentence);
     find_comparison_errors(lexicon, sentence, proposals);
     find_order_errors(sentence, proposals);
+    find_missing_words(sentence, proposals);
     find_making_errors(sentence, proposals);
     find_agreement_errors(sentence, proposals);
     find_number_errors(lexicon, sentence, proposals);

@@ -22,6 +22,10 @@ constexpr auto kBeforeThan =
     std::to_array<std::string_view>({"other", "rather", "different", "sooner", "less", "fewer",
                                      "more", "else", "otherwise", "further", "farther"});
 
+/// What a thing does well or better.
+constexpr auto kMoving = std::to_array<std::string_view>(
+    {"turn", "go", "move", "work", "fly", "roll", "slide", "spin", "swing"});
+
 std::string first_form(std::string_view adjective, Degree degree) {
     return degree_forms(adjective, degree).front();
 }
@@ -59,6 +63,30 @@ std::string with_the(const FreeSentence& sentence, int i, Degree degree, bool al
     return bare && !sentence.is(i + 2, {"to", "from", "when", "where", "at", "in"}) ? "the " : "";
 }
 
+/// turns more fast, goes more good at the side, is more near to: never said so, wherever it stands.
+bool is_moved(const FreeSentence& sentence, int i, Degree degree) {
+    const FreeWord& before = sentence[i - 1];
+    const bool alone = sentence.ends_at(i + 1) || sentence[i + 2].closed;
+    const bool moves = contains(kMoving, before.verb);
+    const bool good = sentence.is(i + 1, {"good"}) && moves && !sentence.is(i + 2, {"than"});
+    // "It turns more near the pole": that is more, and near it.
+    const bool near = sentence.is(i + 1, {"near"}) &&
+                      (degree == Degree::superlative || sentence.is(i + 2, {"to"}) ||
+                       (behind_be(sentence, i) && before.verb != "turn"));
+    return alone &&
+           (good || near || (sentence.is(i + 1, {"fast"}) && degree == Degree::comparative));
+}
+
+/// "Make the tail more long": made so.
+bool has_made(const FreeSentence& sentence, int i) {
+    for (int at = 0; at < i - 1; ++at) {
+        if (sentence[at].verb == "make") {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// more heavier, most heaviest; more heavy, most heavy.
 void find_doubled(const FreeSentence& sentence, int i, Proposals& proposals) {
     if (!sentence.is(i, {"more", "most"}) || sentence[i].before_stop) {
@@ -73,9 +101,18 @@ void find_doubled(const FreeSentence& sentence, int i, Proposals& proposals) {
         proposals.replace(i, i + 2, ErrorCode::adjective_form, right);
         return;
     }
-    const bool adjective =
-        word.mainly_adjective() || (is_physical(word.text) && word.adjective_count > 0 &&
-                                    (sentence.is(i - 1, {"the"}) || behind_be(sentence, i)));
+    if (sentence.is(i + 1, {"farther", "nearer", "faster", "closer"}) &&
+        degree == Degree::comparative) {
+        proposals.replace(i, i + 2, ErrorCode::adjective_form, word.text);
+        return;
+    }
+    const bool adjective = word.mainly_adjective() ||
+                           (is_physical(word.text) && word.adjective_count > 0 &&
+                            (sentence.is(i - 1, {"the", "a", "an"}) || behind_be(sentence, i)));
+    if (is_moved(sentence, i, degree)) {
+        proposals.replace(i, i + 2, ErrorCode::adjective_form, first_form(word.text, degree));
+        return;
+    }
     const bool plain = adjective && word.degree == Degree::positive &&
                        word.text == word.adjective && takes_ending(word.text) &&
                        !contains(kAlsoWithMore, word.text);
@@ -84,13 +121,20 @@ void find_doubled(const FreeSentence& sentence, int i, Proposals& proposals) {
     }
     const bool before_noun = sentence.is(i - 1, {"a", "an"}) && is_physical(word.text) &&
                              sentence[i + 2].noun_count > 0 && sentence.is_head(i + 2);
+    const bool named = sentence.is(i - 1, {"the"}) && is_physical(word.text) &&
+                       (sentence.is(i + 2, {"one", "ones"}) ||
+                        (sentence[i + 2].noun_count > 0 && sentence.is_head(i + 2) &&
+                         (sentence.be_at(i + 3) || sentence.ends_at(i + 2))));
+    const bool made = sentence.ends_at(i + 1) && has_made(sentence, i) &&
+                      sentence[i - 1].mainly_noun() && is_physical(word.text);
     const bool than = sentence.is(i + 2, {"than"}) && !sentence[i + 1].before_stop &&
                       !sentence[i + 3].mainly_adjective();
     const bool alone = sentence.ends_at(i + 1) || sentence[i + 2].closed ||
                        sentence.is(i + 2, {"far", "near", "here"});
     const bool superlative = degree == Degree::superlative;
-    const bool fits = superlative ? sentence.is(i - 1, {"the"}) || (alone && behind_be(sentence, i))
-                                  : than || before_noun || (alone && behind_be(sentence, i));
+    const bool fits =
+        superlative ? sentence.is(i - 1, {"the"}) || (alone && behind_be(sentence, i))
+                    : than || before_noun || named || made || (alone && behind_be(sentence, i));
     if (fits) {
         proposals.replace(i, i + 2, ErrorCode::adjective_form,
                           with_the(sentence, i, degree, alone) + first_form(word.text, degree));
@@ -158,7 +202,8 @@ void find_than(const FreeSentence& sentence, int i, Proposals& proposals) {
                              sentence.is(i - 3, {"more", "less"});
     if (sentence.is(i + 1, {"than"})) {
         const bool plain = word.degree == Degree::positive && word.adjective == word.text &&
-                           word.adjective_count > word.noun_count && behind_be(sentence, i);
+                           (word.adjective_count > word.noun_count || is_physical(word.text)) &&
+                           behind_be(sentence, i);
         const bool superlative = is_compared(word) && word.degree == Degree::superlative;
         if (superlative) {
             const int first = sentence.is(i - 1, {"the"}) ? i - 1 : i;

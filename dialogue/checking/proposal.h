@@ -63,7 +63,9 @@ void find_number_errors(const Lexicon& lexicon, const FreeSentence& sentence, Pr
 void find_agreement_errors(const FreeSentence& sentence, Proposals& proposals);
 /// made by metal, is make of, maked, a spaceship made of metal
 void find_making_errors(const FreeSentence& sentence, Proposals& proposals);
-/// feels hardly, feels like hard, a rock hard, why the rock is hard?, it heavy, is very heavy, the rock it is
+/// feels hardly, feels like hard, a rock hard, why the rock is hard?
 void find_order_errors(const FreeSentence& sentence, Proposals& proposals);
+/// it heavy, is very heavy, the rock it is
+void find_missing_words(const FreeSentence& sentence, Proposals& proposals);
 
 }  // namespace fulcrum::dialogue

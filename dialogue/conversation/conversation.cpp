@@ -1,5 +1,6 @@
 #include "dialogue/conversation/conversation.h"
 
+#include "dialogue/conversation/help.h"
 #include "dialogue/english/letters.h"
 #include "dialogue/template/tokens.h"
 
@@ -9,8 +10,6 @@
 namespace fulcrum::dialogue {
 
 namespace {
-
-constexpr std::size_t kMostListed = 12;  // choices that somebody can listen to
 
 /// A learner who asks is answered like one: nobody felt anything.
 bool asks(std::string_view sentence) {
@@ -192,23 +191,29 @@ Feedback Conversation::not_understood(const Mark& mark) {
         feedback = say(FeedbackKind::not_understood, "feedback.which_one");
     } else if (rung == 1) {
         feedback = say(FeedbackKind::not_understood, "feedback.not_understood.1");
-    } else if (const std::string frame = sentence_frame(*question_);
-               !frame.empty() && (rung == 2 || choices(*question_).size() > kMostListed)) {
-        feedback =
-            say(FeedbackKind::not_understood, "feedback.not_understood.2", {{"frame", frame}});
-    } else if (const std::string example = example_sentence(*question_);
-               asks(example) || choices(*question_).empty()) {
-        feedback = say(FeedbackKind::not_understood, "feedback.not_understood.example",
-                       {{"sentence", example}});
     } else {
-        feedback = say(FeedbackKind::not_understood, "feedback.not_understood.3",
-                       {{"choices", listed(*catalogue_, choices(*question_))}});
+        feedback = tell(help_for(*question_, rung));
     }
     feedback.ask_again = true;
     if (!wants_help(mark.said)) {
         show_good_english(mark, feedback);
     }
     return feedback;
+}
+
+Feedback Conversation::tell(const Help& help) {
+    switch (help.kind) {
+        case Help::Kind::frame:
+            return say(FeedbackKind::not_understood, "feedback.not_understood.2",
+                       {{"frame", help.sentence}});
+        case Help::Kind::example:
+            return say(FeedbackKind::not_understood, "feedback.not_understood.example",
+                       {{"sentence", help.sentence}});
+        case Help::Kind::choices:
+            break;
+    }
+    return say(FeedbackKind::not_understood, "feedback.not_understood.3",
+               {{"choices", listed(*catalogue_, help.choices)}});
 }
 
 void Conversation::show_good_english(const Mark& mark, Feedback& feedback) const {

@@ -18,6 +18,7 @@
 
 #include "dialogue/catalogue.h"
 #include "dialogue/checking/checker.h"
+#include "dialogue/conversation/help.h"
 #include "dialogue/marking/mark.h"
 #include "dialogue/marking/question.h"
 
@@ -117,6 +118,7 @@ class Conversation {
     Feedback praise(const Mark& mark);
     Feedback respond_to_repeat(const Mark& mark, bool meaning_right);
     Feedback not_understood(const Mark& mark);
+    Feedback tell(const Help& help);
     /// The catalogue's help.said.1, … have these words.
     [[nodiscard]] bool wants_help(std::string_view said) const;
     Feedback wrong_meaning(const Mark& mark);

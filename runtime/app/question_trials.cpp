@@ -1,5 +1,7 @@
 #include "runtime/app/question_trials.h"
 
+#include "dialogue/conversation/help.h"
+#include "dialogue/marking/mark.h"
 #include "runtime/lesson/questions.h"
 
 #include <algorithm>
@@ -23,21 +25,48 @@ std::string head_of(const QuestionDescription& described) {
     return "question \"" + described.id + "\"";
 }
 
+std::string line_of(const QuestionDescription& described) {
+    return "lesson.lua:" + std::to_string(described.line) + ": " + head_of(described);
+}
+
 }  // namespace
 
-/// Calls `right` with each.
-Expected<bool> QuestionTrials::any_is_right(const QuestionDescription& described,
-                                            const std::vector<dialogue::Meaning>& meanings) {
-    bool any_right = false;
+Expected<std::size_t> QuestionTrials::count_right(const QuestionDescription& described,
+                                                  const std::vector<dialogue::Meaning>& meanings) {
+    std::size_t n = 0;
     for (const dialogue::Meaning& meaning : meanings) {
         const auto verdict = run_.ask_verdict({described.id, meaning.slots});
         if (!verdict) {
             return when(head_of(described) + ", tried with \"" + meaning.said + "\"",
                         verdict.error());
         }
-        any_right = any_right || *verdict;
+        n += *verdict ? 1 : 0;
     }
-    return any_right;
+    return n;
+}
+
+Expected<void> QuestionTrials::try_help(const QuestionDescription& described,
+                                        const dialogue::Question& question) {
+    for (const int rung : {2, 3}) {
+        const std::string told = dialogue::help_for(question, rung).sentence;
+        const bool has_gap = told.find("…") != std::string::npos;
+        const dialogue::Mark mark = dialogue::mark_answer(question, told);
+        if (told.empty() || has_gap || told.ends_with('?') || !mark.understood) {
+            continue;
+        }
+        const auto verdict = run_.ask_verdict({described.id, mark.slots});
+        if (!verdict) {
+            return when(head_of(described) + ", tried with \"" + told + "\"", verdict.error());
+        }
+        if (*verdict) {
+            notes_.push_back(line_of(described) + ": who asks for help is told what is right, \"" +
+                             told +
+                             "\"; let the first of `answers` have a list for that word, with "
+                             "others that are not right.");
+            return {};
+        }
+    }
+    return {};
 }
 
 void QuestionTrials::try_open_one(double now_s) {
@@ -50,15 +79,19 @@ void QuestionTrials::try_open_one(double now_s) {
     const auto& all = run_.description().questions;
     const auto described = std::ranges::find(all, open->id, &QuestionDescription::id);
     const dialogue::Meanings meanings = dialogue::meanings_of(*open, kMostMeanings);
-    const auto any_right = any_is_right(*described, meanings.some);
-    if (!any_right) {
-        failed_ = any_right.error();
-    } else if (!*any_right && meanings.all) {
-        notes_.push_back(
-            "lesson.lua:" + std::to_string(described->line) + ": " + head_of(*described) +
-            ": nothing that its sentences can mean is right, \"" + meanings.some.front().said +
-            "\" neither; look at the words that `right` compares, and whether it has "
-            "a return.");
+    const auto n_right = count_right(*described, meanings.some);
+    if (!n_right) {
+        failed_ = n_right.error();
+    } else if (*n_right == 0 && meanings.all) {
+        notes_.push_back(line_of(*described) +
+                         ": nothing that its sentences can mean is right, \"" +
+                         meanings.some.front().said +
+                         "\" neither; look at the words that `right` compares, and whether it has "
+                         "a return.");
+    } else if (*n_right < meanings.some.size()) {
+        if (auto tried = try_help(*described, *open); !tried) {
+            failed_ = tried.error();
+        }
     }
 }
 
@@ -71,8 +104,16 @@ void QuestionTrials::try_others() {
         if (failed_ || tried_.contains(described.id)) {
             continue;
         }
-        const auto meanings = dialogue::meanings_of(questions->at(described.id), kMostMeanings);
-        if (const auto tried = any_is_right(described, meanings.some); !tried) {
+        const dialogue::Question& question = questions->at(described.id);
+        const auto meanings = dialogue::meanings_of(question, kMostMeanings);
+        const auto n_right = count_right(described, meanings.some);
+        Expected<void> tried;
+        if (!n_right) {
+            tried = tl::unexpected(n_right.error());
+        } else if (*n_right < meanings.some.size()) {
+            tried = try_help(described, question);
+        }
+        if (!tried) {
             Error error = tried.error();
             error.what_to_do += (error.what_to_do.empty() ? "" : ", ");
             error.what_to_do +=

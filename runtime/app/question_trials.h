@@ -26,14 +26,17 @@ class QuestionTrials {
 
     /// What `right` failed with when its question was asked; it says which sentence was tried.
     [[nodiscard]] const std::optional<Error>& failed() const { return failed_; }
-    /// What is no mistake and hardly meant, a sentence with its line each: nothing that a learner can say is right; `right` fails
-    /// where the play did not come to its question.
+    /// What is no mistake and hardly meant, a sentence with its line each: nothing that a learner can say is right; help that
+    /// says what is right; `right` fails where the play did not come to its question.
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
   private:
-    [[nodiscard]] Expected<bool> any_is_right(const QuestionDescription& described,
-                                              const std::vector<dialogue::Meaning>& meanings);
-    void try_asked(const QuestionDescription& described);
+    /// How many of the meanings are right.
+    [[nodiscard]] Expected<std::size_t> count_right(const QuestionDescription& described,
+                                                    const std::vector<dialogue::Meaning>& meanings);
+    /// Notes help that says what is right, where something else could be said.
+    [[nodiscard]] Expected<void> try_help(const QuestionDescription& described,
+                                          const dialogue::Question& question);
 
     LessonRun& run_;
     std::set<std::string> tried_;

@@ -4,6 +4,7 @@
 #include "dialogue/english/letters.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -27,6 +28,28 @@ void add_each(std::string_view alternatives, std::vector<std::string>& things) {
         add_thing(alternatives.substr(0, bar), things);
         alternatives.remove_prefix(std::min(bar + 1, alternatives.size()));
     }
+}
+
+/// What is measured, not held: "weight is in newtons" is as good as "the weight is in newtons".
+constexpr std::array<std::string_view, 9> kMeasured = {
+    "weight", "lift", "drag", "tension", "gravity", "torque", "force", "speed", "friction"};
+
+/// Each of the answers that says {name} has an article before it, or "no": "at the {place}", "a {missing}".
+bool takes_article(const QuestionDescription& question, const std::string& name) {
+    const std::string slot = "{" + name + "}";
+    bool any = false;
+    for (const std::string& answer : question.answers) {
+        for (std::size_t at = answer.find(slot); at != std::string::npos;
+             at = answer.find(slot, at + 1)) {
+            const std::string_view before = std::string_view(answer).substr(0, at);
+            if (!before.ends_with("the ") && !before.ends_with(" a ") &&
+                !before.ends_with(" no ") && before != "a ") {
+                return false;
+            }
+            any = true;
+        }
+    }
+    return any;
 }
 
 }  // namespace
@@ -53,9 +76,17 @@ std::vector<std::string> things_of(const LessonDescription& lesson) {
     }
     for (const QuestionDescription& question : lesson.questions) {
         for (const auto& [name, words] : question.lists) {
+            const bool thing = name == "thing";
+            const bool one_of = !thing && takes_article(question, name);
             for (const std::string& alternatives : words) {
-                if (name == "thing") {
+                if (thing) {
                     add_each(alternatives, things);
+                } else if (
+                    one_of) {  // the word that it is called by first; "top" of "pole|top" stands in "on top"
+                    const std::string called = alternatives.substr(0, alternatives.find('|'));
+                    if (std::ranges::find(kMeasured, called) == kMeasured.end()) {
+                        add_thing(called, things);
+                    }
                 }
             }
         }

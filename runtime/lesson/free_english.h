@@ -15,7 +15,8 @@ namespace fulcrum::runtime {
 /// Opens it for a lesson with these things in it (`checking/checker.h`); an error names the Debian package that is missing.
 [[nodiscard]] Expected<dialogue::FormCheck> open_free_english(std::vector<std::string> things);
 
-/// What the bodies of a lesson are called, and what its questions call {thing}: each noun once; no names.
+/// What the bodies of a lesson are called, what its questions call {thing}, and the words of their lists that all answers say with an
+/// article ("at the {place}"): each noun once; no names, nothing that is only measured.
 [[nodiscard]] std::vector<std::string> things_of(const LessonDescription& lesson);
 
 }  // namespace fulcrum::runtime

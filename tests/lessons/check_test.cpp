@@ -103,6 +103,30 @@ TEST_CASE(
     CHECK(later.output.find("the play did not come to it") != std::string::npos);
 }
 
+TEST_CASE("check: help that says what is right is told, help that leaves a choice is not") {
+    const std::string lists = "lists = { feel = { \"hard\", \"rough\" } }, ";
+    const ProgramRun told =
+        check(lesson_with("answers = { \"it is soft\", \"it is {feel}\" }, " + lists +
+                          "right = function(a) return a.feel == nil end"));
+    INFO(told.output);
+    CHECK(told.exit_code == 0);
+    CHECK(told.output.find("lesson.lua:8: question \"second\": who asks for help is told what is "
+                           "right, \"It is soft.\"; let the first of `answers` have a list") !=
+          std::string::npos);
+    // The same sentence where it is wrong, and two sentences of which each names its own word.
+    for (const char* fields : {"right = function(a) return a.feel == \"hard\" end",
+                               "right = function(a) return a.one ~= nil end"}) {
+        const bool apart = std::string(fields).find("one") != std::string::npos;
+        const ProgramRun good = check(lesson_with(
+            (apart ? "answers = { \"it is {one} outside\", \"it is {feel}\" }, lists = { one = { "
+                     "\"soft\" }, feel = { \"hard\", \"rough\" } }, "
+                   : "answers = { \"it is soft\", \"it is {feel}\" }, " + lists) +
+            fields));
+        INFO(good.output);
+        CHECK(good.output.find("who asks for help") == std::string::npos);
+    }
+}
+
 TEST_CASE("check: what comes after a wrong answer, of a key and of a touch is called as well") {
     struct {
         std::string text, found;

@@ -118,7 +118,7 @@ void add_rows(const EnglishScores& scores, Sheet& sheet) {
 }
 
 /// Counts what was found in a sentence with one error.
-void add_sentence(const ErroneousSentence& wrong, const CheckedText& checked,
+void add_sentence(const char* missed, const ErroneousSentence& wrong, const CheckedText& checked,
                   EnglishScores& scores) {
     bool found = false;
     bool named = false;
@@ -136,7 +136,7 @@ void add_sentence(const ErroneousSentence& wrong, const CheckedText& checked,
     score.found += found ? 1 : 0;
     score.named += named ? 1 : 0;
     if (!found) {
-        show("missed", wrong.code, checked);
+        show(missed, wrong.code, checked);
     }
 }
 
@@ -172,11 +172,11 @@ std::array<Sheet, 2> check_lessons(EnglishChecker& checker, Run& run) {
                     show("alarm", std::string(errant_code(checked.errors.front().code)), checked);
                 }
                 for (const ErroneousSentence& wrong : spoil(*lexicon, sentence)) {
-                    add_sentence(wrong, checker.check(wrong.text), scores[0]);
+                    add_sentence("missed", wrong, checker.check(wrong.text), scores[0]);
                 }
             }
             for (const ErroneousSentence& wrong : made.wrong) {
-                add_sentence(wrong, checker.check(wrong.text), scores[1]);
+                add_sentence("missed, labelled", wrong, checker.check(wrong.text), scores[1]);
             }
         }
     }

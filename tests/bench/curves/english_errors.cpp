@@ -62,6 +62,12 @@ void spoil_degree(const FreeSentence& sentence, int i, Spoiler& spoiler) {
     }
 }
 
+/// "Lift is bigger than weight": good English without an article, unless it is said whose ("the weight of the line").
+bool is_measured(const FreeSentence& sentence, int i) {
+    return sentence.is(i, {"weight", "lift", "drag", "tension", "torque"}) &&
+           !sentence.is(i + 1, {"of"});
+}
+
 void spoil_article(const FreeSentence& sentence, int i, Spoiler& spoiler) {
     if (!sentence.is(i, {"a", "an", "the"})) {
         if (is_planet(sentence.text(i)) && !is_determiner(sentence.text(i - 1))) {
@@ -74,7 +80,7 @@ void spoil_article(const FreeSentence& sentence, int i, Spoiler& spoiler) {
     }
     const FreeWord& noun = sentence[i + 1];
     if (noun.singular_noun() && !noun.capital && !is_material(noun.text) &&
-        sentence.is_head(i + 1)) {
+        sentence.is_head(i + 1) && !is_measured(sentence, i + 1)) {
         spoiler.spoil(i, i + 1, ErrorCode::missing_determiner, "");
     }
     if (!sentence.is(i, {"the"}) && noun.mainly_adjective() && sentence[i + 2].singular_noun() &&

@@ -28,6 +28,17 @@ TEST_CASE("free agreement: there is and there are") {
                 {"There are person.", "R:NOUN:NUM => There are *people*."}});
 }
 
+TEST_CASE("free agreement: it behind a clause without a comma, and stuff that there is") {
+    check_rows(
+        {{"When you push the side it turn more.",
+          "R:VERB:SVA => When you push the side it *turns* more."},
+         {"Near the pole it turn faster.", "R:VERB:SVA => Near the pole it *turns* faster."},
+         {"There are metal under the cloth.", "R:VERB:SVA => There *is* metal under the cloth."}});
+    check_right({"When I push the side I make it turn.", "Let the planet see it turn.",
+                 "If you push the pole does it turn?", "If you push the side it can turn.",
+                 "There are metal balls.", "There are wood and metal."});
+}
+
 TEST_CASE("free agreement: forms behind an auxiliary") {
     check_rows({{"It does not likes me.", "R:VERB:FORM => It does not *like* me."},
                 {"Does it has a ring?", "R:VERB:FORM => Does it *have* a ring?"},

@@ -66,6 +66,12 @@ TEST_CASE(
           "The spaceship's block is heavy.", "The egg block is blue."}) {
         CHECK(marked(right) == std::string(right));
     }
+    checker.set_things({"tail", "top", "line", "hand"});
+    CHECK(marked("I give it tail.") == "I give it *the* tail.");
+    CHECK(marked("It is the tension of line.") == "It is the tension of *the* line.");
+    CHECK(marked("Push it towards hand.") == "Push it towards *the* hand.");
+    CHECK(marked("It is on top of the block.") == "It is on top of the block.");
+    CHECK(marked("It is a kind of line.") == "It is a kind of line.");
     // Where no egg stands, one may speak of food.
     CHECK(checked("Egg is heavier than bread.") == "=> Egg is heavier than bread.");
 }

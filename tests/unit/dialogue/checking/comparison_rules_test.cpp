@@ -22,6 +22,24 @@ TEST_CASE("free comparison: degrees that are formed twice or in the wrong way") 
          {"It is biger.", "R:SPELL => It is *bigger*."}});
 }
 
+TEST_CASE("free comparison: more with a short adjective, wherever it stands") {
+    check_rows(
+        {{"It turns more fast near the pole.", "R:ADJ:FORM => It turns *faster* near the pole."},
+         {"It turns more good at the side.", "R:ADJ:FORM => It turns *better* at the side."},
+         {"The more heavy one is the egg.", "R:ADJ:FORM => The *heavier* one is the egg."},
+         {"I make the tail more short.", "R:ADJ:FORM => I make the tail *shorter*."},
+         {"You must use a more light cloth.", "R:ADJ:FORM => You must use a *lighter* cloth."},
+         {"It must be more near to your hand.", "R:ADJ:FORM => It must be *nearer* to your hand."},
+         {"Uranus is the most near one to the Sun.",
+          "R:ADJ:FORM => Uranus is the *nearest* one to the Sun."},
+         {"Saturn is more farther from the Sun.",
+          "R:ADJ:FORM => Saturn is *farther* from the Sun."},
+         {"A banana is light than an egg.", "R:ADJ:FORM => A banana is *lighter* than an egg."}});
+    check_right({"It turns more near the pole.", "More near the side it turns better.",
+                 "It does more good than harm.", "The more heavy work we do the better.",
+                 "It makes everything more easy.", "I want more fast food."});
+}
+
 TEST_CASE("free comparison: than, as and what stands around") {
     check_rows(
         {{"The egg is heavy than the apple.", "R:ADJ:FORM => The egg is *heavier* than the apple."},

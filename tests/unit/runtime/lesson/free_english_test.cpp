@@ -25,3 +25,22 @@ TEST_CASE(
                                              {"number", {"two"}}};
     CHECK(things_of(lesson) == std::vector<std::string>{"egg", "block", "apple"});
 }
+
+TEST_CASE("free English: things are also the words that all answers say with an article") {
+    LessonDescription lesson;
+    QuestionDescription& question = lesson.questions.emplace_back();
+    question.answers = {"push at the {place}",
+                        "it needs a {missing}",
+                        "it has no {missing}",
+                        "it is near the {goal}",
+                        "{goal}",
+                        "it is the {force}",
+                        "(a|the) {part}"};
+    question.lists = {{"place", {"side|rim", "pole|top"}},
+                      {"missing", {"tail|kite tail"}},
+                      {"goal", {"hand"}},
+                      {"force", {"weight", "wind"}},
+                      {"part", {"knot"}},
+                      {"nowhere", {"book"}}};
+    CHECK(things_of(lesson) == std::vector<std::string>{"side", "pole", "tail", "wind"});
+}
