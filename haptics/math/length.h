@@ -23,17 +23,22 @@ inline bool is_plain(double square) noexcept {
     return square >= kLeastSquare && square <= kMostSquare;
 }
 
+// At the ends of the range; apart, so that the rest is small enough to stand where it is needed.
+template <int N>
+[[gnu::noinline, gnu::cold]] double scale_length(const Eigen::Matrix<double, N, 1>& v,
+                                                 double square) noexcept {
+    const double largest = std::isnan(square) ? square : v.cwiseAbs().maxCoeff();
+    return largest > 0.0 && std::isfinite(largest) ? largest * (v / largest).norm() : largest;
+}
+
 }  // namespace length_details
 
 /// The Euclidean length, in the unit of `v`; not a number where a component is none, infinite where one is.
 template <int N>
-[[nodiscard]] double compute_length(const Eigen::Matrix<double, N, 1>& v) noexcept {
+[[nodiscard]] inline double compute_length(const Eigen::Matrix<double, N, 1>& v) noexcept {
     const double square = v.squaredNorm();
-    if (length_details::is_plain(square)) {
-        return std::sqrt(square);
-    }
-    const double largest = std::isnan(square) ? square : v.cwiseAbs().maxCoeff();
-    return largest > 0.0 && std::isfinite(largest) ? largest * (v / largest).norm() : largest;
+    return length_details::is_plain(square) ? std::sqrt(square)
+                                            : length_details::scale_length(v, square);
 }
 
 /// `v`, or where it is longer than `most` its direction with that length.

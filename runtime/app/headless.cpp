@@ -4,6 +4,7 @@
 #include "runtime/app/interrupt.h"
 #include "runtime/app/live_loops.h"
 #include "runtime/app/stop_signal.h"
+#include "runtime/lua/process/turn_taking.h"
 
 #include <algorithm>
 #include <chrono>
@@ -196,6 +197,7 @@ std::string trouble_of(const LessonRun& run, const HeadlessOutcome& outcome, boo
 Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& settings) {
     HeadlessOutcome outcome;
     VirtualClock clock(run, settings);
+    TurnTaking turns(run.process().pid());
     const double began_s = monotonic_now_s();
     const double longest_s =
         60.0 * std::max(run.description().minutes, kLeastMinutes) * settings.most_lengths;
@@ -212,6 +214,7 @@ Expected<HeadlessOutcome> run_headless(LessonRun& run, const HeadlessSettings& s
                 return tl::unexpected(report.error());
             }
             clock.count_frame();
+            turns.turn();
             if (conclude_frame(run, settings, *report, clock.now_s(), end_s, outcome)) {
                 break;
             }
