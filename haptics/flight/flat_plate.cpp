@@ -70,6 +70,32 @@ double compute_normal_coefficient(PlateLaw law, double aspect_ratio, double angl
     return compute_coefficients(law, aspect_ratio, std::sin(angle_rad), std::cos(angle_rad)).normal;
 }
 
+// With s = n.u, t = u - s n, L = |t|, dL = t/L, c the chord:
+//   F/q = s (K L + C_90 |s|) n + C_f L t,   tau/q = -(chord/4) K s (c.t) (c x n),   q = rho/2 A
+//   dF/q = n ((K L + 2 C_90 |s|) n^T + K s dL^T) + C_f (L (1 - n n^T) + t dL^T)
+//   dtau/q = -(chord/4) K (c x n) ((c.t) n^T + s (c - (c.n) n)^T)
+PlateSlopes compute_cross_flow_slopes(const FlatPlate& plate, double density_kg_per_m3,
+                                      const Vector3& flow) noexcept {
+    const Vector3& n = plate.normal;
+    const Vector3& c = plate.chord;
+    const double across = n.dot(flow);
+    const Vector3 along = flow - across * n;
+    const double length = compute_length(along);
+    const Vector3 by_length = length > 0.0 ? Vector3(along / length) : Vector3::Zero();
+    const double lift = compute_lift_slope(plate.aspect_ratio);
+    const double drag = compute_broadside_drag(plate.aspect_ratio);
+    const double q = 0.5 * density_kg_per_m3 * plate.area_m2;
+    const Vector3 by_normal =
+        (lift * length + 2.0 * drag * std::abs(across)) * n + lift * across * by_length;
+    const Vector3 by_lever = c.dot(along) * n + across * (c - c.dot(n) * n);
+    PlateSlopes slopes;
+    slopes.force = q * (n * by_normal.transpose() +
+                        kPlateFriction * (length * (Matrix3::Identity() - n * n.transpose()) +
+                                          along * by_length.transpose()));
+    slopes.torque = (-0.25 * plate.chord_m * lift * q) * c.cross(n) * by_lever.transpose();
+    return slopes;
+}
+
 PlateForce compute_plate_force(PlateLaw law, const FlatPlate& plate, double density_kg_per_m3,
                                const Vector3& flow) noexcept {
     const double speed_m_per_s = compute_length(flow);

@@ -66,6 +66,17 @@ struct PlateForce {
 [[nodiscard]] double compute_normal_coefficient(PlateLaw law, double aspect_ratio,
                                                 double angle_rad) noexcept;
 
+/// How a plate's force and torque change with the flow.
+struct PlateSlopes {
+    Matrix3 force;   ///< newton seconds a metre
+    Matrix3 torque;  ///< newton seconds
+};
+/// Of cross_flow, whose force is s (K L + C_90 |s|) n + C_f L t of the flow s n + t, L = |t|, and so has slopes in closed form; where the
+/// flow stands still along the plate those of t/L are left out, as a step to either side of it has them on the average.
+[[nodiscard]] PlateSlopes compute_cross_flow_slopes(const FlatPlate& plate,
+                                                    double density_kg_per_m3,
+                                                    const Vector3& flow) noexcept;
+
 /// Of air of that density that passes at `flow` m/s, in the plate's frame. Still air does nothing.
 [[nodiscard]] PlateForce compute_plate_force(PlateLaw law, const FlatPlate& plate,
                                              double density_kg_per_m3,

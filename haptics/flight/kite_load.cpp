@@ -25,18 +25,13 @@ Vector3 compute_tail_force(const Kite& kite, double density_kg_per_m3,
     return 0.5 * density_kg_per_m3 * kite.tail_drag_m2 * compute_length(flow) * flow;
 }
 
-// A force at a place, and a torque about it, by the air's velocity there.
-struct Slopes {
-    Matrix3 force, torque;
-};
-
 // Central differences of `compute(flow)`, which gives a PlateForce.
 template <class Compute>
-Slopes differentiate(const Compute& compute, const Vector3& flow) noexcept {
+PlateSlopes differentiate(const Compute& compute, const Vector3& flow) noexcept {
     constexpr double kShare = 1.0e-5;  // of the speed
     constexpr double kLeast_m_per_s = 1.0e-5;
     const double h = kShare * compute_length(flow) + kLeast_m_per_s;
-    Slopes slopes;
+    PlateSlopes slopes;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         Vector3 more = flow;
         Vector3 less = flow;
@@ -56,7 +51,7 @@ void add_at(const Vector3& at_B, const PlateForce& force, Wrench& wrench) noexce
 }
 
 // Adds what a place's slopes make of those of the body, along its own axes.
-void add_slopes(const MotionB& motion, const Vector3& at_B, const Slopes& slopes,
+void add_slopes(const MotionB& motion, const Vector3& at_B, const PlateSlopes& slopes,
                 WrenchJacobian& jacobian) noexcept {
     const Matrix3 arm = compute_skew(at_B);
     const Matrix3 torque = arm * slopes.force + slopes.torque;
@@ -97,7 +92,11 @@ void KiteAirLoad::add_linearised_wrench(const RigidState& state, double time_s, 
         const auto compute = [&](const Vector3& flow) {
             return compute_plate_force(kite_.law, plate, density_kg_per_m3_, flow);
         };
-        add_slopes(motion, plate.middle, differentiate(compute, motion.compute_flow(plate.middle)),
+        const Vector3 flow = motion.compute_flow(plate.middle);
+        add_slopes(motion, plate.middle,
+                   kite_.law == PlateLaw::cross_flow
+                       ? compute_cross_flow_slopes(plate, density_kg_per_m3_, flow)
+                       : differentiate(compute, flow),
                    slopes_B);
     }
     const auto compute_tail = [&](const Vector3& flow) {

@@ -88,7 +88,21 @@ SpoiledArm::SpoiledArm(std::uint64_t seed, LatestValue<HandTarget>& target)
     for (double now_s = 0.0; now_s < 1.0 && !device_.greet(now_s); now_s += kRound_s) {
         server_.step(now_s + kHalfRound_s);
     }
-    until_s_ = draw(1.0, kLongestGap_s);
+    until_s_ = draw_first(chance_);
+}
+
+double SpoiledArm::draw_first(SplitMix& chance) noexcept {
+    return 1.0 + (kLongestGap_s - 1.0) * chance.draw_chance();
+}
+
+Spoil SpoiledArm::draw_kind(SplitMix& chance) noexcept {
+    return static_cast<Spoil>(1 + static_cast<int>(chance.draw_chance() * (kSpoils - 1)));
+}
+
+FirstSpoil SpoiledArm::first_of(std::uint64_t seed) noexcept {
+    SplitMix chance(seed);
+    const double at_s = draw_first(chance);
+    return {draw_kind(chance), at_s};
 }
 
 SpoiledArm::~SpoiledArm() = default;
@@ -165,7 +179,7 @@ void SpoiledArm::choose(double now_s) noexcept {
         until_s_ = now_s + draw(0.5, kLongestGap_s);
         return;
     }
-    begin(static_cast<Spoil>(1 + static_cast<int>(draw(0.0, 1.0) * (kSpoils - 1))), now_s);
+    begin(draw_kind(chance_), now_s);
 }
 
 void SpoiledArm::begin(Spoil spoil, double now_s) noexcept {

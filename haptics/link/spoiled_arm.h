@@ -73,8 +73,17 @@ struct SpoiledCounts {
     std::uint64_t hash = 0;
 };
 
+/// What of a kind breaks when.
+struct FirstSpoil {
+    Spoil kind = Spoil::nothing;
+    double at_s = 0.0;
+};
+
 class SpoiledArm final : public Device {
   public:
+    /// What breaks first by this seed.
+    [[nodiscard]] static FirstSpoil first_of(std::uint64_t seed) noexcept;
+
     static constexpr double kMostFade_s =
         0.15;  ///< 20 ms to notice, 100 ms to fade, and what a packet takes
     static constexpr double kLongestGap_s = 5.0;
@@ -128,6 +137,8 @@ class SpoiledArm final : public Device {
     void watch(double now_s) noexcept;
     void blame(double now_s) noexcept;
     [[nodiscard]] double draw(double low, double high) noexcept;
+    [[nodiscard]] static double draw_first(SplitMix& chance) noexcept;
+    [[nodiscard]] static Spoil draw_kind(SplitMix& chance) noexcept;
 
     SplitMix chance_;
     OpenSeal seal_;

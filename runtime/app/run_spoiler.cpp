@@ -22,6 +22,12 @@ RunSpoiler::RunSpoiler(std::uint64_t seed, double seconds) noexcept : chance_(se
     happened_[static_cast<std::size_t>(RunSpoil::disk_full)] = fills_disk_ ? 1 : 0;
 }
 
+RunSpoil RunSpoiler::first() const noexcept {
+    RunSpoiler ahead = *this;
+    ahead.choose(until_s_);
+    return ahead.spoil_;
+}
+
 double RunSpoiler::step(double now_s, double force_N) noexcept {
     const bool is_silent =
         spoil_ == RunSpoil::lesson_hangs || (spoil_ == RunSpoil::world_stands && has_world_);

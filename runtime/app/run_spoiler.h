@@ -53,6 +53,12 @@ class RunSpoiler {
     /// Known when the run is built.
     void begin(bool has_world) noexcept { has_world_ = has_world; }
 
+    /// What breaks first, and when; before the first tick.
+    [[nodiscard]] RunSpoil first() const noexcept;
+    [[nodiscard]] double first_at_s() const noexcept { return until_s_; }
+    /// Beyond every run's end where the lesson is left alone.
+    [[nodiscard]] double kills_at_s() const noexcept { return kill_at_s_; }
+
     /// A tick begins; the force on the hand as of the last one. How much the clock jumps now, seconds, mostly 0.
     [[nodiscard]] double step(double now_s, double force_N) noexcept;
     /// Whether world and kite have their round in this tick, if one is due.

@@ -31,8 +31,10 @@ namespace {
 constexpr double kSoakErrors = 0.3;  // of a learner's answers
 constexpr double kLiftAfter_s = 3.0;
 constexpr rlim_t kDiskHolds = 1'000'000;  // bytes of a record: full after some four seconds
-constexpr double kMostGrowth_MB = 64.0;   // allocators keep what was freed
-constexpr double kMostKept_MB = 1.0;      // of what is asked for; a leak in each run passes this
+constexpr double kRounds_Hz = 1000.0;
+constexpr double kMostGrowth_MB = 64.0;         // allocators keep what was freed
+constexpr std::uint64_t kMostMoreSeeds = 1000;  // looked through for what has not occurred
+constexpr double kMostKept_MB = 1.0;  // of what is asked for; a leak in each run passes this
 
 double resident_MB() {
     std::ifstream file("/proc/self/statm");
@@ -109,8 +111,13 @@ class FullDisk {
 };
 
 struct SoakSum {
+    // Each kind of fault, how often; the first is that there is none.
     std::array<std::uint64_t, kSpoils> happened{};
     std::array<std::uint64_t, kRunSpoils> around{};
+    [[nodiscard]] bool has_all() const {
+        return std::count(happened.begin() + 1, happened.end(), 0U) == 0 &&
+               std::count(around.begin() + 1, around.end(), 0U) == 0;
+    }
     std::uint64_t fades = 0;
     double simulated_s = 0.0;
     double wall_s = 0.0;
@@ -128,6 +135,10 @@ struct SoakRun {
 
 constexpr double kNoForce_N = 1.0e-9;
 
+bool was_filled(const SpoiledCounts& arm) {
+    return arm.rounds * kRecordSampleBytes > kDiskHolds;
+}
+
 // Of a lesson that was killed the run must end, and the force with it; of another it may not. A full disk is told, and nothing else.
 std::string find_trouble(const RunSpoiler& spoiler, const SpoiledCounts& arm,
                          const Expected<HeadlessOutcome>& outcome, const Expected<void>& recorded) {
@@ -140,8 +151,7 @@ std::string find_trouble(const RunSpoiler& spoiler, const SpoiledCounts& arm,
     if (arm.force_N > kNoForce_N && !outcome) {
         return "a force is left after a lesson that was killed";
     }
-    const bool was_filled = arm.rounds * kRecordSampleBytes > kDiskHolds;
-    if (recorded && spoiler.fills_disk() && was_filled) {
+    if (recorded && spoiler.fills_disk() && was_filled(arm)) {
         return "the record's disk was full and nobody said so";
     }
     if (!recorded && !spoiler.fills_disk()) {
@@ -160,6 +170,29 @@ std::string find_trouble(const RunSpoiler& spoiler, const SpoiledCounts& arm,
                : std::string();
 }
 
+std::uint64_t spoil_seed_of(const std::string& lesson, std::uint64_t seed) {
+    return seed ^ std::hash<std::string>{}(lesson);
+}
+
+// Whether a run breaks something, for sure, that was not broken yet: what comes first, and what comes once.
+bool brings_more(const std::string& lesson, std::uint64_t seed, double seconds,
+                 const SoakSum& sum) {
+    constexpr double kShown_s = 0.5;  // before its end
+    constexpr double kFilled_s =
+        static_cast<double>(kDiskHolds) / (kRounds_Hz * static_cast<double>(kRecordSampleBytes));
+    const std::uint64_t spoil_seed = spoil_seed_of(lesson, seed);
+    const FirstSpoil arm = SpoiledArm::first_of(spoil_seed);
+    const RunSpoiler around(~spoil_seed, seconds);
+    const auto is_new = [&](RunSpoil kind, double at_s) {
+        return sum.around[static_cast<std::size_t>(kind)] == 0 && at_s + kShown_s < seconds;
+    };
+    return (sum.happened[static_cast<std::size_t>(arm.kind)] == 0 &&
+            arm.at_s + kShown_s < seconds) ||
+           is_new(around.first(), around.first_at_s()) ||
+           is_new(RunSpoil::lesson_killed, around.kills_at_s()) ||
+           (around.fills_disk() && is_new(RunSpoil::disk_full, kFilled_s));
+}
+
 RunRequest make_soak_request(const std::filesystem::path& folder, const std::string& lesson,
                              std::uint64_t seed, const SiteLimits& site) {
     RunRequest request;
@@ -170,7 +203,7 @@ RunRequest make_soak_request(const std::filesystem::path& folder, const std::str
     request.own_test = true;
     request.seed = seed;
     // Other things break in each lesson.
-    request.spoil_seed = seed ^ std::hash<std::string>{}(lesson);
+    request.spoil_seed = spoil_seed_of(lesson, seed);
     request.learner_rates = rates_of(kSoakErrors);
     return request;
 }
@@ -214,7 +247,7 @@ Expected<SoakRun> soak_once(const Installation& installation, const std::string&
     const auto outcome = run_headless(**run, settings);
     const auto recorded = (*run)->finish_record();
     SoakRun result{*(*run)->spoiled_counts(), 0.0, monotonic_now_s() - began_s, {}, -1.0};
-    result.simulated_s = 0.001 * static_cast<double>(result.arm.rounds);
+    result.simulated_s = static_cast<double>(result.arm.rounds) / kRounds_Hz;
     result.trouble = find_trouble(spoiler, result.arm, outcome, recorded);
     result.since_s = result.arm.bad_since_s >= 0.0 ? result.arm.bad_since_s : spoiler.bad_since_s();
     for (std::size_t i = 0; i < kSpoils; ++i) {
@@ -222,6 +255,9 @@ Expected<SoakRun> soak_once(const Installation& installation, const std::string&
     }
     for (std::size_t i = 0; i < kRunSpoils; ++i) {
         sum.around[i] += spoiler.happened()[i];
+    }
+    if (spoiler.fills_disk() && !was_filled(result.arm)) {
+        --sum.around[static_cast<std::size_t>(RunSpoil::disk_full)];  // it was over too soon
     }
     return result;
 }
@@ -246,7 +282,8 @@ void tell(const std::string& lesson, std::uint64_t seed, double seconds, const S
     (void)std::fflush(stdout);
 }
 
-int conclude(const SoakSum& sum, double grown_MB, double kept_MB) {
+// `all`: it is a soak, and not one run that is looked at again.
+int conclude(const SoakSum& sum, bool all, double grown_MB, double kept_MB) {
     std::printf(
         "In all %.0f s, %.0f times real time, %llu fades; after the first round the program "
         "kept %.2f MB more, and %.1f MB more were resident.\nBroke:",
@@ -266,6 +303,12 @@ int conclude(const SoakSum& sum, double grown_MB, double kept_MB) {
                              std::to_string(grown_MB) + " MB resident",
                          {},
                          "look for what is never freed"},
+                        1);
+    }
+    if (all && !sum.has_all() && !interrupted()) {
+        return complain({"some kind of fault did not occur, so nothing is known of it",
+                         {},
+                         "give --seconds 10 or more"},
                         1);
     }
     return sum.failed
@@ -289,26 +332,37 @@ int soak_command(const Installation& installation, const Options& options) {
     const std::uint64_t first = options.seed.value_or(1);
     const double seconds = options.seconds.value_or(60.0);
     SoakSum sum;
+    const auto play = [&](const std::string& lesson, std::uint64_t seed) -> Expected<void> {
+        return soak_once(installation, lesson, seed, seconds, options.site, sum)
+            .map([&](const SoakRun& run) {
+                tell(lesson, seed, seconds, run);
+                sum.fades += run.arm.fades;
+                sum.simulated_s += run.simulated_s;
+                sum.wall_s += run.wall_s;
+                sum.failed |= !run.trouble.empty();
+            });
+    };
     double settled_MB = 0.0;
     double settled_in_use_MB = 0.0;
-    for (std::uint64_t seed = first; seed < first + options.seeds && !interrupted(); ++seed) {
+    const std::uint64_t end = first + options.seeds;
+    const bool is_soak = lessons.size() * options.seeds > 1;
+    const std::uint64_t last = is_soak ? end + kMostMoreSeeds : end;
+    // Behind the seeds that were asked for: those that bring what has not occurred yet.
+    for (std::uint64_t seed = first; seed < last && (seed < end || !sum.has_all()); ++seed) {
         for (const std::string& lesson : lessons) {
-            const auto run = soak_once(installation, lesson, seed, seconds, options.site, sum);
-            if (!run) {
-                return complain(run.error(), 2);
+            if (interrupted() || (seed >= end && !brings_more(lesson, seed, seconds, sum))) {
+                continue;
             }
-            tell(lesson, seed, seconds, *run);
-            sum.fades += run->arm.fades;
-            sum.simulated_s += run->simulated_s;
-            sum.wall_s += run->wall_s;
-            sum.failed |= !run->trouble.empty();
+            if (const auto played = play(lesson, seed); !played) {
+                return complain(played.error(), 2);
+            }
         }
         if (seed == first) {
             settled_MB = resident_MB();
             settled_in_use_MB = in_use_MB();
         }
     }
-    return conclude(sum, std::max(resident_MB() - settled_MB, 0.0),
+    return conclude(sum, is_soak, std::max(resident_MB() - settled_MB, 0.0),
                     std::max(in_use_MB() - settled_in_use_MB, 0.0));
 }
 

@@ -24,4 +24,10 @@ for found in "kite 4" "kite 6"; do
 done
 "$fulcrum" soak --seeds 1 --seed 21 --seconds "$seconds" >"$home/soak.log" || { cat "$home/soak.log" >&2; exit 1; }
 cat "$home/soak.log"
+# In few and short runs too each kind of fault has occurred.
 grep -qE '^Broke: packets lost' "$home/soak.log"
+! grep -E '^Broke:' "$home/soak.log" | grep -E ' 0[,.]' || { echo "soak.sh: a kind of fault did not occur" >&2; exit 1; }
+# Where there is no time for them it says so, and fails.
+code=0
+"$fulcrum" soak --seeds 1 --seed 21 --seconds 1 >"$home/short.log" 2>&1 || code=$?
+[[ $code -eq 1 ]] && grep -q 'some kind of fault did not occur' "$home/short.log" || { cat "$home/short.log" >&2; exit 1; }

@@ -133,6 +133,41 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "flat plate: slopes of cross flow are its differences, at every angle, and none of still air") {
+    FlatPlate plate;
+    plate.normal = Vector3(0.2, -0.3, 1.0).normalized();
+    plate.chord = plate.normal.cross(Vector3(0.1, 1.0, 0.4)).normalized();
+    plate.chord_m = 0.4;
+    plate.area_m2 = 0.3;
+    plate.aspect_ratio = 1.7;
+    for (int i = 0; i < 48; ++i) {
+        const double angle_rad = 0.05 + 0.13 * i;
+        const Vector3 flow =
+            6.0 * (std::sin(angle_rad) * plate.normal +
+                   std::cos(angle_rad) * (plate.chord + 0.4 * plate.chord.cross(plate.normal)));
+        const PlateSlopes slopes = compute_cross_flow_slopes(plate, 1.2, flow);
+        constexpr double kStep = 1.0e-5;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vector3 step = kStep * Vector3::Unit(axis);
+            const PlateForce more =
+                compute_plate_force(PlateLaw::cross_flow, plate, 1.2, flow + step);
+            const PlateForce less =
+                compute_plate_force(PlateLaw::cross_flow, plate, 1.2, flow - step);
+            constexpr double kRounding = 1.0e-8;  // of some newtons, over the step
+            CHECK((slopes.force.col(axis) - (more.force - less.force) / (2.0 * kStep)).norm() <
+                  kRounding);
+            CHECK((slopes.torque.col(axis) - (more.torque - less.torque) / (2.0 * kStep)).norm() <
+                  kRounding);
+        }
+    }
+    const PlateSlopes still = compute_cross_flow_slopes(plate, 1.2, Vector3::Zero());
+    CHECK(still.force.isZero());
+    CHECK(still.torque.isZero());
+    // Broadside, where the flow along the plate has no direction.
+    CHECK(compute_cross_flow_slopes(plate, 1.2, 5.0 * plate.normal).force.allFinite());
+}
+
 TEST_CASE("flat plate: still air, no plate's fault, does nothing") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const Vector3& flow : {Vector3(0, 0, 0), Vector3(nan, 0, 1)}) {

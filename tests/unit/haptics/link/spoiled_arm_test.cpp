@@ -73,3 +73,13 @@ TEST_CASE("spoiled arm: one seed, one run, to the bit") {
     }
     CHECK(run_spoiled(6, 20.0).hash != once.hash);
 }
+
+TEST_CASE("spoiled arm: what breaks first is known from the seed alone") {
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        const FirstSpoil first = SpoiledArm::first_of(seed);
+        INFO("seed " << seed << ", " << name_of(first.kind));
+        const auto kind = static_cast<std::size_t>(first.kind);
+        CHECK(run_spoiled(seed, first.at_s - 0.002).happened[kind] == 0);
+        CHECK(run_spoiled(seed, first.at_s + 0.002).happened[kind] == 1);
+    }
+}

@@ -43,6 +43,19 @@ TEST_CASE("run spoiler: in a few runs each kind has happened, and one seed makes
     }
 }
 
+TEST_CASE("run spoiler: what breaks first is known before") {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        RunSpoiler spoiler(seed, 60.0);
+        const RunSpoil first = spoiler.first();
+        const double at_s = spoiler.first_at_s();
+        spoiler.begin(true);
+        (void)spoiler.step(at_s - 0.01, 0.0);
+        CHECK(spoiler.happened()[static_cast<std::size_t>(first)] == 0);
+        (void)spoiler.step(at_s, 0.0);
+        CHECK(spoiler.happened()[static_cast<std::size_t>(first)] == 1);
+    }
+}
+
 TEST_CASE("run spoiler: a force that stays where nobody speaks is told, with when and in what") {
     double end_s = 0.0;
     std::uint64_t with_world = 0;
