@@ -5,18 +5,20 @@
 #include "dialogue/english/opposite.h"
 #include "dialogue/marking/question_review.h"
 #include "dialogue/result.h"
+#include "dialogue/speech/sound_dictionary.h"
 #include "dialogue/speech/sphinx/pronunciation.h"
 #include "runtime/lesson/knowledge.h"
 #include "runtime/lesson/questions.h"
 #include "runtime/lua/api/asked_questions.h"
 
 #include <algorithm>
-#include <fstream>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <system_error>
 #include <utility>
 
 namespace fulcrum::runtime {
@@ -27,14 +29,19 @@ using dialogue::concat;
 /// word -> its sounds.
 using Sounds = std::map<std::string, std::string, std::less<>>;
 
-Sounds read_sounds(const std::string& path) {
+/// Empty where there is no dictionary; what is wrong with one becomes a note, and then nothing is said of sounds.
+Sounds read_sounds(const std::string& path, std::vector<std::string>& notes) {
     Sounds sounds;
-    std::ifstream file(path);
-    std::string line;
-    while (std::getline(file, line)) {
-        if (const std::size_t space = line.find(' '); space != std::string::npos) {
-            sounds.emplace(line.substr(0, space), line.substr(space + 1));
-        }
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) {
+        return sounds;
+    }
+    const auto take = [&](std::string_view word, std::string_view said) {
+        sounds.emplace(word, said);
+    };
+    if (const auto read = dialogue::open_sound_dictionary(path, take); !read) {
+        notes.push_back(read.error().message + ".");
+        sounds.clear();
     }
     return sounds;
 }
@@ -292,7 +299,7 @@ std::vector<std::string> question_notes(const LessonDescription& lesson,
     }
     const Asking asking(sources.texts);
     const dialogue::Opposites opposites = open_opposites();
-    const auto sounds = read_sounds(sources.heard_words);
+    const auto sounds = read_sounds(sources.heard_words, notes);
     const dialogue::LookUp look_up = [&](std::string_view word) -> std::optional<std::string> {
         const auto found = sounds.find(word);
         return found == sounds.end() ? std::nullopt : std::optional<std::string>(found->second);

@@ -277,7 +277,7 @@ local function feel(world)
 end
 
 L:question "pull" {
-  prompt = "Now the wind is stronger. Does the line pull more or less?", again = "Feel the line again.",
+  prompt = "Now the wind is stronger. Does the line pull more or less?", again = "Feel the line again.", feedback = { "replay", "prompt", "rule" },
   answers = { "(it|the line) pulls {amount} [than before]", "(it|the pull|the tension) is <comparative:strong> [than before]",
               "(it|the pull|the tension) is {size} [than before]", "<comparative:strong> [than before]", "{size} [than before]", "{amount} [than before]" },
   nearly = { "(it|the line|they) (pull|is pull) {amount}", "(it|the line|they) (pull|pulls|is pull) {size}", "(it|the line|they) (pull|pulls|is pull) more strong",

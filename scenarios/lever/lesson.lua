@@ -184,7 +184,7 @@ end
 
 L:question "near_far" {
   prompt = "Where is it easier to press: near the support or far from it?",
-  again = "Let's press again.",
+  again = "Let's press again.", feedback = { "replay", "prompt", "rule" },
   answers = joined(easier("far", "from"), easier("near", "")),
   nearly = joined(nearly_easier "far", nearly_easier "near"),
   lists = {

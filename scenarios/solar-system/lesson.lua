@@ -220,7 +220,7 @@ L:question "your_turn" {
 
 L:question "side_or_pole" {
   prompt = "Where does the same push turn it more: at the side or near the pole?",
-  again = "Let's push again.",
+  again = "Let's push again.", feedback = { "replay", "prompt", "rule" },
   answers = {
     "it turns more (at|near|on) the {place}",
     "it is (at|near|on) the {place}",

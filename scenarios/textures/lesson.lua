@@ -9,7 +9,10 @@ local know = require "know"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
 
-local L = lesson { id = "textures", title = "What is it made of?", level = "A1", minutes = 12 }
+local L = lesson {
+  id = "textures", title = "What is it made of?", level = "A1", minutes = 12,
+  feedback = { "recast", "prompt", "replay", "rule" },   -- when an error comes again, the hand strokes the block once more
+}
 
 know.things(L)
 
@@ -170,7 +173,7 @@ local function ask(world, question, body, hint, solution)
   game.ask(question, {
     again = function(answer)
       lead(world, body)
-      world:caption("Feel it again." .. (answer.attempt >= 2 and " " .. hint or ""))
+      world:caption("Feel it again." .. (not answer.right and answer.attempt >= 2 and " " .. hint or ""))
       feel(body)
     end,
     solution = solution,

@@ -1,5 +1,6 @@
 #include "dialogue/speech/sphinx/decoder.h"
 
+#include "dialogue/speech/sound_dictionary.h"
 #include "dialogue/speech/sphinx/noise_floor.h"
 #include "dialogue/speech/sphinx/pronunciation.h"
 #include "dialogue/speech/sphinx/quieten.h"
@@ -185,6 +186,11 @@ Expected<std::unique_ptr<Decoder>> Decoder::create(const DecoderSettings& settin
             return fail(concat({"the recogniser's model ", file,
                                 " is missing; install the package pocketsphinx-en-us"}));
         }
+    }
+    // PocketSphinx ends its process over a dictionary that it cannot read.
+    if (auto words = open_sound_dictionary(dictionary, [](std::string_view, std::string_view) {});
+        !words) {
+        return tl::unexpected(words.error());
     }
     err_set_logfp(nullptr);
     const std::vector<std::string> common{"-hmm", sound_model, "-logfn", "/dev/null"};

@@ -123,3 +123,19 @@ TEST_CASE("question notes: a question that nothing asks is told") {
                                   "/nowhere"})
               .empty());
 }
+
+TEST_CASE(
+    "question notes: a dictionary of sounds that is damaged is told once, and nothing else is "
+    "lost") {
+    const ScratchFolder folder;
+    folder.write("words.dict", "egg EH G\nthe DH A");
+    LessonDescription lesson = two_things();
+    lesson.questions[0].again.clear();
+    const auto notes = question_notes(lesson, {{}, folder.file("words.dict")});
+    REQUIRE(notes.size() == 2);
+    CHECK(notes[0] == "the dictionary of sounds " + folder.file("words.dict") +
+                          ": line 2 has \"A\", which is no sound of English; the file may be "
+                          "damaged there, get it anew.");
+    CHECK_THAT(notes[1], Catch::Contains("it has no `again`"));
+    CHECK(question_notes(lesson, {{}, folder.path().string()}).size() == 2);
+}

@@ -1,9 +1,12 @@
 // What the decoder hears stands in tests/unit/runtime/hearing, where there are voices.
 #include "dialogue/speech/sphinx/decoder.h"
 
+#include "tests/support/scratch_folder.h"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 using namespace fulcrum::dialogue;
@@ -36,6 +39,15 @@ TEST_CASE("sphinx decoder: settings and models that are not there are refused in
     CHECK_FALSE(validate(DecoderSettings{.throats = {1.0, 0.5}}));
     CHECK_FALSE(validate(DecoderSettings{.throats = {std::numeric_limits<double>::quiet_NaN()}}));
     CHECK_FALSE(validate(DecoderSettings{.throats = std::vector<double>(17, 1.0)}));
+    // A dictionary that is cut off: PocketSphinx itself would end the process.
+    const fulcrum::ScratchFolder folder;
+    std::filesystem::create_directories(folder.path() / "en-us");
+    folder.write("en-us/mdef", "");
+    folder.write("en-us-phone.lm.bin", "");
+    folder.write("cmudict-en-us.dict", "egg EH G\nrock R A");
+    const auto cut_off = Decoder::create({.models = folder.path().string()});
+    REQUIRE_FALSE(cut_off);
+    CHECK(cut_off.error().message.find("line 2 has \"A\"") != std::string::npos);
     const auto missing = Decoder::create({.models = "/no/such/folder"});
     REQUIRE_FALSE(missing);
     CHECK(missing.error().message.find("install the package pocketsphinx-en-us") !=
