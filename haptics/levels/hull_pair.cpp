@@ -152,8 +152,15 @@ class BlendedSimplex {
             *this = best;
             return;
         }
-        for (Corner& corner : corners_) {
-            corner.weight = 0.25;  // the origin is inside: any blend will do
+        // The origin is inside: the blend that gives it, each corner by the volume across from it.
+        const auto volume = [this](std::size_t i, std::size_t j, std::size_t k) noexcept {
+            return std::abs(corners_[i].way.dot(corners_[j].way.cross(corners_[k].way)));
+        };
+        const std::array<double, 4> parts{volume(1, 2, 3), volume(0, 2, 3), volume(0, 1, 3),
+                                          volume(0, 1, 2)};
+        const double sum = parts[0] + parts[1] + parts[2] + parts[3];
+        for (std::size_t i = 0; i < 4; ++i) {
+            corners_[i].weight = sum > 0.0 ? parts[i] / sum : 0.25;
         }
     }
 

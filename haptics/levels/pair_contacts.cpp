@@ -1,0 +1,210 @@
+#include "haptics/levels/pair_contacts.h"
+
+#include "haptics/collision/convex_depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fulcrum {
+
+namespace {
+
+constexpr double kRound = 0.5;   // a mean normal that is shorter says little
+constexpr double kFacing = 0.3;  // cosine by which pieces face each other for certain
+
+// Is a direction within the cone, 15 degrees wider, or 45 of what is not the mesh itself and may have gaps beside it?
+bool is_in_cone(const LevelNode& node, const Vector3& normal, const Vector3& direction) noexcept {
+    const double wider_cosine = node.level > 0 ? 0.7071067811865476 : 0.9659258262890683;
+    const double wider_sine = node.level > 0 ? 0.7071067811865476 : 0.25881904510252074;
+    const double length = normal.norm();
+    if (node.cone_cosine <= -wider_cosine || !(length > 0.0)) {
+        return true;
+    }
+    const double sine = std::sqrt(std::max(0.0, 1.0 - node.cone_cosine * node.cone_cosine));
+    return normal.dot(direction) >= length * (node.cone_cosine * wider_cosine - sine * wider_sine);
+}
+
+}  // namespace
+
+PairContacts::PairContacts(const PiecesNear& pieces, const HullPair& found) noexcept
+    : pieces_(pieces), tool_normal_(pieces.turn * pieces.tool.normal_B) {
+    const double least_m = 1.0e-7 * (pieces.object.radius_m + pieces.tool.radius_m);
+    bool is_behind = false;
+    if (found.gap_m > least_m) {
+        normal_ = (found.on_second - found.on_first) / found.gap_m;
+        depth_m_ = -found.gap_m;
+        const bool looks = pieces.object.normal_B.norm() >= kRound || tool_normal_.norm() >= kRound;
+        is_behind = looks && found.gap_m <= pieces.within_m && do_both_look(-normal_, kFacing);
+        if (is_behind) {
+            normal_ = -normal_;
+            depth_m_ = found.gap_m;
+        }
+    } else {
+        find_way_out();
+    }
+    if (!has_such_normal()) {
+        return;
+    }
+    add({found.gap_m > least_m ? found.on_second
+                               : Vector3(found.on_second - 0.5 * depth_m_ * normal_),
+         depth_m_ + pieces.rise_m});
+    if (!is_behind) {
+        add_corners_of_tool();
+        add_corners_of_object();
+    }
+    // Where hulls meet, the point within both says less than corners.
+    if (found.gap_m <= least_m && n_ > kCorners) {
+        points_[0] = points_[--n_];
+    }
+}
+
+double PairContacts::measure_depth_m(const Vector3& normal) const noexcept {
+    return -measure_along(pieces_.object_hull, pieces_.tool_hull, pieces_.turn, pieces_.shift,
+                          normal);
+}
+
+// The least depth of the directions in which both surfaces look.
+void PairContacts::find_way_out() noexcept {
+    const Vector3& out = pieces_.object.normal_B;
+    const bool object_looks = out.norm() >= kRound;
+    const bool tool_looks = tool_normal_.norm() >= kRound;
+    double least_m = std::numeric_limits<double>::infinity();
+    const auto try_way = [&](const Vector3& way) noexcept {
+        const double length = way.norm();
+        if (!(length > 0.0)) {
+            return;
+        }
+        const Vector3 normal = way / length;
+        const double depth_m = measure_depth_m(normal);
+        if (do_both_look(normal, kFacing) && depth_m < least_m) {
+            least_m = depth_m;
+            normal_ = normal;
+        }
+    };
+    if (object_looks) {
+        try_way(out);
+    }
+    if (tool_looks) {
+        try_way(-tool_normal_);
+    }
+    if (object_looks && tool_looks) {
+        try_way(out - tool_normal_);
+    } else {
+        try_way(find_convex_depth([&](const Vector3& d) noexcept {
+                    return Vector3(pieces_.turn * pieces_.tool_hull.find_support(
+                                                      pieces_.turn.transpose() * d) +
+                                   pieces_.shift - pieces_.object_hull.find_support(-d));
+                }).normal);
+    }
+    if (!std::isfinite(least_m)) {
+        // They look the same way: the best that both say.
+        const Vector3 way = out - tool_normal_;
+        normal_ = way.norm() > 1.0e-6 ? Vector3(way.normalized()) : normal_;
+        least_m = measure_depth_m(normal_);
+    }
+    depth_m_ = least_m;
+}
+
+// Does the object's piece look along the normal, and the tool's against it? One that is round looks everywhere.
+bool PairContacts::do_both_look(const Vector3& normal, double least) const noexcept {
+    const auto looks = [least](double cosine, double length) noexcept {
+        return length < kRound || cosine >= least * length;
+    };
+    return looks(pieces_.object.normal_B.dot(normal), pieces_.object.normal_B.norm()) &&
+           looks(-tool_normal_.dot(normal), tool_normal_.norm());
+}
+
+// Of the pieces beside a corner that touches one at least looks along the normal, for it is within their normals.
+bool PairContacts::has_such_normal() const noexcept {
+    return do_both_look(normal_, 0.0) &&
+           is_in_cone(pieces_.object, pieces_.object.normal_B, normal_) &&
+           is_in_cone(pieces_.tool, tool_normal_, -normal_);
+}
+
+void PairContacts::add(const PairPoint& point) noexcept {
+    if (n_ < kMost) {
+        points_[n_++] = point;
+        tried_[n_tried_++] = point.place_O;
+    }
+}
+
+template <class ToObject>
+bool PairContacts::find_far_corner(const HullView& hull, double lowest_m, double sign,
+                                   const ToObject& to_object, Vector3& corner) const noexcept {
+    double farthest2 = pieces_.spread_m * pieces_.spread_m;
+    bool is_found = false;
+    const double band_m = pieces_.within_m + pieces_.rise_m + std::max(depth_m_, 0.0);
+    for (const Vector3& point : hull.points) {
+        const Vector3 place = to_object(point);
+        if (sign * normal_.dot(place) > lowest_m + band_m) {
+            continue;
+        }
+        double nearest2 = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < n_tried_; ++i) {
+            nearest2 = std::min(nearest2, (place - tried_[i]).squaredNorm());
+        }
+        if (nearest2 > farthest2) {
+            farthest2 = nearest2;
+            corner = place;
+            is_found = true;
+        }
+    }
+    return is_found;
+}
+
+void PairContacts::add_corners_of_tool() noexcept {
+    if (2.0 * pieces_.tool.radius_m < pieces_.spread_m) {
+        return;
+    }
+    const auto to_object = [this](const Vector3& point) noexcept {
+        return Vector3(pieces_.turn * point + pieces_.shift);
+    };
+    const double lowest_m =
+        normal_.dot(to_object(pieces_.tool_hull.find_support(pieces_.turn.transpose() * -normal_)));
+    const double highest_m = normal_.dot(pieces_.object_hull.find_support(normal_));
+    Vector3 corner;
+    for (int i = 0; i < kCorners; ++i) {
+        if (!find_far_corner(pieces_.tool_hull, lowest_m, 1.0, to_object, corner)) {
+            return;
+        }
+        tried_[n_tried_++] = corner;
+        const HullPair near = find_nearest_in_hull(pieces_.object_hull, corner);
+        if (near.gap_m == 0.0) {
+            points_[n_++] = {corner, highest_m - normal_.dot(corner) + pieces_.rise_m};
+        } else if (near.gap_m <= pieces_.within_m + pieces_.rise_m &&
+                   normal_.dot(corner - near.on_first) > 0.5 * near.gap_m) {
+            points_[n_++] = {corner, pieces_.rise_m - normal_.dot(corner - near.on_first)};
+        }
+    }
+}
+
+void PairContacts::add_corners_of_object() noexcept {
+    if (2.0 * pieces_.object.radius_m < pieces_.spread_m) {
+        return;
+    }
+    const auto to_object = [](const Vector3& point) noexcept { return point; };
+    const double highest_m = normal_.dot(pieces_.object_hull.find_support(normal_));
+    const double lowest_m = normal_.dot(
+        pieces_.turn * pieces_.tool_hull.find_support(pieces_.turn.transpose() * -normal_) +
+        pieces_.shift);
+    Vector3 corner;
+    for (int i = 0; i < kCorners; ++i) {
+        if (!find_far_corner(pieces_.object_hull, -highest_m, -1.0, to_object, corner)) {
+            return;
+        }
+        tried_[n_tried_++] = corner;
+        const HullPair near = find_nearest_in_hull(
+            pieces_.tool_hull, pieces_.turn.transpose() * (corner - pieces_.shift));
+        const Vector3 on_tool = pieces_.turn * near.on_first + pieces_.shift;
+        if (near.gap_m == 0.0) {
+            const double depth_m = normal_.dot(corner) - lowest_m;
+            points_[n_++] = {corner - depth_m * normal_, depth_m + pieces_.rise_m};
+        } else if (near.gap_m <= pieces_.within_m + pieces_.rise_m &&
+                   normal_.dot(on_tool - corner) > 0.5 * near.gap_m) {
+            points_[n_++] = {on_tool, pieces_.rise_m - normal_.dot(on_tool - corner)};
+        }
+    }
+}
+
+}  // namespace fulcrum

@@ -1,0 +1,312 @@
+#include "haptics/levels/level_pairs.h"
+
+#include "haptics/continuous/nearest_features.h"
+#include "haptics/geometry/shape.h"
+#include "haptics/math/rotation.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <rapidcheck.h>
+#include <vector>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kWithin_m = 0.05;
+constexpr double kRounding_m = 2.0e-7;  // slack of pieces, a ten-millionth of the size
+
+using Levels = std::shared_ptr<const ContactLevels>;
+
+Levels make_levels(const TriangleMesh& mesh, double within_m = kWithin_m) {
+    return ContactLevels::create(mesh, {.within_m = within_m}).value();
+}
+
+std::unique_ptr<LevelPairs> make_pairs(const Levels& object, const Levels& tool,
+                                       const LevelPairSettings& settings = {}) {
+    return LevelPairs::create(object, tool, settings).value();
+}
+
+double find_gap_of_spheres(const Triangle& a, const Triangle& b) {
+    const auto radius_m = [](const Triangle& t) {
+        return std::max((t[1] - t[0]).norm(), (t[2] - t[0]).norm());
+    };
+    return (a[0] - b[0]).norm() - radius_m(a) - radius_m(b);
+}
+
+// Every triangle with every other.
+double find_distance(const TriangleMesh& object, const TriangleMesh& tool, const Pose& X_OT) {
+    std::vector<Vector3> moved;
+    for (const Vector3& vertex : tool.vertices_B()) {
+        moved.push_back(X_OT * vertex);
+    }
+    const auto at = [](const std::vector<Vector3>& places, const TriangleCorners& t) {
+        return Triangle{places[static_cast<std::size_t>(t[0])],
+                        places[static_cast<std::size_t>(t[1])],
+                        places[static_cast<std::size_t>(t[2])]};
+    };
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const TriangleCorners& a : object.triangles()) {
+        for (const TriangleCorners& b : tool.triangles()) {
+            const Triangle first = at(object.vertices_B(), a);
+            const Triangle second = at(moved, b);
+            if (find_gap_of_spheres(first, second) > least_m) {
+                continue;
+            }
+            least_m = do_cross(first, second)
+                          ? 0.0
+                          : std::min(least_m, find_nearest_features(first, second).distance_m);
+        }
+    }
+    return least_m;
+}
+
+Vector3 draw_vector(double size) {
+    const auto number = [size] { return 1.0e-4 * size * *rc::gen::inRange(-10000, 10001); };
+    return {number(), number(), number()};
+}
+
+// Bodies of 0.1 m some way apart.
+Pose draw_pose_apart(double from_m, double to_m) {
+    const Vector3 way = (draw_vector(1.0) + Vector3(0.0, 0.0, 1.0e-3)).normalized();
+    const double far_m = from_m + (to_m - from_m) * 1.0e-4 * *rc::gen::inRange(0, 10001);
+    return {far_m * way, compute_exp(draw_vector(3.0))};
+}
+
+}  // namespace
+
+TEST_CASE("level pairs: two balls are apart, or in each other, as two balls are") {
+    constexpr double kRadius_m = 0.1;
+    const Levels ball = make_levels(make_sphere(kRadius_m, 24).value(), 5.0e-3);
+    const auto pairs = make_pairs(ball, ball);
+    const double facets_m = 2.0 * (1.0 - std::cos(0.5 / 24)) * kRadius_m + 1.0e-4;
+    for (const double gap_m : {4.0e-3, 1.0e-3, -1.0e-3, -5.0e-3}) {
+        const Vector3 way = Vector3(0.3, 0.8, -0.4).normalized();
+        pairs->find({(2.0 * kRadius_m + gap_m) * way, compute_exp(Vector3(0.3, -0.2, 1.0))},
+                    5.0e-3);
+        REQUIRE(pairs->contacts().size() >= 1);
+        const LevelContact& contact = pairs->contacts().front();
+        CHECK(std::abs(contact.depth_m + gap_m) < facets_m);
+        CHECK(contact.normal_O.dot(way) > 0.99);
+        CHECK((contact.point_O - (kRadius_m + gap_m) * way).norm() < 0.012);
+    }
+    pairs->find(Pose::at({0.21, 0.0, 0.0}), 5.0e-3);
+    CHECK(pairs->contacts().empty());
+}
+
+TEST_CASE("level pairs: a box that stands on a plate touches with its corners") {
+    const Levels plate = make_levels(make_box({0.3, 0.02, 0.3}).value(), 1.0e-3);
+    const Levels box = make_levels(make_box({0.04, 0.04, 0.04}).value(), 1.0e-3);
+    const auto pairs = make_pairs(plate, box);
+    for (const double gap_m : {0.5e-3, 0.1e-3, -0.2e-3}) {
+        for (const double tilt : {0.0, 1.0e-3}) {
+            pairs->find({{0.01, 0.03 + gap_m, 0.02}, compute_exp(Vector3(tilt, 0.0, 0.0))}, 1.0e-3);
+            Vector3 least = Vector3::Constant(1.0);
+            Vector3 most = Vector3::Constant(-1.0);
+            for (const LevelContact& contact : pairs->contacts()) {
+                CHECK(contact.normal_O.y() > 0.999);
+                CHECK(std::abs(contact.depth_m + gap_m) < 2.1e-5 + 1.0e-9);
+                CHECK(std::abs(contact.point_O.y() - 0.01 + contact.depth_m) <
+                      (gap_m > 0.0 ? 1.0e-6 : 4.1e-5));
+                least = least.cwiseMin(contact.point_O);
+                most = most.cwiseMax(contact.point_O);
+            }
+            // All four corners, so a torque is held.
+            CHECK(pairs->contacts().size() >= 4);
+            CHECK(most.x() - least.x() > 0.039);
+            CHECK(most.z() - least.z() > 0.039);
+        }
+    }
+}
+
+TEST_CASE("level pairs: without a tolerance the distance is that of all triangles") {
+    const std::vector<TriangleMesh> meshes{make_bumpy_sphere(0.05, 4, 0.2, 30.0).value(),
+                                           make_torus(0.05, 0.015, 14, 9).value(),
+                                           make_box({0.08, 0.03, 0.05}).value()};
+    std::vector<Levels> levels;
+    for (const TriangleMesh& mesh : meshes) {
+        levels.push_back(make_levels(mesh));
+    }
+    int n_near = 0;
+    CHECK(rc::check([&] {
+        const auto i = static_cast<std::size_t>(*rc::gen::inRange(0, 3));
+        const auto k = static_cast<std::size_t>(*rc::gen::inRange(0, 3));
+        const Pose X_OT = draw_pose_apart(0.07, 0.14);
+        const double exact_m = find_distance(meshes[i], meshes[k], X_OT);
+        const auto pairs = make_pairs(levels[i], levels[k]);
+        const LevelAnswer answer = pairs->find(X_OT, kWithin_m);
+        RC_ASSERT(!answer.is_cut);
+        if (exact_m > kWithin_m + kRounding_m) {
+            RC_ASSERT(pairs->contacts().empty());
+        } else if (exact_m > 0.0) {
+            ++n_near;
+            RC_ASSERT(!pairs->contacts().empty());
+            RC_ASSERT(std::abs(answer.nearest_m - exact_m) < kRounding_m);
+            double least_m = kWithin_m;
+            for (const LevelContact& contact : pairs->contacts()) {
+                least_m = std::min(least_m, std::abs(contact.depth_m));
+            }
+            RC_ASSERT(std::abs(least_m - exact_m) < kRounding_m);
+        }
+    }));
+    CHECK(n_near > 20);
+}
+
+TEST_CASE("level pairs: with a tolerance what is told is off by no more than it says") {
+    const TriangleMesh mesh = make_bumpy_sphere(0.05, 6, 0.06, 60.0).value();
+    const Levels levels = make_levels(mesh);
+    int n_near = 0;
+    int n_coarser = 0;
+    CHECK(rc::check([&] {
+        const double tolerance_m = 1.0e-5 * *rc::gen::inRange(1, 400);
+        const auto pairs = make_pairs(levels, levels, {.tolerance_m = tolerance_m});
+        const Pose X_OT = draw_pose_apart(0.105, 0.14);
+        const double exact_m = find_distance(mesh, mesh, X_OT);
+        const LevelAnswer answer = pairs->find(X_OT, kWithin_m);
+        RC_ASSERT(answer.error_m <= tolerance_m);
+        for (const LevelContact& contact : pairs->contacts()) {
+            RC_ASSERT(contact.error_m <= tolerance_m);
+        }
+        if (exact_m < kWithin_m - answer.deviation_m) {
+            ++n_near;
+            n_coarser += answer.error_m > 0.0 ? 1 : 0;
+            RC_ASSERT(!pairs->contacts().empty());
+            RC_ASSERT(std::abs(answer.nearest_m - exact_m) < answer.deviation_m + kRounding_m);
+        }
+    }));
+    CHECK(n_near > 20);
+    CHECK(n_coarser > 10);
+}
+
+TEST_CASE("level pairs: what is kept from the last question changes no answer") {
+    const TriangleMesh mesh = make_bumpy_sphere(0.05, 12, 0.06, 60.0).value();
+    const Levels levels = make_levels(mesh, 5.0e-3);
+    const auto kept = make_pairs(levels, levels);
+    const auto again = make_pairs(levels, levels);
+    const auto anew = make_pairs(levels, levels);
+    const auto sum_of = [](const LevelPairs& pairs) {
+        Vector3 sum = Vector3::Zero();
+        for (const LevelContact& contact : pairs.contacts()) {
+            sum += contact.point_O + contact.depth_m * contact.normal_O;
+        }
+        return sum;
+    };
+    int n_kept = 0;
+    int n_anew = 0;
+    int n_near = 0;
+    for (int i = 0; i < 400; ++i) {
+        const double t = 0.01 * i;
+        const Pose X_OT{{0.02 * std::sin(3.0 * t), 0.1045 + 0.0025 * std::sin(7.0 * t), 0.01 * t},
+                        compute_exp(Vector3(0.3 * t, std::sin(t), 0.2))};
+        anew->clear();
+        const LevelAnswer of_kept = kept->find(X_OT, 5.0e-3);
+        const LevelAnswer of_anew = anew->find(X_OT, 5.0e-3);
+        n_kept += of_kept.n_looked_at;
+        n_anew += of_anew.n_looked_at;
+        CHECK(std::abs(std::min(of_kept.nearest_m, 1.0) - std::min(of_anew.nearest_m, 1.0)) <
+              1.0e-9);
+        // The same way, the same bits.
+        const LevelAnswer of_again = again->find(X_OT, 5.0e-3);
+        CHECK(of_again.n_looked_at == of_kept.n_looked_at);
+        CHECK(sum_of(*again) == sum_of(*kept));
+        if (of_anew.nearest_m == 0.0) {
+            continue;  // where within each other hulls were found to meet may differ
+        }
+        REQUIRE(kept->contacts().size() == anew->contacts().size());
+        n_near += kept->contacts().empty() ? 0 : 1;
+        CHECK((sum_of(*kept) - sum_of(*anew)).norm() < 1.0e-6);
+    }
+    CHECK(n_near > 50);
+    CHECK(2 * n_kept < n_anew);
+}
+
+TEST_CASE("level pairs: coarser is less work") {
+    const Levels levels = make_levels(make_bumpy_sphere(0.05, 20, 0.02, 100.0).value(), 1.0e-3);
+    const Pose X_OT{{0.0, 0.1, 0.0}, compute_exp(Vector3(0.2, 0.4, 0.1))};
+    int last = 1 << 30;
+    for (const double tolerance_m : {0.0, 1.0e-4, 1.0e-3}) {
+        const auto pairs = make_pairs(levels, levels, {.tolerance_m = tolerance_m});
+        const LevelAnswer answer = pairs->find(X_OT, 1.0e-3);
+        CHECK(!pairs->contacts().empty());
+        CHECK(answer.n_looked_at < last);
+        last = answer.n_looked_at;
+    }
+}
+
+TEST_CASE("level pairs: a budget is kept or its overrun is told, and more of it is finer") {
+    const Levels levels = make_levels(make_bumpy_sphere(0.05, 20, 0.02, 100.0).value(), 1.0e-3);
+    const Pose X_OT{{0.0, 0.0995, 0.0}, compute_exp(Vector3(0.2, 0.4, 0.1))};
+    const auto exact = make_pairs(levels, levels);
+    exact->find(X_OT, 1.0e-3);
+    // No time at all: only what must be refined is.
+    const auto least = make_pairs(levels, levels, {.budget_us = 1.0e-3});
+    const LevelAnswer coarse = least->find(X_OT, 1.0e-3);
+    CHECK(coarse.is_late);
+    CHECK(coarse.error_m > 0.0);
+    CHECK(!least->contacts().empty());
+    CHECK(least->contacts().size() < exact->contacts().size());
+    const auto most = make_pairs(levels, levels, {.budget_us = 1.0e6});
+    const LevelAnswer fine = most->find(X_OT, 1.0e-3);
+    CHECK(fine.error_m == 0.0);
+    CHECK(!fine.is_late);
+    CHECK(most->contacts().size() == exact->contacts().size());
+    // Not finer than the tolerance, however much time there is.
+    const auto held = make_pairs(levels, levels, {.tolerance_m = 1.0e-3, .budget_us = 1.0e6});
+    CHECK(held->find(X_OT, 1.0e-3).error_m > 0.0);
+}
+
+TEST_CASE("level pairs: where there is no room for all pairs, it says so and goes on") {
+    const Levels levels = make_levels(make_bumpy_sphere(0.05, 12, 0.06, 60.0).value(), 2.0e-3);
+    const auto pairs = make_pairs(levels, levels, {.most_pairs = 64});
+    for (int i = 0; i < 20; ++i) {
+        const LevelAnswer answer =
+            pairs->find({{0.0, 0.098, 0.001 * i}, Quaternion::Identity()}, 2.0e-3);
+        CHECK(answer.is_cut);
+        CHECK(answer.n_kept <= 64);
+    }
+}
+
+TEST_CASE("level pairs: broken meshes and poses that are none do no harm") {
+    const TriangleMesh ball = make_sphere(0.05, 6).value();
+    std::vector<TriangleCorners> broken = ball.triangles();
+    std::swap(broken[3][0], broken[3][1]);
+    broken.push_back(broken[10]);
+    broken.erase(broken.begin() + 20);
+    const TriangleMesh mesh = TriangleMesh::build(ball.vertices_B(), broken).value();
+    const Levels levels = make_levels(mesh);
+    const auto pairs = make_pairs(levels, levels);
+    // Pieces are flat, so the distance is that of the triangles.
+    const Pose X_OT{{0.08, 0.06, 0.04}, compute_exp(Vector3(0.2, 0.4, 0.1))};
+    CHECK(std::abs(pairs->find(X_OT, kWithin_m).nearest_m - find_distance(mesh, mesh, X_OT)) <
+          kRounding_m);
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    for (const Pose& wrong : {Pose::at({none, 0.0, 0.0}), Pose::at({0.0, 1.0 / 0.0, 0.0}),
+                              Pose{Vector3::Zero(), Quaternion(none, 0.0, 0.0, 1.0)}}) {
+        const LevelAnswer answer = pairs->find(wrong, kWithin_m);
+        CHECK(pairs->contacts().empty());
+        CHECK(std::isinf(answer.nearest_m));
+    }
+    CHECK(std::abs(pairs->find(X_OT, kWithin_m).nearest_m - find_distance(mesh, mesh, X_OT)) <
+          kRounding_m);
+}
+
+TEST_CASE("level pairs: what cannot be is refused in a sentence") {
+    const Levels ball = make_levels(make_sphere(0.05, 4).value());
+    const Levels other = make_levels(make_sphere(0.05, 4).value(), 1.0e-3);
+    CHECK_FALSE(LevelPairs::create(nullptr, ball));
+    CHECK_FALSE(LevelPairs::create(ball, nullptr));
+    CHECK(to_sentence(LevelPairs::create(ball, other).error()).find("within_m") !=
+          std::string::npos);
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    for (const LevelPairSettings& wrong :
+         {LevelPairSettings{.tolerance_m = -1.0}, LevelPairSettings{.tolerance_m = none},
+          LevelPairSettings{.budget_us = none}, LevelPairSettings{.budget_us = 1.0e7},
+          LevelPairSettings{.spread_m = 0.0}, LevelPairSettings{.most_pairs = 1},
+          LevelPairSettings{.most_contacts = 0}}) {
+        CHECK_FALSE(LevelPairs::create(ball, ball, wrong));
+    }
+}

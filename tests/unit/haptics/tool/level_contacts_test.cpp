@@ -1,0 +1,90 @@
+#include "haptics/tool/level_contacts.h"
+
+#include "haptics/geometry/shape.h"
+#include "haptics/math/rotation.h"
+#include "haptics/tool/contact_clusters.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kWithin_m = 1.0e-3;
+
+std::shared_ptr<const ContactLevels> make_levels(const TriangleMesh& mesh) {
+    return ContactLevels::create(mesh, {.within_m = kWithin_m}).value();
+}
+
+}  // namespace
+
+TEST_CASE("level contacts: clusters of a box that is pressed into the ground hold it evenly") {
+    const auto ground = make_levels(make_box({0.3, 0.02, 0.3}).value());
+    const auto box = make_levels(make_box({0.06, 0.04, 0.06}).value());
+    auto finder = LevelContacts::create(ground, box).value();
+    BoundedList<NearContact> near(512);
+    ContactClusters clusters({.within_m = kWithin_m, .radius_m = 0.015, .most = 10, .fade_s = 0.0});
+    for (int i = 0; i < 50; ++i) {
+        const double depth_m = 1.0e-5 * i;
+        const Pose X_OT = Pose::at({0.01, 0.03 - depth_m, 0.02});
+        near.clear();
+        finder->find(X_OT, kWithin_m, near);
+        clusters.update(near.all(), X_OT, 0.001);
+        REQUIRE(clusters.all().size() >= 4);
+        Vector3 force = Vector3::Zero();
+        Vector3 torque = Vector3::Zero();
+        for (const ContactCluster& cluster : clusters.all()) {
+            CHECK(cluster.normal_O.y() > 0.9999);
+            CHECK(std::abs(cluster.depth_m - depth_m) < 1.0e-6);
+            force += cluster.depth_m * cluster.normal_O;
+            torque += cluster.point_T.cross(cluster.depth_m * cluster.normal_O);
+        }
+        // Of those that lie in the middle there may be one: it adds no torque.
+        CHECK(torque.norm() < 0.1 * 0.03 * force.norm() + 1.0e-12);
+    }
+}
+
+TEST_CASE(
+    "level contacts: points lie on the tool, and the object's surface at depth along the normal") {
+    constexpr double kRadius_m = 0.05;
+    const auto ball = make_levels(make_sphere(kRadius_m, 24).value());
+    auto finder = LevelContacts::create(ball, ball).value();
+    CHECK(finder->reach_m() == Approx(kRadius_m).epsilon(1.0e-3));
+    CHECK(finder->memory_bytes() > ball->memory_bytes());
+    BoundedList<NearContact> near(64);
+    for (const double gap_m : {0.5e-3, 0.1e-3, -0.5e-3}) {
+        const Pose X_OT{{0.0, 2.0 * kRadius_m + gap_m, 0.0},
+                        compute_exp(Vector3(1.0, 0.3, std::numbers::pi))};
+        near.clear();
+        finder->find(X_OT, kWithin_m, near);
+        REQUIRE(near.count() >= 1);
+        for (const NearContact& one : near.all()) {
+            const Vector3 p_O = X_OT * one.point_T;
+            CHECK(std::abs(one.point_T.norm() - kRadius_m) < 5.0e-4);
+            CHECK(std::abs((p_O + one.depth_m * one.normal_O).norm() - kRadius_m) < 5.0e-4);
+        }
+    }
+}
+
+TEST_CASE("level contacts: a short list gets an even share, and a full one is left as it is") {
+    const auto bumpy = make_levels(make_bumpy_sphere(0.05, 16, 0.05, 100.0).value());
+    auto finder = LevelContacts::create(bumpy, bumpy).value();
+    const Pose X_OT = Pose::at({0.0, 0.099, 0.0});
+    BoundedList<NearContact> all(4096);
+    finder->find(X_OT, kWithin_m, all);
+    REQUIRE(all.count() > 10);
+    BoundedList<NearContact> few(4);
+    finder->find(X_OT, kWithin_m, few);
+    CHECK(few.count() >= 2);
+    CHECK(few.count() <= 4);
+    const std::size_t n_before = few.count();
+    BoundedList<NearContact> none(0);
+    finder->find(X_OT, kWithin_m, none);
+    CHECK(none.count() == 0);
+    CHECK(few.count() == n_before);
+    CHECK(finder->answer().n_looked_at > 0);
+    CHECK_FALSE(LevelContacts::create(nullptr, bumpy));
+}
