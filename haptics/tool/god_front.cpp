@@ -225,13 +225,15 @@ bool GodFront::split(std::int32_t i, const GodPlace& place) noexcept {
         } else {
             child.near.level_m = find_level_m(child, child.near.direction_O);
         }
+        set_due(first + k, -kNever);  // not looked at yet
     }
     pair.first_child = first;
     set_due(i, kNever);
     return true;
 }
 
-bool GodFront::look_at(std::int32_t top, const GodPlace& place, double reach_m) noexcept {
+GodLook GodFront::look_at(std::int32_t top, const GodPlace& place, double reach_m,
+                          std::size_t most) noexcept {
     std::array<std::int32_t, kDeep> waiting;
     std::size_t n_waiting = 0;
     waiting[n_waiting++] = top;
@@ -245,7 +247,7 @@ bool GodFront::look_at(std::int32_t top, const GodPlace& place, double reach_m) 
             apart_m = turn_boxes(pair, place);
             if (apart_m <= reach_m) {
                 if (n_waiting + 2 > kDeep || !split(i, place)) {
-                    return false;
+                    return GodLook::no_room;
                 }
                 waiting[n_waiting++] = pair.first_child + 1;
                 waiting[n_waiting++] = pair.first_child;
@@ -256,8 +258,11 @@ bool GodFront::look_at(std::int32_t top, const GodPlace& place, double reach_m) 
         if (apart_m <= reach_m) {
             (void)near_.add(i);
         }
+        if (near_.count() > most) {
+            return GodLook::too_many;
+        }
     }
-    return true;
+    return GodLook::whole;
 }
 
 void GodFront::set_due(std::int32_t i, double due_m) noexcept {
@@ -283,11 +288,11 @@ void GodFront::list_used_up(double end_m) noexcept {
     }
 }
 
-bool GodFront::look(const GodPlace& place, double reach_m) noexcept {
+GodLook GodFront::look(const GodPlace& place, double reach_m, std::size_t most) noexcept {
     if (!is_finite(place.X_OT) || !(place.rounded_m < kNever)) {
         near_.clear();
         forget();
-        return false;
+        return GodLook::no_room;
     }
     const bool has_moved = at_OT_.position != place.X_OT.position ||
                            at_OT_.orientation.coeffs() != place.X_OT.orientation.coeffs();
@@ -298,12 +303,15 @@ bool GodFront::look(const GodPlace& place, double reach_m) noexcept {
     near_.clear();
     list_used_up(way_m_ + reach_m);
     for (const std::int32_t i : used_up_.all()) {
-        if (!look_at(i, place, reach_m)) {
+        const GodLook looked = look_at(i, place, reach_m, most);
+        if (looked == GodLook::no_room) {
             forget();
-            return false;
+        }
+        if (looked != GodLook::whole) {
+            return looked;
         }
     }
-    return true;
+    return GodLook::whole;
 }
 
 void GodFront::tidy(const GodPlace& place, double far_m) noexcept {

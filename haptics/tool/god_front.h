@@ -57,16 +57,22 @@ struct GodNear {
 [[nodiscard]] double find_apart_m(const GodNear& near, const Triangle& tool_own,
                                   const GodPlace& place) noexcept;
 
+enum class GodLook : std::uint8_t {
+    whole,
+    too_many,  ///< more than were asked for; `near` has some
+    no_room    ///< all is forgotten; `near` has some
+};
+
 class GodFront {
   public:
     GodFront(const SweptMesh& object, const SweptMesh& tool, int most_pairs);
 
     /// Whatever was known of where things are. For a tool put elsewhere.
     void forget() noexcept;
-    /// The tool is here now, and of what may come within `reach_m` there is nothing but pairs of triangles. False, and all forgotten, where
-    /// there is no room for so many.
-    [[nodiscard]] bool look(const GodPlace& place, double reach_m) noexcept;
-    /// Those of the last `look`; of one without room, some.
+    /// The tool is here now, and of what may come within `reach_m` there is nothing but pairs of triangles, `most` of them.
+    [[nodiscard]] GodLook look(const GodPlace& place, double reach_m,
+                               std::size_t most = SIZE_MAX) noexcept;
+    /// Those of the last `look`.
     [[nodiscard]] std::span<const std::int32_t> near() const noexcept { return near_.all(); }
     [[nodiscard]] const GodNear& pair(std::int32_t i) const noexcept {
         return pairs_[static_cast<std::size_t>(i)].near;
@@ -101,7 +107,8 @@ class GodFront {
     double turn_boxes(Pair& pair, const GodPlace& place) const noexcept;
     double turn_triangles(Pair& pair, const GodPlace& place, double best_m) const noexcept;
     [[nodiscard]] double find_level_m(const Pair& pair, const Vector3& direction_O) const noexcept;
-    bool look_at(std::int32_t top, const GodPlace& place, double reach_m) noexcept;
+    GodLook look_at(std::int32_t top, const GodPlace& place, double reach_m,
+                    std::size_t most) noexcept;
     bool split(std::int32_t i, const GodPlace& place) noexcept;
     void place_pair(std::int32_t i, std::int32_t object_node, std::int32_t tool_node,
                     std::int32_t parent) noexcept;

@@ -17,6 +17,8 @@ constexpr double kPressRise =
 constexpr double kWidens =
     4.0;  // how far contacts are looked for, when the tool was stopped by another
 constexpr double kStuckShare = 0.1;  // of its way, that is
+constexpr double kStuckGaps = 32.0;  // and it is shorter than so many gaps at rest
+constexpr int kManyContacts = 64;    // it does not turn between so many
 constexpr double kWidest = 0.1;      // of the tool's reach
 constexpr double kFreeGaps = 1.0;    // what is within is not free, beyond twice that it is
 constexpr double kTouchShare =
@@ -195,14 +197,19 @@ double GodObjectTool::find_free_share(const Vector6& way) noexcept {
     double touch_m = kTouchShare * std::min(settings_.gap_m, step_.least_gap_m);
     const bool may_come_near = touch_m >= kLeastTouch * settings_.gap_m;
     const bool objects_move = !have_arrived();
+    is_cut_ = false;
     double share = 1.0;
     for (int i = 0; i < kMovingTries; ++i) {
         const Pose end_W = go_along(pose_W_, share * way);
         double free = 1.0;
         for (std::size_t k = 0; k < pairs_.size() && free > 0.0; ++k) {
             const Pose object_W = find_object_W(k, share);
-            free = std::min(free, pairs_[k].find_free_share(seen_from(objects_W_[k], pose_W_),
-                                                            seen_from(object_W, end_W), touch_m));
+            const double of_pair = pairs_[k].find_free_share(seen_from(objects_W_[k], pose_W_),
+                                                             seen_from(object_W, end_W), touch_m);
+            if (of_pair < free) {
+                free = of_pair;
+                is_cut_ = pairs_[k].is_cut();
+            }
         }
         if (free == 1.0) {
             return share;
@@ -241,7 +248,8 @@ bool GodObjectTool::have_arrived() const noexcept {
 // far as it wants to go. Where it gets on, ever less far.
 void GodObjectTool::look_farther(double way_m, double share, bool recovers) noexcept {
     const double least_m = kContactGaps * settings_.gap_m;
-    if (share < kStuckShare) {
+    if (share < kStuckShare && share * way_m < kStuckGaps * settings_.gap_m && !is_cut_ &&
+        step_.contacts < kManyContacts) {
         const double most_m = std::max(least_m, std::min(way_m, kWidest * reach_m_));
         within_m_ = std::clamp(kWidens * within_m_, least_m, most_m);
     } else if (!recovers) {

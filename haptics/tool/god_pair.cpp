@@ -18,10 +18,15 @@ constexpr double kFallsAway =
     1.0e-8;  // what a surface may rise: a direction so far off is felt as friction
 constexpr double kRoundings = 4.0e-15;  // of lengths, in a direction between places a gap apart
 constexpr int kPairsPerContact = 8;
-constexpr double kFar = 4.0;      // what has gone from the front, in usual ways
-constexpr double kLongWay = 0.1;  // of the tool's reach
-constexpr double kBend = 0.125;   // the most that an arc lies off its chord, in w^2 r
-constexpr double kForgets = 0.9;  // of the usual way, a step
+constexpr double kFar = 4.0;             // what has gone from the front, in usual ways
+constexpr double kLongWay = 0.1;         // of the tool's reach
+constexpr std::size_t kMostNear = 384;  // pairs that are looked at for one way, at least
+constexpr std::size_t kMoreNear = 4;     // times what is in contact, at least
+constexpr int kCuts = 4;                 // of a way on which more come near
+constexpr double kShorter = 0.25;        // a cut
+constexpr double kLonger = 1.5;          // after one that was not too long
+constexpr double kBend = 0.125;          // the most that an arc lies off its chord, in w^2 r
+constexpr double kForgets = 0.9;         // of the usual way, a step
 
 std::uint64_t mix(std::uint64_t hash, double value, double grid) noexcept {
     const double cell = value / grid;
@@ -139,7 +144,8 @@ void GodPair::collect(const Pose& X_OT, double within_m) noexcept {
     least_gap_m_ = std::numeric_limits<double>::infinity();
     const GodPlace place = GodPlace::of(object_->swept(), tool_->swept(), X_OT);
     // Where there is no room for all, those that were found are kept.
-    is_full_ = !front_.look(place, within_m);
+    is_full_ = front_.look(place, within_m) != GodLook::whole;
+    n_held_ = front_.near().size();
     for (const std::int32_t i : front_.near()) {
         if (!add_all_of(front_.pair(i), place, within_m)) {
             front_.aim(i, place);  // not to be asked again
@@ -202,7 +208,25 @@ double GodPair::sweep_all(const InBetweenMotion& motion,
     return 0.0;
 }
 
+double GodPair::look_along(const GodPlace& from, double way_m, double touch_m) noexcept {
+    const std::size_t most = std::max(kMostNear, kMoreNear * n_held_);
+    double part = std::min(1.0, most_way_m_ / way_m);
+    for (int i = 0; i < kCuts; ++i) {
+        const double reach_m = part * way_m + 2.0 * touch_m;
+        const GodLook looked = front_.look(from, reach_m, i + 1 < kCuts ? most : SIZE_MAX);
+        if (looked == GodLook::whole) {
+            usual_way_m_ = std::max(reach_m, kForgets * usual_way_m_);
+            most_way_m_ = part < 1.0 ? kLonger * part * way_m : std::max(most_way_m_, way_m);
+            return part;
+        }
+        part *= kShorter;
+        most_way_m_ = part * way_m;
+    }
+    return 0.0;
+}
+
 double GodPair::find_free_share(const Pose& from_OT, const Pose& to_OT, double touch_m) noexcept {
+    is_cut_ = false;
     const InBetweenMotion motion(from_OT, to_OT);
     const SweepSettings settings{touch_m, touch_m};
     if (!motion.is_valid()) {
@@ -211,12 +235,24 @@ double GodPair::find_free_share(const Pose& from_OT, const Pose& to_OT, double t
     const SweptMesh& object = object_->swept();
     const SweptMesh& tool = tool_->swept();
     const GodPlace from = GodPlace::of(object, tool, from_OT);
-    const double reach_m = find_way_m(object, tool, from_OT, to_OT) + 2.0 * touch_m;
-    usual_way_m_ = std::max(reach_m, kForgets * usual_way_m_);
-    if (reach_m > kLongWay * tool.reach_m() || !front_.look(from, reach_m)) {
+    const double way_m = find_way_m(object, tool, from_OT, to_OT);
+    const double long_m = kLongWay * tool.reach_m();
+    // In the open: as far as it likes.
+    if (way_m > long_m && front_.look(from, long_m, 0) == GodLook::whole) {
         return sweep_all(motion, settings);
     }
-    return sweep_near(motion, from, GodPlace::of(object, tool, to_OT), settings);
+    const double part = look_along(from, way_m, touch_m);
+    if (!(part > 0.0)) {
+        return sweep_all(motion, settings);
+    }
+    if (part == 1.0) {
+        return sweep_near(motion, from, GodPlace::of(object, tool, to_OT), settings);
+    }
+    const Pose part_OT = motion.pose(part);
+    const double free = sweep_near(InBetweenMotion(from_OT, part_OT), from,
+                                   GodPlace::of(object, tool, part_OT), settings);
+    is_cut_ = free == 1.0;
+    return part * free;
 }
 
 bool GodPair::is_apart(const Pose& X_OT, double touch_m) const noexcept {

@@ -20,6 +20,7 @@
 #include "haptics/tool/god_surface.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -51,10 +52,11 @@ class GodPair {
     /// There were more than there is room for.
     [[nodiscard]] bool is_full() const noexcept { return is_full_; }
 
-    /// How much of the way between two poses may be gone: all of it is 1. Where less, the gap there is in (`touch_m`, 2 `touch_m`];
-    /// 0 where they cross, or a pose is none.
+    /// How much of the way between two poses may be gone: all of it is 1. Where less, the gap there is in (`touch_m`, 2 `touch_m`], or
+    /// so much comes near that only this part of the way was looked at (`is_cut`); 0 where they cross, or a pose is none.
     [[nodiscard]] double find_free_share(const Pose& from_OT, const Pose& to_OT,
                                          double touch_m) noexcept;
+    [[nodiscard]] bool is_cut() const noexcept { return is_cut_; }
     /// Whether no part of the surfaces is within `touch_m` of the other.
     [[nodiscard]] bool is_apart(const Pose& X_OT, double touch_m) const noexcept;
 
@@ -67,6 +69,8 @@ class GodPair {
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
   private:
+    // Looks for what may be near on the way, or on a part of it: which, or 0 where there is no room.
+    [[nodiscard]] double look_along(const GodPlace& from, double way_m, double touch_m) noexcept;
     // Does its direction keep the pair apart all the way? Where not it takes another one.
     [[nodiscard]] bool stays_apart(std::int32_t i, const GodPlace& from, const GodPlace& to,
                                    double least_m) noexcept;
@@ -96,6 +100,9 @@ class GodPair {
     std::vector<Place> places_;
     std::uint32_t round_ = 0;
     double usual_way_m_ = 0.0;
+    double most_way_m_ = std::numeric_limits<double>::infinity();  // that was not too long
+    bool is_cut_ = false;
+    std::size_t n_held_ = 0;  // pairs near in the last `collect`
     double least_gap_m_ = 0.0;
     bool is_full_ = false;
 };

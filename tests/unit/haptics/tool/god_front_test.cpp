@@ -72,7 +72,7 @@ TEST_CASE("god front: of all triangles none that is near is left out, on any wal
     for (int k = 0; k < 400; ++k) {
         at = walk(random, at, k % 50 == 0 ? 0.05 : 0.0005);
         const double reach_m = 0.0005 * (1 + k % 7);
-        REQUIRE(front.look(scene.place(at), reach_m));
+        REQUIRE(front.look(scene.place(at), reach_m) == GodLook::whole);
         const Indices told = told_by(front);
         const Indices found = scene.find_within(at, reach_m);
         n_found += found.size();
@@ -95,7 +95,7 @@ TEST_CASE("god front: no direction tells more than the distance, and one that wa
         const Pose at{Vector3(0.06 * random.in_cube().normalized()),
                       compute_exp(2.0 * random.in_cube())};
         const GodPlace place = scene.place(at);
-        REQUIRE(front.look(place, 0.004));
+        REQUIRE(front.look(place, 0.004) == GodLook::whole);
         for (const std::int32_t i : front.near()) {
             const GodNear& near = front.pair(i);
             const double distance_m =
@@ -115,19 +115,19 @@ TEST_CASE("god front: what has come apart goes from it again") {
     const Scene scene;
     GodFront front = scene.make_front();
     const Pose near_by = Pose::at({0.0, 0.0401, 0.0});
-    REQUIRE(front.look(scene.place(near_by), 0.003));
+    REQUIRE(front.look(scene.place(near_by), 0.003) == GodLook::whole);
     const std::size_t many = front.size();
     CHECK(many > 20);
     CHECK_FALSE(front.near().empty());
     const Pose far_off = Pose::at({0.0, 1.0, 0.0});
     for (int k = 0; k < 200; ++k) {
-        REQUIRE(front.look(scene.place(far_off), 0.003));
+        REQUIRE(front.look(scene.place(far_off), 0.003) == GodLook::whole);
         CHECK(front.near().empty());
         front.tidy(scene.place(far_off), 0.01);
     }
     CHECK(front.size() == 2);  // the roots
     // And comes back.
-    REQUIRE(front.look(scene.place(near_by), 0.003));
+    REQUIRE(front.look(scene.place(near_by), 0.003) == GodLook::whole);
     CHECK(std::ranges::includes(told_by(front), scene.find_within(near_by, 0.003)));
 }
 
@@ -135,19 +135,19 @@ TEST_CASE("god front: without room, and at places that are none, all is forgotte
     const Scene scene;
     GodFront front = scene.make_front(8);
     const Pose near_by = Pose::at({0.0, 0.0401, 0.0});
-    CHECK_FALSE(front.look(scene.place(near_by), 0.003));
-    REQUIRE(front.look(scene.place(Pose::at({0.0, 1.0, 0.0})), 0.003));
+    CHECK(front.look(scene.place(near_by), 0.003) == GodLook::no_room);
+    REQUIRE(front.look(scene.place(Pose::at({0.0, 1.0, 0.0})), 0.003) == GodLook::whole);
     CHECK(front.near().empty());
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK_FALSE(front.look(scene.place(Pose::at({nan, 0.0, 0.0})), 0.003));
-    REQUIRE(front.look(scene.place(Pose::at({0.0, 1.0, 0.0})), 0.003));
+    CHECK(front.look(scene.place(Pose::at({nan, 0.0, 0.0})), 0.003) == GodLook::no_room);
+    REQUIRE(front.look(scene.place(Pose::at({0.0, 1.0, 0.0})), 0.003) == GodLook::whole);
     CHECK(front.memory_bytes() > 0);
     // Standing still uses nothing up, for however long.
     GodFront still = scene.make_front();
-    REQUIRE(still.look(scene.place(near_by), 1.0e-5));
+    REQUIRE(still.look(scene.place(near_by), 1.0e-5) == GodLook::whole);
     const Indices told = told_by(still);
     for (int k = 0; k < 1000; ++k) {
-        REQUIRE(still.look(scene.place(near_by), 1.0e-5));
+        REQUIRE(still.look(scene.place(near_by), 1.0e-5) == GodLook::whole);
     }
     CHECK(told_by(still) == told);
 }
