@@ -1,0 +1,153 @@
+// Contact levels of detail: what a tolerance or a budget costs in force, and what it saves in time. After the experiments of Otaduy and Lin
+// 2003, Sensation preserving simplification for haptic rendering, section 6, on meshes of our own.
+#include "haptics/geometry/shape.h"
+#include "tests/bench/curves/level_scenes.h"
+#include "tests/bench/curves/mesh_file.h"
+#include "tests/bench/harness/csv.h"
+#include "tests/bench/harness/measure.h"
+#include "tests/bench/harness/registry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fulcrum::bench {
+namespace {
+
+// A scene, and what is felt in it exactly.
+struct Course {
+    LevelScene scene;
+    SceneLevels levels;
+    PlayedScene exact;
+};
+
+Course make_course(LevelScene scene) {
+    Course course{.scene = std::move(scene), .levels = {}, .exact = {}};
+    course.levels = make_scene_levels(course.scene);
+    course.exact = play_scene(course.scene, course.levels, {});
+    return course;
+}
+
+CostPoint measure_course(const Course& course, double knob, PlayedScene played) {
+    double square_off = 0.0;
+    double square_exact = 0.0;
+    for (std::size_t i = 0; i < played.felt_N.size(); ++i) {
+        square_off += (played.felt_N[i] - course.exact.felt_N[i]).squaredNorm();
+        square_exact += course.exact.felt_N[i].squaredNorm();
+    }
+    CostPoint point;
+    point.series = course.scene.name;
+    point.knob = knob;
+    point.error = square_off > 0.0 ? 100.0 * std::sqrt(square_off / square_exact) : kNone;
+    point.cost = summarise(std::move(played.us));
+    point.cost.bytes = played.bytes;
+    point.extras = {1.0e3 / point.cost.median_us, played.n_contacts, played.n_pairs,
+                    100.0 * played.n_late};
+    return point;
+}
+
+CostCurve make_curve(const std::string& name, const std::string& title, const Axis& knob) {
+    CostCurve curve;
+    curve.name = name;
+    curve.title = title;
+    curve.work =
+        "a hand presses a tool on another mesh by a coupling of 500 N/m, clusters of contacts of "
+        "5 kN/m hold it back; the time is that of one question for contacts, of the processor";
+    curve.reference =
+        "converged: what the hand feels without a tolerance, root mean square over the way; Otaduy "
+        "and Lin's 40 k against 40 k triangles at 2.5 % took 2 to 10 ms";
+    curve.knob = knob;
+    curve.error = {"error of the felt force", "%", true};
+    curve.extras = {{"rate", "kHz"}, {"contacts", ""}, {"pairs looked at", ""}, {"late", "%"}};
+    return curve;
+}
+
+std::vector<LevelScene> make_scenes(Run& run) {
+    const int n_steps = run.pick(1000, 120);
+    std::vector<LevelScene> scenes;
+    scenes.push_back(make_jaws_scene(run.pick(320, 80), run.pick(64, 32), n_steps));
+    scenes.push_back(make_spoon_scene(run.pick(22, 8), n_steps));
+    scenes.push_back(
+        make_rolling_scene("bumpy ball on ball",
+                           make_bumpy_sphere(0.1, run.pick(37, 12), 0.02, 60.0).value(), n_steps));
+    if (!run.mesh_file().empty()) {
+        if (const Expected<TriangleMesh> mesh = load_mesh_file(run.mesh_file())) {
+            const std::string stem = std::filesystem::path(run.mesh_file()).stem().string();
+            scenes.push_back(make_rolling_scene(stem, *mesh, n_steps));
+        } else {
+            run.progress(0.0, to_sentence(mesh.error()));
+        }
+    }
+    return scenes;
+}
+
+std::vector<std::string> list_levels(const Course& course) {
+    const ContactLevels& levels = *course.levels.tool;
+    const auto round2 = [](double value) { return std::round(100.0 * value) / 100.0; };
+    return {course.scene.name,
+            to_text(static_cast<double>(course.scene.tool.triangles().size())),
+            to_text(levels.n_pieces()),
+            to_text(static_cast<double>(levels.nodes().size())),
+            to_text(levels.n_levels()),
+            to_text(round2(course.levels.seconds)),
+            to_text(round2(1.0e-6 * static_cast<double>(levels.memory_bytes())))};
+}
+
+Report run_contact_levels(Run& run) {
+    CostCurve tolerance =
+        make_curve("contact-levels", "Contact levels of detail by their tolerance",
+                   {"tolerance, of the tool's radius", "%", true});
+    tolerance.advice =
+        "None, for teeth and thin walls: coarse pieces of these let each other through, which the "
+        "error shows; 1 to 2.5 % for what is bumpy but thick.";
+    CostCurve budget =
+        make_curve("contact-levels-budget", "The same by a budget of time", {"budget", "us", true});
+    budget.advice =
+        "Enough for the exact answer most of the time; a smaller one is as a coarse tolerance.";
+    Sheet made{"contact-levels-made",
+               "What making contact levels takes",
+               "one processor, once for a mesh; the tool of each scene",
+               "Make them at load.",
+               {"scene", "triangles", "pieces", "nodes", "levels", "s", "MB"},
+               {}};
+    std::vector<LevelScene> scenes = make_scenes(run);
+    const auto n_scenes = static_cast<double>(scenes.size());
+    double done = 0.0;
+    for (LevelScene& scene : scenes) {
+        run.progress(done / n_scenes, scene.name);
+        const Course course = make_course(std::move(scene));
+        made.rows.push_back(list_levels(course));
+        const double radius_m = course.levels.tool->size_m();
+        for (const double percent : run.pick<std::vector<double>>(
+                 {0.01, 0.03, 0.1, 0.3, 1.0, 2.5, 5.0, 10.0}, {0.1, 2.5})) {
+            tolerance.points.push_back(
+                measure_course(course, percent,
+                               play_scene(course.scene, course.levels,
+                                          {.tolerance_m = 0.01 * percent * radius_m})));
+        }
+        // It is what the others are held against.
+        tolerance.points.push_back(measure_course(course, 0.001, course.exact));
+        for (const double budget_us :
+             run.pick<std::vector<double>>({50.0, 100.0, 200.0, 500.0, 1000.0}, {100.0})) {
+            budget.points.push_back(
+                measure_course(course, budget_us,
+                               play_scene(course.scene, course.levels, {.budget_us = budget_us})));
+        }
+        done += 1.0;
+    }
+    tolerance.default_series = tolerance.points.front().series;
+    tolerance.default_knob = 2.5;
+    budget.default_series = budget.points.front().series;
+    budget.default_knob = run.pick(500.0, 100.0);
+    return {tolerance, budget, made};
+}
+
+const Registration kContactLevels{
+    {"contact-levels",
+     "contact levels of detail: tolerance and budget against force error and time",
+     run_contact_levels}};
+
+}  // namespace
+}  // namespace fulcrum::bench
