@@ -18,15 +18,15 @@ constexpr double kFallsAway =
     1.0e-8;  // what a surface may rise: a direction so far off is felt as friction
 constexpr double kRoundings = 4.0e-15;  // of lengths, in a direction between places a gap apart
 constexpr int kPairsPerContact = 8;
-constexpr double kFar = 4.0;             // what has gone from the front, in usual ways
-constexpr double kLongWay = 0.1;         // of the tool's reach
+constexpr double kFar = 4.0;            // what has gone from the front, in usual ways
+constexpr double kLongWay = 0.1;        // of the tool's reach
 constexpr std::size_t kMostNear = 384;  // pairs that are looked at for one way, at least
-constexpr std::size_t kMoreNear = 4;     // times what is in contact, at least
-constexpr int kCuts = 4;                 // of a way on which more come near
-constexpr double kShorter = 0.25;        // a cut
-constexpr double kLonger = 1.5;          // after one that was not too long
-constexpr double kBend = 0.125;          // the most that an arc lies off its chord, in w^2 r
-constexpr double kForgets = 0.9;         // of the usual way, a step
+constexpr std::size_t kMoreNear = 4;    // times what is in contact, at least
+constexpr int kCuts = 4;                // of a way on which more come near
+constexpr double kShorter = 0.25;       // a cut
+constexpr double kLonger = 1.5;         // after one that was not too long
+constexpr double kBend = 0.125;         // the most that an arc lies off its chord, in w^2 r
+constexpr double kForgets = 0.9;        // of the usual way, a step
 
 std::uint64_t mix(std::uint64_t hash, double value, double grid) noexcept {
     const double cell = value / grid;

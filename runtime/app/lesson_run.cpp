@@ -2,6 +2,7 @@
 
 #include "runtime/app/hand_fitting.h"
 #include "runtime/app/interrupt.h"
+#include "runtime/app/kept_feedback.h"
 #include "runtime/app/lesson_parts.h"
 #include "runtime/files/shape_cache.h"
 #include "runtime/lesson/compose_view.h"
@@ -58,7 +59,7 @@ Expected<std::unique_ptr<LessonRun>> LessonRun::create(const Places& places,
     if (!whole) {
         return tl::unexpected(whole.error());
     }
-    RunRequest settled = with_kept_fit(*whole, store);
+    RunRequest settled = with_kept_feedback(with_kept_fit(*whole, store), store);
     const auto built = run->load(places, settled)
                            .and_then([&] { return run->open_hand(places, settled); })
                            .and_then([&] { return run->open_more_hands(places, settled, store); })
@@ -216,8 +217,7 @@ Expected<void> LessonRun::build_session(const RunRequest& request, ProgressStore
         return tl::unexpected(learner.error());
     }
     const bool is_known = !request.learner.empty() && learner->nickname != kSimulatedPupil;
-    const auto own = is_known ? read_feedback(store, *learner) : dialogue::FeedbackLadder{};
-    choose_feedback(description, request.feedback.value_or(own));
+    choose_feedback(description, request.feedback.value_or(request.kept_feedback));
     choose_pupil(description, request);
     auto past = recall(store, *learner, description.wants_past);
     if (plan_.recogniser && plan_.hearing.takes_throat && plan_.hearing.throat == 0.0 && is_known) {

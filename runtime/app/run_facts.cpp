@@ -5,6 +5,7 @@
 #include "runtime/app/hand_device.h"
 #include "runtime/app/program_build.h"
 #include "runtime/evidence/record_words.h"
+#include "runtime/lesson/learner_feedback.h"
 #include "runtime/scene/plan_tool.h"
 #include "runtime/scene/shape_models.h"
 
@@ -91,6 +92,8 @@ void add_options(const FactSources& run, Facts& facts) {
     facts.add("option.day", run.plan.day);
     facts.add(kScaleFact, run.plan.haptic.workspace.scale / run.lesson.hand.scale);
     facts.add("option.device N", run.device_force_limit_N);
+    facts.add(kFeedbackFact,
+              feedback_text(run.request.feedback.value_or(run.request.kept_feedback)));
     facts.add("option.hearing", std::string(name_of(run.plan.speech)));
 }
 

@@ -170,6 +170,10 @@ Expected<RunRequest> with_record(RunRequest request) {
         double scale = 1.0;
         number(kScaleFact, scale);
         request.fit.scale = request.fit.scale.value_or(scale);
+        if (const auto text = find_fact(record.header, kFeedbackFact)) {
+            request.kept_feedback =
+                dialogue::read_ladder_text(*text).value_or(dialogue::FeedbackLadder{});
+        }
         // Who is not told otherwise repeats all hands.
         for (std::size_t i = request.more_hands.size(); i < record.more_hands.size(); ++i) {
             HandChoice repeated;

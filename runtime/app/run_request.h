@@ -38,7 +38,9 @@ struct RunRequest : HandChoice {
     bool seed_is_given = false;
     std::shared_ptr<const Record> replayed;  ///< replay: the record, once it is read
     std::optional<dialogue::FeedbackLadder>
-        feedback{};  ///< instead of what the lesson says; empty: as it says; none: the learner's own
+        feedback{};  ///< instead of what the lesson says; empty: as it says; none: what is kept
+    /// The learner's own, or that of the run that is repeated; empty: as the lesson says.
+    dialogue::FeedbackLadder kept_feedback{};
 };
 
 /// Whether any of its hands keeps its own time.
@@ -52,7 +54,10 @@ struct RunRequest : HandChoice {
                                       bool left_handed) noexcept;
 /// A record's fact: how far the hand went in the scene, times the lesson's own scale.
 inline constexpr const char* kScaleFact = "option.scale";
-/// Reads the record that is to be repeated, and takes over what belongs to its run and was not asked for otherwise: seed, day and the hand's scale.
+/// A record's fact: the ladder of feedback, or that it was the lesson's.
+inline constexpr const char* kFeedbackFact = "option.feedback";
+/// Reads the record that is to be repeated, and takes over what belongs to its run and was not asked for otherwise: seed, day, the hand's scale and
+/// the ladder of feedback.
 /// Other requests stay as they are.
 [[nodiscard]] Expected<RunRequest> with_record(RunRequest request);
 

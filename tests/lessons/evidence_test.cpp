@@ -80,6 +80,30 @@ TEST_CASE("evidence: a tool with force and torque repeats to the bit") {
     }));
 }
 
+TEST_CASE(
+    "evidence: a run is repeated with the ladder of feedback that it had, whoever repeats it") {
+    const Sandbox sandbox;
+    const auto ladder_of = [&](const std::string& arguments) {
+        const std::string command =
+            "run gravity --headless --seconds 2 --record b.rec " + arguments;
+        CAPTURE(command);
+        REQUIRE(sandbox.run(command).exit_code == 0);
+        return std::string(
+            find_fact(read_run(sandbox.path("b.rec")).header, "option.feedback").value_or("none"));
+    };
+    CHECK(ladder_of("") == "lesson");
+    CHECK(ladder_of("--learner Mina --feedback rule,recast") == "rule,recast");
+    CHECK(ladder_of("--learner Mina") == "rule,recast");  // kept
+    REQUIRE(
+        sandbox.run("run gravity --headless --seconds 2 --learner Mina --record a.rec").exit_code ==
+        0);
+    CHECK(ladder_of("--hand replay:a.rec") == "rule,recast");
+    CHECK(ladder_of("--hand replay:a.rec --feedback prompt") == "prompt");
+    // Neither does a learner's own come into a run that had the lesson's.
+    REQUIRE(sandbox.run("run gravity --headless --seconds 2 --record a.rec").exit_code == 0);
+    CHECK(ladder_of("--learner Mina --hand replay:a.rec") == "lesson");
+}
+
 TEST_CASE("evidence: a record says what the run was made with, and what happened in it") {
     const Sandbox sandbox;
     REQUIRE(

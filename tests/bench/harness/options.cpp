@@ -68,7 +68,7 @@ std::string bench_usage() {
   fulcrum bench [NAME…]      measures all benchmarks, or those named, and draws error against time
       --out DIR              where CSV, SVG and index.html are written (bench-results)
       --quick                a rough answer: fewer settings, fewer repetitions
-      --mesh FILE            an OBJ, GLB or glTF file of your own, for those that take one: snags, field-accuracy
+      --mesh FILE            an OBJ, GLB or glTF file of your own, for those that take one: snags, field-accuracy, god-object-step
       --tool FILE            another, for what touches it: field-accuracy
       --text FILE            a table of learners' sentences, for english
       --list                 what there is
