@@ -92,16 +92,17 @@ TEST_CASE(
             find_fact(read_run(sandbox.path("b.rec")).header, "option.feedback").value_or("none"));
     };
     CHECK(ladder_of("") == "lesson");
-    CHECK(ladder_of("--learner Mina --feedback rule,recast") == "rule,recast");
-    CHECK(ladder_of("--learner Mina") == "rule,recast");  // kept
-    REQUIRE(
-        sandbox.run("run gravity --headless --seconds 2 --learner Mina --record a.rec").exit_code ==
-        0);
+    sandbox.write("say.txt", "the apple\n");
+    const std::string mina = "--learner Mina --say say.txt";
+    CHECK(ladder_of(mina + " --feedback rule,recast") == "rule,recast");
+    CHECK(ladder_of(mina) == "rule,recast");  // kept
+    REQUIRE(sandbox.run("run gravity --headless --seconds 2 --record a.rec " + mina).exit_code ==
+            0);
     CHECK(ladder_of("--hand replay:a.rec") == "rule,recast");
     CHECK(ladder_of("--hand replay:a.rec --feedback prompt") == "prompt");
     // Neither does a learner's own come into a run that had the lesson's.
     REQUIRE(sandbox.run("run gravity --headless --seconds 2 --record a.rec").exit_code == 0);
-    CHECK(ladder_of("--learner Mina --hand replay:a.rec") == "lesson");
+    CHECK(ladder_of(mina + " --hand replay:a.rec") == "lesson");
 }
 
 TEST_CASE("evidence: a record says what the run was made with, and what happened in it") {
