@@ -298,6 +298,7 @@ std::vector<std::vector<std::int32_t>> ContactLevelsBuilder::collect_triangles()
     return triangles;
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the tree
 void ContactLevelsBuilder::put(ContactLevels& levels, std::int32_t draft, std::size_t place) {
     const auto count = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
     LevelDraft& one = drafts_[static_cast<std::size_t>(draft)];

@@ -124,7 +124,7 @@ class PieceFlood {
         add_to_shape(triangle);
     }
 
-    bool may_take(std::int32_t triangle) const {
+    [[nodiscard]] bool may_take(std::int32_t triangle) const {
         const PieceTriangle places = places_at(triangle);
         const PiecePlane plane = PiecePlane::of(places);
         if (!pieces_.has_inside && plane.normal.dot(shape_.planes.front().normal) <= 0.0) {

@@ -35,6 +35,9 @@ class BlendedSimplex {
             default:
                 reduce_tetrahedron();
         }
+        return blend();
+    }
+    [[nodiscard]] Vector3 blend() const noexcept {
         Vector3 nearest = Vector3::Zero();
         for (std::size_t i = 0; i < count_; ++i) {
             nearest += corners_[i].weight * corners_[i].way;
@@ -142,7 +145,8 @@ class BlendedSimplex {
                 triangle.corners_[i] = corners_[face[i]];
             }
             triangle.count_ = 3;
-            const double here = triangle.reduce().squaredNorm();
+            triangle.reduce_triangle();
+            const double here = triangle.blend().squaredNorm();
             if (here < least) {
                 least = here;
                 best = triangle;

@@ -70,15 +70,22 @@ std::int32_t LevelPairs::make_pair(std::int32_t object, std::int32_t tool) noexc
 }
 
 void LevelPairs::free_children(std::int32_t at) noexcept {
-    for (std::int32_t child = pair(at).first_child; child != kNone;) {
-        free_children(child);
-        const std::int32_t next = pair(child).next;
+    std::int32_t waiting = pair(at).first_child;
+    pair(at).first_child = kNone;
+    while (waiting != kNone) {
+        const std::int32_t child = waiting;
+        waiting = pair(child).next;
+        // Its own before those that wait.
+        for (std::int32_t below = pair(child).first_child; below != kNone;) {
+            const std::int32_t next = pair(below).next;
+            pair(below).next = waiting;
+            waiting = below;
+            below = next;
+        }
         pair(child).next = free_;
         free_ = child;
         --n_kept_;
-        child = next;
     }
-    pair(at).first_child = kNone;
 }
 
 // s* = max(phi) / max(D)

@@ -17,9 +17,9 @@ struct PiecesNear {
     HullView tool_hull;
     const Matrix3& turn;
     const Vector3& shift;
-    double within_m;
-    double rise_m;  ///< how far what they stand for stands out of both
-    double spread_m;
+    double within_m = 0.0;
+    double rise_m = 0.0;  ///< how far what they stand for stands out of both
+    double spread_m = 0.0;
 };
 
 struct PairPoint {

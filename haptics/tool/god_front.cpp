@@ -3,7 +3,6 @@
 #include "haptics/math/rotation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,7 +16,7 @@ constexpr std::size_t kBlock = 32;      // places
 constexpr std::size_t kTidied = 256;    // places of two, each time, and parents
 constexpr std::size_t kTried = 16;
 // Two trees of 2^31 triangles, a pair waiting at each step down.
-constexpr std::size_t kDeep = 512;
+constexpr int kDeep = 512;
 
 double find_highest_m(const Triangle& corners, const Vector3& along) noexcept {
     return std::max({along.dot(corners[0]), along.dot(corners[1]), along.dot(corners[2])});
@@ -82,13 +81,15 @@ GodFront::GodFront(const SweptMesh& object, const SweptMesh& tool, int most_pair
       block_due_(pairs_.size() / kBlock + 1, kNever),
       free_(most_pairs),
       used_up_(2 * most_pairs),
-      near_(2 * most_pairs) {
+      near_(2 * most_pairs),
+      waiting_(kDeep) {
     forget();
 }
 
 std::size_t GodFront::memory_bytes() const noexcept {
     return pairs_.size() * (sizeof(Pair) + sizeof(double)) + block_due_.size() * sizeof(double) +
-           (free_.capacity() + used_up_.capacity() + near_.capacity()) * sizeof(std::int32_t);
+           (free_.capacity() + used_up_.capacity() + near_.capacity() + waiting_.capacity()) *
+               sizeof(std::int32_t);
 }
 
 std::size_t GodFront::size() const noexcept {
@@ -234,11 +235,10 @@ bool GodFront::split(std::int32_t i, const GodPlace& place) noexcept {
 
 GodLook GodFront::look_at(std::int32_t top, const GodPlace& place, double reach_m,
                           std::size_t most) noexcept {
-    std::array<std::int32_t, kDeep> waiting;
-    std::size_t n_waiting = 0;
-    waiting[n_waiting++] = top;
-    while (n_waiting > 0) {
-        const std::int32_t i = waiting[--n_waiting];
+    waiting_.clear();
+    (void)waiting_.add(top);
+    while (waiting_.count() > 0) {
+        const std::int32_t i = waiting_.take_last();
         Pair& pair = at(i);
         double apart_m = find_apart_m(pair, place);
         if (apart_m <= reach_m && pair.is_triangles) {
@@ -246,11 +246,11 @@ GodLook GodFront::look_at(std::int32_t top, const GodPlace& place, double reach_
         } else if (apart_m <= reach_m) {
             apart_m = turn_boxes(pair, place);
             if (apart_m <= reach_m) {
-                if (n_waiting + 2 > kDeep || !split(i, place)) {
+                if (waiting_.count() + 2 > waiting_.capacity() || !split(i, place)) {
                     return GodLook::no_room;
                 }
-                waiting[n_waiting++] = pair.first_child + 1;
-                waiting[n_waiting++] = pair.first_child;
+                (void)waiting_.add(pair.first_child + 1);
+                (void)waiting_.add(pair.first_child);
                 continue;
             }
         }

@@ -122,8 +122,9 @@ class GodFront {
     BoundedList<std::int32_t> free_;  // places of two
     BoundedList<std::int32_t> used_up_;
     BoundedList<std::int32_t> near_;
-    std::size_t end_ = 0;     // beyond it no place was ever used
-    std::size_t tidied_ = 0;  // up to there, this time round
+    BoundedList<std::int32_t> waiting_;  // on the way down
+    std::size_t end_ = 0;                // beyond it no place was ever used
+    std::size_t tidied_ = 0;             // up to there, this time round
     double way_m_ = 0.0;
     Pose at_OT_{};
 };
