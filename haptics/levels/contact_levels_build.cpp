@@ -186,6 +186,7 @@ void ContactLevelsBuilder::measure_deviation(std::int32_t piece, LevelDraft& dra
 }
 
 // Half after half across the longest side of their middles.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the tree
 std::int32_t ContactLevelsBuilder::join_span(std::span<std::int32_t> drafts) {
     if (drafts.size() == 1) {
         return drafts.front();
@@ -249,6 +250,7 @@ bool ContactLevelsBuilder::join_by_place() {
     return true;
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the tree
 void ContactLevelsBuilder::gather_corners(const LevelDraft& draft,
                                           std::vector<Vector3>& corners) const {
     if (draft.piece >= 0) {
