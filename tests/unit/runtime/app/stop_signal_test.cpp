@@ -19,8 +19,13 @@ using namespace fulcrum::runtime;
 
 namespace {
 
-// At most 15 letters are kept.
-constexpr const char* kTestName = "fulcrum-tried";
+// Read before any process is started, so that the others have it too.
+const pid_t kTestProcess = ::getpid();
+
+// Of this process and those it starts alone: other cases may run beside it. At most 15 letters are kept.
+std::string test_name() {
+    return "tried-" + std::to_string(kTestProcess);
+}
 constexpr uid_t kNobody = 65534;
 
 constexpr std::chrono::seconds kPatience{10};
@@ -29,7 +34,7 @@ enum class Kind : std::uint8_t { usual, hangs, closed, of_another };
 
 // Another process that can be stopped: it ends with 0 once its switch is pressed, with 1 if nobody does, with 2 after more signals than one.
 int run_stoppable(int told, Kind kind) {
-    watch_for_stop_signal(kTestName);
+    watch_for_stop_signal(test_name().c_str());
     static StopSwitch target;
     set_stop_target(&target);
     // Nobody may look into it: the system then says that its folder is root's.
@@ -92,7 +97,7 @@ class Other {
 };
 
 std::size_t stop_all() {
-    const auto stopped = stop_all_hands(kTestName);
+    const auto stopped = stop_all_hands(test_name().c_str());
     REQUIRE(stopped);
     return *stopped;
 }
@@ -147,7 +152,7 @@ TEST_CASE("stop signal: root stops everybody's, others their own alone") {
     const pid_t stopper = ::fork();
     if (stopper == 0) {
         const bool is_nobody = ::setuid(kNobody) == 0;
-        const auto stopped = stop_all_hands(kTestName);
+        const auto stopped = stop_all_hands(test_name().c_str());
         ::_exit(is_nobody && stopped && *stopped == 1 ? 0 : 1);
     }
     int status = 0;
@@ -163,7 +168,7 @@ TEST_CASE("stop signal: root stops everybody's, others their own alone") {
 TEST_CASE("stop signal: none is lost between two targets, and none presses one that is gone") {
     const pid_t child = ::fork();
     if (child == 0) {
-        watch_for_stop_signal(kTestName);
+        watch_for_stop_signal(test_name().c_str());
         constexpr unsigned kStops = 2000;
         // Signals come to one thread while the other changes what they press.
         std::atomic<bool> ended{false};
@@ -193,7 +198,7 @@ TEST_CASE("stop signal: none is lost between two targets, and none presses one t
 TEST_CASE("stop signal: one that comes while nothing can be stopped stops what comes next") {
     const pid_t child = ::fork();
     if (child == 0) {
-        watch_for_stop_signal(kTestName);
+        watch_for_stop_signal(test_name().c_str());
         (void)::raise(SIGUSR1);
         StopSwitch next;
         set_stop_target(&next);
