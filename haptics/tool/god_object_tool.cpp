@@ -236,12 +236,7 @@ void GodObjectTool::advance(const Vector6& way, double share) noexcept {
 }
 
 bool GodObjectTool::have_arrived() const noexcept {
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        if (!is_same(objects_W_[i], goals_W_[i])) {
-            return false;
-        }
-    }
-    return true;
+    return std::ranges::equal(objects_W_, goals_W_, is_same);
 }
 
 // Stopped at once by what it did not know of, it would turn from one such contact to the next and back: so they are looked for ever farther, as
@@ -261,7 +256,7 @@ void GodObjectTool::look_farther(double way_m, double share, bool recovers) noex
 bool GodObjectTool::slide_once(const Pose& wanted_W, std::span<const MovingFrame> objects,
                                bool recovers, double& longest_m) noexcept {
     set_goals(objects);
-    const Vector6 way = find_allowed(recovers ? pose_W_ : wanted_W);
+    Vector6 way = find_allowed(recovers ? pose_W_ : wanted_W);
     const double way_m = way.head<3>().norm() + reach_m_ * way.tail<3>().norm();
     const double none_m =
         step_.rounds == 0 ? settings_.gap_m * kSettledShare : longest_m * kSettlesNext;
@@ -270,9 +265,15 @@ bool GodObjectTool::slide_once(const Pose& wanted_W, std::span<const MovingFrame
         return recovers;
     }
     longest_m = std::max(longest_m, recovers ? 0.0 : way_m);
-    const double share = find_free_share(way);
+    double share = find_free_share(way);
     if (recovers && !(share > 0.0)) {
-        return true;
+        // So near any way on which an object goes too may touch at once: it waits.
+        std::ranges::copy(objects_W_, goals_W_.begin());
+        way = find_allowed(pose_W_);
+        share = find_free_share(way);
+        if (!(share > 0.0)) {
+            return true;
+        }
     }
     if (!(share > 0.0) ||
         (share < kNoProgress && share * way_m < kSettledShare * settings_.gap_m)) {

@@ -68,6 +68,31 @@ inline bool do_cross(const TriangleMesh& object, const Pose& object_W, const Tri
     return false;
 }
 
+/// A tool among objects, led step by step.
+struct GodScene {
+    TriangleMesh tool;
+    std::vector<TriangleMesh> objects;
+    GodObjectTool god;
+    std::vector<MovingFrame> frames;  ///< of the objects
+
+    GodScene(TriangleMesh tool_mesh, std::vector<TriangleMesh> object_meshes,
+             const GodObjectSettings& settings)
+        : tool(std::move(tool_mesh)),
+          objects(std::move(object_meshes)),
+          god(make_god_tool(tool, objects, settings)),
+          frames(objects.size()) {}
+    ToolFelt step(const Pose& handle) { return god.move({handle, {}}, frames, 0.0, kGodDt_s); }
+    /// Anywhere, where the objects were said to be, or where they wait.
+    [[nodiscard]] bool is_inside() const {
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            if (test::do_cross(objects[i], god.object_W(i), tool, god.pose_W())) {
+                return true;
+            }
+        }
+        return false;
+    }
+};
+
 /// A block along z with a hole along z, round with n sides that touch a circle of `hole_m`; 8 n triangles.
 inline TriangleMesh make_block_with_hole(int n, double hole_m, double outside_m, double height_m) {
     std::vector<Vector3> vertices;
