@@ -127,7 +127,7 @@ struct HapticPlan {
     bool expects_world = false;     ///< a world loop runs and must stay fresh
     ProxySettings proxy{};          ///< what touches them
     std::vector<SolidPlan> solids;  ///< at most kMaxSolids; empty means no proxy stage
-    /// Touches them instead of a proxy, where it is there; it feels their shape alone.
+    /// Touches them instead of a proxy, where it is there; it feels their shape, and of their materials what its method does.
     std::shared_ptr<const ToolPlan> tool;
     std::vector<AxlePlan> axles;        ///< of solids that turn, at most one each
     std::vector<RigidSolidPlan> rigid;  ///< solids that a world of rigid bodies moves, each once

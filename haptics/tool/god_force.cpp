@@ -26,27 +26,44 @@ Pose go_along(const Pose& from_W, const Vector6& way) noexcept {
 
 GodForce::GodForce(const GodForceSettings& settings, std::size_t max_contacts)
     : settings_(settings),
-      max_contacts_(max_contacts),
-      solver_(max_contacts),
+      solver_(settings.has_friction ? 0 : max_contacts),
+      dragging_(settings.has_friction ? max_contacts : 0),
+      normals_W_(settings.has_friction ? 0 : max_contacts),
       scale_(settings.stiffness_N_per_m / (settings.step_share * settings.inertia.mass_kg)) {}
 
 void GodForce::begin(const Pose& tool_W) noexcept {
     tool_W_ = tool_W;
-    solver_.set_inertia(settings_.inertia.mass_kg,
-                        compute_inertia_W(settings_.inertia, tool_W.orientation));
+    const Matrix3 inertia_W = compute_inertia_W(settings_.inertia, tool_W.orientation);
+    if (settings_.has_friction) {
+        dragging_.set_inertia(settings_.inertia.mass_kg, inertia_W);
+        dragging_.clear();
+        return;
+    }
+    solver_.set_inertia(settings_.inertia.mass_kg, inertia_W);
     solver_.clear();
 }
 
-bool GodForce::add(const Vector3& arm_W, const Vector3& normal_W, double least_m) noexcept {
-    return solver_.add(arm_W, normal_W, least_m);
+bool GodForce::add(const Vector3& arm_W, const Vector3& normal_W, double least_m,
+                   double friction) noexcept {
+    if (settings_.has_friction) {
+        return dragging_.add(arm_W, normal_W, least_m, friction);
+    }
+    const std::size_t k = solver_.size();
+    if (!solver_.add(arm_W, normal_W, least_m)) {
+        return false;
+    }
+    normals_W_[k] = normal_W;
+    return true;
 }
 
 Wrench GodForce::compute_held(const Pose& wanted_W) noexcept {
     presses_ = false;
-    if (solver_.size() == 0) {
+    if (size() == 0) {
         return {};
     }
-    const LeastConstraint& held = solver_.solve(settings_.step_share * find_way(tool_W_, wanted_W));
+    const Vector6 wanted = settings_.step_share * find_way(tool_W_, wanted_W);
+    const LeastConstraint& held =
+        settings_.has_friction ? dragging_.solve(wanted) : solver_.solve(wanted);
     presses_ = held.acting > 0;
     return {scale_ * held.force.head<3>(), scale_ * held.force.tail<3>()};
 }
@@ -69,8 +86,12 @@ Wrench GodForce::compute(const Pose& wanted_W) noexcept {
     return felt;
 }
 
-double GodForce::force_N(std::size_t k) const noexcept {
-    return presses_ ? scale_ * solver_.force_N(k) : 0.0;
+Vector3 GodForce::force_W(std::size_t k) const noexcept {
+    if (!presses_) {
+        return Vector3::Zero();
+    }
+    return settings_.has_friction ? Vector3(scale_ * dragging_.force_W(k))
+                                  : Vector3(scale_ * solver_.force_N(k) * normals_W_[k]);
 }
 
 void GodForce::blend(const Wrench& before, const Pose& wanted_W, double dt_s) noexcept {

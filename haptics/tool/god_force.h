@@ -3,7 +3,7 @@
 //   a_u = k_s (x_h - x_s)                       where the handle would have the tool, against where it is: shift and rotation vector
 //   a_c = nearest to a_u that the contacts allow                               (least_constraint.h)
 //   F   = k_h M (a_c - a_u) + e                 on the hand, about the centre of mass; k_h = K / (k_s m), K the coupling's stiffness
-// So against a wall F = K depth, along it 0, and 0 without contacts: a tool that is free is not felt, whatever its mass. A turn
+// With friction a_c is that of friction_constraint.h, and a wall holds along itself with up to mu K depth. Without it, against a wall F = K depth, along it 0, and 0 without contacts: a tool that is free is not felt, whatever its mass. A turn
 // is answered by K I / m, I the tool's inertia.
 // A new set of contacts makes another force of the same handle. That difference is not felt at once: e takes it, so that F goes on where
 // it was, and fades by exp(-dt / fade). What the handle's own motion changes is never delayed. Where no contact presses e is 0.
@@ -14,6 +14,7 @@
 // begin without force, here the force is, so that a contact may take the place of another.
 #pragma once
 
+#include "haptics/constraint/friction_constraint.h"
 #include "haptics/constraint/least_constraint.h"
 #include "haptics/dynamics/rigid_state.h"
 #include "haptics/math/rotation.h"
@@ -26,6 +27,7 @@ struct GodForceSettings {
     double stiffness_N_per_m = 500.0;  ///< K
     double step_share = 0.5;           ///< k_s
     double fade_s = 0.03;              ///< of what a new set of contacts changes; 0: at once
+    bool has_friction = false;         ///< contacts may hold along themselves too
 };
 
 /// The shift and the rotation vector, world frame, that lead from one pose of a body to another.
@@ -39,27 +41,32 @@ class GodForce {
 
     /// The tool is here, and no contact holds it until one is added.
     void begin(const Pose& tool_W) noexcept;
-    /// As LeastConstraintSolver::add: the tool may still go `-least_m` against the normal.
-    bool add(const Vector3& arm_W, const Vector3& normal_W, double least_m) noexcept;
-    [[nodiscard]] std::size_t size() const noexcept { return solver_.size(); }
+    /// As LeastConstraintSolver::add: the tool may still go `-least_m` against the normal. `friction` is its coefficient, 0 unless there is any.
+    bool add(const Vector3& arm_W, const Vector3& normal_W, double least_m,
+             double friction = 0.0) noexcept;
+    [[nodiscard]] std::size_t size() const noexcept {
+        return settings_.has_friction ? dragging_.size() : solver_.size();
+    }
 
     /// On the hand, where it would hold the tool at `wanted_W`; N, and N m about the tool's centre of mass.
     [[nodiscard]] Wrench compute(const Pose& wanted_W) noexcept;
-    /// Newtons along the normal of the k-th contact, in the last `compute`; without e.
-    [[nodiscard]] double force_N(std::size_t k) const noexcept;
+    /// Newtons by the k-th contact, in the last `compute`; without e.
+    [[nodiscard]] Vector3 force_W(std::size_t k) const noexcept;
     /// From now on goes on from `before`, the force of the set before for the same handle.
     void blend(const Wrench& before, const Pose& wanted_W, double dt_s) noexcept;
     void forget_blend() noexcept { blended_ = {}; }
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
-        return max_contacts_ * (sizeof(Vector6) + 2 * sizeof(double));
+        return normals_W_.capacity() * (sizeof(Vector3) + sizeof(Vector6) + 2 * sizeof(double)) +
+               dragging_.memory_bytes();
     }
 
   private:
     [[nodiscard]] Wrench compute_held(const Pose& wanted_W) noexcept;
 
     GodForceSettings settings_;
-    std::size_t max_contacts_;
     LeastConstraintSolver solver_;
+    FrictionConstraintSolver dragging_;  // in its place, where there is friction
+    std::vector<Vector3> normals_W_;     // without friction
     Pose tool_W_{};
     // e, and the contacts' force when it was made.
     struct Blended {

@@ -11,9 +11,6 @@ namespace fulcrum {
 namespace {
 
 constexpr double kContactGaps = 4.0;  // what is within so many gaps at rest is a contact, at least
-constexpr double kPressGaps = 2.0;    // what is within so many may press
-constexpr double kPressRise =
-    0.05;  // likewise; of a gap: what rounding and the last round leave of a flat contact
 constexpr double kWidens =
     4.0;  // how far contacts are looked for, when the tool was stopped by another
 constexpr double kStuckShare = 0.1;  // of its way, that is
@@ -43,11 +40,6 @@ bool is_same(const Pose& a, const Pose& b) noexcept {
 
 Pose seen_from(const Pose& object_W, const Pose& tool_W) noexcept {
     return object_W.inverse() * tool_W;
-}
-
-bool may_press(const GodContact& contact, const GodObjectSettings& settings) noexcept {
-    return contact.gap_m <= kPressGaps * settings.gap_m &&
-           contact.rise_m <= kPressRise * settings.gap_m;
 }
 
 }  // namespace
@@ -112,6 +104,7 @@ bool GodObjectTool::begin(std::span<const MovingFrame> objects) noexcept {
         objects_W_[i] = objects[i].pose_W;
     }
     is_begun_ = true;
+    forget_slips();
     within_m_ = kContactGaps * settings_.gap_m;
     collect();
     return true;
@@ -141,22 +134,29 @@ void GodObjectTool::collect_within() noexcept {
 
 const LeastConstraint& GodObjectTool::solve(const Vector6& wanted, bool pushes) noexcept {
     solver_.clear();
+    dragging_.clear();
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
         const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
         const bool moves = !is_same(objects_W_[i], goals_W_[i]);
         for (const GodContact& contact : pairs_[i].contacts()) {
             const Vector3 normal_W = R_WO * contact.normal_O;
             double least_m = settings_.gap_m - contact.gap_m;
+            Vector3 carried_W = Vector3::Zero();
             if (moves) {
-                least_m += normal_W.dot(goals_W_[i] * contact.on_object_O -
-                                        objects_W_[i] * contact.on_object_O);
+                carried_W = goals_W_[i] * contact.on_object_O - objects_W_[i] * contact.on_object_O;
+                least_m += normal_W.dot(carried_W);
             }
             const Vector3 arm_W =
                 R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position;
-            solver_.add(arm_W, normal_W, pushes ? least_m : std::min(least_m, 0.0));
+            least_m = pushes ? least_m : std::min(least_m, 0.0);
+            if (has_friction_) {
+                dragging_.add(arm_W, normal_W, least_m, find_friction(i, contact), carried_W);
+            } else {
+                solver_.add(arm_W, normal_W, least_m);
+            }
         }
     }
-    return solver_.solve(wanted);
+    return has_friction_ ? dragging_.solve(wanted) : solver_.solve(wanted);
 }
 
 Vector6 GodObjectTool::find_allowed(const Pose& wanted_W) noexcept {
@@ -164,8 +164,12 @@ Vector6 GodObjectTool::find_allowed(const Pose& wanted_W) noexcept {
     if (step_.contacts == 0) {
         return wanted;
     }
-    solver_.set_inertia(settings_.inertia.mass_kg,
-                        compute_inertia_W(settings_.inertia, pose_W_.orientation));
+    const Matrix3 inertia_W = compute_inertia_W(settings_.inertia, pose_W_.orientation);
+    if (has_friction_) {
+        dragging_.set_inertia(settings_.inertia.mass_kg, inertia_W);
+    } else {
+        solver_.set_inertia(settings_.inertia.mass_kg, inertia_W);
+    }
     const LeastConstraint& allowed = solve(wanted, true);
     return allowed.exact ? allowed.acceleration : solve(wanted, false).acceleration;
 }
@@ -313,58 +317,6 @@ void GodObjectTool::slide(const Pose& wanted_W, std::span<const MovingFrame> obj
     }
 }
 
-Wrench GodObjectTool::about_grip(const Wrench& about_centre, const Pose& handle_W) const noexcept {
-    // The hand holds the tool stiffly where it would have it: the force acts there.
-    const Vector3 arm_W = find_held_W(handle_W).position - handle_W.position;
-    return {about_centre.force, about_centre.torque + arm_W.cross(about_centre.force)};
-}
-
-void GodObjectTool::tell_force() noexcept {
-    force_.begin(pose_W_);
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
-        for (const GodContact& contact : pairs_[i].contacts()) {
-            if (!may_press(contact, settings_)) {
-                continue;
-            }
-            const Vector3 arm_W =
-                R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position;
-            force_.add(arm_W, R_WO * contact.normal_O,
-                       std::min(settings_.gap_m - contact.gap_m, 0.0));
-        }
-    }
-}
-
-void GodObjectTool::tell_touches() noexcept {
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        const Matrix3 R_WO = objects_W_[i].orientation.toRotationMatrix();
-        touches_[i] = {};
-        for (const GodContact& contact : pairs_[i].contacts()) {
-            const double force_N = may_press(contact, settings_) ? force_.force_N(k++) : 0.0;
-            if (force_N > 0.0) {
-                const Vector3 force_W = force_N * (R_WO * contact.normal_O);
-                add_point_force(
-                    R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position, force_W,
-                    touches_[i].wrench_W);
-                touches_[i].touches = true;
-            }
-        }
-    }
-}
-
-Wrench GodObjectTool::force(const Pose& handle_W) noexcept {
-    if (!is_begun_ || !is_finite(handle_W)) {
-        return {};
-    }
-    Wrench felt = force_.compute(find_held_W(handle_W));
-    const ToolCouplingSettings& coupling = settings_.coupling;
-    felt.force = limit_length(felt.force, coupling.shift.stiffness_N_per_m * coupling.clamp_m);
-    felt.torque =
-        limit_length(felt.torque, coupling.turn.stiffness_Nm_per_rad * coupling.clamp_rad);
-    return about_grip(felt, handle_W);
-}
-
 ToolFelt GodObjectTool::move(const MovingFrame& handle, std::span<const MovingFrame> objects,
                              double /*now_s*/, double dt_s) noexcept {
     ToolFelt felt;
@@ -378,6 +330,7 @@ ToolFelt GodObjectTool::move(const MovingFrame& handle, std::span<const MovingFr
     // As far as it may go.
     const Pose wanted_W = go_along(pose_W_, settings_.step_share * find_way(pose_W_, held_W));
     slide(wanted_W, objects);
+    note_slips();
     // What the contacts there are felt like.
     tell_force();
     force_.blend(before, held_W, dt_s);

@@ -7,6 +7,8 @@
 //   4  again from 2 with what is left of u, until nothing moves, or by less than a fiftieth of what a round of the step has gone; what is
 //      left then, or after `most_rounds`, goes on in the next step. It is way that is free to go, so nothing of it is felt
 //   5  felt       by the contacts there (god_force.h)
+// With friction, where an object has it, 2 is friction_constraint.h: contacts hold along themselves by up to mu of what they push, and slip against
+// it beyond; by the static coefficient where the tool did not slip in the step before, by a thousandth of the gap at rest, else by the dynamic one.
 // g_k is a contact's gap and delta the gap at which tools rest, a micrometre. Contacts within 4 delta are told, farther ones where the tool was
 // stopped by what it did not know of: those that are farther than delta away let the tool go as far, those that are nearer push it back, where all can; so it rests at delta itself, however it came there.
 // Objects that move go on their way during the same rounds, each pair of meshes on the in-between motion of one as seen from the other,
@@ -25,6 +27,8 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/constraint/friction_constraint.h"
+#include "haptics/surface/friction.h"
 #include "haptics/tool/god_force.h"
 #include "haptics/tool/god_pair.h"
 #include "haptics/tool/tool_solver.h"
@@ -60,6 +64,7 @@ struct GodObjectSettings {
 struct GodObjectPlan {
     std::shared_ptr<const GodSurface> object;
     std::shared_ptr<const GodSurface> tool;  ///< about its centre of mass, along its principal axes
+    FrictionSettings friction{};             ///< between them; without a viscous part
 };
 
 /// What one step did.
@@ -125,6 +130,9 @@ class GodObjectTool final : public ToolSolver {
     void look_farther(double way_m, double share, bool recovers) noexcept;
     void tell_force() noexcept;
     void tell_touches() noexcept;
+    [[nodiscard]] double find_friction(std::size_t i, const GodContact& contact) const noexcept;
+    void note_slips() noexcept;
+    void forget_slips() noexcept;
     [[nodiscard]] Wrench about_grip(const Wrench& about_centre,
                                     const Pose& handle_W) const noexcept;
 
@@ -133,7 +141,15 @@ class GodObjectTool final : public ToolSolver {
     std::vector<Pose> objects_W_;
     std::vector<Pose> goals_W_;  // of this round
     std::vector<ToolTouch> touches_;
+    // Where the tool was over an object before the last step and after it.
+    struct Slip {
+        Pose from_OT{}, to_OT{};
+    };
+    bool has_friction_;
+    std::vector<FrictionSettings> frictions_;  // of objects
+    std::vector<Slip> slips_;
     LeastConstraintSolver solver_;
+    FrictionConstraintSolver dragging_;  // in its place, where there is friction
     GodForce force_;
     Pose pose_W_{};
     double reach_m_ = 0.0;   // of the tool

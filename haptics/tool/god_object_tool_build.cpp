@@ -20,11 +20,18 @@ std::size_t find_capacity(const std::vector<GodObjectPlan>& plans,
     return plans.size() * static_cast<std::size_t>(settings.most_contacts);
 }
 
-GodForceSettings make_force_settings(const GodObjectSettings& settings) {
+bool has_friction(const std::vector<GodObjectPlan>& plans) {
+    return std::ranges::any_of(plans,
+                               [](const GodObjectPlan& plan) { return plan.friction.any(); });
+}
+
+GodForceSettings make_force_settings(const std::vector<GodObjectPlan>& plans,
+                                     const GodObjectSettings& settings) {
     return {.inertia = settings.inertia,
             .stiffness_N_per_m = settings.coupling.shift.stiffness_N_per_m,
             .step_share = settings.step_share,
-            .fade_s = settings.fade_s};
+            .fade_s = settings.fade_s,
+            .has_friction = has_friction(plans)};
 }
 
 }  // namespace
@@ -57,11 +64,16 @@ GodObjectTool::GodObjectTool(const std::vector<GodObjectPlan>& plans,
       objects_W_(plans.size()),
       goals_W_(plans.size()),
       touches_(plans.size()),
-      solver_(find_capacity(plans, settings)),
-      force_(make_force_settings(settings), find_capacity(plans, settings)) {
+      has_friction_(has_friction(plans)),
+      slips_(plans.size()),
+      solver_(has_friction_ ? 0 : find_capacity(plans, settings)),
+      dragging_(has_friction_ ? find_capacity(plans, settings) : 0),
+      force_(make_force_settings(plans, settings), find_capacity(plans, settings)) {
     settings_.handle_turn.normalize();
     pairs_.reserve(plans.size());
+    frictions_.reserve(plans.size());
     for (const GodObjectPlan& plan : plans) {
+        frictions_.push_back(plan.friction);
         pairs_.emplace_back(plan.object, plan.tool, settings.most_contacts);
         reach_m_ = std::max(reach_m_, plan.tool->swept().reach_m());
     }
@@ -84,16 +96,27 @@ Expected<GodObjectTool> GodObjectTool::build(const std::vector<GodObjectPlan>& p
         return fail("a mesh of the tool or of an object is missing", {},
                     "give every object its mesh and the tool's");
     }
+    for (const GodObjectPlan& plan : plans) {
+        if (const auto checked = validate(plan.friction); !checked) {
+            return tl::unexpected(checked.error());
+        }
+        if (plan.friction.viscous_Ns_per_m > 0.0) {
+            return fail("a tool of triangles does not feel viscous friction", {},
+                        "leave the viscous part out");
+        }
+    }
     return GodObjectTool(plans, settings);
 }
 
 std::size_t GodObjectTool::memory_bytes() const noexcept {
     constexpr std::size_t kPerRow = sizeof(Vector6) + 2 * sizeof(double);
     std::size_t bytes = sizeof(*this) + 2 * objects_W_.capacity() * sizeof(Pose) +
-                        touches_.capacity() * sizeof(ToolTouch) + force_.memory_bytes();
+                        touches_.capacity() * sizeof(ToolTouch) + force_.memory_bytes() +
+                        slips_.capacity() * sizeof(Slip) +
+                        frictions_.capacity() * sizeof(FrictionSettings) + dragging_.memory_bytes();
     for (const GodPair& pair : pairs_) {
         bytes += sizeof(GodPair) + pair.memory_bytes() + pair.object().memory_bytes() +
-                 static_cast<std::size_t>(settings_.most_contacts) * kPerRow;
+                 (has_friction_ ? 0 : static_cast<std::size_t>(settings_.most_contacts) * kPerRow);
     }
     return bytes + (pairs_.empty() ? 0 : pairs_.front().tool().memory_bytes());
 }

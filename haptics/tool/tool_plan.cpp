@@ -89,11 +89,13 @@ Expected<ToolPlan> make_field_tool_plan(const ToolOrder& order,
 }
 
 ToolPlan make_god_object_plan(const ToolOrder& order, const std::shared_ptr<const GodSurface>& tool,
-                              const std::vector<std::shared_ptr<const GodSurface>>& objects) {
+                              const std::vector<std::shared_ptr<const GodSurface>>& objects,
+                              const std::vector<FrictionSettings>& frictions) {
     std::vector<GodObjectPlan> plans;
     plans.reserve(objects.size());
     for (const std::shared_ptr<const GodSurface>& object : objects) {
-        plans.push_back({object, tool});
+        const std::size_t i = plans.size();
+        plans.push_back({object, tool, i < frictions.size() ? frictions[i] : FrictionSettings{}});
     }
     return {std::move(plans), make_clamped(order)};
 }

@@ -71,10 +71,11 @@ struct ToolOrder {
 [[nodiscard]] Expected<ToolPlan> make_penalty_tool_plan(
     const ToolOrder& order, const std::vector<FieldSampler::Field>& fields);
 
-/// The tool's mesh, about its centre of mass, along its principal axes, among meshes.
+/// The tool's mesh, about its centre of mass, along its principal axes, among meshes; `frictions` one an object, or none.
 [[nodiscard]] ToolPlan make_god_object_plan(
     const ToolOrder& order, const std::shared_ptr<const GodSurface>& tool,
-    const std::vector<std::shared_ptr<const GodSurface>>& objects);
+    const std::vector<std::shared_ptr<const GodSurface>>& objects,
+    const std::vector<FrictionSettings>& frictions = {});
 /// Of such a plan: what its tool is built with.
 [[nodiscard]] GodObjectSettings make_god_object_settings(const VoxelToolSettings& settings);
 

@@ -88,6 +88,8 @@ nlohmann::ordered_json json_of_tool(const LessonDescription& lesson, const Plan&
                           {"voxels", facts[i].frame.n_cells},
                           {"voxel_m", facts[i].frame.voxel_m},
                           {"triangles", facts[i].n_triangles},
+                          {"friction", facts[i].friction.static_coefficient},
+                          {"sliding_friction", facts[i].friction.dynamic_coefficient},
                           {"memory_bytes", facts[i].bytes},
                           {"source", source_of(plan.tool_shapes[i])}});
     }

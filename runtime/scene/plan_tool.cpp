@@ -177,10 +177,13 @@ Expected<std::shared_ptr<const GodSurface>> make_surface(const TriangleMesh& mes
 
 // The tool among its bodies.
 Expected<ToolPlan> put_among(const ToolDescription& tool, const TriangleMesh& mesh,
-                             const ToolOrder& order, const ToolBodies& bodies) {
+                             const ToolOrder& order, const ToolBodies& bodies,
+                             const std::vector<SolidPlan>& solids) {
     if (tool.method == ToolMethod::god_object) {
+        std::vector<FrictionSettings> frictions;
+        std::ranges::transform(solids, std::back_inserter(frictions), &SolidPlan::friction);
         return make_surface(mesh, order).map([&](const std::shared_ptr<const GodSurface>& own) {
-            return make_god_object_plan(order, own, bodies.surfaces);
+            return make_god_object_plan(order, own, bodies.surfaces, frictions);
         });
     }
     auto made = tool.method == ToolMethod::voxel_sampling
@@ -196,6 +199,25 @@ Expected<ToolPlan> put_among(const ToolDescription& tool, const TriangleMesh& me
                      {},
                      "give it larger voxels or the body a larger size"};
     });
+}
+
+// What of materials a tool does not feel is not in the plan; the teacher is told once for each.
+void leave_out_surfaces(const LessonDescription& lesson, Plan& plan) {
+    std::vector<std::int32_t> told;
+    for (SolidPlan& solid : plan.haptic.solids) {
+        const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
+        solid.coupling.reset();
+        solid.surface = {};
+        if (body.material == kNoMaterial || std::ranges::find(told, body.material) != told.end()) {
+            continue;
+        }
+        told.push_back(body.material);
+        const auto& material = lesson.materials[static_cast<std::size_t>(body.material)];
+        plan.notices.push_back(to_sentence(
+            {material.felt.name + ": a tool feels its friction, and neither its stiffness nor "
+                                  "its texture nor a tap",
+             at_line(body.line), "bear that, or leave out the tool where they are to be felt"}));
+    }
 }
 
 }  // namespace
@@ -261,11 +283,12 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
         return tl::unexpected(bodies.error());
     }
     put_in_rows(*mesh, lesson.hand.tool->points, *bodies, *order);
-    auto made = put_among(*lesson.hand.tool, *mesh, *order, *bodies);
+    auto made = put_among(*lesson.hand.tool, *mesh, *order, *bodies, plan.haptic.solids);
     if (!made) {
         return refuse_tool(made.error(), lesson.hand.line);
     }
     plan.haptic.tool = std::make_shared<const ToolPlan>(std::move(*made));
+    leave_out_surfaces(lesson, plan);
     plan.tool_shapes = std::move(bodies->sources);
     plan.tool_shapes.push_back(source);
     plan.notices.insert(plan.notices.end(), bodies->notices.begin(), bodies->notices.end());
@@ -276,83 +299,6 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
         plan.notices.push_back(std::move(inside));
     }
     return check_tool(lesson.hand, *plan.haptic.tool, *order->shell);
-}
-
-std::vector<ToolObjectFacts> find_object_facts(const ToolPlan& plan) {
-    std::vector<ToolObjectFacts> facts;
-    if (const auto* fields = std::get_if<std::vector<FieldSamplingPlan>>(&plan.objects)) {
-        for (const FieldSamplingPlan& object : *fields) {
-            facts.push_back({object.field->frame(), object.field->memory_bytes()});
-        }
-        return facts;
-    }
-    if (const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects)) {
-        for (const GodObjectPlan& object : *meshes) {
-            facts.push_back(
-                {{}, object.object->memory_bytes(), object.object->swept().n_triangles()});
-        }
-        return facts;
-    }
-    for (const auto& object : std::get<std::vector<VoxelSamplingPlan>>(plan.objects)) {
-        facts.push_back(object.grid != nullptr
-                            ? ToolObjectFacts{object.grid->frame, object.grid->memory_bytes()}
-                            : ToolObjectFacts{object.map->frame(), object.map->memory_bytes()});
-    }
-    return facts;
-}
-
-std::string tool_table(const LessonDescription& lesson, const Plan& plan) {
-    if (!plan.haptic.tool || !lesson.hand.tool) {
-        return {};
-    }
-    const ToolDescription& tool = *lesson.hand.tool;
-    const VoxelToolSettings& settings = plan.haptic.tool->settings;
-    std::array<char, 256> line{};
-    std::snprintf(line.data(), line.size(),
-                  "%-16.48s %s, %d points, %s, %.3g N/m and %.3g Nm/rad in the hand, points %s\n",
-                  name_of(tool).c_str(), name_of(tool.method),
-                  static_cast<int>(count_points(*plan.haptic.tool)),
-                  tool.massless ? "massless" : std::string(to_string(tool.integrator)).c_str(),
-                  tool.stiffness_N_per_m,
-                  settings.coupling.turn.stiffness_Nm_per_rad / lesson.hand.scale,
-                  name_of(plan.tool_shapes.back()));
-    const bool is_god_object = tool.method == ToolMethod::god_object;
-    if (is_god_object) {
-        std::snprintf(line.data(), line.size(),
-                      "%-16.48s %s, %d corners, %.3g N/m and %.3g Nm/rad in the hand\n",
-                      name_of(tool).c_str(), name_of(tool.method),
-                      static_cast<int>(count_points(*plan.haptic.tool)), tool.stiffness_N_per_m,
-                      settings.coupling.turn.stiffness_Nm_per_rad / lesson.hand.scale);
-    }
-    std::string text = line.data();
-    const std::vector<ToolObjectFacts> facts = find_object_facts(*plan.haptic.tool);
-    for (std::size_t i = 0; i < facts.size(); ++i) {
-        const BodyDescription& body =
-            lesson.bodies[static_cast<std::size_t>(plan.haptic.solids[i].body)];
-        const VoxelFrame::Cell& n = facts[i].frame.n_cells;
-        if (facts[i].n_triangles > 0) {
-            std::snprintf(line.data(), line.size(), "%-16.48s %d triangles, %s, %s\n",
-                          body.noun.c_str(), static_cast<int>(facts[i].n_triangles),
-                          bytes_text(facts[i].bytes).c_str(), name_of(plan.tool_shapes[i]));
-            text += line.data();
-            continue;
-        }
-        std::snprintf(line.data(), line.size(), "%-16.48s %d x %d x %d voxels of %s, %s, %s\n",
-                      body.noun.c_str(), n[0], n[1], n[2],
-                      metres_text(facts[i].frame.voxel_m).c_str(),
-                      bytes_text(facts[i].bytes).c_str(), name_of(plan.tool_shapes[i]));
-        text += line.data();
-    }
-    if (is_god_object) {
-        return "\nThe tool in the hand, and what it meets:\n" + text;
-    }
-    std::snprintf(
-        line.data(), line.size(),
-        "In a live run it has %.0f us of each step for them; without a window, as long as "
-        "it takes.\n",
-        find_tool_time_us(plan.haptic.rate_hz));
-    text += line.data();
-    return "\nThe tool in the hand, and what it meets:\n" + text;
 }
 
 }  // namespace fulcrum::runtime

@@ -21,7 +21,7 @@ namespace fulcrum::runtime {
 
 /// Gives the plan its tool, where the lesson has one, and a notice of each body with holes, if a field closes them; the plan has its
 /// solids already. Refuses with one sentence and the line of
-/// the lesson what cannot be made: no body to touch, a bucket beside it, materials (a tool of points feels shape alone), voxels
+/// the lesson what cannot be made: no body to touch, a bucket beside it, materials (a tool of points feels shape alone, a god-object their friction too), voxels
 /// that are too many, a model that encloses nothing, what check_tool.h refuses.
 [[nodiscard]] Expected<void> add_tool(const LessonDescription& lesson,
                                       const SolidLoader& load_solid, const PlanOptions& options,
@@ -35,6 +35,7 @@ struct ToolObjectFacts {
     VoxelFrame frame;  ///< of a god-object's body no voxels
     std::size_t bytes = 0;
     std::int32_t n_triangles = 0;  ///< of a god-object's body
+    FrictionSettings friction{};   ///< likewise
 };
 
 /// Of each solid, in the plan's order.

@@ -202,9 +202,12 @@ Expected<ToolBodyList> list_tool_bodies(const LessonDescription& lesson,
     std::map<const CollisionMesh*, std::size_t> known;
     for (const SolidPlan& solid : solids) {
         const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
-        if (body.material != kNoMaterial) {
-            return fail("the " + body.noun + " has a material, and a tool feels its shape alone",
-                        at_line(body.line), "leave out the material, or the hand's tool");
+        if (body.material != kNoMaterial && lesson.hand.tool->method != ToolMethod::god_object) {
+            return fail(
+                "the " + body.noun + " has a material, and a tool of points feels its shape alone",
+                at_line(body.line),
+                "leave out the material, or give the tool method = \"god_object\", which "
+                "feels friction");
         }
         const CollisionMesh* const mesh = find_mesh(solid.shape)->get();
         const auto [found, is_new] = known.emplace(mesh, list.meshes.size());

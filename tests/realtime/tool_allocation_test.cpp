@@ -9,14 +9,25 @@
 
 #include <cmath>
 #include <memory>
+#include <tuple>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace fulcrum {
 namespace {
 
 constexpr double kDt_s = 0.001;
 
-HapticPlan make_plan(const VoxelToolSettings& settings, ToolMethod method) {
+void put_friction(HapticPlan& plan) {
+    ToolPlan tool = *plan.tool;
+    for (GodObjectPlan& object : std::get<std::vector<GodObjectPlan>>(tool.objects)) {
+        object.friction = {0.6, 0.4, 0.0};
+    }
+    plan.tool = std::make_shared<const ToolPlan>(std::move(tool));
+}
+
+HapticPlan make_plan(const VoxelToolSettings& settings, ToolMethod method, bool has_friction) {
     HapticPlan plan;
     plan.safety.soft_start_s = 0.0;
     plan.expects_lesson = false;
@@ -34,6 +45,9 @@ HapticPlan make_plan(const VoxelToolSettings& settings, ToolMethod method) {
     scene.settings = settings;
     plan.tool = test::make_tool_of(
         scene, {make_box({0.2, 0.04, 0.2}).value(), make_box({0.04, 0.2, 0.2}).value()});
+    if (has_friction) {
+        put_friction(plan);
+    }
     return plan;
 }
 
@@ -45,18 +59,22 @@ TEST_CASE(
     massless.mass = ToolMass::massless;
     VoxelToolSettings explicit_steps;
     explicit_steps.integrator.integrator = Integrator::runge_kutta_4;
-    const std::pair<VoxelToolSettings, ToolMethod> tools[] = {
-        {{}, ToolMethod::field_sampling},       {{}, ToolMethod::voxel_sampling},
-        {{}, ToolMethod::god_object},           {massless, ToolMethod::field_sampling},
-        {massless, ToolMethod::voxel_sampling}, {explicit_steps, ToolMethod::voxel_sampling},
-        {{}, ToolMethod::implicit_penalty}};
-    for (const auto& [settings, method] : tools) {
+    const std::tuple<VoxelToolSettings, ToolMethod, bool> tools[] = {
+        {{}, ToolMethod::field_sampling, false},
+        {{}, ToolMethod::voxel_sampling, false},
+        {{}, ToolMethod::god_object, false},
+        {{}, ToolMethod::god_object, true},
+        {massless, ToolMethod::field_sampling, false},
+        {massless, ToolMethod::voxel_sampling, false},
+        {explicit_steps, ToolMethod::voxel_sampling, false},
+        {{}, ToolMethod::implicit_penalty, false}};
+    for (const auto& [settings, method, has_friction] : tools) {
         auto channels = std::make_unique<HapticChannels>();
         auto axles = std::make_unique<AxleChannels>();
         channels->axles = axles.get();
         LatestValue<HandTarget> target;
         SimulatedHand hand(SimulatedHandSettings{}, target);
-        HapticLoop loop(make_plan(settings, method), hand, *channels);
+        HapticLoop loop(make_plan(settings, method, has_friction), hand, *channels);
         bool touched = false;
         bool let_go = false;
         const std::uint64_t n = count_allocations([&] {

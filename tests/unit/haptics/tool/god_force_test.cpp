@@ -40,10 +40,10 @@ TEST_CASE(
         const Wrench pressed = force.compute(Pose::at({0.02, -kDepth_m, 0.01}));
         CHECK((pressed.force - kStiffness * kDepth_m * kUp).norm() < 1.0e-12);
         CHECK(pressed.torque.norm() < 1.0e-12);
-        const double sum_N = force.force_N(0) + force.force_N(1) + force.force_N(2);
+        const double sum_N = (force.force_W(0) + force.force_W(1) + force.force_W(2)).y();
         CHECK(sum_N == Approx(kStiffness * kDepth_m));
         CHECK(force.compute(Pose::at({0.02, kDepth_m, 0.01})).force == Vector3::Zero());
-        CHECK(force.force_N(0) == 0.0);
+        CHECK(force.force_W(0) == Vector3::Zero());
     }
 }
 

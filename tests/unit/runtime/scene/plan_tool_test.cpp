@@ -330,7 +330,8 @@ TEST_CASE("plan: mistakes with a tool get one sentence and a line") {
     wood.felt.name = "wood";
     lesson.materials.push_back(wood);
     lesson.bodies[0].material = 0;
-    CHECK(refusal(lesson).find("lesson.lua:4: the block has a material, and a tool feels") == 0);
+    CHECK(refusal(lesson).find(
+              "lesson.lua:4: the block has a material, and a tool of points feels") == 0);
     lesson = make_lesson();
     lesson.bucket.present = true;
     CHECK(refusal(lesson).find("lesson.lua:7: the hand has a tool and a bucket") == 0);

@@ -141,14 +141,19 @@ TEST_CASE("tool bodies: voxels too small or too many are refused with those that
              "voxels of 1 mm are too many for what the tool meets: 135 million, and at most 64");
 }
 
-TEST_CASE("tool bodies: a body with a material is refused at its own line") {
+TEST_CASE(
+    "tool bodies: a body with a material is refused at its own line, but by a god-object, which "
+    "feels friction") {
     Scene scene;
     scene.add(make_cube(0.1));
     scene.add(make_cube(0.2));
     scene.lesson.bodies[1].material = 0;
     const auto refused = scene.list();
     REQUIRE_FALSE(refused);
-    CHECK(to_sentence(refused.error()) ==
-          "lesson.lua:3: the cube2 has a material, and a tool feels its shape alone; leave out the "
-          "material, or the hand's tool.");
+    CHECK(
+        to_sentence(refused.error()) ==
+        "lesson.lua:3: the cube2 has a material, and a tool of points feels its shape alone; leave "
+        "out the material, or give the tool method = \"god_object\", which feels friction.");
+    scene.lesson.hand.tool->method = ToolMethod::god_object;
+    CHECK(scene.list());
 }

@@ -1,0 +1,251 @@
+#include "haptics/constraint/friction_constraint.h"
+
+#include "haptics/constraint/contact_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulcrum {
+namespace {
+
+constexpr double kCompliance = 1.0e-3;  // of a contact's weight, at first
+constexpr double kLeastCompliance = 1.0e-8;
+constexpr double kStiffens = 10.0;  // times, after a round
+constexpr double kSlow = 0.1;       // that left so much of what it was off
+constexpr double kEnough = 0.1;     // of what a round was off: as exact the next one is
+constexpr int kMostRounds = 30;
+constexpr int kMostSteps = 400;     // linear systems
+constexpr int kDampedRounds = 10;   // from then on bounds go half of their way
+constexpr int kMostFollowing = 12;  // whole steps of a round
+constexpr int kMostHeld = 40;       // searched steps of a round
+constexpr int kMostHalvings = 30;
+constexpr double kFlat = 0.3;  // of the slope along a step: left where the search ends
+
+}  // namespace
+
+bool FrictionConstraintSolver::set_inertia(double mass_kg, const Matrix3& inertia_W) noexcept {
+    const Eigen::LLT<Matrix3> factor(inertia_W);
+    if (!(mass_kg > 0.0) || !std::isfinite(mass_kg) || !inertia_W.allFinite() ||
+        factor.info() != Eigen::Success) {
+        return false;
+    }
+    L_.setZero();
+    L_.diagonal().head<3>().setConstant(std::sqrt(mass_kg));
+    L_.bottomRightCorner<3, 3>() = factor.matrixL();
+    per_root_mass_ = 1.0 / L_(0, 0);
+    const Matrix3 lower = L_.bottomRightCorner<3, 3>();
+    per_root_inertia_ = lower.inverse();
+    return true;
+}
+
+bool FrictionConstraintSolver::add(const Vector3& arm_W, const Vector3& normal_W, double least,
+                                   double friction, const Vector3& carried_W) noexcept {
+    if (n_ == contacts_.size() || !arm_W.allFinite() || !normal_W.allFinite() ||
+        !carried_W.allFinite() || !std::isfinite(least) || !(friction >= 0.0)) {
+        return false;
+    }
+    Contact& contact = contacts_[n_];
+    contact.axes_W = make_contact_axes(normal_W);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const Vector3 axis_W = contact.axes_W.col(i);
+        contact.J.col(i) << per_root_mass_ * axis_W, per_root_inertia_ * arm_W.cross(axis_W);
+    }
+    contact.weight = contact.J.squaredNorm() / 3.0;
+    if (!std::isnormal(contact.weight)) {
+        return false;
+    }
+    contact.asked = contact.axes_W.transpose() * carried_W;
+    contact.asked.x() = least;
+    contact.friction = friction;
+    ++n_;
+    return true;
+}
+
+void FrictionConstraintSolver::prepare(double size) noexcept {
+    const bool remembers = n_remembered_ == n_;
+    for (std::size_t k = 0; k < n_; ++k) {
+        Contact& contact = contacts_[k];
+        contact.stiffness = 1.0 / (kCompliance * contact.weight);
+        contact.least = contact.asked / size;
+        contact.l = remembers ? Vector3(contact.l * (size_ / size)) : Vector3(Vector3::Zero());
+        contact.bound = contact.friction * contact.l.x();
+    }
+    n_remembered_ = n_;
+    size_ = size;
+}
+
+Vector6 FrictionConstraintSolver::find_defect(const Vector6& y, bool follows) noexcept {
+    Vector6 r = y - wanted_;
+    for (std::size_t k = 0; k < n_; ++k) {
+        Contact& c = contacts_[k];
+        c.q = c.l - c.stiffness * (c.J.transpose() * y - c.least);
+        c.f = {std::max(c.q.x(), 0.0), c.q.y(), c.q.z()};
+        const double bound = follows ? c.friction * c.f.x() : c.bound;
+        const double along = std::sqrt(c.q.y() * c.q.y() + c.q.z() * c.q.z());
+        if (along > bound) {
+            c.f.tail<2>() *= bound / along;
+        }
+        r.noalias() -= c.J * c.f;
+    }
+    return r;
+}
+
+// Of the defect where q is.
+Matrix6 FrictionConstraintSolver::find_slope(bool follows) const noexcept {
+    Matrix6 H = Matrix6::Identity();
+    for (std::size_t k = 0; k < n_; ++k) {
+        const Contact& c = contacts_[k];
+        const bool presses = c.q.x() > 0.0;
+        const double bound = follows ? c.friction * c.f.x() : c.bound;
+        if (!presses && !(bound > 0.0)) {
+            continue;
+        }
+        Matrix3 P = Matrix3::Zero();
+        P(0, 0) = presses ? 1.0 : 0.0;
+        const double along = std::sqrt(c.q.y() * c.q.y() + c.q.z() * c.q.z());
+        if (along <= bound) {
+            P(1, 1) = P(2, 2) = 1.0;
+        } else {
+            const Eigen::Vector2d d(c.q.y() / along, c.q.z() / along);
+            P.bottomRightCorner<2, 2>() =
+                (bound / along) * (Eigen::Matrix2d::Identity() - d * d.transpose());
+            if (follows) {
+                P.bottomLeftCorner<2, 1>() = c.friction * d;
+            }
+        }
+        const Axes JP = c.stiffness * c.J * P;
+        H.noalias() += JP * c.J.transpose();
+    }
+    return H;
+}
+
+// Whole steps with bounds that follow; false, and nothing changed, where they do not end.
+bool FrictionConstraintSolver::follow(Vector6& y) noexcept {
+    Vector6 at = y;
+    Vector6 r = find_defect(at, true);
+    for (int i = 0; i < kMostFollowing; ++i) {
+        if (r.norm() <= 0.1 * kTolerance) {
+            y = at;
+            return true;
+        }
+        ++answer_.rounds;
+        at -= find_slope(true).partialPivLu().solve(r);
+        r = find_defect(at, true);
+        if (!r.allFinite()) {
+            return false;
+        }
+    }
+    return false;
+}
+
+// Down the convex function, its bounds held.
+void FrictionConstraintSolver::hold(Vector6& y, double enough) noexcept {
+    Vector6 r = find_defect(y, false);
+    for (int i = 0; i < kMostHeld && r.norm() > enough; ++i) {
+        ++answer_.rounds;
+        const Vector6 step = -find_slope(false).llt().solve(r);
+        const double first = step.dot(r);
+        double low = 0.0;
+        double high = 1.0;
+        double share = 1.0;
+        Vector6 next = find_defect(y + step, false);
+        for (int j = 0; j < kMostHalvings && std::abs(step.dot(next)) > kFlat * std::abs(first);
+             ++j) {
+            (step.dot(next) > 0.0 ? high : low) = share;
+            if (low == 1.0) {
+                break;
+            }
+            share = 0.5 * (low + high);
+            next = find_defect(y + share * step, false);
+        }
+        y += share * step;
+        r = next;
+    }
+}
+
+FrictionConstraintSolver::Miss FrictionConstraintSolver::correct(double share) noexcept {
+    Miss worst;
+    for (std::size_t k = 0; k < n_; ++k) {
+        Contact& c = contacts_[k];
+        const double bound = c.friction * c.f.x();
+        const double along = std::sqrt(c.q.y() * c.q.y() + c.q.z() * c.q.z());
+        const double drag = c.f.tail<2>().norm();
+        const double missed = std::abs(std::min(along, bound) - drag);
+        const double length = std::sqrt(c.weight);
+        worst.way = std::max(worst.way, (c.f - c.l).norm() / (c.stiffness * length));
+        worst.bound = std::max(worst.bound, missed * length);
+        c.l = c.f;
+        c.bound += share * (bound - c.bound);
+    }
+    return worst;
+}
+
+bool FrictionConstraintSolver::iterate(Vector6& y) noexcept {
+    Miss miss{1.0, 1.0};
+    double compliance = kCompliance;
+    for (int i = 0; i < kMostRounds && answer_.rounds < kMostSteps; ++i) {
+        if (!follow(y)) {
+            hold(y, kEnough * std::max(miss.most(), kTolerance));
+        }
+        const Miss before = miss;
+        miss = correct(i < kDampedRounds ? 1.0 : 0.5);
+        if (miss.most() <= kTolerance) {
+            return true;
+        }
+        const bool is_slow = i > 0 && miss.way > kSlow * before.way && miss.way > miss.bound;
+        if (is_slow && compliance > kLeastCompliance) {
+            compliance /= kStiffens;
+            for (std::size_t k = 0; k < n_; ++k) {
+                contacts_[k].stiffness *= kStiffens;
+            }
+        }
+    }
+    return false;
+}
+
+void FrictionConstraintSolver::forget() noexcept {
+    for (std::size_t k = 0; k < n_; ++k) {
+        contacts_[k].l.setZero();
+        contacts_[k].f.setZero();
+    }
+}
+
+const LeastConstraint& FrictionConstraintSolver::solve(const Vector6& wanted) noexcept {
+    answer_ = {};
+    const Vector6 y_u = L_.transpose() * wanted;
+    double size = y_u.norm();  // no number where any is none
+    for (std::size_t k = 0; k < n_; ++k) {
+        size = std::max(size, contacts_[k].asked.norm() / std::sqrt(contacts_[k].weight));
+    }
+    if (!std::isnormal(size)) {
+        // Nothing is wanted, or what is wanted is no number.
+        answer_.exact = size == 0.0;
+        forget();
+        return answer_;
+    }
+    prepare(size);
+    wanted_ = y_u / size;
+    Vector6 y = wanted_;
+    answer_.exact = iterate(y);
+    if (!y.allFinite()) {
+        answer_.exact = false;
+        forget();
+        return answer_;
+    }
+    for (std::size_t k = 0; k < n_; ++k) {
+        answer_.acting += contacts_[k].f.x() > 0.0 ? 1 : 0;
+    }
+    if (answer_.acting == 0) {
+        answer_.acceleration = wanted;
+        return answer_;
+    }
+    answer_.acceleration = L_.transpose().triangularView<Eigen::Upper>().solve(y) * size;
+    answer_.force = L_ * (y - wanted_) * size;
+    return answer_;
+}
+
+Vector3 FrictionConstraintSolver::force_W(std::size_t k) const noexcept {
+    return contacts_[k].axes_W * contacts_[k].f * size_;
+}
+
+}  // namespace fulcrum
