@@ -6,20 +6,16 @@
 //   r     resolution, 1/m: 1 / the longest edge that ended before the level
 //   s     deviation: how far apart its piece and the mesh are, either way: from its corners, middles of edges and middles of triangles to
 //         the mesh, and from the mesh's corners below it to the simplified surface
-//   u     half of how far the mesh's highest corner below it stands out of the simplified surface: who touches so widely touches what stands out
-//         first, and on the average lies half as deep in it
-//   h     how far the mesh below it reaches out of its hull, exactly, for a distance to what is convex is greatest at corners. So hull + h holds all
-//         triangles below: what bounds. Larger than s, for borders of pieces wander
 //   D     support area: how much of the mesh around lies within d of a plane that touches it there, by the mean over the leaves below of the area,
 //         in the tangent plane, of the triangles in one piece with a corner and no deeper than d below it (256 at most)
-//   phi   s / r^2, the volume of the detail that was taken away
-// A node that can only bound has phi = infinity: one put together by place, one whose hull something else goes into, one out of which reaches
-// six tenths of its size, one that deviates by more than 0.15 of it. Its hull has 64 corners at most.
+//   phi   s / r^2, the volume of the detail that was taken away; infinite of a node that was put together by place: it stands for nothing
+// A node's hull is that of the mesh below it, not of its piece: so it bounds, and tightly: five times fewer pairs are near by it than by
+// simplified hulls with what reaches out of these. What is not in it is h, some ten-millionth of the size, for pieces are flat to that.
 //
-// Thread: made at load; read from any thread. Cost: 20 k triangles in some seconds; about 0.4 kB a triangle.
+// Thread: made at load; read from any thread. Cost: 40 k triangles in 2 to 9 s; 0.2 to 0.3 kB a triangle.
 // Source: M. Otaduy, M. Lin 2003, CLODs: dual hierarchies for multiresolution collision detection, Symposium on Geometry Processing; M. Otaduy,
-// M. Lin 2003, Sensation preserving simplification for haptic rendering, SIGGRAPH, sections 4.4 and 4.5. There h is the
-// directed Hausdorff distance.
+// M. Lin 2003, Sensation preserving simplification for haptic rendering, SIGGRAPH, sections 4.4 and 4.5. There each hull is the
+// simplified piece's, and h the directed Hausdorff distance.
 #pragma once
 
 #include "haptics/base/load_progress.h"
@@ -49,13 +45,12 @@ struct LevelNode {
     double radius_m = 0.0;
     double outside_m = 0.0;         ///< h
     double deviation_m = 0.0;       ///< s
-    double rise_m = 0.0;            ///< u, not above h
     double detail_m3 = 0.0;         ///< phi
     double support_m2 = 0.0;        ///< D
     double resolution_per_m = 0.0;  ///< r, infinite of a leaf
-    /// Mean of the piece's normals: its length is 1 of what is flat, 0 of what is closed.
+    /// Mean of the normals below: its length is 1 of what is flat, 0 of what is closed.
     Vector3 normal_B{Vector3::Zero()};
-    /// Cosine of the widest angle from it to a normal of the piece or beside it.
+    /// Cosine of an angle that no normal below, nor beside it, is farther from it than.
     double cone_cosine = -1.0;
 };
 

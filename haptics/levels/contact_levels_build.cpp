@@ -12,10 +12,6 @@ namespace fulcrum {
 namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-// A node out of whose hull reaches more than this of its radius is a poor bound, and gets a better one.
-constexpr double kMostOutside = 0.6;
-// One that deviates by more of it stands for nothing.
-constexpr double kMostDeviation = 0.15;
 
 }  // namespace
 
@@ -49,7 +45,7 @@ class ContactLevelsBuilder {
     void measure_deviation(std::int32_t piece, LevelDraft& draft, const SurfaceDistance& level,
                            double length_m);
     void gather_corners(const LevelDraft& draft, std::vector<Vector3>& corners) const;
-    void bound(LevelDraft& draft, const std::vector<Vector3>& corners);
+    void bound(LevelDraft& draft);
     void put(ContactLevels& levels, std::int32_t draft, std::size_t place);
     [[nodiscard]] std::vector<std::vector<std::int32_t>> collect_triangles() const;
 
@@ -77,6 +73,9 @@ void ContactLevelsBuilder::make_leaves() {
         surface_.describe(piece, shape_);
         corners_of_[static_cast<std::size_t>(piece)] = shape_.corners;
         draft.take_points(shape_, pieces_.slack_m);
+        // What find_nearest_in_hull leaves open, and rounding.
+        draft.node.outside_m =
+            draft.measure_outside_m(shape_.corners) + 1.0e-9 * mesh_.diagonal_m();
         draft.look(surface_, piece);
         const auto triangles = surface_.triangles_of(piece);
         const std::size_t n_samples = std::min(kSamples, triangles.size());
@@ -149,10 +148,7 @@ void ContactLevelsBuilder::add_node(std::int32_t piece, const FilteredCollapse& 
     LevelDraft draft;
     draft.node.level = n_levels_;
     draft.node.resolution_per_m = 1.0 / collapse.longest_m();
-    draft.take_points(shape_, pieces_.slack_m);
-    draft.look(surface_, piece);
-    draft.node.is_bound_only = !shape_.is_flat(collapse.slack_m()) &&
-                               surface_.is_entered(shape_, piece, piece, collapse.slack_m());
+    draft.points = shape_.corners;
     draft.children = nodes;
     measure_deviation(piece, draft, level, collapse.longest_m());
     nodes = {static_cast<std::int32_t>(drafts_.size())};
@@ -178,11 +174,9 @@ void ContactLevelsBuilder::measure_deviation(std::int32_t piece, LevelDraft& dra
     std::vector<Vector3> corners;
     gather_corners(draft, corners);
     for (const Vector3& corner : corners) {
-        const double height_m = level.measure_height_m(corner, guess_m);
-        most_m = std::max(most_m, std::abs(height_m));
-        draft.node.rise_m = std::max(draft.node.rise_m, 0.5 * height_m);
+        most_m = std::max(most_m, std::abs(level.measure_height_m(corner, guess_m)));
     }
-    draft.deviation_m = most_m;
+    draft.node.deviation_m = most_m;
 }
 
 // Half after half across the longest side of their middles.
@@ -218,13 +212,11 @@ std::int32_t ContactLevelsBuilder::join_span(std::span<std::int32_t> drafts) {
     draft.node.is_bound_only = true;
     draft.children = {join_span(drafts.first(drafts.size() / 2)),
                       join_span(drafts.subspan(drafts.size() / 2))};
+    draft.points = {lower, upper};
     for (const std::int32_t child : draft.children) {
-        const auto& points = drafts_[static_cast<std::size_t>(child)].points;
-        draft.points.insert(draft.points.end(), points.begin(), points.end());
         const std::int32_t level = drafts_[static_cast<std::size_t>(child)].node.level;
         draft.node.level = std::max(draft.node.level, level + 1);
     }
-    draft.take_outermost(std::vector(draft.points));
     drafts_.push_back(std::move(draft));
     return static_cast<std::int32_t>(drafts_.size() - 1);
 }
@@ -237,15 +229,12 @@ bool ContactLevelsBuilder::join_by_place() {
     }
     root_ = join_span(last);
     // Below first, for children are made before their parent.
-    std::vector<Vector3> corners;
     for (std::size_t i = 0; i < drafts_.size(); ++i) {
         if (!pulse_.goes_on(kSimplifying + (1.0 - kSimplifying) * static_cast<double>(i) /
                                                static_cast<double>(drafts_.size()))) {
             return false;
         }
-        corners.clear();
-        gather_corners(drafts_[i], corners);
-        bound(drafts_[i], corners);
+        bound(drafts_[i]);
     }
     return true;
 }
@@ -262,33 +251,25 @@ void ContactLevelsBuilder::gather_corners(const LevelDraft& draft,
     }
 }
 
-void ContactLevelsBuilder::bound(LevelDraft& draft, const std::vector<Vector3>& corners) {
-    draft.find_sphere();
+// Of the bounds of its children.
+void ContactLevelsBuilder::bound(LevelDraft& draft) {
     LevelNode& node = draft.node;
-    // What find_nearest_in_hull leaves open, and rounding.
-    const double rounding_m = 1.0e-9 * mesh_.diagonal_m();
-    node.outside_m = draft.measure_outside_m(corners);
-    node.deviation_m = draft.deviation_m;
-    if (node.is_bound_only || node.deviation_m > kMostDeviation * node.radius_m ||
-        node.outside_m > kMostOutside * node.radius_m) {
-        draft.take_outermost(corners);
-        draft.find_sphere();
-        node.outside_m = draft.measure_outside_m(corners);
-    }
-    node.outside_m += rounding_m;
-    node.rise_m = node.is_bound_only ? 0.0 : std::min(node.rise_m, node.outside_m);
     if (!draft.children.empty()) {
-        node.support_m2 = 0.0;
+        std::vector<const LevelDraft*> below;
+        std::vector<Vector3> corners;
         for (const std::int32_t child : draft.children) {
-            node.support_m2 += drafts_[static_cast<std::size_t>(child)].node.support_m2 /
-                               static_cast<double>(draft.children.size());
+            const LevelDraft& one = drafts_[static_cast<std::size_t>(child)];
+            below.push_back(&one);
+            corners.insert(corners.end(), one.points.begin(), one.points.end());
+            node.outside_m = std::max(node.outside_m, one.node.outside_m);
+            node.support_m2 += one.node.support_m2 / static_cast<double>(draft.children.size());
         }
+        draft.look_as(below);
+        draft.take_hull(corners);
+        const double length_m = node.resolution_per_m > 0.0 ? 1.0 / node.resolution_per_m : 0.0;
+        node.detail_m3 = node.is_bound_only ? kEndless : node.deviation_m * length_m * length_m;
     }
-    const double length_m = node.resolution_per_m > 0.0 ? 1.0 / node.resolution_per_m : 0.0;
-    node.detail_m3 = draft.children.empty() ? 0.0 : node.deviation_m * length_m * length_m;
-    if (node.is_bound_only) {
-        node.detail_m3 = kEndless;
-    }
+    draft.find_sphere();
 }
 
 std::vector<std::vector<std::int32_t>> ContactLevelsBuilder::collect_triangles() const {

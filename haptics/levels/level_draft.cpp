@@ -3,27 +3,10 @@
 #include "haptics/geometry/convex_hull.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace fulcrum {
-
-namespace {
-
-// Directions spread evenly over the sphere, by the golden angle.
-std::array<Vector3, 64> make_directions() {
-    std::array<Vector3, 64> directions;
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-        const double y = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / 64.0;
-        const double angle = std::numbers::pi * (3.0 - std::sqrt(5.0)) * static_cast<double>(i);
-        const double across = std::sqrt(1.0 - y * y);
-        directions[i] = {across * std::cos(angle), y, across * std::sin(angle)};
-    }
-    return directions;
-}
-
-}  // namespace
 
 void LevelDraft::take_points(const PieceShape& shape, double slack_m) {
     if (shape.is_flat(slack_m)) {
@@ -31,14 +14,24 @@ void LevelDraft::take_points(const PieceShape& shape, double slack_m) {
         return;
     }
     points = shape.corners;
-    if (points.size() < kClimbFrom) {
-        return;
+    if (points.size() >= kClimbFrom) {
+        take_hull(shape.corners);
     }
-    const Expected<TriangleMesh> hull = make_convex_hull(shape.corners);
+}
+
+void LevelDraft::take_hull(const std::vector<Vector3>& corners) {
+    points = corners;
+    const Expected<TriangleMesh> hull = make_convex_hull(corners);
     if (!hull) {
+        if (node.normal_B.norm() > 0.0) {
+            points = find_flat_hull(corners, node.normal_B.normalized());
+        }
         return;
     }
     points = hull->vertices_B();
+    if (points.size() < kClimbFrom) {
+        return;
+    }
     std::vector<std::vector<std::int32_t>> beside(points.size());
     for (const TriangleCorners& triangle : hull->triangles()) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -52,23 +45,6 @@ void LevelDraft::take_points(const PieceShape& shape, double slack_m) {
     first_link.push_back(static_cast<std::int32_t>(links.size()));
 }
 
-void LevelDraft::take_outermost(const std::vector<Vector3>& from) {
-    static const std::array<Vector3, 64> kDirections = make_directions();
-    std::vector<Vector3> picked;
-    for (const Vector3& direction : kDirections) {
-        const Vector3& farthest = HullView{.points = from}.find_support(direction);
-        if (std::ranges::find(picked, farthest) == picked.end()) {
-            picked.push_back(farthest);
-        }
-    }
-    points = std::move(picked);
-    first_link.clear();
-    links.clear();
-    node.is_bound_only = true;
-    node.normal_B.setZero();
-    node.cone_cosine = -1.0;
-}
-
 void LevelDraft::look(LevelSurface& surface, std::int32_t piece_now) {
     constexpr double kClosed = 0.05;  // a mean normal that is mere chance
     Vector3 sum = Vector3::Zero();
@@ -80,6 +56,7 @@ void LevelDraft::look(LevelSurface& surface, std::int32_t piece_now) {
         sum += doubled;
         area += doubled.norm();
     }
+    area_m2 = 0.5 * area;
     node.normal_B = area > 0.0 ? Vector3(sum / area) : Vector3(Vector3::Zero());
     node.cone_cosine = -1.0;
     const double length = node.normal_B.norm();
@@ -97,6 +74,27 @@ void LevelDraft::look(LevelSurface& surface, std::int32_t piece_now) {
             }
         }
     }
+}
+
+void LevelDraft::look_as(std::span<const LevelDraft* const> below) {
+    node.normal_B.setZero();
+    for (const LevelDraft* one : below) {
+        area_m2 += one->area_m2;
+        node.normal_B += one->area_m2 * one->node.normal_B;
+    }
+    node.normal_B /= area_m2 > 0.0 ? area_m2 : 1.0;
+    node.cone_cosine = -1.0;
+    const auto angle_of = [](double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); };
+    double widest = 0.0;
+    for (const LevelDraft* one : below) {
+        const double lengths = one->node.normal_B.norm() * node.normal_B.norm();
+        if (!(lengths > 0.0)) {
+            return;
+        }
+        widest = std::max(widest, angle_of(one->node.normal_B.dot(node.normal_B) / lengths) +
+                                      angle_of(one->node.cone_cosine));
+    }
+    node.cone_cosine = std::cos(std::min(widest, std::numbers::pi));
 }
 
 void LevelDraft::find_sphere() {

@@ -1,9 +1,16 @@
 #include "haptics/base/range.h"
 #include "haptics/levels/level_pairs.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace fulcrum {
+
+namespace {
+
+constexpr double kSlackShare = 0.05;  // of the tolerance
+
+}  // namespace
 
 Expected<void> validate(const LevelPairSettings& settings) {
     const Range ranges[] = {
@@ -35,32 +42,27 @@ Expected<std::unique_ptr<LevelPairs>> LevelPairs::create(
 
 LevelPairs::LevelPairs(std::shared_ptr<const ContactLevels> object,
                        std::shared_ptr<const ContactLevels> tool, const LevelPairSettings& settings)
+    : settings_(settings),
+      tree_(std::move(object), std::move(tool), settings.most_pairs),
+      slack_m_(kSlackShare * std::min(settings.tolerance_m, tree_.object().settings().within_m)),
+      waiting_(settings.most_pairs),
+      below_(settings.most_pairs),
+      opened_(settings.most_pairs),
+      contacts_(settings.most_contacts) {}
+
+PairTree::PairTree(std::shared_ptr<const ContactLevels> object,
+                   std::shared_ptr<const ContactLevels> tool, int most_pairs)
     : object_(std::move(object)),
       tool_(std::move(tool)),
-      settings_(settings),
-      pairs_(static_cast<std::size_t>(settings.most_pairs)),
-      waiting_(settings.most_pairs),
-      opened_(settings.most_pairs),
-      contacts_(settings.most_contacts) {
+      pairs_(static_cast<std::size_t>(most_pairs)) {
     clear();
 }
 
-void LevelPairs::clear() noexcept {
-    free_ = kNone;
-    for (std::size_t i = pairs_.size(); i-- > 0;) {
-        pairs_[i].next = free_;
-        pairs_[i].first_child = kNone;
-        free_ = static_cast<std::int32_t>(i);
-    }
-    n_kept_ = 0;
-    moved_m_ = 0.0;
-    root_ = make_pair(0, 0);
-}
-
 std::size_t LevelPairs::memory_bytes() const noexcept {
-    return object_->memory_bytes() + (tool_ == object_ ? 0 : tool_->memory_bytes()) +
-           pairs_.capacity() * sizeof(Pair) + waiting_.capacity() * sizeof(Waiting) +
-           opened_.capacity() * sizeof(std::int32_t) + contacts_.capacity() * sizeof(LevelContact);
+    return object().memory_bytes() + (&tool() == &object() ? 0 : tool().memory_bytes()) +
+           tree_.memory_bytes() + waiting_.capacity() * sizeof(Waiting) +
+           (below_.capacity() + opened_.capacity()) * sizeof(std::int32_t) +
+           contacts_.capacity() * sizeof(LevelContact);
 }
 
 }  // namespace fulcrum

@@ -13,16 +13,16 @@ namespace {
 constexpr double kRound = 0.5;   // a mean normal that is shorter says little
 constexpr double kFacing = 0.3;  // cosine by which pieces face each other for certain
 
-// Is a direction within the cone, 15 degrees wider, or 45 of what is not the mesh itself and may have gaps beside it?
+// Is a direction within the cone, 15 degrees wider?
 bool is_in_cone(const LevelNode& node, const Vector3& normal, const Vector3& direction) noexcept {
-    const double wider_cosine = node.level > 0 ? 0.7071067811865476 : 0.9659258262890683;
-    const double wider_sine = node.level > 0 ? 0.7071067811865476 : 0.25881904510252074;
+    constexpr double kWiderCosine = 0.9659258262890683;
+    constexpr double kWiderSine = 0.25881904510252074;
     const double length = normal.norm();
-    if (node.cone_cosine <= -wider_cosine || !(length > 0.0)) {
+    if (node.cone_cosine <= -kWiderCosine || !(length > 0.0)) {
         return true;
     }
     const double sine = std::sqrt(std::max(0.0, 1.0 - node.cone_cosine * node.cone_cosine));
-    return normal.dot(direction) >= length * (node.cone_cosine * wider_cosine - sine * wider_sine);
+    return normal.dot(direction) >= length * (node.cone_cosine * kWiderCosine - sine * kWiderSine);
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ PairContacts::PairContacts(const PiecesNear& pieces, const HullPair& found) noex
     }
     add({found.gap_m > least_m ? found.on_second
                                : Vector3(found.on_second - 0.5 * depth_m_ * normal_),
-         depth_m_ + pieces.rise_m});
+         depth_m_});
     if (!is_behind) {
         add_corners_of_tool();
         add_corners_of_object();
@@ -134,7 +134,7 @@ bool PairContacts::find_far_corner(const HullView& hull, double lowest_m, double
                                    const ToObject& to_object, Vector3& corner) const noexcept {
     double farthest2 = pieces_.spread_m * pieces_.spread_m;
     bool is_found = false;
-    const double band_m = pieces_.within_m + pieces_.rise_m + std::max(depth_m_, 0.0);
+    const double band_m = pieces_.within_m + std::max(depth_m_, 0.0);
     for (const Vector3& point : hull.points) {
         const Vector3 place = to_object(point);
         if (sign * normal_.dot(place) > lowest_m + band_m) {
@@ -171,10 +171,10 @@ void PairContacts::add_corners_of_tool() noexcept {
         tried_[n_tried_++] = corner;
         const HullPair near = find_nearest_in_hull(pieces_.object_hull, corner);
         if (near.gap_m == 0.0) {
-            points_[n_++] = {corner, highest_m - normal_.dot(corner) + pieces_.rise_m};
-        } else if (near.gap_m <= pieces_.within_m + pieces_.rise_m &&
+            points_[n_++] = {corner, highest_m - normal_.dot(corner)};
+        } else if (near.gap_m <= pieces_.within_m &&
                    normal_.dot(corner - near.on_first) > 0.5 * near.gap_m) {
-            points_[n_++] = {corner, pieces_.rise_m - normal_.dot(corner - near.on_first)};
+            points_[n_++] = {corner, -normal_.dot(corner - near.on_first)};
         }
     }
 }
@@ -199,10 +199,10 @@ void PairContacts::add_corners_of_object() noexcept {
         const Vector3 on_tool = pieces_.turn * near.on_first + pieces_.shift;
         if (near.gap_m == 0.0) {
             const double depth_m = normal_.dot(corner) - lowest_m;
-            points_[n_++] = {corner - depth_m * normal_, depth_m + pieces_.rise_m};
-        } else if (near.gap_m <= pieces_.within_m + pieces_.rise_m &&
+            points_[n_++] = {corner - depth_m * normal_, depth_m};
+        } else if (near.gap_m <= pieces_.within_m &&
                    normal_.dot(on_tool - corner) > 0.5 * near.gap_m) {
-            points_[n_++] = {on_tool, pieces_.rise_m - normal_.dot(on_tool - corner)};
+            points_[n_++] = {on_tool, -normal_.dot(on_tool - corner)};
         }
     }
 }

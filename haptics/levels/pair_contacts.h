@@ -18,7 +18,6 @@ struct PiecesNear {
     const Matrix3& turn;
     const Vector3& shift;
     double within_m = 0.0;
-    double rise_m = 0.0;  ///< how far what they stand for stands out of both
     double spread_m = 0.0;
 };
 
@@ -29,7 +28,7 @@ struct PairPoint {
 
 class PairContacts {
   public:
-    /// `found`: the shortest way between them, no longer than `within_m` + `rise_m`.
+    /// `found`: the shortest way between them, no longer than `within_m`.
     PairContacts(const PiecesNear& pieces, const HullPair& found) noexcept;
 
     /// None where the contact is a neighbour's.

@@ -178,8 +178,8 @@ Vector3 ClusterForce::compute_force_N(const Pose& X_OT) {
     clusters_.update(near_.all(), X_OT, kStep_s);
     Vector3 force = Vector3::Zero();
     for (const ContactCluster& cluster : clusters_.all()) {
-        force += kStiffness_N_per_m * cluster.strength * std::max(cluster.depth_m, 0.0) *
-                 cluster.normal_O;
+        force += kStiffness_N_per_m * cluster.strength *
+                 std::max(cluster.depth_m + within_m_, 0.0) * cluster.normal_O;
     }
     return force;
 }

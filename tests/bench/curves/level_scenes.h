@@ -36,7 +36,8 @@ struct SceneLevels {
 };
 [[nodiscard]] SceneLevels make_scene_levels(const LevelScene& scene);
 
-/// The sum of k times depth of the clusters, with contacts kept from step to step.
+/// The sum over clusters of k (depth + d), for what is near pushes from d outside on, as in the source and in a lesson's tool, so that the
+/// tool stays outside; with contacts kept from step to step.
 class ClusterForce {
   public:
     ClusterForce(const LevelScene& scene, std::unique_ptr<LevelContacts> finder);
@@ -48,7 +49,7 @@ class ClusterForce {
     [[nodiscard]] const LevelContacts& finder() const { return *finder_; }
     [[nodiscard]] std::size_t n_clusters() const { return clusters_.all().size(); }
 
-    static constexpr double kStiffness_N_per_m = 5000.0;
+    static constexpr double kStiffness_N_per_m = 20000.0;
 
   private:
     double within_m_;

@@ -3,11 +3,14 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
 #include "haptics/tool/contact_clusters.h"
+#include "tests/support/jaws.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 using namespace fulcrum;
 
@@ -67,6 +70,84 @@ TEST_CASE(
             CHECK(std::abs((p_O + one.depth_m * one.normal_O).norm() - kRadius_m) < 5.0e-4);
         }
     }
+}
+
+namespace {
+
+constexpr double kPull_N_per_m = 500.0;
+constexpr double kPush_N_per_m = 20000.0;  // of a cluster, from `within_m` outside on
+
+// What a hand feels that draws the tool along a way, at the balance of coupling and clusters.
+class Pressed {
+  public:
+    Pressed(std::unique_ptr<LevelContacts> finder, double within_m, const Vector3& place)
+        : finder_(std::move(finder)),
+          within_m_(within_m),
+          clusters_({.within_m = within_m, .radius_m = 0.006, .most = 10, .fade_s = 0.0}),
+          place_(place) {}
+
+    Vector3 follow(const Pose& hand) {
+        for (int i = 0; i < 6; ++i) {
+            const Pose here{place_, hand.orientation};
+            near_.clear();
+            finder_->find(here, within_m_, near_);
+            clusters_.update(near_.all(), here, 0.001);
+            Vector3 force = kPull_N_per_m * (hand.position - place_);
+            double stiffness = kPull_N_per_m;
+            for (const ContactCluster& cluster : clusters_.all()) {
+                force += kPush_N_per_m * cluster.strength *
+                         std::max(cluster.depth_m + within_m_, 0.0) * cluster.normal_O;
+                stiffness += kPush_N_per_m;
+            }
+            const Vector3 step = force / stiffness;
+            place_ +=
+                step.norm() > 0.5 * within_m_ ? Vector3(0.5 * within_m_ * step.normalized()) : step;
+        }
+        return kPull_N_per_m * (place_ - hand.position);
+    }
+
+  private:
+    std::unique_ptr<LevelContacts> finder_;
+    double within_m_;
+    BoundedList<NearContact> near_{1 << 13};
+    ContactClusters clusters_;
+    Vector3 place_;
+};
+
+}  // namespace
+
+TEST_CASE("level contacts: jaws hold a bite, with a tolerance as without") {
+    constexpr double kNear_m = 0.5e-3;
+    const TriangleMesh jaw = test::make_jaw(80, 32).value();
+    const auto levels = ContactLevels::create(jaw, {.within_m = kNear_m}).value();
+    const auto press = [&](double share) {
+        return Pressed(
+            LevelContacts::create(levels, levels, {.tolerance_m = share * levels->size_m()})
+                .value(),
+            kNear_m, {0.0, 0.022, 0.0});
+    };
+    Pressed exact = press(0.0);
+    Pressed coarse = press(0.025);
+    Pressed coarsest = press(0.1);
+    double off = 0.0;
+    double off_coarsest = 0.0;
+    double felt = 0.0;
+    for (int i = 0; i < 120; ++i) {
+        const double t = i / 120.0;
+        const double down = std::min(4.0 * t, 1.0);
+        const double u = std::max(0.0, t - 0.25);
+        const Pose hand{
+            {0.004 * std::sin(12.0 * u), 0.022 - 0.009 * down, 0.003 * std::sin(9.0 * u)},
+            compute_exp(Vector3(0.0, 0.15 * std::sin(6.0 * u), 0.0)) *
+                compute_exp(Vector3(0.05 * std::sin(10.0 * u), 0.0, std::numbers::pi))};
+        const Vector3 exact_N = exact.follow(hand);
+        felt += exact_N.squaredNorm();
+        off += (coarse.follow(hand) - exact_N).squaredNorm();
+        off_coarsest += (coarsest.follow(hand) - exact_N).squaredNorm();
+    }
+    CHECK(std::sqrt(felt / 120.0) > 2.0);
+    CHECK(std::sqrt(off / felt) < 0.025);
+    CHECK(std::sqrt(off_coarsest / felt) < 0.1);
 }
 
 TEST_CASE("level contacts: a short list gets an even share, and a full one is left as it is") {
