@@ -68,15 +68,15 @@ Wrench GodForce::compute_held(const Pose& wanted_W) noexcept {
     return {scale_ * held.force.head<3>(), scale_ * held.force.tail<3>()};
 }
 
-// What is taken of a push may not make it a pull, so that a tool that is lifted comes off without sticking; what is added fades by itself.
+// What is taken of a push goes with the push, so that it never becomes a pull and a tool that is lifted comes off without sticking; what is added
+// fades by itself.
 Vector3 GodForce::find_carried(const Blended& blended, const Vector3& held, bool presses) noexcept {
-    const bool takes = blended.size.dot(blended.of) < 0.0;
-    if (!takes) {
+    if (blended.size.dot(blended.of) >= 0.0) {
         return blended.size;
     }
-    const double most = presses ? held.norm() : 0.0;
-    const double size = blended.size.norm();
-    return size > most ? Vector3(blended.size * (most / size)) : blended.size;
+    const double now = presses ? held.norm() : 0.0;
+    const double then = blended.of.norm();
+    return now < then ? Vector3(blended.size * (now / then)) : blended.size;
 }
 
 Wrench GodForce::compute(const Pose& wanted_W) noexcept {

@@ -39,6 +39,16 @@ double GodObjectTool::find_friction(std::size_t i, const GodContact& contact) co
                                                          : friction.static_coefficient;
 }
 
+Vector3 GodObjectTool::find_felt_normal_W(std::size_t i, const GodContact& contact,
+                                          const Matrix3& R_WO) const noexcept {
+    if (shadings_.empty()) {
+        return R_WO * contact.normal_O;
+    }
+    const Pose X_OT = objects_W_[i].inverse() * pose_W_;
+    return R_WO *
+           find_felt_normal_O(shadings_[i].object.get(), shadings_[i].tool.get(), contact, X_OT);
+}
+
 void GodObjectTool::note_slips() noexcept {
     for (std::size_t i = 0; i < pairs_.size() && has_friction_; ++i) {
         slips_[i] = {slips_[i].to_OT, objects_W_[i].inverse() * pose_W_};
@@ -62,7 +72,7 @@ void GodObjectTool::tell_force() noexcept {
             }
             const Vector3 arm_W =
                 R_WO * contact.on_tool_O + objects_W_[i].position - pose_W_.position;
-            force_.add(arm_W, R_WO * contact.normal_O,
+            force_.add(arm_W, find_felt_normal_W(i, contact, R_WO),
                        std::min(settings_.gap_m - contact.gap_m, 0.0), find_friction(i, contact));
         }
     }

@@ -6,7 +6,7 @@
 //   3  gone       as far as continuous collision lets go along d: not nearer than a quarter of delta, and of what there was   (mesh_sweep.h)
 //   4  again from 2 with what is left of u, until nothing moves, or by less than a fiftieth of what a round of the step has gone; what is
 //      left then, or after `most_rounds`, goes on in the next step. It is way that is free to go, so nothing of it is felt
-//   5  felt       by the contacts there (god_force.h)
+//   5  felt       by the contacts there (god_force.h), in directions that turn evenly where a surface is shaded (god_shading.h)
 // With friction, where an object has it, 2 is friction_constraint.h: contacts hold along themselves by up to mu of what they push, and slip against
 // it beyond; by the static coefficient where the tool did not slip in the step before, by a thousandth of the gap at rest, else by the dynamic one.
 // g_k is a contact's gap and delta the gap at which tools rest, a micrometre. Contacts within 4 delta are told, farther ones where the tool was
@@ -31,6 +31,7 @@
 #include "haptics/surface/friction.h"
 #include "haptics/tool/god_force.h"
 #include "haptics/tool/god_pair.h"
+#include "haptics/tool/god_shading.h"
 #include "haptics/tool/tool_solver.h"
 
 #include <memory>
@@ -65,6 +66,9 @@ struct GodObjectPlan {
     std::shared_ptr<const GodSurface> object;
     std::shared_ptr<const GodSurface> tool;  ///< about its centre of mass, along its principal axes
     FrictionSettings friction{};             ///< between them; without a viscous part
+    /// What is felt turns evenly over their edges (god_shading.h); of the same meshes, or none.
+    std::shared_ptr<const GodShading> object_shading{};
+    std::shared_ptr<const GodShading> tool_shading{};
 };
 
 /// What one step did.
@@ -131,6 +135,8 @@ class GodObjectTool final : public ToolSolver {
     void tell_force() noexcept;
     void tell_touches() noexcept;
     [[nodiscard]] double find_friction(std::size_t i, const GodContact& contact) const noexcept;
+    [[nodiscard]] Vector3 find_felt_normal_W(std::size_t i, const GodContact& contact,
+                                             const Matrix3& R_WO) const noexcept;
     void note_slips() noexcept;
     void forget_slips() noexcept;
     [[nodiscard]] Wrench about_grip(const Wrench& about_centre,
@@ -148,6 +154,10 @@ class GodObjectTool final : public ToolSolver {
     bool has_friction_;
     std::vector<FrictionSettings> frictions_;  // of objects
     std::vector<Slip> slips_;
+    struct Shading {
+        std::shared_ptr<const GodShading> object, tool;
+    };
+    std::vector<Shading> shadings_;  // empty where nothing is shaded
     LeastConstraintSolver solver_;
     FrictionConstraintSolver dragging_;  // in its place, where there is friction
     GodForce force_;

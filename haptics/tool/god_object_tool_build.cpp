@@ -25,6 +25,10 @@ bool has_friction(const std::vector<GodObjectPlan>& plans) {
                                [](const GodObjectPlan& plan) { return plan.friction.any(); });
 }
 
+bool fits(const GodSurface& surface, const GodShading* shading) {
+    return shading == nullptr || shading->n_triangles() == surface.swept().n_triangles();
+}
+
 GodForceSettings make_force_settings(const std::vector<GodObjectPlan>& plans,
                                      const GodObjectSettings& settings) {
     return {.inertia = settings.inertia,
@@ -72,7 +76,13 @@ GodObjectTool::GodObjectTool(const std::vector<GodObjectPlan>& plans,
     settings_.handle_turn.normalize();
     pairs_.reserve(plans.size());
     frictions_.reserve(plans.size());
+    const bool is_shaded = std::ranges::any_of(plans, [](const GodObjectPlan& plan) {
+        return plan.object_shading != nullptr || plan.tool_shading != nullptr;
+    });
     for (const GodObjectPlan& plan : plans) {
+        if (is_shaded) {
+            shadings_.push_back({plan.object_shading, plan.tool_shading});
+        }
         frictions_.push_back(plan.friction);
         pairs_.emplace_back(plan.object, plan.tool, settings.most_contacts);
         reach_m_ = std::max(reach_m_, plan.tool->swept().reach_m());
@@ -99,6 +109,11 @@ Expected<GodObjectTool> GodObjectTool::build(const std::vector<GodObjectPlan>& p
     for (const GodObjectPlan& plan : plans) {
         if (const auto checked = validate(plan.friction); !checked) {
             return tl::unexpected(checked.error());
+        }
+        if (!fits(*plan.object, plan.object_shading.get()) ||
+            !fits(*plan.tool, plan.tool_shading.get())) {
+            return fail("a surface is shaded by the normals of another mesh", {},
+                        "make its shading of its own mesh");
         }
         if (plan.friction.viscous_Ns_per_m > 0.0) {
             return fail("a tool of triangles does not feel viscous friction", {},

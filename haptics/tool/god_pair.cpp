@@ -125,7 +125,8 @@ bool GodPair::add_all_of(const GodNear& near, const GodPlace& place, double with
         least_gap_m_ = std::min(least_gap_m_, found.distance_m);
         const double rise_m = find_rise_m(near, found, normal_O, place.X_OT);
         if (rise_m <= within_m) {
-            add({found.on_fixed, found.on_moving, normal_O, found.distance_m, rise_m});
+            add({found.on_fixed, found.on_moving, normal_O, found.distance_m, rise_m, pair, i, j,
+                 near.object_triangle, near.tool_triangle});
         }
     };
     for (std::uint8_t i = 0; i < 3; ++i) {

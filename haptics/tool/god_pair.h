@@ -35,6 +35,12 @@ struct GodContact {
     double gap_m = 0.0;
     /// How far one of the surfaces rises beside it towards the other: where it does, another contact is nearer, until the tool turns.
     double rise_m = 0.0;
+    // Which features: a face, or one beside a corner or an edge; and the corner, or the one from which the edge goes to the next.
+    FeaturePair pair = FeaturePair::face_vertex;
+    std::uint8_t object_feature = 0;
+    std::uint8_t tool_feature = 0;
+    std::int32_t object_triangle = -1;
+    std::int32_t tool_triangle = -1;
 };
 
 class GodPair {

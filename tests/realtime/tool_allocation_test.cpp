@@ -19,15 +19,17 @@ namespace {
 
 constexpr double kDt_s = 0.001;
 
-void put_friction(HapticPlan& plan) {
+void put_surfaces(HapticPlan& plan, const std::vector<TriangleMesh>& meshes) {
     ToolPlan tool = *plan.tool;
+    std::size_t i = 0;
     for (GodObjectPlan& object : std::get<std::vector<GodObjectPlan>>(tool.objects)) {
         object.friction = {0.6, 0.4, 0.0};
+        object.object_shading = GodShading::create(meshes[i++], {.on = true}).value();
     }
     plan.tool = std::make_shared<const ToolPlan>(std::move(tool));
 }
 
-HapticPlan make_plan(const VoxelToolSettings& settings, ToolMethod method, bool has_friction) {
+HapticPlan make_plan(const VoxelToolSettings& settings, ToolMethod method, bool has_surfaces) {
     HapticPlan plan;
     plan.safety.soft_start_s = 0.0;
     plan.expects_lesson = false;
@@ -43,10 +45,11 @@ HapticPlan make_plan(const VoxelToolSettings& settings, ToolMethod method, bool 
     plan.axles.push_back(axle);
     test::ToolScene scene = test::make_ball_tool(method);
     scene.settings = settings;
-    plan.tool = test::make_tool_of(
-        scene, {make_box({0.2, 0.04, 0.2}).value(), make_box({0.04, 0.2, 0.2}).value()});
-    if (has_friction) {
-        put_friction(plan);
+    const std::vector<TriangleMesh> meshes{make_box({0.2, 0.04, 0.2}).value(),
+                                           make_box({0.04, 0.2, 0.2}).value()};
+    plan.tool = test::make_tool_of(scene, meshes);
+    if (has_surfaces) {
+        put_surfaces(plan, meshes);
     }
     return plan;
 }
@@ -68,13 +71,13 @@ TEST_CASE(
         {massless, ToolMethod::voxel_sampling, false},
         {explicit_steps, ToolMethod::voxel_sampling, false},
         {{}, ToolMethod::implicit_penalty, false}};
-    for (const auto& [settings, method, has_friction] : tools) {
+    for (const auto& [settings, method, has_surfaces] : tools) {
         auto channels = std::make_unique<HapticChannels>();
         auto axles = std::make_unique<AxleChannels>();
         channels->axles = axles.get();
         LatestValue<HandTarget> target;
         SimulatedHand hand(SimulatedHandSettings{}, target);
-        HapticLoop loop(make_plan(settings, method, has_friction), hand, *channels);
+        HapticLoop loop(make_plan(settings, method, has_surfaces), hand, *channels);
         bool touched = false;
         bool let_go = false;
         const std::uint64_t n = count_allocations([&] {

@@ -1,4 +1,4 @@
-// What the god-object's tool costs where surfaces have more than a shape: friction, beside the same steps without it.
+// What the god-object's tool costs where surfaces have more than a shape: friction, and normals that turn evenly; each beside the same steps without it.
 #include "haptics/math/rotation.h"
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/measure.h"
@@ -26,6 +26,21 @@ struct Scene {
     TriangleMesh tool;
 };
 
+struct Surface {
+    std::string name;
+    FrictionSettings friction{};
+    ShadingSettings shading{};
+};
+
+const std::vector<Surface>& surfaces() {
+    static const std::vector<Surface> all{
+        {"friction", kWood, {}},
+        {"even normals", {}, {.on = true}},
+        {"both", kWood, {.on = true}},
+    };
+    return all;
+}
+
 std::vector<Scene> make_scenes() {
     const TriangleMesh ball = make_bumpy_sphere(0.5 * kLarge_m, 20, 0.04, 9.0).value();
     return {{"block on a table", make_box({3.0 * kLarge_m, kLarge_m, 3.0 * kLarge_m}).value(),
@@ -38,9 +53,9 @@ std::vector<Scene> make_scenes() {
 // Down from above until they touch, then pressed, drawn to and fro by up to 7 cm/s, and tilted.
 class Drawn {
   public:
-    Drawn(const Scene& scene, const FrictionSettings& friction)
+    Drawn(const Scene& scene, const Surface& surface)
         : tool_(GodObjectTool::build(
-                    {{GodSurface::create(scene.object), GodSurface::create(scene.tool), friction}},
+                    {make_plan(scene, surface)},
                     test::make_god_settings(make_ball_inertia(kMass_kg, 0.5 * kLarge_m)))
                     .value()) {
         tool_.place(Pose::at({0.0, 1.2 * kLarge_m, 0.0}));
@@ -63,6 +78,17 @@ class Drawn {
     [[nodiscard]] int contacts() const { return tool_.last_step().contacts; }
 
   private:
+    static GodObjectPlan make_plan(const Scene& scene, const Surface& surface) {
+        GodObjectPlan plan{.object = GodSurface::create(scene.object),
+                           .tool = GodSurface::create(scene.tool),
+                           .friction = surface.friction};
+        if (surface.shading.on) {
+            plan.object_shading = GodShading::create(scene.object, surface.shading).value();
+            plan.tool_shading = GodShading::create(scene.tool, surface.shading).value();
+        }
+        return plan;
+    }
+
     GodObjectTool tool_;
     double touched_m_ = 0.0;
     int n_ = 0;
@@ -73,10 +99,9 @@ std::string rounded(double value) {
 }
 
 // Steps without and with, in turn.
-std::vector<std::string> measure(const Scene& scene, const std::string& what,
-                                 const FrictionSettings& friction, int n_steps) {
+std::vector<std::string> measure(const Scene& scene, const Surface& surface, int n_steps) {
     Drawn without(scene, {});
-    Drawn with(scene, friction);
+    Drawn with(scene, surface);
     std::vector<double> plain_us;
     std::vector<double> surface_us;
     double contacts = 0.0;
@@ -86,16 +111,16 @@ std::vector<std::string> measure(const Scene& scene, const std::string& what,
         contacts += static_cast<double>(with.contacts()) / n_steps;
     }
     const Cost plain = summarise(std::move(plain_us));
-    const Cost surface = summarise(std::move(surface_us));
+    const Cost dressed = summarise(std::move(surface_us));
     return {scene.name,
-            what,
+            surface.name,
             rounded(contacts),
             rounded(plain.median_us),
-            rounded(surface.median_us),
-            rounded(surface.median_us / plain.median_us),
+            rounded(dressed.median_us),
+            rounded(dressed.median_us / plain.median_us),
             rounded(plain.p99_us),
-            rounded(surface.p99_us),
-            rounded(surface.p99_us / plain.p99_us)};
+            rounded(dressed.p99_us),
+            rounded(dressed.p99_us / plain.p99_us)};
 }
 
 Report run_god_surfaces(Run& run) {
@@ -107,21 +132,24 @@ Report run_god_surfaces(Run& run) {
         "same steps without and with, in turn; processor time";
     sheet.advice =
         "Give bodies the friction of their material: what sticks saves the tool most of its way, "
-        "and "
-        "what slides leaves nine tenths of a millisecond free.";
+        "and what slides leaves nine tenths of a millisecond free.";
     sheet.columns = {"scene", "surface",          "contacts",      "without, us",  "with, us",
                      "ratio", "99 % without, us", "99 % with, us", "ratio of 99 %"};
     const std::vector<Scene> scenes = make_scenes();
     for (const Scene& scene : scenes) {
-        run.progress(static_cast<double>(sheet.rows.size()) / static_cast<double>(scenes.size()),
+        run.progress(static_cast<double>(sheet.rows.size()) /
+                         static_cast<double>(scenes.size() * surfaces().size()),
                      scene.name);
-        sheet.rows.push_back(measure(scene, "friction", kWood, run.pick(4000, 300)));
+        for (const Surface& surface : surfaces()) {
+            sheet.rows.push_back(measure(scene, surface, run.pick(4000, 300)));
+        }
     }
     return {sheet};
 }
 
-const Registration kGodSurfaces{
-    {"god-surfaces", "what friction costs the god-object's tool", run_god_surfaces}};
+const Registration kGodSurfaces{{"god-surfaces",
+                                 "what friction and even normals cost the god-object's tool",
+                                 run_god_surfaces}};
 
 }  // namespace
 }  // namespace fulcrum::bench

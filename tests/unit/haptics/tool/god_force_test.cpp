@@ -76,6 +76,29 @@ TEST_CASE(
           Approx(now_N + kStiffness * 0.001));
 }
 
+TEST_CASE("god force: a new set that pushes the other way, and less, goes on from the one before") {
+    GodForce force = make_force();
+    const Pose handle = Pose::at({0.0, -kDepth_m, 0.001});
+    put_on_floor(force);
+    const Wrench before = force.compute(handle);
+    force.begin(Pose{});
+    REQUIRE(force.add({0.0, 0.0, 0.05}, -Vector3::UnitZ(), 0.0));
+    force.blend(before, handle, kDt_s);
+    const double kept = std::exp(-kDt_s / kFade_s);
+    const Vector3 now = -kStiffness * 0.001 * Vector3::UnitZ();
+    CHECK((force.compute(handle).force - (now + kept * (before.force - now))).norm() < 1.0e-9);
+    // Taken back, what is taken of the push goes with it.
+    force.begin(Pose{});
+    REQUIRE(force.add({0.0, 0.05, 0.0}, -kUp, -2.0 * kDepth_m));
+    REQUIRE(force.add({0.0, -0.05, 0.0}, -kUp, -2.0 * kDepth_m));
+    const Wrench pushed = force.compute(handle);
+    force.begin(Pose::at({0.0, -kDepth_m - 0.0001, 0.001}));
+    REQUIRE(force.add({0.0, 0.05, 0.0}, -kUp, 0.0));
+    force.blend(pushed, handle, kDt_s);
+    CHECK((force.compute(handle).force - pushed.force).norm() <
+          1.01 * (1.0 - kept) * (pushed.force.norm() + kStiffness * 0.0001));
+}
+
 TEST_CASE("god force: lifted while a contact is still blended in, nothing pulls") {
     GodForce force = make_force();
     const Pose handle = Pose::at({0.0, -kDepth_m, 0.0});

@@ -1,0 +1,221 @@
+#include "haptics/tool/god_shading.h"
+
+#include "haptics/math/rotation.h"
+#include "tests/support/god_scene.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace fulcrum {
+namespace {
+
+using test::kGodDt_s;
+
+constexpr double kStiffness = 500.0;
+constexpr double kRadius_m = 0.05;
+constexpr double kDepth_m = 0.002;
+const MovingFrame kHeld{};
+
+// So heavy to turn that it stays as it is held.
+Inertia make_stiff_inertia() {
+    return {.mass_kg = 0.05, .moments_kg_m2 = Vector3::Constant(0.05)};
+}
+
+TriangleMesh make_ball() {
+    return make_sphere(kRadius_m, 5).value();
+}
+
+// Its tip at the origin, pointing down; steep, so that the tip alone touches.
+TriangleMesh make_spike() {
+    return TriangleMesh::build({{0.0, 0.0, 0.0},
+                                {0.004, 0.02, 0.0},
+                                {-0.002, 0.02, 0.0035},
+                                {-0.002, 0.02, -0.0035}},
+                               {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})
+        .value();
+}
+
+std::shared_ptr<const GodShading> shade(const TriangleMesh& mesh, double crease_angle_deg = 45.0) {
+    return GodShading::create(mesh, {.on = true, .crease_angle_deg = crease_angle_deg}).value();
+}
+
+struct Shaded {
+    bool object = false;
+    bool tool = false;
+};
+
+GodObjectTool make_tool(const TriangleMesh& tool, const TriangleMesh& object, Shaded shaded) {
+    GodObjectPlan plan{.object = GodSurface::create(object), .tool = GodSurface::create(tool)};
+    plan.object_shading = shaded.object ? shade(object) : nullptr;
+    plan.tool_shading = shaded.tool ? shade(tool) : nullptr;
+    return GodObjectTool::build({plan}, test::make_god_settings(make_stiff_inertia())).value();
+}
+
+double angle_between(const Vector3& a, const Vector3& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// How far the force's direction turns in a step, beyond what the way turns, and how far it is from the ball's own; rad.
+struct Turns {
+    double most_jump = 0.0;
+    double most_off = 0.0;
+    double rms_jump = 0.0;
+};
+
+constexpr int kSteps = 3000;
+constexpr double kArc_rad = 1.2;
+
+Vector3 find_direction(int i) {
+    const double angle = kArc_rad * (static_cast<double>(i) / kSteps - 0.5);
+    return compute_exp(Vector3(0.3, 0.4, 0.2)) * Vector3(std::sin(angle), std::cos(angle), 0.0);
+}
+
+// A spike drawn over a ball, or a ball over a spike that stands with its tip at the origin.
+Turns draw_over(GodObjectTool& tool, bool ball_is_tool) {
+    const auto handle_at = [&](int i, double out_m) {
+        const Vector3 out = find_direction(i);
+        return ball_is_tool ? Pose{Vector3(0.0, kRadius_m + out_m, 0.0),
+                                   Quaternion::FromTwoVectors(-out, -Vector3::UnitY())}
+                            : Pose{(kRadius_m + out_m) * out,
+                                   Quaternion::FromTwoVectors(Vector3::UnitY(), out)};
+    };
+    tool.place(handle_at(0, 0.003));
+    for (int i = 0; i <= 60; ++i) {
+        (void)tool.move({handle_at(0, 0.003 - (0.003 + kDepth_m) * i / 50.0), {}}, {&kHeld, 1}, 0.0,
+                        kGodDt_s);
+    }
+    Turns turns;
+    Vector3 before = Vector3::Zero();
+    for (int i = 0; i < kSteps; ++i) {
+        const ToolFelt felt = tool.move({handle_at(i, -kDepth_m), {}}, {&kHeld, 1}, 0.0, kGodDt_s);
+        const Vector3 even = ball_is_tool ? Vector3(Vector3::UnitY()) : find_direction(i);
+        REQUIRE(felt.felt_W.force.norm() > 0.5 * kStiffness * kDepth_m);
+        turns.most_off = std::max(turns.most_off, angle_between(felt.felt_W.force, even));
+        if (i > 0) {
+            const double jump = angle_between(felt.felt_W.force, before);
+            turns.most_jump = std::max(turns.most_jump, jump);
+            turns.rms_jump += jump * jump / kSteps;
+        }
+        before = felt.felt_W.force;
+    }
+    turns.rms_jump = std::sqrt(turns.rms_jump);
+    return turns;
+}
+
+TEST_CASE(
+    "god shading: a tip drawn over a ball of facets, and such a ball over a tip, is pushed along "
+    "the radius but for a fifth of the facets' error, and no step turns the force by a tenth of "
+    "what it did") {
+    const bool ball_is_tool = GENERATE(false, true);
+    const TriangleMesh spike = make_spike();
+    TriangleMesh turned = spike;
+    if (ball_is_tool) {
+        std::vector<Vector3> vertices = spike.vertices_B();
+        for (Vector3& v : vertices) {
+            v.y() = -v.y();
+        }
+        turned = TriangleMesh::build(std::move(vertices), spike.triangles()).value();
+    }
+    const auto draw = [&](bool shaded) {
+        GodObjectTool tool = ball_is_tool ? make_tool(make_ball(), turned, {false, shaded})
+                                          : make_tool(turned, make_ball(), {shaded, false});
+        return draw_over(tool, ball_is_tool);
+    };
+    const Turns flat = draw(false);
+    const Turns even = draw(true);
+    CAPTURE(ball_is_tool, flat.most_jump, even.most_jump, flat.most_off, even.most_off,
+            flat.rms_jump, even.rms_jump);
+    CHECK(even.most_jump < 0.1 * flat.most_jump);
+    CHECK(even.most_off < 0.2 * flat.most_off);
+    CHECK(flat.most_jump > 0.02);
+}
+
+TEST_CASE("god shading: the tool goes the same way to the bit, and enters nothing") {
+    const TriangleMesh ball = make_ball();
+    const TriangleMesh cube = make_box(Vector3::Constant(0.04)).value();
+    GodObjectTool shaded = make_tool(cube, ball, {true, true});
+    GodObjectTool plain = make_tool(cube, ball, {});
+    const Pose start = Pose::at({0.0, 0.08, 0.0});
+    shaded.place(start);
+    plain.place(start);
+    double most_N = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        const Pose handle{Vector3(0.03 * std::sin(0.01 * i), 0.068 - 0.004 * std::cos(0.003 * i),
+                                  0.02 * std::sin(0.007 * i)),
+                          compute_exp(Vector3(0.4 * std::sin(0.005 * i), 0.002 * i, 0.3))};
+        const ToolFelt a = shaded.move({handle, {}}, {&kHeld, 1}, 0.0, kGodDt_s);
+        const ToolFelt b = plain.move({handle, {}}, {&kHeld, 1}, 0.0, kGodDt_s);
+        REQUIRE(shaded.pose_W().position == plain.pose_W().position);
+        REQUIRE(shaded.pose_W().orientation.coeffs() == plain.pose_W().orientation.coeffs());
+        REQUIRE_FALSE(test::do_cross(ball, {}, cube, shaded.pose_W()));
+        // Nothing is felt where nothing touches.
+        REQUIRE((a.felt_W.force.norm() > 0.0) == (b.felt_W.force.norm() > 0.0));
+        most_N = std::max(most_N, b.felt_W.force.norm());
+    }
+    CHECK(most_N > 1.0);
+}
+
+TEST_CASE("god shading: flat faces and creases push as they did") {
+    const TriangleMesh cube = make_box(Vector3::Constant(0.04)).value();
+    const TriangleMesh floor = make_box({0.3, 0.1, 0.3}).value();
+    GodObjectTool shaded = make_tool(cube, floor, {true, true});
+    GodObjectTool plain = make_tool(cube, floor, {});
+    const Pose start = Pose::at({0.0, 0.08, 0.0});
+    shaded.place(start);
+    plain.place(start);
+    for (int i = 0; i < 600; ++i) {
+        // Flat, over the floor's edge, and on an edge of its own.
+        const Pose handle{Vector3(0.0004 * i, 0.066 + (i > 300 ? 0.004 : 0.0), 0.0),
+                          compute_exp(Vector3(0.0, 0.0, i > 300 ? 0.3 : 0.0))};
+        const ToolFelt a = shaded.move({handle, {}}, {&kHeld, 1}, 0.0, kGodDt_s);
+        const ToolFelt b = plain.move({handle, {}}, {&kHeld, 1}, 0.0, kGodDt_s);
+        CAPTURE(i);
+        REQUIRE((a.felt_W.force - b.felt_W.force).norm() < 1.0e-9);
+        REQUIRE((a.felt_W.torque - b.felt_W.torque).norm() < 1.0e-9);
+    }
+}
+
+TEST_CASE("god shading: an edge is even where both its triangles agree") {
+    const TriangleMesh cylinder = make_cylinder(0.02, 0.1, 24).value();
+    const auto shading = shade(cylinder, 30.0);
+    int n_even = 0;
+    int n_crease = 0;
+    for (std::size_t t = 0; t < cylinder.triangles().size(); ++t) {
+        const auto p = [&](std::size_t k) {
+            return cylinder.vertices_B()[static_cast<std::size_t>(cylinder.triangles()[t][k % 3])];
+        };
+        const Vector3 normal = (p(1) - p(0)).cross(p(2) - p(0)).normalized();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vector3 middle = 0.5 * (p(k) + p(k + 1));
+            const bool on_rim = std::abs(std::abs(middle.y()) - 0.05) < 1.0e-9 &&
+                                std::abs(std::hypot(middle.x(), middle.z()) -
+                                         0.02 * std::cos(std::numbers::pi / 24.0)) < 1.0e-9;
+            const bool even = shading->is_even(static_cast<std::int32_t>(t), k);
+            REQUIRE(even != on_rim);
+            n_even += even ? 1 : 0;
+            n_crease += even ? 0 : 1;
+            if (std::abs(normal.y()) < 0.5) {
+                const Vector3 felt =
+                    shading->normal_B(static_cast<std::int32_t>(t), middle, normal);
+                CHECK(std::abs(felt.y()) < 1.0e-9);
+            }
+        }
+    }
+    CHECK(n_even > 48);
+    CHECK(n_crease == 96);
+}
+
+TEST_CASE("god shading: angles out of range and another mesh's normals are refused") {
+    const TriangleMesh ball = make_ball();
+    CHECK_FALSE(GodShading::create(ball, {.on = true, .crease_angle_deg = -1.0}));
+    CHECK_FALSE(GodShading::create(ball, {.on = true, .crease_angle_deg = std::nan("")}));
+    GodObjectPlan plan{.object = GodSurface::create(ball),
+                       .tool = GodSurface::create(make_spike())};
+    plan.object_shading = shade(make_spike());
+    CHECK_FALSE(GodObjectTool::build({plan}, test::make_god_settings(make_stiff_inertia())));
+}
+
+}  // namespace
+}  // namespace fulcrum
