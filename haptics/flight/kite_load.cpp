@@ -25,6 +25,18 @@ Vector3 compute_tail_force(const Kite& kite, double density_kg_per_m3,
     return 0.5 * density_kg_per_m3 * kite.tail_drag_m2 * compute_length(flow) * flow;
 }
 
+// F = c |v| v has the derivatives c (|v| I + v v^T / |v|).
+Matrix3 compute_tail_slopes(const Kite& kite, double density_kg_per_m3,
+                            const Vector3& flow) noexcept {
+    const double speed = compute_length(flow);
+    const double c = 0.5 * density_kg_per_m3 * kite.tail_drag_m2;
+    Matrix3 slopes = c * speed * Matrix3::Identity();
+    if (speed > 0.0) {
+        slopes += c * flow * (flow / speed).transpose();
+    }
+    return slopes;
+}
+
 // Central differences of `compute(flow)`, which gives a PlateForce.
 template <class Compute>
 PlateSlopes differentiate(const Compute& compute, const Vector3& flow) noexcept {
@@ -50,19 +62,23 @@ void add_at(const Vector3& at_B, const PlateForce& force, Wrench& wrench) noexce
     wrench.torque += at_B.cross(force.force) + force.torque;
 }
 
-// Adds what a place's slopes make of those of the body, along its own axes.
+// Adds what a place's slopes make of those of the body, along its own axes: with M a matrix's row, M [r] is M x r, and
+//   by the spin M [at]     by turning M ([flow] + [spin][at])
 void add_slopes(const MotionB& motion, const Vector3& at_B, const PlateSlopes& slopes,
                 WrenchJacobian& jacobian) noexcept {
-    const Matrix3 arm = compute_skew(at_B);
-    const Matrix3 torque = arm * slopes.force + slopes.torque;
-    const Matrix3 by_turn =
-        compute_skew(motion.compute_flow(at_B)) + compute_skew(motion.spin) * arm;
+    const Vector3 flow = motion.compute_flow(at_B);
+    const Matrix3 torque = compute_skew(at_B) * slopes.force + slopes.torque;
     jacobian.velocity.topLeftCorner<3, 3>() -= slopes.force;
     jacobian.velocity.bottomLeftCorner<3, 3>() -= torque;
-    jacobian.velocity.topRightCorner<3, 3>() += slopes.force * arm;
-    jacobian.velocity.bottomRightCorner<3, 3>() += torque * arm;
-    jacobian.pose.topRightCorner<3, 3>() += slopes.force * by_turn;
-    jacobian.pose.bottomRightCorner<3, 3>() += torque * by_turn;
+    const auto add_row = [&](int at, const Vector3& row) {
+        jacobian.velocity.block<1, 3>(at, 3) += row.cross(at_B).transpose();
+        jacobian.pose.block<1, 3>(at, 3) +=
+            (row.cross(flow) + row.cross(motion.spin).cross(at_B)).transpose();
+    };
+    for (int i = 0; i < 3; ++i) {
+        add_row(i, slopes.force.row(i));
+        add_row(i + 3, torque.row(i));
+    }
 }
 
 }  // namespace
@@ -99,11 +115,9 @@ void KiteAirLoad::add_linearised_wrench(const RigidState& state, double time_s, 
                        : differentiate(compute, flow),
                    slopes_B);
     }
-    const auto compute_tail = [&](const Vector3& flow) {
-        return PlateForce{compute_tail_force(kite_, density_kg_per_m3_, flow), Vector3::Zero()};
-    };
-    add_slopes(motion, kite_.foot_B, differentiate(compute_tail, motion.compute_flow(kite_.foot_B)),
-               slopes_B);
+    const Matrix3 tail =
+        compute_tail_slopes(kite_, density_kg_per_m3_, motion.compute_flow(kite_.foot_B));
+    add_slopes(motion, kite_.foot_B, {tail, Matrix3::Zero()}, slopes_B);
     // Along W, and turning with the body.
     const Matrix3 R = state.pose_W.orientation.toRotationMatrix();
     jacobian.velocity += compute_turned(slopes_B.velocity, R);

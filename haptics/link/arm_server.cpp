@@ -242,8 +242,8 @@ void ArmServer::tell_state() noexcept {
     LinkState& state = packet.state;
     state.measured_ns = LinkPost::to_ns(reading_.stamp_s);
     state.pose_D = reading_.pose_D;
-    state.twist_D = {shorten(velocity_.velocity(), 1000.0),
-                     shorten(angular_velocity_.velocity(), 1000.0)};
+    state.twist_D = {shorten(velocity_.velocity(), kFastestTold),
+                     shorten(angular_velocity_.velocity(), kFastestTold)};
     state.applied_D = applied_D_;
     state.given = {force_.gave_J(), torque_.gave_J()};
     state.buttons = reading_.buttons;

@@ -77,21 +77,24 @@ void LinkDevice::take(double now_s, const OpenedPacket& opened) noexcept {
         begin_link();
     } else if (kind == PacketKind::state && opened.packet.head.sequence > state_number_) {
         state_number_ = opened.packet.head.sequence;
-        // Clocks are compared ever better: for that a stamp neither goes back nor stands, or a velocity would have no bound. What was not
-        // measured later has no later stamp.
-        const std::int64_t since_ns = opened.packet.state.measured_ns - state_.measured_ns;
-        const double stamp_s =
-            post_.compute_usual_arrival_s(now_s, opened.packet.state.measured_ns);
-        if (!has_state_) {
-            stamp_s_ = stamp_s;
-        } else if (since_ns > 0) {
-            // Whatever an arm says of its clock, nothing is measured after it is heard of.
-            stamp_s_ = std::min(
-                std::max(stamp_s, stamp_s_ + 0.5e-9 * static_cast<double>(since_ns)), now_s);
-        }
-        state_ = opened.packet.state;
-        has_state_ = true;
+        take_state(now_s, opened.packet.state);
     }
+}
+
+// Clocks are compared ever better: for that a stamp neither goes back nor stands, or a velocity would have no bound. It goes on by half of
+// what the arm's clock did at least; what was not measured later has no later stamp.
+void LinkDevice::take_state(double now_s, const LinkState& state) noexcept {
+    constexpr double kLeastPace = 0.5;
+    const double since_s = 1.0e-9 * static_cast<double>(state.measured_ns - state_.measured_ns);
+    const double stamp_s = post_.compute_usual_arrival_s(now_s, state.measured_ns);
+    if (!has_state_) {
+        stamp_s_ = stamp_s;
+    } else if (since_s > 0.0) {
+        // Whatever an arm says of its clock, nothing is measured after it is heard of.
+        stamp_s_ = std::min(std::max(stamp_s, stamp_s_ + kLeastPace * since_s), now_s);
+    }
+    state_ = state;
+    has_state_ = true;
 }
 
 void LinkDevice::take_welcome(double now_s, const OpenedPacket& opened) noexcept {

@@ -81,6 +81,7 @@ class LinkDevice final : public Device {
   private:
     void take_packets(double now_s) noexcept;
     void take(double now_s, const OpenedPacket& opened) noexcept;
+    void take_state(double now_s, const LinkState& state) noexcept;
     void take_welcome(double now_s, const OpenedPacket& opened) noexcept;
     void say_hello(double now_s) noexcept;
     void begin_link() noexcept;

@@ -20,7 +20,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace fulcrum {
@@ -106,22 +105,6 @@ class FaultyDatagrams final : public Datagrams {
     Way in_;
     LinkFaultCounts counts_{};
     std::array<std::byte, kMostBytes> bytes_{};
-};
-
-/// Two ends in one program: what one sends, the other receives at once and in order. For tests and for runs under one clock.
-class MemoryChannel {
-  public:
-    MemoryChannel();
-    ~MemoryChannel();
-    MemoryChannel(const MemoryChannel&) = delete;
-    MemoryChannel& operator=(const MemoryChannel&) = delete;
-
-    /// End 0 or 1; their addresses differ.
-    [[nodiscard]] Datagrams& end(int which) noexcept;
-
-  private:
-    class End;
-    std::unique_ptr<End> ends_[2];
 };
 
 }  // namespace fulcrum

@@ -1,7 +1,8 @@
 #include "haptics/link/link_format.h"
 
+#include "haptics/base/crc32.h"
+#include "haptics/base/little_endian.h"
 #include "haptics/loop/safety.h"
-#include "haptics/record/record.h"
 
 #include <algorithm>
 #include <bit>
@@ -20,7 +21,6 @@ constexpr std::int64_t kLatest_ns = std::int64_t{1}
                                     << 61;  // 73 years; sums of three do not overflow
 constexpr std::int64_t kLongestHeld_ns = 60'000'000'000;
 constexpr double kFurthest_m = 100.0;
-constexpr double kFastest = 1000.0;  // m/s, rad/s
 constexpr double kMostEnergy_J = 1.0e12;
 constexpr double kLinkUnitTolerance = 1.0e-3;
 
@@ -31,9 +31,8 @@ class FieldWriter {
 
     template <std::unsigned_integral T>
     void field(T value) noexcept {
-        for (std::size_t i = 0; i < sizeof(T); ++i) {
-            bytes_[at_++] = static_cast<std::byte>((value >> (8 * i)) & 0xFFU);
-        }
+        put_little_endian(value, bytes_.data() + at_);
+        at_ += sizeof(T);
     }
     void field(double value) noexcept { field(std::bit_cast<std::uint64_t>(value)); }
     void field(std::int64_t value) noexcept { field(static_cast<std::uint64_t>(value)); }
@@ -55,11 +54,8 @@ class FieldReader {
 
     template <std::unsigned_integral T>
     void field(T& value) noexcept {
-        value = 0;
-        for (std::size_t i = 0; i < sizeof(T); ++i) {
-            const auto byte = static_cast<T>(bytes_[at_++]);
-            value = static_cast<T>(value | static_cast<T>(byte << (8 * i)));
-        }
+        value = get_little_endian<T>(bytes_.data() + at_);
+        at_ += sizeof(T);
     }
     void field(double& value) noexcept {
         std::uint64_t bits = 0;
@@ -204,9 +200,9 @@ bool is_sane(const LinkState& s) noexcept {
     return s.measured_ns >= 0 && s.measured_ns <= kLatest_ns &&
            is_within(s.pose_D.position, kFurthest_m) &&
            is_within(length, 1.0 - kLinkUnitTolerance, 1.0 + kLinkUnitTolerance) &&
-           is_within(s.twist_D.linear, kFastest) && is_within(s.twist_D.angular, kFastest) &&
-           is_within(s.applied_D, kInsaneForce_N) && is_sane(s.given) &&
-           s.gate <= GatePhase::stopped;
+           is_within(s.twist_D.linear, kFastestTold) &&
+           is_within(s.twist_D.angular, kFastestTold) && is_within(s.applied_D, kInsaneForce_N) &&
+           is_sane(s.given) && s.gate <= GatePhase::stopped;
 }
 
 bool is_sane(const LinkCommand& c) noexcept {

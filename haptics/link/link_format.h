@@ -24,6 +24,8 @@ namespace fulcrum {
 
 inline constexpr std::uint16_t kLinkVersion = 1;
 inline constexpr std::size_t kLargestPacket = 512;  ///< bytes; no kind is larger
+inline constexpr double kFastestTold =
+    1000.0;  ///< of a twist, m/s and rad/s; a faster one is refused
 inline constexpr std::size_t kLinkNameBytes = 32;
 
 enum class PacketKind : std::uint8_t {

@@ -137,28 +137,30 @@ void SpoiledArm::serve(double now_s) noexcept {
     const double since_s = served_s_;
     while (now_s - served_s_ > 1.5 * kRound_s) {
         served_s_ += kRound_s;
-        server_.step(kBefore_s + asleep_s_ + served_s_ - kHalfRound_s);
-        watch(served_s_);
-        if (served_s_ - since_s >= kMostFade_s && counts_.force_N > kGone_N) {
-            ++counts_.missed_fades;
-            blame(served_s_);
-        }
+        serve_alone(served_s_ - since_s);
     }
     served_s_ = now_s;
-    server_.step(kBefore_s + asleep_s_ + now_s - kHalfRound_s);
-    watch(now_s);
+    serve_round();
 }
 
 void SpoiledArm::sleep(double seconds) noexcept {
     const double since_s = asleep_s_;
     while (asleep_s_ - since_s < seconds) {
         asleep_s_ += kRound_s;
-        server_.step(kBefore_s + asleep_s_ + served_s_ - kHalfRound_s);
-        watch(served_s_);
-        if (asleep_s_ - since_s >= kMostFade_s && counts_.force_N > kGone_N) {
-            ++counts_.missed_fades;
-            blame(served_s_);
-        }
+        serve_alone(asleep_s_ - since_s);
+    }
+}
+
+void SpoiledArm::serve_round() noexcept {
+    server_.step(kBefore_s + asleep_s_ + served_s_ - kHalfRound_s);
+    watch(served_s_);
+}
+
+void SpoiledArm::serve_alone(double since_s) noexcept {
+    serve_round();
+    if (since_s >= kMostFade_s && counts_.force_N > kGone_N) {
+        ++counts_.missed_fades;
+        blame(served_s_);
     }
 }
 
@@ -222,8 +224,12 @@ void SpoiledArm::begin(Spoil spoil, double now_s) noexcept {
         case Spoil::sleep:
             sleep(draw(0.02, kLongestGap_s));
             break;
-        default:
-            break;
+        case Spoil::nothing:
+        case Spoil::no_pose:
+        case Spoil::no_number:
+        case Spoil::stuck_sensor:
+        case Spoil::motor:
+            break;  // the arm's device does these by itself
     }
     line_.set(faults);
 }

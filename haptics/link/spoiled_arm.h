@@ -15,6 +15,7 @@
 #include "haptics/link/arm_server.h"
 #include "haptics/link/link_device.h"
 #include "haptics/link/link_faults.h"
+#include "haptics/link/memory_channel.h"
 #include "haptics/math/split_mix.h"
 
 #include <array>
@@ -134,6 +135,9 @@ class SpoiledArm final : public Device {
     void end() noexcept;
     void sleep(double seconds) noexcept;
     void serve(double now_s) noexcept;
+    // The arm's round at `served_s_`; and one in which the program has stood still for so long.
+    void serve_round() noexcept;
+    void serve_alone(double since_s) noexcept;
     void watch(double now_s) noexcept;
     void blame(double now_s) noexcept;
     [[nodiscard]] double draw(double low, double high) noexcept;

@@ -28,8 +28,7 @@
 // end block was cut off; its whole blocks are good.
 //
 // Thread: load path. Cost: one pass.
-// Source: CRC-32 as in ISO 3309 and PNG (polynomial 0xEDB88320, reflected); the magic follows PNG's,
-// whose control characters show a transfer that changed line ends.
+// Source: CRC-32 as crc32.h has it; the magic follows PNG's, whose control characters show a transfer that changed line ends.
 #pragma once
 
 #include "haptics/base/error.h"
@@ -164,9 +163,5 @@ struct Record : RecordRounds {
 [[nodiscard]] RecordHeader header_of_hand(const RecordHeader& header, std::size_t hand);
 /// Before the facts of that hand's device: "hand 2.".
 [[nodiscard]] std::string fact_prefix(std::size_t hand);
-
-/// CRC-32 of `bytes`; `before` is the checksum of what came before them, 0 at the start.
-[[nodiscard]] std::uint32_t compute_crc32(std::span<const std::byte> bytes,
-                                          std::uint32_t before = 0) noexcept;
 
 }  // namespace fulcrum

@@ -6,6 +6,7 @@
 // haptics/record.
 #pragma once
 
+#include "haptics/base/little_endian.h"
 #include "haptics/record/record.h"
 
 #include <array>
@@ -39,9 +40,9 @@ class Sink {
 
     template <std::unsigned_integral T>
     void field(const T& value) {
-        for (std::size_t i = 0; i < sizeof(T); ++i) {
-            bytes_.push_back(static_cast<std::byte>((value >> (8 * i)) & 0xFFU));
-        }
+        const std::size_t at = bytes_.size();
+        bytes_.resize(at + sizeof(T));
+        put_little_endian(value, bytes_.data() + at);
     }
     void field(const double& value) { field(std::bit_cast<std::uint64_t>(value)); }
     void field(const std::int32_t& value) { field(static_cast<std::uint32_t>(value)); }
@@ -59,10 +60,7 @@ class Source {
 
     template <std::unsigned_integral T>
     void field(T& value) {
-        value = 0;
-        for (std::size_t i = 0; i < sizeof(T); ++i) {
-            value = static_cast<T>(value | static_cast<T>(static_cast<T>(bytes_[i]) << (8 * i)));
-        }
+        value = get_little_endian<T>(bytes_.data());
         bytes_ = bytes_.subspan(sizeof(T));
     }
     void field(double& value) {

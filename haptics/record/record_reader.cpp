@@ -1,3 +1,4 @@
+#include "haptics/base/crc32.h"
 #include "haptics/record/record.h"
 #include "haptics/record/record_header.h"
 #include "haptics/record/record_layout.h"

@@ -222,8 +222,10 @@ class FieldSampler {
     // Leaves of a thinning, in ascending order.
     void take(std::size_t thinning, std::span<const std::int32_t> leaves, const FieldPlace& place,
               const Pose& X_OT) noexcept;
-    void add_slopes(std::size_t thinning, std::size_t leaf, const FieldPlace& place,
-                    const Pose& X_OT) noexcept;
+    void add_slopes(const ShellPoints& points, std::size_t n, const FieldPlace& place,
+                    const Pose& X_OT, SlopeLanes& lanes) noexcept;
+    void add_slopes_by_normals(const ShellPoints& points, std::size_t n, const FieldPlace& place,
+                               const Pose& X_OT) noexcept;
     // Of the leaves that touch, or evenly of as many as there is time for.
     void add_all_slopes(const FieldPlace& place, const Pose& X_OT) noexcept;
     void empty_lanes(const Pose& X_OT) noexcept;
@@ -326,7 +328,10 @@ class FieldSampler {
     // Leaves that touch for one whose derivatives fit in the time that is left.
     [[nodiscard]] std::size_t find_slopes_stride() const noexcept;
 
-    static constexpr std::int64_t kSlopesLeaves = 16;  // leaves that cost what one's derivatives do
+    // Leaves that cost what one's derivatives do.
+    [[nodiscard]] std::int64_t slopes_leaves() const noexcept {
+        return settings_.along == ForceAlong::slopes ? 4 : 16;
+    }
 
     Field field_;
     Shell shell_;

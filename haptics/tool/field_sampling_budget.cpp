@@ -18,7 +18,7 @@ constexpr double kForceFirst = 0.5;  // of the time, where derivatives are asked
 
 double FieldSampler::elapsed_us() const noexcept {
     if (settings_.clock == BudgetClock::counted) {
-        return static_cast<double>(touch_.n_leaves + kSlopesLeaves * touch_.n_sloped) *
+        return static_cast<double>(touch_.n_leaves + slopes_leaves() * touch_.n_sloped) *
                    settings_.leaf_us +
                static_cast<double>(touch_.n_groups) * settings_.group_us;
     }

@@ -56,7 +56,7 @@ FieldSampler::FieldSampler(Field field, Shell shell, const FieldSamplingSettings
       kernels_(&best_field_kernels()),
       leaf_us_(settings.leaf_us),
       group_us_(settings.group_us),
-      slopes_us_(kSlopesLeaves * settings.leaf_us) {
+      slopes_us_(static_cast<double>(slopes_leaves()) * settings.leaf_us) {
     for (std::size_t l = 0; l < shell_->n_levels(); ++l) {
         Level level;
         level.free_until.assign(ShellTree::kWidth * shell_->level(l).size(), kAlways);

@@ -15,6 +15,7 @@
 #define FULCRUM_KERNEL plain_kernels
 #define FULCRUM_KERNEL_LANES 8
 #include "haptics/voxel/distance_field_kernel.h"
+#include "haptics/voxel/distance_field_slope_kernel.h"
 #undef FULCRUM_KERNEL
 #undef FULCRUM_KERNEL_LANES
 
@@ -23,7 +24,7 @@ namespace fulcrum {
 namespace {
 
 constexpr FieldKernels kPlain{"8 lanes", plain_kernels::sample, plain_kernels::sum_leaves,
-                              plain_kernels::collect};
+                              plain_kernels::collect, plain_kernels::sum_slopes};
 
 }  // namespace
 
@@ -67,12 +68,39 @@ namespace {
 
 using Lanes = std::array<std::array<float, ContactLanes::kLanes>, 3>;
 
+double sum_of(const SlopeLanes::Lanes& lanes) noexcept {
+    // Four sums side by side: one would wait for itself at each number.
+    using Floats = float __attribute__((vector_size(16)));
+    using Doubles = double __attribute__((vector_size(32)));
+    Doubles sums{};
+    for (std::size_t i = 0; i < lanes.size(); i += 4) {
+        Floats four;
+        __builtin_memcpy(&four, lanes.data() + i, sizeof four);
+        sums += __builtin_convertvector(four, Doubles);
+    }
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
 Vector3 sum_of(const Lanes& lanes) noexcept {
-    Vector3 sum = Vector3::Zero();
-    for (int axis = 0; axis < 3; ++axis) {
-        for (const float lane : lanes[static_cast<std::size_t>(axis)]) {
-            sum[axis] += static_cast<double>(lane);
-        }
+    return {sum_of(lanes[0]), sum_of(lanes[1]), sum_of(lanes[2])};
+}
+
+Matrix3 sum_of(const SlopeLanes::Symmetric& lanes) noexcept {
+    Matrix3 sum;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto at = static_cast<int>(i);
+        const int next = (at + 1) % 3;
+        const int last = (at + 2) % 3;
+        sum(at, at) = sum_of(lanes[i]);
+        sum(next, last) = sum(last, next) = sum_of(lanes[3 + i]);
+    }
+    return sum;
+}
+
+Matrix3 sum_of(const SlopeLanes::Rows& lanes) noexcept {
+    Matrix3 sum;
+    for (std::size_t i = 0; i < lanes.size(); ++i) {
+        sum(static_cast<int>(i) / 3, static_cast<int>(i) % 3) = sum_of(lanes[i]);
     }
     return sum;
 }
@@ -122,6 +150,20 @@ void add_lanes(const DistanceField& field, const Pose& X_OT, ForceAlong along, C
     const bool in_tool = along == ForceAlong::normals;
     sums.force += in_tool ? Vector3(X_OT.orientation * force) : force;
     sums.torque += in_tool ? Vector3(X_OT.orientation * torque) : torque;
+}
+
+void add_slope_lanes(const DistanceField& field, SlopeLanes& lanes, Matrix6& slopes) noexcept {
+    const double step_m = field.step_m();
+    const double voxel_m = field.frame().voxel_m;
+    const double per_voxel = step_m / voxel_m;
+    const Matrix3 turn = per_voxel * step_m * sum_of(lanes.turn);
+    const Matrix3 arm_force = step_m * step_m * sum_of(lanes.arm_force);
+    slopes.topLeftCorner<3, 3>() += per_voxel * per_voxel * sum_of(lanes.place);
+    slopes.topRightCorner<3, 3>() += turn;
+    slopes.bottomLeftCorner<3, 3>() += turn.transpose();
+    slopes.bottomRightCorner<3, 3>() += step_m * step_m * sum_of(lanes.torque) + arm_force -
+                                        arm_force.trace() * Matrix3::Identity();
+    lanes = {};
 }
 
 ContactSums sum_contacts(const FieldKernels& kernels, const DistanceField& field, const Pose& X_OT,

@@ -5,6 +5,7 @@
 //   D                    the depth of distance_field.h, max(-F, 0) but for what lies deeper than the band; steps of 16 bits
 //   by normals:  sum of D n, sum of p x D n                  frame T, n the points' own normals: continuous wherever F is
 //   by slopes:   sum of -D grad D, sum of -A p x D grad D    frame O: minus the derivative of sum D^2 / 2, so no loop gains energy
+//   and how that changes with the tool's pose (distance_field_slope_kernel.h)
 // Points that lie in free bricks or outside the block read the same constant brick, so there is no branch a point.
 //
 // Places are single precision: off by at most 2.4e-7 (|A p| + |b|) voxels, 2.5e-4 in a block of 1024. Every version adds the same
@@ -15,6 +16,7 @@
 // section 13.6; sums as in W. McNeely, K. Puterbaugh, J. Troy 1999, section 4.
 #pragma once
 
+#include "haptics/math/wrench_jacobian.h"
 #include "haptics/voxel/distance_field.h"
 
 #include <array>
@@ -70,6 +72,18 @@ struct ContactLanes {
     alignas(64) std::array<std::int32_t, kLanes> count{};
 };
 
+/// Sixteen partial sums of how the force along slopes changes (distance_field_slope_kernel.h); steps and voxels, frame O.
+struct SlopeLanes {
+    using Lanes = std::array<float, ContactLanes::kLanes>;
+    /// Symmetric: xx, yy, zz, then yz, xz, xy.
+    using Symmetric = std::array<Lanes, 6>;
+    using Rows = std::array<Lanes, 9>;  ///< of a matrix, one after the other
+    alignas(64) Symmetric place{};
+    alignas(64) Rows turn{};
+    alignas(64) Symmetric torque{};
+    alignas(64) Rows arm_force{};
+};
+
 enum class ForceAlong : std::uint8_t { normals, slopes };
 
 /// Leaves that follow each other; kernels read kLeafPoints of each.
@@ -92,6 +106,10 @@ struct FieldKernels {
                               ContactLanes&, float* least) noexcept;
     /// Writes the numbers of those of `n` values that are below 0; how many. `hits` has room for all and one more.
     std::size_t (*collect_hits)(const float* values, std::size_t n, std::int32_t* hits) noexcept;
+    /// Adds to the sums what the first `n` points of a leaf have that touch and are no deeper than 3/4 of the band; a bit for each of
+    /// those that are deeper, which are left to the caller.
+    std::uint32_t (*sum_slopes)(const FieldView&, const FieldPlace&, const ShellPoints& leaf,
+                                std::size_t n, SlopeLanes&) noexcept;
 };
 
 /// The best that this processor has.
@@ -118,6 +136,10 @@ struct ContactSpread {
 /// Adds the lanes, scaled to metres and turned to frame O, to `sums`, and empties them.
 void add_lanes(const DistanceField& field, const Pose& X_OT, ForceAlong along, ContactLanes& lanes,
                ContactSums& sums) noexcept;
+
+/// Adds the lanes to the derivatives of force and torque about the tool's origin by its pose, frame O, over the stiffness, and empties
+/// them.
+void add_slope_lanes(const DistanceField& field, SlopeLanes& lanes, Matrix6& slopes) noexcept;
 
 /// All of `n` points; frame O.
 [[nodiscard]] ContactSums sum_contacts(const FieldKernels& kernels, const DistanceField& field,

@@ -16,6 +16,7 @@
 #define FULCRUM_KERNEL wide_kernels
 #define FULCRUM_KERNEL_LANES 16
 #include "haptics/voxel/distance_field_kernel.h"
+#include "haptics/voxel/distance_field_slope_kernel.h"
 #undef FULCRUM_KERNEL
 #undef FULCRUM_KERNEL_LANES
 #pragma GCC pop_options
@@ -25,7 +26,7 @@ namespace fulcrum {
 namespace {
 
 constexpr FieldKernels kWide{"16 lanes, AVX-512", wide_kernels::sample, wide_kernels::sum_leaves,
-                             wide_kernels::collect};
+                             wide_kernels::collect, wide_kernels::sum_slopes};
 
 }  // namespace
 

@@ -156,7 +156,7 @@ int check_command(const Installation& installation, const Options& options) {
         return check_as_meant(installation, run, folder, checked);
     });
     if (code != 0 || interrupted()) {
-        return code;
+        return code != 0 ? code : interrupt_exit_code();
     }
     request.learner_rates = kWrongLearner;
     code = with_run(installation, options, request,

@@ -217,7 +217,7 @@ int test_command(const Installation& installation, const Options& options) {
             break;  // what cannot be played by one cannot be played by the others, and has been said
         }
     }
-    return worst;
+    return worst != 0 ? worst : interrupt_exit_code();
 }
 
 int explain_command(const Installation& installation, const Options& options) {

@@ -279,9 +279,7 @@ Expected<SessionInput> LessonRun::gather(const FrameInput& input) {
     if (recorder_) {
         recorder_->keep_frame(gathered);
     }
-    if (why_ && shares_->take()) {
-        why_->look(shares_->value(), gathered.hand, input.time_s);
-    }
+    look_why(gathered);
     return gathered;
 }
 

@@ -35,6 +35,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fulcrum::runtime {
@@ -178,11 +179,9 @@ class LessonRun {
     /// Closes the record.
     [[nodiscard]] Expected<void> finish_record();
     /// Whether somebody looks on who may ask why a force is felt.
-    [[nodiscard]] bool tells_why() const { return why_.has_value(); }
-    /// Why, as things stand.
-    [[nodiscard]] ViewWhy why(const dialogue::Catalogue& catalogue) const {
-        return why_ ? why_->show(catalogue) : ViewWhy{};
-    }
+    [[nodiscard]] bool tells_why() const { return !why_.empty(); }
+    /// Why that hand feels its force, as things stand; nothing where nobody may ask, or there is no such hand.
+    [[nodiscard]] ViewWhy why(std::size_t hand, const dialogue::Catalogue& catalogue) const;
     /// The picture as things stand.
     [[nodiscard]] View view(const dialogue::Catalogue& catalogue) const;
 
@@ -215,6 +214,7 @@ class LessonRun {
     void fit_to_reach(const Places& places, const RunRequest& request, std::size_t hand,
                       double factor);
     void build_why(const RunRequest& request);
+    void look_why(const SessionInput& gathered);
     [[nodiscard]] Expected<void> build_recorder(const Places& places, const RunRequest& request);
     void build_touch_sound();
     void build_more_loops();
@@ -257,9 +257,14 @@ class LessonRun {
     WorldSnapshot seen_{};                // with rigid bodies: them, and those that stay
     std::unique_ptr<TouchRing> touches_;  // null when touch is not heard, like the next
     std::unique_ptr<TouchSound> touch_sound_;
-    std::unique_ptr<LatestValue<ForceShares>> shares_;  // null where nobody asks why, like the next
-    std::optional<WhyShown> why_;
-    std::unique_ptr<RunRecorder> recorder_;  // null when nothing is recorded
+    // What one hand's force is made of, for the panel that says so.
+    struct AskedWhy {
+        explicit AskedWhy(WhyShown why) : shown(std::move(why)) {}
+        LatestValue<ForceShares> shares;
+        WhyShown shown;
+    };
+    std::vector<std::unique_ptr<AskedWhy>> why_;  // of each hand; none where nobody asks
+    std::unique_ptr<RunRecorder> recorder_;       // null when nothing is recorded
     std::unique_ptr<LessonSession> session_;
     std::optional<SimulatedPupil> pupil_;
     HandFit fit_{};                          // said and kept

@@ -3,6 +3,7 @@
 #include "runtime/app/run_facts.h"
 
 #include <cstdio>
+#include <string>
 
 namespace fulcrum::runtime {
 namespace {
@@ -28,10 +29,38 @@ void LessonRun::build_why(const RunRequest& request) {
     if (!plan_.picture || !request.plan.live || haptic_loop_->effects().empty()) {
         return;
     }
-    shares_ = std::make_unique<LatestValue<ForceShares>>();
-    channels_.shares = shares_.get();
-    why_.emplace(haptic_loop_->effects(), process_->description().forces,
-                 MostFelt{haptic_loop_->max_force_N(), haptic_loop_->max_torque_Nm()});
+    const auto build = [&](const HapticLoop& loop, HapticChannels& channels) {
+        why_.push_back(
+            std::make_unique<AskedWhy>(WhyShown(loop.effects(), process_->description().forces,
+                                                {loop.max_force_N(), loop.max_torque_Nm()})));
+        channels.shares = &why_.back()->shares;
+    };
+    build(*haptic_loop_, channels_);
+    for (const auto& hand : more_hands_) {
+        build(*hand->loop, hand->channels);
+    }
+}
+
+void LessonRun::look_why(const SessionInput& gathered) {
+    for (std::size_t hand = 0; hand < why_.size(); ++hand) {
+        AskedWhy& why = *why_[hand];
+        if (why.shares.take()) {
+            why.shown.look(why.shares.value(),
+                           hand == 0 ? gathered.hand : gathered.more_hands[hand - 1],
+                           gathered.time_s);
+        }
+    }
+}
+
+ViewWhy LessonRun::why(std::size_t hand, const dialogue::Catalogue& catalogue) const {
+    if (hand >= why_.size()) {
+        return {};
+    }
+    ViewWhy why = why_[hand]->shown.show(catalogue);
+    if (why_.size() > 1) {
+        why.title = catalogue.say("hud.why_of", {{"number", std::to_string(hand + 1)}});
+    }
+    return why;
 }
 
 // The header tells what the run is made with, so everything else is built before.

@@ -57,7 +57,6 @@ void LessonScreen::begin() {
         return;
     }
     run_ = std::move(*run);
-    has_begun_ = true;
     print_lines(run_->process().prints_while_loading());
     say_notices(*run_);
     files_.watch_only(files_of_lesson(places_, request_.folder, run_->description(),
@@ -206,7 +205,7 @@ void LessonScreen::take_orders() {
                 say_again();
                 break;
             case ScreenOrder::switch_why:
-                shows_why_ = !shows_why_;
+                why_hand_ = next_why_hand();
                 break;
         }
     }
@@ -299,7 +298,7 @@ View LessonScreen::compose() const {
     View view = run_ ? run_->view(catalogue_) : last_view_;
     if (run_) {
         input_.show(view);
-        view.why = shows_why_ ? run_->why(catalogue_) : ViewWhy{};
+        view.why = why_hand_ ? run_->why(*why_hand_, catalogue_) : ViewWhy{};
     }
     if (ear_) {
         ear_->show(view, catalogue_);

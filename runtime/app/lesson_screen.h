@@ -37,8 +37,6 @@ class LessonScreen {
     Left play();
     /// True when the lesson failed and was not mended; then `play` has told why.
     [[nodiscard]] bool failed() const { return !error_.empty(); }
-    /// True once the lesson was ready to be played; not where Ctrl-C came before that.
-    [[nodiscard]] bool has_begun() const { return has_begun_; }
     /// How the haptic loop did and how long after `since_s` of the monotonic clock it first ran, for the terminal.
     [[nodiscard]] std::string statistics(double since_s) const;
 
@@ -49,6 +47,11 @@ class LessonScreen {
     void fail_with(const Error& error);
     void take_input(const WindowEvents& events);
     void take_orders();
+    // One hand after the other, then none.
+    [[nodiscard]] std::optional<std::size_t> next_why_hand() const {
+        const std::size_t next = why_hand_ ? *why_hand_ + 1 : 0;
+        return next < (run_ ? run_->n_hands() : 1) ? std::optional(next) : std::nullopt;
+    }
     void say_again();
     void exchange();
     void listen();
@@ -81,9 +84,9 @@ class LessonScreen {
     std::unique_ptr<LiveEar> ear_;  // null where the plan hears no microphone
     LessonInput input_{stop_signals_seen()};
     double polled_s_ = 0.0;  // when the window was asked last, monotonic clock
-    bool has_begun_ = false;
     std::optional<Left> left_;
-    bool shows_why_ = false;  // the panel that says why a force is felt
+    std::optional<std::size_t>
+        why_hand_;  // whose force the panel explains that says why it is felt
     View last_view_{};
     bool screenshot_taken_ = false;
     int plays_ = 0;

@@ -393,7 +393,7 @@ std::string usage() {
       --lesson NAME --seed N --seeds N --seconds N    one lesson; the first seed (1), how many (3), how long each (60)
   fulcrum bench [NAME…]      what accuracy costs in time  (--out DIR --quick --list --draw FILE.csv)
 
-Exit codes: 0 done, 1 the lesson or a test failed, 2 wrong usage or unreadable input, 3 a replay gave other forces than its record, 130 Ctrl-C before a lesson began.
+Exit codes: 0 done, 1 the lesson or a test failed, 2 wrong usage or unreadable input, 3 a replay gave other forces than its record, 130 ended by Ctrl-C, 143 by SIGTERM (what there was of a run is kept).
 )";
 }
 

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace fulcrum::runtime {
@@ -21,12 +22,13 @@ namespace fs = std::filesystem;
 Expected<std::vector<ForceAccount>> find_accounts(const Record& record, double time_s) {
     std::vector<ForceAccount> accounts;
     for (std::size_t hand = 0; hand <= record.more_hands.size(); ++hand) {
-        const auto account = hand == 0 ? find_account(record, time_s)
-                                       : find_account(*find_hand(record, hand), time_s);
+        auto account = hand == 0 ? find_account(record, time_s)
+                                 : find_account(*find_hand(record, hand), time_s);
         if (!account) {
             return tl::unexpected(account.error());
         }
-        accounts.push_back(*account);
+        account->hand = hand;
+        accounts.push_back(std::move(*account));
     }
     return accounts;
 }

@@ -32,7 +32,7 @@ int run_in_window(const Installation& installation, const Options& options, RunR
     if (screen.failed()) {
         return 1;
     }
-    return screen.has_begun() ? 0 : interrupt_exit_code();
+    return interrupt_exit_code();
 }
 
 // Writes the picture at the wanted time, or at the end.
@@ -129,11 +129,18 @@ int run_without_window(const Installation& installation, const Options& options,
                 outcome->simulated_s,
                 outcome->wall_s > 0.0 ? outcome->simulated_s / outcome->wall_s : 0.0, result.score,
                 result.stars, result.attempts, result.attempts == 1 ? "answer" : "answers");
+    if (outcome->interrupted) {
+        std::fprintf(stderr, "Ended by a signal; what there is of the run is kept.\n");
+    }
     if (const std::string trouble = trouble_of(**run, *outcome, true); !trouble.empty()) {
         std::fprintf(stderr, "%s\n", trouble.c_str());
         return 1;
     }
-    return screenshot.failed() ? 2 : tell_replay(**run);
+    if (screenshot.failed()) {
+        return 2;
+    }
+    const int differs = tell_replay(**run);
+    return differs != 0 ? differs : interrupt_exit_code();
 }
 
 }  // namespace
@@ -181,7 +188,7 @@ int menu_command(const Installation& installation, const Options& options) {
             break;
         }
     }
-    return 0;
+    return interrupt_exit_code();
 }
 
 }  // namespace fulcrum::runtime

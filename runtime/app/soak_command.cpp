@@ -317,7 +317,7 @@ int conclude(const SoakSum& sum, bool all, double grown_MB, double kept_MB) {
                            {},
                            "send them, with the program's version, to who mends it"},
                           1)
-               : 0;
+               : interrupt_exit_code();
 }
 
 }  // namespace

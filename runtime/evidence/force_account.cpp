@@ -166,6 +166,7 @@ std::string account_json(const ForceAccount& account) {
     const nlohmann::ordered_json whole = {
         {"version", 1},
         {"lesson", account.lesson},
+        {"hand", account.hand + 1},
         {"time_s", account.time_s},
         {"round", account.tick},
         {"touched", account.touched},

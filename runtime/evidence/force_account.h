@@ -13,6 +13,7 @@
 #include "haptics/handover/messages.h"
 #include "haptics/record/record.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -35,6 +36,7 @@ struct ForceAccount {
     GatePhase gate = GatePhase::waiting;
     Fault faults = Fault::none;
     // Of a record alone.
+    std::size_t hand = 0;  ///< whose: 0 for the first
     std::uint64_t tick = 0;
     double time_s = 0.0;
     std::string lesson;

@@ -1,5 +1,7 @@
 #include "runtime/render/image.h"
 
+#include "haptics/base/crc32.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -144,31 +146,12 @@ std::uint32_t adler32(const Bytes& data) {
     return (b << 16U) | a;
 }
 
-std::uint32_t crc32(std::span<const std::uint8_t> data) {
-    static const std::array<std::uint32_t, 256> kTable = [] {
-        std::array<std::uint32_t, 256> table{};
-        for (std::uint32_t n = 0; n < 256; ++n) {
-            std::uint32_t c = n;
-            for (int k = 0; k < 8; ++k) {
-                c = (c & 1U) != 0U ? 0xEDB88320U ^ (c >> 1U) : c >> 1U;
-            }
-            table[n] = c;
-        }
-        return table;
-    }();
-    std::uint32_t crc = 0xFFFFFFFFU;
-    for (const std::uint8_t byte : data) {
-        crc = kTable[(crc ^ byte) & 255U] ^ (crc >> 8U);
-    }
-    return crc ^ 0xFFFFFFFFU;
-}
-
 void put_chunk(Bytes& out, std::string_view type, const Bytes& content) {
     put_big_endian(out, static_cast<std::uint32_t>(content.size()));
     const std::size_t start = out.size();
     out.insert(out.end(), type.begin(), type.end());
     out.insert(out.end(), content.begin(), content.end());
-    put_big_endian(out, crc32({out.data() + start, out.size() - start}));
+    put_big_endian(out, compute_crc32(std::as_bytes(std::span(out).subspan(start))));
 }
 
 /// Each row as the difference to its upper neighbour or its left one, whichever is smaller.

@@ -1,7 +1,7 @@
 // Any bytes at all as packets of the arm link, for program and arm alike: taken or refused, never a crash, and whatever comes, the
 // arm's force stays within its limits and a pose that is handed on is a pose. The bytes are cut into packets by lengths in front; each
 // is tried as it is and, with its first bytes, checksum and tag put right, as of somebody who has the key.
-#include "haptics/record/record.h"
+#include "haptics/base/crc32.h"
 #include "tests/support/link.h"
 #include "tests/support/scripted_device.h"
 

@@ -1,5 +1,6 @@
 // Any bytes at all as a record: read or refused, never a crash, and what was read can be written and read again. The
 // same bytes are tried a second time with their checksums put right, so that mutations reach what those guard.
+#include "haptics/base/crc32.h"
 #include "haptics/record/record.h"
 #include "haptics/record/record_writer.h"
 

@@ -5,6 +5,7 @@
 #include "haptics/link/arm_server.h"
 #include "haptics/link/link_device.h"
 #include "haptics/link/link_faults.h"
+#include "haptics/link/memory_channel.h"
 
 #include <algorithm>
 #include <array>

@@ -87,7 +87,9 @@ await "the lesson" begun
 [[ $(most) == 0.8* ]] || fail "she was pushed with $(most) N, not with 0.8 N"
 grep -q 'no force in this lesson' "$said" && fail "a good arm was found bad"
 kill -INT "$child"
-wait "$child" || fail "it did not end well"
+code=0
+wait "$child" || code=$?
+[[ $code -eq 130 ]] || fail "it ended with code $code, not 130"
 # The second time she is not asked.
 begin again Mina 1
 wait "$child" || fail "it did not end well the second time"

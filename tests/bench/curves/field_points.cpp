@@ -2,9 +2,12 @@
 // double precision one after the other.
 #include "tests/bench/curves/field_points.h"
 
+#include "haptics/tool/slope_sum.h"
 #include "haptics/voxel/distance_field_batch.h"
 #include "tests/bench/harness/measure.h"
 #include "tests/bench/harness/registry.h"
+
+#include <algorithm>
 
 namespace fulcrum::bench {
 namespace {
@@ -57,7 +60,94 @@ CostPoint measure_one_by_one(const FieldPointsTask& task, const DistanceField& f
             {}};
 }
 
+// Derivatives of force and torque by the tool's pose, over the stiffness, of all whole leaves.
+Matrix6 sum_slopes(const FieldKernels& kernels, const FieldPointsTask& task,
+                   const DistanceField& field) {
+    const ShellPoints points{task.shell.x_m.data(),
+                             task.shell.y_m.data(),
+                             task.shell.z_m.data(),
+                             nullptr,
+                             nullptr,
+                             nullptr};
+    const FieldView view(field);
+    const FieldPlace place(field, task.X_OT);
+    SlopeLanes lanes;
+    Matrix6 slopes = Matrix6::Zero();
+    for (std::size_t i = 0; i + kLeafPoints <= task.shell.size(); i += kLeafPoints) {
+        // None is deeper than a voxel of three.
+        keep(kernels.sum_slopes(
+            view, place, {points.x + i, points.y + i, points.z + i, nullptr, nullptr, nullptr},
+            kLeafPoints, lanes));
+    }
+    add_slope_lanes(field, lanes, slopes);
+    return slopes;
+}
+
+Matrix6 sum_slopes_one_by_one(const FieldPointsTask& task, const DistanceField& field) {
+    SlopeSum sum;
+    for (std::size_t i = 0; i < task.shell.size() / kLeafPoints * kLeafPoints; ++i) {
+        const Vector3 arm_O = task.X_OT.orientation * task.shell.position_T(i);
+        const DepthSample depth = field.sample_depth(task.X_OT.position + arm_O);
+        if (depth.depth_m > 0.0) {
+            sum.add(depth, arm_O);
+        }
+    }
+    Matrix6 slopes = Matrix6::Zero();
+    sum.add_to(slopes);
+    return slopes;
+}
+
+// How far they are off, in parts of each kind's own size: of force and torque, by shift and turn.
+double find_worst_part(const Matrix6& slopes, const Matrix6& exact) {
+    double worst = 0.0;
+    for (int row = 0; row < 6; row += 3) {
+        for (int column = 0; column < 6; column += 3) {
+            const Matrix3 right = exact.block<3, 3>(row, column);
+            const Matrix3 off = slopes.block<3, 3>(row, column) - right;
+            worst = std::max(worst, off.norm() / right.norm());
+        }
+    }
+    return worst;
+}
+
+CostCurve make_slopes_curve() {
+    CostCurve curve;
+    curve.name = "field-slopes";
+    curve.title = "How the force of a tool's points changes with its pose";
+    curve.work =
+        "The same points: the derivatives of force and torque by the tool's pose, as backward "
+        "Euler takes them, of those inside.";
+    curve.reference = "the same sums point by point in double precision";
+    curve.advice = "Nothing is to be chosen: the best kernel of the processor is taken.";
+    curve.knob = {"points", "", true};
+    curve.error = {"error, in parts of the largest of its kind", "", true};
+    curve.default_series = std::string(best_field_kernels().name);
+    curve.default_knob = kFieldPoints.back();
+    return curve;
+}
+
+void measure_slopes(const FieldPointsTask& task, const DistanceField& field, const Timing& timing,
+                    CostCurve& curve) {
+    const Matrix6 exact = sum_slopes_one_by_one(task, field);
+    const auto n = static_cast<double>(task.shell.size());
+    for (const FieldKernels* const kernels : all_field_kernels()) {
+        if (kernels != nullptr) {
+            const Cost cost = measure_cost([&] { keep(sum_slopes(*kernels, task, field)); }, timing,
+                                           field.memory_bytes());
+            curve.points.push_back({std::string(kernels->name),
+                                    n,
+                                    find_worst_part(sum_slopes(*kernels, task, field), exact),
+                                    cost,
+                                    {}});
+        }
+    }
+    const Cost cost = measure_cost([&] { keep(sum_slopes_one_by_one(task, field)); }, timing,
+                                   field.memory_bytes());
+    curve.points.push_back({"one by one, double", n, 0.0, cost, {}});
+}
+
 Report run_field_points(Run& run) {
+    CostCurve slopes = make_slopes_curve();
     CostCurve curve;
     curve.name = "field-points";
     curve.title = "Value and slope at a tool's points";
@@ -80,15 +170,17 @@ Report run_field_points(Run& run) {
             }
         }
         curve.points.push_back(measure_one_by_one(task, field, timing));
+        measure_slopes(task, field, timing, slopes);
         run.progress(static_cast<double>(curve.points.size()) / 12.0,
                      std::to_string(n) + " points");
     }
-    return {curve};
+    return {curve, slopes};
 }
 
-const Registration kFieldPointsBench{
-    {"field-points", "a tool's points against a distance field, value and slope of all",
-     run_field_points}};
+const Registration kFieldPointsBench{{"field-points",
+                                      "a tool's points against a distance field: value and slope "
+                                      "of all, and how their force changes",
+                                      run_field_points}};
 
 }  // namespace
 }  // namespace fulcrum::bench

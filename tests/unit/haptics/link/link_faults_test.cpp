@@ -1,5 +1,7 @@
 #include "haptics/link/link_faults.h"
 
+#include "haptics/link/memory_channel.h"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>

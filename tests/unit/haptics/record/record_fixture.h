@@ -1,6 +1,7 @@
 // A record to write, read and damage.
 #pragma once
 
+#include "haptics/base/crc32.h"
 #include "haptics/math/rotation.h"
 #include "haptics/record/record.h"
 #include "haptics/record/record_writer.h"

@@ -1,4 +1,5 @@
 // Records of several hands, and those of version 5, which knew one.
+#include "haptics/base/crc32.h"
 #include "tests/unit/haptics/record/record_fixture.h"
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+#include "haptics/base/crc32.h"
 #include "haptics/record/record.h"
 #include "tests/unit/haptics/record/record_fixture.h"
 

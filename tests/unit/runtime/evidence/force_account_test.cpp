@@ -162,6 +162,7 @@ TEST_CASE("force account: the JSON holds the numbers to the bit") {
     const auto json = nlohmann::json::parse(account_json(at));
     CHECK(json["round"] == 3);
     CHECK(json["touched"] == "apple");
+    CHECK(json["hand"] == 1);
     CHECK(json["gate"] == "rising");
     CHECK(json["effects"].size() == 2);
     CHECK(json["effects"][0]["force_N"][0].get<double>() == at.effects[0].wrench_W.force.x());
