@@ -17,9 +17,11 @@
 // one by the slack, and what is nearest does not flicker.
 //
 //   normal   from a's to b's nearest point, or where the tool's piece lies behind the object's, as the mean normals of both say, against it. Where
-//            the hulls meet: of the pieces' mean normals, their difference, and where both pieces are round, the way of least translation, the
-//            one of least depth. A contact whose normal no triangle beside the pieces has, within 15 degrees, is none: it is a neighbour's
-//   points   the nearest, and of pieces larger than `spread_m` up to four corners of each that are near too, far from each other
+//            the hulls meet: the way of least translation, where triangles beside the pieces look so; else of the pieces' mean normals and
+//            their difference the one of least depth, unless that is four times as deep. A contact whose normal no triangle beside the pieces
+//            has, within 15 degrees, is none: it is a neighbour's
+//   points   of pieces larger than `spread_m` up to four corners of each that are near, the deepest and such as are far from each other, for
+//            corners stay where they are while faces rock on each other; and the nearest, where no corner near it, nor three anywhere, are as deep
 // Thin pieces that are behind each other by more than d do not know of each other: what is deeper than d inside is found where surfaces cross.
 //
 // Thread: one at a time. Cost: some 0.5 us a pair that is looked at, 1 to 3 us a contact; no allocation.

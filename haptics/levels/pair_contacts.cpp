@@ -10,8 +10,9 @@ namespace fulcrum {
 
 namespace {
 
-constexpr double kRound = 0.5;   // a mean normal that is shorter says little
-constexpr double kFacing = 0.3;  // cosine by which pieces face each other for certain
+constexpr double kRound = 0.5;      // a mean normal that is shorter says little
+constexpr double kFacing = 0.3;     // cosine by which pieces face each other for certain
+constexpr double kAsDeep = 1.0e-6;  // of d: what rounding leaves
 
 // Is a direction within the cone, 15 degrees wider?
 bool is_in_cone(const LevelNode& node, const Vector3& normal, const Vector3& direction) noexcept {
@@ -46,16 +47,34 @@ PairContacts::PairContacts(const PiecesNear& pieces, const HullPair& found) noex
     if (!has_such_normal()) {
         return;
     }
-    add({found.gap_m > least_m ? found.on_second
-                               : Vector3(found.on_second - 0.5 * depth_m_ * normal_),
-         depth_m_});
+    const bool do_meet = !(found.gap_m > least_m);
     if (!is_behind) {
         add_corners_of_tool();
         add_corners_of_object();
     }
-    // Where hulls meet, the point within both says less than corners.
-    if (found.gap_m <= least_m && n_ > kCorners) {
-        points_[0] = points_[--n_];
+    add_nearest(
+        {do_meet ? Vector3(found.on_second - 0.5 * depth_m_ * normal_) : found.on_second, depth_m_},
+        do_meet);
+}
+
+// Where faces lie on each other it is any of their points, and would jump from corner to corner: corners that are as deep say more.
+void PairContacts::add_nearest(const PairPoint& point, bool do_meet) noexcept {
+    const double near2 = pieces_.spread_m * pieces_.spread_m;
+    const double as_deep_m = point.depth_m - kAsDeep * pieces_.within_m;
+    int n_as_deep = 0;
+    for (const PairPoint& corner : points()) {
+        if (corner.depth_m > as_deep_m) {
+            ++n_as_deep;
+            if ((corner.place_O - point.place_O).squaredNorm() < near2) {
+                return;
+            }
+        }
+    }
+    if (n_as_deep >= 3) {
+        return;
+    }
+    if (!do_meet || n_ <= kCorners) {
+        points_[n_++] = point;
     }
 }
 
@@ -64,12 +83,20 @@ double PairContacts::measure_depth_m(const Vector3& normal) const noexcept {
                           normal);
 }
 
-// The least depth of the directions in which both surfaces look.
+// The way of least translation, where both surfaces look so or end in an edge that does; else of the ways in which they look the least, unless
+// that is far longer: then they cross at a border, and the contact is a neighbour's.
 void PairContacts::find_way_out() noexcept {
-    const Vector3& out = pieces_.object.normal_B;
-    const bool object_looks = out.norm() >= kRound;
-    const bool tool_looks = tool_normal_.norm() >= kRound;
-    double least_m = std::numeric_limits<double>::infinity();
+    constexpr double kFarLonger = 4.0;
+    normal_ = find_convex_depth([&](const Vector3& d) noexcept {
+                  return Vector3(pieces_.turn *
+                                     pieces_.tool_hull.find_support(pieces_.turn.transpose() * d) +
+                                 pieces_.shift - pieces_.object_hull.find_support(-d));
+              }).normal;
+    depth_m_ = measure_depth_m(normal_);
+    if (has_such_normal()) {
+        return;
+    }
+    double least_m = kFarLonger * depth_m_;
     const auto try_way = [&](const Vector3& way) noexcept {
         const double length = way.norm();
         if (!(length > 0.0)) {
@@ -80,8 +107,12 @@ void PairContacts::find_way_out() noexcept {
         if (do_both_look(normal, kFacing) && depth_m < least_m) {
             least_m = depth_m;
             normal_ = normal;
+            depth_m_ = depth_m;
         }
     };
+    const Vector3& out = pieces_.object.normal_B;
+    const bool object_looks = out.norm() >= kRound;
+    const bool tool_looks = tool_normal_.norm() >= kRound;
     if (object_looks) {
         try_way(out);
     }
@@ -90,20 +121,7 @@ void PairContacts::find_way_out() noexcept {
     }
     if (object_looks && tool_looks) {
         try_way(out - tool_normal_);
-    } else {
-        try_way(find_convex_depth([&](const Vector3& d) noexcept {
-                    return Vector3(pieces_.turn * pieces_.tool_hull.find_support(
-                                                      pieces_.turn.transpose() * d) +
-                                   pieces_.shift - pieces_.object_hull.find_support(-d));
-                }).normal);
     }
-    if (!std::isfinite(least_m)) {
-        // They look the same way: the best that both say.
-        const Vector3 way = out - tool_normal_;
-        normal_ = way.norm() > 1.0e-6 ? Vector3(way.normalized()) : normal_;
-        least_m = measure_depth_m(normal_);
-    }
-    depth_m_ = least_m;
 }
 
 // Does the object's piece look along the normal, and the tool's against it? One that is round looks everywhere.
@@ -122,22 +140,26 @@ bool PairContacts::has_such_normal() const noexcept {
            is_in_cone(pieces_.tool, tool_normal_, -normal_);
 }
 
-void PairContacts::add(const PairPoint& point) noexcept {
-    if (n_ < kMost) {
-        points_[n_++] = point;
-        tried_[n_tried_++] = point.place_O;
-    }
-}
-
 template <class ToObject>
 bool PairContacts::find_far_corner(const HullView& hull, double lowest_m, double sign,
                                    const ToObject& to_object, Vector3& corner) const noexcept {
     double farthest2 = pieces_.spread_m * pieces_.spread_m;
+    double lowest_seen_m = std::numeric_limits<double>::infinity();
     bool is_found = false;
     const double band_m = pieces_.within_m + std::max(depth_m_, 0.0);
     for (const Vector3& point : hull.points) {
         const Vector3 place = to_object(point);
-        if (sign * normal_.dot(place) > lowest_m + band_m) {
+        const double height_m = sign * normal_.dot(place);
+        if (height_m > lowest_m + band_m) {
+            continue;
+        }
+        // The first is the deepest; of both ends of an edge, the first.
+        if (n_tried_ == 0) {
+            if (height_m < lowest_seen_m - kAsDeep * pieces_.within_m) {
+                lowest_seen_m = height_m;
+                corner = place;
+                is_found = true;
+            }
             continue;
         }
         double nearest2 = std::numeric_limits<double>::infinity();
@@ -164,7 +186,7 @@ void PairContacts::add_corners_of_tool() noexcept {
         normal_.dot(to_object(pieces_.tool_hull.find_support(pieces_.turn.transpose() * -normal_)));
     const double highest_m = normal_.dot(pieces_.object_hull.find_support(normal_));
     Vector3 corner;
-    for (int i = 0; i < kCorners; ++i) {
+    for (std::size_t i = 0; i < kCorners; ++i) {
         if (!find_far_corner(pieces_.tool_hull, lowest_m, 1.0, to_object, corner)) {
             return;
         }
@@ -189,7 +211,7 @@ void PairContacts::add_corners_of_object() noexcept {
         pieces_.turn * pieces_.tool_hull.find_support(pieces_.turn.transpose() * -normal_) +
         pieces_.shift);
     Vector3 corner;
-    for (int i = 0; i < kCorners; ++i) {
+    for (std::size_t i = 0; i < kCorners; ++i) {
         if (!find_far_corner(pieces_.object_hull, -highest_m, -1.0, to_object, corner)) {
             return;
         }

@@ -38,7 +38,7 @@ class PairContacts {
     [[nodiscard]] const Vector3& normal_O() const noexcept { return normal_; }
 
   private:
-    static constexpr int kCorners = 4;  // of either
+    static constexpr std::size_t kCorners = 4;  // of either
     static constexpr std::size_t kMost = 1 + 2 * kCorners;
     void find_way_out() noexcept;
     [[nodiscard]] bool do_both_look(const Vector3& normal, double least) const noexcept;
@@ -50,7 +50,7 @@ class PairContacts {
     template <class ToObject>
     bool find_far_corner(const HullView& hull, double lowest_m, double sign,
                          const ToObject& to_object, Vector3& corner) const noexcept;
-    void add(const PairPoint& point) noexcept;
+    void add_nearest(const PairPoint& point, bool do_meet) noexcept;
 
     const PiecesNear& pieces_;
     Vector3 tool_normal_;

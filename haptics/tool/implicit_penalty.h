@@ -20,6 +20,7 @@
 #include "haptics/tool/contact_loop.h"
 #include "haptics/tool/contact_taylor.h"
 #include "haptics/tool/field_contacts.h"
+#include "haptics/tool/level_contacts.h"
 #include "haptics/tool/tool_solver.h"
 
 #include <memory>
@@ -56,6 +57,7 @@ struct FieldContactsPlan {
 struct ImplicitPenaltyPlan {
     std::vector<FieldContactsPlan> objects;
     ImplicitPenaltySettings settings{};
+    std::vector<LevelContactsPlan> meshes{};  ///< objects too, after those in fields
 };
 
 /// Refuses settings outside their ranges, NaN included.
@@ -63,7 +65,7 @@ struct ImplicitPenaltyPlan {
 
 class ImplicitPenaltyTool final : public ToolSolver {
   public:
-    /// Refuses what `validate` and the finders refuse, no object, and more than kMaxSolids.
+    /// Refuses what `validate` and the finders refuse, levels made for less than clusters look for, no object, and more than kMaxSolids.
     [[nodiscard]] static Expected<ImplicitPenaltyTool> build(const ImplicitPenaltyPlan& plan);
     ImplicitPenaltyTool(ImplicitPenaltyTool&&) noexcept = default;
     ImplicitPenaltyTool& operator=(ImplicitPenaltyTool&&) noexcept = default;

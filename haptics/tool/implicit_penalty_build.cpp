@@ -68,13 +68,24 @@ Expected<void> validate(const ImplicitPenaltySettings& given) {
 
 namespace {
 
-Expected<std::vector<std::unique_ptr<ContactFinder>>> make_finders(
-    const std::vector<FieldContactsPlan>& objects, double within_m) {
+Expected<std::vector<std::unique_ptr<ContactFinder>>> make_finders(const ImplicitPenaltyPlan& plan,
+                                                                   double within_m) {
     std::vector<std::unique_ptr<ContactFinder>> finders;
-    for (const FieldContactsPlan& object : objects) {
+    for (const FieldContactsPlan& object : plan.objects) {
         auto finder = FieldContacts::create(object.field, object.shell, within_m);
         if (!finder) {
             return tl::unexpected(finder.error());
+        }
+        finders.push_back(std::move(*finder));
+    }
+    for (const LevelContactsPlan& mesh : plan.meshes) {
+        auto finder = LevelContacts::create(mesh.object, mesh.tool, mesh.settings);
+        if (!finder) {
+            return tl::unexpected(finder.error());
+        }
+        if (mesh.object->settings().within_m < within_m) {
+            return fail("the contact levels were made for things nearer than the clusters look for",
+                        {}, "make them with a within_m of at least the clusters'");
         }
         finders.push_back(std::move(*finder));
     }
@@ -88,8 +99,8 @@ Expected<ImplicitPenaltyTool> ImplicitPenaltyTool::build(const ImplicitPenaltyPl
         return tl::unexpected(good.error());
     }
     const ImplicitPenaltySettings settings = complete(plan.settings);
-    auto finders = make_finders(plan.objects, settings.clusters.within_m);
-    auto own = make_finders(plan.objects, settings.clusters.within_m);
+    auto finders = make_finders(plan, settings.clusters.within_m);
+    auto own = make_finders(plan, settings.clusters.within_m);
     if (!finders || !own) {
         return tl::unexpected(finders ? own.error() : finders.error());
     }

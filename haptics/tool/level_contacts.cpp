@@ -25,7 +25,12 @@ void LevelContacts::find(const Pose& X_OT, double within_m,
     // Every so manieth where there is no room for all.
     const std::size_t thinning = (contacts.size() + room - 1) / room;
     const Pose X_TO = X_OT.inverse();
+    // What only just came near weighs nothing where it is used.
+    constexpr double kJustNear = 0.999;
     for (std::size_t i = 0; i < contacts.size(); i += thinning) {
+        if (contacts[i].depth_m <= -kJustNear * within_m) {
+            continue;
+        }
         near.add({X_TO * contacts[i].point_O, contacts[i].normal_O, contacts[i].depth_m});
     }
 }

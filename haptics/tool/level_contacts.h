@@ -13,6 +13,14 @@
 
 namespace fulcrum {
 
+/// What one object is found by.
+struct LevelContactsPlan {
+    std::shared_ptr<const ContactLevels> object;
+    std::shared_ptr<const ContactLevels>
+        tool;  ///< about the tool's centre of mass, along its principal axes
+    LevelPairSettings settings{};
+};
+
 class LevelContacts final : public ContactFinder {
   public:
     /// The tool's levels are in its frame T. Refuses what `LevelPairs::create` does.

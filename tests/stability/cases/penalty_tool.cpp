@@ -1,16 +1,19 @@
 // A tool held out by clusters of contact (implicit_penalty.h) where that is hardest: a peg wedged by a turn, a plate on a thousand contacts, a
-// sheet between two sheets, a wedge, a bar spun at 20 rad/s in a cage, tools of 1 to 500 g, and a contact thread that stalls for 200 ms.
+// sheet between two sheets, a wedge, a bar spun at 20 rad/s in a cage, tools of 1 to 500 g, and a contact thread that stalls for 200 ms. Contact is
+// found by points in fields, and by contact levels of detail (level_contacts.h) with a tolerance of 2.5 %; by these on broken meshes too.
 #include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
 #include "haptics/tool/tool_plan.h"
 #include "tests/stability/cases/stability_case.h"
 #include "tests/support/gear.h"
+#include "tests/support/hard_meshes.h"
 #include "tests/support/tool_scene.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -31,6 +34,46 @@ test::ToolScene make_scene(const TriangleMesh& tool, const Inertia& inertia, dou
     scene.settings.coupling.shift.stiffness_N_per_m = 500.0;
     scene.settings.coupling.turn.stiffness_Nm_per_rad = 0.2;
     return scene;
+}
+
+// A tool about its own middle among objects. `voxel_m`: how fine a field is, and twice how near counts.
+using MakeTool = std::unique_ptr<ToolSolver> (*)(const TriangleMesh& tool, const Inertia& inertia,
+                                                 double voxel_m,
+                                                 const std::vector<TriangleMesh>& objects);
+
+std::unique_ptr<ToolSolver> make_by_fields(const TriangleMesh& tool, const Inertia& inertia,
+                                           double voxel_m,
+                                           const std::vector<TriangleMesh>& objects) {
+    return make_tool(*test::make_tool_of(make_scene(tool, inertia, voxel_m), objects));
+}
+
+// With what a plan sets by fields.
+std::unique_ptr<ToolSolver> make_by_levels(const TriangleMesh& tool, const Inertia& inertia,
+                                           double voxel_m,
+                                           const std::vector<TriangleMesh>& objects) {
+    constexpr double kTolerance = 0.025;
+    const double within_m = 0.5 * voxel_m;
+    const double layer_m = 0.25 * within_m;
+    const auto levels = ContactLevels::create(tool, {.within_m = within_m}).value();
+    const double reach_m = levels->reach_m();
+    ImplicitPenaltyPlan plan;
+    for (const TriangleMesh& object : objects) {
+        plan.meshes.push_back({ContactLevels::create(object, {.within_m = within_m}).value(),
+                               levels,
+                               {.tolerance_m = kTolerance * levels->size_m()}});
+    }
+    plan.settings.inertia = inertia;
+    ToolCouplingSettings& coupling = plan.settings.coupling;
+    coupling.shift.stiffness_N_per_m = 500.0;
+    coupling.turn.stiffness_Nm_per_rad = 0.2;
+    coupling.clamp_m = kMost_N / coupling.shift.stiffness_N_per_m;
+    coupling.clamp_rad =
+        std::min(std::numbers::pi, kMost_N * reach_m / coupling.turn.stiffness_Nm_per_rad);
+    plan.settings.contacts.stiffness_N_per_m = 2.0 * kMost_N / layer_m;
+    plan.settings.contacts.within_m = layer_m;
+    plan.settings.clusters.within_m = within_m;
+    plan.settings.clusters.radius_m = std::max(0.3 * reach_m, within_m);
+    return std::make_unique<ImplicitPenaltyTool>(ImplicitPenaltyTool::build(plan).value());
 }
 
 // What a course led to: the worst of its last fifth, in which the hand is still, and of all of it.
@@ -115,11 +158,10 @@ std::function<MovingFrame(double)> along(const Vector3& from, const Vector3& to)
     };
 }
 
-Finding wedge_peg_by_turn() {
-    const test::ToolScene scene = make_scene(make_peg(0.01, 0.06, 72).value(),
-                                             make_box_inertia(0.05, {0.02, 0.02, 0.06}), 0.001);
+Finding wedge_peg_by_turn(MakeTool make) {
     const auto tool =
-        make_tool(*test::make_tool_of(scene, {make_bush(0.02, 0.0115, 0.03, 35).value()}));
+        make(make_peg(0.01, 0.06, 72).value(), make_box_inertia(0.05, {0.02, 0.02, 0.06}), 0.001,
+             {make_bush(0.02, 0.0115, 0.03, 35).value()});
     // In, then turned askew by a third of a radian and pressed down on that.
     return judge(run(*tool, 4000, [](double share) {
         const double in = std::min(1.0, 4.0 * share);
@@ -130,20 +172,19 @@ Finding wedge_peg_by_turn() {
     }));
 }
 
-Finding rest_on_a_thousand() {
+Finding rest_on_a_thousand(MakeTool make) {
     const Vector3 size(0.1, 0.01, 0.1);
-    const auto tool = make_tool(
-        *test::make_tool_of(make_scene(make_box(size).value(), make_box_inertia(0.1, size), 0.002),
-                            {make_box({0.2, 0.02, 0.2}).value()}));
+    const auto tool = make(make_box(size).value(), make_box_inertia(0.1, size), 0.002,
+                           {make_box({0.2, 0.02, 0.2}).value()});
     return judge(run(*tool, 1000, along({0.0, 0.03, 0.0}, {0.0, 0.01, 0.0})));
 }
 
 // A plate of 2 mm goes in between two of 4 mm that are 3 mm apart, is pressed on one, and on the other.
-Finding slide_between_sheets() {
+Finding slide_between_sheets(MakeTool make) {
     const TriangleMesh sheet = make_box({0.12, 0.004, 0.08}).value();
     const Vector3 size(0.06, 0.002, 0.04);
-    const auto tool = make_tool(*test::make_tool_of(
-        make_scene(make_box(size).value(), make_box_inertia(0.02, size), 0.001), {sheet, sheet}));
+    const auto tool =
+        make(make_box(size).value(), make_box_inertia(0.02, size), 0.001, {sheet, sheet});
     const std::array<MovingFrame, 2> sheets{
         {{Pose::at({0.0, -0.0035, 0.0}), {}}, {Pose::at({0.0, 0.0035, 0.0}), {}}}};
     Finding all{0.0, 1.0, {}};
@@ -165,11 +206,10 @@ Finding slide_between_sheets() {
 }
 
 // A bar in the square hole of a bush of four sides, which it cannot turn in: the hand turns at 20 rad/s.
-Finding spin_in_cage() {
+Finding spin_in_cage(MakeTool make) {
     const Vector3 size(0.05, 0.008, 0.02);
-    const auto tool = make_tool(
-        *test::make_tool_of(make_scene(make_box(size).value(), make_box_inertia(0.02, size), 0.001),
-                            {make_bush(0.05, 0.03, 0.04, 4).value()}));
+    const auto tool = make(make_box(size).value(), make_box_inertia(0.02, size), 0.001,
+                           {make_bush(0.05, 0.03, 0.04, 4).value()});
     const Rest rest = run(*tool, 3000, [](double share) {
         const double angle = 20.0 * 3.0 * share;
         return MovingFrame{{Vector3::Zero(), compute_exp(Vector3(0.0, 0.0, angle))},
@@ -186,13 +226,12 @@ Finding spin_in_cage() {
     return {rest.moved && rest.most_Nm > 0.5 * clamp_Nm ? worst : 100.0, 1.0, text.data()};
 }
 
-Finding press_light_and_heavy() {
+Finding press_light_and_heavy(MakeTool make) {
     Finding all{0.0, 1.0, {}};
     for (const double mass_kg : {0.001, 0.01, 0.1, 0.5}) {
         const Vector3 size(0.04, 0.02, 0.04);
-        const auto tool = make_tool(*test::make_tool_of(
-            make_scene(make_box(size).value(), make_box_inertia(mass_kg, size), 0.002),
-            {make_box({0.2, 0.04, 0.2}).value()}));
+        const auto tool = make(make_box(size).value(), make_box_inertia(mass_kg, size), 0.002,
+                               {make_box({0.2, 0.04, 0.2}).value()});
         const Finding one = judge(run(*tool, 2000, along({0.0, 0.06, 0.0}, {0.0, 0.01, 0.0})));
         all = all.note.empty() ? one : worse_of(all, one);
     }
@@ -229,19 +268,95 @@ Finding stall_contact_thread() {
     return finding;
 }
 
-const HardCase kTurned{{"penalty peg wedged by a turn", "in a hole, turned askew, pressed",
-                        kMeasured, "", wedge_peg_by_turn}};
-const HardCase kFlat{{"penalty tool flat on a thousand contacts", "a plate at rest on a plate",
-                      kMeasured, "", rest_on_a_thousand}};
-const HardCase kSheets{{"penalty sheet between two sheets", "2 mm between 3 mm, pressed on either",
-                        kMeasured, "", slide_between_sheets}};
-const HardCase kSpun{
-    {"penalty bar spun in a cage", "20 rad/s against four walls that it cannot turn between",
-     "force and torque ever felt in the clamps', way from the middle in 3 cm; 100: it could not "
-     "be moved, or turned freely",
-     "", spin_in_cage}};
-const HardCase kMasses{{"penalty tools of 1 to 500 g", "pressed far deeper than the coupling pulls",
-                        kMeasured, "", press_light_and_heavy}};
+// A plate made of 361 loose triangles: a thousand corners, of which three would do.
+Finding rest_loose_on_a_floor() {
+    constexpr int kN = 19;
+    std::vector<Vector3> vertices;
+    std::vector<TriangleCorners> triangles;
+    for (int i = 0; i < kN * kN; ++i) {
+        const Vector3 at(0.004 * (i % kN) - 0.037, 0.0,
+                         0.004 * static_cast<double>(i / kN) - 0.037);
+        const auto first = static_cast<std::int32_t>(vertices.size());
+        vertices.insert(vertices.end(),
+                        {at, at + Vector3(0.002, 0.0, 0.0), at + Vector3(0.0, 0.0, 0.002)});
+        triangles.push_back({first, first + 1, first + 2});  // they look down
+    }
+    const auto tool = make_by_levels(TriangleMesh::build(vertices, triangles).value(),
+                                     make_box_inertia(0.05, {0.08, 0.01, 0.08}), 0.002,
+                                     {make_box({0.2, 0.02, 0.2}).value()});
+    return judge(run(*tool, 1000, along({0.0, 0.03, 0.0}, {0.0, 0.0, 0.0})));
+}
+
+// A cube goes round over a bumpy ball of 40 mm, pressed as deep as the force lets it. What is guaranteed: it is held, at most by the clamp's
+// force, and its middle stays out of the ball.
+Finding go_round_broken_ball(const TriangleMesh& ball) {
+    const Vector3 size(0.03, 0.03, 0.03);
+    const auto tool =
+        make_by_levels(make_box(size).value(), make_box_inertia(0.05, size), 0.002, {ball});
+    double nearest_m = HUGE_VAL;
+    const Rest rest = run(*tool, 3000, [&](double share) {
+        const double down = std::min(1.0, 5.0 * share);
+        const double round = 2.0 * std::numbers::pi * std::clamp(1.6 * share - 0.32, 0.0, 0.8);
+        if (share > 0.0) {
+            nearest_m = std::min(nearest_m, tool->grip_W().position.norm());
+        }
+        return MovingFrame{{(0.09 - 0.04 * down) * Vector3(std::sin(round), std::cos(round),
+                                                           0.3 * std::sin(3.0 * round))
+                                                       .normalized(),
+                            compute_exp(Vector3(0.0, 0.0, -round))},
+                           {}};
+    });
+    std::array<char, 128> text{};
+    std::snprintf(text.data(), text.size(),
+                  "%.2g N at the end, at most %.2g N, no nearer to the middle than %.3g mm",
+                  rest.felt_N, rest.most_N, 1.0e3 * nearest_m);
+    double worst = worse(rest.most_N / (1.0001 * kMost_N), 0.04 / nearest_m);
+    worst = worse(worst, rest.moved && rest.felt_N > 0.5 ? 0.0 : 100.0);
+    return {worst, 1.0, text.data()};
+}
+
+TriangleMesh make_whole_ball() {
+    return make_bumpy_sphere(0.04, 8, 0.1, 60.0).value();
+}
+
+// A case by either way of finding contact.
+struct CasePair {
+    CasePair(const std::string& name, const std::string& what, const std::string& measured,
+             Finding (*find)(MakeTool))
+        : by_fields({"penalty " + name, what, measured, "", [=] { return find(make_by_fields); }}),
+          by_levels({"levels " + name, what, measured, "", [=] { return find(make_by_levels); }}) {}
+    HardCase by_fields;
+    HardCase by_levels;
+};
+
+constexpr const char* kOfBroken =
+    "force ever felt in the clamp's, radius of the ball in the least way to its middle; 100: it "
+    "could not be moved, or nothing is felt";
+
+const CasePair kTurned{"peg wedged by a turn", "in a hole, turned askew, pressed", kMeasured,
+                       wedge_peg_by_turn};
+const CasePair kFlat{"tool flat on a thousand contacts", "a plate at rest on a plate", kMeasured,
+                     rest_on_a_thousand};
+const CasePair kSheets{"sheet between two sheets", "2 mm between 3 mm, pressed on either",
+                       kMeasured, slide_between_sheets};
+const CasePair kSpun{
+    "bar spun in a cage", "20 rad/s against four walls that it cannot turn between",
+    "force and torque ever felt in the clamps', way from the middle in 3 cm; 100: it could not "
+    "be moved, or turned freely",
+    spin_in_cage};
+const CasePair kMasses{"tools of 1 to 500 g", "pressed far deeper than the coupling pulls",
+                       kMeasured, press_light_and_heavy};
+const HardCase kLoose{{"levels tool of loose triangles", "a thousand corners on a floor", kMeasured,
+                       "", rest_loose_on_a_floor}};
+const HardCase kWhole{{"levels cube round a ball", "of one piece, to compare with broken ones",
+                       kOfBroken, "", [] { return go_round_broken_ball(make_whole_ball()); }}};
+const HardCase kFlipped{
+    {"levels cube round flipped and doubled triangles",
+     "and triangles without area, nothing welded", kOfBroken, "",
+     [] { return go_round_broken_ball(make_messy(make_whole_ball(), 0.0).value()); }}};
+const HardCase kCracked{
+    {"levels cube round cracks of 0.1 mm", "a seam left open", kOfBroken, "",
+     [] { return go_round_broken_ball(make_cracked(make_whole_ball(), 1.0e-4, 3, 0.0).value()); }}};
 const HardCase kStalled{{"penalty tool while contact stalls",
                          "200 ms without a round of the contact thread, over an edge", kMeasured,
                          "", stall_contact_thread}};

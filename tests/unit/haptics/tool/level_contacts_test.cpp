@@ -3,6 +3,7 @@
 #include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
 #include "haptics/tool/contact_clusters.h"
+#include "haptics/tool/implicit_penalty.h"
 #include "tests/support/jaws.h"
 
 #include <catch2/catch.hpp>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 
 using namespace fulcrum;
@@ -168,4 +170,21 @@ TEST_CASE("level contacts: a short list gets an even share, and a full one is le
     CHECK(few.count() == n_before);
     CHECK(finder->answer().n_looked_at > 0);
     CHECK_FALSE(LevelContacts::create(nullptr, bumpy));
+}
+
+TEST_CASE(
+    "level contacts: an implicit tool among meshes needs levels made as far out as it looks") {
+    const auto box = make_levels(make_box({0.04, 0.04, 0.04}).value());
+    ImplicitPenaltyPlan plan;
+    plan.meshes.push_back({box, box, {}});
+    plan.settings.inertia = make_box_inertia(0.05, {0.04, 0.04, 0.04});
+    plan.settings.clusters.within_m = kWithin_m;
+    plan.settings.contacts.within_m = 0.25 * kWithin_m;
+    CHECK(ImplicitPenaltyTool::build(plan));
+    plan.settings.clusters.within_m = 1.5 * kWithin_m;
+    const auto refused = ImplicitPenaltyTool::build(plan);
+    REQUIRE_FALSE(refused);
+    CHECK(to_sentence(refused.error()).find("within_m") != std::string::npos);
+    plan.meshes.front().tool = nullptr;
+    CHECK_FALSE(ImplicitPenaltyTool::build(plan));
 }
