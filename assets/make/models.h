@@ -49,6 +49,8 @@ make_bucket();  ///< origin at the rim's centre, opening up; 0.11 m radius insid
 // Of the lesson on levers.
 [[nodiscard]] Model make_lever();  ///< beam of 1.16 m along x, a toy Earth on its left end; middle
 [[nodiscard]] Model make_support();  ///< wedge under it, 0.3 m tall; the middle of its edge
+[[nodiscard]] Model
+make_handles();  ///< four spokes that lie crosswise, for turning a planet; 0.48 m across, 0.1 m tall; middle
 
 // Of the maze park.
 [[nodiscard]] Model make_walker();  ///< somebody in a straw hat, 0.07 m tall, origin at the feet

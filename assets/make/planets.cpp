@@ -269,4 +269,46 @@ Model make_support() {
     return {"support", {std::move(wedge)}, {}};
 }
 
+Model make_handles() {
+    constexpr double kReach_m = 0.24;
+    constexpr double kHalf_m = 0.015;  // of a spoke's width
+    constexpr double kHalfHeight_m = 0.05;
+    MeshPart part;
+    // A rectangle from corner to corner, counter-clockwise as seen from outside.
+    const auto add = [&](const std::array<Vector3d, 4>& corners) {
+        const auto first = static_cast<std::uint32_t>(part.positions.size());
+        for (const Vector3d& corner : corners) {
+            part.positions.push_back(corner);
+            part.normals.push_back(
+                (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized());
+            part.uvs.emplace_back(0.5, 0.5);
+        }
+        for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) {
+            part.indices.push_back(first + corner);
+        }
+    };
+    const Vector3d up = kHalfHeight_m * Vector3d::UnitY();
+    for (int i = 0; i < 4; ++i) {
+        const Vector3d along = i % 2 == 0 ? Vector3d(i - 1, 0.0, 0.0) : Vector3d(0.0, 0.0, 2 - i);
+        const Vector3d side = kHalf_m * Vector3d::UnitY().cross(along);
+        // Its corners, each sum one number along each axis, so that spokes share them to the last bit.
+        const Vector3d near_left = kHalf_m * along + side;
+        const Vector3d near_right = kHalf_m * along - side;
+        const Vector3d far_left = kReach_m * along + side;
+        const Vector3d far_right = kReach_m * along - side;
+        add({near_left + up, near_right + up, far_right + up, far_left + up});
+        add({near_left - up, far_left - up, far_right - up, near_right - up});
+        add({near_left - up, near_left + up, far_left + up, far_left - up});
+        add({near_right - up, far_right - up, far_right + up, near_right + up});
+        add({far_left - up, far_left + up, far_right + up, far_right - up});
+    }
+    const Vector3d x(kHalf_m, 0.0, 0.0);
+    const Vector3d z(0.0, 0.0, kHalf_m);
+    add({up - x - z, up - x + z, up + x + z, up + x - z});
+    add({-up - x - z, -up + x - z, -up + x + z, -up - x + z});
+    part.colour = srgb(0xC9A24B);
+    part.roughness = 0.35;
+    return {"handles", {std::move(part)}, {}};
+}
+
 }  // namespace fulcrum::assets

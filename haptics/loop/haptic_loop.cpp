@@ -230,8 +230,9 @@ bool HapticLoop::find_solids() noexcept {
             touch_->proxy->put_solid(i, solid_poses_W_[i]);
         }
     }
-    if (tool_ && (put != 0 || (axles_ && axles_->put() != 0))) {
-        tool_->let_go();
+    put |= axles_ ? axles_->put() : 0;
+    if (tool_ && put != 0) {
+        tool_->let_go(put);
     }
     return true;
 }

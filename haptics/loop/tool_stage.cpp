@@ -45,6 +45,13 @@ Wrench move_about(const Wrench& wrench, const Vector3& arm) noexcept {
 
 }  // namespace
 
+void ToolStage::let_go(std::uint32_t put) noexcept {
+    is_engaged_ = false;
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+        tracks_[i].is_known = tracks_[i].is_known && (put >> i & 1U) == 0;
+    }
+}
+
 void ToolStage::follow_solids(const ToolRound& round) noexcept {
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
         Track& track = tracks_[i];

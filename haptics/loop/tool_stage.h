@@ -10,7 +10,7 @@
 //                        each other, each has about its own. Given at the place on the line it acts along that is nearest to
 //                        the grip, p = g + F x tau / F^2, and with the couple that is left, (tau . F) F / F^2
 // A solid's velocity is the way between the last two places it was told to be at over the time between; one that is not told to
-// move for longer than that stands still.
+// move for longer than that stands still, and so does one that was put elsewhere at once.
 //
 // The tool follows the hand without a force until nothing is touched where the hand holds it: at the start, after a fault, a stop,
 // a jump of the hand, and when a solid was put elsewhere. So no force begins inside a solid.
@@ -56,8 +56,8 @@ class ToolStage {
     ~ToolStage();
 
     [[nodiscard]] ToolForce step(const ToolRound& round) noexcept;
-    /// The hand has jumped, or a solid was put elsewhere: nothing is felt until the tool is free.
-    void let_go() noexcept { is_engaged_ = false; }
+    /// The hand has jumped, or solids were put elsewhere, one a bit: nothing is felt until the tool is free.
+    void let_go(std::uint32_t put = 0) noexcept;
 
     /// Of the last step, and so far.
     [[nodiscard]] const ToolEffort& effort() const noexcept { return effort_; }

@@ -21,6 +21,7 @@ constexpr double kVoxelPoint_ns =
     25.0;  // of a point lying flat among voxels, all looks of a step: measured
 constexpr double kFieldPoint_ns = 150.0;  // likewise against a field
 constexpr double kShareOfStep = 0.5;      // that a tool may take
+constexpr int kSurfacePoints = 2000;
 constexpr int kSprings = 16;  // on either side: 1.25^16 = 35, from the softest to near the stiffest
 
 template <class... Values>
@@ -28,6 +29,10 @@ std::string print(const char* format, Values... values) {
     std::array<char, 256> text{};
     std::snprintf(text.data(), text.size(), format, values...);
     return text.data();
+}
+
+double find_voxel_points_in_time(double rate_hz) {
+    return kShareOfStep * 1.0e9 / (rate_hz * kVoxelPoint_ns);
 }
 
 // The tool on another spring; its turn goes with it, as it does by default.
@@ -73,10 +78,19 @@ std::string find_what_would_do(const HandDescription& hand, const StepLimit& lim
 
 }  // namespace
 
+int find_surface_points(const ToolDescription& tool) {
+    return tool.points > 0 ? tool.points : kSurfacePoints;
+}
+
+int find_most_voxel_points(const HandDescription& hand) {
+    return hand.tool->points > 0 ? hand.tool->points
+                                 : static_cast<int>(find_voxel_points_in_time(hand.rate_hz));
+}
+
 // Voxel sampling looks at every point in every step.
 Expected<void> check_tool_time(const HandDescription& hand) {
     const ToolDescription& tool = *hand.tool;
-    const double most_points = kShareOfStep * 1.0e9 / (hand.rate_hz * kVoxelPoint_ns);
+    const double most_points = find_voxel_points_in_time(hand.rate_hz);
     if (tool.method != ToolMethod::voxel_sampling || tool.points <= most_points) {
         return {};
     }
@@ -104,8 +118,8 @@ Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,
     const std::string name(to_string(settings.integrator.integrator));
     return fail(
         print("the tool: with %g kg on %g N/m, %d points and %g steps a second %s shakes it",
-              hand.tool->mass_kg, hand.tool->stiffness_N_per_m, hand.tool->points, hand.rate_hz,
-              name.c_str()),
+              hand.tool->mass_kg, hand.tool->stiffness_N_per_m,
+              static_cast<int>(count_points(plan)), hand.rate_hz, name.c_str()),
         at_line(hand.line),
         find_what_would_do(hand, limit, settings, dt_s) +
             "leave out integrator: backward_euler holds it");

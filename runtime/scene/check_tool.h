@@ -24,6 +24,10 @@ namespace fulcrum::runtime {
 /// What a tool may take of each step of a live run, microseconds: half of it.
 [[nodiscard]] double find_tool_time_us(double rate_hz);
 
+/// Points on the tool's surface, as the lesson says or 2000; and among voxels the most, as the lesson says or as half a step has time for.
+[[nodiscard]] int find_surface_points(const ToolDescription& tool);
+[[nodiscard]] int find_most_voxel_points(const HandDescription& hand);
+
 /// One sentence where looking at all points at once would take longer than that: what a live run does then, and what would do.
 [[nodiscard]] std::optional<std::string> find_tool_notice(const HandDescription& hand,
                                                           const ToolPlan& plan);

@@ -152,7 +152,8 @@ struct ToolDescription {
     double turn_stiffness_Nm_per_rad =
         0.0;               ///< 0: as stiff at the tool's farthest point as the spring
     double voxel_m = 0.0;  ///< side of the bodies' voxels; 0: chosen for each body
-    int points = 2000;
+    int points =
+        0;  ///< on its surface; 0: 2000, among voxels one a voxel of its own where a step has time
     ToolMethod method = ToolMethod::field_sampling;
     bool massless = false;
     Integrator integrator = Integrator::backward_euler;

@@ -95,7 +95,7 @@ Expected<ToolOrder> make_order(const LessonDescription& lesson, const TriangleMe
     if (!inertia) {
         return tl::unexpected(inertia.error());
     }
-    auto shell = recall_surface_pointshell(shapes, mesh, tool.points, half(0.5));
+    auto shell = recall_surface_pointshell(shapes, mesh, find_surface_points(tool), half(0.5));
     if (!shell) {
         return tl::unexpected(shell.error());
     }
@@ -144,10 +144,11 @@ tl::unexpected<Error> refuse_tool(const Error& error, SourceLine line) {
 }
 
 // Among voxels: a point a voxel, as McNeely has them, where the lesson allows so many. Such points lie in rows as the voxels do, so
-// that of a flat end all push at once; others push beside edges, too, where their normals point sideways.
-void put_in_rows(const TriangleMesh& mesh, int most_points, const ToolBodies& bodies,
-                 ToolOrder& order) {
+// that of a flat end all push at once; others push beside edges, too, where their normals point sideways. Gives the most that were too many.
+std::size_t put_in_rows(const TriangleMesh& mesh, int most_points, const ToolBodies& bodies,
+                        ToolOrder& order) {
     const Pose X_PB{order.settings.grip_T, order.settings.handle_turn.conjugate()};
+    std::size_t n_left_out = 0;
     for (const std::shared_ptr<const VoxelGrid>& grid : bodies.grids) {
         // Bodies that share a mesh share their voxels, too.
         const auto first = std::ranges::find(bodies.grids, grid) - bodies.grids.begin();
@@ -157,10 +158,23 @@ void put_in_rows(const TriangleMesh& mesh, int most_points, const ToolBodies& bo
         }
         // Voxels too small for that are refused there; the points on the surface serve.
         const auto rows = make_voxel_pointshell(mesh, grid->frame.voxel_m);
-        order.shells.push_back(rows && rows->size() <= static_cast<std::size_t>(most_points)
-                                   ? std::make_shared<const Pointshell>(make_moved(*rows, X_PB))
-                                   : order.shell);
+        const bool fits = rows && rows->size() <= static_cast<std::size_t>(most_points);
+        order.shells.push_back(fits ? std::make_shared<const Pointshell>(make_moved(*rows, X_PB))
+                                    : order.shell);
+        n_left_out = std::max(n_left_out, rows && !fits ? rows->size() : 0);
     }
+    return n_left_out;
+}
+
+// One sentence for a lesson that has not chosen so few itself.
+std::string tell_left_out(const HandDescription& hand, std::size_t n_voxels) {
+    std::array<char, 192> text{};
+    std::snprintf(text.data(), text.size(),
+                  "the tool: it has %zu voxels of its own, and a step has time for %d points, so "
+                  "it has %d and pushes sideways beside edges",
+                  n_voxels, find_most_voxel_points(hand), find_surface_points(*hand.tool));
+    return to_sentence({text.data(), at_line(hand.line),
+                        "give it a larger voxel, or method = \"field_sampling\""});
 }
 
 // About its centre of mass, along its principal axes.
@@ -282,7 +296,11 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     if (!bodies) {
         return tl::unexpected(bodies.error());
     }
-    put_in_rows(*mesh, lesson.hand.tool->points, *bodies, *order);
+    const std::size_t n_left_out =
+        put_in_rows(*mesh, find_most_voxel_points(lesson.hand), *bodies, *order);
+    if (n_left_out > 0 && lesson.hand.tool->points == 0) {
+        plan.notices.push_back(tell_left_out(lesson.hand, n_left_out));
+    }
     auto made = put_among(*lesson.hand.tool, *mesh, *order, *bodies, plan.haptic.solids);
     if (!made) {
         return refuse_tool(made.error(), lesson.hand.line);

@@ -1,7 +1,8 @@
 // The tool in the hand, as the plan needs it: its points and springs, and every solid body as tool_bodies.h makes it. For plan.cpp.
 //
 //   hand    masses and springs are as the hand feels them: m = mass / scale, k = stiffness / scale, k_r = turn stiffness x scale
-//   points  as many as the lesson says, on the surface; among voxels a point a voxel of the tool, where that is no more
+//   points  as many as the lesson says or 2000, on the surface; among voxels a point a voxel of the tool, where that is no more than the lesson
+//           says or a step has time for
 //   time    in a live run half of each step (check_tool.h), so that the loop is never late for its tool; else as long as it takes,
 //           so that a run is the same each time
 //

@@ -60,11 +60,10 @@ constexpr Parameter kTool[] = {
      "side of the cubes that bodies are made of for it; smaller follows their shape more closely "
      "and takes more memory: at most 480 along a body and 64 million in all; fine enough for each "
      "body by default, and for all together"},
-    {"points", ParameterType::integer, "", 100, 200000, "2000",
-     "on its surface; more follow it more closely and take more time; voxel_sampling has one a "
-     "voxel "
-     "of the tool where that is no more, and is best so: with fewer it pushes sideways beside "
-     "edges"},
+    {"points", ParameterType::integer, "", 100, 200000, "nil",
+     "on its surface; more follow it more closely and take more time; by default 2000, and for "
+     "voxel_sampling one a voxel of the tool, as far as a step has time for them: with fewer it "
+     "pushes sideways beside edges"},
     {"method", ParameterType::choice, "", 0, 0, "field_sampling",
      "how it is kept outside bodies, by the name of the method: points on it by the distance to "
      "their surface, or by cubes that they are made of; or by planes that a few clusters of "
@@ -167,7 +166,7 @@ ToolDescription take_tool(lua_State* lua, const Arguments& arguments) {
     tool.turn_stiffness_Nm_per_rad =
         arguments["turn_stiffness"].given ? arguments["turn_stiffness"].number : 0.0;
     tool.voxel_m = arguments["voxel"].given ? arguments["voxel"].number : 0.0;
-    tool.points = static_cast<int>(arguments["points"].number);
+    tool.points = arguments["points"].given ? static_cast<int>(arguments["points"].number) : 0;
     tool.method = method_of(arguments["method"].text);
     tool.massless = arguments["massless"].flag;
     tool.integrator = integrator_of(arguments["integrator"].text);

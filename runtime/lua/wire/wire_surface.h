@@ -154,7 +154,7 @@ void tool(Archive& a, Tool& t) {
     a.number("the tool's stiffness", t.stiffness_N_per_m, 1.0, 1e4);
     a.number("the tool's stiffness of turn", t.turn_stiffness_Nm_per_rad, 0.0, 100.0);
     a.number("the tool's voxels", t.voxel_m, 0.0, 1.0);
-    a.integer("the tool's points", t.points, 1, 1'000'000);
+    a.integer("the tool's points", t.points, 0, 1'000'000);
     a.choice("the tool's method", t.method, ToolMethod::god_object);
     a.flag("a massless tool", t.massless);
     a.choice("the tool's integrator", t.integrator, Integrator::backward_euler);

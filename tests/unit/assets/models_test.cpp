@@ -29,7 +29,7 @@ struct Maker {
     Vector3d size_m;  ///< of the box around it
 };
 
-const std::array<Maker, 38> kMakers{{{"watermelon", make_watermelon, {0.20, 0.166, 0.172}},
+const std::array<Maker, 39> kMakers{{{"watermelon", make_watermelon, {0.20, 0.166, 0.172}},
                                      {"apple", make_apple, {0.080, 0.085, 0.080}},
                                      {"banana", make_banana, {0.162, 0.061, 0.038}},
                                      {"egg", make_egg, {0.044, 0.057, 0.044}},
@@ -66,7 +66,8 @@ const std::array<Maker, 38> kMakers{{{"watermelon", make_watermelon, {0.20, 0.16
                                      {"ring", make_ring, {0.16, 0.032, 0.16}},
                                      {"bowl", make_bowl, {0.2, 0.1, 0.2}},
                                      {"walker", make_walker, {0.0437, 0.071, 0.0437}},
-                                     {"gem", make_gem, {0.038, 0.060, 0.044}}}};
+                                     {"gem", make_gem, {0.038, 0.060, 0.044}},
+                                     {"handles", make_handles, {0.48, 0.1, 0.48}}}};
 
 /// Painting takes a while: each model is made once.
 const Model& made(const Maker& maker) {

@@ -250,7 +250,7 @@ TEST_CASE("wire: contradictions of a description are found") {
     CHECK_FALSE(taken([](auto& d) { d.hand.tool->model = "gear"; }));
     CHECK_FALSE(taken([](auto& d) { d.hand.tool->mass_kg = kNaN; }));
     CHECK_FALSE(taken([](auto& d) { d.hand.tool->voxel_m = -0.001; }));
-    CHECK_FALSE(taken([](auto& d) { d.hand.tool->points = 0; }));
+    CHECK_FALSE(taken([](auto& d) { d.hand.tool->points = -1; }));
     CHECK_FALSE(taken([](auto& d) { d.hand.tool->method = static_cast<ToolMethod>(4); }));
     CHECK_FALSE(taken([](auto& d) { d.hand.tool->integrator = static_cast<Integrator>(5); }));
     CHECK_FALSE(taken([](auto& d) { d.forces[0].field.stiffness_N_per_m = 2001; }));
