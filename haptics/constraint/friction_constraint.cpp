@@ -63,6 +63,7 @@ bool FrictionConstraintSolver::add(const Vector3& arm_W, const Vector3& normal_W
 
 void FrictionConstraintSolver::prepare(double size) noexcept {
     const bool remembers = n_remembered_ == n_;
+    last_ = remembers ? Vector6(last_ * (size_ / size)) : wanted_;
     for (std::size_t k = 0; k < n_; ++k) {
         Contact& contact = contacts_[k];
         contact.stiffness = 1.0 / (kCompliance * contact.weight);
@@ -204,6 +205,7 @@ bool FrictionConstraintSolver::iterate(Vector6& y) noexcept {
 }
 
 void FrictionConstraintSolver::forget() noexcept {
+    last_.setZero();
     for (std::size_t k = 0; k < n_; ++k) {
         contacts_[k].l.setZero();
         contacts_[k].f.setZero();
@@ -223,15 +225,17 @@ const LeastConstraint& FrictionConstraintSolver::solve(const Vector6& wanted) no
         forget();
         return answer_;
     }
-    prepare(size);
     wanted_ = y_u / size;
-    Vector6 y = wanted_;
+    prepare(size);
+    // From where the last solve ended its forces make sense.
+    Vector6 y = last_;
     answer_.exact = iterate(y);
     if (!y.allFinite()) {
         answer_.exact = false;
         forget();
         return answer_;
     }
+    last_ = y;
     for (std::size_t k = 0; k < n_; ++k) {
         answer_.acting += contacts_[k].f.x() > 0.0 ? 1 : 0;
     }

@@ -87,6 +87,7 @@ class FrictionConstraintSolver {
     std::size_t n_remembered_ = 0;
     double size_ = 1.0;
     Vector6 wanted_{Vector6::Zero()};  // y_u
+    Vector6 last_{Vector6::Zero()};    // the last answer
     std::vector<Contact> contacts_;
     LeastConstraint answer_{};
 };

@@ -33,6 +33,7 @@ GodForce::GodForce(const GodForceSettings& settings, std::size_t max_contacts)
 
 void GodForce::begin(const Pose& tool_W) noexcept {
     tool_W_ = tool_W;
+    is_solved_ = false;
     const Matrix3 inertia_W = compute_inertia_W(settings_.inertia, tool_W.orientation);
     if (settings_.has_friction) {
         dragging_.set_inertia(settings_.inertia.mass_kg, inertia_W);
@@ -45,6 +46,7 @@ void GodForce::begin(const Pose& tool_W) noexcept {
 
 bool GodForce::add(const Vector3& arm_W, const Vector3& normal_W, double least_m,
                    double friction) noexcept {
+    is_solved_ = false;
     if (settings_.has_friction) {
         return dragging_.add(arm_W, normal_W, least_m, friction);
     }
@@ -57,15 +59,22 @@ bool GodForce::add(const Vector3& arm_W, const Vector3& normal_W, double least_m
 }
 
 Wrench GodForce::compute_held(const Pose& wanted_W) noexcept {
-    presses_ = false;
     if (size() == 0) {
+        presses_ = false;
         return {};
     }
     const Vector6 wanted = settings_.step_share * find_way(tool_W_, wanted_W);
+    if (settings_.has_friction && is_solved_ && wanted == solved_for_) {
+        // Asked again it would go on from its answer, and where that is not exact find another.
+        return solved_;
+    }
     const LeastConstraint& held =
         settings_.has_friction ? dragging_.solve(wanted) : solver_.solve(wanted);
     presses_ = held.acting > 0;
-    return {scale_ * held.force.head<3>(), scale_ * held.force.tail<3>()};
+    is_solved_ = true;
+    solved_for_ = wanted;
+    solved_ = {scale_ * held.force.head<3>(), scale_ * held.force.tail<3>()};
+    return solved_;
 }
 
 // What is taken of a push goes with the push, so that it never becomes a pull and a tool that is lifted comes off without sticking; what is added

@@ -80,6 +80,10 @@ class GodForce {
     [[nodiscard]] static Vector3 find_carried(const Blended& blended, const Vector3& held,
                                               bool presses) noexcept;
     BlendedWrench blended_{};
+    // The last question, and its answer.
+    bool is_solved_ = false;
+    Vector6 solved_for_{Vector6::Zero()};
+    Wrench solved_{};
     double scale_ = 1.0;
     bool presses_ = false;  // some contact does, in the last `compute`
 };

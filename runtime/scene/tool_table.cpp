@@ -18,7 +18,7 @@ std::string friction_line(const FrictionSettings& friction) {
     std::array<char, 160> line{};
     std::snprintf(line.data(), line.size(), "%-16s friction %.2g, %.2g while it slides: %s\n", "",
                   friction.static_coefficient, friction.dynamic_coefficient,
-                  "some 10 us more a step for all that touches");
+                  "where it slides a step of the tool takes up to twice as long");
     return line.data();
 }
 

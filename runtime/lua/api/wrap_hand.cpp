@@ -68,8 +68,8 @@ constexpr Parameter kTool[] = {
      "how it is kept outside bodies, by the name of the method: points on it by the distance to "
      "their surface, or by cubes that they are made of; or by planes that a few clusters of "
      "contact lie on, which hold even where contact is found late (implicit_penalty); or all of "
-     "its triangles, which never get into theirs, however thin they are (god_object: mass, points "
-     "and voxel say nothing then)",
+     "its triangles, which never get into theirs, however thin they are, and which alone feel the "
+     "friction of their materials (god_object: mass, points and voxel say nothing then)",
      "field_sampling voxel_sampling implicit_penalty god_object"},
     {"massless", ParameterType::flag, "", 0, 0, "false",
      "it has no mass of its own: nothing smooths what it meets"},
