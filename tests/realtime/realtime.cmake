@@ -30,7 +30,7 @@ set(load_functions
     "convex_cursor.cpp.o=MakeCore|make_convex_(cursor|solid)|Obstacle::~" "distance_obstacle.cpp.o=DistanceObstacle::~"
     "mesh_obstacle.cpp.o=MeshObstacle::~?MeshObstacle"
     "friction_cone.cpp.o=FrictionCone::~?FrictionCone"
-    "memory_channel.cpp.o=MemoryChannel::~?MemoryChannel"
+    "memory_channel.cpp.o=MemoryChannel::~?MemoryChannel|MemoryChannel::End::~End"
     "stick.cpp.o=Stick::find|expected_storage_base|Error::" "hid_hand.cpp.o=HidHand::~"
     "virtual_proxy.cpp.o=VirtualProxy::~?VirtualProxy"
     "contact_problem.cpp.o=ContactProblem::~?ContactProblem" "block_system.cpp.o=BlockSystem::~?BlockSystem"
