@@ -217,7 +217,8 @@ void HapticLoop::list_effects() {
     add(touch_ != nullptr, Effect::contact);
     add(touch_ != nullptr, Effect::contact_damping);
     add(bodies_ && touch_, Effect::grip);
-    add(surface != nullptr && surface->texture, Effect::texture);
+    add((surface != nullptr && surface->texture) || (tool_ && tool_->has_texture()),
+        Effect::texture);
     add(surface != nullptr && surface->transient, Effect::tap);
     add(weight_ != nullptr, Effect::weight);
     slot_of_[static_cast<std::size_t>(Effect::field)] = static_cast<std::int8_t>(effects_.size());

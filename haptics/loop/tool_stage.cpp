@@ -76,9 +76,26 @@ void ToolStage::follow_hand(const ToolRound& round) noexcept {
     tool_->place(round.hand.pose_W);
     is_engaged_ = round.is_fit && tool_->is_free(frames_);
     pose_W_ = round.hand.pose_W;
+    hand_W_ = round.hand.pose_W;
+    shift_loan_.settle();
+    turn_loan_.settle();
     solid_ = kNoBody;
     std::ranges::fill(pushes_, SolidPush{});
     add_up({});
+}
+
+// What reliefs do in the coming period, and how much of what they did in the last one is the ideal scene's.
+void ToolStage::lend(const ToolFelt& felt, const ToolRound& round, ToolForce& force) noexcept {
+    const Pose& hand_W = round.hand.pose_W;
+    const Vector3 turned_W =
+        compute_log((hand_W.orientation * hand_W_.orientation.conjugate()).normalized());
+    force.texture_W = {felt.texture_W.force, felt.texture_W.torque / scale_};
+    shift_loan_.allow(felt.bumps_J, round.dt_s);
+    turn_loan_.allow(felt.bumps_J / scale_, round.dt_s);
+    force.texture_force =
+        shift_loan_.step(force.texture_W.force, hand_W.position - hand_W_.position);
+    force.texture_torque = turn_loan_.step(force.texture_W.torque, turned_W);
+    hand_W_ = hand_W;
 }
 
 void ToolStage::add_up(const ToolEffort& step) noexcept {
@@ -156,6 +173,7 @@ ToolForce ToolStage::step(const ToolRound& round) noexcept {
     // What the hand feels of it.
     force.wrench_W = {felt.felt_W.force, felt.felt_W.torque / scale_};
     force.spring_W = {felt.spring_W.force, felt.spring_W.torque / scale_};
+    lend(felt, round, force);
     force.contact.force = felt.spring_W.force;
     force.contact.energy_J = felt.spring_energy_J;
     force.contact.normal = compute_direction(felt.spring_W.force);

@@ -4,6 +4,8 @@
 //   force on the hand    the coupling's, as the tool gives it
 //   torque on the hand   about the grip, over the workspace's scale: forces are felt unscaled and lengths are not, so that a turn
 //                        of the handle takes from the hand as much as from the tool, in the hand's metres
+//   of both, reliefs     what the objects' materials add, where the tool feels it: ideal as far as their bumps' loan goes (energy_loan.h), one loan
+//                        for shifts and one for turns
 //   force on a solid     -(W_i + w_i (felt - sum of W)),  w_i = |F_i| / sum of |F|    W_i its own wrench on the tool, F_i the force
 //                        of it, all about the grip. Together they are what the hand presses, minus the force and torque that it
 //                        feels: all of that where one solid is touched. Where the tool is twisted between two that push against
@@ -22,6 +24,7 @@
 #include "haptics/coupling/passivity.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/loop/solid_push.h"
+#include "haptics/surface/energy_loan.h"
 #include "haptics/tool/tool_solver.h"
 
 #include <array>
@@ -43,10 +46,13 @@ struct ToolRound {
 
 /// What it gives.
 struct ToolForce {
-    Wrench wrench_W{};        ///< on the hand: newtons, and newton metres as the hand feels them
-    Wrench spring_W{};        ///< the springs' part of it
-    ContactSpring contact{};  ///< the force's; energy in metres of the world
-    bool failed = false;      ///< something was no number; there is no force
+    Wrench wrench_W{};   ///< on the hand: newtons, and newton metres as the hand feels them
+    Wrench spring_W{};   ///< the springs' part of it
+    Wrench texture_W{};  ///< what reliefs add to it
+    ElasticForce texture_force{};   ///< and what of that gives the hand's work back
+    ElasticForce texture_torque{};  ///< likewise
+    ContactSpring contact{};        ///< the force's; energy in metres of the world
+    bool failed = false;            ///< something was no number; there is no force
 };
 
 class ToolStage {
@@ -67,6 +73,8 @@ class ToolStage {
     [[nodiscard]] std::int32_t solid() const noexcept { return solid_; }
     /// Of the last step, one a solid of the plan.
     [[nodiscard]] std::span<const SolidPush> pushes() const noexcept { return pushes_; }
+    /// Whether some solid's relief is felt.
+    [[nodiscard]] bool has_texture() const noexcept { return has_texture_; }
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
   private:
@@ -80,12 +88,17 @@ class ToolStage {
     void follow_hand(const ToolRound& round) noexcept;
     void tell_pushes(const Wrench& felt_W) noexcept;
     void add_up(const ToolEffort& step) noexcept;
+    void lend(const ToolFelt& felt, const ToolRound& round, ToolForce& force) noexcept;
 
     std::unique_ptr<ToolSolver> tool_;
     double scale_;
+    bool has_texture_;
     std::vector<Track> tracks_;
     std::vector<MovingFrame> frames_;  // of the solids, for the tool
     std::vector<SolidPush> pushes_;
+    EnergyLoan shift_loan_{};
+    EnergyLoan turn_loan_{};
+    Pose hand_W_{};  // in the round before
     bool is_engaged_ = false;
     ToolEffort effort_{};
     Pose pose_W_{};

@@ -21,6 +21,7 @@ Expected<void> validate_tool(const HapticPlan& plan) {
 ToolStage::ToolStage(const HapticPlan& plan)
     : tool_(make_tool(*plan.tool)),
       scale_(plan.workspace.scale),
+      has_texture_(fulcrum::has_texture(*plan.tool)),
       tracks_(plan.solids.size()),
       frames_(plan.solids.size()),
       pushes_(plan.solids.size()) {}

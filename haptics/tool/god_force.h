@@ -52,6 +52,8 @@ class GodForce {
     [[nodiscard]] Wrench compute(const Pose& wanted_W) noexcept;
     /// Newtons by the k-th contact, in the last `compute`; without e.
     [[nodiscard]] Vector3 force_W(std::size_t k) const noexcept;
+    /// Likewise by all contacts.
+    [[nodiscard]] Wrench held() const noexcept { return presses_ ? solved_ : Wrench{}; }
     /// From now on goes on from `before`, the force of the set before for the same handle.
     void blend(const Wrench& before, const Pose& wanted_W, double dt_s) noexcept;
     void forget_blend() noexcept { blended_ = {}; }

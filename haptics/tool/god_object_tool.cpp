@@ -64,6 +64,11 @@ void GodObjectTool::place(const Pose& handle_W) noexcept {
     step_ = {};
     force_.begin(pose_W_);
     force_.forget_blend();
+    texture_W_ = {};
+    textured_N_ = 0.0;
+    for (Rough& rough : rough_) {
+        rough.texture.forget();
+    }
     std::ranges::fill(touches_, ToolTouch{});
 }
 
@@ -335,12 +340,18 @@ ToolFelt GodObjectTool::move(const MovingFrame& handle, std::span<const MovingFr
     tell_force();
     force_.blend(before, held_W, dt_s);
     tell_touches();
-    felt.felt_W = force(handle.pose_W);
-    felt.spring_W = felt.felt_W;
+    tell_texture(dt_s);
+    const Felt told = feel(handle.pose_W);
+    felt.felt_W = told.all;
+    felt.spring_W = told.contacts;
+    felt.texture_W = {told.all.force - told.contacts.force, told.all.torque - told.contacts.torque};
+    for (const Rough& rough : rough_) {
+        felt.bumps_J += rough.texture.bumps_J();
+    }
     const double stiffness = settings_.coupling.shift.stiffness_N_per_m;
     felt.spring_energy_J =
         stiffness > 0.0 ? compute_shift_energy_J(settings_.coupling,
-                                                 compute_length(felt.felt_W.force) / stiffness)
+                                                 compute_length(felt.spring_W.force) / stiffness)
                         : 0.0;
     felt.effort.n_looks = step_.rounds + 1;
     felt.effort.n_points = step_.contacts;

@@ -6,7 +6,8 @@
 //   3  gone       as far as continuous collision lets go along d: not nearer than a quarter of delta, and of what there was   (mesh_sweep.h)
 //   4  again from 2 with what is left of u, until nothing moves, or by less than a fiftieth of what a round of the step has gone; what is
 //      left then, or after `most_rounds`, goes on in the next step. It is way that is free to go, so nothing of it is felt
-//   5  felt       by the contacts there (god_force.h), in directions that turn evenly where a surface is shaded (god_shading.h)
+//   5  felt       by the contacts there (god_force.h), in directions that turn evenly where a surface is shaded (god_shading.h), and
+//                 the relief of what they lie on (god_texture.h)
 // With friction, where an object has it, 2 is friction_constraint.h: contacts hold along themselves by up to mu of what they push, and slip against
 // it beyond; by the static coefficient where the tool did not slip in the step before, by a thousandth of the gap at rest, else by the dynamic one.
 // g_k is a contact's gap and delta the gap at which tools rest, a micrometre. Contacts within 4 delta are told, farther ones where the tool was
@@ -27,11 +28,13 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/constraint/even_pressure.h"
 #include "haptics/constraint/friction_constraint.h"
 #include "haptics/surface/friction.h"
 #include "haptics/tool/god_force.h"
 #include "haptics/tool/god_pair.h"
 #include "haptics/tool/god_shading.h"
+#include "haptics/tool/god_texture.h"
 #include "haptics/tool/tool_solver.h"
 
 #include <memory>
@@ -69,6 +72,7 @@ struct GodObjectPlan {
     /// What is felt turns evenly over their edges (god_shading.h); of the same meshes, or none.
     std::shared_ptr<const GodShading> object_shading{};
     std::shared_ptr<const GodShading> tool_shading{};
+    std::shared_ptr<const Texture> texture{};  ///< the object's relief, felt alone; or none
 };
 
 /// What one step did.
@@ -137,6 +141,24 @@ class GodObjectTool final : public ToolSolver {
     [[nodiscard]] double find_friction(std::size_t i, const GodContact& contact) const noexcept;
     [[nodiscard]] Vector3 find_felt_normal_W(std::size_t i, const GodContact& contact,
                                              const Matrix3& R_WO) const noexcept;
+    // An object with a relief.
+    struct Rough {
+        std::size_t object = 0;
+        GodTexture texture;
+        std::size_t first = 0;  // of its contacts, among all that press
+    };
+    void tell_relief(Rough& rough, bool presses, double dt_s) noexcept;
+    // By the contacts alone, and with the texture; on the hand, about the grip.
+    struct Felt {
+        Wrench contacts{}, all{};
+    };
+    [[nodiscard]] Felt feel(const Pose& handle_W) noexcept;
+    void tell_texture(double dt_s) noexcept;
+    [[nodiscard]] bool share_pressure() noexcept;
+    // As far as what presses now is that of the step.
+    [[nodiscard]] Wrench find_texture(double held_N) const noexcept;
+    // What the contacts hold, a turn at the tool's reach.
+    [[nodiscard]] double find_held_N() const noexcept;
     void note_slips() noexcept;
     void forget_slips() noexcept;
     [[nodiscard]] Wrench about_grip(const Wrench& about_centre,
@@ -152,12 +174,17 @@ class GodObjectTool final : public ToolSolver {
         Pose from_OT{}, to_OT{};
     };
     bool has_friction_;
+    bool is_followed_;                         // slips are known
     std::vector<FrictionSettings> frictions_;  // of objects
     std::vector<Slip> slips_;
     struct Shading {
         std::shared_ptr<const GodShading> object, tool;
     };
     std::vector<Shading> shadings_;  // empty where nothing is shaded
+    std::vector<Rough> rough_;       // objects
+    EvenPressure pressure_;
+    Wrench texture_W_{};       // on the tool, about its centre of mass, in the last step
+    double textured_N_ = 0.0;  // that the contacts held then
     LeastConstraintSolver solver_;
     FrictionConstraintSolver dragging_;  // in its place, where there is friction
     GodForce force_;

@@ -25,6 +25,19 @@ bool has_friction(const std::vector<GodObjectPlan>& plans) {
                                [](const GodObjectPlan& plan) { return plan.friction.any(); });
 }
 
+bool has_texture(const std::vector<GodObjectPlan>& plans) {
+    return std::ranges::any_of(plans,
+                               [](const GodObjectPlan& plan) { return plan.texture != nullptr; });
+}
+
+double find_reach_m(const std::vector<GodObjectPlan>& plans) {
+    double reach_m = 0.0;
+    for (const GodObjectPlan& plan : plans) {
+        reach_m = std::max(reach_m, plan.tool->swept().reach_m());
+    }
+    return reach_m;
+}
+
 bool fits(const GodSurface& surface, const GodShading* shading) {
     return shading == nullptr || shading->n_triangles() == surface.swept().n_triangles();
 }
@@ -69,10 +82,13 @@ GodObjectTool::GodObjectTool(const std::vector<GodObjectPlan>& plans,
       goals_W_(plans.size()),
       touches_(plans.size()),
       has_friction_(has_friction(plans)),
+      is_followed_(has_friction_ || has_texture(plans)),
       slips_(plans.size()),
+      pressure_(has_texture(plans) ? find_capacity(plans, settings) : 0, find_reach_m(plans)),
       solver_(has_friction_ ? 0 : find_capacity(plans, settings)),
       dragging_(has_friction_ ? find_capacity(plans, settings) : 0),
-      force_(make_force_settings(plans, settings), find_capacity(plans, settings)) {
+      force_(make_force_settings(plans, settings), find_capacity(plans, settings)),
+      reach_m_(find_reach_m(plans)) {
     settings_.handle_turn.normalize();
     pairs_.reserve(plans.size());
     frictions_.reserve(plans.size());
@@ -84,8 +100,13 @@ GodObjectTool::GodObjectTool(const std::vector<GodObjectPlan>& plans,
             shadings_.push_back({plan.object_shading, plan.tool_shading});
         }
         frictions_.push_back(plan.friction);
+        if (plan.texture != nullptr) {
+            rough_.push_back(
+                {pairs_.size(),
+                 {plan.texture,
+                  {settings.coupling.shift.stiffness_N_per_m, reach_m_, settings.fade_s}}});
+        }
         pairs_.emplace_back(plan.object, plan.tool, settings.most_contacts);
-        reach_m_ = std::max(reach_m_, plan.tool->swept().reach_m());
     }
 }
 
@@ -128,7 +149,11 @@ std::size_t GodObjectTool::memory_bytes() const noexcept {
     std::size_t bytes = sizeof(*this) + 2 * objects_W_.capacity() * sizeof(Pose) +
                         touches_.capacity() * sizeof(ToolTouch) + force_.memory_bytes() +
                         slips_.capacity() * sizeof(Slip) +
-                        frictions_.capacity() * sizeof(FrictionSettings) + dragging_.memory_bytes();
+                        frictions_.capacity() * sizeof(FrictionSettings) +
+                        dragging_.memory_bytes() + pressure_.memory_bytes();
+    for (const Rough& rough : rough_) {
+        bytes += sizeof(Rough) - sizeof(GodTexture) + rough.texture.memory_bytes();
+    }
     for (const GodPair& pair : pairs_) {
         bytes += sizeof(GodPair) + pair.memory_bytes() + pair.object().memory_bytes() +
                  (has_friction_ ? 0 : static_cast<std::size_t>(settings_.most_contacts) * kPerRow);

@@ -89,13 +89,11 @@ Expected<ToolPlan> make_field_tool_plan(const ToolOrder& order,
 }
 
 ToolPlan make_god_object_plan(const ToolOrder& order, const std::shared_ptr<const GodSurface>& tool,
-                              const std::vector<std::shared_ptr<const GodSurface>>& objects,
-                              const std::vector<FrictionSettings>& frictions) {
+                              const std::vector<std::shared_ptr<const GodSurface>>& objects) {
     std::vector<GodObjectPlan> plans;
     plans.reserve(objects.size());
     for (const std::shared_ptr<const GodSurface>& object : objects) {
-        const std::size_t i = plans.size();
-        plans.push_back({object, tool, i < frictions.size() ? frictions[i] : FrictionSettings{}});
+        plans.push_back({object, tool});
     }
     return {std::move(plans), make_clamped(order)};
 }
@@ -168,6 +166,13 @@ std::size_t count_points(const ToolPlan& plan) {
         most = std::max(most, object.shell->n_points());
     }
     return most;
+}
+
+bool has_texture(const ToolPlan& plan) {
+    const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects);
+    return meshes != nullptr && std::ranges::any_of(*meshes, [](const GodObjectPlan& object) {
+               return object.texture != nullptr;
+           });
 }
 
 Expected<void> validate(const ToolPlan& plan) {

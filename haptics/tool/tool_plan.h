@@ -71,11 +71,10 @@ struct ToolOrder {
 [[nodiscard]] Expected<ToolPlan> make_penalty_tool_plan(
     const ToolOrder& order, const std::vector<FieldSampler::Field>& fields);
 
-/// The tool's mesh, about its centre of mass, along its principal axes, among meshes; `frictions` one an object, or none.
+/// The tool's mesh, about its centre of mass, along its principal axes, among meshes.
 [[nodiscard]] ToolPlan make_god_object_plan(
     const ToolOrder& order, const std::shared_ptr<const GodSurface>& tool,
-    const std::vector<std::shared_ptr<const GodSurface>>& objects,
-    const std::vector<FrictionSettings>& frictions = {});
+    const std::vector<std::shared_ptr<const GodSurface>>& objects);
 /// Of such a plan: what its tool is built with.
 [[nodiscard]] GodObjectSettings make_god_object_settings(const VoxelToolSettings& settings);
 
@@ -84,6 +83,9 @@ struct ToolOrder {
 
 /// Points of the tool, of a god-object the corners of its triangles, against the object that asks for the most of them.
 [[nodiscard]] std::size_t count_points(const ToolPlan& plan);
+
+/// Whether the relief of some object is felt.
+[[nodiscard]] bool has_texture(const ToolPlan& plan);
 
 /// Refuses what the method's build does.
 [[nodiscard]] Expected<void> validate(const ToolPlan& plan);

@@ -39,6 +39,8 @@ struct ToolFelt {
     Wrench felt_W{};  ///< on the hand, N and Nm about the grip
     Wrench
         spring_W{};  ///< the part of the coupling's springs: what of it gives back the hand's work
+    Wrench texture_W{};            ///< and that of the reliefs of what is touched
+    double bumps_J = 0.0;          ///< what one of their bumps holds (surface/energy_loan.h)
     double spring_energy_J = 0.0;  ///< of the coupling's shift; 0 where nothing is felt
     bool moved = true;             ///< false: something was no number, and the tool stands still
     ToolEffort effort{};

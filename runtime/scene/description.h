@@ -94,6 +94,7 @@ struct BodyDescription {
     std::string felt_model{};                    ///< empty: as it is seen
     std::string simulated_model{};               ///< empty: as it is felt
     RigidShape collides_as = RigidShape::model;  ///< what is made of the simulated one
+    bool rounded = false;  ///< its facets are felt as one even surface, as far as its creases
 };
 
 /// The body with what the hand feels of it as its model.
@@ -157,6 +158,7 @@ struct ToolDescription {
     ToolMethod method = ToolMethod::field_sampling;
     bool massless = false;
     Integrator integrator = Integrator::backward_euler;
+    bool rounded = false;  ///< its facets are felt as one even surface, as far as its creases
 };
 
 /// A lesson's: both of a person, or a finger of each.

@@ -90,6 +90,8 @@ nlohmann::ordered_json json_of_tool(const LessonDescription& lesson, const Plan&
                           {"triangles", facts[i].n_triangles},
                           {"friction", facts[i].friction.static_coefficient},
                           {"sliding_friction", facts[i].friction.dynamic_coefficient},
+                          {"texture_m", facts[i].texture_m},
+                          {"rounded", facts[i].rounded},
                           {"memory_bytes", facts[i].bytes},
                           {"source", source_of(plan.tool_shapes[i])}});
     }

@@ -11,6 +11,7 @@
 #include "runtime/scene/tool_bodies.h"
 #include "runtime/scene/tool_notices.h"
 #include "runtime/scene/tool_springs.h"
+#include "runtime/scene/tool_surfaces.h"
 
 #include <algorithm>
 #include <array>
@@ -178,28 +179,31 @@ std::string tell_left_out(const HandDescription& hand, std::size_t n_voxels) {
 }
 
 // About its centre of mass, along its principal axes.
-Expected<std::shared_ptr<const GodSurface>> make_surface(const TriangleMesh& mesh,
-                                                         const ToolOrder& order) {
+Expected<TriangleMesh> make_centred(const TriangleMesh& mesh, const ToolOrder& order) {
     const Pose X_PB{order.settings.grip_T, order.settings.handle_turn.conjugate()};
     std::vector<Vector3> vertices = mesh.vertices_B();
     for (Vector3& vertex : vertices) {
         vertex = X_PB * vertex;
     }
-    return TriangleMesh::build(std::move(vertices), mesh.triangles())
-        .map([](const TriangleMesh& moved) { return GodSurface::create(moved); });
+    return TriangleMesh::build(std::move(vertices), mesh.triangles());
 }
 
-// The tool among its bodies.
-Expected<ToolPlan> put_among(const ToolDescription& tool, const TriangleMesh& mesh,
-                             const ToolOrder& order, const ToolBodies& bodies,
-                             const std::vector<SolidPlan>& solids) {
-    if (tool.method == ToolMethod::god_object) {
-        std::vector<FrictionSettings> frictions;
-        std::ranges::transform(solids, std::back_inserter(frictions), &SolidPlan::friction);
-        return make_surface(mesh, order).map([&](const std::shared_ptr<const GodSurface>& own) {
-            return make_god_object_plan(order, own, bodies.surfaces, frictions);
-        });
-    }
+// Triangles among triangles, and what their surfaces are like.
+Expected<ToolPlan> put_among_meshes(const LessonDescription& lesson, const TriangleMesh& mesh,
+                                    const ToolOrder& order, const ToolBodyList& list,
+                                    const ToolBodies& bodies,
+                                    const std::vector<SolidPlan>& solids) {
+    return make_centred(mesh, order).and_then([&](const TriangleMesh& own) {
+        ToolPlan plan = make_god_object_plan(order, GodSurface::create(own), bodies.surfaces);
+        return put_surfaces(lesson, list, solids, own,
+                            std::get<std::vector<GodObjectPlan>>(plan.objects))
+            .map([&] { return std::move(plan); });
+    });
+}
+
+// The tool among voxels or fields.
+Expected<ToolPlan> put_among(const ToolDescription& tool, const ToolOrder& order,
+                             const ToolBodies& bodies) {
     auto made = tool.method == ToolMethod::voxel_sampling
                     ? Expected<ToolPlan>(make_voxel_tool_plan(order, bodies.grids))
                 : tool.method == ToolMethod::implicit_penalty
@@ -213,25 +217,6 @@ Expected<ToolPlan> put_among(const ToolDescription& tool, const TriangleMesh& me
                      {},
                      "give it larger voxels or the body a larger size"};
     });
-}
-
-// What of materials a tool does not feel is not in the plan; the teacher is told once for each.
-void leave_out_surfaces(const LessonDescription& lesson, Plan& plan) {
-    std::vector<std::int32_t> told;
-    for (SolidPlan& solid : plan.haptic.solids) {
-        const BodyDescription& body = lesson.bodies[static_cast<std::size_t>(solid.body)];
-        solid.coupling.reset();
-        solid.surface = {};
-        if (body.material == kNoMaterial || std::ranges::find(told, body.material) != told.end()) {
-            continue;
-        }
-        told.push_back(body.material);
-        const auto& material = lesson.materials[static_cast<std::size_t>(body.material)];
-        plan.notices.push_back(to_sentence(
-            {material.felt.name + ": a tool feels its friction, and neither its stiffness nor "
-                                  "its texture nor a tap",
-             at_line(body.line), "bear that, or leave out the tool where they are to be felt"}));
-    }
 }
 
 }  // namespace
@@ -301,7 +286,9 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     if (n_left_out > 0 && lesson.hand.tool->points == 0) {
         plan.notices.push_back(tell_left_out(lesson.hand, n_left_out));
     }
-    auto made = put_among(*lesson.hand.tool, *mesh, *order, *bodies, plan.haptic.solids);
+    auto made = lesson.hand.tool->method == ToolMethod::god_object
+                    ? put_among_meshes(lesson, *mesh, *order, *list, *bodies, plan.haptic.solids)
+                    : put_among(*lesson.hand.tool, *order, *bodies);
     if (!made) {
         return refuse_tool(made.error(), lesson.hand.line);
     }

@@ -37,6 +37,8 @@ struct ToolObjectFacts {
     std::size_t bytes = 0;
     std::int32_t n_triangles = 0;  ///< of a god-object's body
     FrictionSettings friction{};   ///< likewise
+    double texture_m = 0.0;        ///< how high the relief is that the tool feels of it
+    bool rounded = false;          ///< its facets are felt as one even surface
 };
 
 /// Of each solid, in the plan's order.

@@ -112,6 +112,7 @@ Expected<void> add_solids(const LessonDescription& lesson, const SolidLoader& lo
         }
         SolidPlan solid{static_cast<std::int32_t>(i), *mesh, Pose::at(body.position_W)};
         solid.lets_out = true;
+        solid.surface.shading.on = body.rounded;
         if (body.material != kNoMaterial) {
             put_material(materials[static_cast<std::size_t>(body.material)], solid);
             scale_coupling(*solid.coupling, lesson.hand.scale);

@@ -207,7 +207,7 @@ Expected<ToolBodyList> list_tool_bodies(const LessonDescription& lesson,
                 "the " + body.noun + " has a material, and a tool of points feels its shape alone",
                 at_line(body.line),
                 "leave out the material, or give the tool method = \"god_object\", which "
-                "feels friction");
+                "feels friction and texture");
         }
         const CollisionMesh* const mesh = find_mesh(solid.shape)->get();
         const auto [found, is_new] = known.emplace(mesh, list.meshes.size());

@@ -38,7 +38,7 @@ struct ToolBodyList {
     std::vector<std::size_t> mesh_of;  ///< of each solid, in the plan's order
 };
 
-/// Checks all bodies; refuses with one sentence and the line of the lesson a material where the tool feels shape alone (god_object feels friction) and voxels
+/// Checks all bodies; refuses with one sentence and the line of the lesson a material where the tool feels shape alone (god_object feels friction and texture) and voxels
 /// that are too small or too many, and says which would do. `lesson` must outlive it.
 [[nodiscard]] Expected<ToolBodyList> list_tool_bodies(const LessonDescription& lesson,
                                                       const std::vector<SolidPlan>& solids);

@@ -22,6 +22,23 @@ std::string friction_line(const FrictionSettings& friction) {
     return line.data();
 }
 
+std::string texture_line(double height_m) {
+    if (!(height_m > 0.0)) {
+        return {};
+    }
+    std::array<char, 160> line{};
+    std::snprintf(line.data(), line.size(), "%-16s texture up to %s high: %s\n", "",
+                  metres_text(height_m).c_str(), "a step takes 1 us and 0.2 us a contact longer");
+    return line.data();
+}
+
+std::string rounded_line(bool rounded) {
+    std::array<char, 160> line{};
+    std::snprintf(line.data(), line.size(), "%-16s rounded: %s\n", "",
+                  "a step takes 0.1 us a contact longer");
+    return rounded ? line.data() : "";
+}
+
 }  // namespace
 
 std::vector<ToolObjectFacts> find_object_facts(const ToolPlan& plan) {
@@ -37,7 +54,9 @@ std::vector<ToolObjectFacts> find_object_facts(const ToolPlan& plan) {
             facts.push_back({{},
                              object.object->memory_bytes(),
                              object.object->swept().n_triangles(),
-                             object.friction});
+                             object.friction,
+                             object.texture ? object.texture->settings().height_m : 0.0,
+                             object.object_shading != nullptr});
         }
         return facts;
     }
@@ -83,7 +102,8 @@ std::string tool_table(const LessonDescription& lesson, const Plan& plan) {
                           body.noun.c_str(), static_cast<int>(facts[i].n_triangles),
                           bytes_text(facts[i].bytes).c_str(), name_of(plan.tool_shapes[i]));
             text += line.data();
-            text += friction_line(facts[i].friction);
+            text += friction_line(facts[i].friction) + texture_line(facts[i].texture_m) +
+                    rounded_line(facts[i].rounded);
             continue;
         }
         std::snprintf(line.data(), line.size(), "%-16.48s %d x %d x %d voxels of %s, %s, %s\n",

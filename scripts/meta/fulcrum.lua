@@ -262,6 +262,7 @@ function World:camera(options) end
 ---@field movable? boolean may fall, be caught and be held; default false
 ---@field solid? boolean can be touched; default false
 ---@field material? Material|string what a solid body is made of, see Materials: "wood", or what world:material gave
+---@field rounded? boolean a solid body's facets are felt as one, even over bends of up to 30 degrees; default false
 ---@field visible? boolean is seen from the start; default false
 ---@field at? Vector|Body|Tool where it is at first; in metres, -10000 to 10000; default {0, 0, 0}
 ---@field drag_area? number drag coefficient × cross-section, for falling in air; in square metres, 0 to 10; default 0
@@ -332,9 +333,10 @@ function World:magnet(options) end
 ---@field turn_stiffness? number of the spring that turns it as the hand turns; by default as stiff at its far end as the other spring; what is felt of it is at most 0.3 newton metres, and less where the program is told to be gentler; in newton metres per radian, 0.001 to 10
 ---@field voxel? number side of the cubes that bodies are made of for it; smaller follows their shape more closely and takes more memory: at most 480 along a body and 64 million in all; fine enough for each body by default, and for all together; in metres, 0.0001 to 1
 ---@field points? integer on its surface; more follow it more closely and take more time; by default 2000, and for voxel_sampling one a voxel of the tool, as far as a step has time for them: with fewer it pushes sideways beside edges; 100 to 200000
----@field method? string how it is kept outside bodies, by the name of the method: points on it by the distance to their surface, or by cubes that they are made of; or by planes that a few clusters of contact lie on, which hold even where contact is found late (implicit_penalty); or all of its triangles, which never get into theirs, however thin they are, and which alone feel the friction of their materials (god_object: mass, points and voxel say nothing then); "field_sampling", "voxel_sampling", "implicit_penalty" or "god_object"; default field_sampling
+---@field method? string how it is kept outside bodies, by the name of the method: points on it by the distance to their surface, or by cubes that they are made of; or by planes that a few clusters of contact lie on, which hold even where contact is found late (implicit_penalty); or all of its triangles, which never get into theirs, however thin they are, and which alone feel the friction and the texture of their materials (god_object: mass, points and voxel say nothing then); "field_sampling", "voxel_sampling", "implicit_penalty" or "god_object"; default field_sampling
 ---@field massless? boolean it has no mass of its own: nothing smooths what it meets; default false
 ---@field integrator? string how it is moved on; all but backward_euler want a heavy tool and a soft spring; not with massless; "explicit_euler", "semi_implicit_euler", "verlet", "runge_kutta_4" or "backward_euler"; default backward_euler
+---@field rounded? boolean its facets are felt as one even surface, as far as creases of 30 degrees; for god_object; default false
 
 ---@class HandOptions
 ---@field centre? Vector|Body|Tool where the middle of the arm's reach lies; in metres, -10000 to 10000; default {0, 0.3, 0}

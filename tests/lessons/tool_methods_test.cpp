@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -62,4 +63,43 @@ TEST_CASE("tool methods: the planets by their handles, by arm, by mouse and by k
     for (const char* by : {"arm", "mouse", "keyboard"}) {
         CHECK(run.output.find(std::string("passed by ") + by) != std::string::npos);
     }
+}
+
+TEST_CASE("tool methods: a god_object's hand feels the texture of a lesson's material") {
+    const Sandbox sandbox;
+    sandbox.write("rough/lesson.lua", R"lua(
+local L = lesson { title = "Rough", id = "rough", minutes = 5 }
+function L:start(world)
+  world:body { name = "table", model = "box", size = { 0.4, 0.04, 0.4 }, solid = true, visible = true,
+               at = { 0, 0.2, 0 }, material = "sandpaper", rounded = true }
+  world:hand { centre = { 0, 0.3, 0 },
+               tool = { method = "god_object", shape = "capsule", rounded = true } }
+end
+return L
+)lua");
+    sandbox.write("rough/stroker.lua", R"lua(
+local motion = require "motion"
+return motion.play(function()
+  motion.start_at { -0.06, 0.35, 0 }
+  motion.wait(1)
+  motion.move_to({ -0.06, 0.26, 0 }, 1)
+  motion.move_to({ 0.06, 0.26, 0 }, 2)
+  motion.move_to({ 0.06, 0.35, 0 }, 0.5)
+end)
+)lua");
+    const ProgramRun run =
+        sandbox.run("run ./rough --headless --seconds 5 --hand rough/stroker.lua --record r.rec");
+    INFO(run.output);
+    REQUIRE(run.exit_code == 0);
+    const Record record = read_run(sandbox.path("r.rec"));
+    const auto slot = std::ranges::find(record.header.effects, "texture");
+    REQUIRE(slot != record.header.effects.end());
+    const auto k = static_cast<std::size_t>(slot - record.header.effects.begin());
+    double most_N = 0.0;
+    for (std::size_t i = 0; i < record.samples.size(); ++i) {
+        most_N = std::max(most_N, record.shares_of(i)[k].force.norm());
+    }
+    CHECK(most_N > 0.05);
+    CHECK(record.shares_of(record.samples.size() - 1)[k].force.isZero(0.0));
+    CHECK(largest_force_N(record) <= kLimit_N);
 }

@@ -15,7 +15,7 @@ set(load_path
     friction.cpp.o texture_settings.cpp.o transient_settings.cpp.o surface_plan.cpp.o material.cpp.o materials.cpp.o relief.cpp.o
     texture_map_build.cpp.o texture_build.cpp.o shading_build.cpp.o contact_stage_build.cpp.o texture_stage_build.cpp.o
     transient_stage_build.cpp.o surface_effects_build.cpp.o
-    sha256.cpp.o shape_bytes.cpp.o distance_field_bytes.cpp.o distance_band.cpp.o brick_sides.cpp.o brick_triangles.cpp.o shape_fit.cpp.o wall_thickness.cpp.o distance_field_build.cpp.o distance_field_settings.cpp.o shell_tree.cpp.o field_sampling_build.cpp.o field_load_build.cpp.o field_contacts_build.cpp.o contact_loop_build.cpp.o implicit_penalty_build.cpp.o god_object_tool_build.cpp.o god_shading_build.cpp.o god_surface.cpp.o
+    sha256.cpp.o shape_bytes.cpp.o distance_field_bytes.cpp.o distance_band.cpp.o brick_sides.cpp.o brick_triangles.cpp.o shape_fit.cpp.o wall_thickness.cpp.o distance_field_build.cpp.o distance_field_settings.cpp.o shell_tree.cpp.o field_sampling_build.cpp.o field_load_build.cpp.o field_contacts_build.cpp.o contact_loop_build.cpp.o implicit_penalty_build.cpp.o god_object_tool_build.cpp.o god_shading_build.cpp.o god_texture_build.cpp.o god_surface.cpp.o
     kite.cpp.o wind_settings.cpp.o line_build.cpp.o kite_flight_build.cpp.o line_feel_settings.cpp.o kite_loop_build.cpp.o kite_swap_build.cpp.o
     contact_solver_settings.cpp.o least_constraint_build.cpp.o friction_constraint_build.cpp.o swept_mesh.cpp.o
     link_device_build.cpp.o arm_server_build.cpp.o
@@ -35,7 +35,7 @@ set(load_functions
     "virtual_proxy.cpp.o=VirtualProxy::~?VirtualProxy"
     "contact_problem.cpp.o=ContactProblem::~?ContactProblem" "block_system.cpp.o=BlockSystem::~?BlockSystem"
     "dantzig_solver.cpp.o=DantzigSolver::~?DantzigSolver|BodyMotion::~?BodyMotion|IncrementalLdlt::~" "incremental_ldlt.cpp.o=IncrementalLdlt::IncrementalLdlt"
-    "newton_solver.cpp.o=NewtonSolver::~?NewtonSolver|BlockSystem::~|BodyMotion::~?BodyMotion|SetSolver::~" "set_solver.cpp.o=SetSolver::SetSolver" "contact_levels.cpp.o=validate|ContactLevels::~" "level_contacts.cpp.o=LevelContacts::(create|~)|LevelPairs::~|expected_storage_base" "god_force.cpp.o=GodForce::~?GodForce|ConstraintSolver::~" "god_pair.cpp.o=GodPair::~?GodPair|GodFront::~" "god_front.cpp.o=GodFront::~?GodFront" "iterative_solver.cpp.o=IterativeSolver::~?IterativeSolver|BodyMotion::~?BodyMotion"
+    "newton_solver.cpp.o=NewtonSolver::~?NewtonSolver|BlockSystem::~|BodyMotion::~?BodyMotion|SetSolver::~" "set_solver.cpp.o=SetSolver::SetSolver" "contact_levels.cpp.o=validate|ContactLevels::~" "level_contacts.cpp.o=LevelContacts::(create|~)|LevelPairs::~|expected_storage_base" "god_force.cpp.o=GodForce::~?GodForce|ConstraintSolver::~" "even_pressure.cpp.o=EvenPressure::EvenPressure" "god_pair.cpp.o=GodPair::~?GodPair|GodFront::~" "god_front.cpp.o=GodFront::~?GodFront" "iterative_solver.cpp.o=IterativeSolver::~?IterativeSolver|BodyMotion::~?BodyMotion"
     "touch_motion.cpp.o=TouchMotion::TouchMotion" "touch_teller.cpp.o=TouchTeller::TouchTeller"
     "triangle_clusters.cpp.o=TriangleClusters::TriangleClusters|build_(leaves|parents)" "slope_boxes.cpp.o=SlopeBoxes::SlopeBoxes" "distance_field.cpp.o=memory_bytes"
     "bounding_tree.cpp.o=BoundingTree::BoundingTree|build_nodes|find_centres|put_in_order|memory_bytes")

@@ -25,6 +25,8 @@ void put_surfaces(HapticPlan& plan, const std::vector<TriangleMesh>& meshes) {
     for (GodObjectPlan& object : std::get<std::vector<GodObjectPlan>>(tool.objects)) {
         object.friction = {0.6, 0.4, 0.0};
         object.object_shading = GodShading::create(meshes[i++], {.on = true}).value();
+        object.texture = std::make_shared<const Texture>(
+            TextureSettings{.source = NoiseTexture{0.001, 0.004, 3}});
     }
     plan.tool = std::make_shared<const ToolPlan>(std::move(tool));
 }

@@ -50,11 +50,13 @@ inline LessonDescription full_description() {
                                   3000,
                                   ToolMethod::voxel_sampling,
                                   true,
-                                  Integrator::verlet};
+                                  Integrator::verlet,
+                                  true};
     d.more_hands = {{Vector3(-0.2, 0.4, 0), 1.5, 2000.0, false, 0, ProxyKind::friction_cone,
                      SphereShape{0.008}, 24}};
     d.more_hands[0].needed = true;
     d.bodies[1].material = 1;
+    d.bodies[1].rounded = true;
     BodyDescription block;
     block.name = block.noun = block.model = "block";
     block.solid = true;

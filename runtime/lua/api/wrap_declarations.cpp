@@ -113,6 +113,7 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
     body.exaggeration = arguments["exaggeration"].number;
     body.drag_area_m2 = arguments["drag_area"].number;
     body.solid = arguments["solid"].flag;
+    body.rounded = arguments["rounded"].flag;
     body.movable = arguments["movable"].flag;
     body.visible = arguments["visible"].flag;
     body.position_W = arguments["at"].vector;
@@ -138,8 +139,9 @@ int add_body(lua_State* lua, LessonContext& context, const Arguments& arguments)
         raise_in_lesson(
             lua, body.name + " is an orbit, a thin line, seen and not felt; leave out solid");
     }
-    if (arguments["material"].given && !body.solid) {
-        raise_in_lesson(lua, body.name + " has a material but can't be touched; add solid = true");
+    if ((body.rounded || arguments["material"].given) && !body.solid) {
+        raise_in_lesson(lua, body.name + (body.rounded ? " is rounded" : " has a material") +
+                                 " but can't be touched; add solid = true");
     }
     if (std::any_of(bodies.begin(), bodies.end(),
                     [&](const auto& b) { return b.name == body.name; })) {
@@ -297,6 +299,8 @@ void add_scene_rows(ApiTable& table) {
           {"solid", flag, "", 0, 0, "false", "can be touched"},
           {"material", material, "", 0, 0, "nil",
            "what a solid body is made of, see Materials: \"wood\", or what world:material gave"},
+          {"rounded", flag, "", 0, 0, "false",
+           "a solid body's facets are felt as one, even over bends of up to 30 degrees"},
           {"visible", flag, "", 0, 0, "false", "is seen from the start"},
           {"at", vector, "metres", -10000, 10000, "{0, 0, 0}", "where it is at first"},
           {"drag_area", number, "square metres", 0, 10, "0",

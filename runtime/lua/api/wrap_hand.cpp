@@ -69,14 +69,17 @@ constexpr Parameter kTool[] = {
      "their surface, or by cubes that they are made of; or by planes that a few clusters of "
      "contact lie on, which hold even where contact is found late (implicit_penalty); or all of "
      "its triangles, which never get into theirs, however thin they are, and which alone feel the "
-     "friction of their materials (god_object: mass, points and voxel say nothing then)",
+     "friction and the texture of their materials (god_object: mass, points and voxel say nothing "
+     "then)",
      "field_sampling voxel_sampling implicit_penalty god_object"},
     {"massless", ParameterType::flag, "", 0, 0, "false",
      "it has no mass of its own: nothing smooths what it meets"},
     {"integrator", ParameterType::choice, "", 0, 0, "backward_euler",
      "how it is moved on; all but backward_euler want a heavy tool and a soft spring; not with "
      "massless",
-     "explicit_euler semi_implicit_euler verlet runge_kutta_4 backward_euler"}};
+     "explicit_euler semi_implicit_euler verlet runge_kutta_4 backward_euler"},
+    {"rounded", ParameterType::flag, "", 0, 0, "false",
+     "its facets are felt as one even surface, as far as creases of 30 degrees; for god_object"}};
 
 CursorShape shape_of(std::string_view name, double radius_m, double length_m) {
     if (name == "ball") {
@@ -133,7 +136,9 @@ void check_tool_size(lua_State* lua, const Arguments& arguments) {
         {"integrator", arguments["method"].text == "implicit_penalty",
          "implicit_penalty is moved on by backward_euler"},
         {"massless", arguments["method"].text == "implicit_penalty",
-         "implicit_penalty moves a mass"}};
+         "implicit_penalty moves a mass"},
+        {"rounded", arguments["method"].text != "god_object",
+         "of all methods god_object alone feels facets"}};
     for (const auto& [given, is_clash, because] : clashes) {
         if (is_clash && arguments[given].given) {
             raise_in_lesson(lua, std::string("the tool's ") + given + " is of no use: " + because +
@@ -170,6 +175,7 @@ ToolDescription take_tool(lua_State* lua, const Arguments& arguments) {
     tool.method = method_of(arguments["method"].text);
     tool.massless = arguments["massless"].flag;
     tool.integrator = integrator_of(arguments["integrator"].text);
+    tool.rounded = arguments["rounded"].flag;
     return tool;
 }
 

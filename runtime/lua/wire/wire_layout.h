@@ -40,6 +40,7 @@ void body(Archive& a, Body& b) {
     a.name("what is felt of a body", b.felt_model);
     a.name("what is simulated of a body", b.simulated_model);
     a.choice("what a body collides as", b.collides_as, RigidShape::mesh);
+    a.flag("rounded", b.rounded);
 }
 
 template <class Archive, class Force>

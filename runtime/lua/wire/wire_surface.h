@@ -158,6 +158,7 @@ void tool(Archive& a, Tool& t) {
     a.choice("the tool's method", t.method, ToolMethod::god_object);
     a.flag("a massless tool", t.massless);
     a.choice("the tool's integrator", t.integrator, Integrator::backward_euler);
+    a.flag("rounded", t.rounded);
     if constexpr (Archive::kReads) {
         const bool has_shape = !std::holds_alternative<std::monostate>(t.shape);
         if (has_shape != (t.model.empty() || is_shape_model(t.model))) {

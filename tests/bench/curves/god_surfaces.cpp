@@ -1,4 +1,4 @@
-// What the god-object's tool costs where surfaces have more than a shape: friction, and normals that turn evenly; each beside the same steps without it.
+// What the god-object's tool costs where surfaces have more than a shape: friction, normals that turn evenly, and a relief; each beside the same steps without it.
 #include "haptics/math/rotation.h"
 #include "tests/bench/harness/csv.h"
 #include "tests/bench/harness/measure.h"
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ constexpr double kLarge_m = 0.1;  // of what is touched
 constexpr double kPressed_m = 0.004;
 constexpr double kMass_kg = 0.05;
 constexpr FrictionSettings kWood{.static_coefficient = 0.54, .dynamic_coefficient = 0.43};
+const TextureSettings kBumps{.source = NoiseTexture{.shortest_m = 0.001, .longest_m = 0.004}};
 const MovingFrame kHeld{};
 
 struct Scene {
@@ -30,13 +32,15 @@ struct Surface {
     std::string name;
     FrictionSettings friction{};
     ShadingSettings shading{};
+    TextureSettings texture{};
 };
 
 const std::vector<Surface>& surfaces() {
     static const std::vector<Surface> all{
-        {"friction", kWood, {}},
-        {"even normals", {}, {.on = true}},
-        {"both", kWood, {.on = true}},
+        {"friction", kWood, {}, {}},
+        {"even normals", {}, {.on = true}, {}},
+        {"relief", {}, {}, kBumps},
+        {"all", kWood, {.on = true}, kBumps},
     };
     return all;
 }
@@ -85,6 +89,9 @@ class Drawn {
         if (surface.shading.on) {
             plan.object_shading = GodShading::create(scene.object, surface.shading).value();
             plan.tool_shading = GodShading::create(scene.tool, surface.shading).value();
+        }
+        if (surface.texture.any()) {
+            plan.texture = std::make_shared<const Texture>(surface.texture);
         }
         return plan;
     }
@@ -147,9 +154,9 @@ Report run_god_surfaces(Run& run) {
     return {sheet};
 }
 
-const Registration kGodSurfaces{{"god-surfaces",
-                                 "what friction and even normals cost the god-object's tool",
-                                 run_god_surfaces}};
+const Registration kGodSurfaces{
+    {"god-surfaces", "what friction, even normals and reliefs cost the god-object's tool",
+     run_god_surfaces}};
 
 }  // namespace
 }  // namespace fulcrum::bench

@@ -143,7 +143,7 @@ TEST_CASE("tool bodies: voxels too small or too many are refused with those that
 
 TEST_CASE(
     "tool bodies: a body with a material is refused at its own line, but by a god-object, which "
-    "feels friction") {
+    "feels friction and texture") {
     Scene scene;
     scene.add(make_cube(0.1));
     scene.add(make_cube(0.2));
@@ -153,7 +153,8 @@ TEST_CASE(
     CHECK(
         to_sentence(refused.error()) ==
         "lesson.lua:3: the cube2 has a material, and a tool of points feels its shape alone; leave "
-        "out the material, or give the tool method = \"god_object\", which feels friction.");
+        "out the material, or give the tool method = \"god_object\", which feels friction and "
+        "texture.");
     scene.lesson.hand.tool->method = ToolMethod::god_object;
     CHECK(scene.list());
 }

@@ -69,11 +69,59 @@ TEST_CASE(
     const std::string text = explain(lesson, *plan);
     CHECK(text.find("friction 0.9, 0.7 while it slides") != std::string::npos);
     REQUIRE(plan->notices.size() == 1);
-    CHECK(plan->notices[0].find("rubber: a tool feels its friction, and neither its stiffness") <
+    CHECK(plan->notices[0].find("rubber: a tool feels its friction and its texture, and neither") <
           plan->notices[0].size());
+    CHECK(text.find("texture up to 0.1 mm high") != std::string::npos);
     const auto tool = nlohmann::json::parse(explain_json(lesson, *plan, nullptr)).at("tool");
     CHECK(tool["bodies"][0]["friction"] == 0.9);
-    // Without friction nothing is told of it.
+    CHECK(tool["bodies"][0]["texture_m"] == 1.0e-4);
+    CHECK(tool["bodies"][0]["rounded"] == false);
+    // Without friction and texture nothing is told of them.
     lesson.bodies[0].material = kNoMaterial;
-    CHECK(explain(lesson, *compile(lesson)).find("while it slides") == std::string::npos);
+    const std::string bare = explain(lesson, *compile(lesson));
+    CHECK(bare.find("while it slides") == std::string::npos);
+    CHECK(bare.find("texture up to") == std::string::npos);
+    CHECK(bare.find("rounded") == std::string::npos);
+}
+
+TEST_CASE(
+    "plan: a god-object's tool feels the texture of its bodies' material, made once, and even "
+    "normals of what is rounded") {
+    LessonDescription lesson = make_lesson();
+    lesson.hand.tool->method = ToolMethod::god_object;
+    lesson.bodies.push_back(lesson.bodies[0]);
+    lesson.bodies[1].name = lesson.bodies[1].noun = "other";
+    lesson.bodies.push_back(lesson.bodies[0]);
+    lesson.bodies[2].name = lesson.bodies[2].noun = "bare";
+    MaterialDescription rubber;
+    rubber.felt.name = "rubber";
+    rubber.felt.texture.source = SineTexture{};
+    lesson.materials.push_back(rubber);
+    lesson.bodies[0].material = 0;
+    lesson.bodies[1].material = 0;
+    lesson.bodies[1].rounded = true;
+    const auto plan = compile(lesson);
+    REQUIRE(plan);
+    CHECK(validate(plan->haptic));
+    const auto& objects = std::get<std::vector<GodObjectPlan>>(plan->haptic.tool->objects);
+    REQUIRE(objects.size() == 3);
+    REQUIRE(objects[0].texture);
+    CHECK(objects[1].texture == objects[0].texture);
+    CHECK_FALSE(objects[2].texture);
+    CHECK(objects[0].texture->settings().height_m == rubber.felt.texture.height_m);
+    CHECK_FALSE(objects[0].object_shading);
+    CHECK(objects[1].object_shading);
+    CHECK_FALSE(objects[1].tool_shading);
+    // What the tool feels no loop stage gives besides.
+    for (const SolidPlan& solid : plan->haptic.solids) {
+        CHECK_FALSE(solid.surface.texture.any());
+        CHECK_FALSE(solid.surface.shading.on);
+    }
+    CHECK(explain(lesson, *plan).find("rounded: ") != std::string::npos);
+    const auto told = nlohmann::json::parse(explain_json(lesson, *plan, nullptr)).at("tool");
+    CHECK(told["bodies"][1]["rounded"] == true);
+    lesson.hand.tool->rounded = true;
+    const auto round = compile(lesson);
+    REQUIRE(round);
+    CHECK(std::get<std::vector<GodObjectPlan>>(round->haptic.tool->objects)[2].tool_shading);
 }

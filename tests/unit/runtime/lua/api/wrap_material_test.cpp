@@ -78,6 +78,8 @@ TEST_CASE("materials: what is wrong is told with its line and what was meant") {
                    Catch::Contains("sandpaper"));
     CHECK(sentence("world:body { name = 'a', material = 'wood' }") ==
           "lesson.lua:2: a has a material but can't be touched; add solid = true.");
+    CHECK(sentence("world:body { name = 'a', rounded = true }") ==
+          "lesson.lua:2: a is rounded but can't be touched; add solid = true.");
     CHECK(sentence("world:body { name = 'a', solid = true, material = 3 }") ==
           "lesson.lua:2: body.material is a material or the name of one; got 3.");
     CHECK(material("stiffness = 1e5") ==
@@ -203,6 +205,11 @@ TEST_CASE("hand: it may hold a tool, of a shape or a model, by a method by name"
     HostedLesson massless;
     REQUIRE(massless.start("world:hand { tool = { massless = true } }") == "");
     CHECK(massless.host->description().hand.tool->massless);
+    HostedLesson rounded;
+    REQUIRE(rounded.start("world:body { name = 'a', solid = true, rounded = true } "
+                          "world:hand { tool = { method = 'god_object', rounded = true } }") == "");
+    CHECK(rounded.host->description().bodies[0].rounded);
+    CHECK(rounded.host->description().hand.tool->rounded);
     // A ball or a box by name is as large as the radius says, to be felt and to be seen.
     for (const char* ball : {"sphere", "earth"}) {
         HostedLesson round;
@@ -244,7 +251,8 @@ TEST_CASE("hand: mistakes with a tool get one sentence") {
         {"method = 'implicit_penalty', integrator = 'verlet'",
          "integrator is of no use: implicit_penalty is moved on by backward_euler"},
         {"method = 'implicit_penalty', massless = true",
-         "massless is of no use: implicit_penalty moves a mass"}};
+         "massless is of no use: implicit_penalty moves a mass"},
+        {"rounded = true", "rounded is of no use: of all methods god_object alone feels facets"}};
     for (const auto& [fields, because] : useless) {
         CHECK(sentence("world:hand { tool = { " + fields + " } }") ==
               "lesson.lua:2: the tool's " + because + "; leave it out.");

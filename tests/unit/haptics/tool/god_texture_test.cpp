@@ -1,0 +1,386 @@
+#include "haptics/tool/god_texture.h"
+
+#include "haptics/math/rotation.h"
+#include "tests/support/god_scene.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace fulcrum {
+namespace {
+
+using test::kGodDt_s;
+
+constexpr double kStiffness = 500.0;
+constexpr double kGap_m = 1.0e-6;
+constexpr double kWave_m = 0.004;
+constexpr double kHeight_m = 2.0e-4;
+constexpr double kPi = std::numbers::pi;
+// A wave of 32 samples and its spline, over the wave's own slope; likewise over its height.
+constexpr double kOfSpline = 2.0e-3;
+const MovingFrame kHeld{};
+
+// So heavy to turn that it stays as it is held.
+Inertia make_still_inertia() {
+    return {.mass_kg = 0.05, .moments_kg_m2 = Vector3::Constant(0.05)};
+}
+
+TextureSettings make_grooves(TextureLaw law, double gain = 1.0, double height_m = kHeight_m,
+                             double wave_m = kWave_m) {
+    return {SineTexture{wave_m, 0.0}, law, height_m, gain};
+}
+
+// Its upper face at y = 0, of 2 n^2 triangles there; where n is 0 two.
+TriangleMesh make_floor(int n = 0) {
+    if (n == 0) {
+        const TriangleMesh box = make_box({0.6, 0.1, 0.6}).value();
+        std::vector<Vector3> vertices = box.vertices_B();
+        for (Vector3& v : vertices) {
+            v.y() -= 0.05;
+        }
+        return TriangleMesh::build(std::move(vertices), box.triangles()).value();
+    }
+    std::vector<Vector3> vertices;
+    std::vector<TriangleCorners> triangles;
+    for (int i = 0; i <= n; ++i) {
+        for (int j = 0; j <= n; ++j) {
+            vertices.emplace_back(0.4 * (static_cast<double>(i) / n - 0.5), 0.0,
+                                  0.4 * (static_cast<double>(j) / n - 0.5));
+        }
+    }
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            const int a = i * (n + 1) + j;
+            triangles.push_back({a, a + 1, a + n + 2});
+            triangles.push_back({a, a + n + 2, a + n + 1});
+        }
+    }
+    return TriangleMesh::build(std::move(vertices), std::move(triangles)).value();
+}
+
+// Tiles with their faces at y = 0, and gaps between them.
+TriangleMesh make_tiles(double pitch_m, double side_m) {
+    std::vector<Vector3> vertices;
+    std::vector<TriangleCorners> triangles;
+    const TriangleMesh tile = make_box({side_m, 0.01, side_m}).value();
+    for (int i = -6; i <= 6; ++i) {
+        for (int j = -6; j <= 6; ++j) {
+            const auto first = static_cast<std::int32_t>(vertices.size());
+            for (const Vector3& v : tile.vertices_B()) {
+                vertices.push_back(v + Vector3(pitch_m * i, -0.005, pitch_m * j));
+            }
+            for (const TriangleCorners& t : tile.triangles()) {
+                triangles.push_back({first + t[0], first + t[1], first + t[2]});
+            }
+        }
+    }
+    return TriangleMesh::build(std::move(vertices), std::move(triangles)).value();
+}
+
+// Its tip at the origin, pointing down.
+TriangleMesh make_tip() {
+    return TriangleMesh::build({{0.0, 0.0, 0.0},
+                                {0.004, 0.02, 0.0},
+                                {-0.002, 0.02, 0.0035},
+                                {-0.002, 0.02, -0.0035}},
+                               {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})
+        .value();
+}
+
+struct Ground {
+    TriangleMesh floor = make_floor();
+    FrictionSettings friction{};
+};
+
+constexpr double kMost_N = 4.0;
+
+GodObjectTool make_tool(const TriangleMesh& tool, const TextureSettings* texture,
+                        double fade_s = 0.0, const Ground& ground = {}) {
+    GodObjectPlan plan{.object = GodSurface::create(ground.floor),
+                       .tool = GodSurface::create(tool),
+                       .friction = ground.friction};
+    if (texture != nullptr) {
+        REQUIRE(validate(*texture));
+        plan.texture = std::make_shared<const Texture>(*texture);
+    }
+    GodObjectSettings settings = test::make_god_settings(make_still_inertia());
+    settings.fade_s = fade_s;
+    settings.coupling.clamp_m = kMost_N / settings.coupling.shift.stiffness_N_per_m;
+    settings.coupling.clamp_rad = 0.5;
+    return GodObjectTool::build({plan}, settings).value();
+}
+
+ToolFelt move_to(GodObjectTool& tool, const Pose& handle_W, int n_steps = 1) {
+    ToolFelt felt;
+    for (int i = 0; i < n_steps; ++i) {
+        felt = tool.move({handle_W, {}}, {&kHeld, 1}, 0.0, kGodDt_s);
+    }
+    return felt;
+}
+
+// Put down there and left to come to rest.
+ToolFelt press_at(GodObjectTool& tool, const Vector3& handle_W) {
+    tool.place(Pose::at(handle_W + Vector3(0.0, 0.02, 0.0)));
+    return move_to(tool, Pose::at(handle_W), 80);
+}
+
+double height_at(double x) {
+    return 0.5 * kHeight_m * (1.0 + std::sin(2.0 * kPi * x / kWave_m));
+}
+double slope_at(double x) {
+    return kPi * kHeight_m / kWave_m * std::cos(2.0 * kPi * x / kWave_m);
+}
+
+TEST_CASE("god texture: a tip drawn over grooves feels each law in closed form") {
+    const auto law =
+        GENERATE(TextureLaw::perturbed_normal, TextureLaw::lateral, TextureLaw::height_offset);
+    const double depth_m = GENERATE(0.002, 0.00015);
+    const TextureSettings grooves = make_grooves(law);
+    GodObjectTool tool = make_tool(make_tip(), &grooves);
+    const double z = 0.1;
+    (void)press_at(tool, {0.01, kGap_m - depth_m, z});
+    for (int i = 0; i < 800; ++i) {
+        const double x_hand = 0.01 + 1.0e-5 * i;
+        const ToolFelt felt = move_to(tool, Pose::at({x_hand, kGap_m - depth_m, z}));
+        const double x = tool.centre_W().x();
+        const double h = height_at(x);
+        const double slope = slope_at(x);
+        Vector3 wanted(0.0, depth_m, 0.0);
+        if (law == TextureLaw::perturbed_normal) {
+            wanted.x() = -std::min(depth_m, h) * slope;
+        } else if (law == TextureLaw::lateral) {
+            wanted.x() = -depth_m * slope;
+        } else {
+            const double left_m = std::max(depth_m - (kHeight_m - h), 0.0);
+            wanted = left_m * Vector3(-slope, 1.0, 0.0);
+        }
+        CAPTURE(i, x, depth_m, felt.felt_W.force.transpose());
+        CHECK((felt.felt_W.force - kStiffness * wanted).norm() < kOfSpline * kStiffness * depth_m);
+        CHECK((felt.texture_W.force - felt.felt_W.force + felt.spring_W.force).norm() < 1.0e-12);
+        CHECK(std::abs(felt.spring_W.force.y() - kStiffness * depth_m) < 1.0e-6);
+        CHECK(felt.bumps_J > 0.0);
+    }
+}
+
+TEST_CASE(
+    "god texture: a block feels the mean of its corners, nothing where the grooves' wave fits them "
+    "so, and is turned where they differ") {
+    const double half_m = GENERATE(0.01, 0.0105, 0.0103, 0.0115);
+    const TextureSettings grooves = make_grooves(TextureLaw::lateral);
+    const TriangleMesh block = make_box({2.0 * half_m, 0.02, 0.02}).value();
+    GodObjectTool tool = make_tool(block, &grooves);
+    constexpr double kDepth_m = 0.002;
+    const double y = 0.01 + kGap_m - kDepth_m;
+    const double z = 0.15;
+    (void)press_at(tool, {0.01, y, z});
+    const double most = kPi * kHeight_m / kWave_m;
+    for (int i = 0; i < 500; ++i) {
+        const ToolFelt felt = move_to(tool, Pose::at({0.01 + 1.0e-5 * i, y, z}));
+        const double x = tool.centre_W().x();
+        const double wanted =
+            -most * std::cos(2.0 * kPi * x / kWave_m) * std::cos(2.0 * kPi * half_m / kWave_m);
+        CAPTURE(i, half_m, tool.last_step().contacts);
+        CHECK(std::abs(felt.felt_W.force.x() / (kStiffness * kDepth_m) - wanted) <
+              most * kOfSpline);
+        CHECK(std::abs(felt.texture_W.force.y()) < 1.0e-9);
+        CHECK(std::abs(felt.texture_W.force.z()) < 1.0e-9);
+        // All of it lies in the floor: it turns the block about z alone, by its height over it.
+        CHECK(std::abs(felt.texture_W.torque.z() - (0.01) * felt.texture_W.force.x()) < 1.0e-6);
+        CHECK(std::abs(felt.texture_W.torque.y()) < 1.0e-6);
+    }
+}
+
+TEST_CASE("god texture: a block over grooves that turn with its sides is turned about its axis") {
+    // Grooves along x whose slope differs between the sides: at z - half and z + half.
+    const double half_m = 0.0105;
+    TextureSettings grooves = make_grooves(TextureLaw::lateral);
+    grooves.source = SineTexture{kWave_m, 0.25 * kPi};
+    const TriangleMesh block = make_box({2.0 * half_m, 0.02, 2.0 * half_m}).value();
+    GodObjectTool tool = make_tool(block, &grooves);
+    constexpr double kDepth_m = 0.002;
+    const Vector3 at(0.013, 0.01 + kGap_m - kDepth_m, 0.15);
+    const ToolFelt felt = press_at(tool, at);
+    Wrench wanted;
+    for (const double x : {-half_m, half_m}) {
+        for (const double z : {-half_m, half_m}) {
+            const double s = (at.x() + x + at.z() + z) / std::sqrt(2.0);
+            const Vector3 force = -0.25 * kStiffness * kDepth_m * slope_at(s) *
+                                  Vector3(std::sqrt(0.5), 0.0, std::sqrt(0.5));
+            add_point_force({x, -0.01, z}, force, wanted);
+        }
+    }
+    const double most_N = kStiffness * kDepth_m * kPi * kHeight_m / kWave_m;
+    CHECK((felt.texture_W.force - wanted.force).norm() < 2.0 * kOfSpline * most_N);
+    CHECK((felt.texture_W.torque - wanted.torque).norm() < 0.03 * most_N * half_m);
+    CHECK(wanted.torque.norm() > 0.1 * most_N * half_m);
+}
+
+TEST_CASE(
+    "god texture: a relief that is level everywhere is felt to the bit as none, and the tool goes "
+    "the same way over any") {
+    const bool is_level = GENERATE(true, false);
+    const FrictionSettings friction = GENERATE(FrictionSettings{}, FrictionSettings{0.5, 0.4, 0.0});
+    TextureSettings texture = make_grooves(TextureLaw::perturbed_normal);
+    if (is_level) {
+        HeightMap map{8, 8, std::vector<float>(64, 0.5F)};
+        texture.source =
+            ImageTexture{std::make_shared<const HeightMap>(std::move(map)), 0.01, 0.01};
+    }
+    const TriangleMesh block = make_box({0.02, 0.02, 0.02}).value();
+    const Ground ground{make_floor(12), friction};
+    GodObjectTool rough = make_tool(block, &texture, 0.03, ground);
+    GodObjectTool plain = make_tool(block, nullptr, 0.03, ground);
+    rough.place(Pose::at({0.0, 0.03, 0.0}));
+    plain.place(Pose::at({0.0, 0.03, 0.0}));
+    double most_N = 0.0;
+    for (int i = 0; i < 1500; ++i) {
+        const Pose handle{Vector3(0.03 * std::sin(0.004 * i), 0.012 - 0.005 * std::sin(0.01 * i),
+                                  0.02 * std::sin(0.003 * i)),
+                          compute_exp(Vector3(0.1 * std::sin(0.005 * i), 0.001 * i, 0.05))};
+        const ToolFelt a = move_to(rough, handle);
+        const ToolFelt b = move_to(plain, handle);
+        REQUIRE(rough.pose_W().position == plain.pose_W().position);
+        REQUIRE(rough.pose_W().orientation.coeffs() == plain.pose_W().orientation.coeffs());
+        REQUIRE(a.spring_W.force == b.felt_W.force);
+        REQUIRE(a.spring_W.torque == b.felt_W.torque);
+        if (is_level) {
+            REQUIRE(a.felt_W.force == b.felt_W.force);
+            REQUIRE(a.felt_W.torque == b.felt_W.torque);
+        }
+        // In free space nothing; the force that fades is the contacts'.
+        if (plain.last_step().contacts == 0) {
+            REQUIRE(a.texture_W.force.isZero(0.0));
+            REQUIRE(a.texture_W.torque.isZero(0.0));
+        }
+        most_N = std::max(most_N, a.texture_W.force.norm());
+    }
+    CHECK((most_N > 0.003) == !is_level);
+}
+
+TEST_CASE("god texture: a closed way under even pressure gives the hand nothing") {
+    const auto law = GENERATE(TextureLaw::perturbed_normal, TextureLaw::lateral);
+    const TextureSettings grooves = make_grooves(law);
+    const TriangleMesh block = make_box({0.023, 0.02, 0.02}).value();
+    GodObjectTool tool = make_tool(block, &grooves);
+    constexpr double kDepth_m = 0.002;
+    const double y = 0.01 + kGap_m - kDepth_m;
+    (void)press_at(tool, {0.01, y, 0.15});
+    double work_J = 0.0;
+    double size_J = 0.0;
+    Vector3 held_W = Vector3::Zero();
+    Vector3 at_W(0.01, y, 0.15);
+    for (int i = 0; i <= 2000; ++i) {
+        const double angle = 2.0 * kPi * i / 2000.0;
+        const Vector3 to_W(0.01 + 0.005 * std::sin(angle), y, 0.15 + 0.004 * std::sin(2.0 * angle));
+        const ToolFelt felt = move_to(tool, Pose::at(to_W), 40);
+        // Half of what was held before and half of what is held now: the work of a force that changes evenly.
+        if (i > 0) {
+            work_J += 0.5 * (held_W + felt.texture_W.force).dot(to_W - at_W);
+            size_J += std::abs(felt.texture_W.force.dot(to_W - at_W));
+        }
+        held_W = felt.texture_W.force;
+        at_W = to_W;
+    }
+    CHECK(std::abs(work_J) < 1.0e-3 * size_J);
+    CHECK(size_J > 1.0e-5);
+}
+
+TEST_CASE(
+    "god texture: however contacts come and go, the relief changes the force no faster than it may "
+    "as it passes and a new set of contacts fades in") {
+    const TextureSettings grooves = make_grooves(TextureLaw::lateral, 2.0);
+    const double slope = 2.0 * kPi * kHeight_m / kWave_m;
+    const double bend_per_m = 2.0 * slope * 2.0 * kPi / kWave_m;  // twice the relief's
+    const TriangleMesh block = make_box({0.02, 0.02, 0.03}).value();
+    const auto drag = [&](double fade_s) {
+        GodObjectTool tool = make_tool(block, &grooves, fade_s, {make_tiles(0.0108, 0.0095), {}});
+        tool.place(Pose::at({0.0, 0.012, 0.0}));
+        ToolFelt before = move_to(tool, Pose::at({0.0, 0.012, 0.0}));
+        Pose at_W = tool.pose_W();
+        double worst = 0.0;
+        const double reach_m = 0.5 * std::sqrt(0.02 * 0.02 + 0.02 * 0.02 + 0.03 * 0.03);
+        for (int i = 0; i < 6000; ++i) {
+            const Pose handle{
+                Vector3(0.03 * std::sin(0.0002 * i), 0.0085, 0.02 * std::sin(0.00033 * i)),
+                compute_exp(Vector3(0.0, 0.2 * std::sin(0.0004 * i), 0.0))};
+            const ToolFelt felt = move_to(tool, handle);
+            const Vector6 way = find_way(at_W, tool.pose_W());
+            const double way_m = way.head<3>().norm() + reach_m * way.tail<3>().norm();
+            const double depth_m = felt.spring_W.force.norm() / kStiffness;
+            const double was_m = before.spring_W.force.norm() / kStiffness;
+            const double most_m = std::max(depth_m, was_m) * slope;
+            // The stroke is evened out: it may be that of rounds before.
+            const double may_N =
+                kStiffness * (most_m * (kGodDt_s / 0.03 + (way_m + 2.0e-6) / reach_m) +
+                              std::max(depth_m, was_m) * bend_per_m * (way_m + 2.0e-6) +
+                              slope * std::abs(depth_m - was_m));
+            // The contacts' own blend takes a while to come; from then on.
+            if (i > 100) {
+                worst =
+                    std::max(worst, (felt.texture_W.force - before.texture_W.force).norm() / may_N);
+            }
+            before = felt;
+            at_W = tool.pose_W();
+        }
+        return worst;
+    };
+    CHECK(drag(0.03) < 1.1);
+    CHECK(drag(0.0) > 1.5);
+}
+
+TEST_CASE(
+    "god texture: a relief as steep as settings allow is felt with what may be felt at most") {
+    const TextureSettings grooves = make_grooves(TextureLaw::lateral, 100.0, 0.01, 1.0e-4);
+    GodObjectTool tool = make_tool(make_tip(), &grooves);
+    constexpr double kDepth_m = 0.002;
+    (void)press_at(tool, {0.01, -kDepth_m, 0.1});
+    double felt_N = 0.0;
+    for (int i = 0; i < 300; ++i) {
+        const ToolFelt felt = move_to(tool, Pose::at({0.01 + 3.0e-6 * i, -kDepth_m, 0.1}));
+        REQUIRE(is_finite(felt.felt_W));
+        REQUIRE(felt.felt_W.force.norm() <= kMost_N * (1.0 + 1.0e-9));
+        felt_N = std::max(felt_N, felt.felt_W.force.norm());
+        REQUIRE(std::abs(tool.centre_W().y() - kGap_m) < 1.0e-9);
+    }
+    CHECK(felt_N > 0.99 * kMost_N);
+    // And lifted nothing of it is left.
+    CHECK(move_to(tool, Pose::at({0.01, 0.001, 0.1})).felt_W.force.isZero(0.0));
+}
+
+TEST_CASE("god texture: places and ways that are no numbers add nothing") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto texture =
+        std::make_shared<const Texture>(make_grooves(TextureLaw::perturbed_normal));
+    GodTexture felt(texture, {.stiffness_N_per_m = kStiffness, .reach_m = 0.02, .fade_s = 0.0});
+    felt.begin({}, {}, 1.0);
+    felt.add(Vector3::Constant(nan), Vector3::UnitY(), 0.5);
+    felt.add(Vector3::Zero(), Vector3::UnitY(), nan);
+    CHECK(felt.finish(kGodDt_s).force.isZero(0.0));
+    felt.begin({}, Pose::at(Vector3::Constant(nan)), 1.0);
+    felt.add(Vector3::Zero(), Vector3::UnitY(), 1.0);
+    CHECK(felt.finish(kGodDt_s).force.isZero(0.0));
+    CHECK(felt.bumps_J() == 0.0);
+    felt.begin({}, {}, nan);
+    felt.add(Vector3::Zero(), Vector3::UnitY(), 1.0);
+    CHECK(felt.finish(kGodDt_s).force.isZero(0.0));
+    // And what is a number is felt again.
+    felt.begin({}, {}, 1.0);
+    felt.add(Vector3::Zero(), Vector3::UnitY(), 1.0);
+    CHECK(felt.finish(kGodDt_s).force.norm() > 0.005);
+    CHECK(felt.bumps_J() == Approx(kStiffness * kHeight_m * kHeight_m));
+}
+
+TEST_CASE("god texture: how steep grooves are is seen by their samples") {
+    const Texture texture(make_grooves(TextureLaw::lateral));
+    const ReliefSteepness seen = find_steepness(texture.map());
+    const double slope = kPi * kHeight_m / kWave_m;
+    CHECK(seen.slope >= slope * (1.0 - 1.0e-3));
+    CHECK(seen.slope < 1.15 * slope);
+    CHECK(seen.curvature_per_m == Approx(slope * 2.0 * kPi / kWave_m).epsilon(0.02));
+}
+
+}  // namespace
+}  // namespace fulcrum
