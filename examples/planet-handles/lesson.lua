@@ -2,14 +2,15 @@
 -- that the hand felt.
 --
 -- Another word for `method` below is another way to keep the stick outside things: "field_sampling", "voxel_sampling",
--- "implicit_penalty" or "god_object". `./fulcrum explain examples/planet-handles --analyze` tells what each costs here.
+-- "implicit_penalty" or "god_object". With implicit_penalty, `contact` may be "levels": then contact is found among triangles, by levels of
+-- detail, instead of points in fields. `./fulcrum explain examples/planet-handles --analyze` tells what each costs here.
 
 local game = require "game"
 local planets = require "planets"
 local story = require "story"
 local wait, wait_until = story.wait, story.wait_until
 
-local method = "field_sampling"
+local method, contact = "field_sampling", nil
 
 local L = lesson { id = "planet-handles", title = "Turn a planet by its handles", level = "A2", minutes = 4 }
 
@@ -27,7 +28,7 @@ end
 function L:start(world)
   world:space()
   world:camera { eye = { 0, 0.85, 1 }, target = { 0, 0.35, 0 }, angle = 38 }
-  world:hand { centre = { 0, 0.42, 0.2 }, scale = 2.5, tool = { shape = "capsule", radius = 0.015, length = 0.12, method = method } }
+  world:hand { centre = { 0, 0.42, 0.2 }, scale = 2.5, tool = { shape = "capsule", radius = 0.015, length = 0.12, method = method, contact = contact } }
   world:body { name = "sun", noun = "Sun", model = "sun", radius = 0.25, movable = true, visible = true, at = { -1.1, 0.7, -1.6 } }
   for _, name in ipairs(names) do
     local hinge = { axis = { 0, 1, 0 }, inertia = felt_inertia(name), friction = 0.004 }

@@ -84,6 +84,7 @@ class ContactLevels {
 
   private:
     friend class ContactLevelsBuilder;
+    friend class ContactLevelsBytes;
     ContactLevels() = default;
     struct Span {
         std::int32_t first = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace fulcrum {
 
@@ -37,6 +38,34 @@ class BlendedSimplex {
         }
         return blend();
     }
+    // The nearest of all its parts, one by one: right where slivers mislead the regions.
+    Vector3 reduce_carefully() noexcept {
+        BlendedSimplex best;
+        double least = std::numeric_limits<double>::infinity();
+        const auto try_part = [&](const BlendedSimplex& part) noexcept {
+            const double here = part.blend().squaredNorm();
+            if (here < least) {
+                least = here;
+                best = part;
+            }
+        };
+        for (std::size_t i = 0; i < count_; ++i) {
+            try_part(pick({i}));
+            for (std::size_t j = i + 1; j < count_; ++j) {
+                BlendedSimplex edge = pick({i, j});
+                edge.reduce_segment();
+                try_part(edge);
+                for (std::size_t k = j + 1; k < count_; ++k) {
+                    BlendedSimplex face = pick({i, j, k});
+                    if (face.blend_face()) {
+                        try_part(face);
+                    }
+                }
+            }
+        }
+        *this = best;
+        return blend();
+    }
     [[nodiscard]] Vector3 blend() const noexcept {
         Vector3 nearest = Vector3::Zero();
         for (std::size_t i = 0; i < count_; ++i) {
@@ -62,6 +91,30 @@ class BlendedSimplex {
         double weight = 0.0;
     };
 
+    [[nodiscard]] BlendedSimplex pick(std::initializer_list<std::size_t> corners) const noexcept {
+        BlendedSimplex part;
+        for (const std::size_t corner : corners) {
+            part.corners_[part.count_] = corners_[corner];
+            part.corners_[part.count_++].weight = 1.0;
+        }
+        return part;
+    }
+    // Where the foot of the origin lies within three; false where it does not.
+    bool blend_face() noexcept {
+        const Vector3 ab = corners_[1].way - corners_[0].way;
+        const Vector3 ac = corners_[2].way - corners_[0].way;
+        const Vector3 normal = ab.cross(ac);
+        const double square = normal.squaredNorm();
+        const double b = ac.cross(corners_[0].way).dot(normal);
+        const double c = corners_[0].way.cross(ab).dot(normal);
+        if (!(square > 0.0) || b < 0.0 || c < 0.0 || b + c > square) {
+            return false;
+        }
+        corners_[1].weight = b / square;
+        corners_[2].weight = c / square;
+        corners_[0].weight = 1.0 - corners_[1].weight - corners_[2].weight;
+        return true;
+    }
     void keep_one(std::size_t i) noexcept {
         corners_[0] = corners_[i];
         corners_[0].weight = 1.0;
@@ -179,7 +232,10 @@ HullPair search(const Vector3& start, double enough_m, const FindFirst& find_fir
     constexpr int kMostSteps = 48;
     constexpr double kEnough = 1.0e-9;  // of the distance: what may be left
     constexpr double kMeet = 1.0e-13;   // of the difference's size: no distance
+    constexpr double kSure = 1.0e-8;    // likewise: what rounding alone leaves open
     BlendedSimplex simplex;
+    BlendedSimplex whole;  // before it was reduced
+    bool is_careful = false;
     HullPair pair;
     Vector3 v = start;
     double size_m = 0.0;
@@ -209,13 +265,22 @@ HullPair search(const Vector3& start, double enough_m, const FindFirst& find_fir
         size_m = std::max(size_m, w.norm());
         const bool is_point_of_it = i > 0;
         // A simplex that gets no nearer has come as near as rounding lets it.
-        const bool is_done =
-            is_point_of_it && (length_m - bound_m <= kEnough * length_m || !(length_m < last_m));
-        if (is_done || !simplex.add(on_first, on_second)) {
-            break;
+        const bool is_found = is_point_of_it && length_m - bound_m <= kEnough * length_m;
+        const bool is_stuck = is_point_of_it && !(length_m < last_m);
+        if (is_found || is_stuck || !simplex.add(on_first, on_second)) {
+            if (is_found || is_careful || length_m - bound_m <= kSure * size_m) {
+                break;
+            }
+            // Slivers misled it: back to before, and on with care.
+            is_careful = true;
+            simplex = whole;
+            v = simplex.reduce_carefully();
+            last_m = std::numeric_limits<double>::infinity();
+            continue;
         }
         last_m = is_point_of_it ? length_m : last_m;
-        v = simplex.reduce();
+        whole = simplex;
+        v = is_careful ? simplex.reduce_carefully() : simplex.reduce();
         if (simplex.holds_origin()) {
             simplex.tell(pair);
             pair.gap_m = 0.0;

@@ -85,6 +85,8 @@ class LevelPairs {
     [[nodiscard]] std::span<const LevelContact> contacts() const noexcept {
         return contacts_.all();
     }
+    /// Of the questions from now on, in the range of the settings'; 0: none.
+    void set_budget_us(double budget_us) noexcept { settings_.budget_us = budget_us; }
     /// Forgets the tree: the next question begins at the roots.
     void clear() noexcept { tree_.clear(); }
     [[nodiscard]] const ContactLevels& object() const noexcept { return tree_.object(); }

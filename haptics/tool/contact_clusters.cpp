@@ -21,6 +21,15 @@ double phi(double q) noexcept {
     return q < 1.0 ? (1.0 - q) * (1.0 - q) : 0.0;
 }
 
+// What has a weight, and is numbers whose squares are.
+bool has_weight(const NearContact& contact, double within_m) noexcept {
+    constexpr double kHalf2 = 0.25;  // of a unit normal
+    const double normal2 = contact.normal_O.squaredNorm();
+    return contact.depth_m > -within_m && std::isfinite(contact.depth_m * contact.depth_m) &&
+           std::isfinite(contact.point_T.squaredNorm()) && normal2 > kHalf2 &&
+           normal2 < 1.0 / kHalf2;
+}
+
 }  // namespace
 
 ContactClusters::ContactClusters(const ContactClusterSettings& settings)
@@ -92,7 +101,7 @@ bool ContactClusters::run_round(std::span<const NearContact> near) noexcept {
     begin_round();
     bool all_covered = true;
     for (const NearContact& contact : near) {
-        if (!share_out(contact)) {
+        if (has_weight(contact, settings_.within_m) && !share_out(contact)) {
             put_to_nearest(contact);
             all_covered = false;
         }
@@ -121,7 +130,8 @@ void ContactClusters::bear(std::span<const NearContact> near) noexcept {
     while (n_ < most) {
         const NearContact* deepest = nullptr;
         for (const NearContact& contact : near) {
-            if (deepest != nullptr && !(contact.depth_m > deepest->depth_m)) {
+            if ((deepest != nullptr && !(contact.depth_m > deepest->depth_m)) ||
+                !has_weight(contact, settings_.within_m)) {
                 continue;
             }
             const bool covered = std::any_of(
@@ -161,7 +171,8 @@ void ContactClusters::notice_merging() noexcept {
 }
 
 void ContactClusters::age(double dt_s) noexcept {
-    const double step = settings_.fade_s > 0.0 ? std::min(dt_s / settings_.fade_s, 1.0) : 1.0;
+    const double share = settings_.fade_s > 0.0 ? dt_s / settings_.fade_s : 1.0;
+    const double step = share > 0.0 ? std::min(share, 1.0) : 0.0;  // no number: no time
     for (std::size_t j = 0; j < n_; ++j) {
         Growth& growth = growth_[j];
         const bool going = growth.ends || growth.is_empty;

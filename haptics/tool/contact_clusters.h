@@ -58,7 +58,8 @@ class ContactClusters {
     /// Takes settings that `validate` accepted.
     explicit ContactClusters(const ContactClusterSettings& settings);
 
-    /// The contacts that are near now, `dt_s` after the last ones, with the tool at `X_OT`.
+    /// The contacts that are near now, `dt_s` after the last ones, with the tool at `X_OT`, a finite pose. Those that weigh nothing, are no
+    /// numbers, or have no unit normal are as if they were not there; a time that is none is 0.
     void update(std::span<const NearContact> near, const Pose& X_OT, double dt_s) noexcept;
     /// Forgets all.
     void clear() noexcept { n_ = 0; }

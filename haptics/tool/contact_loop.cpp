@@ -1,5 +1,6 @@
 #include "haptics/tool/contact_loop.h"
 
+#include "haptics/base/clock.h"
 #include "haptics/math/spatial.h"
 
 #include <algorithm>
@@ -35,6 +36,32 @@ void ContactLoop::tell(const ToolPlace& place) noexcept {
     }
 }
 
+void ContactLoop::share_time(std::size_t object, double began_s) noexcept {
+    constexpr double kLeast_us = 1.0;
+    const auto after = std::span(clusters_).subspan(object + 1);
+    const auto n_near =
+        std::ranges::count_if(after, [](const ContactClusters& one) { return !one.all().empty(); });
+    const double left_us = settings_.budget_us - 1.0e6 * (monotonic_now_s() - began_s);
+    finders_[object]->limit(std::max(left_us / static_cast<double>(1 + n_near), kLeast_us));
+}
+
+bool ContactLoop::is_free(const Pose& tool_W, std::span<const MovingFrame> objects,
+                          double within_m) noexcept {
+    if (objects.size() != finders_.size()) {
+        return false;
+    }
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const Pose X_OT = objects[i].pose_W.inverse() * tool_W;
+        near_.clear();
+        finders_[i]->limit(0.0);
+        finders_[i]->find(X_OT, within_m, near_);
+        if (near_.count() > 0 || finders_[i]->is_cut() || finders_[i]->is_enclosed(X_OT)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void ContactLoop::step(double /*now_s*/) noexcept {
     if (!channels_.place.take()) {
         return;
@@ -50,10 +77,17 @@ void ContactLoop::step(double /*now_s*/) noexcept {
     }
     const double dt_s = model_.stamp_s < 0.0 ? 0.0 : std::max(place.stamp_s - model_.stamp_s, 0.0);
     model_.n_near = 0;
+    model_.is_cut = false;
+    const bool has_budget = settings_.budget_us > 0.0;
+    const double began_s = has_budget ? monotonic_now_s() : 0.0;
     for (std::size_t i = 0; i < finders_.size(); ++i) {
         const Pose X_OT = place.objects[i].pose_W.inverse() * place.tool.pose_W;
         near_.clear();
+        if (has_budget) {
+            share_time(i, began_s);
+        }
         finders_[i]->find(X_OT, settings_.clusters.within_m, near_);
+        model_.is_cut = model_.is_cut || finders_[i]->is_cut();
         model_.n_near += static_cast<std::int32_t>(near_.count());
         clusters_[i].update(near_.all(), X_OT, dt_s);
     }

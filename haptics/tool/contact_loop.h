@@ -2,6 +2,7 @@
 //
 //   fetch the tool's place -> find what is near, object by object -> cluster -> tell the haptic loop
 // It goes as fast as it can; the haptic loop goes on with the last answer, as a model of the surfaces near it (contact_planes.h).
+// With a budget each object's question may take what is left of it, divided among itself and those after it that were near at the last round.
 //
 // Thread: one beside the haptic one, or that itself, or a virtual clock. Cost: that of finding and 0.1 us a contact; no allocation.
 // Source: M. Otaduy, M. Lin 2005, section 3.1.
@@ -11,6 +12,7 @@
 #include "haptics/tool/contact_model.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace fulcrum {
@@ -19,6 +21,7 @@ namespace fulcrum {
 struct ContactLoopSettings {
     ContactClusterSettings clusters{};  ///< `most` is of all objects together
     int most_near = 2048;               ///< contacts an object at a time, 32 to 65536
+    double budget_us = 0.0;  ///< of a round, 0 to 1e6, for finders that can be hurried; 0: none
 };
 
 /// Refuses settings outside their ranges, NaN included.
@@ -40,6 +43,9 @@ class ContactLoop final : public PeriodicTask {
     /// It drives nothing: the haptic loop lets go by itself.
     void silence(double now_s) noexcept override;
 
+    /// Whether the tool at `tool_W` is nearer to no object than `within_m`, and in none. Between rounds, by whoever runs them.
+    [[nodiscard]] bool is_free(const Pose& tool_W, std::span<const MovingFrame> objects,
+                               double within_m) noexcept;
     [[nodiscard]] double reach_m() const noexcept { return finders_.front()->reach_m(); }
     [[nodiscard]] std::size_t n_objects() const noexcept { return finders_.size(); }
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
@@ -48,6 +54,7 @@ class ContactLoop final : public PeriodicTask {
     ContactLoop(std::vector<std::unique_ptr<ContactFinder>> finders,
                 const ContactLoopSettings& settings, ContactChannels& channels);
     void tell(const ToolPlace& place) noexcept;
+    void share_time(std::size_t object, double began_s) noexcept;
 
     std::vector<std::unique_ptr<ContactFinder>> finders_;
     std::vector<ContactClusters> clusters_;  // one an object

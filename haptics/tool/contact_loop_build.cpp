@@ -18,8 +18,9 @@ Expected<void> validate(const ContactClusterSettings& settings) {
 }
 
 Expected<void> validate(const ContactLoopSettings& settings) {
-    const std::array<Range, 1> ranges{
-        {{"most_near", static_cast<double>(settings.most_near), 32.0, 65536.0}}};
+    const std::array<Range, 2> ranges{
+        {{"most_near", static_cast<double>(settings.most_near), 32.0, 65536.0},
+         {"budget_us", settings.budget_us, 0.0, 1.0e6}}};
     return validate(settings.clusters).and_then([&] {
         return check_ranges("the contact thread's", ranges);
     });

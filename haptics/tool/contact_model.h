@@ -26,6 +26,7 @@ struct ContactModel {
     double stamp_s = -1.0;           ///< of the place that it was found for; below 0: none yet
     std::uint32_t n_placements = 0;  ///< as that place had it
     std::int32_t n_near = 0;         ///< contacts before they were clustered
+    bool is_cut = false;  ///< coarser than asked for, or not all of it, for want of time or room
     std::int32_t n = 0;
     std::array<ToldContact, kMostClusters> contacts{};
 

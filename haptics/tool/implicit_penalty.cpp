@@ -27,15 +27,11 @@ void ImplicitPenaltyTool::place(const Pose& handle_W) noexcept {
 }
 
 bool ImplicitPenaltyTool::is_free(std::span<const MovingFrame> objects) const noexcept {
-    if (objects.size() != finders_.size() || !are_finite(objects)) {
+    if (objects.size() != touches_.size() || !are_finite(objects)) {
         return false;
     }
-    near_->clear();
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        finders_[i]->find(objects[i].pose_W.inverse() * state_.pose_W, settings_.contacts.within_m,
-                          *near_);
-    }
-    return near_->count() == 0;
+    ContactLoop& asked = asked_ != nullptr ? *asked_ : *loop_;
+    return asked.is_free(state_.pose_W, objects, settings_.contacts.within_m);
 }
 
 // As all was when the step began.
@@ -115,7 +111,7 @@ ToolFelt ImplicitPenaltyTool::feel(const ToolCouplingLoad& coupling, const Movin
 
 ToolFelt ImplicitPenaltyTool::move(const MovingFrame& handle, std::span<const MovingFrame> objects,
                                    double now_s, double dt_s) noexcept {
-    if (objects.size() != finders_.size() || !is_finite(handle) || !are_finite(objects)) {
+    if (objects.size() != touches_.size() || !is_finite(handle) || !are_finite(objects)) {
         ToolFelt nothing;
         nothing.moved = false;
         return nothing;
@@ -150,7 +146,7 @@ ToolFelt ImplicitPenaltyTool::move(const MovingFrame& handle, std::span<const Mo
     tell_touches(objects);
     ToolFelt felt = feel(coupling, held, now_s);
     felt.moved = result.moved();
-    felt.effort = {result.n_solves, model().n_near, 0.0, true};
+    felt.effort = {result.n_solves, model().n_near, 0.0, !model().is_cut};
     return felt;
 }
 

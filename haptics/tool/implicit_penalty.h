@@ -45,6 +45,7 @@ struct ImplicitPenaltySettings {
     bool own_rounds = true;             ///< the tool runs the contact rounds within its steps
     double round_s =
         0.0;  ///< of its own: 0, each step, told at once; else 1e-4 to 1, told a round late
+    double budget_us = 0.0;  ///< of a round, 0 to 1e6 (contact_loop.h); 0: as long as it takes
 };
 
 /// What one object is found by.
@@ -95,7 +96,8 @@ class ImplicitPenaltyTool final : public ToolSolver {
     ImplicitPenaltyTool(const ImplicitPenaltySettings& settings,
                         std::unique_ptr<ContactChannels> channels,
                         std::unique_ptr<ContactLoop> loop,
-                        std::vector<std::unique_ptr<ContactFinder>> finders);
+                        std::unique_ptr<ContactChannels> no_channels,
+                        std::unique_ptr<ContactLoop> asked);
     [[nodiscard]] Pose held_W() const noexcept;
     void tell_place(std::span<const MovingFrame> objects, double began_s, double dt_s) noexcept;
     void take_model(double began_s) noexcept;
@@ -107,9 +109,9 @@ class ImplicitPenaltyTool final : public ToolSolver {
     ImplicitPenaltySettings settings_;
     std::unique_ptr<ContactChannels> channels_;
     std::unique_ptr<ContactLoop> loop_;
-    std::vector<std::unique_ptr<ContactFinder>>
-        finders_;  // for is_free: the loop's are its thread's
-    std::unique_ptr<BoundedList<NearContact>> near_;
+    std::unique_ptr<ContactChannels> no_channels_;
+    std::unique_ptr<ContactLoop>
+        asked_;  // for is_free where the loop is its thread's; else null: the loop itself is asked
     std::vector<ToolTouch> touches_;
     ContactPlanes planes_;
     ContactTaylor taylor_;

@@ -53,7 +53,9 @@ Expected<void> validate(const ImplicitPenaltySettings& given) {
     if (auto good = validate(settings.contacts); !good) {
         return good;
     }
-    if (auto good = validate(ContactLoopSettings{settings.clusters, settings.most_near}); !good) {
+    if (auto good = validate(
+            ContactLoopSettings{settings.clusters, settings.most_near, settings.budget_us});
+        !good) {
         return good;
     }
     if (!settings.grip_T.allFinite() || !settings.handle_turn.coeffs().allFinite() ||
@@ -79,7 +81,7 @@ Expected<std::vector<std::unique_ptr<ContactFinder>>> make_finders(const Implici
         finders.push_back(std::move(*finder));
     }
     for (const LevelContactsPlan& mesh : plan.meshes) {
-        auto finder = LevelContacts::create(mesh.object, mesh.tool, mesh.settings);
+        auto finder = LevelContacts::create(mesh);
         if (!finder) {
             return tl::unexpected(finder.error());
         }
@@ -92,6 +94,16 @@ Expected<std::vector<std::unique_ptr<ContactFinder>>> make_finders(const Implici
     return finders;
 }
 
+Expected<std::unique_ptr<ContactLoop>> make_loop(const ImplicitPenaltyPlan& plan,
+                                                 const ImplicitPenaltySettings& settings,
+                                                 ContactChannels& channels) {
+    return make_finders(plan, settings.clusters.within_m).and_then([&](auto finders) {
+        return ContactLoop::create(std::move(finders),
+                                   {settings.clusters, settings.most_near, settings.budget_us},
+                                   channels);
+    });
+}
+
 }  // namespace
 
 Expected<ImplicitPenaltyTool> ImplicitPenaltyTool::build(const ImplicitPenaltyPlan& plan) {
@@ -99,30 +111,37 @@ Expected<ImplicitPenaltyTool> ImplicitPenaltyTool::build(const ImplicitPenaltyPl
         return tl::unexpected(good.error());
     }
     const ImplicitPenaltySettings settings = complete(plan.settings);
-    auto finders = make_finders(plan, settings.clusters.within_m);
-    auto own = make_finders(plan, settings.clusters.within_m);
-    if (!finders || !own) {
-        return tl::unexpected(finders ? own.error() : finders.error());
-    }
     auto channels = std::make_unique<ContactChannels>();
-    auto loop = ContactLoop::create(std::move(*finders), {settings.clusters, settings.most_near},
-                                    *channels);
+    auto loop = make_loop(plan, settings, *channels);
     if (!loop) {
         return tl::unexpected(loop.error());
     }
-    return ImplicitPenaltyTool(settings, std::move(channels), std::move(*loop), std::move(*own));
+    // Another thread's finders are not asked besides.
+    std::unique_ptr<ContactChannels> no_channels;
+    std::unique_ptr<ContactLoop> asked;
+    if (!settings.own_rounds) {
+        no_channels = std::make_unique<ContactChannels>();
+        auto own = make_loop(plan, settings, *no_channels);
+        if (!own) {
+            return tl::unexpected(own.error());
+        }
+        asked = std::move(*own);
+    }
+    return ImplicitPenaltyTool(settings, std::move(channels), std::move(*loop),
+                               std::move(no_channels), std::move(asked));
 }
 
 ImplicitPenaltyTool::ImplicitPenaltyTool(const ImplicitPenaltySettings& settings,
                                          std::unique_ptr<ContactChannels> channels,
                                          std::unique_ptr<ContactLoop> loop,
-                                         std::vector<std::unique_ptr<ContactFinder>> finders)
+                                         std::unique_ptr<ContactChannels> no_channels,
+                                         std::unique_ptr<ContactLoop> asked)
     : settings_(settings),
       channels_(std::move(channels)),
       loop_(std::move(loop)),
-      finders_(std::move(finders)),
-      near_(std::make_unique<BoundedList<NearContact>>(settings.most_near)),
-      touches_(finders_.size()),
+      no_channels_(std::move(no_channels)),
+      asked_(std::move(asked)),
+      touches_(loop_->n_objects()),
       planes_(settings.contacts),
       taylor_(settings.contacts) {
     const ToolCouplingSettings& coupling = settings.coupling;
@@ -138,8 +157,9 @@ ImplicitPenaltyTool::ImplicitPenaltyTool(const ImplicitPenaltySettings& settings
 ImplicitPenaltyTool::~ImplicitPenaltyTool() = default;
 
 std::size_t ImplicitPenaltyTool::memory_bytes() const noexcept {
-    return sizeof(*this) + sizeof(ContactChannels) + loop_->memory_bytes() +
-           near_->capacity() * sizeof(NearContact) + touches_.capacity() * sizeof(ToolTouch);
+    return sizeof(*this) + sizeof(ContactChannels) * (asked_ != nullptr ? 2 : 1) +
+           loop_->memory_bytes() + (asked_ != nullptr ? asked_->memory_bytes() : 0) +
+           touches_.capacity() * sizeof(ToolTouch);
 }
 
 }  // namespace fulcrum

@@ -33,6 +33,12 @@ class ContactFinder {
     /// not hold all of it.
     virtual void find(const Pose& X_OT, double within_m,
                       BoundedList<NearContact>& near) noexcept = 0;
+    /// Of the next questions: each may take so long, as far as the method can be hurried; 0: as long as it takes.
+    virtual void limit(double /*budget_us*/) noexcept {}
+    /// Whether the last answer was coarser than asked for, or has not all of it, for want of time or room.
+    [[nodiscard]] virtual bool is_cut() const noexcept { return false; }
+    /// Whether one lies inside the other where `find` finds nothing.
+    [[nodiscard]] virtual bool is_enclosed(const Pose& /*X_OT*/) const noexcept { return false; }
     /// How far the tool's farthest point is from its origin.
     [[nodiscard]] virtual double reach_m() const noexcept = 0;
     [[nodiscard]] virtual std::size_t memory_bytes() const noexcept = 0;

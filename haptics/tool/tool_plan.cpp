@@ -1,6 +1,7 @@
 #include "haptics/tool/tool_plan.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -16,6 +17,8 @@ constexpr double kNearShare = 0.1;     // of the tool's reach: what counts as ne
 constexpr double kLayerShare = 0.25;   // of that: from how far outside it pushes
 constexpr double kNearVoxels = 0.5;    // and of a field's voxel, so that a clearance of one is free
 constexpr double kClusterShare = 0.3;  // of its reach: how wide a cluster is
+constexpr double kSpreadShare = 0.1;   // of its reach: between contacts of one pair of pieces
+constexpr int kMostPairs = 1 << 14;    // of levels, for each object
 
 VoxelToolSettings make_clamped(const ToolOrder& order) {
     VoxelToolSettings settings = order.settings;
@@ -26,6 +29,17 @@ VoxelToolSettings make_clamped(const ToolOrder& order) {
         std::min(std::numbers::pi, order.most_force_N * compute_reach_m(*order.shell) /
                                        coupling.turn.stiffness_Nm_per_rad);
     return settings;
+}
+
+PenaltyPlan make_penalty(const ToolOrder& order, double reach_m, double within_m) {
+    PenaltyPlan penalty;
+    const double layer_m = kLayerShare * within_m;
+    penalty.contacts = {.stiffness_N_per_m = kHoldsTimes * order.most_force_N / layer_m,
+                        .damping_Ns_per_m = kCriticalDamping,
+                        .within_m = layer_m};
+    penalty.clusters.within_m = within_m;
+    penalty.clusters.radius_m = std::max(kClusterShare * reach_m, within_m);
+    return penalty;
 }
 
 // What is large is kept as a tree.
@@ -111,32 +125,51 @@ GodObjectSettings make_god_object_settings(const VoxelToolSettings& settings) {
     return made;
 }
 
+double compute_contact_distance_m(double reach_m, double finest_voxel_m) {
+    return std::min(kNearShare * reach_m, kNearVoxels * finest_voxel_m);
+}
+
+ToolPlan make_level_tool_plan(const ToolOrder& order, const LevelOrder& levels) {
+    const double reach_m = compute_reach_m(*order.shell);
+    LevelPairSettings settings;
+    settings.tolerance_m = std::min(levels.tolerance * levels.tool->size_m(), 1.0);
+    settings.spread_m = std::clamp(kSpreadShare * reach_m, 1.0e-6, 10.0);
+    settings.most_pairs = kMostPairs;
+    std::vector<LevelContactsPlan> objects;
+    for (std::size_t i = 0; i < levels.objects.size(); ++i) {
+        objects.push_back({levels.objects[i], levels.tool, settings,
+                           i < levels.object_solids.size() ? levels.object_solids[i] : nullptr,
+                           levels.tool_solid});
+    }
+    ToolPlan plan{std::move(objects), make_clamped(order)};
+    plan.penalty = make_penalty(order, reach_m, levels.tool->settings().within_m);
+    return plan;
+}
+
 Expected<ToolPlan> make_penalty_tool_plan(const ToolOrder& order,
                                           const std::vector<FieldSampler::Field>& fields) {
     return make_field_tool_plan(order, fields).map([&](ToolPlan plan) {
         const double reach_m = compute_reach_m(*order.shell);
-        double within_m = kNearShare * reach_m;
+        double finest_m = std::numeric_limits<double>::infinity();
         for (const FieldSampler::Field& field : fields) {
             if (field != nullptr) {
-                within_m = std::min(within_m, kNearVoxels * field->frame().voxel_m);
+                finest_m = std::min(finest_m, field->frame().voxel_m);
             }
         }
-        PenaltyPlan penalty;
-        const double layer_m = kLayerShare * within_m;
-        penalty.contacts = {.stiffness_N_per_m = kHoldsTimes * order.most_force_N / layer_m,
-                            .damping_Ns_per_m = kCriticalDamping,
-                            .within_m = layer_m};
-        penalty.clusters.within_m = within_m;
-        penalty.clusters.radius_m = std::max(kClusterShare * reach_m, within_m);
-        plan.penalty = penalty;
+        plan.penalty = make_penalty(order, reach_m, compute_contact_distance_m(reach_m, finest_m));
         return plan;
     });
 }
 
 ImplicitPenaltyPlan make_implicit_penalty_plan(const ToolPlan& plan) {
     ImplicitPenaltyPlan penalty;
-    for (const auto& object : std::get<std::vector<FieldSamplingPlan>>(plan.objects)) {
-        penalty.objects.push_back({object.field, object.shell});
+    const auto* const meshes = std::get_if<std::vector<LevelContactsPlan>>(&plan.objects);
+    if (meshes != nullptr) {
+        penalty.meshes = *meshes;
+    } else {
+        for (const auto& object : std::get<std::vector<FieldSamplingPlan>>(plan.objects)) {
+            penalty.objects.push_back({object.field, object.shell});
+        }
     }
     const VoxelToolSettings& settings = plan.settings;
     penalty.settings = {.coupling = settings.coupling,
@@ -147,7 +180,8 @@ ImplicitPenaltyPlan make_implicit_penalty_plan(const ToolPlan& plan) {
                         .silent_in_free_space = settings.silent_in_free_space,
                         .contacts = plan.penalty->contacts,
                         .clusters = plan.penalty->clusters,
-                        .round_s = plan.penalty->round_s};
+                        .round_s = plan.penalty->round_s,
+                        .budget_us = meshes != nullptr ? settings.budget_us : 0.0};
     return penalty;
 }
 
@@ -155,6 +189,9 @@ std::size_t count_points(const ToolPlan& plan) {
     std::size_t most = 0;
     if (const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects)) {
         return meshes->empty() ? 0 : meshes->front().tool->n_places();
+    }
+    if (const auto* levels = std::get_if<std::vector<LevelContactsPlan>>(&plan.objects)) {
+        return levels->empty() ? 0 : static_cast<std::size_t>(levels->front().tool->n_pieces());
     }
     if (const auto* voxels = std::get_if<std::vector<VoxelSamplingPlan>>(&plan.objects)) {
         for (const VoxelSamplingPlan& object : *voxels) {

@@ -25,9 +25,10 @@
 
 namespace fulcrum {
 
-/// What the tool meets, one a solid of the haptic plan, in its order: voxels or fields, which its points are sampled in, or meshes.
+/// What the tool meets, one a solid of the haptic plan, in its order: voxels or fields, which its points are sampled in, or meshes, as they are or as
+/// contact levels.
 using ToolObjects = std::variant<std::vector<VoxelSamplingPlan>, std::vector<FieldSamplingPlan>,
-                                 std::vector<GodObjectPlan>>;
+                                 std::vector<GodObjectPlan>, std::vector<LevelContactsPlan>>;
 
 /// How clusters of contact push, where they do (implicit_penalty.h).
 struct PenaltyPlan {
@@ -39,7 +40,8 @@ struct PenaltyPlan {
 struct ToolPlan {
     ToolObjects objects;
     VoxelToolSettings settings{};
-    std::optional<PenaltyPlan> penalty{};  ///< then among fields, which find the contacts
+    std::optional<PenaltyPlan>
+        penalty{};  ///< then among fields or contact levels, which find the contacts
 
     [[nodiscard]] std::size_t n_objects() const {
         return std::visit([](const auto& plans) { return plans.size(); }, objects);
@@ -71,6 +73,22 @@ struct ToolOrder {
 [[nodiscard]] Expected<ToolPlan> make_penalty_tool_plan(
     const ToolOrder& order, const std::vector<FieldSampler::Field>& fields);
 
+/// How near counts as contact, and how far out contact levels are to look: a tenth of the tool's reach, and half of the finest voxel, so that
+/// a clearance of one is free.
+[[nodiscard]] double compute_contact_distance_m(double reach_m, double finest_voxel_m);
+
+/// What contact levels are asked for.
+struct LevelOrder {
+    std::shared_ptr<const ContactLevels> tool;  ///< as the order's points are
+    std::shared_ptr<const TriangleClusters> tool_solid;
+    std::vector<std::shared_ptr<const ContactLevels>> objects;
+    std::vector<std::shared_ptr<const TriangleClusters>> object_solids;
+    double tolerance = 0.0;  ///< in parts of the tool's size; 0: as fine as the meshes
+};
+/// The tool among contacts that contact levels find, all made for one distance, held by planes. A budget of the settings' is that of
+/// each round.
+[[nodiscard]] ToolPlan make_level_tool_plan(const ToolOrder& order, const LevelOrder& levels);
+
 /// The tool's mesh, about its centre of mass, along its principal axes, among meshes.
 [[nodiscard]] ToolPlan make_god_object_plan(
     const ToolOrder& order, const std::shared_ptr<const GodSurface>& tool,
@@ -81,7 +99,8 @@ struct ToolOrder {
 /// Of such a plan: what its tool is built from.
 [[nodiscard]] ImplicitPenaltyPlan make_implicit_penalty_plan(const ToolPlan& plan);
 
-/// Points of the tool, of a god-object the corners of its triangles, against the object that asks for the most of them.
+/// Points of the tool, of a god-object the corners of its triangles, of contact levels its pieces, against the object that asks for the most of
+/// them.
 [[nodiscard]] std::size_t count_points(const ToolPlan& plan);
 
 /// Whether the relief of some object is felt.

@@ -27,6 +27,13 @@ enum class ToolMethod : std::uint8_t {
 inline constexpr std::array<const char*, 4> kToolMethods{"field_sampling", "voxel_sampling",
                                                          "implicit_penalty", "god_object"};
 
+/// How implicit_penalty finds where the tool is near anything.
+enum class ContactFinding : std::uint8_t {
+    fields,  ///< points in a distance field (field_contacts.h)
+    levels,  ///< triangles by contact levels of detail (level_contacts.h; Otaduy and Lin 2003)
+};
+inline constexpr std::array<const char*, 2> kContactFindings{"fields", "levels"};
+
 /// How one object acts on the tool.
 struct ToolTouch {
     Wrench wrench_W{};     ///< on the tool, N and Nm about its centre of mass

@@ -34,7 +34,8 @@ enum class ShapeKind : std::uint32_t {
     distance_field = 1,
     voxel_grid = 2,
     pointshell = 3,
-    solid_moments = 4
+    solid_moments = 4,
+    contact_levels = 5  ///< levels/level_bytes.h
 };
 
 /// What a shape is made of: the same mesh and settings have the same key.

@@ -134,7 +134,11 @@ void add_plan(const FactSources& run, Facts& facts) {
     const Plan& plan = run.plan;
     const HapticPlan& haptic = plan.haptic;
     if (haptic.tool) {
-        facts.add("plan.tool", std::string(name_of(run.lesson.hand.tool->method)));
+        const ToolDescription& tool = *run.lesson.hand.tool;
+        facts.add("plan.tool", std::string(name_of(tool.method)));
+        if (tool.contact != ContactFinding::fields) {
+            facts.add("plan.tool contact", std::string(name_of(tool.contact)));
+        }
     } else if (!haptic.solids.empty()) {
         facts.add("plan.proxy", std::string(kProxies[static_cast<std::size_t>(haptic.proxy.kind)]));
     }

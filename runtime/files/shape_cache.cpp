@@ -211,6 +211,23 @@ Expected<Pointshell> recall_surface_pointshell(ShapeCache& cache, const Triangle
                   [&] { return make_surface_pointshell(mesh, n_points, progress); });
 }
 
+Expected<std::shared_ptr<const ContactLevels>> recall_contact_levels(
+    ShapeCache& cache, const TriangleMesh& mesh, const ContactLevelSettings& settings,
+    const LoadProgress& progress) {
+    using Levels = std::shared_ptr<const ContactLevels>;
+    const std::array<double, 1> numbers{settings.within_m};
+    const auto decode = [&](const Bytes& bytes, const Digest& key) {
+        return decode_contact_levels(bytes, key).and_then([&](Levels levels) -> Expected<Levels> {
+            if (levels->settings().within_m != settings.within_m || !can_be_of(*levels, mesh)) {
+                return refuse_other("tree of contact levels");
+            }
+            return levels;
+        });
+    };
+    return recall(cache, compute_shape_key(ShapeKind::contact_levels, mesh, numbers), decode,
+                  [&] { return ContactLevels::create(mesh, settings, progress); });
+}
+
 Expected<MeasuredSolid> recall_measured_solid(ShapeCache& cache, const TriangleMesh& mesh,
                                               const LoadProgress& progress) {
     const auto decode = [&](const Bytes& bytes, const Digest& key) {

@@ -4,6 +4,7 @@
 //             a distance field    the frame's corner, voxel and cells, the band, the sheet
 //             voxels              the voxel, layers that push, layers that brake
 //             a pointshell        how many points
+//             contact levels      how near is contact
 //             what is enclosed    nothing else: any mass is put to it afterwards
 //           The number of threads is not in it: whatever it is, the shape is the same to the bit
 //   name    the key (shape_bytes.h) in hex + ".shape", in a folder that is the user's alone
@@ -21,6 +22,7 @@
 #pragma once
 
 #include "haptics/dynamics/mesh_inertia.h"
+#include "haptics/levels/level_bytes.h"
 #include "haptics/voxel/shape_bytes.h"
 #include "haptics/voxel/voxelise.h"
 #include "runtime/files/private_folder.h"
@@ -29,6 +31,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -82,6 +85,16 @@ class ShapeCache {
     std::vector<std::string> told_;
 };
 
+/// A shape that is shared is kept as one that is not.
+template <class Shape>
+[[nodiscard]] const Shape& shape_in(const Shape& shape) {
+    return shape;
+}
+template <class Shape>
+[[nodiscard]] const Shape& shape_in(const std::shared_ptr<const Shape>& shape) {
+    return *shape;
+}
+
 /// What is kept under `key`, if `decode(bytes, key)` accepts it; else what `build()` makes, which is kept if that took long.
 template <class Decode, class Build>
 [[nodiscard]] auto recall(ShapeCache& cache, const Digest& key, const Decode& decode,
@@ -97,7 +110,8 @@ template <class Decode, class Build>
     auto built = build();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     if (built) {
-        cache.write(key, took.count(), count_bytes(*built), [&] { return encode(*built, key); });
+        const auto& shape = shape_in(*built);
+        cache.write(key, took.count(), count_bytes(shape), [&] { return encode(shape, key); });
     }
     return built;
 }
@@ -116,6 +130,10 @@ template <class Decode, class Build>
 [[nodiscard]] Expected<Pointshell> recall_surface_pointshell(ShapeCache& cache,
                                                              const TriangleMesh& mesh, int n_points,
                                                              const LoadProgress& progress = {});
+/// ContactLevels::create, kept.
+[[nodiscard]] Expected<std::shared_ptr<const ContactLevels>> recall_contact_levels(
+    ShapeCache& cache, const TriangleMesh& mesh, const ContactLevelSettings& settings,
+    const LoadProgress& progress = {});
 /// measure_solid, kept.
 [[nodiscard]] Expected<MeasuredSolid> recall_measured_solid(ShapeCache& cache,
                                                             const TriangleMesh& mesh,

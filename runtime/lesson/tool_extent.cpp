@@ -41,6 +41,11 @@ double find_farthest_m(const GodSurface& surface, const Vector3& direction_T) {
     return farthest_m;
 }
 
+// The root's hull holds all.
+double find_farthest_m(const ContactLevels& levels, const Vector3& direction_T) {
+    return std::max(0.0, levels.hull(0).find_support(direction_T).dot(direction_T));
+}
+
 }  // namespace
 
 double compute_tool_extent_m(const ToolPlan& plan, const Quaternion& turn_W,
@@ -52,6 +57,8 @@ double compute_tool_extent_m(const ToolPlan& plan, const Quaternion& turn_W,
         farthest_m = voxels->empty() ? 0.0 : find_farthest_m(voxels->front().shell, direction_T);
     } else if (const auto* meshes = std::get_if<std::vector<GodObjectPlan>>(&plan.objects)) {
         farthest_m = meshes->empty() ? 0.0 : find_farthest_m(*meshes->front().tool, direction_T);
+    } else if (const auto* levels = std::get_if<std::vector<LevelContactsPlan>>(&plan.objects)) {
+        farthest_m = levels->empty() ? 0.0 : find_farthest_m(*levels->front().tool, direction_T);
     } else if (const auto& fields = std::get<std::vector<FieldSamplingPlan>>(plan.objects);
                !fields.empty() && fields.front().shell != nullptr) {
         farthest_m = find_farthest_m(*fields.front().shell, direction_T);

@@ -3,6 +3,7 @@
 #include "runtime/scene/plan_touch.h"
 #include "runtime/scene/round_up.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -90,6 +91,14 @@ int find_most_voxel_points(const HandDescription& hand) {
 // Voxel sampling looks at every point in every step.
 Expected<void> check_tool_time(const HandDescription& hand) {
     const ToolDescription& tool = *hand.tool;
+    if (tool.budget_us > find_tool_time_us(hand.rate_hz)) {
+        return fail(print("the tool: its contacts may take %.0f us of each step, and at %g steps a "
+                          "second there are %.0f us for it",
+                          tool.budget_us, hand.rate_hz, find_tool_time_us(hand.rate_hz)),
+                    at_line(hand.line),
+                    print("give it a budget of at most %.0f, or leave that out",
+                          std::floor(find_tool_time_us(hand.rate_hz))));
+    }
     const double most_points = find_voxel_points_in_time(hand.rate_hz);
     if (tool.method != ToolMethod::voxel_sampling || tool.points <= most_points) {
         return {};
@@ -127,6 +136,11 @@ Expected<void> check_tool(const HandDescription& hand, const ToolPlan& plan,
 
 double find_tool_time_us(double rate_hz) {
     return kShareOfStep * 1.0e6 / rate_hz;
+}
+
+double find_budget_us(const HandDescription& hand) {
+    const double time_us = find_tool_time_us(hand.rate_hz);
+    return hand.tool->budget_us > 0.0 ? std::min(hand.tool->budget_us, time_us) : time_us;
 }
 
 std::optional<std::string> find_tool_notice(const HandDescription& hand, const ToolPlan& plan) {

@@ -24,6 +24,9 @@ namespace fulcrum::runtime {
 /// What a tool may take of each step of a live run, microseconds: half of it.
 [[nodiscard]] double find_tool_time_us(double rate_hz);
 
+/// The same with the lesson's own budget, where it has one.
+[[nodiscard]] double find_budget_us(const HandDescription& hand);
+
 /// Points on the tool's surface, as the lesson says or 2000; and among voxels the most, as the lesson says or as half a step has time for.
 [[nodiscard]] int find_surface_points(const ToolDescription& tool);
 [[nodiscard]] int find_most_voxel_points(const HandDescription& hand);
@@ -32,7 +35,7 @@ namespace fulcrum::runtime {
 [[nodiscard]] std::optional<std::string> find_tool_notice(const HandDescription& hand,
                                                           const ToolPlan& plan);
 
-/// Refuses more points among voxels than a step has time for: the lesson alone tells, before anything is made.
+/// Refuses more points among voxels than a step has time for, and a budget longer than that: the lesson alone tells, before anything is made.
 [[nodiscard]] Expected<void> check_tool_time(const HandDescription& hand);
 
 /// Refuses an integrator that shakes the tool. `shell` is that of the plan's order; `plan` has been validated.

@@ -142,6 +142,10 @@ struct CameraDescription {
     double vertical_angle_deg = 40.0;
 };
 
+/// What Otaduy and Lin found that nobody feels, in parts of a tool's size.
+inline constexpr double kUsualDetail = 0.025;
+inline constexpr double kMostDetail = 0.2;
+
 /// A tool of points in the hand, which stays outside solid bodies and is felt with force and torque; masses and stiffnesses as
 /// the hand feels them, lengths in the scene's metres. Ranges as the program's reference has them.
 struct ToolDescription {
@@ -159,6 +163,9 @@ struct ToolDescription {
     bool massless = false;
     Integrator integrator = Integrator::backward_euler;
     bool rounded = false;  ///< its facets are felt as one even surface, as far as its creases
+    ContactFinding contact = ContactFinding::fields;  ///< of implicit_penalty
+    double detail = kUsualDetail;  ///< of contact levels: their tolerance in parts of its size
+    double budget_us = 0.0;        ///< of contact levels, in each step of a live run; 0: half of it
 };
 
 /// A lesson's: both of a person, or a finger of each.

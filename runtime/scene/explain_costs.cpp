@@ -2,6 +2,7 @@
 #include "runtime/scene/check_tool.h"
 #include "runtime/scene/explain.h"
 #include "runtime/scene/plan_tool.h"
+#include "runtime/scene/tool_bodies.h"
 
 #include <array>
 #include <cstdio>
@@ -88,6 +89,8 @@ nlohmann::ordered_json json_of_tool(const LessonDescription& lesson, const Plan&
                           {"voxels", facts[i].frame.n_cells},
                           {"voxel_m", facts[i].frame.voxel_m},
                           {"triangles", facts[i].n_triangles},
+                          {"levels", facts[i].n_levels},
+                          {"pieces", facts[i].n_pieces},
                           {"friction", facts[i].friction.static_coefficient},
                           {"sliding_friction", facts[i].friction.dynamic_coefficient},
                           {"texture_m", facts[i].texture_m},
@@ -95,12 +98,23 @@ nlohmann::ordered_json json_of_tool(const LessonDescription& lesson, const Plan&
                           {"memory_bytes", facts[i].bytes},
                           {"source", source_of(plan.tool_shapes[i])}});
     }
-    return {{"name", name_of(tool)},
-            {"method", name_of(tool.method)},
-            {"points", count_points(*plan.haptic.tool)},
-            {"source", source_of(plan.tool_shapes.back())},
-            {"live_time_us", find_tool_time_us(plan.haptic.rate_hz)},
-            {"bodies", std::move(bodies)}};
+    nlohmann::ordered_json json = {{"name", name_of(tool)},
+                                   {"method", name_of(tool.method)},
+                                   {"points", count_points(*plan.haptic.tool)},
+                                   {"source", source_of(plan.tool_shapes.back())},
+                                   {"live_time_us", find_budget_us(lesson.hand)},
+                                   {"bodies", std::move(bodies)}};
+    if (has_levels(tool)) {
+        const auto& levels =
+            std::get<std::vector<LevelContactsPlan>>(plan.haptic.tool->objects).front();
+        json["contact"] = {{"found_by", name_of(tool.contact)},
+                           {"tolerance_m", levels.settings.tolerance_m},
+                           {"within_m", levels.tool->settings().within_m},
+                           {"levels", levels.tool->n_levels()},
+                           {"pieces", levels.tool->n_pieces()},
+                           {"memory_bytes", levels.tool->memory_bytes()}};
+    }
+    return json;
 }
 
 }  // namespace

@@ -124,15 +124,16 @@ struct SharedProgress {
     double per_mesh;  // of all
     std::string tool;
 
-    [[nodiscard]] LoadProgress of_tool() const {
-        return progress ? LoadProgress([this](double share) {
-            return progress(per_mesh * share, "the " + tool);
+    [[nodiscard]] LoadProgress of_tool(int part = 0) const {
+        return progress ? LoadProgress([this, part](double share) {
+            return progress(per_mesh * (part + share), "the " + tool);
         })
                         : LoadProgress{};
     }
-    [[nodiscard]] PlanProgress of_bodies() const {
-        return progress ? PlanProgress([this](double share, std::string_view what) {
-            return progress(per_mesh + (1.0 - per_mesh) * share, what);
+    [[nodiscard]] PlanProgress of_bodies(int n_tool_parts) const {
+        return progress ? PlanProgress([this, n_tool_parts](double share, std::string_view what) {
+            const double before = per_mesh * n_tool_parts;
+            return progress(before + (1.0 - before) * share, what);
         })
                         : PlanProgress{};
     }
@@ -188,6 +189,20 @@ Expected<TriangleMesh> make_centred(const TriangleMesh& mesh, const ToolOrder& o
     return TriangleMesh::build(std::move(vertices), mesh.triangles());
 }
 
+// What is told to be near by contact levels, as the lesson asks for it; those of the bodies come later.
+Expected<LevelOrder> make_levels(const ToolDescription& tool, const TriangleMesh& mesh,
+                                 const ToolOrder& order, double within_m, ShapeCache& shapes,
+                                 const LoadProgress& progress) {
+    return make_centred(mesh, order).and_then([&](const TriangleMesh& own) {
+        return recall_contact_levels(shapes, own, {.within_m = within_m}, progress)
+            .map([&](const std::shared_ptr<const ContactLevels>& levels) {
+                LevelOrder made{levels, std::make_shared<const TriangleClusters>(own), {}, {}};
+                made.tolerance = tool.detail;
+                return made;
+            });
+    });
+}
+
 // Triangles among triangles, and what their surfaces are like.
 Expected<ToolPlan> put_among_meshes(const LessonDescription& lesson, const TriangleMesh& mesh,
                                     const ToolOrder& order, const ToolBodyList& list,
@@ -201,11 +216,12 @@ Expected<ToolPlan> put_among_meshes(const LessonDescription& lesson, const Trian
     });
 }
 
-// The tool among voxels or fields.
+// The tool among voxels, fields or levels.
 Expected<ToolPlan> put_among(const ToolDescription& tool, const ToolOrder& order,
-                             const ToolBodies& bodies) {
+                             const LevelOrder& levels, const ToolBodies& bodies) {
     auto made = tool.method == ToolMethod::voxel_sampling
                     ? Expected<ToolPlan>(make_voxel_tool_plan(order, bodies.grids))
+                : has_levels(tool) ? Expected<ToolPlan>(make_level_tool_plan(order, levels))
                 : tool.method == ToolMethod::implicit_penalty
                     ? make_penalty_tool_plan(order, bodies.fields)
                     : make_field_tool_plan(order, bodies.fields);
@@ -228,6 +244,10 @@ const char* name_of(ShapeSource source) {
 std::string name_of(const ToolDescription& tool) {
     constexpr std::array<const char*, 6> kNames{"", "ball", "box", "capsule", "cylinder", "hull"};
     return tool.model.empty() ? kNames[tool.shape.index()] : tool.model;
+}
+
+const char* name_of(ContactFinding contact) {
+    return kContactFindings.at(static_cast<std::size_t>(contact));
 }
 
 const char* name_of(ToolMethod method) {
@@ -257,9 +277,12 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     if (!list) {
         return tl::unexpected(list.error());
     }
-    const SharedProgress progress{options.progress,
-                                  1.0 / static_cast<double>(list->meshes.size() + 1),
-                                  name_of(*lesson.hand.tool)};
+    // With levels of its own it is one mesh more.
+    const int n_tool_parts = has_levels(*lesson.hand.tool) ? 2 : 1;
+    const SharedProgress progress{
+        options.progress,
+        1.0 / (static_cast<double>(list->meshes.size()) + static_cast<double>(n_tool_parts)),
+        name_of(*lesson.hand.tool)};
     const int n_made = shapes.counts().n_made;
     const auto mesh = load_tool_mesh(*lesson.hand.tool, lesson.hand.line, load_solid);
     if (!mesh) {
@@ -269,18 +292,32 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     if (!order) {
         return refuse_tool(order.error(), lesson.hand.line);
     }
-    const ShapeSource source =
-        shapes.counts().n_made > n_made ? ShapeSource::made : ShapeSource::cache;
     order->most_force_N = plan.haptic.safety.max_force_N;
-    order->settings.budget_us = options.live ? find_tool_time_us(plan.haptic.rate_hz) : 0.0;
+    order->settings.budget_us = options.live ? find_budget_us(lesson.hand) : 0.0;
     if (auto good = check_tool_springs(lesson.hand, *order, compute_reach_m(*order->shell));
         !good) {
         return good;
     }
-    auto bodies = make_tool_bodies(lesson, *list, progress.of_bodies(), shapes);
+    LevelOrder levels;
+    const double within_m =
+        compute_contact_distance_m(compute_reach_m(*order->shell), find_finest_voxel_m(*list));
+    if (n_tool_parts > 1) {
+        auto own =
+            make_levels(*lesson.hand.tool, *mesh, *order, within_m, shapes, progress.of_tool(1));
+        if (!own) {
+            return refuse_tool(own.error(), lesson.hand.line);
+        }
+        levels = std::move(*own);
+    }
+    const ShapeSource source =
+        shapes.counts().n_made > n_made ? ShapeSource::made : ShapeSource::cache;
+    auto bodies =
+        make_tool_bodies(lesson, *list, within_m, progress.of_bodies(n_tool_parts), shapes);
     if (!bodies) {
         return tl::unexpected(bodies.error());
     }
+    levels.objects = bodies->levels;
+    levels.object_solids = bodies->solids;
     const std::size_t n_left_out =
         put_in_rows(*mesh, find_most_voxel_points(lesson.hand), *bodies, *order);
     if (n_left_out > 0 && lesson.hand.tool->points == 0) {
@@ -288,7 +325,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     }
     auto made = lesson.hand.tool->method == ToolMethod::god_object
                     ? put_among_meshes(lesson, *mesh, *order, *list, *bodies, plan.haptic.solids)
-                    : put_among(*lesson.hand.tool, *order, *bodies);
+                    : put_among(*lesson.hand.tool, *order, levels, *bodies);
     if (!made) {
         return refuse_tool(made.error(), lesson.hand.line);
     }

@@ -33,12 +33,14 @@ namespace fulcrum::runtime {
 
 /// A solid body as the tool meets it.
 struct ToolObjectFacts {
-    VoxelFrame frame;  ///< of a god-object's body no voxels
+    VoxelFrame frame;  ///< of a god-object's body, or one of contact levels, no voxels
     std::size_t bytes = 0;
-    std::int32_t n_triangles = 0;  ///< of a god-object's body
-    FrictionSettings friction{};   ///< likewise
+    std::int32_t n_triangles = 0;  ///< of such a body
+    FrictionSettings friction{};   ///< of a god-object's body
     double texture_m = 0.0;        ///< how high the relief is that the tool feels of it
     bool rounded = false;          ///< its facets are felt as one even surface
+    std::int32_t n_levels = 0;     ///< of contact levels
+    std::int32_t n_pieces = 0;     ///< likewise
 };
 
 /// Of each solid, in the plan's order.
@@ -46,6 +48,9 @@ struct ToolObjectFacts {
 
 /// "made now" or "from the cache".
 [[nodiscard]] const char* name_of(ShapeSource source);
+
+/// "fields" or "levels", as a lesson calls it.
+[[nodiscard]] const char* name_of(ContactFinding contact);
 
 /// "field_sampling", "voxel_sampling", "implicit_penalty" or "god_object", as a lesson calls it.
 [[nodiscard]] const char* name_of(ToolMethod method);

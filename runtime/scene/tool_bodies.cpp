@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -165,6 +166,25 @@ std::optional<Error> tell_field(const DistanceField& field) {
     return holes;
 }
 
+tl::unexpected<Error> refuse_body(const ToolBodyList::Mesh& of, const Error& why) {
+    return fail("the " + of.body->noun + ": " + why.message, at_line(of.body->line),
+                why.what_to_do);
+}
+
+// What a teacher should know of a body that is met by its contact levels.
+std::optional<std::string> tell_levels(const ToolBodyList::Mesh& of, const ContactLevels& levels) {
+    const MeshReport& report = levels.report();
+    if (report.is_closed() && report.inconsistent_edges == 0 && !report.inside_out) {
+        return std::nullopt;
+    }
+    return to_sentence({"the " + of.body->noun + ": " +
+                            (report.inside_out    ? "all of its triangles look inwards"
+                             : report.is_closed() ? "some of its triangles are turned over"
+                                                  : "its mesh is open") +
+                            ", so on which side of it a tool is may be felt wrong",
+                        at_line(of.body->line), "close it, with all fronts outwards"});
+}
+
 template <class Shape>
 auto keep_in(std::vector<std::shared_ptr<const Shape>>& list) {
     return
@@ -184,6 +204,18 @@ std::vector<Each> deal_out(const std::vector<Each>& made, const std::vector<std:
 }
 
 }  // namespace
+
+bool has_levels(const ToolDescription& tool) {
+    return tool.method == ToolMethod::implicit_penalty && tool.contact == ContactFinding::levels;
+}
+
+double find_finest_voxel_m(const ToolBodyList& list) {
+    double finest_m = std::numeric_limits<double>::infinity();
+    for (const ToolBodyList::Mesh& each : list.meshes) {
+        finest_m = std::min(finest_m, each.voxel_m);
+    }
+    return finest_m;
+}
 
 bool can_be_met_with(double length_m, double voxel_m) {
     return length_m / voxel_m + kMarginCells <= kMostAlong;
@@ -232,7 +264,8 @@ Expected<ToolBodyList> list_tool_bodies(const LessonDescription& lesson,
 }
 
 Expected<ToolBodies> make_tool_bodies(const LessonDescription& lesson, const ToolBodyList& list,
-                                      const PlanProgress& progress, ShapeCache& shapes) {
+                                      double within_m, const PlanProgress& progress,
+                                      ShapeCache& shapes) {
     const ToolDescription& tool = *lesson.hand.tool;
     ToolBodies made;
     for (std::size_t i = 0; i < list.meshes.size(); ++i) {
@@ -250,13 +283,26 @@ Expected<ToolBodies> make_tool_bodies(const LessonDescription& lesson, const Too
             };
         }
         const int n_made = shapes.counts().n_made;
+        if (has_levels(tool)) {
+            auto levels = recall_contact_levels(shapes, of.mesh, {.within_m = within_m}, part);
+            if (!levels) {
+                return refuse_body(of, levels.error());
+            }
+            if (auto told = tell_levels(of, **levels)) {
+                made.notices.push_back(std::move(*told));
+            }
+            made.levels.push_back(std::move(*levels));
+            made.solids.push_back(std::make_shared<const TriangleClusters>(of.mesh));
+            made.sources.push_back(shapes.counts().n_made > n_made ? ShapeSource::made
+                                                                   : ShapeSource::cache);
+            continue;
+        }
         const auto added =
             tool.method == ToolMethod::voxel_sampling
                 ? make_grid(of, lesson.hand.scale, shapes, part).map(keep_in(made.grids))
                 : make_field_or_sheet(of, shapes, part).map(keep_in(made.fields));
         if (!added) {
-            return fail("the " + of.body->noun + ": " + added.error().message,
-                        at_line(of.body->line), added.error().what_to_do);
+            return refuse_body(of, added.error());
         }
         made.sources.push_back(shapes.counts().n_made > n_made ? ShapeSource::made
                                                                : ShapeSource::cache);
@@ -275,6 +321,8 @@ Expected<ToolBodies> make_tool_bodies(const LessonDescription& lesson, const Too
     made.grids = deal_out(made.grids, list.mesh_of);
     made.fields = deal_out(made.fields, list.mesh_of);
     made.surfaces = deal_out(made.surfaces, list.mesh_of);
+    made.levels = deal_out(made.levels, list.mesh_of);
+    made.solids = deal_out(made.solids, list.mesh_of);
     made.sources = deal_out(made.sources, list.mesh_of);
     return made;
 }

@@ -4,6 +4,7 @@
 //             s = max(length / 400, (volume of its box / 4 million)^(1/3), s_share, 0.05 mm)
 //             s_share: the body's block, margins and all, has kMostVoxels / n voxels, with n meshes
 //   meshes  as they are, for a god-object
+//   levels  contact levels of detail of the meshes, for an implicit penalty that asks for them
 //   fields  4 voxels deep on both sides of the surface
 //   voxels  the layer that pushes lies one voxel outside the body, which holds the tool out where its points are as near to each
 //           other as voxels are; those that brake reach 4 mm further, in the hand's metres: two steps of a hand at 2 m/s at 1 kHz
@@ -15,6 +16,7 @@
 #include "haptics/geometry/triangle_mesh.h"
 #include "haptics/tool/field_sampling.h"
 #include "haptics/tool/god_surface.h"
+#include "haptics/tool/level_contacts.h"
 #include "haptics/voxel/voxel_grid.h"
 #include "runtime/scene/plan.h"
 
@@ -51,13 +53,21 @@ struct ToolBodies {
     std::vector<std::shared_ptr<const VoxelGrid>> grids;
     std::vector<FieldSampler::Field> fields;
     std::vector<std::shared_ptr<const GodSurface>> surfaces;
+    std::vector<std::shared_ptr<const ContactLevels>> levels;
+    std::vector<std::shared_ptr<const TriangleClusters>> solids;  ///< beside levels
     std::vector<ShapeSource> sources;
     std::vector<std::string> notices;  ///< of holes, sheets and thin walls
 };
 
-/// Makes them, telling `progress` of each by its noun.
+/// Whether a tool's contacts are found by contact levels.
+[[nodiscard]] bool has_levels(const ToolDescription& tool);
+
+/// The finest of the bodies' voxels.
+[[nodiscard]] double find_finest_voxel_m(const ToolBodyList& list);
+
+/// Makes them, telling `progress` of each by its noun; contact levels for what is nearer than `within_m`.
 [[nodiscard]] Expected<ToolBodies> make_tool_bodies(const LessonDescription& lesson,
-                                                    const ToolBodyList& list,
+                                                    const ToolBodyList& list, double within_m,
                                                     const PlanProgress& progress,
                                                     ShapeCache& shapes);
 

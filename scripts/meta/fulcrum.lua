@@ -337,6 +337,9 @@ function World:magnet(options) end
 ---@field massless? boolean it has no mass of its own: nothing smooths what it meets; default false
 ---@field integrator? string how it is moved on; all but backward_euler want a heavy tool and a soft spring; not with massless; "explicit_euler", "semi_implicit_euler", "verlet", "runge_kutta_4" or "backward_euler"; default backward_euler
 ---@field rounded? boolean its facets are felt as one even surface, as far as creases of 30 degrees; for god_object; default false
+---@field contact? string of implicit_penalty: how it is found where the tool is near a body: points on it by the distance to the surface, or its triangles and theirs by levels of detail, as finely as can be felt, which take some seconds to make the first time (levels: voxel and points say nothing then); "fields" or "levels"; default fields
+---@field detail? number of contact = "levels": what may be felt as one; 0 is as fine as the meshes, and so is the default beside a budget; nothing gets through, however coarse it is; in of the tool's size, 0 to 0.2; default 0.025
+---@field budget? number of contact = "levels": how long finding contacts may take in each step of a live run, as finely as there is time, and no finer than the detail; half a step by default; in microseconds, 20 to 500
 
 ---@class HandOptions
 ---@field centre? Vector|Body|Tool where the middle of the arm's reach lies; in metres, -10000 to 10000; default {0, 0.3, 0}

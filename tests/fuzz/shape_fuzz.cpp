@@ -1,5 +1,8 @@
 // Any bytes at all as a kept shape: read or refused, never a crash, and what was read is whole: every question to it is answered
 // and it writes the same bytes. The same bytes are tried again with their checksum put right, so that mutations reach what it guards.
+#include "haptics/geometry/shape.h"
+#include "haptics/levels/level_bytes.h"
+#include "haptics/levels/level_pairs.h"
 #include "haptics/voxel/distance_field_batch.h"
 #include "haptics/voxel/shape_bytes.h"
 
@@ -55,6 +58,24 @@ void ask(const fulcrum::DistanceField& field) {
                        fulcrum::kLeafPoints, fulcrum::ForceAlong::slopes);
 }
 
+// Two of them far apart, near each other, and in each other.
+void ask(const std::shared_ptr<const fulcrum::ContactLevels>& levels) {
+    fulcrum::LevelPairSettings settings;
+    settings.tolerance_m = 0.01;
+    settings.most_pairs = 256;
+    settings.most_contacts = 64;
+    const auto pairs = fulcrum::LevelPairs::create(levels, levels, settings);
+    require(pairs.has_value());
+    for (int i = 0; i < 4; ++i) {
+        const double away_m = 0.7 * i * levels->size_m();
+        (void)(*pairs)->find(fulcrum::Pose::at(Vector3(away_m, 0.1 * away_m, 0.0)),
+                             levels->settings().within_m);
+        require((*pairs)->contacts().size() <= 64);
+    }
+    (void)can_be_of(*levels, fulcrum::make_sphere(1.0, 1).value());
+    require(levels->memory_bytes() > 0);
+}
+
 void try_bytes(const Bytes& bytes) {
     Digest key{};
     if (bytes.size() >= kKeyAt + sizeof key) {
@@ -73,6 +94,13 @@ void try_bytes(const Bytes& bytes) {
     const auto solid = fulcrum::decode_measured_solid(bytes, key);
     if (accept(solid, bytes, key)) {
         require(solid->moments.volume_m3 > 0.0 && solid->moments.second_m5.allFinite());
+    }
+    const auto levels = fulcrum::decode_contact_levels(bytes, key);
+    if (levels) {
+        require(encode(**levels, key) == bytes);
+        ask(*levels);
+    } else {
+        require(to_sentence(levels.error()).find('\n') == std::string::npos);
     }
     const auto shell = fulcrum::decode_pointshell(bytes, key);
     if (accept(shell, bytes, key)) {

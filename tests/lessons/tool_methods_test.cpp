@@ -34,17 +34,22 @@ void copy_lesson(const fs::path& from, const fs::path& to, const std::string& wo
 }  // namespace
 
 TEST_CASE("tool methods: the lever and the planets are played to their ends by each of them") {
-    const std::string method =
-        GENERATE("field_sampling", "voxel_sampling", "implicit_penalty", "god_object");
+    // The last finds contact by levels.
+    const std::string words = GENERATE("field_sampling", "voxel_sampling", "implicit_penalty",
+                                       "god_object", "implicit_penalty\", contact = \"levels");
+    const std::string method = words.substr(0, words.find('"'));
+    const bool by_levels = method != words;
     const Sandbox sandbox;
     copy_lesson(std::string(FULCRUM_SCENARIOS) + "/lever", sandbox.path("lever"), "tool = { shape",
-                "tool = { method = \"" + method + "\", shape");
-    copy_lesson(std::string(FULCRUM_EXAMPLES) + "/planet-handles", sandbox.path("planets"),
-                "local method = \"field_sampling\"", "local method = \"" + method + "\"");
+                "tool = { method = \"" + words + "\", shape");
+    copy_lesson(
+        std::string(FULCRUM_EXAMPLES) + "/planet-handles", sandbox.path("planets"),
+        "local method, contact = \"field_sampling\", nil",
+        "local method, contact = \"" + method + "\", " + (by_levels ? "\"levels\"" : "nil"));
     for (const char* lesson : {"lever", "planets"}) {
         const ProgramRun run =
             sandbox.run("run ./" + std::string(lesson) + " --headless --record r.rec");
-        INFO(method << ", " << lesson << ": " << run.output);
+        INFO(words << ", " << lesson << ": " << run.output);
         CHECK(run.exit_code == 0);
         CHECK(run.output.find("3 of 3 stars") != std::string::npos);
         const Record record = read_run(sandbox.path("r.rec"));
@@ -52,6 +57,7 @@ TEST_CASE("tool methods: the lever and the planets are played to their ends by e
         CHECK(largest_force_N(record) <= kLimit_N);
         const ProgramRun told = sandbox.run("explain ./" + std::string(lesson));
         CHECK(told.output.find(method) != std::string::npos);
+        CHECK((told.output.find("contact by levels") != std::string::npos) == by_levels);
     }
 }
 

@@ -31,7 +31,8 @@ void put_surfaces(HapticPlan& plan, const std::vector<TriangleMesh>& meshes) {
     plan.tool = std::make_shared<const ToolPlan>(std::move(tool));
 }
 
-HapticPlan make_plan(const VoxelToolSettings& settings, ToolMethod method, bool has_surfaces) {
+HapticPlan make_plan(const VoxelToolSettings& settings, ToolMethod method, bool has_surfaces,
+                     ContactFinding contact) {
     HapticPlan plan;
     plan.safety.soft_start_s = 0.0;
     plan.expects_lesson = false;
@@ -47,6 +48,7 @@ HapticPlan make_plan(const VoxelToolSettings& settings, ToolMethod method, bool 
     plan.axles.push_back(axle);
     test::ToolScene scene = test::make_ball_tool(method);
     scene.settings = settings;
+    scene.contact = contact;
     const std::vector<TriangleMesh> meshes{make_box({0.2, 0.04, 0.2}).value(),
                                            make_box({0.04, 0.2, 0.2}).value()};
     plan.tool = test::make_tool_of(scene, meshes);
@@ -64,22 +66,28 @@ TEST_CASE(
     massless.mass = ToolMass::massless;
     VoxelToolSettings explicit_steps;
     explicit_steps.integrator.integrator = Integrator::runge_kutta_4;
-    const std::tuple<VoxelToolSettings, ToolMethod, bool> tools[] = {
-        {{}, ToolMethod::field_sampling, false},
-        {{}, ToolMethod::voxel_sampling, false},
-        {{}, ToolMethod::god_object, false},
-        {{}, ToolMethod::god_object, true},
-        {massless, ToolMethod::field_sampling, false},
-        {massless, ToolMethod::voxel_sampling, false},
-        {explicit_steps, ToolMethod::voxel_sampling, false},
-        {{}, ToolMethod::implicit_penalty, false}};
-    for (const auto& [settings, method, has_surfaces] : tools) {
+    VoxelToolSettings hurried;
+    hurried.budget_us = 100.0;
+    const auto levels = ContactFinding::levels;
+    const auto fields = ContactFinding::fields;
+    const std::tuple<VoxelToolSettings, ToolMethod, bool, ContactFinding> tools[] = {
+        {{}, ToolMethod::field_sampling, false, fields},
+        {{}, ToolMethod::voxel_sampling, false, fields},
+        {{}, ToolMethod::god_object, false, fields},
+        {{}, ToolMethod::god_object, true, fields},
+        {massless, ToolMethod::field_sampling, false, fields},
+        {massless, ToolMethod::voxel_sampling, false, fields},
+        {explicit_steps, ToolMethod::voxel_sampling, false, fields},
+        {{}, ToolMethod::implicit_penalty, false, fields},
+        {{}, ToolMethod::implicit_penalty, false, levels},
+        {hurried, ToolMethod::implicit_penalty, false, levels}};
+    for (const auto& [settings, method, has_surfaces, contact] : tools) {
         auto channels = std::make_unique<HapticChannels>();
         auto axles = std::make_unique<AxleChannels>();
         channels->axles = axles.get();
         LatestValue<HandTarget> target;
         SimulatedHand hand(SimulatedHandSettings{}, target);
-        HapticLoop loop(make_plan(settings, method, has_surfaces), hand, *channels);
+        HapticLoop loop(make_plan(settings, method, has_surfaces, contact), hand, *channels);
         bool touched = false;
         bool let_go = false;
         const std::uint64_t n = count_allocations([&] {

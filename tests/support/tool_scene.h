@@ -20,6 +20,8 @@ struct ToolScene {
     int n_points = 2000;
     double most_force_N = 5.0;
     bool in_rows = false;  ///< among voxels a point a voxel, as a plan has them
+    ContactFinding contact = ContactFinding::fields;  ///< of implicit_penalty
+    double tolerance = 0.025;                         ///< of contact levels
     VoxelToolSettings settings{};
 };
 
@@ -28,6 +30,23 @@ inline ToolScene make_ball_tool(ToolMethod method = ToolMethod::voxel_sampling) 
     return {.tool = make_sphere(0.02, 12).value(),
             .inertia = make_ball_inertia(0.02, 0.02),
             .method = method};
+}
+
+/// As a plan has them.
+inline LevelOrder make_level_order(const ToolScene& scene, const std::vector<TriangleMesh>& objects,
+                                   double reach_m) {
+    const ContactLevelSettings settings{.within_m =
+                                            compute_contact_distance_m(reach_m, scene.voxel_m)};
+    LevelOrder levels{ContactLevels::create(scene.tool, settings).value(),
+                      std::make_shared<const TriangleClusters>(scene.tool),
+                      {},
+                      {},
+                      scene.tolerance};
+    for (const TriangleMesh& object : objects) {
+        levels.objects.push_back(ContactLevels::create(object, settings).value());
+        levels.object_solids.push_back(std::make_shared<const TriangleClusters>(object));
+    }
+    return levels;
 }
 
 /// Voxels have one layer outwards, so that the tool stays outside.
@@ -47,6 +66,10 @@ inline std::shared_ptr<const ToolPlan> make_tool_of(ToolScene scene,
         }
         return std::make_shared<const ToolPlan>(
             make_god_object_plan(order, GodSurface::create(scene.tool), surfaces));
+    }
+    if (scene.contact == ContactFinding::levels) {
+        return std::make_shared<const ToolPlan>(make_level_tool_plan(
+            order, make_level_order(scene, objects, compute_reach_m(*order.shell))));
     }
     std::vector<std::shared_ptr<const VoxelGrid>> grids;
     std::vector<FieldSampler::Field> fields;

@@ -51,7 +51,10 @@ inline LessonDescription full_description() {
                                   ToolMethod::voxel_sampling,
                                   true,
                                   Integrator::verlet,
-                                  true};
+                                  true,
+                                  ContactFinding::levels,
+                                  0.05,
+                                  150.0};
     d.more_hands = {{Vector3(-0.2, 0.4, 0), 1.5, 2000.0, false, 0, ProxyKind::friction_cone,
                      SphereShape{0.008}, 24}};
     d.more_hands[0].needed = true;

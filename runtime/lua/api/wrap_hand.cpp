@@ -79,7 +79,19 @@ constexpr Parameter kTool[] = {
      "massless",
      "explicit_euler semi_implicit_euler verlet runge_kutta_4 backward_euler"},
     {"rounded", ParameterType::flag, "", 0, 0, "false",
-     "its facets are felt as one even surface, as far as creases of 30 degrees; for god_object"}};
+     "its facets are felt as one even surface, as far as creases of 30 degrees; for god_object"},
+    {"contact", ParameterType::choice, "", 0, 0, "fields",
+     "of implicit_penalty: how it is found where the tool is near a body: points on it by the "
+     "distance to the surface, or its triangles and theirs by levels of detail, as finely as can "
+     "be felt, which take some seconds to make the first time (levels: voxel and points say "
+     "nothing then)",
+     "fields levels"},
+    {"detail", ParameterType::number, "of the tool's size", 0, kMostDetail, "0.025",
+     "of contact = \"levels\": what may be felt as one; 0 is as fine as the meshes, and so is the "
+     "default beside a budget; nothing gets through, however coarse it is"},
+    {"budget", ParameterType::number, "microseconds", 20, 500, "nil",
+     "of contact = \"levels\": how long finding contacts may take in each step of a live run, as "
+     "finely as there is time, and no finer than the detail; half a step by default"}};
 
 CursorShape shape_of(std::string_view name, double radius_m, double length_m) {
     if (name == "ball") {
@@ -127,16 +139,21 @@ void check_tool_size(lua_State* lua, const Arguments& arguments) {
                         "an orbit is a thin line, seen and not felt; give the tool a shape or "
                         "another model");
     }
+    const bool has_levels = arguments["contact"].text == "levels";
+    const bool is_penalty = arguments["method"].text == "implicit_penalty";
     const Clash clashes[] = {
+        {"contact", !is_penalty, "implicit_penalty alone has a choice of contacts"},
+        {"detail", !has_levels, "contact = \"levels\" alone has one"},
+        {"budget", !has_levels, "contact = \"levels\" alone has one"},
+        {"voxel", has_levels, "contact levels know no voxels"},
+        {"points", has_levels, "contact levels know triangles alone"},
         {"radius", has_model && !is_shape_model(model), "a model has its own size"},
         {"length", has_model, "a model has its own size"},
         {"length", !has_model && shape == "ball", "a ball has none"},
         {"mass", arguments["massless"].flag, "it is massless"},
         {"integrator", arguments["massless"].flag, "it is massless, and rests where all balances"},
-        {"integrator", arguments["method"].text == "implicit_penalty",
-         "implicit_penalty is moved on by backward_euler"},
-        {"massless", arguments["method"].text == "implicit_penalty",
-         "implicit_penalty moves a mass"},
+        {"integrator", is_penalty, "implicit_penalty is moved on by backward_euler"},
+        {"massless", is_penalty, "implicit_penalty moves a mass"},
         {"rounded", arguments["method"].text != "god_object",
          "of all methods god_object alone feels facets"}};
     for (const auto& [given, is_clash, because] : clashes) {
@@ -176,6 +193,11 @@ ToolDescription take_tool(lua_State* lua, const Arguments& arguments) {
     tool.massless = arguments["massless"].flag;
     tool.integrator = integrator_of(arguments["integrator"].text);
     tool.rounded = arguments["rounded"].flag;
+    tool.contact =
+        arguments["contact"].text == "levels" ? ContactFinding::levels : ContactFinding::fields;
+    tool.budget_us = arguments["budget"].given ? arguments["budget"].number : 0.0;
+    const bool is_by_time = arguments["budget"].given && !arguments["detail"].given;
+    tool.detail = is_by_time ? 0.0 : arguments["detail"].number;
     return tool;
 }
 

@@ -159,6 +159,9 @@ void tool(Archive& a, Tool& t) {
     a.flag("a massless tool", t.massless);
     a.choice("the tool's integrator", t.integrator, Integrator::backward_euler);
     a.flag("rounded", t.rounded);
+    a.choice("how the tool's contacts are found", t.contact, ContactFinding::levels);
+    a.number("the tool's detail", t.detail, 0.0, kMostDetail);
+    a.number("the tool's budget", t.budget_us, 0.0, 1000.0);
     if constexpr (Archive::kReads) {
         const bool has_shape = !std::holds_alternative<std::monostate>(t.shape);
         if (has_shape != (t.model.empty() || is_shape_model(t.model))) {

@@ -29,6 +29,7 @@ struct Solver {
     ToolMethod method;
     ToolMass mass = ToolMass::massive;
     double round_s = 0.0;  // of the contact thread
+    ContactFinding contact = ContactFinding::fields;
 };
 const std::vector<Solver> kSolvers{
     {"field_sampling", ToolMethod::field_sampling},
@@ -38,6 +39,8 @@ const std::vector<Solver> kSolvers{
     {"implicit_penalty", ToolMethod::implicit_penalty},
     {"implicit_penalty, contact found 100 times a second", ToolMethod::implicit_penalty,
      ToolMass::massive, 0.01},
+    {"implicit_penalty, contact by levels", ToolMethod::implicit_penalty, ToolMass::massive, 0.0,
+     ContactFinding::levels},
     {"god_object", ToolMethod::god_object}};
 
 struct Setting {
@@ -52,6 +55,7 @@ std::unique_ptr<ToolSolver> make_block(const Solver& solver, const Setting& sett
     scene.inertia = make_box_inertia(setting.mass_kg, kEdges_m);
     scene.voxel_m = 0.002;
     scene.in_rows = true;
+    scene.contact = solver.contact;
     scene.settings.mass = solver.mass;
     scene.settings.silent_in_free_space = setting.silent;
     scene.settings.coupling.shift.stiffness_N_per_m = setting.stiffness_N_per_m;

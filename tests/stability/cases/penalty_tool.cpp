@@ -1,6 +1,7 @@
 // A tool held out by clusters of contact (implicit_penalty.h) where that is hardest: a peg wedged by a turn, a plate on a thousand contacts, a
 // sheet between two sheets, a wedge, a bar spun at 20 rad/s in a cage, tools of 1 to 500 g, and a contact thread that stalls for 200 ms. Contact is
-// found by points in fields, and by contact levels of detail (level_contacts.h) with a tolerance of 2.5 %; by these on broken meshes too.
+// found by points in fields, and by contact levels of detail (level_contacts.h) with a tolerance of 2.5 %, both as a plan has them; by these on
+// broken meshes too.
 #include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
 #include "haptics/tool/tool_plan.h"
@@ -47,33 +48,12 @@ std::unique_ptr<ToolSolver> make_by_fields(const TriangleMesh& tool, const Inert
     return make_tool(*test::make_tool_of(make_scene(tool, inertia, voxel_m), objects));
 }
 
-// With what a plan sets by fields.
 std::unique_ptr<ToolSolver> make_by_levels(const TriangleMesh& tool, const Inertia& inertia,
                                            double voxel_m,
                                            const std::vector<TriangleMesh>& objects) {
-    constexpr double kTolerance = 0.025;
-    const double within_m = 0.5 * voxel_m;
-    const double layer_m = 0.25 * within_m;
-    const auto levels = ContactLevels::create(tool, {.within_m = within_m}).value();
-    const double reach_m = levels->reach_m();
-    ImplicitPenaltyPlan plan;
-    for (const TriangleMesh& object : objects) {
-        plan.meshes.push_back({ContactLevels::create(object, {.within_m = within_m}).value(),
-                               levels,
-                               {.tolerance_m = kTolerance * levels->size_m()}});
-    }
-    plan.settings.inertia = inertia;
-    ToolCouplingSettings& coupling = plan.settings.coupling;
-    coupling.shift.stiffness_N_per_m = 500.0;
-    coupling.turn.stiffness_Nm_per_rad = 0.2;
-    coupling.clamp_m = kMost_N / coupling.shift.stiffness_N_per_m;
-    coupling.clamp_rad =
-        std::min(std::numbers::pi, kMost_N * reach_m / coupling.turn.stiffness_Nm_per_rad);
-    plan.settings.contacts.stiffness_N_per_m = 2.0 * kMost_N / layer_m;
-    plan.settings.contacts.within_m = layer_m;
-    plan.settings.clusters.within_m = within_m;
-    plan.settings.clusters.radius_m = std::max(0.3 * reach_m, within_m);
-    return std::make_unique<ImplicitPenaltyTool>(ImplicitPenaltyTool::build(plan).value());
+    test::ToolScene scene = make_scene(tool, inertia, voxel_m);
+    scene.contact = ContactFinding::levels;
+    return make_tool(*test::make_tool_of(scene, objects));
 }
 
 // What a course led to: the worst of its last fifth, in which the hand is still, and of all of it.

@@ -1,9 +1,11 @@
 #include "haptics/levels/hull_pair.h"
 
 #include "haptics/math/rotation.h"
+#include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <rapidcheck.h>
 #include <vector>
 
@@ -113,4 +115,26 @@ TEST_CASE(
     CHECK(outside.gap_m == Approx(2.0));
     CHECK((outside.on_first - Vector3(0.1, 1.0, 0.3)).norm() < kRounding_m);
     CHECK(find_nearest_in_hull({.points = box}, box.front()).gap_m < kRounding_m);
+}
+
+// A long beam's side as it is rounded: corners in a plane but for a billionth, rows of them almost on a line.
+TEST_CASE("hull pair: corners of long, flat hulls are at no distance from them") {
+    Random random(11);
+    for (int round = 0; round < 300; ++round) {
+        std::vector<Vector3> hull;
+        const double wide_m = std::pow(10.0, -1.0 - 3.0 * std::abs(random.uniform()));
+        for (int i = 0; i < 40; ++i) {
+            const double x = 0.5 * random.uniform();
+            // On a long arc, or anywhere below it.
+            const double z = i % 2 == 0 ? wide_m * (1.0 - 4.0 * x * x) : wide_m * random.uniform();
+            hull.emplace_back(x, 1.0e-9 * random.uniform(), z);
+        }
+        for (const Vector3& corner : hull) {
+            REQUIRE(find_nearest_in_hull({.points = hull}, corner).gap_m < kRounding_m);
+        }
+        // As far as it is above them, asked from anywhere.
+        const Vector3 above = hull[0] + Vector3(0.0, 0.01, 0.0);
+        CHECK(find_nearest_in_hull({.points = hull}, above).gap_m ==
+              Approx(0.01).margin(kRounding_m));
+    }
 }

@@ -244,3 +244,44 @@ TEST_CASE("contact clusters: settings outside their ranges are refused") {
         CHECK_FALSE(validate(spoiled));
     }
 }
+
+TEST_CASE("contact clusters: what weighs nothing or is no number changes nothing") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double endless = std::numeric_limits<double>::infinity();
+    const std::vector<NearContact> bad{at(0.03, 0.0, -kPlain.within_m),
+                                       at(0.03, 0.0, -1.0),
+                                       at(0.03, 0.0, nan),
+                                       at(0.03, 0.0, endless),
+                                       at(nan, 0.0, 0.001),
+                                       at(1.0e300, 0.0, 0.001),
+                                       at(0.03, 0.0, 0.001, Vector3::Zero()),
+                                       at(0.03, 0.0, 0.001, Vector3(nan, 1.0, 0.0)),
+                                       at(0.03, 0.0, 0.001, 1.0e200 * Vector3::UnitY())};
+    // Alone none of them is a cluster, at any place of the list.
+    for (const NearContact& one : bad) {
+        ContactClusters clusters(kPlain);
+        for (int i = 0; i < 30; ++i) {
+            clusters.update({&one, 1}, Pose{}, kDt_s);
+            REQUIRE(clusters.all().empty());
+        }
+    }
+    // Among others they are as if they were not there, whatever the time says.
+    std::vector<NearContact> good;
+    add_patch(0.0, 0.0, good, 0.0005);
+    ContactClusters without(kPlain);
+    ContactClusters with(kPlain);
+    for (int i = 0; i < 30; ++i) {
+        std::vector<NearContact> mixed(bad);
+        mixed.insert(mixed.end(), good.begin(), good.end());
+        std::ranges::rotate(mixed, mixed.begin() + i % static_cast<int>(bad.size()));
+        const double dt_s = i == 10 ? nan : i == 20 ? -1.0 : kDt_s;
+        without.update(good, Pose{}, i == 10 || i == 20 ? 0.0 : kDt_s);
+        with.update(mixed, Pose{}, dt_s);
+        REQUIRE(with.all().size() == without.all().size());
+        for (std::size_t j = 0; j < with.all().size(); ++j) {
+            CHECK((with.all()[j].point_T - without.all()[j].point_T).norm() < 1.0e-9);
+            CHECK(with.all()[j].strength == without.all()[j].strength);
+            CHECK(with.all()[j].id == without.all()[j].id);
+        }
+    }
+}

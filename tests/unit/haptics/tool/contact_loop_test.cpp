@@ -1,5 +1,6 @@
 #include "haptics/tool/contact_loop.h"
 
+#include "haptics/base/clock.h"
 #include "haptics/math/rotation.h"
 
 #include <catch2/catch.hpp>
@@ -158,4 +159,88 @@ TEST_CASE("contact loop: what cannot be is refused") {
     CHECK(bench.loop->n_objects() == 3);
     CHECK(bench.loop->reach_m() == Approx(0.01));
     CHECK(bench.loop->memory_bytes() > sizeof(ContactLoop) + 2048 * sizeof(NearContact));
+}
+
+namespace {
+
+// Takes its time, and keeps what it was given.
+class Hurried final : public ContactFinder {
+  public:
+    Hurried(double takes_us, bool is_near, std::vector<double>& given_us)
+        : takes_us_(takes_us), is_near_(is_near), given_us_(given_us) {}
+    void limit(double budget_us) noexcept override { budget_us_ = budget_us; }
+    [[nodiscard]] bool is_cut() const noexcept override { return is_cut_; }
+    void find(const Pose& /*X_OT*/, double /*within_m*/,
+              BoundedList<NearContact>& near) noexcept override {
+        given_us_.push_back(budget_us_);
+        const double until_s = monotonic_now_s() + 1.0e-6 * takes_us_;
+        while (monotonic_now_s() < until_s) {
+        }
+        is_cut_ = budget_us_ > 0.0 && budget_us_ < takes_us_;
+        if (is_near_) {
+            near.add({Vector3::Zero(), Vector3::UnitY(), 0.0});
+        }
+    }
+    [[nodiscard]] double reach_m() const noexcept override { return 0.01; }
+    [[nodiscard]] std::size_t memory_bytes() const noexcept override { return sizeof(*this); }
+
+  private:
+    double takes_us_;
+    bool is_near_;
+    std::vector<double>& given_us_;
+    double budget_us_ = 0.0;
+    bool is_cut_ = false;
+};
+
+}  // namespace
+
+TEST_CASE("contact loop: a budget is shared among those that were near, and none is left unasked") {
+    std::vector<double> given_us;
+    given_us.reserve(64);
+    ContactChannels channels;
+    const auto make = [&](double budget_us) {
+        std::vector<std::unique_ptr<ContactFinder>> finders;
+        for (const bool is_near : {true, false, true}) {
+            finders.push_back(std::make_unique<Hurried>(2000.0, is_near, given_us));
+        }
+        ContactLoopSettings settings;
+        settings.budget_us = budget_us;
+        return ContactLoop::create(std::move(finders), settings, channels).value();
+    };
+    const auto loop = make(1.0e5);
+    for (int i = 1; i <= 2; ++i) {
+        given_us.clear();
+        channels.place.publish(place_at(0.0, 0.001 * i, 3));
+        loop->step(0.0);
+        REQUIRE(channels.model.take());
+    }
+    // 100 ms: half of it for the first of two that are near, then half of what is left, then all of that.
+    REQUIRE(given_us.size() == 3);
+    CHECK(given_us[0] <= 0.5e5);
+    CHECK(given_us[0] > 0.4e5);
+    CHECK(given_us[1] <= 0.5 * 0.98e5);
+    CHECK(given_us[2] <= 0.96e5);
+    CHECK(given_us[2] > given_us[0]);
+    CHECK_FALSE(channels.model.value().is_cut);
+    // One that is over by far: all are asked, and it is told.
+    const auto late = make(100.0);
+    given_us.clear();
+    channels.place.publish(place_at(0.0, 0.003, 3));
+    late->step(0.0);
+    REQUIRE(channels.model.take());
+    CHECK(given_us.size() == 3);
+    CHECK(given_us[2] == 1.0);
+    CHECK(channels.model.value().is_cut);
+    CHECK(channels.model.value().n_near == 2);
+    // Without one nobody is hurried, and no budget below 0 is taken.
+    const auto calm = make(0.0);
+    given_us.clear();
+    channels.place.publish(place_at(0.0, 0.004, 3));
+    calm->step(0.0);
+    CHECK(given_us == std::vector<double>(3, 0.0));
+    ContactLoopSettings bad;
+    bad.budget_us = -1.0;
+    CHECK_FALSE(validate(bad));
+    bad.budget_us = std::numeric_limits<double>::quiet_NaN();
+    CHECK_FALSE(validate(bad));
 }

@@ -188,3 +188,70 @@ TEST_CASE(
     plan.meshes.front().tool = nullptr;
     CHECK_FALSE(ImplicitPenaltyTool::build(plan));
 }
+
+TEST_CASE(
+    "level contacts: one wholly inside the other is enclosed, either way, and nothing else is") {
+    const TriangleMesh small = make_box({0.02, 0.02, 0.02}).value();
+    const TriangleMesh large = make_box({0.2, 0.2, 0.2}).value();
+    const auto clusters = [](const TriangleMesh& mesh) {
+        return std::make_shared<const TriangleClusters>(mesh);
+    };
+    LevelContactsPlan plan{make_levels(large), make_levels(small), {}};
+    const auto silent = LevelContacts::create(plan).value();
+    CHECK_FALSE(silent->is_enclosed(Pose::at({0.01, 0.02, 0.03})));
+    plan.object_solid = clusters(large);
+    plan.tool_solid = clusters(small);
+    const auto inside = LevelContacts::create(plan).value();
+    CHECK(inside->is_enclosed(Pose::at({0.01, 0.02, 0.03})));
+    CHECK_FALSE(inside->is_enclosed(Pose::at({0.0, 0.15, 0.0})));
+    std::swap(plan.object, plan.tool);
+    std::swap(plan.object_solid, plan.tool_solid);
+    const auto round = LevelContacts::create(plan).value();
+    CHECK(round->is_enclosed(Pose::at({0.01, 0.02, 0.03})));
+    CHECK_FALSE(round->is_enclosed(Pose::at({0.0, 0.15, 0.0})));
+    // A tool is told so before it is let in; found by points it knows by its depth.
+    ImplicitPenaltyPlan whole;
+    whole.meshes.push_back(plan);
+    whole.settings.inertia = make_box_inertia(0.05, {0.2, 0.2, 0.2});
+    whole.settings.clusters.within_m = kWithin_m;
+    whole.settings.contacts.within_m = 0.25 * kWithin_m;
+    for (const bool own_rounds : {true, false}) {
+        whole.settings.own_rounds = own_rounds;
+        auto tool = ImplicitPenaltyTool::build(whole).value();
+        const auto is_free_at = [&](double y_m) {
+            const MovingFrame object;
+            tool.place(Pose::at({0.0, y_m, 0.0}));
+            return tool.is_free({&object, 1});
+        };
+        CHECK_FALSE(is_free_at(0.0));
+        CHECK_FALSE(is_free_at(0.11));
+        CHECK_FALSE(is_free_at(0.1101));
+        CHECK(is_free_at(0.1105));
+        CHECK(is_free_at(0.2));
+    }
+}
+
+TEST_CASE("level contacts: the shorter of both budgets counts, and what it cost is said") {
+    const auto bumpy = make_levels(make_bumpy_sphere(0.05, 24, 0.05, 100.0).value());
+    LevelContactsPlan plan{bumpy, bumpy, {}};
+    const Pose X_OT = Pose::at({0.0, 0.099, 0.0});
+    BoundedList<NearContact> near(4096);
+    const auto ask = [&](double own_us, double given_us) {
+        plan.settings.budget_us = own_us;
+        auto finder = LevelContacts::create(plan).value();
+        finder->limit(given_us);
+        near.clear();
+        finder->find(X_OT, kWithin_m, near);
+        return finder->is_cut();
+    };
+    CHECK_FALSE(ask(0.0, 0.0));
+    const std::size_t n_all = near.count();
+    CHECK(ask(1.0e-3, 0.0));
+    CHECK(near.count() > 0);  // coarser, and not nothing
+    CHECK(near.count() <= n_all);
+    CHECK(ask(0.0, 1.0e-3));
+    CHECK(ask(1.0e6, 1.0e-3));
+    CHECK(ask(1.0e-3, 1.0e6));
+    CHECK_FALSE(ask(1.0e6, 1.0e6));
+    CHECK(near.count() == n_all);
+}

@@ -1,5 +1,6 @@
 // What the fuzzer of kept shapes begins with.
 #include "haptics/geometry/shape.h"
+#include "haptics/levels/level_bytes.h"
 #include "haptics/voxel/shape_bytes.h"
 #include "haptics/voxel/voxelise.h"
 
@@ -27,6 +28,9 @@ TEST_CASE("shape bytes: the fuzzer begins with shapes of today's layout") {
                          key)},
         {"voxels", encode(voxelise(box, {.voxel_m = 0.4}).value(), key)},
         {"pointshell", encode(make_surface_pointshell(box, 5).value(), key)},
+        {"levels",
+         encode(*ContactLevels::create(make_sphere(1.0, 1).value(), {.within_m = 0.1}).value(),
+                key)},
         {"solid", encode(MeasuredSolid{compute_solid_moments(box), true}, key)}};
     for (const auto& [name, bytes] : seeds) {
         const std::string path = FULCRUM_SOURCE_DIR "/tests/fuzz/corpus/shape/" + name;

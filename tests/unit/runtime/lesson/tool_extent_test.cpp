@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <numbers>
+#include <vector>
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
@@ -26,12 +27,26 @@ ToolPlan make_plan(bool in_voxels) {
                      : make_field_tool_plan(order, {nullptr}).value();
 }
 
+// The same stick as contact levels.
+ToolPlan make_plan_of_levels() {
+    const TriangleMesh upright = make_cylinder(0.01, 0.3, 48).value();
+    const Quaternion turn(Eigen::AngleAxisd(-0.5 * std::numbers::pi, Vector3::UnitZ()));
+    std::vector<Vector3> vertices = upright.vertices_B();
+    for (Vector3& vertex : vertices) {
+        vertex = turn * vertex;
+    }
+    const auto levels =
+        ContactLevels::create(TriangleMesh::build(vertices, upright.triangles()).value()).value();
+    ToolPlan plan = make_plan(false);
+    plan.objects = std::vector<LevelContactsPlan>{{levels, levels, {}}};
+    return plan;
+}
+
 }  // namespace
 
 TEST_CASE("tool extent: how far a stick reaches from the hand in each direction, turned or not") {
     constexpr double kBetweenPoints_m = 0.003;
-    for (const bool in_voxels : {true, false}) {
-        const ToolPlan plan = make_plan(in_voxels);
+    for (const ToolPlan& plan : {make_plan(true), make_plan(false), make_plan_of_levels()}) {
         const auto extent_m = [&](const Quaternion& turn_W, const Vector3& way) {
             return compute_tool_extent_m(plan, turn_W, way);
         };

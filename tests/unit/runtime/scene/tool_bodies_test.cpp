@@ -89,7 +89,7 @@ TEST_CASE("tool bodies: bodies of one mesh are made once") {
         ShapeCache none{{}};
         std::vector<std::string> told;
         const auto bodies = make_tool_bodies(
-            scene.lesson, *list,
+            scene.lesson, *list, 1.0e-3,
             [&](double /*share*/, std::string_view what) {
                 told.emplace_back(what);
                 return true;

@@ -193,6 +193,23 @@ TEST_CASE("hand: it may hold a tool, of a shape or a model, by a method by name"
     CHECK(tool.method == ToolMethod::voxel_sampling);
     CHECK_FALSE(tool.massless);
     CHECK(tool.integrator == Integrator::verlet);
+    // Contact by levels, by a tolerance or by time.
+    const auto levels_of = [](const std::string& fields) {
+        HostedLesson by;
+        REQUIRE(by.start("world:hand { tool = { method = 'implicit_penalty', " + fields + " } }") ==
+                "");
+        return *by.host->description().hand.tool;
+    };
+    CHECK(levels_of("mass = 0.02").contact == ContactFinding::fields);
+    const ToolDescription usual = levels_of("contact = 'levels'");
+    CHECK(usual.contact == ContactFinding::levels);
+    CHECK(usual.detail == kUsualDetail);
+    CHECK(usual.budget_us == 0.0);
+    CHECK(levels_of("contact = 'levels', detail = 0.1").detail == 0.1);
+    const ToolDescription timed = levels_of("contact = 'levels', budget = 150");
+    CHECK(timed.budget_us == 150.0);
+    CHECK(timed.detail == 0.0);
+    CHECK(levels_of("contact = 'levels', budget = 150, detail = 0.05").detail == 0.05);
     // What is not said is the default; a model is in its own size.
     HostedLesson plain;
     REQUIRE(plain.start("world:hand { tool = { model = 'gear' } }") == "");
@@ -252,7 +269,19 @@ TEST_CASE("hand: mistakes with a tool get one sentence") {
          "integrator is of no use: implicit_penalty is moved on by backward_euler"},
         {"method = 'implicit_penalty', massless = true",
          "massless is of no use: implicit_penalty moves a mass"},
-        {"rounded = true", "rounded is of no use: of all methods god_object alone feels facets"}};
+        {"rounded = true", "rounded is of no use: of all methods god_object alone feels facets"},
+        {"contact = 'levels'",
+         "contact is of no use: implicit_penalty alone has a choice of contacts"},
+        {"method = 'god_object', contact = 'fields'",
+         "contact is of no use: implicit_penalty alone has a choice of contacts"},
+        {"method = 'implicit_penalty', detail = 0.1",
+         "detail is of no use: contact = \"levels\" alone has one"},
+        {"method = 'implicit_penalty', budget = 100",
+         "budget is of no use: contact = \"levels\" alone has one"},
+        {"method = 'implicit_penalty', contact = 'levels', voxel = 0.01",
+         "voxel is of no use: contact levels know no voxels"},
+        {"method = 'implicit_penalty', contact = 'levels', points = 1000",
+         "points is of no use: contact levels know triangles alone"}};
     for (const auto& [fields, because] : useless) {
         CHECK(sentence("world:hand { tool = { " + fields + " } }") ==
               "lesson.lua:2: the tool's " + because + "; leave it out.");
@@ -270,6 +299,13 @@ TEST_CASE("hand: mistakes with a tool get one sentence") {
               .find("\"voxel_sampling\", \"implicit_penalty\" or \"god_object\"") !=
           std::string::npos);
     CHECK(sentence("world:hand { tool = { mass = 5 } }").find("0.005 to 1") != std::string::npos);
+    const std::string by_levels = "world:hand { tool = { method = 'implicit_penalty', ";
+    CHECK(sentence(by_levels + "contact = 'levels', detail = 0.3 } }").find("0 to 0.2") !=
+          std::string::npos);
+    CHECK(sentence(by_levels + "contact = 'levels', budget = 5000 } }").find("20 to 500") !=
+          std::string::npos);
+    CHECK(sentence(by_levels + "contact = 'guessing' } }").find("\"fields\" or \"levels\"") !=
+          std::string::npos);
 }
 
 }  // namespace

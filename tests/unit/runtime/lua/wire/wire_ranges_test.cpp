@@ -86,6 +86,8 @@ std::string beside(const std::string& label) {
         {"body.size", "rigid = true, model = 'box', "},
         {"body.joint", "rigid = true, model = 'box', mass = 1, "},
         {"hand.cursor_size", "cursor = 'capsule', "},
+        {"hand.tool.detail", "method = 'implicit_penalty', contact = 'levels', "},
+        {"hand.tool.budget", "method = 'implicit_penalty', contact = 'levels', "},
         {"material.sliding_friction", "friction = 5, "},
         {"material.texture.size", "image = 'a.png', "},
         {"material.texture.height", "grooves = 0.01, "},

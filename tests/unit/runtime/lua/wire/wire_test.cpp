@@ -58,6 +58,9 @@ TEST_CASE("wire: a description, a reply and a frame come back as they were") {
     CHECK(d->hand.tool->method == ToolMethod::voxel_sampling);
     CHECK(d->hand.tool->massless);
     CHECK(d->hand.tool->integrator == Integrator::verlet);
+    CHECK(d->hand.tool->contact == ContactFinding::levels);
+    CHECK(d->hand.tool->detail == 0.05);
+    CHECK(d->hand.tool->budget_us == 150.0);
     const Bytes reply = bytes_of(full_reply());
     const auto r = decode_reply(body_of(reply), *d);
     REQUIRE(r);
@@ -252,6 +255,9 @@ TEST_CASE("wire: contradictions of a description are found") {
     CHECK_FALSE(taken([](auto& d) { d.hand.tool->voxel_m = -0.001; }));
     CHECK_FALSE(taken([](auto& d) { d.hand.tool->points = -1; }));
     CHECK_FALSE(taken([](auto& d) { d.hand.tool->method = static_cast<ToolMethod>(4); }));
+    CHECK_FALSE(taken([](auto& d) { d.hand.tool->contact = static_cast<ContactFinding>(2); }));
+    CHECK_FALSE(taken([](auto& d) { d.hand.tool->detail = 0.21; }));
+    CHECK_FALSE(taken([](auto& d) { d.hand.tool->budget_us = -1.0; }));
     CHECK_FALSE(taken([](auto& d) { d.hand.tool->integrator = static_cast<Integrator>(5); }));
     CHECK_FALSE(taken([](auto& d) { d.forces[0].field.stiffness_N_per_m = 2001; }));
     CHECK_FALSE(taken([](auto& d) { d.forces[0].field.kind = static_cast<FieldKind>(3); }));

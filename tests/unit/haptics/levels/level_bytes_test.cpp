@@ -1,0 +1,233 @@
+#include "haptics/levels/level_bytes.h"
+
+#include "haptics/geometry/shape.h"
+#include "haptics/levels/level_pairs.h"
+#include "tests/support/gear.h"
+#include "tests/support/hard_meshes.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace fulcrum {
+namespace {
+
+using Levels = std::shared_ptr<const ContactLevels>;
+
+constexpr std::size_t kPayloadAt = 56;
+// Within the payload: what stands before the nodes, and in each of these.
+constexpr std::size_t kCountsAt = 8 + 8 * 8 + 4 * 8 + 2 * 8 + 2 * 4 + 2;
+constexpr std::size_t kNodesAt = kCountsAt + 5 * 8;
+constexpr std::size_t kNodeBytes = 117;
+
+TriangleMesh gear() {
+    return make_gear({}).value();
+}
+
+Levels make_levels(const TriangleMesh& mesh) {
+    return ContactLevels::create(mesh, {.within_m = 1.0e-3}).value();
+}
+
+Digest key_of_levels(const TriangleMesh& mesh) {
+    return compute_shape_key(ShapeKind::contact_levels, mesh, std::vector<double>{1.0e-3});
+}
+
+// Changed, and its checksum put right.
+template <class T>
+Bytes with_mended(const Bytes& bytes, std::size_t at, T value) {
+    Bytes changed = bytes;
+    std::memcpy(changed.data() + at, &value, sizeof value);
+    const std::size_t end = changed.size() - sizeof(Digest);
+    const Digest checksum = compute_sha256(std::span(changed).first(end));
+    std::memcpy(changed.data() + end, checksum.data(), sizeof checksum);
+    return changed;
+}
+
+template <class T>
+T number_at(const Bytes& bytes, std::size_t at) {
+    T number{};
+    std::memcpy(&number, bytes.data() + at, sizeof number);
+    return number;
+}
+
+// Two balls, one with more corners than are asked one by one; a gear; what is broken.
+std::vector<TriangleMesh> meshes() {
+    return {make_box(Vector3(0.06, 0.04, 0.02)).value(),
+            make_sphere(0.05, 12).value(),
+            gear(),
+            make_messy(gear(), 0.0).value(),
+            make_cracked(gear(), 1.0e-4, 3, 0.0).value(),
+            make_t_junctions(make_sphere(0.05, 6).value()).value()};
+}
+
+TEST_CASE("level bytes: what was kept answers every question as what was made, to the bit") {
+    std::size_t n_contacts = 0;
+    for (const TriangleMesh& mesh : meshes()) {
+        const Levels made = make_levels(mesh);
+        const Digest key = key_of_levels(mesh);
+        const Bytes bytes = encode(*made, key);
+        CHECK(bytes.size() == count_bytes(*made));
+        const auto back = decode_contact_levels(bytes, key);
+        REQUIRE(back);
+        CHECK(encode(**back, key) == bytes);
+        CHECK(can_be_of(**back, mesh));
+        CHECK((*back)->n_levels() == made->n_levels());
+        CHECK((*back)->n_pieces() == made->n_pieces());
+        CHECK((*back)->size_m() == made->size_m());
+        CHECK((*back)->reach_m() == made->reach_m());
+        CHECK(to_sentence((*back)->report()) == to_sentence(made->report()));
+        const auto own = LevelPairs::create(made, made, {.tolerance_m = 1.0e-3}).value();
+        const auto kept = LevelPairs::create(*back, *back, {.tolerance_m = 1.0e-3}).value();
+        Random random(5);
+        for (int i = 0; i < 20; ++i) {
+            const Pose X_OT{made->reach_m() * random.direction(), random.turn(3.0)};
+            own->find(X_OT, 1.0e-3);
+            kept->find(X_OT, 1.0e-3);
+            REQUIRE(own->contacts().size() == kept->contacts().size());
+            n_contacts += own->contacts().size();
+            for (std::size_t k = 0; k < own->contacts().size(); ++k) {
+                REQUIRE(own->contacts()[k].point_O == kept->contacts()[k].point_O);
+                REQUIRE(own->contacts()[k].depth_m == kept->contacts()[k].depth_m);
+                REQUIRE(own->contacts()[k].normal_O == kept->contacts()[k].normal_O);
+            }
+        }
+    }
+    CHECK(n_contacts > 1000);
+}
+
+TEST_CASE("level bytes: what is cut off, longer, changed, or of another mesh is refused") {
+    const TriangleMesh box = make_box(Vector3(0.06, 0.04, 0.02)).value();
+    const Digest key = key_of_levels(box);
+    const Bytes bytes = encode(*make_levels(box), key);
+    for (std::size_t n = 0; n < bytes.size(); ++n) {
+        REQUIRE_FALSE(decode_contact_levels(std::span(bytes).first(n), key));
+        Bytes flipped = bytes;
+        flipped[n] ^= std::byte{16};
+        REQUIRE_FALSE(decode_contact_levels(flipped, key));
+    }
+    Bytes longer = bytes;
+    longer.push_back(std::byte{0});
+    CHECK_FALSE(decode_contact_levels(longer, key));
+    CHECK_FALSE(decode_contact_levels(bytes, key_of_levels(gear())));
+    CHECK_FALSE(decode_pointshell(bytes, key));
+    // Whole, under its key, and not round this mesh.
+    const TriangleMesh shifted = make_box(Vector3(0.06, 0.041, 0.02)).value();
+    const auto back = decode_contact_levels(bytes, key);
+    REQUIRE(back);
+    CHECK(can_be_of(**back, box));
+    CHECK_FALSE(can_be_of(**back, shifted));
+    CHECK_FALSE(can_be_of(**back, gear()));
+}
+
+TEST_CASE("level bytes: levels that no maker makes are refused, their checksum right or not") {
+    const TriangleMesh mesh = gear();
+    const Levels made = make_levels(mesh);
+    const Digest key = key_of_levels(mesh);
+    const Bytes bytes = encode(*made, key);
+    const std::size_t n_nodes = made->nodes().size();
+    const std::size_t nodes_at = kPayloadAt + kNodesAt;
+    const std::size_t spans_at = nodes_at + n_nodes * kNodeBytes;
+    const auto refuses = [&](std::size_t at, auto value) {
+        return !decode_contact_levels(with_mended(bytes, at, value), key);
+    };
+    // The places are those of the layout.
+    REQUIRE(number_at<std::uint64_t>(bytes, kPayloadAt + kCountsAt) == n_nodes);
+    REQUIRE(number_at<std::int32_t>(bytes, nodes_at) == made->node(0).first_child);
+    REQUIRE(number_at<double>(bytes, nodes_at + 36) == made->node(0).radius_m);
+    REQUIRE(number_at<std::int32_t>(bytes, spans_at + 4) ==
+            static_cast<std::int32_t>(made->hull(0).points.size()));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double endless = std::numeric_limits<double>::infinity();
+    for (const double wrong : {nan, endless, -1.0, 0.0}) {
+        CHECK(refuses(kPayloadAt, wrong));                   // d
+        CHECK(refuses(kPayloadAt + kCountsAt - 26, wrong));  // size
+        CHECK(refuses(kPayloadAt + kCountsAt - 18, wrong));  // reach
+    }
+    CHECK(refuses(kPayloadAt + 8, std::int64_t{-1}));              // triangles of the report
+    CHECK(refuses(kPayloadAt + kCountsAt - 10, std::int32_t{0}));  // levels
+    CHECK(refuses(kPayloadAt + kCountsAt - 10, std::int32_t{2147483647}));
+    CHECK(refuses(kPayloadAt + kCountsAt - 6, made->n_pieces() + 1));
+    CHECK(refuses(kPayloadAt + kCountsAt - 1, std::uint8_t{2}));
+    for (std::size_t list = 0; list < 5; ++list) {
+        for (const std::uint64_t n :
+             {std::uint64_t{0}, std::uint64_t{1} << 60U, ~std::uint64_t{0}}) {
+            const std::size_t at = kPayloadAt + kCountsAt + 8 * list;
+            CHECK((number_at<std::uint64_t>(bytes, at) == n || refuses(at, n)));
+        }
+    }
+    // A node that is its own child, one of nobody, one of two, before its parent, or of more than there are.
+    for (const std::int32_t first : {-1, 0, made->node(0).first_child + 1, 2147483647}) {
+        CHECK(refuses(nodes_at, first));
+    }
+    for (const std::int32_t n : {-1, 0, made->node(0).n_children + 1, 2147483647}) {
+        CHECK(refuses(nodes_at + 4, n));
+    }
+    CHECK(refuses(nodes_at + 8, std::int32_t{-1}));
+    CHECK(refuses(nodes_at + 8, std::int32_t{1000}));
+    for (std::size_t number = 0; number < 13; ++number) {
+        CHECK(refuses(nodes_at + 12 + 8 * number, nan));
+        CHECK(refuses(nodes_at + 12 + 8 * number, -1.0e40));
+    }
+    for (const std::size_t finite : {std::size_t{0}, std::size_t{3}, std::size_t{4}, std::size_t{5},
+                                     std::size_t{7}, std::size_t{9}, std::size_t{12}}) {
+        CHECK(refuses(nodes_at + 12 + 8 * finite, endless));
+    }
+    CHECK(refuses(nodes_at + 116, std::uint8_t{2}));
+    // Hulls of no point, or of points and triangles that are not there.
+    for (const std::int32_t n : {0, -1, 2147483647}) {
+        CHECK(refuses(spans_at + 4, n));
+    }
+    CHECK(refuses(spans_at, std::int32_t{-1}));
+    CHECK(refuses(spans_at + 8 * n_nodes, std::int32_t{-1}));
+    CHECK(refuses(spans_at + 16 * n_nodes, std::int32_t{-1}));
+    CHECK(refuses(spans_at + 24 * n_nodes, nan));  // a point
+    CHECK(refuses(spans_at + 24 * n_nodes, 1.0e300));
+    CHECK(refuses(bytes.size() - 36, std::int32_t{-1}));  // a triangle
+    CHECK(refuses(bytes.size() - 36, std::int32_t{1 << 30}));
+    // And what is within its range is taken.
+    CHECK_FALSE(refuses(nodes_at + 12 + 8 * 5, 1.0e-3));
+}
+
+TEST_CASE("level bytes: hulls that leave out what lies below them are not those of the mesh") {
+    const TriangleMesh ball = make_sphere(0.05, 12).value();
+    const TriangleMesh mesh = gear();
+    const Levels made = make_levels(mesh);
+    const Digest key = key_of_levels(mesh);
+    const Bytes bytes = encode(*made, key);
+    const std::size_t spans_at = kPayloadAt + kNodesAt + made->nodes().size() * kNodeBytes;
+    const auto fits = [&](const Bytes& changed) {
+        const auto back = decode_contact_levels(changed, key);
+        return back && can_be_of(**back, mesh);
+    };
+    CHECK(fits(bytes));
+    // The root has one corner less, or has it elsewhere; its sphere is smaller.
+    CHECK_FALSE(fits(with_mended(bytes, spans_at + 4,
+                                 static_cast<std::int32_t>(made->hull(0).points.size() - 1))));
+    CHECK_FALSE(fits(with_mended(bytes, spans_at + 24 * made->nodes().size(), 0.0)));
+    CHECK_FALSE(fits(with_mended(bytes, kPayloadAt + kNodesAt + 36, 0.01)));
+    // A corner's neighbour that it has not.
+    const Levels many = make_levels(ball);
+    REQUIRE(many->hull(0).first_link.size() > kClimbFrom);
+    const Bytes linked = encode(*many, key);
+    const std::size_t n_links = number_at<std::uint64_t>(linked, kPayloadAt + kCountsAt + 24);
+    const std::size_t n_triangles = number_at<std::uint64_t>(linked, kPayloadAt + kCountsAt + 32);
+    const std::size_t links_at = linked.size() - 32 - 4 * (n_links + n_triangles);
+    const auto links_to = [&](std::int32_t corner) {
+        return decode_contact_levels(with_mended(linked, links_at, corner), key).has_value();
+    };
+    CHECK(links_to(0));
+    CHECK_FALSE(links_to(-1));
+    CHECK_FALSE(links_to(static_cast<std::int32_t>(many->hull(0).points.size())));
+    CHECK_FALSE(
+        decode_contact_levels(with_mended(linked, links_at - 4, std::int32_t{2147483647}), key));
+}
+
+}  // namespace
+}  // namespace fulcrum
