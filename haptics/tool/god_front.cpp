@@ -15,6 +15,7 @@ constexpr double kFrameError = 2.0e-6;  // of a box's size: its axes are single 
 constexpr std::size_t kBlock = 32;      // places
 constexpr std::size_t kTidied = 256;    // places of two, each time, and parents
 constexpr std::size_t kTried = 16;
+constexpr int kMostInVain = 6;  // after so many each time twice as many are left out
 // Two trees of 2^31 triangles, a pair waiting at each step down.
 constexpr int kDeep = 512;
 
@@ -188,7 +189,7 @@ double GodFront::turn_triangles(Pair& pair, const GodPlace& place, double best_m
     return best_m;
 }
 
-void GodFront::aim(std::int32_t i, const GodPlace& place) noexcept {
+double GodFront::aim(std::int32_t i, const GodPlace& place) noexcept {
     GodNear& near = at(i).near;
     const Triangle held = object_->triangle(near.object_triangle);
     const NearFeatures features =
@@ -197,6 +198,19 @@ void GodFront::aim(std::int32_t i, const GodPlace& place) noexcept {
         near.direction_O = (features.on_moving - features.on_fixed) / features.distance_m;
         near.level_m = find_highest_m(held, near.direction_O);
     }
+    return features.distance_m;
+}
+
+void GodFront::aim_at_times(std::int32_t i, const GodPlace& place, double within_m) noexcept {
+    Pair& pair = at(i);
+    if (pair.waits > 0) {
+        --pair.waits;
+        return;
+    }
+    const bool is_near = aim(i, place) <= within_m;
+    pair.in_vain = is_near ? static_cast<std::uint8_t>(std::min(pair.in_vain + 1, kMostInVain))
+                           : std::uint8_t{0};
+    pair.waits = static_cast<std::uint8_t>((1U << pair.in_vain) - 1U);
 }
 
 bool GodFront::split(std::int32_t i, const GodPlace& place) noexcept {
@@ -242,7 +256,8 @@ GodLook GodFront::look_at(std::int32_t top, const GodPlace& place, double reach_
         Pair& pair = at(i);
         double apart_m = find_apart_m(pair, place);
         if (apart_m <= reach_m && pair.is_triangles) {
-            apart_m = turn_triangles(pair, place, apart_m);
+            // What was aimed in vain of late lies as near as it seems.
+            apart_m = pair.waits > 0 ? apart_m : turn_triangles(pair, place, apart_m);
         } else if (apart_m <= reach_m) {
             apart_m = turn_boxes(pair, place);
             if (apart_m <= reach_m) {

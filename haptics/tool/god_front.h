@@ -7,7 +7,7 @@
 //   distance >= apart - way
 // apart as it was when the pair was last looked at, way all that any point of the tool can have gone since. So a step asks only those pairs whose
 // distance may be used up: first along the direction they have (10 ns), and where that does not do, along others; then the larger node
-// is split. Of two pairs that come far apart together their parent is put back. A tool that slides on a surface asks
+// is split. Triangles that lie on each other no direction keeps apart: they are asked for a better one ever more rarely. Of two pairs that come far apart together their parent is put back. A tool that slides on a surface asks
 // for some hundred of them a step, however fine the meshes are.
 //
 // Thread: the tool's. No allocation after it was built.
@@ -77,8 +77,10 @@ class GodFront {
     [[nodiscard]] const GodNear& pair(std::int32_t i) const noexcept {
         return pairs_[static_cast<std::size_t>(i)].near;
     }
-    /// The pair takes the direction between its nearest features there; where they touch it keeps what it has.
-    void aim(std::int32_t i, const GodPlace& place) noexcept;
+    /// The pair takes the direction between its nearest features there, where they touch it keeps what it has; how far they are.
+    double aim(std::int32_t i, const GodPlace& place) noexcept;
+    /// Likewise, but where they were found within `within_m` ever more rarely: no direction keeps those apart.
+    void aim_at_times(std::int32_t i, const GodPlace& place, double within_m) noexcept;
     /// Puts parents back where their children are farther apart than that; a few of them, others each time. For the place of the last look, whose
     /// pairs are no longer told then.
     void tidy(const GodPlace& place, double far_m) noexcept;
@@ -95,6 +97,8 @@ class GodFront {
         std::int32_t parent = -1;
         std::int32_t first_child = -1;  // the other one follows it; -1: on the front
         bool is_triangles = false;
+        std::uint8_t in_vain = 0;  // how often it was aimed
+        std::uint8_t waits = 0;    // so often it is not
     };
     [[nodiscard]] Pair& at(std::int32_t i) noexcept { return pairs_[static_cast<std::size_t>(i)]; }
     [[nodiscard]] double due(std::int32_t i) const noexcept {

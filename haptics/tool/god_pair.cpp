@@ -53,19 +53,6 @@ GodPair::GodPair(std::shared_ptr<const GodSurface> object, std::shared_ptr<const
       places_(std::bit_ceil(2U * static_cast<std::size_t>(most_contacts))),
       least_gap_m_(std::numeric_limits<double>::infinity()) {}
 
-bool GodPair::carries(const GodNear& near, const NearFeatures& features) const noexcept {
-    switch (features.pair) {
-        case FeaturePair::face_vertex:
-            return tool_->carries_corner(near.tool_triangle, features.moving_feature);
-        case FeaturePair::vertex_face:
-            return object_->carries_corner(near.object_triangle, features.fixed_feature);
-        case FeaturePair::edge_edge:
-            break;
-    }
-    return object_->carries_edge(near.object_triangle, features.fixed_feature) &&
-           tool_->carries_edge(near.tool_triangle, features.moving_feature);
-}
-
 double GodPair::find_rise_m(const GodNear& near, const NearFeatures& features,
                             const Vector3& normal_O, const Pose& X_OT) const noexcept {
     const double epsilon = std::max(
@@ -112,11 +99,7 @@ bool GodPair::add_all_of(const GodNear& near, const GodPlace& place, double with
     const Triangle object = object_->swept().triangle(near.object_triangle);
     const Triangle tool = place.corners(own);
     const auto offer = [&](FeaturePair pair, std::uint8_t i, std::uint8_t j) {
-        NearFeatures found{.pair = pair, .fixed_feature = i, .moving_feature = j};
-        if (!carries(near, found)) {
-            return;
-        }
-        found = find_nearest_of(pair, i, j, object, tool);
+        const NearFeatures found = find_nearest_of(pair, i, j, object, tool);
         if (!(found.distance_m > 0.0 && found.distance_m <= within_m)) {
             return;
         }
@@ -129,11 +112,20 @@ bool GodPair::add_all_of(const GodNear& near, const GodPlace& place, double with
                  near.object_triangle, near.tool_triangle});
         }
     };
+    // Each corner and each edge once: of all triangles that have it one asks.
+    const unsigned object_edges = object_->own_edges(near.object_triangle);
+    const unsigned tool_edges = tool_->own_edges(near.tool_triangle);
     for (std::uint8_t i = 0; i < 3; ++i) {
-        offer(FeaturePair::face_vertex, 0, i);
-        offer(FeaturePair::vertex_face, i, 0);
-        for (std::uint8_t j = 0; j < 3; ++j) {
-            offer(FeaturePair::edge_edge, i, j);
+        if ((tool_->own_corners(near.tool_triangle) >> i & 1U) != 0) {
+            offer(FeaturePair::face_vertex, 0, i);
+        }
+        if ((object_->own_corners(near.object_triangle) >> i & 1U) != 0) {
+            offer(FeaturePair::vertex_face, i, 0);
+        }
+        for (std::uint8_t j = 0; j < 3 && (object_edges >> i & 1U) != 0; ++j) {
+            if ((tool_edges >> j & 1U) != 0) {
+                offer(FeaturePair::edge_edge, i, j);
+            }
         }
     }
     return is_near;
@@ -149,7 +141,7 @@ void GodPair::collect(const Pose& X_OT, double within_m) noexcept {
     n_held_ = front_.near().size();
     for (const std::int32_t i : front_.near()) {
         if (!add_all_of(front_.pair(i), place, within_m)) {
-            front_.aim(i, place);  // not to be asked again
+            front_.aim_at_times(i, place, within_m);  // not to be asked again
         }
     }
     if (!is_full_) {

@@ -91,8 +91,6 @@ class GodPair {
     // Of a surface, where these two features are nearest.
     [[nodiscard]] double find_rise_m(const GodNear& near, const NearFeatures& features,
                                      const Vector3& normal_O, const Pose& X_OT) const noexcept;
-    // May they touch what no others do?
-    [[nodiscard]] bool carries(const GodNear& near, const NearFeatures& features) const noexcept;
 
     std::shared_ptr<const GodSurface> object_;
     std::shared_ptr<const GodSurface> tool_;

@@ -29,6 +29,7 @@ double square_from_line(const Vector3& at, const Vector3& a, const Vector3& alon
 GodSurface::GodSurface(const TriangleMesh& mesh) : swept_(SweptMesh::create(mesh)) {
     number_places(mesh);
     list_edges();
+    share_out();
 }
 
 std::shared_ptr<const GodSurface> GodSurface::create(const TriangleMesh& mesh) {
@@ -116,6 +117,24 @@ void GodSurface::list_edges() {
     }
 }
 
+void GodSurface::share_out() {
+    own_.assign(triangles_.size(), 0);
+    std::vector<bool> corner_taken(places_B_.size(), false);
+    std::vector<bool> edge_taken(edge_carries_.size(), false);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto corner = static_cast<std::size_t>(triangles_[t][k]);
+            const auto edge = static_cast<std::size_t>(edges_of_[t][k]);
+            const bool owns_corner = corner_carries_[corner] && !corner_taken[corner];
+            const bool owns_edge = edge_carries_[edge] && !edge_taken[edge];
+            corner_taken[corner] = true;
+            edge_taken[edge] = true;
+            own_[t] = static_cast<std::uint8_t>(own_[t] | (owns_corner ? 1U << k : 0U) |
+                                                (owns_edge ? 1U << (kEdgeBit + k) : 0U));
+        }
+    }
+}
+
 double GodSurface::find_rise_m(std::span<const std::int32_t> places, const Vector3& at_B,
                                const Vector3& direction_B, double epsilon) const noexcept {
     double most_m = 0.0;
@@ -191,7 +210,7 @@ std::size_t GodSurface::memory_bytes() const noexcept {
     return swept_->memory_bytes() + places_B_.capacity() * sizeof(Vector3) +
            (triangles_.capacity() + edges_of_.capacity()) * sizeof(TriangleCorners) +
            bytes_of(wings_) + bytes_of(rings_) +
-           (corner_carries_.capacity() + edge_carries_.capacity()) / 8;
+           (corner_carries_.capacity() + edge_carries_.capacity()) / 8 + own_.capacity();
 }
 
 }  // namespace fulcrum

@@ -8,7 +8,7 @@
 // other features do not: they are left out. Which side is the front is not asked, and corners at one place are one: so cracks, flipped and
 // loose triangles only add features.
 //
-// Thread: build at load; questions from any thread. Cost: O(n log n); 40 bytes a triangle beside the swept mesh's.
+// Thread: build at load; questions from any thread. Cost: O(n log n); 41 bytes a triangle beside the swept mesh's.
 // Source: the local minima of distance: D. Johnson, E. Cohen 2001, Spatialized normal cone hierarchies, ACM I3D, section 3.
 #pragma once
 
@@ -33,6 +33,14 @@ class GodSurface {
     [[nodiscard]] bool carries_edge(std::int32_t triangle, std::size_t edge) const noexcept {
         return edge_carries_[edge_of(triangle, edge)];
     }
+    /// Those of its corners and edges that carry and that no triangle before it has, a bit each: who asks all triangles that are near asks each
+    /// feature once.
+    [[nodiscard]] unsigned own_corners(std::int32_t triangle) const noexcept {
+        return own_[static_cast<std::size_t>(triangle)] & kCorners;
+    }
+    [[nodiscard]] unsigned own_edges(std::int32_t triangle) const noexcept {
+        return static_cast<unsigned>(own_[static_cast<std::size_t>(triangle)]) >> kEdgeBit;
+    }
     /// How far the surface round a place of the triangle, on its border or inside it, rises along a direction, metres; 0: it falls away.
     [[nodiscard]] double find_rise_m(std::int32_t triangle, const Vector3& at_B,
                                      const Vector3& direction_B, double epsilon) const noexcept;
@@ -47,6 +55,7 @@ class GodSurface {
     explicit GodSurface(const TriangleMesh& mesh);
     void number_places(const TriangleMesh& mesh);
     void list_edges();
+    void share_out();
     [[nodiscard]] bool is_flat(std::int32_t low, std::int32_t high,
                                std::span<const std::int32_t> wings) const;
     [[nodiscard]] std::size_t place_of(std::int32_t triangle, std::size_t corner) const noexcept {
@@ -76,6 +85,10 @@ class GodSurface {
     Lists rings_;                             // of a place: the other ends of its edges
     std::vector<bool> corner_carries_;        // of a place
     std::vector<bool> edge_carries_;
+    static constexpr unsigned kCorners = 7;
+    static constexpr unsigned kEdgeBit = 3;
+    std::vector<std::uint8_t>
+        own_;                // of a triangle: its own corners, and from the fourth bit on edges
     bool is_closed_ = true;  // every edge has two triangles
 };
 

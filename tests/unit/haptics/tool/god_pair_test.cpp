@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace fulcrum {
 namespace {
@@ -49,6 +50,99 @@ TEST_CASE("god pair: over the border of a plate the tool is held along the line 
     for (const GodContact& contact : pair.contacts()) {
         CHECK((contact.normal_O - off.normalized()).norm() < 1.0e-8);
     }
+}
+
+// What all features of all triangles say, each pair of them.
+std::vector<GodContact> find_all(const GodPair& pair, const Pose& X_OT, double within_m) {
+    std::vector<GodContact> all;
+    const GodSurface& object = pair.object();
+    const GodSurface& tool = pair.tool();
+    const GodPlace place = GodPlace::of(object.swept(), tool.swept(), X_OT);
+    const auto offer = [&](FeaturePair kind, std::int32_t i, std::int32_t j, std::uint8_t a,
+                           std::uint8_t b) {
+        const NearFeatures found = find_nearest_of(kind, a, b, object.swept().triangle(i),
+                                                   place.corners(tool.swept().triangle(j)));
+        if (!(found.distance_m > 0.0 && found.distance_m <= within_m)) {
+            return;
+        }
+        const Vector3 normal_O = (found.on_moving - found.on_fixed) / found.distance_m;
+        const Pose X_TO = X_OT.inverse();
+        const double epsilon = std::max(1.0e-8, 1.0e-15 / found.distance_m);
+        const double rise_m = std::max(
+            object.find_rise_m(i, found.on_fixed, normal_O, epsilon),
+            tool.find_rise_m(j, X_TO * found.on_moving, -(X_TO.orientation * normal_O), epsilon));
+        const bool is_known = std::ranges::any_of(all, [&](const GodContact& each) {
+            return (each.on_tool_O - found.on_moving).norm() < 2.0e-9 &&
+                   (each.normal_O - normal_O).norm() < 2.0e-7;
+        });
+        if (rise_m <= within_m && !is_known) {
+            all.push_back({found.on_fixed, found.on_moving, normal_O, found.distance_m, rise_m});
+        }
+    };
+    for (std::int32_t i = 0; i < object.swept().n_triangles(); ++i) {
+        for (std::int32_t j = 0; j < tool.swept().n_triangles(); ++j) {
+            const auto distance_m = find_nearest_features(object.swept().triangle(i),
+                                                          place.corners(tool.swept().triangle(j)))
+                                        .distance_m;
+            if (distance_m > within_m) {
+                continue;
+            }
+            for (std::uint8_t a = 0; a < 3; ++a) {
+                if (tool.carries_corner(j, a)) {
+                    offer(FeaturePair::face_vertex, i, j, 0, a);
+                }
+                if (object.carries_corner(i, a)) {
+                    offer(FeaturePair::vertex_face, i, j, a, 0);
+                }
+                for (std::uint8_t b = 0; b < 3; ++b) {
+                    if (object.carries_edge(i, a) && tool.carries_edge(j, b)) {
+                        offer(FeaturePair::edge_edge, i, j, a, b);
+                    }
+                }
+            }
+        }
+    }
+    return all;
+}
+
+TEST_CASE(
+    "god pair: its contacts are those of all features of all triangles, each asked once, however "
+    "often it looked before") {
+    const bool is_flat = GENERATE(false, true);
+    const TriangleMesh object = is_flat ? make_plate(0.06, 0.06, 6).value()
+                                        : make_bumpy_sphere(0.05, 5, 0.15, 90.0).value();
+    const TriangleMesh tool = is_flat ? make_cylinder(0.01, 0.02, 24).value()
+                                      : make_bumpy_sphere(0.03, 4, 0.2, 120.0).value();
+    GodPair pair = make_pair(object, tool, 4096);
+    Random random(9);
+    std::size_t n_found = 0;
+    Pose at = is_flat ? Pose::at({0.003, 0.010002, 0.001}) : Pose::at({0.0, 0.083, 0.0});
+    for (int k = 0; k < 40; ++k) {
+        const double within_m = is_flat ? 4.0e-6 : 2.0e-4 * (1 + k % 40);
+        if (is_flat) {
+            at.position += 5.0e-4 * Vector3(random.in_cube().x(), 0.0, random.in_cube().z());
+            at.orientation = compute_exp(Vector3(0.0, 0.02 * k, 0.0));
+        } else {
+            at.position += 2.0e-4 * random.in_cube();
+            at.orientation = compute_exp(0.02 * random.in_cube()) * at.orientation;
+        }
+        // The same place again and again, and then another: what was looked at in vain is found all the same.
+        for (int again = 0; again <= k % 3; ++again) {
+            pair.collect(at, within_m);
+        }
+        const std::vector<GodContact> all = find_all(pair, at, within_m);
+        n_found += all.size();
+        CAPTURE(k, within_m, is_flat);
+        REQUIRE(pair.contacts().size() == all.size());
+        for (const GodContact& contact : all) {
+            REQUIRE(std::ranges::any_of(pair.contacts(), [&](const GodContact& each) {
+                return (each.on_tool_O - contact.on_tool_O).norm() < 2.0e-9 &&
+                       (each.normal_O - contact.normal_O).norm() < 2.0e-7 &&
+                       std::abs(each.gap_m - contact.gap_m) < 1.0e-12;
+            }));
+        }
+    }
+    CHECK(n_found > 40);
 }
 
 TEST_CASE(

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace fulcrum {
 namespace {
@@ -94,6 +96,44 @@ TEST_CASE(
     }
     CHECK(n_carrying >= 36);
     CHECK(messy->memory_bytes() > whole->memory_bytes());
+}
+
+TEST_CASE(
+    "god surface: each corner and each edge that touches is one triangle's own, of sound meshes "
+    "and "
+    "of messy ones") {
+    const TriangleMesh ball = make_bumpy_sphere(0.1, 6, 0.1, 5.0).value();
+    for (const TriangleMesh& mesh :
+         {ball, make_box({0.1, 0.2, 0.3}).value(), make_plate(0.2, 0.2, 4).value(),
+          make_messy(make_box({0.1, 0.2, 0.3}).value(), 0.0).value()}) {
+        const auto surface = GodSurface::create(mesh);
+        const auto key = [](const Vector3& v) { return std::tuple(v.x(), v.y(), v.z()); };
+        std::map<std::tuple<double, double, double>, int> corners;
+        std::map<std::tuple<double, double, double>, int> edges;
+        for (std::int32_t i = 0; i < surface->swept().n_triangles(); ++i) {
+            const Triangle t = surface->swept().triangle(i);
+            for (std::size_t k = 0; k < 3; ++k) {
+                // The sum of an edge's ends is the same from both sides.
+                const Vector3 middle = t[k] + t[(k + 1) % 3];
+                const bool owns_corner = (surface->own_corners(i) >> k & 1U) != 0;
+                const bool owns_edge = (surface->own_edges(i) >> k & 1U) != 0;
+                if (surface->carries_corner(i, k)) {
+                    corners[key(t[k])] += owns_corner ? 1 : 0;
+                } else {
+                    CHECK_FALSE(owns_corner);
+                }
+                if (surface->carries_edge(i, k)) {
+                    edges[key(middle)] += owns_edge ? 1 : 0;
+                } else {
+                    CHECK_FALSE(owns_edge);
+                }
+            }
+        }
+        CHECK(corners.size() >= 8);
+        CHECK(edges.size() >= 12);
+        CHECK(std::ranges::all_of(corners, [](const auto& each) { return each.second == 1; }));
+        CHECK(std::ranges::all_of(edges, [](const auto& each) { return each.second == 1; }));
+    }
 }
 
 TEST_CASE(
