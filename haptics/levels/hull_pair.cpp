@@ -234,7 +234,6 @@ HullPair search(const Vector3& start, double enough_m, const FindFirst& find_fir
     constexpr double kMeet = 1.0e-13;   // of the difference's size: no distance
     constexpr double kSure = 1.0e-8;    // likewise: what rounding alone leaves open
     BlendedSimplex simplex;
-    BlendedSimplex whole;  // before it was reduced
     bool is_careful = false;
     HullPair pair;
     Vector3 v = start;
@@ -271,15 +270,13 @@ HullPair search(const Vector3& start, double enough_m, const FindFirst& find_fir
             if (is_found || is_careful || length_m - bound_m <= kSure * size_m) {
                 break;
             }
-            // Slivers misled it: back to before, and on with care.
+            // Slivers misled it: on with care, from what is left.
             is_careful = true;
-            simplex = whole;
             v = simplex.reduce_carefully();
             last_m = std::numeric_limits<double>::infinity();
             continue;
         }
         last_m = is_point_of_it ? length_m : last_m;
-        whole = simplex;
         v = is_careful ? simplex.reduce_carefully() : simplex.reduce();
         if (simplex.holds_origin()) {
             simplex.tell(pair);

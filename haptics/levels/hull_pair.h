@@ -7,8 +7,8 @@
 // and the search ends where both agree, or where the bound from below already says "farther than asked for". The nearest points are the same
 // blend of the simplex's a and b that gives v. A small hull is asked point by point; a large one by climbing from corner to neighbour,
 // which on a convex body ends at the farthest.
-// Slivers, such as corners of a long flat side make, may mislead the nearest point by regions: where the search gets stuck, or finds a corner that it
-// has, and both bounds are apart, it goes on with the nearest of all the simplex's parts, one by one.
+// Slivers, such as corners of a long flat side make, may mislead the nearest point by regions: where the search gets stuck, or finds a corner that
+// it has, and both bounds are apart, it goes on with the nearest of all the simplex's parts, one by one.
 //
 // Thread: any. Cost: 3 to 8 support pairs of some 20 ns each for hulls of ten points; no allocation.
 // Source: E. G. Gilbert, D. W. Johnson, S. S. Keerthi 1988, A fast procedure for computing the distance between complex objects in

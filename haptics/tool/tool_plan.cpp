@@ -18,7 +18,7 @@ constexpr double kLayerShare = 0.25;   // of that: from how far outside it pushe
 constexpr double kNearVoxels = 0.5;    // and of a field's voxel, so that a clearance of one is free
 constexpr double kClusterShare = 0.3;  // of its reach: how wide a cluster is
 constexpr double kSpreadShare = 0.1;   // of its reach: between contacts of one pair of pieces
-constexpr int kMostPairs = 1 << 14;    // of levels, for each object
+constexpr int kMostPairs = 1 << 15;    // of levels, for each object
 
 VoxelToolSettings make_clamped(const ToolOrder& order) {
     VoxelToolSettings settings = order.settings;

@@ -283,7 +283,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
         options.progress,
         1.0 / (static_cast<double>(list->meshes.size()) + static_cast<double>(n_tool_parts)),
         name_of(*lesson.hand.tool)};
-    const int n_made = shapes.counts().n_made;
+    int n_made = shapes.counts().n_made;
     const auto mesh = load_tool_mesh(*lesson.hand.tool, lesson.hand.line, load_solid);
     if (!mesh) {
         return refuse_tool(mesh.error(), lesson.hand.line);
@@ -302,6 +302,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     const double within_m =
         compute_contact_distance_m(compute_reach_m(*order->shell), find_finest_voxel_m(*list));
     if (n_tool_parts > 1) {
+        n_made = shapes.counts().n_made;
         auto own =
             make_levels(*lesson.hand.tool, *mesh, *order, within_m, shapes, progress.of_tool(1));
         if (!own) {

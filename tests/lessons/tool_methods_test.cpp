@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using namespace fulcrum;
 using namespace fulcrum::test;
@@ -68,6 +69,42 @@ TEST_CASE("tool methods: the planets by their handles, by arm, by mouse and by k
     CHECK(run.exit_code == 0);
     for (const char* by : {"arm", "mouse", "keyboard"}) {
         CHECK(run.output.find(std::string("passed by ") + by) != std::string::npos);
+    }
+}
+
+TEST_CASE("tool methods: a banana in a bowl, by levels and by fields, and from the cache") {
+    const Sandbox sandbox;
+    copy_lesson(std::string(FULCRUM_EXAMPLES) + "/fruit-bowl", sandbox.path("fields"),
+                "local contact = \"levels\"", "local contact = \"fields\"");
+    fs::copy(std::string(FULCRUM_EXAMPLES) + "/fruit-bowl", sandbox.path("levels"));
+    // The same forces, whether levels are made or read.
+    std::vector<Record> records;
+    for (const char* shapes : {"made now", "from the cache"}) {
+        if (!records.empty()) {
+            const ProgramRun told = sandbox.run("explain ./levels");
+            CAPTURE(told.output);
+            const std::size_t pieces = told.output.find(" pieces, ");
+            REQUIRE(pieces != std::string::npos);
+            CHECK(told.output.find(shapes, pieces) < told.output.find("N/m", pieces));
+        }
+        const ProgramRun run = sandbox.run("run ./levels --headless --record r.rec");
+        INFO(run.output);
+        REQUIRE(run.exit_code == 0);
+        records.push_back(read_run(sandbox.path("r.rec")));
+    }
+    CHECK(largest_force_N(records[0]) > 1.0);
+    CHECK(largest_force_N(records[0]) <= kLimit_N);
+    REQUIRE(records[0].samples.size() == records[1].samples.size());
+    for (std::size_t i = 0; i < records[0].samples.size(); ++i) {
+        REQUIRE(records[0].samples[i].applied_W.force == records[1].samples[i].applied_W.force);
+    }
+    for (const char* lesson : {"levels", "fields"}) {
+        const ProgramRun run = sandbox.run("test ./" + std::string(lesson));
+        INFO(lesson << ": " << run.output);
+        CHECK(run.exit_code == 0);
+        for (const char* by : {"arm", "mouse", "keyboard"}) {
+            CHECK(run.output.find(std::string("passed by ") + by) != std::string::npos);
+        }
     }
 }
 
