@@ -12,8 +12,9 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kRounded = 1.0e-9;     // of lengths: more than any rounding here
 constexpr double kFrameError = 2.0e-6;  // of a box's size: its axes are single numbers
-constexpr std::size_t kBlock = 32;      // places
-constexpr std::size_t kTidied = 256;    // places of two, each time, and parents
+constexpr std::size_t kBlock = 128;     // places
+using Block = Eigen::Array<double, kBlock, 1>;
+constexpr std::size_t kTidied = 256;  // places of two, each time, and parents
 constexpr std::size_t kTried = 16;
 constexpr int kMostInVain = 6;  // after so many each time twice as many are left out
 // Two trees of 2^31 triangles, a pair waiting at each step down.
@@ -78,8 +79,8 @@ GodFront::GodFront(const SweptMesh& object, const SweptMesh& tool, int most_pair
     : object_(&object),
       tool_(&tool),
       pairs_(2 * static_cast<std::size_t>(most_pairs)),
-      due_(pairs_.size(), kNever),
-      block_due_(pairs_.size() / kBlock + 1, kNever),
+      due_(kBlock * (pairs_.size() / kBlock + 1), kNever),
+      block_due_(due_.size() / kBlock, kNever),
       free_(most_pairs),
       used_up_(2 * most_pairs),
       near_(2 * most_pairs),
@@ -88,7 +89,7 @@ GodFront::GodFront(const SweptMesh& object, const SweptMesh& tool, int most_pair
 }
 
 std::size_t GodFront::memory_bytes() const noexcept {
-    return pairs_.size() * (sizeof(Pair) + sizeof(double)) + block_due_.size() * sizeof(double) +
+    return pairs_.size() * sizeof(Pair) + (due_.size() + block_due_.size()) * sizeof(double) +
            (free_.capacity() + used_up_.capacity() + near_.capacity() + waiting_.capacity()) *
                sizeof(std::int32_t);
 }
@@ -293,9 +294,9 @@ void GodFront::list_used_up(double end_m) noexcept {
         if (least_m > end_m) {
             continue;
         }
-        least_m = kNever;
-        for (std::size_t i = begin; i < std::min(begin + kBlock, end_); ++i) {
-            least_m = std::min(least_m, due_[i]);
+        // It may have been of one that is due later now.
+        least_m = Eigen::Map<const Block>(due_.data() + begin).minCoeff();
+        for (std::size_t i = begin; least_m <= end_m && i < begin + kBlock; ++i) {
             if (due_[i] <= end_m) {
                 (void)used_up_.add(static_cast<std::int32_t>(i));
             }

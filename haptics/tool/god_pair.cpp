@@ -25,6 +25,7 @@ constexpr std::size_t kMoreNear = 4;    // times what is in contact, at least
 constexpr int kCuts = 4;                // of a way on which more come near
 constexpr double kShorter = 0.25;       // a cut
 constexpr double kLonger = 1.5;         // after one that was not too long
+constexpr double kFills = 0.8;          // of what is looked at at most
 constexpr double kBend = 0.125;         // the most that an arc lies off its chord, in w^2 r
 constexpr double kForgets = 0.9;        // of the usual way, a step
 
@@ -209,7 +210,11 @@ double GodPair::look_along(const GodPlace& from, double way_m, double touch_m) n
         const GodLook looked = front_.look(from, reach_m, i + 1 < kCuts ? most : SIZE_MAX);
         if (looked == GodLook::whole) {
             usual_way_m_ = std::max(reach_m, kForgets * usual_way_m_);
-            most_way_m_ = part < 1.0 ? kLonger * part * way_m : std::max(most_way_m_, way_m);
+            // Longer the next time, as far as there is likely to be room: what is too much is looked at for nothing.
+            const double room =
+                kFills * static_cast<double>(most) / static_cast<double>(front_.near().size() + 1);
+            most_way_m_ =
+                part < 1.0 ? std::min(kLonger, room) * part * way_m : std::max(most_way_m_, way_m);
             return part;
         }
         part *= kShorter;
