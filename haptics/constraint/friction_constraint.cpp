@@ -114,8 +114,8 @@ Matrix6 FrictionConstraintSolver::find_slope(bool follows) const noexcept {
                 P.bottomLeftCorner<2, 1>() = c.friction * d;
             }
         }
-        const Axes JP = c.stiffness * c.J * P;
-        H.noalias() += JP * c.J.transpose();
+        const Axes pushed = c.stiffness * c.J * P;
+        H.noalias() += pushed * c.J.transpose();
     }
     return H;
 }

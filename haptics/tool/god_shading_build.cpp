@@ -59,10 +59,12 @@ Expected<std::shared_ptr<const GodShading>> GodShading::create(const TriangleMes
     if (const auto checked = validate(settings); !checked) {
         return tl::unexpected(checked.error());
     }
-    return CollisionMesh::create(mesh).map([&](std::shared_ptr<const CollisionMesh> touched) {
-        return std::shared_ptr<const GodShading>(
-            new GodShading(mesh, std::move(touched), settings.crease_angle_deg));
-    });
+    auto touched = CollisionMesh::create(mesh);
+    if (!touched) {
+        return tl::unexpected(touched.error());
+    }
+    return std::shared_ptr<const GodShading>(
+        new GodShading(mesh, std::move(*touched), settings.crease_angle_deg));
 }
 
 std::size_t GodShading::memory_bytes() const noexcept {
