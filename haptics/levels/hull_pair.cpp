@@ -22,7 +22,11 @@ class BlendedSimplex {
         return true;
     }
     // The nearest point; keeps what it is blended of. `holds_origin` says that it is inside of four.
-    Vector3 reduce() noexcept {
+    Vector3 reduce(bool is_careful) noexcept {
+        if (is_careful) {
+            keep_nearest_part();
+            return blend();
+        }
         switch (count_) {
             case 1:
                 corners_[0].weight = 1.0;
@@ -36,34 +40,6 @@ class BlendedSimplex {
             default:
                 reduce_tetrahedron();
         }
-        return blend();
-    }
-    // The nearest of all its parts, one by one: right where slivers mislead the regions.
-    Vector3 reduce_carefully() noexcept {
-        BlendedSimplex best;
-        double least = std::numeric_limits<double>::infinity();
-        const auto try_part = [&](const BlendedSimplex& part) noexcept {
-            const double here = part.blend().squaredNorm();
-            if (here < least) {
-                least = here;
-                best = part;
-            }
-        };
-        for (std::size_t i = 0; i < count_; ++i) {
-            try_part(pick({i}));
-            for (std::size_t j = i + 1; j < count_; ++j) {
-                BlendedSimplex edge = pick({i, j});
-                edge.reduce_segment();
-                try_part(edge);
-                for (std::size_t k = j + 1; k < count_; ++k) {
-                    BlendedSimplex face = pick({i, j, k});
-                    if (face.blend_face()) {
-                        try_part(face);
-                    }
-                }
-            }
-        }
-        *this = best;
         return blend();
     }
     [[nodiscard]] Vector3 blend() const noexcept {
@@ -91,6 +67,33 @@ class BlendedSimplex {
         double weight = 0.0;
     };
 
+    // Of all its parts, one by one: right where slivers mislead the regions.
+    void keep_nearest_part() noexcept {
+        BlendedSimplex best;
+        double least = std::numeric_limits<double>::infinity();
+        const auto try_part = [&](const BlendedSimplex& part) noexcept {
+            const double here = part.blend().squaredNorm();
+            if (here < least) {
+                least = here;
+                best = part;
+            }
+        };
+        for (std::size_t i = 0; i < count_; ++i) {
+            try_part(pick({i}));
+            for (std::size_t j = i + 1; j < count_; ++j) {
+                BlendedSimplex edge = pick({i, j});
+                edge.reduce_segment();
+                try_part(edge);
+                for (std::size_t k = j + 1; k < count_; ++k) {
+                    BlendedSimplex face = pick({i, j, k});
+                    if (face.blend_face()) {
+                        try_part(face);
+                    }
+                }
+            }
+        }
+        *this = best;
+    }
     [[nodiscard]] BlendedSimplex pick(std::initializer_list<std::size_t> corners) const noexcept {
         BlendedSimplex part;
         for (const std::size_t corner : corners) {
@@ -236,6 +239,7 @@ HullPair search(const Vector3& start, double enough_m, const FindFirst& find_fir
     BlendedSimplex simplex;
     bool is_careful = false;
     HullPair pair;
+    pair.least_m = -std::numeric_limits<double>::infinity();
     Vector3 v = start;
     double size_m = 0.0;
     double last_m = std::numeric_limits<double>::infinity();
@@ -252,7 +256,7 @@ HullPair search(const Vector3& start, double enough_m, const FindFirst& find_fir
         const Vector3 on_second = find_second(Vector3(-normal));
         const Vector3 w = on_second - on_first;
         const double bound_m = normal.dot(w);
-        if (i == 0 || bound_m > pair.least_m) {
+        if (bound_m > pair.least_m) {
             pair.least_m = std::max(bound_m, 0.0);
             pair.normal = normal;
         }
@@ -262,22 +266,21 @@ HullPair search(const Vector3& start, double enough_m, const FindFirst& find_fir
             return pair;
         }
         size_m = std::max(size_m, w.norm());
-        const bool is_point_of_it = i > 0;
         // A simplex that gets no nearer has come as near as rounding lets it.
-        const bool is_found = is_point_of_it && length_m - bound_m <= kEnough * length_m;
-        const bool is_stuck = is_point_of_it && !(length_m < last_m);
+        const bool is_found = i > 0 && length_m - bound_m <= kEnough * length_m;
+        const bool is_stuck = i > 0 && !(length_m < last_m);
         if (is_found || is_stuck || !simplex.add(on_first, on_second)) {
             if (is_found || is_careful || length_m - bound_m <= kSure * size_m) {
                 break;
             }
             // Slivers misled it: on with care, from what is left.
             is_careful = true;
-            v = simplex.reduce_carefully();
+            v = simplex.reduce(is_careful);
             last_m = std::numeric_limits<double>::infinity();
             continue;
         }
-        last_m = is_point_of_it ? length_m : last_m;
-        v = is_careful ? simplex.reduce_carefully() : simplex.reduce();
+        last_m = i > 0 ? length_m : last_m;
+        v = simplex.reduce(is_careful);
         if (simplex.holds_origin()) {
             simplex.tell(pair);
             pair.gap_m = 0.0;

@@ -175,7 +175,8 @@ bool ContactLevelsBytes::is_tree(const ContactLevels& levels) {
         }
         n_leaves += node.n_children == 0 ? 1 : 0;
         for (std::int32_t k = 0; k < node.n_children; ++k) {
-            const auto child = static_cast<std::size_t>(node.first_child + k);
+            const auto child =
+                static_cast<std::size_t>(node.first_child) + static_cast<std::size_t>(k);
             if (has_parent[child]) {
                 return false;
             }

@@ -189,10 +189,13 @@ Expected<TriangleMesh> make_centred(const TriangleMesh& mesh, const ToolOrder& o
     return TriangleMesh::build(std::move(vertices), mesh.triangles());
 }
 
-// What is told to be near by contact levels, as the lesson asks for it; those of the bodies come later.
+// What is told to be near by contact levels, where the lesson asks for it; those of the bodies come later.
 Expected<LevelOrder> make_levels(const ToolDescription& tool, const TriangleMesh& mesh,
                                  const ToolOrder& order, double within_m, ShapeCache& shapes,
                                  const LoadProgress& progress) {
+    if (!has_levels(tool)) {
+        return LevelOrder{};
+    }
     return make_centred(mesh, order).and_then([&](const TriangleMesh& own) {
         return recall_contact_levels(shapes, own, {.within_m = within_m}, progress)
             .map([&](const std::shared_ptr<const ContactLevels>& levels) {
@@ -235,6 +238,29 @@ Expected<ToolPlan> put_among(const ToolDescription& tool, const ToolOrder& order
     });
 }
 
+Expected<void> check_scene(const LessonDescription& lesson, const Plan& plan) {
+    const std::string where = at_line(lesson.hand.line);
+    if (plan.haptic.solids.empty()) {
+        return fail("the hand has a tool, and no body is solid", where,
+                    "make a body solid = true, or leave the tool out");
+    }
+    if (lesson.bucket.present) {
+        return fail("the hand has a tool and a bucket", where, "leave out one of them");
+    }
+    return check_tool_time(lesson.hand);
+}
+
+void add_notices(const LessonDescription& lesson, const std::vector<std::string>& of_bodies,
+                 Plan& plan) {
+    plan.notices.insert(plan.notices.end(), of_bodies.begin(), of_bodies.end());
+    if (const auto sentence = find_tool_notice(lesson.hand, *plan.haptic.tool)) {
+        plan.notices.push_back(*sentence);
+    }
+    for (std::string& inside : tell_start_inside(lesson, plan.haptic.solids, *plan.haptic.tool)) {
+        plan.notices.push_back(std::move(inside));
+    }
+}
+
 }  // namespace
 
 const char* name_of(ShapeSource source) {
@@ -259,18 +285,10 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     if (!lesson.hand.tool) {
         return {};
     }
-    const std::string where = at_line(lesson.hand.line);
-    if (plan.haptic.solids.empty()) {
-        return fail("the hand has a tool, and no body is solid", where,
-                    "make a body solid = true, or leave the tool out");
-    }
-    if (lesson.bucket.present) {
-        return fail("the hand has a tool and a bucket", where, "leave out one of them");
-    }
     ShapeCache none{{}};
     ShapeCache& shapes = options.shapes != nullptr ? *options.shapes : none;
     // What can be refused at once is, before anything that takes long is made.
-    if (auto good = check_tool_time(lesson.hand); !good) {
+    if (auto good = check_scene(lesson, plan); !good) {
         return good;
     }
     const auto list = list_tool_bodies(lesson, plan.haptic.solids);
@@ -283,7 +301,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
         options.progress,
         1.0 / (static_cast<double>(list->meshes.size()) + static_cast<double>(n_tool_parts)),
         name_of(*lesson.hand.tool)};
-    int n_made = shapes.counts().n_made;
+    const int n_made_before = shapes.counts().n_made;
     const auto mesh = load_tool_mesh(*lesson.hand.tool, lesson.hand.line, load_solid);
     if (!mesh) {
         return refuse_tool(mesh.error(), lesson.hand.line);
@@ -298,17 +316,13 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
         !good) {
         return good;
     }
-    LevelOrder levels;
+    const int n_made = n_tool_parts > 1 ? shapes.counts().n_made : n_made_before;
     const double within_m =
         compute_contact_distance_m(compute_reach_m(*order->shell), find_finest_voxel_m(*list));
-    if (n_tool_parts > 1) {
-        n_made = shapes.counts().n_made;
-        auto own =
-            make_levels(*lesson.hand.tool, *mesh, *order, within_m, shapes, progress.of_tool(1));
-        if (!own) {
-            return refuse_tool(own.error(), lesson.hand.line);
-        }
-        levels = std::move(*own);
+    auto levels =
+        make_levels(*lesson.hand.tool, *mesh, *order, within_m, shapes, progress.of_tool(1));
+    if (!levels) {
+        return refuse_tool(levels.error(), lesson.hand.line);
     }
     const ShapeSource source =
         shapes.counts().n_made > n_made ? ShapeSource::made : ShapeSource::cache;
@@ -317,8 +331,8 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     if (!bodies) {
         return tl::unexpected(bodies.error());
     }
-    levels.objects = bodies->levels;
-    levels.object_solids = bodies->solids;
+    levels->objects = bodies->levels;
+    levels->object_solids = bodies->solids;
     const std::size_t n_left_out =
         put_in_rows(*mesh, find_most_voxel_points(lesson.hand), *bodies, *order);
     if (n_left_out > 0 && lesson.hand.tool->points == 0) {
@@ -326,7 +340,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     }
     auto made = lesson.hand.tool->method == ToolMethod::god_object
                     ? put_among_meshes(lesson, *mesh, *order, *list, *bodies, plan.haptic.solids)
-                    : put_among(*lesson.hand.tool, *order, levels, *bodies);
+                    : put_among(*lesson.hand.tool, *order, *levels, *bodies);
     if (!made) {
         return refuse_tool(made.error(), lesson.hand.line);
     }
@@ -334,13 +348,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     leave_out_surfaces(lesson, plan);
     plan.tool_shapes = std::move(bodies->sources);
     plan.tool_shapes.push_back(source);
-    plan.notices.insert(plan.notices.end(), bodies->notices.begin(), bodies->notices.end());
-    if (const auto sentence = find_tool_notice(lesson.hand, *plan.haptic.tool)) {
-        plan.notices.push_back(*sentence);
-    }
-    for (std::string& inside : tell_start_inside(lesson, plan.haptic.solids, *plan.haptic.tool)) {
-        plan.notices.push_back(std::move(inside));
-    }
+    add_notices(lesson, bodies->notices, plan);
     return check_tool(lesson.hand, *plan.haptic.tool, *order->shell);
 }
 

@@ -166,11 +166,6 @@ std::optional<Error> tell_field(const DistanceField& field) {
     return holes;
 }
 
-tl::unexpected<Error> refuse_body(const ToolBodyList::Mesh& of, const Error& why) {
-    return fail("the " + of.body->noun + ": " + why.message, at_line(of.body->line),
-                why.what_to_do);
-}
-
 // What a teacher should know of a body that is met by its contact levels.
 std::optional<std::string> tell_levels(const ToolBodyList::Mesh& of, const ContactLevels& levels) {
     const MeshReport& report = levels.report();
@@ -189,6 +184,41 @@ template <class Shape>
 auto keep_in(std::vector<std::shared_ptr<const Shape>>& list) {
     return
         [&list](Shape shape) { list.push_back(std::make_shared<const Shape>(std::move(shape))); };
+}
+
+Expected<void> add_levels(const ToolBodyList::Mesh& of, double within_m, ShapeCache& shapes,
+                          const LoadProgress& progress, ToolBodies& made) {
+    return recall_contact_levels(shapes, of.mesh, {.within_m = within_m}, progress)
+        .map([&](std::shared_ptr<const ContactLevels> levels) {
+            if (auto told = tell_levels(of, *levels)) {
+                made.notices.push_back(std::move(*told));
+            }
+            made.levels.push_back(std::move(levels));
+            made.solids.push_back(std::make_shared<const TriangleClusters>(of.mesh));
+        });
+}
+
+// Voxels or a field, and what a teacher should know of them.
+Expected<void> add_sampled(const ToolBodyList::Mesh& of, const HandDescription& hand,
+                           ShapeCache& shapes, const LoadProgress& progress, ToolBodies& made) {
+    auto added = hand.tool->method == ToolMethod::voxel_sampling
+                     ? make_grid(of, hand.scale, shapes, progress).map(keep_in(made.grids))
+                     : make_field_or_sheet(of, shapes, progress).map(keep_in(made.fields));
+    if (!added) {
+        return added;
+    }
+    const auto told = made.fields.empty() ? std::nullopt : tell_field(*made.fields.back());
+    if (told) {
+        made.notices.push_back(to_sentence({"the " + of.body->noun + ": " + told->message,
+                                            at_line(of.body->line), told->what_to_do}));
+    }
+    const VoxelFrame& frame =
+        made.fields.empty() ? made.grids.back()->frame : made.fields.back()->frame();
+    const bool is_sheet = !made.fields.empty() && made.fields.back()->sheet_m() > 0.0;
+    if (auto thin = is_sheet ? std::nullopt : tell_thin_wall(of, frame.voxel_m)) {
+        made.notices.push_back(std::move(*thin));
+    }
+    return {};
 }
 
 // One of `made` for each solid.
@@ -283,40 +313,14 @@ Expected<ToolBodies> make_tool_bodies(const LessonDescription& lesson, const Too
             };
         }
         const int n_made = shapes.counts().n_made;
-        if (has_levels(tool)) {
-            auto levels = recall_contact_levels(shapes, of.mesh, {.within_m = within_m}, part);
-            if (!levels) {
-                return refuse_body(of, levels.error());
-            }
-            if (auto told = tell_levels(of, **levels)) {
-                made.notices.push_back(std::move(*told));
-            }
-            made.levels.push_back(std::move(*levels));
-            made.solids.push_back(std::make_shared<const TriangleClusters>(of.mesh));
-            made.sources.push_back(shapes.counts().n_made > n_made ? ShapeSource::made
-                                                                   : ShapeSource::cache);
-            continue;
-        }
-        const auto added =
-            tool.method == ToolMethod::voxel_sampling
-                ? make_grid(of, lesson.hand.scale, shapes, part).map(keep_in(made.grids))
-                : make_field_or_sheet(of, shapes, part).map(keep_in(made.fields));
-        if (!added) {
-            return refuse_body(of, added.error());
+        if (auto added = has_levels(tool) ? add_levels(of, within_m, shapes, part, made)
+                                          : add_sampled(of, lesson.hand, shapes, part, made);
+            !added) {
+            return fail("the " + of.body->noun + ": " + added.error().message,
+                        at_line(of.body->line), added.error().what_to_do);
         }
         made.sources.push_back(shapes.counts().n_made > n_made ? ShapeSource::made
                                                                : ShapeSource::cache);
-        const auto told = made.fields.empty() ? std::nullopt : tell_field(*made.fields.back());
-        if (told) {
-            made.notices.push_back(to_sentence({"the " + of.body->noun + ": " + told->message,
-                                                at_line(of.body->line), told->what_to_do}));
-        }
-        const VoxelFrame& frame =
-            made.fields.empty() ? made.grids.back()->frame : made.fields.back()->frame();
-        const bool is_sheet = !made.fields.empty() && made.fields.back()->sheet_m() > 0.0;
-        if (auto thin = is_sheet ? std::nullopt : tell_thin_wall(of, frame.voxel_m)) {
-            made.notices.push_back(std::move(*thin));
-        }
     }
     made.grids = deal_out(made.grids, list.mesh_of);
     made.fields = deal_out(made.fields, list.mesh_of);
