@@ -75,17 +75,17 @@ constexpr std::size_t kFolded = 16;       // bytes
 constexpr std::size_t kLeastFolded = 48;  // below that the tables are as fast
 
 // x^n modulo the polynomial, a bit higher.
-constexpr long long make_power(int n) {
+constexpr std::uint64_t make_power(int n) {
     std::uint32_t rest = 0x80000000U;
     for (int i = 0; i < n; ++i) {
         rest = multiply_by_x(rest);
     }
-    return static_cast<long long>(std::uint64_t{rest} << 1U);
+    return std::uint64_t{rest} << 1U;
 }
 
 // Of 64 bits the first 32 are the higher ones of the product with a power, which has 32.
-constexpr long long kFoldsHigh = make_power(128 + 32);
-constexpr long long kFoldsLow = make_power(128 - 32);
+constexpr auto kFoldsHigh = static_cast<long long>(make_power(128 + 32));
+constexpr auto kFoldsLow = static_cast<long long>(make_power(128 - 32));
 
 [[gnu::target("pclmul")]] std::uint32_t take_by_products(
     std::uint32_t rest, std::span<const std::byte> bytes) noexcept {

@@ -17,14 +17,7 @@ BodyPoint locate(const RigidState& state, const Vector3& arm_W) noexcept {
             state.velocity_W.linear + state.velocity_W.angular.cross(arm_W)};
 }
 
-// A contact's push and how it changes with depth and with the speed of sinking.
-struct Push {
-    double push_N = 0.0;
-    double by_depth_N_per_m = 0.0;
-    double by_sinking_Ns_per_m = 0.0;
-};
-
-Push compute_push(const PlaneContact& contact, const BodyPoint& point) noexcept {
+NormalPush compute_push(const PlaneContact& contact, const BodyPoint& point) noexcept {
     const double depth_m = -contact.normal_W.dot(point.position - contact.plane_point_W);
     if (!(depth_m > 0.0)) {
         return {};
@@ -102,13 +95,10 @@ void PlaneContactsLoad::add_linearised_wrench(const RigidState& state, double /*
     const Matrix3 R = state.pose_W.orientation.toRotationMatrix();
     for (const PlaneContact& contact : contacts_) {
         const BodyPoint point = locate(state, R * contact.point_B);
-        const Push push = compute_push(contact, point);
+        const NormalPush push = compute_push(contact, point);
         if (push.push_N > 0.0) {
-            // Depth and sinking fall as the point goes along the normal.
-            const Matrix3 along = contact.normal_W * contact.normal_W.transpose();
-            const PointForce force{push.push_N * contact.normal_W, -push.by_depth_N_per_m * along,
-                                   -push.by_sinking_Ns_per_m * along};
-            add_point_force(point.arm, state.velocity_W.angular, force, wrench, jacobian);
+            add_normal_push(point.arm, state.velocity_W.angular, contact.normal_W, push, wrench,
+                            jacobian);
         }
     }
 }

@@ -64,4 +64,33 @@ inline void add_point_force(const Vector3& arm_W, const Vector3& spin_W, const P
     jacobian.velocity.bottomRightCorner<3, 3>() += arm * by_spin;
 }
 
+/// A push along a normal that does not turn, and how it falls as its point goes along the normal.
+struct NormalPush {
+    double push_N = 0.0;
+    double by_depth_N_per_m = 0.0;
+    double by_sinking_Ns_per_m = 0.0;
+};
+
+/// As `add_point_force` of F = push n with A = -by_depth n n^T and B = -by_sinking n n^T, by the products of vectors
+/// that this is: with g = (n, r x n), dF and d(r x F) are -g times by_depth g . (dx, dtheta) + by_sinking (g . (dv, dw) + r x (n x w) . dtheta).
+inline void add_normal_push(const Vector3& arm_W, const Vector3& spin_W, const Vector3& normal_W,
+                            const NormalPush& push, Wrench& wrench,
+                            WrenchJacobian& jacobian) noexcept {
+    const Vector3 turn = arm_W.cross(normal_W);
+    wrench.force += push.push_N * normal_W;
+    wrench.torque += push.push_N * turn;
+    Vector6 along;
+    along << normal_W, turn;
+    Vector6 falls = push.by_depth_N_per_m * along;
+    if (push.by_sinking_Ns_per_m != 0.0) {
+        falls.tail<3>() += push.by_sinking_Ns_per_m * arm_W.cross(normal_W.cross(spin_W));
+        jacobian.velocity.noalias() -= (push.by_sinking_Ns_per_m * along) * along.transpose();
+    }
+    jacobian.pose.noalias() -= along * falls.transpose();
+    // [F] [r] = r F^T - (F . r) 1.
+    const Vector3 force = push.push_N * normal_W;
+    jacobian.pose.bottomRightCorner<3, 3>().noalias() += arm_W * force.transpose();
+    jacobian.pose.diagonal().tail<3>().array() -= force.dot(arm_W);
+}
+
 }  // namespace fulcrum

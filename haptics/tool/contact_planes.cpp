@@ -65,7 +65,7 @@ void ContactPlanes::learn(const ContactModel& model) noexcept {
     }
 }
 
-double ContactPlanes::follow(const Pose& X_OT, double dt_s, Shown& shown) const noexcept {
+double ContactPlanes::follow(const Placement& X_OT, double dt_s, Shown& shown) const noexcept {
     const double d_m = settings_.within_m;
     const double rise_m = settings_.rise_m_per_s * dt_s;
     // How far it pushes: above 0 it does.
@@ -95,7 +95,7 @@ void ContactPlanes::begin_step(const Pose& tool_W, std::span<const MovingFrame> 
                                double dt_s) noexcept {
     std::size_t kept = 0;
     std::size_t seen = objects.size();  // the object by which the tool is at X_OT
-    Pose X_OT;
+    Placement X_OT;
     Matrix3 R_WO{Matrix3::Identity()};
     for (std::size_t i = 0; i < n_; ++i) {
         const auto object = static_cast<std::size_t>(shown_[i].object);
@@ -105,10 +105,14 @@ void ContactPlanes::begin_step(const Pose& tool_W, std::span<const MovingFrame> 
         const MovingFrame& frame = objects[object];
         if (object != seen) {
             seen = object;
-            X_OT = move_evenly(frame, -dt_s).pose_W.inverse() * tool_W;
+            const Pose place = move_evenly(frame, -dt_s).pose_W.inverse() * tool_W;
+            X_OT = {place.position, place.orientation.toRotationMatrix()};
             R_WO = frame.pose_W.orientation.toRotationMatrix();
         }
-        Shown shown = shown_[i];
+        Shown& shown = shown_[kept];
+        if (kept != i) {
+            shown = shown_[i];
+        }
         const double reach_m = follow(X_OT, dt_s, shown);
         if (!shown.is_told && !(reach_m > 0.0)) {
             continue;
@@ -121,7 +125,7 @@ void ContactPlanes::begin_step(const Pose& tool_W, std::span<const MovingFrame> 
         plane.plane_velocity_W = compute_velocity_at(frame, plane.plane_point_W);
         plane.stiffness_N_per_m = shown.strength * settings_.stiffness_N_per_m;
         plane.damping_Ns_per_m = shown.strength * settings_.damping_Ns_per_m;
-        shown_[kept++] = shown;
+        ++kept;
     }
     n_ = kept;
 }

@@ -77,8 +77,14 @@ class ContactPlanes {
         ContactCluster told{};
         bool is_told = false;
     };
+    // A place of the tool as its object sees it, for many points.
+    struct Placement {
+        Vector3 position{Vector3::Zero()};
+        Matrix3 turn{Matrix3::Identity()};
+        Vector3 operator*(const Vector3& point) const noexcept { return position + turn * point; }
+    };
     // How far it pushes then.
-    double follow(const Pose& X_OT, double dt_s, Shown& shown) const noexcept;
+    double follow(const Placement& X_OT, double dt_s, Shown& shown) const noexcept;
 
     ContactPlanesSettings settings_;
     std::size_t n_ = 0;
