@@ -14,12 +14,14 @@ constexpr double kStiffens = 10.0;  // times, after a round
 constexpr double kSlow = 0.1;       // that left so much of what it was off
 constexpr double kEnough = 0.1;     // of what a round was off: as exact the next one is
 constexpr int kMostRounds = 30;
-constexpr int kMostSteps = 400;     // linear systems
-constexpr int kDampedRounds = 10;   // from then on bounds go half of their way
-constexpr int kMostFollowing = 12;  // whole steps of a round
-constexpr int kMostHeld = 40;       // searched steps of a round
+constexpr int kMostSteps = 400;             // linear systems
+constexpr std::size_t kMostLooks = 100000;  // at a contact, 20 ns each
+constexpr int kDampedRounds = 10;           // from then on bounds go half of their way
+constexpr int kMostFollowing = 12;          // whole steps of a round
+constexpr int kMostHeld = 40;               // searched steps of a round
 constexpr int kMostHalvings = 30;
-constexpr double kFlat = 0.3;  // of the slope along a step: left where the search ends
+constexpr double kFlat = 0.3;         // of the slope along a step: left where the search ends
+constexpr double kBalanced = 0.02;  // of the largest that is wanted: farther off is no answer
 
 }  // namespace
 
@@ -41,7 +43,8 @@ bool FrictionConstraintSolver::set_inertia(double mass_kg, const Matrix3& inerti
 bool FrictionConstraintSolver::add(const Vector3& arm_W, const Vector3& normal_W, double least,
                                    double friction, const Vector3& carried_W) noexcept {
     if (n_ == contacts_.size() || !arm_W.allFinite() || !normal_W.allFinite() ||
-        !carried_W.allFinite() || !std::isfinite(least) || !(friction >= 0.0)) {
+        !carried_W.allFinite() || !std::isfinite(least) || !std::isfinite(friction) ||
+        !(friction >= 0.0)) {
         return false;
     }
     Contact& contact = contacts_[n_];
@@ -77,6 +80,7 @@ void FrictionConstraintSolver::prepare(double size) noexcept {
 
 Vector6 FrictionConstraintSolver::find_defect(const Vector6& y, bool follows) noexcept {
     Vector6 r = y - wanted_;
+    n_looks_ += n_;
     for (std::size_t k = 0; k < n_; ++k) {
         Contact& c = contacts_[k];
         c.q = c.l - c.stiffness * (c.J.transpose() * y - c.least);
@@ -124,7 +128,7 @@ Matrix6 FrictionConstraintSolver::find_slope(bool follows) const noexcept {
 bool FrictionConstraintSolver::follow(Vector6& y) noexcept {
     Vector6 at = y;
     Vector6 r = find_defect(at, true);
-    for (int i = 0; i < kMostFollowing; ++i) {
+    for (int i = 0; i < kMostFollowing && has_time(); ++i) {
         if (r.norm() <= 0.1 * kTolerance) {
             y = at;
             return true;
@@ -142,7 +146,7 @@ bool FrictionConstraintSolver::follow(Vector6& y) noexcept {
 // Down the convex function, its bounds held.
 void FrictionConstraintSolver::hold(Vector6& y, double enough) noexcept {
     Vector6 r = find_defect(y, false);
-    for (int i = 0; i < kMostHeld && r.norm() > enough; ++i) {
+    for (int i = 0; i < kMostHeld && r.norm() > enough && has_time(); ++i) {
         ++answer_.rounds;
         const Vector6 step = -find_slope(false).llt().solve(r);
         const double first = step.dot(r);
@@ -150,7 +154,8 @@ void FrictionConstraintSolver::hold(Vector6& y, double enough) noexcept {
         double high = 1.0;
         double share = 1.0;
         Vector6 next = find_defect(y + step, false);
-        for (int j = 0; j < kMostHalvings && std::abs(step.dot(next)) > kFlat * std::abs(first);
+        for (int j = 0;
+             j < kMostHalvings && has_time() && std::abs(step.dot(next)) > kFlat * std::abs(first);
              ++j) {
             (step.dot(next) > 0.0 ? high : low) = share;
             if (low == 1.0) {
@@ -184,10 +189,15 @@ FrictionConstraintSolver::Miss FrictionConstraintSolver::correct(double share) n
 bool FrictionConstraintSolver::iterate(Vector6& y) noexcept {
     Miss miss{1.0, 1.0};
     double compliance = kCompliance;
-    for (int i = 0; i < kMostRounds && answer_.rounds < kMostSteps; ++i) {
+    Vector6 balanced = Vector6::Zero();  // where the forces l of the last whole round hold it
+    for (int i = 0; i < kMostRounds && answer_.rounds < kMostSteps && has_time(); ++i) {
         if (!follow(y)) {
             hold(y, kEnough * std::max(miss.most(), kTolerance));
         }
+        if (!has_time()) {
+            break;
+        }
+        balanced = y;
         const Miss before = miss;
         miss = correct(i < kDampedRounds ? 1.0 : 0.5);
         if (miss.most() <= kTolerance) {
@@ -201,7 +211,23 @@ bool FrictionConstraintSolver::iterate(Vector6& y) noexcept {
             }
         }
     }
+    y = balanced;
+    for (std::size_t k = 0; k < n_; ++k) {
+        contacts_[k].f = contacts_[k].l;
+    }
     return false;
+}
+
+Vector6 FrictionConstraintSolver::sum_forces() const noexcept {
+    Vector6 sum = Vector6::Zero();
+    for (std::size_t k = 0; k < n_; ++k) {
+        sum.noalias() += contacts_[k].J * contacts_[k].f;
+    }
+    return sum;
+}
+
+bool FrictionConstraintSolver::has_time() const noexcept {
+    return n_looks_ < kMostLooks;
 }
 
 void FrictionConstraintSolver::forget() noexcept {
@@ -212,8 +238,17 @@ void FrictionConstraintSolver::forget() noexcept {
     }
 }
 
+// Cut short far from any balance, what contacts push with is no force at all: the tool stays, held by all that was wanted of it.
+void FrictionConstraintSolver::stay() noexcept {
+    forget();
+    answer_.exact = false;
+    answer_.acting = static_cast<int>(n_);
+    answer_.force = -L_ * wanted_ * size_;
+}
+
 const LeastConstraint& FrictionConstraintSolver::solve(const Vector6& wanted) noexcept {
     answer_ = {};
+    n_looks_ = 0;
     const Vector6 y_u = L_.transpose() * wanted;
     double size = y_u.norm();  // no number where any is none
     for (std::size_t k = 0; k < n_; ++k) {
@@ -230,9 +265,8 @@ const LeastConstraint& FrictionConstraintSolver::solve(const Vector6& wanted) no
     // From where the last solve ended its forces make sense.
     Vector6 y = last_;
     answer_.exact = iterate(y);
-    if (!y.allFinite()) {
-        answer_.exact = false;
-        forget();
+    if (!answer_.exact && !((y - wanted_ - sum_forces()).norm() <= kBalanced)) {
+        stay();
         return answer_;
     }
     last_ = y;
@@ -244,7 +278,8 @@ const LeastConstraint& FrictionConstraintSolver::solve(const Vector6& wanted) no
         return answer_;
     }
     answer_.acceleration = L_.transpose().triangularView<Eigen::Upper>().solve(y) * size;
-    answer_.force = L_ * (y - wanted_) * size;
+    // What hand and objects feel is one force: that of the contacts, where it is not the way's.
+    answer_.force = L_ * (answer_.exact ? Vector6(y - wanted_) : sum_forces()) * size;
     return answer_;
 }
 

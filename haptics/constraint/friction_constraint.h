@@ -11,7 +11,9 @@
 // each such round Newton's whole steps are tried with g = mu f_n at every y, whose matrix is not symmetric: near the answer they are exact.
 //
 // Where that ends without an answer, as where walls jam the tool and there may be many or the rounds go in a circle, what is given is right but
-// for the bounds: contacts push, keep their bounds along the normals, and drag against the slip. It gives no energy either.
+// for the bounds: contacts push, keep their bounds along the normals, and drag against the slip. It gives no energy either, and `force` is the sum of
+// what the contacts push with. Contacts by the thousand may leave no time to come near a balance: then the tool stays where it is, held by all
+// that was wanted of it.
 // Contacts that are redundant share the force nearly evenly, and together it is the same.
 //
 // Thread: that of the solver. Cost: `fulcrum bench god-surfaces`; no allocation after it was built.
@@ -76,6 +78,9 @@ class FrictionConstraintSolver {
         [[nodiscard]] double most() const noexcept { return way > bound ? way : bound; }
     };
     void forget() noexcept;
+    void stay() noexcept;
+    [[nodiscard]] bool has_time() const noexcept;
+    [[nodiscard]] Vector6 sum_forces() const noexcept;  // over the size, in y
     // How far it is from an answer; the next round's forces and bounds.
     Miss correct(double share) noexcept;
     [[nodiscard]] bool iterate(Vector6& y) noexcept;
@@ -85,6 +90,7 @@ class FrictionConstraintSolver {
     Matrix3 per_root_inertia_{Matrix3::Identity()};
     std::size_t n_ = 0;
     std::size_t n_remembered_ = 0;
+    std::size_t n_looks_ = 0;  // at a contact, of this solve
     double size_ = 1.0;
     Vector6 wanted_{Vector6::Zero()};  // y_u
     Vector6 last_{Vector6::Zero()};    // the last answer

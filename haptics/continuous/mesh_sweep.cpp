@@ -42,7 +42,11 @@ MeshSweep sweep_meshes(const SweptMesh& fixed, const SweptMesh& moving,
     MeshDescent descent(fixed, moving, motion, settings.touch_m);
     const bool is_whole = descent.walk(0.0, 1.0, [&](const SweptNodes& leaves, double end) {
         sweep_leaves(fixed, moving, motion, settings, leaves, found);
-        return found.outcome == SweepOutcome::free ? end : std::min(end, found.contact.time);
+        if (found.outcome == SweepOutcome::free) {
+            return end;
+        }
+        // Nothing is earlier than the beginning.
+        return found.contact.time > 0.0 ? std::min(end, found.contact.time) : -1.0;
     });
     found.n_box_pairs = descent.n_box_pairs();
     if (!is_whole) {

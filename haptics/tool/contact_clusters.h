@@ -62,7 +62,10 @@ class ContactClusters {
     /// numbers, or have no unit normal are as if they were not there; a time that is none is 0.
     void update(std::span<const NearContact> near, const Pose& X_OT, double dt_s) noexcept;
     /// Forgets all.
-    void clear() noexcept { n_ = 0; }
+    void clear() noexcept {
+        n_ = 0;
+        radius_m_ = settings_.radius_m;
+    }
 
     [[nodiscard]] std::span<const ContactCluster> all() const noexcept {
         return {clusters_.data(), n_};

@@ -13,25 +13,37 @@ bool is_place(const ToolPlace& place) noexcept {
            are_finite(std::span(place.objects).first(static_cast<std::size_t>(place.n_objects)));
 }
 
+ToldContact tell_cluster(const ToolPlace& place, std::size_t i,
+                         const ContactCluster& cluster) noexcept {
+    const MovingFrame& object = place.objects[i];
+    const Quaternion q_OW = object.pose_W.orientation.conjugate();
+    const Pose X_OT = object.pose_W.inverse() * place.tool.pose_W;
+    const Twist seen_O{q_OW * Vector3(place.tool.velocity_W.linear -
+                                      compute_velocity_at(object, place.tool.pose_W.position)),
+                       q_OW * Vector3(place.tool.velocity_W.angular - object.velocity_W.angular)};
+    return {static_cast<std::int32_t>(i), cluster, X_OT, seen_O};
+}
+
 }  // namespace
 
+// Of each object its oldest first, then of each the next: so none that is near goes without, as long as there is room for one of each.
 void ContactLoop::tell(const ToolPlace& place) noexcept {
     model_.n = 0;
-    for (std::size_t i = 0; i < finders_.size(); ++i) {
-        const MovingFrame& object = place.objects[i];
-        const Quaternion q_OW = object.pose_W.orientation.conjugate();
-        const Pose X_OT = object.pose_W.inverse() * place.tool.pose_W;
-        const Twist seen_O{
-            q_OW * Vector3(place.tool.velocity_W.linear -
-                           compute_velocity_at(object, place.tool.pose_W.position)),
-            q_OW * Vector3(place.tool.velocity_W.angular - object.velocity_W.angular)};
-        for (const ContactCluster& cluster : clusters_[i].all()) {
-            // The oldest of each object come first; what is too much is left out.
+    bool is_whole = false;
+    for (std::size_t nth = 0; !is_whole; ++nth) {
+        is_whole = true;
+        for (std::size_t i = 0; i < finders_.size(); ++i) {
+            const std::span<const ContactCluster> clusters = clusters_[i].all();
+            if (nth >= clusters.size()) {
+                continue;
+            }
             if (model_.n == kMostClusters) {
+                model_.is_cut = true;
                 return;
             }
-            model_.contacts[static_cast<std::size_t>(model_.n++)] = {static_cast<std::int32_t>(i),
-                                                                     cluster, X_OT, seen_O};
+            is_whole = false;
+            model_.contacts[static_cast<std::size_t>(model_.n++)] =
+                tell_cluster(place, i, clusters[nth]);
         }
     }
 }

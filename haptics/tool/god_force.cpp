@@ -104,6 +104,10 @@ Vector3 GodForce::force_W(std::size_t k) const noexcept {
 }
 
 void GodForce::blend(const Wrench& before, const Pose& wanted_W, double dt_s) noexcept {
+    if (size() == 0) {
+        blended_ = {};
+        return;
+    }
     const Wrench now = compute_held(wanted_W);
     const double kept = settings_.fade_s > 0.0 ? std::exp(-dt_s / settings_.fade_s) : 0.0;
     blended_.force = {kept * (before.force - now.force), now.force};

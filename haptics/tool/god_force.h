@@ -6,7 +6,8 @@
 // With friction a_c is that of friction_constraint.h, and a wall holds along itself with up to mu K depth. Without it, against a wall F = K depth, along it 0, and 0 without contacts: a tool that is free is not felt, whatever its mass. A turn
 // is answered by K I / m, I the tool's inertia.
 // A new set of contacts makes another force of the same handle. That difference is not felt at once: e takes it, so that F goes on where
-// it was, and fades by exp(-dt / fade). What the handle's own motion changes is never delayed. Where no contact presses e is 0.
+// it was, and fades by exp(-dt / fade). What the handle's own motion changes is never delayed. Without contacts e is 0:
+// a tool that slips off an edge into the free is felt no more, at once, as by the source; how fast a force may fall is the loop's limit of slew.
 //
 // Thread: that of its owner. Cost: 1 us for 30 contacts; no allocation after it was built.
 // Source: M. Ortega, S. Redon, S. Coquillart 2007, A six degree-of-freedom god-object method for haptic display of rigid bodies with surface

@@ -27,11 +27,17 @@ constexpr double kSettlesNext = 0.02;
 constexpr double kTooNear = 0.75;   // of the gap at rest: with less the tool is pushed back first
 constexpr double kObjectWay = 0.1;  // of the tool's reach, that an object goes in a round
 constexpr double kObjectTurn_rad = 0.02;  // likewise
+constexpr double kMostTurn_rad = 3.0;     // of the tool, in a round
 constexpr int kMovingTries = 4;
 constexpr double kNoProgress = 1.0e-6;  // of the objects' way
 
 bool is_number(const MovingFrame& frame) noexcept {
     return is_finite(frame) && std::abs(frame.pose_W.orientation.norm() - 1.0) < 1.0e-6;
+}
+
+// As near to length 1 as numbers can be: what is swept and what is looked at must be one place.
+Pose clean(const Pose& pose) noexcept {
+    return {pose.position, pose.orientation.normalized()};
 }
 
 bool is_same(const Pose& a, const Pose& b) noexcept {
@@ -77,7 +83,7 @@ bool GodObjectTool::is_free(std::span<const MovingFrame> objects) const noexcept
         return false;
     }
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        if (pairs_[i].is_enclosed(seen_from(objects[i].pose_W, pose_W_))) {
+        if (pairs_[i].is_enclosed(seen_from(clean(objects[i].pose_W), pose_W_))) {
             return false;
         }
     }
@@ -90,7 +96,7 @@ bool GodObjectTool::is_apart(std::span<const MovingFrame> objects) const noexcep
         return false;
     }
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        if (!pairs_[i].is_apart(seen_from(objects[i].pose_W, pose_W_),
+        if (!pairs_[i].is_apart(seen_from(clean(objects[i].pose_W), pose_W_),
                                 kFreeGaps * settings_.gap_m)) {
             return false;
         }
@@ -106,7 +112,7 @@ bool GodObjectTool::begin(std::span<const MovingFrame> objects) noexcept {
         return false;
     }
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        objects_W_[i] = objects[i].pose_W;
+        objects_W_[i] = clean(objects[i].pose_W);
     }
     is_begun_ = true;
     forget_slips();
@@ -189,7 +195,7 @@ Pose GodObjectTool::find_object_W(std::size_t i, double share) const noexcept {
 // Where an object may be at most at the end of this round: a turn so short that what it pushes goes straight.
 void GodObjectTool::set_goals(std::span<const MovingFrame> objects) noexcept {
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        goals_W_[i] = objects[i].pose_W;
+        goals_W_[i] = clean(objects[i].pose_W);
         if (step_.contacts == 0 || is_same(objects_W_[i], goals_W_[i])) {
             continue;
         }
@@ -207,7 +213,9 @@ double GodObjectTool::find_free_share(const Vector6& way) noexcept {
     const bool may_come_near = touch_m >= kLeastTouch * settings_.gap_m;
     const bool objects_move = !have_arrived();
     is_cut_ = false;
-    double share = 1.0;
+    // A sweep takes the shorter way round: what is seen from one pose to the next must turn by less than half a turn.
+    const double turn_rad = way.tail<3>().norm();
+    double share = turn_rad > kMostTurn_rad ? kMostTurn_rad / turn_rad : 1.0;
     for (int i = 0; i < kMovingTries; ++i) {
         const Pose end_W = go_along(pose_W_, share * way);
         double free = 1.0;
@@ -318,7 +326,7 @@ void GodObjectTool::slide(const Pose& wanted_W, std::span<const MovingFrame> obj
     }
     step_.wedged = false;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        step_.wedged = step_.wedged || !is_same(objects_W_[i], objects[i].pose_W);
+        step_.wedged = step_.wedged || !is_same(objects_W_[i], clean(objects[i].pose_W));
     }
 }
 

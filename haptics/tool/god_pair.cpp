@@ -134,7 +134,11 @@ bool GodPair::add_all_of(const GodNear& near, const GodPlace& place, double with
 
 void GodPair::collect(const Pose& X_OT, double within_m) noexcept {
     contacts_.clear();
-    ++round_;
+    if (++round_ == 0) {
+        // Round 0 is that of a place never taken.
+        std::ranges::fill(places_, Place{});
+        round_ = 1;
+    }
     least_gap_m_ = std::numeric_limits<double>::infinity();
     const GodPlace place = GodPlace::of(object_->swept(), tool_->swept(), X_OT);
     // Where there is no room for all, those that were found are kept.
@@ -260,8 +264,13 @@ bool GodPair::is_apart(const Pose& X_OT, double touch_m) const noexcept {
 }
 
 bool GodPair::is_enclosed(const Pose& X_OT) const noexcept {
-    return object_->encloses(X_OT * tool_->place_B(0)) ||
-           tool_->encloses(X_OT.inverse() * object_->place_B(0));
+    const auto is_any_inside = [](const GodSurface& outer, const GodSurface& inner,
+                                  const Pose& place) {
+        return std::ranges::any_of(inner.parts(), [&](std::int32_t corner) {
+            return outer.encloses(place * inner.place_B(static_cast<std::size_t>(corner)));
+        });
+    };
+    return is_any_inside(*object_, *tool_, X_OT) || is_any_inside(*tool_, *object_, X_OT.inverse());
 }
 
 std::size_t GodPair::memory_bytes() const noexcept {

@@ -29,6 +29,7 @@ double square_from_line(const Vector3& at, const Vector3& a, const Vector3& alon
 GodSurface::GodSurface(const TriangleMesh& mesh) : swept_(SweptMesh::create(mesh)) {
     number_places(mesh);
     list_edges();
+    list_parts();
     share_out();
 }
 
@@ -114,6 +115,30 @@ void GodSurface::list_edges() {
             rings_.places.push_back(rings[i].second);
         }
         rings_.first.push_back(static_cast<std::int32_t>(rings_.places.size()));
+    }
+}
+
+// From each corner that no part has yet, along all edges.
+void GodSurface::list_parts() {
+    std::vector<bool> is_taken(places_B_.size(), false);
+    std::vector<std::int32_t> waiting;
+    for (std::size_t i = 0; i < places_B_.size(); ++i) {
+        if (is_taken[i] || rings_.of(i).empty()) {
+            continue;
+        }
+        parts_.push_back(static_cast<std::int32_t>(i));
+        is_taken[i] = true;
+        waiting.push_back(parts_.back());
+        while (!waiting.empty()) {
+            const auto place = static_cast<std::size_t>(waiting.back());
+            waiting.pop_back();
+            for (const std::int32_t other : rings_.of(place)) {
+                if (!is_taken[static_cast<std::size_t>(other)]) {
+                    is_taken[static_cast<std::size_t>(other)] = true;
+                    waiting.push_back(other);
+                }
+            }
+        }
     }
 }
 
@@ -209,7 +234,7 @@ std::size_t GodSurface::memory_bytes() const noexcept {
     };
     return swept_->memory_bytes() + places_B_.capacity() * sizeof(Vector3) +
            (triangles_.capacity() + edges_of_.capacity()) * sizeof(TriangleCorners) +
-           bytes_of(wings_) + bytes_of(rings_) +
+           bytes_of(wings_) + bytes_of(rings_) + parts_.capacity() * sizeof(std::int32_t) +
            (corner_carries_.capacity() + edge_carries_.capacity()) / 8 + own_.capacity();
 }
 

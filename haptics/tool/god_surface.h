@@ -49,12 +49,15 @@ class GodSurface {
     /// Corners, each place once.
     [[nodiscard]] std::size_t n_places() const noexcept { return places_B_.size(); }
     [[nodiscard]] const Vector3& place_B(std::size_t i) const noexcept { return places_B_[i]; }
+    /// One corner of each part that hangs together.
+    [[nodiscard]] std::span<const std::int32_t> parts() const noexcept { return parts_; }
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
   private:
     explicit GodSurface(const TriangleMesh& mesh);
     void number_places(const TriangleMesh& mesh);
     void list_edges();
+    void list_parts();
     void share_out();
     [[nodiscard]] bool is_flat(std::int32_t low, std::int32_t high,
                                std::span<const std::int32_t> wings) const;
@@ -83,6 +86,7 @@ class GodSurface {
     std::vector<TriangleCorners> edges_of_;   // of triangles, from each corner to the next
     Lists wings_;                             // of an edge: the third corners of its triangles
     Lists rings_;                             // of a place: the other ends of its edges
+    std::vector<std::int32_t> parts_;         // a place of each
     std::vector<bool> corner_carries_;        // of a place
     std::vector<bool> edge_carries_;
     static constexpr unsigned kCorners = 7;

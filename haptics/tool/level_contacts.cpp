@@ -2,6 +2,7 @@
 
 #include "haptics/voxel/winding_number.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace fulcrum {
@@ -43,16 +44,18 @@ void LevelContacts::find(const Pose& X_OT, double within_m,
     if (contacts.empty() || room == 0) {
         return;
     }
-    // Every so manieth where there is no room for all.
+    // Where there is no room for all, the deepest of every so many.
     const std::size_t thinning = (contacts.size() + room - 1) / room;
     const Pose X_TO = X_OT.inverse();
     // What only just came near weighs nothing where it is used.
     constexpr double kJustNear = 0.999;
     for (std::size_t i = 0; i < contacts.size(); i += thinning) {
-        if (contacts[i].depth_m <= -kJustNear * within_m) {
-            continue;
+        const LevelContact& contact =
+            *std::ranges::max_element(contacts.subspan(i, std::min(thinning, contacts.size() - i)),
+                                      {}, &LevelContact::depth_m);
+        if (contact.depth_m > -kJustNear * within_m) {
+            near.add({X_TO * contact.point_O, contact.normal_O, contact.depth_m});
         }
-        near.add({X_TO * contacts[i].point_O, contacts[i].normal_O, contacts[i].depth_m});
     }
 }
 

@@ -238,6 +238,60 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "friction constraint: what is told of the force is what the contacts push with, found to the "
+    "end or not, by the thousand too") {
+    Random random(7);
+    int n_inexact = 0;
+    for (const std::size_t n : {30U, 100U, 1000U}) {
+        for (int i = 0; i < 10; ++i) {
+            std::vector<Held> contacts;
+            for (std::size_t k = 0; k < n; ++k) {
+                // A floor that is a little curved.
+                const Vector3 normal =
+                    Vector3(random.draw(-1.0e-3, 1.0e-3), 1.0, random.draw(-1.0e-3, 1.0e-3))
+                        .normalized();
+                contacts.push_back(
+                    {{random.draw(-kHalf_m, kHalf_m), -kHalf_m, random.draw(-kHalf_m, kHalf_m)},
+                     normal,
+                     -random.draw(0.0, 1.0e-7),
+                     random.draw(0.1, 1.0)});
+            }
+            FrictionConstraintSolver solver = solver_of(contacts);
+            const Vector6 wanted =
+                six({random.draw(-2.0e-3, 2.0e-3), -2.0e-3, random.draw(-2.0e-3, 2.0e-3)},
+                    random.draw_vector(0.05));
+            const LeastConstraint answer = solver.solve(wanted);
+            n_inexact += answer.exact ? 0 : 1;
+            if (!answer.exact && answer.acceleration == Vector6::Zero()) {
+                // No time: it stays, and is held by what was wanted.
+                const Vector6 held =
+                    six(-kMass_kg * wanted.head<3>(), -(bar_inertia() * wanted.tail<3>()));
+                CHECK((answer.force - held).norm() <= 1.0e-12 * held.norm());
+                CHECK(n == 1000);
+                continue;
+            }
+            Vector6 sum = Vector6::Zero();
+            for (std::size_t k = 0; k < n; ++k) {
+                const Vector3 force_W = solver.force_W(k);
+                const double push = force_W.dot(contacts[k].normal_W);
+                const Vector3 along = force_W - push * contacts[k].normal_W;
+                CHECK(push >= -1.0e-15);
+                if (answer.exact) {
+                    CHECK(along.norm() <= contacts[k].friction * push + 1.0e-9);
+                }
+                sum += six(force_W, contacts[k].arm_W.cross(force_W));
+            }
+            CAPTURE(n, i, answer.exact, answer.rounds);
+            CHECK((answer.force - sum).head<3>().norm() <= 1.0e-9 * answer.force.norm());
+            CHECK((answer.force - sum).tail<3>().norm() <= 1.0e-9 * answer.force.norm());
+            // Held back, exactly or nearly.
+            CHECK(answer.acceleration[1] > -2.0e-4);
+        }
+    }
+    CHECK(n_inexact > 0);
+}
+
 TEST_CASE("friction constraint: asked again it answers the same, whatever it was asked before") {
     FrictionConstraintSolver solver = solver_of(under_a_cube(3, 0.4));
     const Vector6 wanted = six({2.0e-3, -2.0e-3, 1.0e-3}, {0.02, 0.05, -0.01});
@@ -262,6 +316,7 @@ TEST_CASE("friction constraint: what is no number, or has no room, is refused") 
     CHECK_FALSE(solver.add(Vector3::Zero(), kUp, nan, 0.5));
     CHECK_FALSE(solver.add(Vector3::Zero(), kUp, 0.0, -0.5));
     CHECK_FALSE(solver.add(Vector3::Zero(), kUp, 0.0, nan));
+    CHECK_FALSE(solver.add(Vector3::Zero(), kUp, 0.0, std::numeric_limits<double>::infinity()));
     CHECK(solver.add(Vector3::Zero(), kUp, 0.0, 0.5));
     CHECK_FALSE(solver.add(Vector3::Zero(), kUp, 0.0, 0.5));
     const LeastConstraint& answer = solver.solve(six({nan, 0.0, 0.0}));

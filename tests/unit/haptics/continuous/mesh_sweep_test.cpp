@@ -175,5 +175,16 @@ TEST_CASE("mesh sweep: what is near at a time is what every triangle says") {
     CHECK_FALSE(collect_near(*fixed, *moving, motion, 1.5, 0.1, near));
 }
 
+TEST_CASE("mesh sweep: what overlaps from the beginning on is told without looking further") {
+    const auto ball = make_swept(make_sphere(0.1, 24));
+    const MeshSweep found = sweep_meshes(
+        *ball, *ball,
+        InBetweenMotion(Pose::at({0.01, 0.005, 0.002}), Pose::at({0.02, 0.005, 0.002})), kSettings);
+    CHECK(found.outcome == SweepOutcome::overlapping);
+    CHECK(found.contact.time == 0.0);
+    // One pair of leaves that cross is enough, of thousands.
+    CHECK(found.n_triangle_pairs < 200);
+}
+
 }  // namespace
 }  // namespace fulcrum
