@@ -20,7 +20,7 @@ constexpr int kDampedRounds = 10;           // from then on bounds go half of th
 constexpr int kMostFollowing = 12;          // whole steps of a round
 constexpr int kMostHeld = 40;               // searched steps of a round
 constexpr int kMostHalvings = 30;
-constexpr double kFlat = 0.3;         // of the slope along a step: left where the search ends
+constexpr double kFlat = 0.3;       // of the slope along a step: left where the search ends
 constexpr double kBalanced = 0.02;  // of the largest that is wanted: farther off is no answer
 
 }  // namespace

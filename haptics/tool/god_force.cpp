@@ -1,5 +1,6 @@
 #include "haptics/tool/god_force.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fulcrum {
@@ -104,12 +105,17 @@ Vector3 GodForce::force_W(std::size_t k) const noexcept {
 }
 
 void GodForce::blend(const Wrench& before, const Pose& wanted_W, double dt_s) noexcept {
-    if (size() == 0) {
-        blended_ = {};
-        return;
-    }
     const Wrench now = compute_held(wanted_W);
-    const double kept = settings_.fade_s > 0.0 ? std::exp(-dt_s / settings_.fade_s) : 0.0;
+    double kept = settings_.fade_s > 0.0 ? std::exp(-dt_s / settings_.fade_s) : 0.0;
+    free_s_ = size() == 0 ? free_s_ + dt_s : 0.0;
+    if (free_s_ > kMayTouchAgain_s) {
+        // Evenly, to nothing.
+        const double left_s = kMayTouchAgain_s + kFreeFade_s - (free_s_ - dt_s);
+        kept = std::min(kept, std::max(1.0 - dt_s / left_s, 0.0));
+    }
+    if (free_s_ >= kMayTouchAgain_s + kFreeFade_s) {
+        kept = 0.0;
+    }
     blended_.force = {kept * (before.force - now.force), now.force};
     blended_.torque = {kept * (before.torque - now.torque), now.torque};
     // What cannot be felt any more is nothing.

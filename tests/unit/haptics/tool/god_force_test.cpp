@@ -113,17 +113,47 @@ TEST_CASE("god force: lifted while a contact is still blended in, nothing pulls"
     CHECK(force.compute(Pose::at({0.0, 0.001, 0.0})).force == Vector3::Zero());
 }
 
-TEST_CASE("god force: a loaded tool that slips into the free is felt no more at once") {
-    for (const double fade_s : {kFade_s, 0.0}) {
-        GodForce force = make_force(0.5, fade_s);
-        const Pose handle = Pose::at({0.0, -kDepth_m, 0.0});
-        put_on_floor(force);
+TEST_CASE("god force: a loaded tool that slips into the free fades to nothing in 30 ms") {
+    GodForce force = make_force();
+    const Pose handle = Pose::at({0.0, -kDepth_m, 0.0});
+    put_on_floor(force);
+    const double pressed_N = force.compute(handle).force.norm();
+    double last_N = pressed_N;
+    for (int n = 1; n <= 40; ++n) {
         const Wrench before = force.compute(handle);
-        REQUIRE(before.force.norm() > 0.0);
         force.begin(Pose{});
         force.blend(before, handle, kDt_s);
-        CHECK(force.compute(handle).force == Vector3::Zero());
-        CHECK(force.compute(handle).torque == Vector3::Zero());
+        const double now_N = force.compute(handle).force.norm();
+        CAPTURE(n);
+        CHECK(now_N <= last_N);
+        // As a set of contacts that is replaced fades; then evenly, over 25 ms.
+        const double most_N = n <= 5 ? last_N * kDt_s / kFade_s : pressed_N / 25.0;
+        CHECK(last_N - now_N <= 1.01 * most_N);
+        CHECK((n < 30 ? now_N > 0.0 : now_N == 0.0));
+        last_N = now_N;
+    }
+    // At once where nothing is to fade.
+    GodForce hard = make_force(0.5, 0.0);
+    put_on_floor(hard);
+    const Wrench before = hard.compute(handle);
+    hard.begin(Pose{});
+    hard.blend(before, handle, kDt_s);
+    CHECK(hard.compute(handle).force == Vector3::Zero());
+}
+
+TEST_CASE("god force: what touches again after a step fades as if it had not been free") {
+    GodForce force = make_force();
+    const Pose handle = Pose::at({0.0, -kDepth_m, 0.0});
+    put_on_floor(force);
+    for (int n = 0; n < 100; ++n) {
+        const Wrench before = force.compute(handle);
+        force.begin(Pose{});
+        if (n % 2 == 1) {
+            put_on_floor(force);
+        }
+        force.blend(before, handle, kDt_s);
+        const double change_N = (force.compute(handle).force - before.force).norm();
+        CHECK(change_N <= 1.01 * kStiffness * kDepth_m * kDt_s / kFade_s);
     }
 }
 

