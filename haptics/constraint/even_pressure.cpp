@@ -7,10 +7,10 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kHeldShare = 1.0e-9;  // of all springs
-constexpr double kSettled = 1.0e-10;   // of the wrench: what is left over
-constexpr int kMostRounds = 32;
-constexpr int kMostHalvings = 30;
+constexpr double kHeldShare = 1.0e-9;     // of all springs
+constexpr double kEvenSettled = 1.0e-10;  // of the wrench: what is left over
+constexpr int kMostEvenRounds = 32;
+constexpr int kMostEvenHalvings = 30;
 constexpr double kFalls = 1.0e-4;  // of what the slope promises (Armijo)
 
 }  // namespace
@@ -74,12 +74,12 @@ bool EvenPressure::solve(const Vector6& wrench) noexcept {
     springs.diagonal().array() += held_;
     Vector6 sunk = springs.llt().solve(wanted);
     Look seen = look(sunk, wanted);
-    for (int i = 0; i < kMostRounds && seen.slope.norm() > kSettled; ++i) {
+    for (int i = 0; i < kMostEvenRounds && seen.slope.norm() > kEvenSettled; ++i) {
         const Vector6 step = seen.springs.llt().solve(seen.slope);
         const double promised = step.dot(seen.slope);
         double share = 1.0;
-        for (int h = 0; h < kMostHalvings && find_value(sunk - share * step, wanted) >
-                                                 seen.value - kFalls * share * promised;
+        for (int h = 0; h < kMostEvenHalvings && find_value(sunk - share * step, wanted) >
+                                                     seen.value - kFalls * share * promised;
              ++h) {
             share *= 0.5;
         }

@@ -9,17 +9,17 @@ namespace fulcrum {
 namespace {
 
 constexpr double kCompliance = 1.0e-3;  // of a contact's weight, at first
-constexpr double kLeastCompliance = 1.0e-8;
+constexpr double kLeastFrictionCompliance = 1.0e-8;
 constexpr double kStiffens = 10.0;  // times, after a round
 constexpr double kSlow = 0.1;       // that left so much of what it was off
 constexpr double kEnough = 0.1;     // of what a round was off: as exact the next one is
-constexpr int kMostRounds = 30;
+constexpr int kMostFrictionRounds = 30;
 constexpr int kMostSteps = 400;             // linear systems
 constexpr std::size_t kMostLooks = 100000;  // at a contact, 20 ns each
 constexpr int kDampedRounds = 10;           // from then on bounds go half of their way
 constexpr int kMostFollowing = 12;          // whole steps of a round
 constexpr int kMostHeld = 40;               // searched steps of a round
-constexpr int kMostHalvings = 30;
+constexpr int kMostFrictionHalvings = 30;
 constexpr double kFlat = 0.3;       // of the slope along a step: left where the search ends
 constexpr double kBalanced = 0.02;  // of the largest that is wanted: farther off is no answer
 
@@ -154,8 +154,8 @@ void FrictionConstraintSolver::hold(Vector6& y, double enough) noexcept {
         double high = 1.0;
         double share = 1.0;
         Vector6 next = find_defect(y + step, false);
-        for (int j = 0;
-             j < kMostHalvings && has_time() && std::abs(step.dot(next)) > kFlat * std::abs(first);
+        for (int j = 0; j < kMostFrictionHalvings && has_time() &&
+                        std::abs(step.dot(next)) > kFlat * std::abs(first);
              ++j) {
             (step.dot(next) > 0.0 ? high : low) = share;
             if (low == 1.0) {
@@ -190,7 +190,7 @@ bool FrictionConstraintSolver::iterate(Vector6& y) noexcept {
     Miss miss{1.0, 1.0};
     double compliance = kCompliance;
     Vector6 balanced = Vector6::Zero();  // where the forces l of the last whole round hold it
-    for (int i = 0; i < kMostRounds && answer_.rounds < kMostSteps && has_time(); ++i) {
+    for (int i = 0; i < kMostFrictionRounds && answer_.rounds < kMostSteps && has_time(); ++i) {
         if (!follow(y)) {
             hold(y, kEnough * std::max(miss.most(), kTolerance));
         }
@@ -204,7 +204,7 @@ bool FrictionConstraintSolver::iterate(Vector6& y) noexcept {
             return true;
         }
         const bool is_slow = i > 0 && miss.way > kSlow * before.way && miss.way > miss.bound;
-        if (is_slow && compliance > kLeastCompliance) {
+        if (is_slow && compliance > kLeastFrictionCompliance) {
             compliance /= kStiffens;
             for (std::size_t k = 0; k < n_; ++k) {
                 contacts_[k].stiffness *= kStiffens;

@@ -1,4 +1,4 @@
-// A thing that a hand holds: gives poses, takes wrenches. Every kind (simulated, mouse, replay, later UDP and HID)
+// A thing that a hand holds: gives poses, takes wrenches. Every kind (simulated, mouse, replay, an arm over the network, HID)
 // stands behind this interface.
 //
 // Thread: `read` and `write` are called by the haptic loop alone; they neither wait nor allocate.

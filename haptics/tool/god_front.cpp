@@ -10,10 +10,10 @@ namespace fulcrum {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kRounded = 1.0e-9;     // of lengths: more than any rounding here
-constexpr double kFrameError = 2.0e-6;  // of a box's size: its axes are single numbers
-constexpr std::size_t kBlock = 128;     // places
-using Block = Eigen::Array<double, kBlock, 1>;
+constexpr double kRounded = 1.0e-9;       // of lengths: more than any rounding here
+constexpr double kFrameError = 2.0e-6;    // of a box's size: its axes are single numbers
+constexpr std::size_t kFrontBlock = 128;  // places
+using Block = Eigen::Array<double, kFrontBlock, 1>;
 constexpr std::size_t kTidied = 256;  // places of two, each time, and parents
 constexpr std::size_t kTried = 16;
 constexpr int kMostInVain = 6;  // after so many each time twice as many are left out
@@ -79,8 +79,8 @@ GodFront::GodFront(const SweptMesh& object, const SweptMesh& tool, int most_pair
     : object_(&object),
       tool_(&tool),
       pairs_(2 * static_cast<std::size_t>(most_pairs)),
-      due_(kBlock * (pairs_.size() / kBlock + 1), kNever),
-      block_due_(due_.size() / kBlock, kNever),
+      due_(kFrontBlock * (pairs_.size() / kFrontBlock + 1), kNever),
+      block_due_(due_.size() / kFrontBlock, kNever),
       free_(most_pairs),
       used_up_(2 * most_pairs),
       near_(2 * most_pairs),
@@ -284,19 +284,19 @@ GodLook GodFront::look_at(std::int32_t top, const GodPlace& place, double reach_
 void GodFront::set_due(std::int32_t i, double due_m) noexcept {
     const auto place = static_cast<std::size_t>(i);
     due_[place] = due_m;
-    block_due_[place / kBlock] = std::min(block_due_[place / kBlock], due_m);
+    block_due_[place / kFrontBlock] = std::min(block_due_[place / kFrontBlock], due_m);
 }
 
 void GodFront::list_used_up(double end_m) noexcept {
     used_up_.clear();
-    for (std::size_t begin = 0; begin < end_; begin += kBlock) {
-        double& least_m = block_due_[begin / kBlock];
+    for (std::size_t begin = 0; begin < end_; begin += kFrontBlock) {
+        double& least_m = block_due_[begin / kFrontBlock];
         if (least_m > end_m) {
             continue;
         }
         // It may have been of one that is due later now.
         least_m = Eigen::Map<const Block>(due_.data() + begin).minCoeff();
-        for (std::size_t i = begin; least_m <= end_m && i < begin + kBlock; ++i) {
+        for (std::size_t i = begin; least_m <= end_m && i < begin + kFrontBlock; ++i) {
             if (due_[i] <= end_m) {
                 (void)used_up_.add(static_cast<std::int32_t>(i));
             }

@@ -11,12 +11,12 @@ namespace fulcrum {
 namespace {
 
 constexpr double kContactGaps = 4.0;  // what is within so many gaps at rest is a contact, at least
-constexpr double kWidens =
+constexpr double kLookWidens =
     4.0;  // how far contacts are looked for, when the tool was stopped by another
 constexpr double kStuckShare = 0.1;  // of its way, that is
 constexpr double kStuckGaps = 32.0;  // and it is shorter than so many gaps at rest
 constexpr int kManyContacts = 64;    // it does not turn between so many
-constexpr double kWidest = 0.1;      // of the tool's reach
+constexpr double kLookWidest = 0.1;  // of the tool's reach
 constexpr double kFreeGaps = 1.0;    // what is within is not free, beyond twice that it is
 constexpr double kTouchShare =
     0.25;  // of the gap there is: the sweep stops between that and twice it
@@ -262,8 +262,8 @@ void GodObjectTool::look_farther(double way_m, double share, bool recovers) noex
     const double least_m = kContactGaps * settings_.gap_m;
     if (share < kStuckShare && share * way_m < kStuckGaps * settings_.gap_m && !is_cut_ &&
         step_.contacts < kManyContacts) {
-        const double most_m = std::max(least_m, std::min(way_m, kWidest * reach_m_));
-        within_m_ = std::clamp(kWidens * within_m_, least_m, most_m);
+        const double most_m = std::max(least_m, std::min(way_m, kLookWidest * reach_m_));
+        within_m_ = std::clamp(kLookWidens * within_m_, least_m, most_m);
     } else if (!recovers) {
         within_m_ = std::max(0.5 * within_m_, least_m);
     }

@@ -100,7 +100,7 @@ class GodObjectTool final : public ToolSolver {
     /// What is no number, and objects that overlap the tool in the first step after it was placed, leave it standing; nothing is felt.
     [[nodiscard]] ToolFelt move(const MovingFrame& handle, std::span<const MovingFrame> objects,
                                 double now_s, double dt_s) noexcept override;
-    /// For a loop that is faster than `move`: what is felt of the last step's contacts if the handle is here. On the hand, about the grip.
+    /// As often as asked between two steps, on their thread: what is felt of the last one's contacts if the handle is here. On the hand, about the grip.
     [[nodiscard]] Wrench force(const Pose& handle_W) noexcept;
 
     /// The centre of mass, along the principal axes.

@@ -10,7 +10,7 @@
 namespace fulcrum {
 namespace {
 
-constexpr double kLeastShare = 1.0e-3;
+constexpr double kLeastStepShare = 1.0e-3;
 constexpr double kSmallestGap_m = 1.0e-9;
 constexpr double kLargestGap_m = 1.0e-3;
 constexpr double kMostContacts = 65536.0;
@@ -66,7 +66,7 @@ Expected<void> validate(const GodObjectSettings& settings) {
          {"grip_T x", settings.grip_T.x(), -10.0, 10.0},
          {"grip_T y", settings.grip_T.y(), -10.0, 10.0},
          {"grip_T z", settings.grip_T.z(), -10.0, 10.0},
-         {"step_share", settings.step_share, kLeastShare, 1.0},
+         {"step_share", settings.step_share, kLeastStepShare, 1.0},
          {"gap_m", settings.gap_m, kSmallestGap_m, kLargestGap_m},
          {"fade_s", settings.fade_s, 0.0, 1.0},
          {"most_rounds", static_cast<double>(settings.most_rounds), 1.0, 1000.0},

@@ -195,7 +195,7 @@ double GodSurface::find_rise_m(std::int32_t triangle, const Vector3& at_B,
 
 // By the number of triangles between there and far away: odd inside. A line that meets an edge says nothing; the next one does.
 bool GodSurface::encloses(const Vector3& at_B) const noexcept {
-    constexpr double kFar = 4.0;  // reaches
+    constexpr double kFarReaches = 4.0;  // reaches
     const std::array<Vector3, 3> directions{Vector3(0.3183, 0.7071, 0.6313),
                                             Vector3(-0.8415, 0.1411, 0.5213),
                                             Vector3(0.1234, -0.9056, 0.4057)};
@@ -203,7 +203,7 @@ bool GodSurface::encloses(const Vector3& at_B) const noexcept {
         return false;
     }
     for (const Vector3& direction : directions) {
-        const Vector3 far = at_B + kFar * swept_->reach_m() * direction;
+        const Vector3 far = at_B + kFarReaches * swept_->reach_m() * direction;
         int n_met = 0;
         bool is_sure = true;
         swept_->boxes().for_each_met(

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kEvenedOver = 4.0;  // rounds, as a point's stroke (loop/touch_motion.h)
 constexpr double kSteeper = 2.0;     // than the samples show, at most
-constexpr double kNothing_N =
+constexpr double kNoRelief_N =
     1.0e-9;  // of a relief that is level everywhere rounding leaves slopes
 
 // From one length towards another place, by so much at most.
@@ -78,7 +78,7 @@ const Wrench& GodTexture::finish(double dt_s) noexcept {
     const Bounds bounds = find_bounds();
     const double most_N = stiffness * bounds.most_m;
     // Nothing of it is left of a push that is gone.
-    if (!(most_N > kNothing_N)) {
+    if (!(most_N > kNoRelief_N)) {
         felt_O_ = {};
         return felt_O_;
     }
