@@ -9,7 +9,7 @@ namespace fulcrum {
 namespace {
 
 // Bounds give way to what rounding may amount to, in voxels.
-constexpr double kRounding = 1.0e-3;
+constexpr double kFieldRounding = 1.0e-3;
 
 }  // namespace
 
@@ -156,7 +156,8 @@ double DistanceField::bound_distance_m(const Vector3& p_O) const noexcept {
     const double from_centre =
         std::abs(static_cast<double>(place.entry->centre_voxels)) - place.from_centre.norm();
     const double from_value = (std::abs(value_m) - error_bound_m()) / frame_.voxel_m;
-    const double within = std::max({from_centre - kRounding, from_value - kRounding, 0.0});
+    const double within =
+        std::max({from_centre - kFieldRounding, from_value - kFieldRounding, 0.0});
     double bound = frame_.voxel_m * std::sqrt(within * within + outside * outside);
     if (outside > 0.0) {
         bound = std::max(bound, (p_O - ball_centre_O_).norm() - ball_radius_m_);
@@ -169,7 +170,7 @@ double DistanceField::find_free_radius_m(const Vector3& p_O) const noexcept {
     if (!(value_m > 0.0)) {
         return 0.0;
     }
-    const double slack_m = kRounding * frame_.voxel_m;
+    const double slack_m = kFieldRounding * frame_.voxel_m;
     const double by_slope = value_m / slope_bound_ - slack_m;
     // Where d is above its error, F is above 0.
     const double by_distance = bound_distance_m(p_O) - error_bound_m() - slack_m;

@@ -70,13 +70,13 @@ using Lanes = std::array<std::array<float, ContactLanes::kLanes>, 3>;
 
 double sum_of(const SlopeLanes::Lanes& lanes) noexcept {
     // Four sums side by side: one would wait for itself at each number.
-    using Floats = float __attribute__((vector_size(16)));
-    using Doubles = double __attribute__((vector_size(32)));
-    Doubles sums{};
+    using FourFloats = float __attribute__((vector_size(16)));
+    using FourDoubles = double __attribute__((vector_size(32)));
+    FourDoubles sums{};
     for (std::size_t i = 0; i < lanes.size(); i += 4) {
-        Floats four;
+        FourFloats four;
         __builtin_memcpy(&four, lanes.data() + i, sizeof four);
-        sums += __builtin_convertvector(four, Doubles);
+        sums += __builtin_convertvector(four, FourDoubles);
     }
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
