@@ -1,6 +1,7 @@
 #include "runtime/app/run_request.h"
 
 #include "haptics/device/replay/recorded_traits.h"
+#include "runtime/app/interrupt.h"
 #include "runtime/lesson/simulated_pupil.h"
 #include "runtime/progress/store.h"
 
@@ -92,6 +93,7 @@ Expected<void> choose_hearing(const Options& options, RunRequest& request) {
     }
     HearingOrder& hearing = request.plan.hearing;
     hearing.listen = options.listen;
+    hearing.gives_up = interrupted;
     if (options.speech == SpeechInput::external) {
         hearing.words = {"/bin/sh", "-c", options.hearing};
     } else {

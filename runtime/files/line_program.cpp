@@ -48,19 +48,32 @@ void LineProgram::send(std::string_view line) {
     to_write_ += line;
     to_write_ += '\n';
     if (to_write_.size() > kMostQueued_bytes) {
-        give_up("takes nothing");
+        end("takes nothing");
+        return;
     }
-    move_bytes();
+    write_some();
 }
 
 std::optional<std::string> LineProgram::take() {
-    move_bytes();
-    const std::size_t end = read_.find('\n');
-    if (end == std::string::npos) {
+    if (trouble_.empty()) {
+        write_some();
+    }
+    if (auto line = whole_line()) {
+        return line;
+    }
+    if (trouble_.empty()) {
+        read_some();
+    }
+    return whole_line();
+}
+
+std::optional<std::string> LineProgram::whole_line() {
+    const std::size_t line_end = read_.find('\n');
+    if (line_end == std::string::npos) {
         return {};
     }
-    std::string line = read_.substr(0, end);
-    read_.erase(0, end + 1);
+    std::string line = read_.substr(0, line_end);
+    read_.erase(0, line_end + 1);
     return line;
 }
 
@@ -77,21 +90,12 @@ std::optional<std::string> LineProgram::wait(double patience_s) {
     return line;
 }
 
-void LineProgram::move_bytes() {
-    if (trouble_.empty()) {
-        write_some();
-    }
-    if (trouble_.empty()) {
-        read_some();
-    }
-}
-
 void LineProgram::write_some() {
     while (!to_write_.empty()) {
         const ssize_t n = ::send(socket_, to_write_.data(), to_write_.size(), MSG_NOSIGNAL);
         if (n < 0) {
             if (errno != EAGAIN && errno != EINTR && errno != EPIPE && errno != ECONNRESET) {
-                give_up("cannot be spoken to");
+                end("cannot be spoken to");
             }
             return;  // who has ended is noticed by reading
         }
@@ -99,28 +103,39 @@ void LineProgram::write_some() {
     }
 }
 
+// Up to the end of a line, and no longer than one can be.
 void LineProgram::read_some() {
     std::array<char, 16384> part{};
-    for (;;) {
+    for (bool goes_on = true; goes_on;) {
         const ssize_t n = recv(socket_, part.data(), part.size(), 0);
-        if (n > 0) {
-            read_.append(part.data(), static_cast<std::size_t>(n));
-            if (read_.size() > kLongestLine_bytes && read_.find('\n') == std::string::npos) {
-                give_up("says a line that is too long");
-                return;
-            }
-            continue;
+        if (n < 0 && errno != ECONNRESET) {
+            return;
         }
-        if (n == 0 || errno == ECONNRESET) {
-            give_up("has ended");
+        if (n <= 0) {
+            end("has ended");
+            return;
         }
-        return;
+        const std::size_t before = read_.size();
+        read_.append(part.data(), static_cast<std::size_t>(n));
+        const std::size_t line_end = read_.find('\n', before);
+        if (std::min(line_end, read_.size()) > kLongestLine_bytes) {
+            end("says a line that is too long");
+            return;
+        }
+        goes_on = line_end == std::string::npos;
     }
 }
 
-void LineProgram::give_up(const std::string& why) {
+void LineProgram::end(const std::string& why) {
+    if (!trouble_.empty()) {
+        return;
+    }
     trouble_ = "the program " + name_ + " " + why;
     to_write_.clear();
+    read_.clear();
+    close(socket_);
+    socket_ = -1;
+    program_.end();
 }
 
 }  // namespace fulcrum::runtime

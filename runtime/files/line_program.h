@@ -1,9 +1,11 @@
 // A program that runs beside this one and is spoken to in lines, both ways, without waiting.
 //
 //   send(line) -> [queue] -> its standard input            its standard output -> [part of a line] -> take()
-// A program that ends, says a line that is too long or takes nothing for too long is told as trouble, once; after that nothing comes.
+// More is read only when no whole line is left, so that one that says too much waits, as at a pipe, and fills no memory here.
+// A program that ends, says a line that is too long or takes nothing for too long is ended and told as trouble, once; after that
+// nothing comes.
 //
-// Thread: one. Cost: a system call or two.
+// Thread: one. Cost: some system calls; at most a line's length is read.
 #pragma once
 
 #include "haptics/base/error.h"
@@ -33,18 +35,19 @@ class LineProgram {
     [[nodiscard]] std::optional<std::string> take();
     /// The same, waiting at most so long.
     [[nodiscard]] std::optional<std::string> wait(double patience_s);
+    /// Ends it; `why` goes on from "the program x": "says too much".
+    void end(const std::string& why);
     /// Why it says nothing any more, or empty.
     [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
     static constexpr std::size_t kMostQueued_bytes = 16'000'000;
-    static constexpr std::size_t kLongestLine_bytes = 1'000'000;
+    static constexpr std::size_t kLongestLine_bytes = 1'000'000;  ///< without its end
 
   private:
     explicit LineProgram(std::string name) : name_(std::move(name)) {}
-    void move_bytes();
+    [[nodiscard]] std::optional<std::string> whole_line();
     void write_some();
     void read_some();
-    void give_up(const std::string& why);
 
     std::string name_;
     StartedProgram program_;

@@ -59,11 +59,16 @@ void set_apart(posix_spawnattr_t& attributes) {
 }
 
 StartedProgram::~StartedProgram() {
+    end();
+}
+
+void StartedProgram::end() {
     if (pid_ >= 0) {
         kill(-pid_, SIGKILL);  // what it started, too
         kill(pid_, SIGKILL);
         while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
         }
+        pid_ = -1;
     }
 }
 

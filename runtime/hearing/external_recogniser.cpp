@@ -1,9 +1,11 @@
 #include "runtime/hearing/external_recogniser.h"
 
+#include "haptics/base/clock.h"
 #include "runtime/audio/resample.h"
 #include "runtime/audio/wav.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <span>
@@ -13,8 +15,12 @@
 namespace fulcrum::runtime {
 namespace {
 
-constexpr std::size_t kPiece = 3200;  // samples a line: 0.2 s
-constexpr double kPatience_s = 20.0;  // of a run that waits
+constexpr std::size_t kPiece = 3200;    // samples a line: 0.2 s
+constexpr double kGiveUpLook_s = 0.05;  // so often a run that waits looks whether somebody gives up
+constexpr int kLinesEach = 2;           // a program may say so many for each that it gets
+constexpr int kMostLinesLeft = 1000;
+constexpr int kMostLines = 64;  // taken in one poll
+constexpr std::size_t kMostLines_bytes = LineProgram::kLongestLine_bytes;
 constexpr std::size_t kMostFile_bytes = 50'000'000;
 constexpr std::size_t kMostTroubles = 16;
 
@@ -56,8 +62,7 @@ dialogue::Expected<bool> ExternalRecogniser::listen(
     stop();
     ++question_;
     listening_ = true;
-    program_->send(write_line(dialogue::HearingOrder(
-        dialogue::ListenLine{question_, dialogue::make_word_graph(*templates)})));
+    order(dialogue::ListenLine{question_, dialogue::make_word_graph(*templates)});
     speak_recording();
     return true;
 }
@@ -80,11 +85,17 @@ void ExternalRecogniser::hear(std::span<const std::int16_t> all) {
     }
     for (std::size_t i = 0; i < all.size(); i += kPiece) {
         const auto piece = all.subspan(i, std::min(kPiece, all.size() - i));
-        program_->send(write_line(
-            dialogue::HearingOrder(dialogue::AudioLine{question_, {piece.begin(), piece.end()}})));
+        order(dialogue::AudioLine{question_, {piece.begin(), piece.end()}});
     }
-    program_->send(write_line(dialogue::HearingOrder(dialogue::EndLine{question_})));
+    order(dialogue::EndLine{question_});
     awaits_ = true;
+    waits_until_s_ = monotonic_now_s() + settings_.patience_s;
+}
+
+// Each line to it entitles it to some.
+void ExternalRecogniser::order(const dialogue::HearingOrder& line) {
+    program_->send(write_line(line));
+    lines_left_ = std::min(lines_left_ + kLinesEach, kMostLinesLeft);
 }
 
 std::vector<dialogue::Hypothesis> ExternalRecogniser::poll() {
@@ -96,33 +107,67 @@ std::vector<dialogue::Hypothesis> ExternalRecogniser::poll() {
     return std::exchange(heard_, {});
 }
 
+// Bounded, whatever it says: the rest is for the next poll, and the program waits.
 void ExternalRecogniser::take_lines() {
-    while (true) {
-        const bool waits = settings_.waits && awaits_;
-        const auto line = waits ? program_->wait(kPatience_s) : program_->take();
+    std::size_t bytes = 0;
+    for (int n = 0; n < kMostLines && bytes < kMostLines_bytes; ++n) {
+        const auto line = next_line();
         if (!line) {
             break;
         }
+        if (--lines_left_ < 0) {
+            program_->end("says much more than it is asked, and was ended");
+            break;
+        }
+        bytes += line->size();
         const auto answer = dialogue::read_answer(*line);
         if (answer) {
             take(*answer);
-        } else {
+        } else if (!std::exchange(said_nonsense_, true)) {
             tell("The program that hears said what it should not: " + answer.error().message + ".");
         }
     }
-    if (!program_->trouble().empty()) {
-        if (name_ != "none") {
-            tell("Nobody hears any more: " + program_->trouble() + "; type the answers.");
-        }
-        name_ = "none";
-        awaits_ = false;
+    look_for_its_end();
+}
+
+// A run that waits for what was said does so until then, or until somebody gives up.
+std::optional<std::string> ExternalRecogniser::next_line() {
+    if (!settings_.waits || !awaits_) {
+        return program_->take();
     }
+    while (!settings_.gives_up || !settings_.gives_up()) {
+        const double left_s = waits_until_s_ - monotonic_now_s();
+        auto line = program_->wait(std::clamp(left_s, 0.0, kGiveUpLook_s));
+        if (line || !program_->trouble().empty()) {
+            return line;
+        }
+        if (left_s <= 0.0) {
+            program_->end("has said nothing of what was spoken for " +
+                          std::to_string(std::lround(settings_.patience_s)) + " s, and was ended");
+            break;
+        }
+    }
+    return {};
+}
+
+void ExternalRecogniser::look_for_its_end() {
+    if (program_->trouble().empty()) {
+        return;
+    }
+    if (name_ != "none") {
+        tell("Nobody hears any more: " + program_->trouble() + "; type the answers.");
+    }
+    name_ = "none";
+    awaits_ = false;
 }
 
 void ExternalRecogniser::take(const dialogue::HearingAnswer& answer) {
     if (const auto* const ready = std::get_if<dialogue::ReadyLine>(&answer)) {
         name_ = ready->name;
         hears_form_ = ready->form;
+        if (!std::exchange(ready_, true)) {  // its models had to load
+            waits_until_s_ = monotonic_now_s() + settings_.patience_s;
+        }
     } else if (const auto* const listening = std::get_if<dialogue::ListeningLine>(&answer)) {
         for (const std::string& word : listening->unknown) {
             tell("Nobody knows how \"" + word + "\" sounds, so it is never heard.");
@@ -147,7 +192,7 @@ void ExternalRecogniser::take(const dialogue::HearingAnswer& answer) {
 
 void ExternalRecogniser::stop() {
     if (listening_) {
-        program_->send(write_line(dialogue::HearingOrder(dialogue::StopLine{question_})));
+        order(dialogue::StopLine{question_});
     }
     listening_ = false;
     awaits_ = false;
@@ -164,8 +209,9 @@ std::string ExternalRecogniser::take_trouble() {
 }
 
 void ExternalRecogniser::tell(const std::string& sentence) {
-    if (troubles_.size() < kMostTroubles) {
+    if (troubles_.size() < kMostTroubles && sentence != told_last_) {
         troubles_.push_back(sentence);
+        told_last_ = sentence;
     }
 }
 

@@ -4,8 +4,10 @@
 //   an utterance of a microphone (ear.h) -> hear
 // Where recordings are given, each question is answered by the next of them. A run without a window waits for the program's answer, so that
 // it goes the same each time; a live one never waits. Without the program, or when it fails, there is one sentence, and typing goes on.
+// It fails, and is ended, when it says much more than it is asked (more than 100 lines, and two for each that it got), or nothing of an
+// utterance to a run that waits, for 20 s.
 //
-// Thread: one, that of the lesson loop. Cost: a system call or two a poll; the program's own work is its own.
+// Thread: one, that of the lesson loop. Cost: some system calls and at most 64 lines a poll; the program's own work is its own.
 #pragma once
 
 #include "dialogue/speech/external/hearing_lines.h"
@@ -15,7 +17,9 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,11 +27,13 @@
 namespace fulcrum::runtime {
 
 struct HearingSettings {
-    std::vector<std::string> words;       ///< the program and its arguments
-    std::vector<std::string> recordings;  ///< WAV files, one for each question in turn
-    bool waits = false;                   ///< for answers, as runs without a window do
+    std::vector<std::string> words{};       ///< the program and its arguments
+    std::vector<std::string> recordings{};  ///< WAV files, one for each question in turn
+    bool waits = false;                     ///< for answers, as runs without a window do
     /// What fits nothing was said to somebody else: it is passed over, and nobody is asked to say it again.
     bool passes_over = false;
+    double patience_s = 20.0;  ///< of a run that waits, for what is heard in an utterance
+    std::function<bool()> gives_up = {};  ///< true: nobody waits any more; may be empty
 };
 
 class ExternalRecogniser final : public dialogue::Recogniser {
@@ -51,9 +57,14 @@ class ExternalRecogniser final : public dialogue::Recogniser {
     [[nodiscard]] double throat() const { return throat_; }
 
   private:
+    static constexpr int kFreeLines = 100;
+
     ExternalRecogniser(HearingSettings settings, std::unique_ptr<LineProgram> program);
     void speak_recording();
+    void order(const dialogue::HearingOrder& line);
     void take_lines();
+    [[nodiscard]] std::optional<std::string> next_line();
+    void look_for_its_end();
     void take(const dialogue::HearingAnswer& answer);
     void tell(const std::string& sentence);
 
@@ -66,8 +77,13 @@ class ExternalRecogniser final : public dialogue::Recogniser {
     int question_ = 0;
     bool listening_ = false;
     bool awaits_ = false;  // an utterance has been given, and not answered
+    double waits_until_s_ = 0.0;
+    int lines_left_ = kFreeLines;  // that it may say without being asked for more
+    bool ready_ = false;
+    bool said_nonsense_ = false;
     std::vector<dialogue::Hypothesis> heard_;
     std::deque<std::string> troubles_;
+    std::string told_last_;
 };
 
 }  // namespace fulcrum::runtime

@@ -26,8 +26,11 @@ Speech Speech::build(const Plan& plan) {
             words.insert(words.end(), {"--throat", throat_text(plan.hearing.throat)});
         }
         auto hearing = ExternalRecogniser::create(
-            {std::move(words), plan.hearing.recordings, plan.waits_for_hearing,
-             plan.microphone && plan.hearing.listen == ListenMode::always});
+            {.words = std::move(words),
+             .recordings = plan.hearing.recordings,
+             .waits = plan.waits_for_hearing,
+             .passes_over = plan.microphone && plan.hearing.listen == ListenMode::always,
+             .gives_up = plan.hearing.gives_up});
         if (hearing) {
             speech.hearing_ = std::move(*hearing);
         } else {

@@ -8,4 +8,8 @@ if(TARGET fulcrum)
            COMMAND ${CMAKE_SOURCE_DIR}/tests/system/microphone.sh $<TARGET_FILE:fulcrum>)
   set_tests_properties("system: a microphone in a window is heard, and unplugging it is a sentence"
                        PROPERTIES LABELS system TIMEOUT 180 SKIP_RETURN_CODE 77 ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
+  add_test(NAME "system: a program that hears and floods or says nothing stops no lesson"
+           COMMAND ${CMAKE_SOURCE_DIR}/tests/system/unruly_recogniser.sh $<TARGET_FILE:fulcrum>)
+  set_tests_properties("system: a program that hears and floods or says nothing stops no lesson"
+                       PROPERTIES LABELS system TIMEOUT 300)
 endif()

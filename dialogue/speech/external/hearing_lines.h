@@ -12,6 +12,8 @@
 //             {"heard": 3, …, "throat": 1.2}                                  it also found how much smaller than a grown-up's the learner's
 //                                                                             throat is, 1 to 2
 //             {"trouble": "one sentence"}                                     about the line before it
+// It says no more than it is asked: at most 100 lines, and two more for each that it got, or it is ended. In a run without a window it has
+// 20 s for an utterance, from its end or, the first time, from "ready".
 // The number is the question's, and answers to an older one are passed over. Any program that keeps to this can hear for Fulcrum.
 //
 // Thread: pure.  Cost: linear in the line.

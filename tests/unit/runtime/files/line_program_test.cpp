@@ -4,6 +4,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <cerrno>
+#include <csignal>
+#include <string>
+
 using namespace fulcrum;
 using namespace fulcrum::runtime;
 
@@ -46,12 +50,55 @@ TEST_CASE("line program: a line without end, and nobody who takes what is sent, 
     const auto program = start_shell("yes x | tr -d '\\n'");
     CHECK_FALSE(program->wait(kPatience_s));
     CHECK(program->trouble() == "the program sh says a line that is too long");
+    CHECK_FALSE(program->take());
+    const auto silent_line = start_shell("tr '\\0' a </dev/zero");
+    while (silent_line->trouble().empty()) {
+        REQUIRE_FALSE(silent_line->wait(kPatience_s));
+    }
+    CHECK(silent_line->trouble() == "the program sh says a line that is too long");
     const auto deaf = start_shell("sleep 100");
     const std::string line(1'000'000, 'x');
     for (int i = 0; i < 20; ++i) {
         deaf->send(line);
     }
     CHECK(deaf->trouble() == "the program sh takes nothing");
+}
+
+TEST_CASE("line program: the longest line comes, and one byte more is refused") {
+    const auto program = start_shell("cat");
+    const std::string longest(LineProgram::kLongestLine_bytes, 'x');
+    program->send(longest);
+    program->send("short");
+    CHECK(program->wait(kPatience_s) == longest);
+    CHECK(program->wait(kPatience_s) == "short");
+    program->send(longest + 'x');
+    CHECK_FALSE(program->wait(kPatience_s));
+    CHECK(program->trouble() == "the program sh says a line that is too long");
+}
+
+TEST_CASE("line program: one that never stops talking is heard line by line, and waits") {
+    const auto program = start_shell("yes");
+    constexpr int kLines = 1000;
+    const double begun_s = monotonic_now_s();
+    for (int i = 0; i < kLines; ++i) {
+        REQUIRE(program->wait(kPatience_s) == "y");
+    }
+    CHECK(monotonic_now_s() - begun_s < kPatience_s);
+    CHECK(program->trouble().empty());
+}
+
+TEST_CASE("line program: whom somebody ends is gone with all that it said") {
+    const auto program = start_shell("echo $$; echo more; exec sleep 100");
+    const auto id = program->wait(kPatience_s);
+    REQUIRE(id);
+    CHECK(kill(std::stoi(*id), 0) == 0);
+    program->end("says too much");
+    CHECK(kill(std::stoi(*id), 0) == -1);
+    CHECK(errno == ESRCH);
+    CHECK_FALSE(program->take());
+    program->send("anybody there?");
+    program->end("twice");
+    CHECK(program->trouble() == "the program sh says too much");
 }
 
 TEST_CASE("line program: what is not there is one sentence; nothing waits for its end") {

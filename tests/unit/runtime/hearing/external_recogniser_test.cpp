@@ -4,6 +4,7 @@
 #include "runtime/audio/voice/voice_program.h"
 #include "runtime/files/run_program.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/unit/runtime/hearing/asked.h"
 #include "tests/unit/runtime/hearing/sounds.h"
 
 #include <catch2/catch.hpp>
@@ -18,17 +19,10 @@
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
+using test::make_question;
+using test::shell;
 
 namespace {
-
-dialogue::Question make_question() {
-    dialogue::QuestionSource source;
-    source.id = "heaviest";
-    source.prompt = "Which one is the heaviest?";
-    source.answers = {"[the|a|an] {thing} is the <superlative:heavy>"};
-    source.lists = {{"thing", {"watermelon", "apple", "banana", "egg"}}};
-    return dialogue::compile_question(source).value();
-}
 
 // A recording of a sentence, said by flite.
 std::string record(const ScratchFolder& folder, const std::string& name, const std::string& text) {
@@ -42,10 +36,6 @@ std::string record(const ScratchFolder& folder, const std::string& name, const s
 std::unique_ptr<ExternalRecogniser> start(std::vector<std::string> words,
                                           std::vector<std::string> recordings = {}) {
     return ExternalRecogniser::create({std::move(words), std::move(recordings), true}).value();
-}
-
-std::vector<std::string> shell(const std::string& script) {
-    return {"sh", "-c", script};
 }
 
 std::string only(const std::vector<dialogue::Hypothesis>& heard) {
