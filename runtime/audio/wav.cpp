@@ -1,11 +1,14 @@
 #include "runtime/audio/wav.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -83,8 +86,7 @@ Expected<Format> read_format(std::string_view chunk) {
 float read_sample(const Format& format, std::string_view data, std::size_t at) {
     const std::uint32_t bits = take(data, at, format.n_bytes);
     if (format.kind == kFloat) {
-        const auto value = std::bit_cast<float>(bits);
-        return std::isfinite(value) ? std::clamp(value, -1.0F, 1.0F) : 0.0F;
+        return std::clamp(std::bit_cast<float>(bits), -1.0F, 1.0F);
     }
     if (format.n_bytes == 1) {
         constexpr float kMiddle = 128.0F;  // bytes have no sign
@@ -95,7 +97,30 @@ float read_sample(const Format& format, std::string_view data, std::size_t at) {
     return static_cast<float>(value) * 0x1p-31F;
 }
 
-WavSound read_samples(const Format& format, std::string_view data) {
+// The first that is not finite, with its place.
+std::optional<tl::unexpected<Error>> find_no_number(const Format& format, std::string_view data) {
+    if (format.kind != kFloat) {
+        return std::nullopt;
+    }
+    const std::size_t n_frames = data.size() / (format.n_channels * sizeof(float));
+    for (std::size_t i = 0; i < n_frames * format.n_channels; ++i) {
+        const auto value = std::bit_cast<float>(take(data, i * sizeof(float), sizeof(float)));
+        if (!std::isfinite(value)) {
+            const std::size_t frame = i / format.n_channels;
+            std::array<char, 40> time{};
+            std::snprintf(time.data(), time.size(), "%.3f s",
+                          static_cast<double>(frame) / format.rate_Hz);
+            return no_wav("its sample " + std::to_string(frame + 1) + ", at " + time.data() +
+                          ", is " + (std::isnan(value) ? "no number" : "infinite"));
+        }
+    }
+    return std::nullopt;
+}
+
+Expected<WavSound> read_samples(const Format& format, std::string_view data) {
+    if (auto refused = find_no_number(format, data)) {
+        return *refused;
+    }
     const std::size_t frame = format.n_channels * static_cast<std::size_t>(format.n_bytes);
     WavSound sound{std::vector<float>(data.size() / frame), format.rate_Hz};
     for (std::size_t i = 0; i < sound.samples.size(); ++i) {
@@ -139,9 +164,8 @@ Expected<WavSound> read_wav(std::string_view bytes) {
         }
         const std::string_view chunk = bytes.substr(at, std::min<std::size_t>(length, left));
         if (is_data) {
-            return format.n_bytes > 0
-                       ? Expected<WavSound>(read_samples(format, chunk))
-                       : Expected<WavSound>(no_wav("it has samples before a format"));
+            return format.n_bytes > 0 ? read_samples(format, chunk)
+                                      : no_wav("it has samples before a format");
         }
         if (name == "fmt ") {
             const auto read = read_format(chunk);

@@ -30,7 +30,8 @@ struct WavSound {
     int rate_Hz = 0;
 };
 
-/// The sound in a file's bytes; an error says what is wrong with them, without place.
+/// The sound in a file's bytes; an error says what is wrong with them, without the file's place. Floats beyond -1 to 1 are clipped; one
+/// that is no number or infinite refuses the file, with the place of its sample.
 [[nodiscard]] Expected<WavSound> read_wav(std::string_view bytes);
 
 }  // namespace fulcrum::runtime

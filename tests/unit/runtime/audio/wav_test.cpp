@@ -96,10 +96,36 @@ TEST_CASE("wav: every kind of sample is read alike") {
         CHECK(sound->rate_Hz == 16000);
         CHECK(sound->samples == expected);
     }
-    // No number, and one beyond all bounds.
-    const auto odd = read_wav(wav(format(3, 1, 8000, 32) + all({0x7FC00000, 0x7F000000}, 4)));
-    REQUIRE(odd);
-    CHECK(odd->samples == std::vector<float>{0.0F, 1.0F});
+    // Beyond all bounds, yet numbers.
+    const auto loud = read_wav(wav(format(3, 1, 8000, 32) + all({0xFF7FFFFF, 0x7F7FFFFF}, 4)));
+    REQUIRE(loud);
+    CHECK(loud->samples == std::vector<float>{-1.0F, 1.0F});
+}
+
+TEST_CASE("wav: a sample that is no number, or infinite, is refused with its place") {
+    // 0.5 in each but the last of so many; the last frame's last channel is odd.
+    const auto refused = [](std::uint32_t odd, std::uint32_t channels, int frames) {
+        std::string samples;
+        for (int i = 1; i < frames * static_cast<int>(channels); ++i) {
+            samples += little(0x3F000000, 4);
+        }
+        return refusal(
+            wav(format(3, channels, 8000, 32) + chunk("data", samples + little(odd, 4))));
+    };
+    CHECK(refused(0x3F000000, 1, 5).empty());
+    for (const std::uint32_t odd : {0x7FC00000U, 0xFFC00001U, 0x7F800001U}) {
+        CHECK(refused(odd, 1, 5).find("its sample 5, at 0.001 s, is no number") !=
+              std::string::npos);
+    }
+    for (const std::uint32_t odd : {0x7F800000U, 0xFF800000U}) {
+        CHECK(refused(odd, 1, 1).find("its sample 1, at 0.000 s, is infinite") !=
+              std::string::npos);
+        CHECK(refused(odd, 2, 8001).find("its sample 8001, at 1.000 s, is infinite") !=
+              std::string::npos);
+    }
+    CHECK(refused(0x7FC00000, 1, 5).find("save it as WAV") != std::string::npos);
+    // The same bits are numbers where they are no floats.
+    CHECK(refusal(wav(format(1, 1, 8000, 32) + chunk("data", little(0x7FC00000, 4)))).empty());
 }
 
 TEST_CASE("wav: channels are averaged, other chunks passed over, an open length is to the end") {
