@@ -143,7 +143,7 @@ Feedback Conversation::respond_to_form(const Mark& mark) {
 
 Feedback Conversation::praise(const Mark& mark) {
     const CatalogueSlots sentence{{"sentence", mark.emphasised}};
-    if (mark.short_answer) {
+    if (mark.short_answer || !mark.form_known) {  // neither shows anything of the form
         return say(FeedbackKind::praise, "feedback.praise_short", sentence);
     }
     seen_.clear();  // a whole right sentence: the ladder begins anew
@@ -166,7 +166,9 @@ Feedback Conversation::respond_to_repeat(const Mark& mark, bool meaning_right) {
         shown ? say(FeedbackKind::praise, "feedback.repaired", {{"sentence", mark.corrected}})
               : say(FeedbackKind::recast, recast_key(accepted_),
                     {{"sentence", accepted_.emphasised}});
-    feedback.uptake = shown ? Uptake::repaired : Uptake::not_repaired;
+    if (mark.form_known) {
+        feedback.uptake = shown ? Uptake::repaired : Uptake::not_repaired;
+    }
     if (shown) {
         seen_.clear();
     }
@@ -217,7 +219,7 @@ Feedback Conversation::tell(const Help& help) {
 }
 
 void Conversation::show_good_english(const Mark& mark, Feedback& feedback) const {
-    if (!form_check_) {
+    if (!form_check_ || !mark.form_known) {
         return;
     }
     CheckedText checked = form_check_(mark.said);

@@ -55,7 +55,7 @@ enum class FeedbackKind : std::uint8_t {
     moved_on         ///< left for now
 };
 
-/// What was made of an invitation to say it once more.
+/// What was made of an invitation to say it once more; none, too, where the form of what was said then was not heard.
 enum class Uptake : std::uint8_t { none, repaired, not_repaired };
 
 /// For files and databases: "praise", "wrong_meaning"; "repaired", and nothing where there was no invitation.

@@ -143,8 +143,8 @@ std::vector<std::pair<std::string, std::string>> last_words(const TemplateSet& s
 }  // namespace
 
 bool Mark::target_right() const {
-    return std::none_of(form_errors.begin(), form_errors.end(),
-                        [](const FormError& error) { return error.target; });
+    return form_known && std::none_of(form_errors.begin(), form_errors.end(),
+                                      [](const FormError& error) { return error.target; });
 }
 
 int Mark::other_errors() const {
@@ -244,11 +244,11 @@ std::string sentence_frame(const Question& question) {
 }
 
 Mark without_form(Mark mark) {
+    mark.form_known = false;
     mark.form_errors.clear();
     mark.emphasised = mark.corrected;
     mark.emphasis.clear();
     mark.gapped.clear();
-    mark.short_answer = true;  // which shows nothing of it either
     return mark;
 }
 

@@ -53,6 +53,8 @@ struct Mark {
     bool short_answer = false;  ///< "The watermelon.": fine
     bool turned_round =
         false;  ///< "Metal is made of a spaceship.": thing and material changed places, so it can't be true
+    bool form_known =
+        true;  ///< false: the meaning alone was heard, and of the form nothing is known
     double confidence = 1.0;  ///< the recogniser's, 0 to 1; 1 for typed answers
     std::vector<std::pair<std::string, std::string>> slots;  ///< thing -> watermelon
     std::vector<FormError> form_errors;                      ///< in the order said
@@ -62,8 +64,9 @@ struct Mark {
     std::string gapped;    ///< the same with "…" in that place
     std::string emphasis;  ///< that part alone: "the heaviest"; empty without errors
 
-    [[nodiscard]] bool form_right() const { return form_errors.empty(); }
-    /// The form that the question teaches is right, whatever else is wrong.
+    /// The form is known, and there is no error in it.
+    [[nodiscard]] bool form_right() const { return form_known && form_errors.empty(); }
+    /// The form that the question teaches is known and right, whatever else is wrong.
     [[nodiscard]] bool target_right() const;
     /// Errors outside that form.
     [[nodiscard]] int other_errors() const;

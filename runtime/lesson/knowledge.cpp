@@ -139,18 +139,19 @@ std::vector<AskingSentence> Knowledge::every_way() const {
     return all;
 }
 
-std::optional<AskedFor> Knowledge::find(std::string_view words) const {
+std::optional<AskedFor> Knowledge::find(std::string_view words, bool form) const {
     dialogue::Mark mark = dialogue::mark_answer(question_, words);
     const bool is_whole = mark.understood && !mark.short_answer && mark.other_number.empty();
     if (!is_whole || mark.answer < 0 || static_cast<std::size_t>(mark.answer) >= names_.size()) {
         return std::nullopt;
     }
-    return AskedFor{names_[static_cast<std::size_t>(mark.answer)], std::move(mark)};
+    const std::string& name = names_[static_cast<std::size_t>(mark.answer)];
+    return AskedFor{name, form ? std::move(mark) : without_form(std::move(mark))};
 }
 
 std::string Knowledge::told(const AskedFor& asked, const std::string& answer) const {
     const std::string said = answer.empty() ? catalogue_->say("knowledge.not_known") : answer;
-    return asked.mark.form_right()
+    return asked.mark.form_errors.empty()
                ? said
                : catalogue_->say("knowledge.recast",
                                  {{"sentence", asked.mark.emphasised}, {"answer", said}});

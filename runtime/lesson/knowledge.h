@@ -37,8 +37,8 @@ class Knowledge {
     [[nodiscard]] static Expected<std::optional<Knowledge>> compile(
         const LessonDescription& lesson, const dialogue::Catalogue& catalogue);
 
-    /// Nothing where the words ask for nothing that the lesson knows.
-    [[nodiscard]] std::optional<AskedFor> find(std::string_view words) const;
+    /// Nothing where the words ask for nothing that the lesson knows. Without `form` they show the meaning alone.
+    [[nodiscard]] std::optional<AskedFor> find(std::string_view words, bool form = true) const;
     /// All ways to ask, each one of its answers.
     [[nodiscard]] const dialogue::Question& question() const { return question_; }
     /// What a recogniser listens for while nothing else is asked.

@@ -16,6 +16,7 @@ AnsweredEvent answered_event(const MarkedAnswer& answer) {
     answered.understood = answer.mark.understood;
     answered.right = answer.right;
     answered.form_right = answer.mark.understood && answer.mark.form_right();
+    answered.form_known = answer.mark.form_known;
     answered.turned_round = answer.mark.turned_round;
     answered.over = !answer.feedback.ask_again;
     answered.attempt = answer.feedback.attempt;

@@ -222,15 +222,15 @@ void LessonSession::hear(const dialogue::Hypothesis& heard) {
     const bool may_be_asking = knowledge_ && !dialogue_.understands(words);
     if (knowledge_ && !may_be_asking && !dialogue_.listens()) {
         tell(words, knowledge_->not_now());  // it was set aside, to be felt again
-    } else if (!may_be_asking || !ask_for(words, heard.confidence)) {
+    } else if (!may_be_asking || !ask_for(words, heard)) {
         take(dialogue_.hear(words, heard.confidence, time_s_, heard.form));
     }
 }
 
 // The learner asks: true when these words are none of an answer. A question that is open comes first.
-bool LessonSession::ask_for(const std::string& words, double confidence) {
-    const bool heard_well = confidence >= dialogue::ConversationSettings{}.least_confidence;
-    auto asked = heard_well ? knowledge_->find(words) : std::nullopt;
+bool LessonSession::ask_for(const std::string& words, const dialogue::Hypothesis& heard) {
+    const bool heard_well = heard.confidence >= dialogue::ConversationSettings{}.least_confidence;
+    auto asked = heard_well ? knowledge_->find(words, heard.form) : std::nullopt;
     if (dialogue_.is_open()) {
         if (asked) {
             tell(words, knowledge_->first_mine());

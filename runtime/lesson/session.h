@@ -145,7 +145,7 @@ class LessonSession {
     void queue_touch_events(const SessionInput& input);
     [[nodiscard]] std::string catch_sound(std::int32_t body) const;
     void hear(const dialogue::Hypothesis& heard);
-    [[nodiscard]] bool ask_for(const std::string& words, double confidence);
+    [[nodiscard]] bool ask_for(const std::string& words, const dialogue::Hypothesis& heard);
     void tell(const std::string& said, const std::string& answer);
     void tell_about(std::int32_t body);
     [[nodiscard]] Expected<void> keep_listening();

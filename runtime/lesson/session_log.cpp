@@ -45,6 +45,7 @@ void SessionLog::keep_attempt(const MarkedAnswer& answer) {
     attempt.said = mark.said;
     attempt.understood = mark.understood;
     attempt.meaning_right = answer.right;
+    attempt.form_known = mark.form_known;
     attempt.form_right = mark.understood && mark.form_right();
     attempt.target_right = mark.understood && mark.target_right();
     attempt.confidence = mark.confidence;

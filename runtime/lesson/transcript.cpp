@@ -55,6 +55,9 @@ std::string verdict_text(const MarkedAnswer& answer) {
         return "not understood";
     }
     std::string text = answer.right ? "right" : "wrong";
+    if (!answer.mark.form_known) {
+        return text + "; form not heard";
+    }
     const char* before = "; form: ";
     for (const dialogue::FormError& error : answer.mark.form_errors) {
         text += before + std::string(error.errant());

@@ -125,6 +125,11 @@ Expected<void> validate(const AttemptRecord& attempt) {
     if (!(attempt.confidence >= 0.0 && attempt.confidence <= 1.0)) {
         return fail("an attempt's confidence is none", {}, "give it 0 to 1");
     }
+    if (!attempt.form_known &&
+        (attempt.form_right || attempt.target_right || !attempt.errors.empty())) {
+        return fail("an attempt has a form that nobody heard", {},
+                    "keep neither errors nor a right form of it");
+    }
     for (const ErrorRecord& error : attempt.errors) {
         if (error.code.empty()) {
             return fail("an attempt has an error without a code", {}, "give each error a code");

@@ -118,9 +118,10 @@ struct AttemptRecord {
     std::string said;  ///< the learner's words
     bool understood = true;  ///< false: no template fitted, the learner was asked to say it again
     bool meaning_right = false;  ///< by the lesson's own verdict
-    bool form_right = false;     ///< no error of form was found
+    bool form_known = true;   ///< false: what heard it hears the meaning alone; true in older ones
+    bool form_right = false;  ///< the form is known, and no error of form was found
     bool target_right =
-        false;                ///< the form that the question teaches is right, whatever else is not
+        false;  ///< the form that the question teaches is known and right, whatever else is not
     double confidence = 1.0;  ///< of the recogniser, 0 to 1; 1 for what was typed
     std::string
         feedback{};  ///< what was answered: "recast", "moved_on" for who was let go on; empty in older ones

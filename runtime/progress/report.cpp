@@ -47,7 +47,9 @@ class QuestionTally {
 
         ++report_.attempts;
         report_.not_understood += attempt.understood ? 0 : 1;
-        report_.form_wrong += attempt.understood && !attempt.form_right ? 1 : 0;
+        const bool judged = attempt.understood && attempt.form_known;
+        report_.form_judged += judged ? 1 : 0;
+        report_.form_wrong += judged && !attempt.form_right ? 1 : 0;
         // The names are those of dialogue/conversation/conversation.h, as they were kept.
         report_.moved_on += attempt.feedback == "moved_on" ? 1 : 0;
         report_.invited += attempt.feedback == "prompt" ? 1 : 0;
@@ -58,7 +60,7 @@ class QuestionTally {
         wrong_run_ = right ? 0 : wrong_run_ + 1;
         report_.wrong_in_a_row = std::max(report_.wrong_in_a_row, wrong_run_);
         for (auto& [name, point] : points_) {
-            point.answers_since += attempt.understood ? 1 : 0;
+            point.answers_since += judged ? 1 : 0;
         }
         for (const ErrorRecord& error : attempt.errors) {
             if (!error.point.empty()) {

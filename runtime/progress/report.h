@@ -52,7 +52,7 @@ struct GrammarPointReport {
     std::string point;       ///< e.g. "passive_voice"
     std::int64_t count = 0;  ///< errors that belong to it
     std::int64_t answers_since =
-        0;  ///< answers understood since the last of them, that one not counted
+        0;  ///< answers whose form was judged since the last of them, that one not counted
 };
 
 struct QuestionReport {
@@ -62,7 +62,8 @@ struct QuestionReport {
     std::int64_t right_first_time = 0;
     std::int64_t right_in_the_end = 0;
     std::int64_t not_understood = 0;  ///< attempts that no template fitted; they are not right
-    std::int64_t form_wrong = 0;      ///< attempts that were understood and had an error of form
+    std::int64_t form_judged = 0;     ///< attempts that were understood and whose form was heard
+    std::int64_t form_wrong = 0;      ///< of these, those that had an error of form
     std::int64_t wrong_in_a_row = 0;
     std::int64_t wrong_now = 0;
     std::int64_t moved_on = 0;  ///< times the learner was let go on without a right answer

@@ -46,12 +46,13 @@ struct AnsweredEvent {
     std::vector<std::pair<std::string, std::string>> slots;
     bool understood = true;   ///< false: no template fitted, the program asked to say it again
     bool right = false;       ///< the meaning, by the lesson's own verdict
-    bool form_right = false;  ///< no error of form was found
+    bool form_right = false;  ///< its form is known, and no error was found in it
     bool over = true;         ///< the question is done: right, or left after many tries
     std::int32_t attempt = 1;
     bool turned_round =
-        false;            ///< thing and material changed places: "Metal is made of a spaceship."
-    bool replay = false;  ///< what the question is about should be felt again
+        false;               ///< thing and material changed places: "Metal is made of a spaceship."
+    bool replay = false;     ///< what the question is about should be felt again
+    bool form_known = true;  ///< false: the meaning alone was heard
 };
 
 /// The learner asks for something that the lesson knows. The lesson answers with a TellCommand in the same reply.

@@ -138,18 +138,20 @@ function bank.choose(world, count)
   return chosen
 end
 
--- name -> { asked, right, form }, and the order in which they came.
+-- name -> { asked, right, heard, form }, and the order in which they came; `heard` are the answers whose form could be marked, `form`
+-- those of them that were right in meaning and form.
 local by_point, by_idea = {}, {}
 
 local function count(tally, name, answer)
   local row = tally[name]
   if not row then
-    row = { name = name, asked = 0, right = 0, form = 0 }
+    row = { name = name, asked = 0, right = 0, heard = 0, form = 0 }
     tally[name], tally[#tally + 1] = row, row
   end
   row.asked = row.asked + 1
   row.right = row.right + (answer.right and 1 or 0)
-  row.form = row.form + (answer.right and not answer.form_right and 1 or 0)
+  row.heard = row.heard + (answer.form_known and 1 or 0)
+  row.form = row.form + (answer.right and answer.form_right and 1 or 0)
 end
 
 --- Asks one, as game.ask does, with its hint and, when the last try was wrong, its solution; gives the last answer.
@@ -168,18 +170,20 @@ end
 
 local function told(tally, words, row_text)
   local lines = {}
-  for i, row in ipairs(tally) do lines[i] = row_text(words[row.name] or row.name, row) end
+  for _, row in ipairs(tally) do lines[#lines + 1] = row_text(words[row.name] or row.name, row) end
   return table.concat(lines, ", ")
 end
 
 --- What was asked since the lesson began, as two texts: how much was right of each idea of physics, and how much was well said of each
---- point of grammar. Both say so where nothing was asked.
+--- point of grammar. Both say so where nothing was asked, and the second where what heard the answers hears their meaning alone.
 ---@return string ideas, string points
 function bank.summary()
   if #by_idea == 0 then return "No question was asked.", "No question was asked." end
   local function right_of(name, row) return ("%s %d of %d"):format(name, row.right, row.asked) end
-  local function formed(name, row) return ("%s %d of %d"):format(name, row.right - row.form, row.asked) end
-  return "You know: " .. told(by_idea, ideas, right_of) .. ".", "Well said: " .. told(by_point, points, formed) .. "."
+  local function formed(name, row) return row.heard > 0 and ("%s %d of %d"):format(name, row.form, row.heard) or nil end
+  local said = told(by_point, points, formed)
+  return "You know: " .. told(by_idea, ideas, right_of) .. ".",
+    said ~= "" and "Well said: " .. said .. "." or "Your grammar was not marked this time."
 end
 
 return setmetatable(bank, {

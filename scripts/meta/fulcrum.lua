@@ -10,6 +10,7 @@
 ---@field understood boolean false: none of the sentences fitted
 ---@field right boolean the meaning is right, by the question's own `right`
 ---@field form_right boolean the English was right: no error of form was found
+---@field form_known boolean false: what heard it hears the meaning alone, nothing is known of the English, and form_right is false
 ---@field turned_round boolean thing and material changed places, "Metal is made of a spaceship.": nothing to feel again, only to say
 ---@field replay boolean what the question is about should be felt again: its meaning was wrong, or its form and the step of feedback is "replay"
 ---@field over boolean the question is done: right, or left after many tries

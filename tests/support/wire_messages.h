@@ -187,16 +187,24 @@ inline LessonFrame full_frame() {
     f.kite->angle_of_attack_rad = 0.25;
     f.kite->line_m = 20.5;
     f.kite->is_snapped = true;
-    f.events = {
-        BodyEvent{BodyEvent::Kind::landed, 1, 3.5}, KeyEvent{"space"},
-        JudgeEvent{"heaviest", {{"thing", "egg"}}},
-        AnsweredEvent{
-            "heaviest", "an egg", {{"thing", "egg"}}, true, false, true, false, 3, true, true},
-        ReadyEvent{{6.0, 3.0},
-                   0.5,
-                   {{0.75, 0.5, 0.25}},
-                   9669.0,
-                   {{"lever", "near_far", 3, 2, 1, 0.5, {{"article", 4}}}}}};
+    f.events = {BodyEvent{BodyEvent::Kind::landed, 1, 3.5}, KeyEvent{"space"},
+                JudgeEvent{"heaviest", {{"thing", "egg"}}},
+                AnsweredEvent{"heaviest",
+                              "an egg",
+                              {{"thing", "egg"}},
+                              true,
+                              false,
+                              true,
+                              false,
+                              3,
+                              true,
+                              true,
+                              false},
+                ReadyEvent{{6.0, 3.0},
+                           0.5,
+                           {{0.75, 0.5, 0.25}},
+                           9669.0,
+                           {{"lever", "near_far", 3, 2, 1, 0.5, {{"article", 4}}}}}};
     f.events.push_back(AskedEvent{"weight", {{"thing", "apple"}}});
     f.only_asks = true;
     return f;

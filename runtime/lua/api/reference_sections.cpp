@@ -17,6 +17,9 @@ constexpr std::array kAnswerFields = {
     FieldText{"understood", "boolean", "false: none of the sentences fitted"},
     FieldText{"right", "boolean", "the meaning is right, by the question's own `right`"},
     FieldText{"form_right", "boolean", "the English was right: no error of form was found"},
+    FieldText{"form_known", "boolean",
+              "false: what heard it hears the meaning alone, nothing is known of the English, and "
+              "form_right is false"},
     FieldText{
         "turned_round", "boolean",
         "thing and material changed places, \"Metal is made of a spaceship.\": nothing to feel "

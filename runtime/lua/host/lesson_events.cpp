@@ -114,6 +114,7 @@ void push_answer(lua_State* lua, const LessonContext& context, const AnsweredEve
     set_flag(lua, "understood", answer.understood);
     set_flag(lua, "right", answer.right);
     set_flag(lua, "form_right", answer.form_right);
+    set_flag(lua, "form_known", answer.form_known);
     set_flag(lua, "over", answer.over);
     set_flag(lua, "turned_round", answer.turned_round);
     set_flag(lua, "replay", answer.replay);

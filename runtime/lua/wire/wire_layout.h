@@ -165,6 +165,7 @@ void event(Archive& a, Event& e) {
         a.integer("the attempt", e.attempt, 0, 1'000'000);
         a.flag("turned round", e.turned_round);
         a.flag("to be felt again", e.replay);
+        a.flag("form known", e.form_known);
     } else if constexpr (std::is_same_v<Kind, AskedEvent>) {
         a.name("what is asked for", e.knowledge);
         pairs(a, "slots", e.slots);

@@ -233,8 +233,8 @@ void keep(Database& database, const AttemptRecord& given) {
     Statement(
         database,
         "INSERT INTO attempt(id, session, question, attempt, said, understood, meaning_right,"
-        " form_right, slots, answer_s, said_utc_ms, target_right, confidence, feedback, uptake)"
-        " VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        " form_right, slots, answer_s, said_utc_ms, target_right, confidence, feedback, uptake,"
+        " form_known) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .bind(attempt.id)
         .bind(attempt.session)
         .bind(attempt.question)
@@ -250,6 +250,7 @@ void keep(Database& database, const AttemptRecord& given) {
         .bind(attempt.confidence)
         .bind(attempt.feedback)
         .bind(attempt.uptake)
+        .bind(attempt.form_known)
         .run();
     std::int64_t position = 0;
     for (const ErrorRecord& error : attempt.errors) {

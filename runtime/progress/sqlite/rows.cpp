@@ -49,6 +49,7 @@ AttemptRecord attempt_of(Statement& row) {
     attempt.confidence = row.real();
     attempt.feedback = row.text();
     attempt.uptake = row.text();
+    attempt.form_known = row.flag();
     return attempt;
 }
 

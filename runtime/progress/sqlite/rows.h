@@ -15,8 +15,8 @@ inline constexpr const char* kSelectEnd =
     "session_end";
 inline constexpr const char* kSelectAttempt =
     "SELECT attempt.id, attempt.session, question, attempt, said, understood, meaning_right,"
-    " form_right, slots, answer_s, said_utc_ms, target_right, confidence, feedback, uptake FROM "
-    "attempt";
+    " form_right, slots, answer_s, said_utc_ms, target_right, confidence, feedback, uptake,"
+    " form_known FROM attempt";
 inline constexpr const char* kSelectSetting =
     "SELECT session_setting.session, name, value FROM session_setting";
 inline constexpr const char* kSelectHandSetting =

@@ -108,11 +108,16 @@ CREATE TRIGGER hand_setting_is_fact BEFORE UPDATE ON hand_setting
   BEGIN SELECT RAISE(ABORT, 'a kept fact is never changed'); END;
 )sql";
 
+// Whether the form of an answer was heard at all; those kept before count as heard.
+constexpr const char* kStep5 = R"sql(
+ALTER TABLE attempt ADD COLUMN form_known INTEGER NOT NULL DEFAULT 1 CHECK(form_known IN (0, 1));
+)sql";
+
 }  // namespace
 
 const std::array<const char*, kSchemaVersion>& migrations() noexcept {
-    static constexpr std::array<const char*, kSchemaVersion> kSteps{kStep0, kStep1, kStep2, kStep3,
-                                                                    kStep4};
+    static constexpr std::array<const char*, kSchemaVersion> kSteps{kStep0, kStep1, kStep2,
+                                                                    kStep3, kStep4, kStep5};
     return kSteps;
 }
 

@@ -49,27 +49,6 @@ TEST_CASE("conversation: right meaning with wrong form gets a recast and goes on
     CHECK(talk.state() == Conversation::State::done);
 }
 
-TEST_CASE(
-    "conversation: where the meaning alone was heard nothing is said of form, nor learnt of it") {
-    Conversation talk(words());
-    const auto hear_meaning = [&] {
-        talk.ask(heaviest());
-        return talk.hear("watermelon is most heavy", 0.9, false);
-    };
-    for (int i = 0; i < 4; ++i) {
-        const Mark mark = hear_meaning();
-        CHECK(mark.understood);
-        CHECK(mark.slot("thing") == "watermelon");
-        CHECK(mark.form_errors.empty());
-        const Feedback feedback = talk.respond(mark, true);
-        CHECK(feedback.kind == FeedbackKind::praise);
-        CHECK(feedback.text == "Yes! A watermelon is the heaviest.");
-    }
-    CHECK(talk.respond(hear_meaning(), false).kind == FeedbackKind::wrong_meaning);
-    // The ladder still stands at its foot.
-    CHECK(answer(talk, heaviest(), "watermelon is most heavy").kind == FeedbackKind::recast);
-}
-
 TEST_CASE("conversation: praise goes round in turn, not by chance") {
     Conversation talk(words());
     std::vector<std::string> heard;

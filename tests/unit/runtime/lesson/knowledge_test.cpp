@@ -65,6 +65,11 @@ TEST_CASE("knowledge: an error of form is said back rightly before the answer") 
     const auto wrong = knowledge.find("how many moon does Mars have");
     REQUIRE(wrong);
     CHECK(knowledge.told(*wrong, "Two.") == "We say: How many *moons* does Mars have? Two.");
+    // Where the meaning alone was heard nothing is put right.
+    const auto meant = knowledge.find("how many moon does Mars have", false);
+    REQUIRE(meant);
+    CHECK(meant->mark.slot("planet") == "Mars");
+    CHECK(knowledge.told(*meant, "Two.") == "Two.");
     LessonDescription heavy = planets();
     heavy.knowledge = {{"heavy", {"is the {thing} <adjective:heavy>"}, {}, 3}};
     const Knowledge asks = compiled(heavy, catalogue);

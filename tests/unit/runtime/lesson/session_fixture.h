@@ -105,11 +105,12 @@ inline LessonDescription two_questions() {
 }
 
 struct Play {
-    explicit Play(LessonDescription played = two_things()) : lesson(std::move(played)) {}
+    explicit Play(LessonDescription played = two_things(), const PlanOptions& options = {})
+        : lesson(std::move(played)), plan(compile_plan(lesson, options, nullptr).value()) {}
 
     LessonDescription lesson;
     MemoryStore store;
-    Plan plan = compile_plan(lesson, {}, nullptr).value();
+    Plan plan;
     std::unique_ptr<LessonSession> session =
         LessonSession::create(lesson, plan, words(), store, random_record_id(), "v1").value();
     double time_s = 0.0;

@@ -127,6 +127,25 @@ TEST_CASE("session log: beginning, answers and end are kept as they were") {
     CHECK(log.trouble().empty());
 }
 
+TEST_CASE("session log: where the meaning alone was heard, that is kept, and nothing of the form") {
+    MemoryStore store;
+    SessionLog log(store, some_session());
+    MarkedAnswer answer = some_answer();
+    log.keep_attempt(answer);
+    answer.mark = without_form(std::move(answer.mark));
+    log.keep_attempt(answer);
+    REQUIRE(store.data.attempts.size() == 2);
+    CHECK(store.data.attempts[0].form_known);
+    const AttemptRecord& attempt = store.data.attempts[1];
+    CHECK_FALSE(attempt.form_known);
+    CHECK(attempt.meaning_right);
+    CHECK_FALSE(attempt.form_right);
+    CHECK_FALSE(attempt.target_right);
+    CHECK(attempt.errors.empty());
+    CHECK(attempt.confidence == 0.75);
+    CHECK(validate(attempt));
+}
+
 TEST_CASE(
     "session log: a write that is refused once is repeated with its id, and leaves one record") {
     MemoryStore store;

@@ -357,3 +357,35 @@ TEST_CASE("session: whatever bytes are said, the lesson gets clean words") {
     play.hear(std::string(100'000, 'a'));
     CHECK(play.store.data.attempts.back().said.size() <= 400);
 }
+
+TEST_CASE(
+    "session: what is heard by who hears the meaning alone is right, and its form not known") {
+    const bool form = GENERATE(true, false);
+    CAPTURE(form);
+    PlanOptions options;
+    options.speech = SpeechInput::external;
+    options.hearing.words = {"sh", "-c",
+                             std::string("echo '{\"ready\":1,\"name\":\"ear\"") +
+                                 (form ? "" : ",\"form\":false") +
+                                 "}'; while read -r line; do case $line in *end*) echo "
+                                 "'{\"heard\":1,\"text\":\"the apple is the "
+                                 "heaviest\",\"confidence\":0.9}';; esac; done"};
+    Play play(two_things(), options);
+    play.frame();
+    play.reply({AskCommand{"heaviest"}});
+    play.session->hear_utterance(std::vector<std::int16_t>(100, 1));
+    REQUIRE(find<JudgeEvent>(play.frame()) != nullptr);
+    play.reply({VerdictCommand{"heaviest", true}});
+    CHECK((play.session->hud().feedback == "Yes!") == form);
+    const auto* answered = find<AnsweredEvent>(play.frame());
+    REQUIRE(answered != nullptr);
+    CHECK(answered->right);
+    CHECK(answered->form_known == form);
+    CHECK(answered->form_right == form);
+    const AttemptRecord& attempt = play.store.data.attempts.at(0);
+    CHECK(attempt.meaning_right);
+    CHECK(attempt.form_known == form);
+    CHECK(attempt.form_right == form);
+    CHECK(attempt.target_right == form);
+    CHECK(attempt.confidence == 0.9);
+}

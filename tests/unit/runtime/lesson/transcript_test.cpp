@@ -34,6 +34,8 @@ TEST_CASE("transcript: an answer tells how its meaning and its form were marked"
     answer.mark.form_errors[0].code = dialogue::ErrorCode::missing_determiner;
     answer.mark.form_errors[1].code = dialogue::ErrorCode::adjective_form;
     CHECK(verdict_text(answer) == "right; form: M:DET, R:ADJ:FORM");
+    answer.mark = without_form(std::move(answer.mark));
+    CHECK(verdict_text(answer) == "right; form not heard");
 }
 
 TEST_CASE("transcript: a play tells its captions, questions, answers and levels in order") {

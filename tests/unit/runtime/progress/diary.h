@@ -35,7 +35,7 @@ class Diary {
         return *this;
     }
     // One letter an answer: R right, F right with a wrong form, P the same, to be said once more, S said rightly then, W wrong,
-    // U not understood, M the same, and let go on.
+    // U not understood, M the same, and let go on; N right, and V wrong, by who hears the meaning alone.
     Diary& answers(const std::string& question, const std::string& letters) {
         std::int32_t number = 0;
         for (const char letter : letters) {
@@ -45,7 +45,8 @@ class Diary {
             attempt.attempt = ++number;
             const bool form_wrong = letter == 'F' || letter == 'P';
             attempt.understood = letter != 'U' && letter != 'M';
-            attempt.meaning_right = letter == 'R' || letter == 'S' || form_wrong;
+            attempt.meaning_right = letter == 'R' || letter == 'S' || letter == 'N' || form_wrong;
+            attempt.form_known = letter != 'N' && letter != 'V';
             attempt.form_right = letter == 'R' || letter == 'S' || letter == 'W';
             attempt.feedback = letter == 'P' ? "prompt" : letter == 'M' ? "moved_on" : "";
             attempt.uptake = letter == 'S' ? "repaired" : "";

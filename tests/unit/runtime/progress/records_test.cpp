@@ -58,6 +58,20 @@ TEST_CASE("store: bad records are refused in one sentence by either store") {
         attempt.errors = {{"", "a", "b"}};
         CHECK_FALSE(store->add_attempt(attempt));
         attempt.errors.clear();
+        CHECK(error_text(validate(attempt)).empty());
+        // Of a form that nobody heard there is nothing to keep.
+        attempt.form_known = false;
+        for (const bool of_target : {false, true}) {
+            attempt.form_right = !of_target;
+            attempt.target_right = of_target;
+            CHECK(error_text(store->add_attempt(attempt)).find("a form that nobody heard") !=
+                  std::string::npos);
+        }
+        attempt.target_right = false;
+        attempt.errors = {{"M:DET", "", "the"}};
+        CHECK_FALSE(store->add_attempt(attempt));
+        attempt.errors.clear();
+        CHECK(error_text(validate(attempt)).empty());
         attempt.id = "1234";
         CHECK_FALSE(store->add_attempt(attempt));
         CHECK_FALSE(store->end_session({room.session.id, 0, EndReason::finished, 4, 0, 1}));

@@ -34,6 +34,19 @@ TEST_CASE("report: counts askings, attempts, first and last answers") {
     CHECK(question.stuck == Stuck::no);
 }
 
+TEST_CASE("report: a form that nobody heard counts neither as right nor as wrong") {
+    Diary diary("Mina");
+    diary.session("gravity").answers("heaviest", "FNVU").answers("heaviest", "R");
+    const QuestionReport question = only_question(diary);
+    CHECK(question.attempts == 5);
+    CHECK(question.right_in_the_end == 1);
+    CHECK(question.form_judged == 2);  // F and R
+    CHECK(question.form_wrong == 1);
+    REQUIRE(question.points.size() == 1);
+    CHECK(question.points[0].answers_since == 1);  // R alone shows that it has gone well since
+    CHECK(question.wrong_in_a_row == 2);
+}
+
 TEST_CASE("report: three answers in a row that are not right make stuck, over sessions too") {
     const auto stuck = [](const std::string& first, const std::string& second) {
         Diary diary("Mina");

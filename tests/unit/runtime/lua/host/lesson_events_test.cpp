@@ -39,7 +39,8 @@ TEST_CASE("events: each has its name and what belongs to it, and nothing else") 
           "body=egg name=caught speed=1.5;body=egg name=landed speed=2.5;body=egg name=touched "
           "speed=0.0;"
           "body=egg name=released speed=0.0;key=left name=key;"
-          "attempt=3 bodies=table form_right=true name=answered over=false question=q replay=false "
+          "attempt=3 bodies=table form_known=true form_right=true name=answered over=false "
+          "question=q replay=false "
           "right=false "
           "said=an egg "
           "thing=egg turned_round=true understood=true;");

@@ -1,12 +1,14 @@
 // scripts/lib/bank.lua, run in a lesson as teachers use it. That each question is marked as its examples say is checked by
 // `fulcrum check maze-park`, which tests/lessons plays.
-#include "tests/unit/runtime/lua/lesson_folder.h"
+#include "tests/unit/runtime/lua/lesson_player.h"
 
 #include <catch2/catch.hpp>
 
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace fulcrum::runtime {
 namespace {
@@ -116,6 +118,57 @@ TEST_CASE("bank: what was got wrong or has not been heard for long comes first")
     CHECK(known < 10);
     CHECK(forgotten > known + 5);
     CHECK(wrong > known + 5);
+}
+
+// Three questions are asked, and answered as `answers` says; what is told at the end.
+std::string told_after(const std::vector<AnsweredEvent>& answers) {
+    test::Player player;
+    player.start(R"(
+local bank, game = require "bank", require "game"
+bank.declare(L)
+local questions = {}
+for _, q in ipairs(bank.all()) do questions[q.point] = questions[q.point] or q end
+function L:start(world)
+  game.play(L, world, function()
+    for _, point in ipairs { "article", "comparison", "comparison" } do bank.ask(questions[point]) end
+    print(select(2, bank.summary()))
+  end)
+end)");
+    std::size_t next = 0;
+    for (int frame = 0; frame < 400 && player.prints.empty(); ++frame) {
+        std::vector<LessonEvent> events;
+        for (const LessonCommand& command : player.last.commands) {
+            if (const auto* ask = std::get_if<AskCommand>(&command)) {
+                AnsweredEvent event = answers.at(next++);
+                event.question = ask->question;
+                events.emplace_back(std::move(event));
+            }
+        }
+        player.step(std::move(events));
+        REQUIRE(player.error == "");
+    }
+    return player.prints;
+}
+
+AnsweredEvent answered(bool right, bool form_right, bool form_known) {
+    AnsweredEvent event{"", "words", {}, true, right, form_right, true, 1};
+    event.form_known = form_known;
+    return event;
+}
+
+TEST_CASE("bank: well said is only what was heard with its form") {
+    const auto told = [](const AnsweredEvent& one, const AnsweredEvent& two,
+                         const AnsweredEvent& three) {
+        return told_after({one, two, three});
+    };
+    const AnsweredEvent good = answered(true, true, true);
+    const AnsweredEvent slip = answered(true, false, true);
+    const AnsweredEvent unheard = answered(true, false, false);
+    CHECK(told(good, slip, good) == "Well said: articles 1 of 1, comparing 1 of 2.;");
+    CHECK(told(answered(false, true, true), slip, slip) ==
+          "Well said: articles 0 of 1, comparing 0 of 2.;");
+    CHECK(told(unheard, slip, unheard) == "Well said: comparing 0 of 1.;");
+    CHECK(told(unheard, unheard, unheard) == "Your grammar was not marked this time.;");
 }
 
 TEST_CASE("bank: the same seed asks the same, another something else") {

@@ -76,6 +76,7 @@ TEST_CASE("wire: a description, a reply and a frame come back as they were") {
     CHECK(bytes_of(*f) == frame);
     CHECK_FALSE(std::get<AnsweredEvent>(f->events[3]).over);
     CHECK(std::get<AnsweredEvent>(f->events[3]).turned_round);
+    CHECK_FALSE(std::get<AnsweredEvent>(f->events[3]).form_known);
 }
 
 TEST_CASE("wire: the small messages come back as they were") {

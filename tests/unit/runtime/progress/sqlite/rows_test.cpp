@@ -26,6 +26,10 @@ TEST_CASE("rows: an attempt's four verdicts, and what came of it, are not mixed 
         attempt.uptake = "repaired";
         REQUIRE(room.store->add_attempt(attempt));
         CHECK(room.store->read({})->attempts.back() == attempt);
+        attempt.id = random_record_id();
+        attempt.form_known = attempt.form_right = attempt.target_right = false;
+        REQUIRE(room.store->add_attempt(attempt));
+        CHECK(room.store->read({})->attempts.back() == attempt);
     }
 }
 

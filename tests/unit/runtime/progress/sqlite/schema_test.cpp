@@ -54,6 +54,7 @@ TEST_CASE("opening: version 1 becomes the newest and keeps every fact") {
         CHECK(data->attempts[0].understood);
         CHECK(data->attempts[0].said == "an egg");
         CHECK_FALSE(data->attempts[0].target_right);  // nobody knows
+        CHECK(data->attempts[0].form_known);
         CHECK(data->attempts[0].confidence == 1.0);
         CHECK((data->attempts[0].feedback.empty() && data->attempts[0].uptake.empty()));
         CHECK(data->attempts[1].errors == std::vector{ErrorRecord{"M:DET", "", "the"}});
@@ -68,8 +69,70 @@ TEST_CASE("opening: version 1 becomes the newest and keeps every fact") {
         CHECK((*store)->add_hand_setting(hand));
         CHECK((*store)->read({})->hands == std::vector{hand});
     }
-    CHECK(query(path, "PRAGMA user_version") == "5");
+    CHECK(query(path, "PRAGMA user_version") == "6");
     CHECK(query(path, "PRAGMA integrity_check") == "ok");
+}
+
+// A database of version 5 with one attempt, whose error of form was kept.
+void make_version_5(const std::string& path) {
+    using namespace sqlite;
+    Database database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, "");
+    for (std::size_t step = 0; step < 5; ++step) {
+        database.run(migrations()[step]);
+    }
+    database.run("PRAGMA application_id = 0x46756C63; PRAGMA user_version = 5");
+    const std::string id(32, 'a');
+    Statement(database, "INSERT INTO learner VALUES(1, ?, 'Mina', 5)").bind(id).run();
+    Statement(database, "INSERT INTO session VALUES(1, ?, ?, 'gravity', 'v', 'A1', 6)")
+        .bind(id)
+        .bind(id)
+        .run();
+    Statement(database,
+              "INSERT INTO attempt VALUES(NULL, ?, ?, 'heaviest', 1, 'an egg', 1, 0, 's', 2.5, 7, "
+              "1, 1, 0.75, 'recast', '')")
+        .bind(id)
+        .bind(id)
+        .run();
+    Statement(database, "INSERT INTO attempt_error VALUES(?, 0, 'M:DET', '', 'the', 'article')")
+        .bind(id)
+        .run();
+}
+
+TEST_CASE("opening: what version 5 kept counts as heard with its form, and what comes may not") {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("progress.db");
+    make_version_5(path);
+    AttemptRecord attempt = test::attempt_for(std::string(32, 'a'), "heaviest", 2, true);
+    attempt.form_known = attempt.form_right = false;
+    for (int times = 0; times < 2; ++times) {
+        auto store = open_sqlite_store(path);
+        REQUIRE(store);
+        REQUIRE((*store)->add_attempt(attempt));
+        const auto data = (*store)->read({});
+        REQUIRE(data);
+        REQUIRE(data->attempts.size() == 2);
+        const AttemptRecord& old = data->attempts[0];
+        CHECK(old.form_known);
+        CHECK(old.said == "an egg");
+        CHECK(old.meaning_right);
+        CHECK_FALSE(old.form_right);
+        CHECK(old.target_right);
+        CHECK(old.confidence == 0.75);
+        CHECK(old.feedback == "recast");
+        CHECK(old.errors == std::vector{ErrorRecord{"M:DET", "", "the", "article"}});
+        CHECK(data->attempts[1] == attempt);
+    }
+    CHECK(query(path, "PRAGMA user_version") == std::to_string(sqlite::kSchemaVersion));
+    CHECK(query(path, "PRAGMA integrity_check") == "ok");
+    const auto insert = [&](const char* known) {
+        return run_sql(path,
+                       std::string("INSERT INTO attempt SELECT 9, hex(zeroblob(16)), session, "
+                                   "question, 1, said, 1, 1, slots, 1.0, 1, 1, 1, 1.0, '', "
+                                   "'', ") +
+                           known + " FROM attempt WHERE row = 1");
+    };
+    CHECK(insert("2").find("CHECK") != std::string::npos);
+    CHECK(insert("1").empty());
 }
 
 TEST_CASE("opening: a step that fails leaves the older version as it was") {
