@@ -54,7 +54,7 @@ std::vector<std::string> Conversation::ask(const Question& question, int number,
     question_ = question;
     state_ = State::asked;
     repeating_ = false;
-    attempt_ = wrong_ = unheard_ = 0;
+    attempt_ = wrong_ = unheard_ = bad_repeats_ = 0;
     wanted_help_ = false;
     std::vector<std::string> lines = sentences_of(question.prompt);
     if (number > 0) {
@@ -83,12 +83,8 @@ Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
     if (state_ != State::heard) {
         return {};
     }
-    // What was not heard well is no attempt.
-    if (!repeating_ && mark.confidence < settings_.least_confidence) {
-        Feedback feedback = say(FeedbackKind::heard_badly, "feedback.heard_badly");
-        feedback.ask_again = true;
-        state_ = State::asked;
-        return feedback;
+    if (mark.confidence < settings_.least_confidence) {
+        return heard_badly();
     }
     ++attempt_;
     if (repeating_) {
@@ -99,6 +95,21 @@ Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
     }
     const bool right = meaning_right && mark.other_number.empty();
     return right ? respond_to_form(mark) : wrong_meaning(mark);
+}
+
+// It is no attempt, and says nothing of an invitation. A right answer is not held back for it: after some the invitation is over.
+Feedback Conversation::heard_badly() {
+    constexpr int kMostBadRepeats = 2;
+    if (repeating_ && ++bad_repeats_ > kMostBadRepeats) {
+        state_ = State::done;
+        repeating_ = false;
+        return say(FeedbackKind::heard_badly, recast_key(accepted_),
+                   {{"sentence", accepted_.emphasised}});
+    }
+    Feedback feedback = say(FeedbackKind::heard_badly, "feedback.heard_badly");
+    feedback.ask_again = true;
+    state_ = repeating_ ? State::invited : State::asked;
+    return feedback;
 }
 
 Feedback Conversation::respond_to_form(const Mark& mark) {

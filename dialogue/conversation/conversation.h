@@ -4,7 +4,7 @@
 //   idle ------> asked ---------------> heard ------------> done       right meaning (whatever the form)
 //                  ^                      |---------------> asked      wrong meaning, not understood, heard badly: asked again
 //                  |                      |---------------> invited    right meaning, and the form may be said once more
-//                  +-- after `tries` ---> done               invited --hear--> heard --> done, always
+//                  +-- after `tries` ---> done               invited --hear--> heard --> done; heard badly: invited, twice at most
 //
 // Feedback on form climbs a ladder (marking/feedback_ladder.h) by how often the same error has been made: by default a
 // recast ("Yes. A watermelon is *the heaviest*."), then a prompt ("A watermelon is …?"), then a rule in one line. A question
@@ -114,6 +114,7 @@ class Conversation {
     [[nodiscard]] int attempt() const { return attempt_; }
 
   private:
+    Feedback heard_badly();
     Feedback respond_to_form(const Mark& mark);
     Feedback praise(const Mark& mark);
     Feedback respond_to_repeat(const Mark& mark, bool meaning_right);
@@ -137,6 +138,7 @@ class Conversation {
     int attempt_ = 0;                  ///< answers to this question
     int wrong_ = 0;                    ///< of wrong meaning
     int unheard_ = 0;                  ///< not understood
+    int bad_repeats_ = 0;              ///< heard badly after an invitation
     bool wanted_help_ = false;         ///< help.said of the catalogue was said
     std::size_t praise_ = 0;           ///< next praise in turn
     Mark accepted_{};                  ///< the answer whose repetition was invited

@@ -94,7 +94,8 @@ QuestionTurn QuestionDialogue::answer(bool right, double time_s) {
         invited_until_s_ = time_s + kRepeatPatience_s;
         listen(QuestionState::invited, time_s);
     } else if (same_words_again(answer.feedback)) {
-        listen(QuestionState::open, time_s);
+        invited_until_s_ = time_s + kRepeatPatience_s;
+        listen(right_ ? QuestionState::invited : QuestionState::open, time_s);
     } else {
         turn.events.push_back(right_ ? *right_ : answered_event(answer));
         if (answer.feedback.ask_again) {

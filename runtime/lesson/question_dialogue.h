@@ -11,7 +11,8 @@
 //   set_aside       the lesson: feel it again    ask             open; the same question goes on counting
 //   invited         the learner, 12 s at most    hear            judging_again
 //                                                step            closed once the time is over    answered, over
-//   judging_again   the lesson's verdict         judge           closed, always                  answered, over
+//   judging_again   the lesson's verdict         judge           closed                          answered, over
+//                                                        unsure  invited anew, twice at most
 //
 //   any             ask            open; words that wait for a verdict are forgotten. An invitation's answer was right:
 //                                  the lesson is told so before another question begins.

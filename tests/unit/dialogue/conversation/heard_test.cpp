@@ -5,7 +5,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <rapidcheck.h>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 using namespace fulcrum::dialogue;
 
@@ -95,4 +99,70 @@ TEST_CASE("conversation: words whose form was not heard are not checked") {
     CHECK(meaning.kind == FeedbackKind::not_understood);
     CHECK(meaning.free_errors.empty());
     CHECK(meaning.text.find("In English we say") == std::string::npos);
+}
+
+TEST_CASE("conversation: a repeat that is heard badly is asked for again, and is not unrepaired") {
+    constexpr double kBadly = 0.2;
+    for (const char* said : {"an apple is the most heavy", "an apple is the heaviest", "what?"}) {
+        for (const bool right : {true, false}) {
+            CAPTURE(said, right);
+            Conversation talk = invited();
+            const Feedback feedback = talk.respond(talk.hear(said, kBadly), right);
+            CHECK(feedback.kind == FeedbackKind::heard_badly);
+            CHECK(feedback.text == heard_words().say("feedback.heard_badly"));
+            CHECK(feedback.uptake == Uptake::none);
+            CHECK(feedback.ask_again);
+            CHECK(talk.state() == Conversation::State::invited);
+            const Feedback heard = talk.respond(talk.hear("an apple is the heaviest", 0.9), true);
+            CHECK(heard.kind == FeedbackKind::praise);
+            CHECK(heard.uptake == Uptake::repaired);
+            CHECK(heard.attempt == 2);  // the badly heard one is none
+            CHECK(talk.state() == Conversation::State::done);
+        }
+    }
+}
+
+TEST_CASE("conversation: nobody is held at an invitation for being heard badly") {
+    Conversation talk = invited();
+    for (int i = 0; i < 2; ++i) {
+        CHECK(talk.respond(talk.hear("an apple is the heaviest", 0.1), true).ask_again);
+    }
+    const Feedback last = talk.respond(talk.hear("an apple is the heaviest", 0.1), true);
+    CHECK(last.kind == FeedbackKind::heard_badly);
+    CHECK_FALSE(last.ask_again);
+    CHECK(last.uptake == Uptake::none);
+    CHECK(last.text == "Yes. An apple is *the heaviest*.");
+    CHECK(talk.state() == Conversation::State::done);
+    // The next invitation begins to count anew.
+    CHECK(answer_heaviest(talk, "an apple is the heaviest").kind == FeedbackKind::praise);
+    CHECK(answer_heaviest(talk, "an apple is the most heavy").kind == FeedbackKind::recast);
+    CHECK(answer_heaviest(talk, "an apple is the most heavy").kind == FeedbackKind::prompt);
+    CHECK(talk.respond(talk.hear("an apple is the heaviest", 0.1), true).ask_again);
+}
+
+TEST_CASE(
+    "conversation: however well each is heard, low confidence never says wrong, and it ends") {
+    CHECK(rc::check([](const std::vector<std::pair<unsigned, bool>>& heard) {
+        const std::vector<std::string_view> said = {"an apple is the most heavy", "what?",
+                                                    "an apple is the heaviest", "the apple"};
+        ConversationSettings settings;
+        Conversation talk(heard_words(), settings);
+        int asked_again = 0;
+        for (const auto& [choice, well] : heard) {
+            if (talk.state() == Conversation::State::idle ||
+                talk.state() == Conversation::State::done) {
+                talk.ask(heaviest());
+                asked_again = 0;
+            }
+            const bool was_invited = talk.state() == Conversation::State::invited;
+            const double confidence = settings.least_confidence + (well ? 0.0 : -0.01);
+            const Mark mark = talk.hear(said[choice % said.size()], confidence);
+            const Feedback feedback = talk.respond(mark, true);
+            RC_ASSERT((feedback.kind == FeedbackKind::heard_badly) == !well);
+            RC_ASSERT(well || feedback.uptake == Uptake::none);
+            RC_ASSERT(!was_invited || well || talk.state() != Conversation::State::asked);
+            asked_again += was_invited ? 1 : 0;
+            RC_ASSERT(asked_again <= 3);
+        }
+    }));
 }

@@ -206,6 +206,43 @@ TEST_CASE("question dialogue: words heard badly are asked for again and never to
     CHECK(dialogue.state() == State::open);
 }
 
+TEST_CASE(
+    "question dialogue: a repeat that is heard badly is invited anew, and never kept as wrong") {
+    const std::string said = GENERATE(kRight, kSlip, kNonsense);
+    constexpr double kLater_s = 11.0;  // the invitation would soon have ended
+    QuestionDialogue dialogue = in_state(State::invited);
+    const auto hear_badly = [&](double time_s) {
+        QuestionTurn turn = dialogue.hear(said, 0.1, time_s);
+        return turn.answer ? turn : dialogue.judge("heaviest", said != kNonsense, time_s);
+    };
+    const QuestionTurn turn = hear_badly(kLater_s);
+    REQUIRE(turn.answer);
+    CHECK(turn.answer->feedback.kind == fulcrum::dialogue::FeedbackKind::heard_badly);
+    CHECK(turn.answer->feedback.uptake == fulcrum::dialogue::Uptake::none);
+    CHECK(told(turn).empty());
+    CHECK(dialogue.state() == State::invited);
+    CHECK(dialogue.asked_at_s() == kLater_s);
+    CHECK(told(dialogue.step(2.0 * kLater_s)).empty());  // there is time to say it again
+    SECTION("heard well then") {
+        (void)dialogue.hear(kRight, 1.0, 2.0 * kLater_s);
+        const QuestionTurn again = dialogue.judge("heaviest", true, 2.0 * kLater_s);
+        REQUIRE(again.answer);
+        CHECK(again.answer->feedback.uptake == fulcrum::dialogue::Uptake::repaired);
+        REQUIRE(told(again).size() == 1);
+        CHECK(told(again)[0].right);
+    }
+    SECTION("never heard well") {
+        CHECK(told(hear_badly(2.0 * kLater_s)).empty());
+        const std::vector<AnsweredEvent> answers = told(hear_badly(2.0 * kLater_s));
+        REQUIRE(answers.size() == 1);
+        CHECK(answers[0].right);  // as the answer was before it was to be said once more
+    }
+    SECTION("said no more") {
+        CHECK(told(dialogue.step(kLater_s + kLongEnough_s)).size() == 1);
+    }
+    CHECK((dialogue.state() == State::closed));
+}
+
 TEST_CASE("question dialogue: words that never fit leave the question in the end, and it is told") {
     QuestionDialogue dialogue = in_state(State::open);
     std::vector<AnsweredEvent> answers;
