@@ -25,7 +25,7 @@ dialogue::FormError to_form_error(const dialogue::FreeError& found) {
 
 ErrorRecord to_record(const dialogue::FormError& error) {
     return {std::string(error.errant()), error.said, error.right,
-            std::string(dialogue::grammar_point_id(dialogue::grammar_point(error)))};
+            std::string(dialogue::grammar_point_id(dialogue::grammar_point(error))), error.target};
 }
 
 }  // namespace

@@ -104,6 +104,7 @@ struct ErrorRecord {
     std::string correction;  ///< what belongs there, e.g. "heaviest"; empty when a word is too many
     std::string
         point{};  ///< of grammar, e.g. "passive_voice"; empty in what was kept before points were
+    bool target = false;  ///< in the form that the question teaches; false in older ones
 
     bool operator==(const ErrorRecord&) const = default;
 };

@@ -12,6 +12,19 @@ bool is_right(const AttemptRecord& attempt) noexcept {
     return attempt.understood && attempt.meaning_right;
 }
 
+// The forms of an answer that has been kept with what was said to it; older ones do not tell the taught form from others.
+bool target_is_judged(const AttemptRecord& attempt) noexcept {
+    return attempt.understood && attempt.form_known && !attempt.feedback.empty();
+}
+
+// Where the taught form is wrong one error at least belongs to it, whether it is marked so or older than such marks.
+std::int64_t count_other_errors(const AttemptRecord& attempt) {
+    const auto of_target = std::ranges::count_if(attempt.errors, &ErrorRecord::target);
+    const std::ptrdiff_t least = target_is_judged(attempt) && !attempt.target_right ? 1 : 0;
+    return std::max<std::int64_t>(
+        std::ssize(attempt.errors) - std::max<std::ptrdiff_t>(of_target, least), 0);
+}
+
 void add_example(std::vector<FormExample>& examples, const ErrorRecord& error) {
     const auto known = std::find_if(examples.begin(), examples.end(), [&](const FormExample& one) {
         return one.span == error.span && one.correction == error.correction;
@@ -50,6 +63,11 @@ class QuestionTally {
         const bool judged = attempt.understood && attempt.form_known;
         report_.form_judged += judged ? 1 : 0;
         report_.form_wrong += judged && !attempt.form_right ? 1 : 0;
+        report_.meaning_right += right ? 1 : 0;
+        report_.target_judged += target_is_judged(attempt) ? 1 : 0;
+        report_.target_right += target_is_judged(attempt) && attempt.target_right ? 1 : 0;
+        report_.other_form_errors += count_other_errors(attempt);
+        confidences_ += attempt.confidence;
         // The names are those of dialogue/conversation/conversation.h, as they were kept.
         report_.moved_on += attempt.feedback == "moved_on" ? 1 : 0;
         report_.invited += attempt.feedback == "prompt" ? 1 : 0;
@@ -81,6 +99,7 @@ class QuestionTally {
     [[nodiscard]] QuestionReport finish(const std::string& question) {
         close_asking();
         report_.question = question;
+        report_.confidence = confidences_ / static_cast<double>(report_.attempts);
         if (report_.wrong_in_a_row >= kStuckAfter) {
             report_.stuck = wrong_run_ >= kStuckAfter ? Stuck::now : Stuck::before;
         }
@@ -111,6 +130,7 @@ class QuestionTally {
     std::int32_t number_ = 0;
     std::int64_t wrong_run_ = 0;
     bool last_right_ = false;
+    double confidences_ = 0.0;
 };
 
 // Things by name in the order of their first appearance.

@@ -9,6 +9,9 @@
 //   of their writing          wrong_now    the run that the last attempt belongs to, 0 when that was right
 //   moved_on, invited, repaired    what was said to the answers, and what the learner made of it; answers that were kept before
 //   that was kept count for none
+//   meaning_right, target_right of target_judged, other_form_errors, confidence    an answer's four marks, summed, the last as the mean of
+//   all attempts. The form that a question teaches counts where it was judged and kept: understood, heard with its form, and not so old that
+//   nothing was kept of it.
 //   stuck             wrong_in_a_row ≥ 3: `now` while the last three attempts are not right, else `before`
 //
 // The simulated pupil is no learner of the class: it is left out unless it is asked for by its nickname.
@@ -61,9 +64,14 @@ struct QuestionReport {
     std::int64_t attempts = 0;
     std::int64_t right_first_time = 0;
     std::int64_t right_in_the_end = 0;
-    std::int64_t not_understood = 0;  ///< attempts that no template fitted; they are not right
-    std::int64_t form_judged = 0;     ///< attempts that were understood and whose form was heard
-    std::int64_t form_wrong = 0;      ///< of these, those that had an error of form
+    std::int64_t not_understood = 0;     ///< attempts that no template fitted; they are not right
+    std::int64_t form_judged = 0;        ///< attempts that were understood and whose form was heard
+    std::int64_t form_wrong = 0;         ///< of these, those that had an error of form
+    std::int64_t meaning_right = 0;      ///< attempts that were understood and right
+    std::int64_t target_judged = 0;      ///< attempts whose taught form was judged
+    std::int64_t target_right = 0;       ///< of these, those in which it was right
+    std::int64_t other_form_errors = 0;  ///< errors outside the taught form, in all attempts
+    double confidence = 0.0;  ///< of what heard them, the mean, 0 to 1; what was typed counts as 1
     std::int64_t wrong_in_a_row = 0;
     std::int64_t wrong_now = 0;
     std::int64_t moved_on = 0;  ///< times the learner was let go on without a right answer

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <ctime>
 
 namespace fulcrum::runtime {
@@ -64,6 +65,26 @@ std::string plain_words(const GrammarPointReport& point) {
             ? "none in the last answer"
             : "none in the last " + std::to_string(point.answers_since) + " answers";
     return name + ' ' + std::to_string(point.count) + " (" + since + ")";
+}
+
+std::string confidence_cell(double confidence) {
+    std::array<char, 24> text{};
+    std::snprintf(text.data(), text.size(), "%.2f", confidence);
+    return text.data();
+}
+
+std::string marks_of(const QuestionReport& question) {
+    const auto of = [](std::int64_t n, std::int64_t all) {
+        return std::to_string(n) + " of " + std::to_string(all);
+    };
+    std::string text = "meaning " + of(question.meaning_right, question.attempts);
+    if (question.target_judged == 0 && question.other_form_errors == 0) {
+        text += ", form not judged";
+    } else {
+        text += ", taught form " + of(question.target_right, question.target_judged) +
+                ", other form errors " + std::to_string(question.other_form_errors);
+    }
+    return text + ", confidence " + confidence_cell(question.confidence);
 }
 
 std::string point_cell(const GrammarPointReport& point) {

@@ -30,6 +30,13 @@ namespace fulcrum::runtime {
 /// `passive_voice 5`: a point and how many answers it has gone well since; for the CSV.
 [[nodiscard]] std::string since_cell(const GrammarPointReport& point);
 
+/// "0.87".
+[[nodiscard]] std::string confidence_cell(double confidence);
+
+/// The four marks of a question's answers: `meaning 3 of 5, taught form 2 of 4, other form errors 1, confidence 0.87`, or `form not
+/// judged` for the two in the middle where it never was.
+[[nodiscard]] std::string marks_of(const QuestionReport& question);
+
 /// `R:ADJ:FORM 2`: a code and how often; for the CSV.
 [[nodiscard]] std::string error_cell(const FormErrorReport& error);
 

@@ -13,8 +13,9 @@ constexpr const char* kHeader =
     "learner,learner_id,lesson,played,finished,last_played,best_stars,best_score,question,asked,"
     "attempts,right_first_time,right_in_the_end,not_understood,form_wrong,wrong_now,wrong_in_a_row,"
     "stuck,"
-    "form_errors,examples,grammar_points,answers_since,moved_on,invited,repaired,last_wrong";
-constexpr std::size_t kColumns = 26;
+    "form_errors,examples,grammar_points,answers_since,moved_on,invited,repaired,last_wrong,"
+    "meaning_right,target_judged,target_right,other_form_errors,confidence";
+constexpr std::size_t kColumns = 31;
 constexpr std::size_t kQuestionColumn = 8;
 
 using Row = std::array<std::string, kColumns>;
@@ -92,6 +93,11 @@ void fill_question(const QuestionReport& question, Row& row) {
         row[at++] = std::to_string(number);
     }
     row[at++] = text_cell(question.last_wrong);
+    for (const std::int64_t number : {question.meaning_right, question.target_judged,
+                                      question.target_right, question.other_form_errors}) {
+        row[at++] = std::to_string(number);
+    }
+    row[at++] = confidence_cell(question.confidence);
 }
 
 void write_lesson(const LessonReport& lesson, const ReportStyle& style, Row row, std::string& csv) {

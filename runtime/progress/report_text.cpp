@@ -88,6 +88,7 @@ void write_wrapped(const std::string& text, std::size_t indent, std::string& out
 }
 
 void write_notes(const QuestionReport& question, std::string& out) {
+    write_wrapped(marks_of(question), kNoteIndent, out);
     std::string points;
     for (const GrammarPointReport& point : question.points) {
         points += (points.empty() ? "slips: " : ", ") + plain_words(point);

@@ -64,7 +64,8 @@ void check_columns(Database& database) {
                                    {"attempt_error", "code", 1},  {"opening", "opened_utc_ms", 1},
                                    {"attempt", "understood", 2},  {"session_setting", "value", 2},
                                    {"attempt_error", "point", 3}, {"attempt", "uptake", 4},
-                                   {"hand_setting", "value", 5},  {"attempt", "form_known", 6}};
+                                   {"hand_setting", "value", 5},  {"attempt", "form_known", 6},
+                                   {"attempt_error", "target", 7}};
     const std::int64_t version = database.number("PRAGMA user_version");
     for (const Column& column : kColumns) {
         Statement find(database, "SELECT 1 FROM pragma_table_info(?) WHERE name = ?");

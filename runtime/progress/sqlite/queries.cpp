@@ -76,9 +76,10 @@ std::optional<AttemptRecord> find_attempt(Database& database, const RecordId& id
         return std::nullopt;
     }
     AttemptRecord attempt = attempt_of(row);
-    Statement error(database,
-                    "SELECT code, span, correction, point FROM attempt_error WHERE attempt = ?"
-                    " ORDER BY position");
+    Statement error(
+        database,
+        "SELECT code, span, correction, point, target FROM attempt_error WHERE attempt = ?"
+        " ORDER BY position");
     error.bind(id);
     while (error.step()) {
         attempt.errors.push_back(error_of(error));
@@ -254,15 +255,17 @@ void keep(Database& database, const AttemptRecord& given) {
         .run();
     std::int64_t position = 0;
     for (const ErrorRecord& error : attempt.errors) {
-        Statement(database,
-                  "INSERT INTO attempt_error(attempt, position, code, span, correction, point)"
-                  " VALUES(?, ?, ?, ?, ?, ?)")
+        Statement(
+            database,
+            "INSERT INTO attempt_error(attempt, position, code, span, correction, point, target)"
+            " VALUES(?, ?, ?, ?, ?, ?, ?)")
             .bind(attempt.id)
             .bind(position++)
             .bind(error.code)
             .bind(error.span)
             .bind(error.correction)
             .bind(error.point)
+            .bind(error.target)
             .run();
     }
 }

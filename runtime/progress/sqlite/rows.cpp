@@ -76,6 +76,7 @@ ErrorRecord error_of(Statement& row) {
     error.span = row.text();
     error.correction = row.text();
     error.point = row.text();
+    error.target = row.flag();
     return error;
 }
 

@@ -23,7 +23,7 @@ inline constexpr const char* kSelectHandSetting =
     "SELECT hand_setting.id, hand_setting.learner, device, name, value, kept_utc_ms FROM "
     "hand_setting";
 inline constexpr const char* kSelectError =
-    "SELECT attempt_error.attempt, code, span, correction, point FROM attempt_error";
+    "SELECT attempt_error.attempt, code, span, correction, point, target FROM attempt_error";
 
 /// The record in the statement's present row; lists (settings, errors) are left empty.
 [[nodiscard]] Learner learner_of(Statement& row);

@@ -113,11 +113,16 @@ constexpr const char* kStep5 = R"sql(
 ALTER TABLE attempt ADD COLUMN form_known INTEGER NOT NULL DEFAULT 1 CHECK(form_known IN (0, 1));
 )sql";
 
+// An error of the form that was taught is told from others; of those kept before it is not known.
+constexpr const char* kStep6 = R"sql(
+ALTER TABLE attempt_error ADD COLUMN target INTEGER NOT NULL DEFAULT 0 CHECK(target IN (0, 1));
+)sql";
+
 }  // namespace
 
 const std::array<const char*, kSchemaVersion>& migrations() noexcept {
-    static constexpr std::array<const char*, kSchemaVersion> kSteps{kStep0, kStep1, kStep2,
-                                                                    kStep3, kStep4, kStep5};
+    static constexpr std::array<const char*, kSchemaVersion> kSteps{kStep0, kStep1, kStep2, kStep3,
+                                                                    kStep4, kStep5, kStep6};
     return kSteps;
 }
 

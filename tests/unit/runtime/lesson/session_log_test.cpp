@@ -119,12 +119,27 @@ TEST_CASE("session log: beginning, answers and end are kept as they were") {
     CHECK(attempt.errors[0].correction == "heaviest");
     CHECK(attempt.errors[0].code == "R:ADJ:FORM");
     CHECK_FALSE(attempt.errors[0].point.empty());
+    CHECK_FALSE(attempt.errors[0].target);
     REQUIRE(store.data.ends.size() == 1);
     CHECK(store.data.ends[0].reason == EndReason::finished);
     CHECK(store.data.ends[0].stars == 2);
     CHECK(store.data.ends[0].score == 9);
     CHECK(store.data.ends[0].level_reached == 3);
     CHECK(log.trouble().empty());
+}
+
+TEST_CASE("session log: an error of the taught form is kept as such") {
+    MemoryStore store;
+    SessionLog log(store, some_session());
+    MarkedAnswer answer = some_answer();
+    answer.mark.form_errors.resize(2);
+    answer.mark.form_errors[1].code = dialogue::ErrorCode::missing_determiner;
+    answer.mark.form_errors[0].target = true;
+    log.keep_attempt(answer);
+    const AttemptRecord& attempt = store.data.attempts.at(0);
+    CHECK_FALSE(attempt.target_right);
+    CHECK(attempt.errors.at(0).target);
+    CHECK_FALSE(attempt.errors.at(1).target);
 }
 
 TEST_CASE("session log: where the meaning alone was heard, that is kept, and nothing of the form") {

@@ -48,11 +48,17 @@ class Diary {
             attempt.meaning_right = letter == 'R' || letter == 'S' || letter == 'N' || form_wrong;
             attempt.form_known = letter != 'N' && letter != 'V';
             attempt.form_right = letter == 'R' || letter == 'S' || letter == 'W';
-            attempt.feedback = letter == 'P' ? "prompt" : letter == 'M' ? "moved_on" : "";
+            attempt.target_right = attempt.form_right;
+            attempt.feedback = letter == 'P'           ? "prompt"
+                               : letter == 'M'         ? "moved_on"
+                               : letter == 'F'         ? "recast"
+                               : !attempt.understood   ? "not_understood"
+                               : attempt.meaning_right ? "praise"
+                                                       : "wrong_meaning";
             attempt.uptake = letter == 'S' ? "repaired" : "";
             attempt.said = letter == 'W' ? "the egg" : letter == 'M' ? "hm" : "";
             if (form_wrong) {
-                attempt.errors = {{"R:ADJ:FORM", "most heavy", "heaviest", "comparison"}};
+                attempt.errors = {{"R:ADJ:FORM", "most heavy", "heaviest", "comparison", true}};
             }
             data.attempts.push_back(attempt);
         }

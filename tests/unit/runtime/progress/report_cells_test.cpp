@@ -56,5 +56,20 @@ TEST_CASE("report cells: stuck, errors and examples in words") {
     CHECK(example_cell(error) == "\"\" -> \"the\"");
 }
 
+TEST_CASE("report cells: four marks in words, and none of a form that was never judged") {
+    QuestionReport question;
+    question.attempts = 5;
+    question.meaning_right = 3;
+    question.target_judged = 4;
+    question.target_right = 2;
+    question.other_form_errors = 1;
+    question.confidence = 0.867;
+    CHECK(marks_of(question) ==
+          "meaning 3 of 5, taught form 2 of 4, other form errors 1, confidence 0.87");
+    question.target_judged = question.target_right = question.other_form_errors = 0;
+    CHECK(marks_of(question) == "meaning 3 of 5, form not judged, confidence 0.87");
+    CHECK(confidence_cell(1.0) == "1.00");
+}
+
 }  // namespace
 }  // namespace fulcrum::runtime

@@ -116,7 +116,15 @@ TEST_CASE("report: the CSV says when, how well, and with which errors") {
                                                  "0",
                                                  "0",
                                                  "0",
-                                                 "the egg"});
+                                                 "the egg",
+                                                 "1",
+                                                 "4",
+                                                 "3",
+                                                 "0",
+                                                 "1.00"});
+    const std::vector<std::string> head{"meaning_right", "target_judged", "target_right",
+                                        "other_form_errors", "confidence"};
+    CHECK(std::vector<std::string>((*rows)[0].end() - 5, (*rows)[0].end()) == head);
     const std::string with_mark = to_csv({}, {.byte_order_mark = true});
     CHECK(with_mark.substr(0, 10) == "\xEF\xBB\xBFlearner");
 }
@@ -125,7 +133,7 @@ TEST_CASE("report: without learners the CSV is its header alone") {
     const auto rows = test::parse_csv(to_csv(compute_report({})));
     REQUIRE(rows);
     REQUIRE(rows->size() == 1);
-    CHECK((*rows)[0].size() == 26);
+    CHECK((*rows)[0].size() == 31);
 }
 
 TEST_CASE("report: no cell of the CSV is a formula, and every cell is read back whole") {
@@ -140,7 +148,7 @@ TEST_CASE("report: no cell of the CSV is a formula, and every cell is read back 
         REQUIRE(rows);
         REQUIRE(rows->size() == 2);
         for (const auto& row : *rows) {
-            REQUIRE(row.size() == 26);
+            REQUIRE(row.size() == 31);
         }
         const auto& row = (*rows)[1];
         CAPTURE(nasty, csv);

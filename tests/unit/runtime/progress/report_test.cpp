@@ -47,6 +47,40 @@ TEST_CASE("report: a form that nobody heard counts neither as right nor as wrong
     CHECK(question.wrong_in_a_row == 2);
 }
 
+TEST_CASE("report: the four marks are summed each by itself") {
+    Diary diary("Mina");
+    diary.session("gravity").answers("heaviest", "RFWUNF");
+    std::vector<AttemptRecord>& attempts = diary.data.attempts;
+    const ErrorRecord taught{"R:ADJ:FORM", "most heavy", "heaviest", "comparison", true};
+    const ErrorRecord other{"M:DET", "", "an", "article"};
+    attempts[1].errors = {taught, other, taught};
+    attempts[3].errors = {other};  // in words that fit no answer
+    attempts[4].confidence = 0.5;
+    attempts[5].errors = {other, other};
+    attempts[5].target_right = true;
+    const QuestionReport question = only_question(diary);
+    CHECK(question.attempts == 6);
+    CHECK(question.meaning_right == 4);  // R, both F, N
+    CHECK(question.target_judged == 4);  // neither U nor N
+    CHECK(question.target_right == 3);   // R, W, the second F
+    CHECK(question.other_form_errors == 4);
+    CHECK(question.confidence == Approx(5.5 / 6.0));
+}
+
+TEST_CASE("report: what was kept before the taught form was told from others is not judged by it") {
+    Diary diary("Mina");
+    diary.session("gravity").answers("heaviest", "FR");
+    AttemptRecord& old = diary.data.attempts[0];
+    // Older than the mark at each error: one at least is the taught form's.
+    old.errors = {{"R:ADJ:FORM", "most heavy", "heaviest"}, {"M:DET", "", "the"}};
+    CHECK(only_question(diary).other_form_errors == 1);
+    CHECK(only_question(diary).target_right == 1);
+    // Older than the mark at each answer.
+    old.feedback.clear();
+    CHECK(only_question(diary).target_judged == 1);
+    CHECK(only_question(diary).other_form_errors == 2);
+}
+
 TEST_CASE("report: three answers in a row that are not right make stuck, over sessions too") {
     const auto stuck = [](const std::string& first, const std::string& second) {
         Diary diary("Mina");

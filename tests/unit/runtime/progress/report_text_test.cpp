@@ -37,9 +37,11 @@ mina
                                           right  right  not un-  form  wrong in
     question             asked attempts at once in end derstood wrong a row now
     heaviest                 1        2       0      1        0     1         0
+      meaning 1 of 2, taught form 1 of 2, other form errors 0, confidence 1.00
       slips: comparison 1 (in the last answer)
       "most heavy" for "heaviest" (once)
     lighter-than-egg         1        3       0      0        0     0         3
+      meaning 0 of 3, taught form 3 of 3, other form errors 0, confidence 1.00
       STUCK now: the last 3 answers were not right
 )");
 }
@@ -65,7 +67,7 @@ TEST_CASE("report: who was let go on, and what came of saying it once more, is t
     CHECK_THAT(text, Catch::Contains("said once more when asked to: right 1 of 2 times\n"));
     CHECK_THAT(text, Catch::Contains("said once more when asked to: right 0 of once\n"));
     CHECK_THAT(text, Catch::Contains("let go on without a right answer once\n"));
-    CHECK_THAT(to_csv(report, kUtc), Catch::Contains(",1,0,0,hm\r\n"));
+    CHECK_THAT(to_csv(report, kUtc), Catch::Contains(",1,0,0,hm,0,0,0,0,1.00\r\n"));
 }
 
 TEST_CASE("report: nobody yet is one friendly sentence") {

@@ -69,7 +69,7 @@ TEST_CASE("opening: version 1 becomes the newest and keeps every fact") {
         CHECK((*store)->add_hand_setting(hand));
         CHECK((*store)->read({})->hands == std::vector{hand});
     }
-    CHECK(query(path, "PRAGMA user_version") == "6");
+    CHECK(query(path, "PRAGMA user_version") == "7");
     CHECK(query(path, "PRAGMA integrity_check") == "ok");
 }
 
@@ -103,14 +103,18 @@ TEST_CASE("opening: what version 5 kept counts as heard with its form, and what 
     const std::string path = folder.file("progress.db");
     make_version_5(path);
     AttemptRecord attempt = test::attempt_for(std::string(32, 'a'), "heaviest", 2, true);
+    AttemptRecord formed = test::attempt_for(std::string(32, 'a'), "heaviest", 3, false);
+    formed.errors = {{"R:ADJ:FORM", "most heavy", "heaviest", "comparison", true},
+                     {"M:DET", "", "the", "article"}};
     attempt.form_known = attempt.form_right = false;
     for (int times = 0; times < 2; ++times) {
         auto store = open_sqlite_store(path);
         REQUIRE(store);
         REQUIRE((*store)->add_attempt(attempt));
+        REQUIRE((*store)->add_attempt(formed));
         const auto data = (*store)->read({});
         REQUIRE(data);
-        REQUIRE(data->attempts.size() == 2);
+        REQUIRE(data->attempts.size() == 3);
         const AttemptRecord& old = data->attempts[0];
         CHECK(old.form_known);
         CHECK(old.said == "an egg");
@@ -121,6 +125,7 @@ TEST_CASE("opening: what version 5 kept counts as heard with its form, and what 
         CHECK(old.feedback == "recast");
         CHECK(old.errors == std::vector{ErrorRecord{"M:DET", "", "the", "article"}});
         CHECK(data->attempts[1] == attempt);
+        CHECK(data->attempts[2] == formed);
     }
     CHECK(query(path, "PRAGMA user_version") == std::to_string(sqlite::kSchemaVersion));
     CHECK(query(path, "PRAGMA integrity_check") == "ok");
