@@ -104,16 +104,21 @@ Vector3 GodForce::force_W(std::size_t k) const noexcept {
                                   : Vector3(scale_ * solver_.force_N(k) * normals_W_[k]);
 }
 
-void GodForce::blend(const Wrench& before, const Pose& wanted_W, double dt_s) noexcept {
+void GodForce::blend(const Wrench& before, const Pose& wanted_W, double dt_s,
+                     bool is_near) noexcept {
+    if (!is_near) {
+        forget_blend();
+        return;
+    }
     const Wrench now = compute_held(wanted_W);
     double kept = settings_.fade_s > 0.0 ? std::exp(-dt_s / settings_.fade_s) : 0.0;
     free_s_ = size() == 0 ? free_s_ + dt_s : 0.0;
     if (free_s_ > kMayTouchAgain_s) {
         // Evenly, to nothing.
-        const double left_s = kMayTouchAgain_s + kFreeFade_s - (free_s_ - dt_s);
+        const double left_s = kMayTouchAgain_s + settings_.fade_s - (free_s_ - dt_s);
         kept = std::min(kept, std::max(1.0 - dt_s / left_s, 0.0));
     }
-    if (free_s_ >= kMayTouchAgain_s + kFreeFade_s) {
+    if (free_s_ >= kMayTouchAgain_s + settings_.fade_s) {
         kept = 0.0;
     }
     blended_.force = {kept * (before.force - now.force), now.force};

@@ -6,8 +6,9 @@
 // With friction a_c is that of friction_constraint.h, and a wall holds along itself with up to mu K depth. Without it, against a wall F = K depth, along it 0, and 0 without contacts: a tool that is free is not felt, whatever its mass. A turn
 // is answered by K I / m, I the tool's inertia.
 // A new set of contacts makes another force of the same handle. That difference is not felt at once: e takes it, so that F goes on where
-// it was, and fades by exp(-dt / fade). What the handle's own motion changes is never delayed. Without contacts it goes on fading
-// for 5 ms, since a peg in a hole is free for a step now and then, and is 0 after 25 ms more: a tool that slips off an edge is felt no longer.
+// it was, and fades by exp(-dt / fade). What the handle's own motion changes is never delayed. A tool that nothing is near is felt not at
+// all: e is 0 at once, however it came there. Where something is near but no contact holds it, as a peg in a hole is free for a step now and then, e
+// goes on fading for 5 ms, and then evenly to 0 in the time `fade` more.
 //
 // Thread: that of its owner. Cost: 1 us for 30 contacts; no allocation after it was built.
 // Source: M. Ortega, S. Redon, S. Coquillart 2007, A six degree-of-freedom god-object method for haptic display of rigid bodies with surface
@@ -55,8 +56,8 @@ class GodForce {
     [[nodiscard]] Vector3 force_W(std::size_t k) const noexcept;
     /// Likewise by all contacts.
     [[nodiscard]] Wrench held() const noexcept { return presses_ ? solved_ : Wrench{}; }
-    /// From now on goes on from `before`, the force of the set before for the same handle.
-    void blend(const Wrench& before, const Pose& wanted_W, double dt_s) noexcept;
+    /// From now on goes on from `before`, the force of the set before for the same handle; `is_near`: something is near the tool.
+    void blend(const Wrench& before, const Pose& wanted_W, double dt_s, bool is_near) noexcept;
     void forget_blend() noexcept {
         blended_ = {};
         free_s_ = 0.0;
@@ -91,7 +92,6 @@ class GodForce {
     Vector6 solved_for_{Vector6::Zero()};
     Wrench solved_{};
     static constexpr double kMayTouchAgain_s = 0.005;
-    static constexpr double kFreeFade_s = 0.025;
     double free_s_ = 0.0;  // without contacts, so long
     double scale_ = 1.0;
     bool presses_ = false;  // some contact does, in the last `compute`

@@ -18,6 +18,7 @@ constexpr double kStuckGaps = 32.0;  // and it is shorter than so many gaps at r
 constexpr int kManyContacts = 64;    // it does not turn between so many
 constexpr double kLookWidest = 0.1;  // of the tool's reach
 constexpr double kFreeGaps = 1.0;    // what is within is not free, beyond twice that it is
+constexpr double kNearGaps = 16.0;   // what is within: only there may a force outlast its contact
 constexpr double kTouchShare =
     0.25;  // of the gap there is: the sweep stops between that and twice it
 constexpr double kLeastTouch = 1.0 / 64.0;  // of the gap at rest: nearer than that nothing goes
@@ -330,6 +331,23 @@ void GodObjectTool::slide(const Pose& wanted_W, std::span<const MovingFrame> obj
     }
 }
 
+// Whether what is left of the force before may still be felt: only beside something.
+bool GodObjectTool::may_fade(const Wrench& before) noexcept {
+    const double near_m = kNearGaps * settings_.gap_m;
+    if (force_.size() > 0 || step_.least_gap_m <= near_m) {
+        return true;
+    }
+    if (before.force.isZero(0.0) && before.torque.isZero(0.0)) {
+        return false;
+    }
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        if (pairs_[i].has_within(seen_from(objects_W_[i], pose_W_), near_m)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 ToolFelt GodObjectTool::move(const MovingFrame& handle, std::span<const MovingFrame> objects,
                              double /*now_s*/, double dt_s) noexcept {
     ToolFelt felt;
@@ -346,7 +364,7 @@ ToolFelt GodObjectTool::move(const MovingFrame& handle, std::span<const MovingFr
     note_slips();
     // What the contacts there are felt like.
     tell_force();
-    force_.blend(before, held_W, dt_s);
+    force_.blend(before, held_W, dt_s, may_fade(before));
     tell_touches();
     tell_texture(dt_s);
     const Felt told = feel(handle.pose_W);

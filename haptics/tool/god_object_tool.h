@@ -16,6 +16,9 @@
 // and the tool before them. Between objects that close upon it the tool is wedged: then they are held where they touched, which is told, and catch
 // up when there is room.
 //
+// What is felt of a tool that nothing is within 16 delta of is 0, to the bit, in that very step, however it came there and whatever `fade_s` is. Lifted
+// it comes off without a step of the force; slipped off an edge with one, which the safety gate's slew limit stretches (loop/safety.h).
+//
 // What is promised: after each step the tool's surface and each object's (as seen: where it stopped if it was wedged) do not cross, and neither
 // did they on the way, if they did not when the tool was placed. That holds for meshes with holes, cracks, flipped or loose triangles too, for
 // it is about triangles: no normal of a mesh is used. What lies in an open mesh's inside may have come through its hole. A tool so small that
@@ -136,6 +139,7 @@ class GodObjectTool final : public ToolSolver {
     void collect() noexcept;
     void collect_within() noexcept;
     void look_farther(double way_m, double share, bool recovers) noexcept;
+    [[nodiscard]] bool may_fade(const Wrench& before) noexcept;
     void tell_force() noexcept;
     void tell_touches() noexcept;
     [[nodiscard]] double find_friction(std::size_t i, const GodContact& contact) const noexcept;

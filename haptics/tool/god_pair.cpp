@@ -263,6 +263,15 @@ bool GodPair::is_apart(const Pose& X_OT, double touch_m) const noexcept {
                .outcome == SweepOutcome::free;
 }
 
+bool GodPair::has_within(const Pose& X_OT, double within_m) noexcept {
+    const GodPlace place = GodPlace::of(object_->swept(), tool_->swept(), X_OT);
+    if (front_.look(place, within_m) != GodLook::whole) {
+        return !is_apart(X_OT, within_m);
+    }
+    return std::ranges::any_of(front_.near(),
+                               [&](std::int32_t i) { return front_.aim(i, place) <= within_m; });
+}
+
 bool GodPair::is_enclosed(const Pose& X_OT) const noexcept {
     const auto is_any_inside = [](const GodSurface& outer, const GodSurface& inner,
                                   const Pose& place) {

@@ -65,6 +65,8 @@ class GodPair {
     [[nodiscard]] bool is_cut() const noexcept { return is_cut_; }
     /// Whether no part of the surfaces is within `touch_m` of the other.
     [[nodiscard]] bool is_apart(const Pose& X_OT, double touch_m) const noexcept;
+    /// Whether some part is; by what is known from step to step.
+    [[nodiscard]] bool has_within(const Pose& X_OT, double within_m) noexcept;
 
     /// Whether one of them is inside what the other encloses, told by a corner of it: for two that are apart.
     [[nodiscard]] bool is_enclosed(const Pose& X_OT) const noexcept;

@@ -1,9 +1,11 @@
 // A god-object's tool and what it meets, for tests: meshes in, a tool out; and whether anything is inside anything, exactly.
 #pragma once
 
+#include "haptics/continuous/nearest_features.h"
 #include "haptics/geometry/shape.h"
 #include "haptics/tool/god_object_tool.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,10 +16,16 @@ namespace fulcrum::test {
 
 inline constexpr double kGodDt_s = 0.001;
 
-/// What is felt is as large as the springs make it, and a set of contacts is felt at once.
+/// As they ship.
 inline GodObjectSettings make_god_settings(const Inertia& inertia) {
     GodObjectSettings settings;
     settings.inertia = inertia;
+    return settings;
+}
+
+/// But that a set of contacts is felt at once: where a test asks for what the contacts alone make of it.
+inline GodObjectSettings make_sudden_settings(const Inertia& inertia) {
+    GodObjectSettings settings = make_god_settings(inertia);
     settings.fade_s = 0.0;
     return settings;
 }
@@ -66,6 +74,27 @@ inline bool do_cross(const TriangleMesh& object, const Pose& object_W, const Tri
         }
     }
     return false;
+}
+
+/// Between surfaces: every triangle against every other, by their features; 0 where they cross.
+inline double find_distance_m(const TriangleMesh& object, const Pose& object_W,
+                              const TriangleMesh& tool, const Pose& tool_W) {
+    const auto corners = [](const TriangleMesh& mesh, const TriangleCorners& t, const Pose& pose) {
+        const auto at = [&](std::size_t i) -> Vector3 {
+            return pose * mesh.vertices_B()[static_cast<std::size_t>(t[i])];
+        };
+        return Triangle{at(0), at(1), at(2)};
+    };
+    const Pose X_OT = object_W.inverse() * tool_W;
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const TriangleCorners& t : tool.triangles()) {
+        const Triangle moving = corners(tool, t, X_OT);
+        for (const TriangleCorners& o : object.triangles()) {
+            least_m = std::min(
+                least_m, find_nearest_features(corners(object, o, Pose{}), moving).distance_m);
+        }
+    }
+    return least_m;
 }
 
 /// A tool among objects, led step by step.

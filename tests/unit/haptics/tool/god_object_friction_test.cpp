@@ -70,7 +70,7 @@ TriangleMesh make_sheet(int n, double side_m) {
 GodObjectTool make_tool(const TriangleMesh& tool, const TriangleMesh& object,
                         const FrictionSettings& friction) {
     return GodObjectTool::build({{GodSurface::create(object), GodSurface::create(tool), friction}},
-                                test::make_god_settings(kCube))
+                                test::make_sudden_settings(kCube))
         .value();
 }
 

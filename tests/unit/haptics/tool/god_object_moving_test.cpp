@@ -18,7 +18,7 @@ constexpr double kHalf_m = 0.02;
 
 using Scene = test::GodScene;
 const GodObjectSettings kSettings =
-    test::make_god_settings(make_box_inertia(0.05, Vector3::Constant(2.0 * kHalf_m)));
+    test::make_sudden_settings(make_box_inertia(0.05, Vector3::Constant(2.0 * kHalf_m)));
 
 TriangleMesh make_cube() {
     return make_box(Vector3::Constant(2.0 * kHalf_m)).value();

@@ -2,6 +2,7 @@
 
 #include "haptics/geometry/shape.h"
 #include "haptics/math/rotation.h"
+#include "tests/support/god_scene.h"
 #include "tests/support/wander.h"
 
 #include <catch2/catch.hpp>
@@ -210,6 +211,37 @@ TEST_CASE(
                                {Vector3(0.01, 0.0, 0.0), compute_exp(Vector3(1.0, 0.0, 0.0))},
                                kTouch_m) == 0.0);
     CHECK(pair.memory_bytes() > 0);
+}
+
+TEST_CASE("god pair: whether something is within a distance is told as brute force tells it") {
+    const TriangleMesh object = make_bumpy_sphere(0.03, 4, 0.2, 120.0).value();
+    const TriangleMesh tool = make_box({0.02, 0.015, 0.01}).value();
+    GodPair pair = make_pair(object, tool);
+    Random random(31);
+    Pose at = Pose::at({0.0, 0.05, 0.0});
+    int n_within = 0;
+    int n_apart = 0;
+    for (int i = 0; i < 1500; ++i) {
+        const Pose before = at;
+        at.position += 0.0015 * random.in_cube() - 0.01 * (at.position - Vector3(0.0, 0.04, 0.0));
+        at.orientation = (compute_exp(0.05 * random.in_cube()) * at.orientation).normalized();
+        const double distance_m = test::find_distance_m(object, {}, tool, at);
+        // Never where they cross: there the tool is not.
+        if (!(distance_m > 0.0) || test::do_cross(object, {}, tool, at)) {
+            at = before;
+            continue;
+        }
+        for (const double share : {0.5, 0.999, 1.001, 3.0}) {
+            CAPTURE(i, distance_m, share);
+            REQUIRE(pair.has_within(at, share * distance_m) == (share > 1.0));
+        }
+        n_within += pair.has_within(at, 1.0e-3) ? 1 : 0;
+        n_apart += pair.has_within(at, 1.0e-3) ? 0 : 1;
+    }
+    CHECK(n_within > 100);
+    CHECK(n_apart > 100);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(pair.has_within(Pose::at({nan, 0.0, 0.0}), 1.0e-3));
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ GodObjectTool make_tool(const TriangleMesh& tool, const TriangleMesh& object, Sh
     GodObjectPlan plan{.object = GodSurface::create(object), .tool = GodSurface::create(tool)};
     plan.object_shading = shaded.object ? shade(object) : nullptr;
     plan.tool_shading = shaded.tool ? shade(tool) : nullptr;
-    return GodObjectTool::build({plan}, test::make_god_settings(make_stiff_inertia())).value();
+    return GodObjectTool::build({plan}, test::make_sudden_settings(make_stiff_inertia())).value();
 }
 
 double angle_between(const Vector3& a, const Vector3& b) {
