@@ -83,7 +83,7 @@ Feedback Conversation::respond(const Mark& mark, bool meaning_right) {
     if (state_ != State::heard) {
         return {};
     }
-    if (mark.confidence < settings_.least_confidence) {
+    if (!heard_well(mark.confidence)) {
         return heard_badly();
     }
     ++attempt_;

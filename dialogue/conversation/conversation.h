@@ -110,6 +110,10 @@ class Conversation {
     /// The prompt again, e.g. for a "say that again" button.
     [[nodiscard]] std::vector<std::string> prompt_again() const;
 
+    /// Sure enough to be marked.
+    [[nodiscard]] bool heard_well(double confidence) const {
+        return confidence >= settings_.least_confidence;
+    }
     [[nodiscard]] State state() const { return state_; }
     [[nodiscard]] int attempt() const { return attempt_; }
 

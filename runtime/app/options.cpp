@@ -23,9 +23,9 @@ struct CommandWord {
 constexpr std::array<CommandWord, 16> kCommands{{
     {"run", Command::run, true,
      " --headless --seconds --seed --errors --hand --by --say --learner --db --record --screenshot "
-     "--screenshot-at --speech --hear --listen --throat --voice --voice-speed "
-     "--watch --mute --force-limit --feedback --key --scale --axes --middle --clutch --handed "
-     "--first-use "},
+     "--screenshot-at --speech --hear --listen --sure --throat --voice "
+     "--voice-speed --watch --mute --force-limit --feedback --key --scale --axes --middle --clutch "
+     "--handed --first-use "},
     {"list", Command::list, false, " "},
     {"check", Command::check, true, " --force-limit "},
     {"test", Command::test, true, " --force-limit --seed --errors --hand --by "},
@@ -47,7 +47,7 @@ constexpr std::array<CommandWord, 16> kCommands{{
     {"-h", Command::help, false, " "},
     {"--version", Command::version, false, " "},
     {"menu", Command::menu, false,
-     " --learner --db --force-limit --feedback --mute --speech --listen --throat --voice "
+     " --learner --db --force-limit --feedback --mute --speech --listen --sure --throat --voice "
      "--voice-speed "
      "--watch --handed "},
 }};
@@ -93,10 +93,11 @@ std::optional<Expected<void>> set_number(Options& options, const std::string& fl
     };
     constexpr double kDay_s = 86400.0;
     constexpr double kMostSeed = 4294967295.0;
-    static constexpr std::array<Number, 8> kNumbers{{
+    static constexpr std::array<Number, 9> kNumbers{{
         {"--seconds", 0.0, kDay_s, [](Options& o, double x) { o.seconds = x; }},
         {"--force", 0.0, kDay_s, [](Options& o, double x) { o.force_at_s = x; }},
         {"--errors", 0.0, 0.9, [](Options& o, double x) { o.errors = x; }},
+        {"--sure", 0.0, 1.0, [](Options& o, double x) { o.sureness = x; }},
         {"--throat", 1.0, 2.0, [](Options& o, double x) { o.throat = x; }},
         {"--screenshot-at", 0.0, kDay_s, [](Options& o, double x) { o.screenshot_at_s = x; }},
         {"--force-limit", 0.5, 10.0, [](Options& o, double x) { o.force_limit_N = x; }},
@@ -234,7 +235,6 @@ const CommandWord* find_command(std::string_view word) {
 
 std::vector<std::string> command_words() {
     std::vector<std::string> words;
-    words.reserve(kCommands.size());
     for (const CommandWord& command : kCommands) {
         words.emplace_back(command.word);
     }
@@ -311,10 +311,8 @@ Expected<Options> parse_options(std::span<const std::string> words) {
         return unknown("the command", words[0], command_words());
     }
     options.command = command->command;
-
     for (std::size_t i = only_options ? 0 : 1; i < words.size(); ++i) {
-        const std::string& word = words[i];
-        if (word == "--help" || word == "-h") {
+        if (words[i] == "--help" || words[i] == "-h") {
             options.command = Command::help;
             return options;
         }
@@ -365,6 +363,7 @@ std::string usage() {
                              exec:COMMAND, heard by a program of your own (dialogue/README.md)
       --hear FILE            one recording (WAV) a line, heard for the questions in turn instead of a microphone
       --listen hold|always   when the microphone is heard: while Control is held, or whenever somebody speaks (hold)
+      --sure N               with --speech: what is heard less surely is asked for again, 0 to 1 (as the lesson says, else 0.4)
       --throat N             with --speech sphinx: how much smaller than a grown-up's the pupil's throat is, 1 to 2; without it
                              as it was heard the last time, kept with the pupil's progress
       --voice NAME           who says aloud what stands there: flite, espeak-ng or none (flite)

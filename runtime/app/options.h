@@ -74,6 +74,7 @@ struct Options {
     SpeechInput speech = SpeechInput::text;
     std::optional<double>
         throat;  ///< with --speech sphinx: the learner's, 1 to 2 times smaller than a grown-up's
+    std::optional<double> sureness;        ///< with --speech: how sure one must be, 0 to 1
     std::string hearing;                   ///< with --speech exec: the command
     std::string hear;                      ///< file with the name of one recording a line
     ListenMode listen = ListenMode::hold;  ///< in a window: when the microphone is heard

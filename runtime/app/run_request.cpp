@@ -86,13 +86,16 @@ Expected<void> choose_answers(const Options& options, bool in_window, RunRequest
 Expected<void> choose_hearing(const Options& options, RunRequest& request) {
     request.plan.speech = options.speech;
     if (options.speech == SpeechInput::text) {
-        return options.hear.empty()
-                   ? Expected<void>{}
-                   : Expected<void>(fail("--hear without somebody who hears", "",
-                                         "add --speech sphinx, or --speech exec:COMMAND"));
+        if (options.hear.empty() && !options.sureness) {
+            return {};
+        }
+        return fail(
+            std::string(options.hear.empty() ? "--sure" : "--hear") + " without somebody who hears",
+            "", "add --speech sphinx, or --speech exec:COMMAND");
     }
     HearingOrder& hearing = request.plan.hearing;
     hearing.listen = options.listen;
+    hearing.sureness = options.sureness;
     hearing.gives_up = interrupted;
     if (options.speech == SpeechInput::external) {
         hearing.words = {"/bin/sh", "-c", options.hearing};

@@ -32,8 +32,9 @@ bool same_words_again(const dialogue::Feedback& feedback) {
 
 }  // namespace
 
-QuestionDialogue::QuestionDialogue(Questions questions, const dialogue::Catalogue& catalogue)
-    : questions_(std::move(questions)), conversation_(catalogue) {}
+QuestionDialogue::QuestionDialogue(Questions questions, const dialogue::Catalogue& catalogue,
+                                   dialogue::ConversationSettings settings)
+    : questions_(std::move(questions)), conversation_(catalogue, std::move(settings)) {}
 
 QuestionTurn QuestionDialogue::ask(const std::string& question, double time_s) {
     const auto declared = questions_.find(question);

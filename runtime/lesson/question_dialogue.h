@@ -69,7 +69,8 @@ class QuestionDialogue {
     using Questions = std::map<std::string, dialogue::Question>;
 
     /// The catalogue outlives the dialogue.
-    QuestionDialogue(Questions questions, const dialogue::Catalogue& catalogue);
+    QuestionDialogue(Questions questions, const dialogue::Catalogue& catalogue,
+                     dialogue::ConversationSettings settings = {});
 
     /// What fits no answer is checked from now on.
     void set_form_check(dialogue::FormCheck check) {
@@ -110,6 +111,10 @@ class QuestionDialogue {
     [[nodiscard]] double asked_at_s() const { return asked_at_s_; }
     /// How often the learner has been asked to speak.
     [[nodiscard]] int turns() const { return turns_; }
+    /// Sure enough to be marked.
+    [[nodiscard]] bool heard_well(double confidence) const {
+        return conversation_.heard_well(confidence);
+    }
     /// Would these words be an answer to the question of now, right or wrong?
     [[nodiscard]] bool understands(std::string_view words) const;
     /// The question of now; null when there is none.

@@ -14,6 +14,15 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr std::size_t kLongestAnswer_bytes = 400;
+constexpr const char* kSureness = "sureness";  // the session's setting
+
+// Who stands beside the learner knows better how sure one must be to have heard than the lesson does.
+dialogue::ConversationSettings settings_of(const LessonDescription& lesson, const Plan& plan) {
+    dialogue::ConversationSettings settings;
+    settings.tries = lesson.tries;
+    settings.least_confidence = plan.hearing.sureness.value_or(lesson.sureness);
+    return settings;
+}
 
 }  // namespace
 
@@ -52,7 +61,8 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
     if (!questions) {
         return tl::unexpected(questions.error());
     }
-    QuestionDialogue dialogue(std::move(*questions), catalogue);
+    const dialogue::ConversationSettings settings = settings_of(description, plan);
+    QuestionDialogue dialogue(std::move(*questions), catalogue, settings);
     if (plan.free_english) {
         auto check = open_free_english(things_of(description));
         if (!check) {
@@ -73,6 +83,9 @@ Expected<std::unique_ptr<LessonSession>> LessonSession::create(
     record.started_utc_ms = utc_now_ms();
     record.settings = {{"force_limit_N", std::to_string(plan.haptic.safety.max_force_N)},
                        {"felt_scale", std::to_string(plan.felt_scale)}};
+    if (plan.recogniser) {
+        record.settings.emplace_back(kSureness, std::to_string(settings.least_confidence));
+    }
     if (plan.recogniser && plan.hearing.throat > 0.0) {
         record.settings.emplace_back(kThroat, throat_text(plan.hearing.throat));
     }
@@ -229,7 +242,7 @@ void LessonSession::hear(const dialogue::Hypothesis& heard) {
 
 // The learner asks: true when these words are none of an answer. A question that is open comes first.
 bool LessonSession::ask_for(const std::string& words, const dialogue::Hypothesis& heard) {
-    const bool heard_well = heard.confidence >= dialogue::ConversationSettings{}.least_confidence;
+    const bool heard_well = dialogue_.heard_well(heard.confidence);
     auto asked = heard_well ? knowledge_->find(words, heard.form) : std::nullopt;
     if (dialogue_.is_open()) {
         if (asked) {

@@ -248,6 +248,8 @@ struct LessonTestDescription {
     std::string second_hand{};  ///< file of another hand; empty: it is not there
 };
 
+inline constexpr std::int32_t kMostTries = 20;
+
 /// Everything that a lesson declares.
 struct LessonDescription {
     std::string id;
@@ -257,7 +259,9 @@ struct LessonDescription {
     std::optional<double> force_limit_N;  ///< the lesson wants no more, 0.5 to 10
     bool free_english = false;  ///< what no template of a question takes is checked for its form
     dialogue::FeedbackLadder
-        feedback{};  ///< on form, of questions without their own; empty: the usual
+        feedback{};          ///< on form, of questions without their own; empty: the usual
+    std::int32_t tries = 4;  ///< answers of wrong meaning after which a question is left, 1 to 20
+    double sureness = 0.4;   ///< of who hears, 0 to 1; what is less sure is asked for again
     Vector3 gravity_W{0.0, -9.81, 0.0};
     double ground_height_m = 0.0;
     std::vector<MaterialDescription> materials;

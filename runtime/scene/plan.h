@@ -48,6 +48,8 @@ struct HearingOrder {
     bool takes_throat = false;             ///< the program understands --throat
     double throat =
         0.0;  ///< how much smaller than a grown-up's the learner's is, 1 to 2; 0: to be found
+    std::optional<double>
+        sureness{};  ///< 0 to 1: what is less sure is asked for again; else as the lesson says
     /// True once nobody waits for it any more, because the program is to end; may be empty.
     std::function<bool()> gives_up{};
 };

@@ -9,7 +9,7 @@ local maze = require "maze"
 local story = require "story"
 local wait = story.wait
 
-local L = lesson { id = "maze-park", title = "Find the way out of the maze!", level = "A2", minutes = 20 }
+local L = lesson { id = "maze-park", title = "Find the way out of the maze!", level = "A2", minutes = 20, tries = 4 }
 
 bank.declare(L)
 

@@ -143,6 +143,8 @@ local Force = {}
 ---@field minutes? number how long it takes; in minutes, 0 to 1000; default 10
 ---@field force_limit? number no force in this lesson is larger; this place and the device may allow less; in newtons, 0.5 to 10
 ---@field free_english? boolean what is said beside a question's answers is checked, and good English for it is shown; default false
+---@field tries? integer after so many answers of wrong meaning a question is left, and the lesson goes on; 1 to 20; default 4
+---@field sureness? number what a recogniser of speech hears less surely is asked for again, and neither right nor wrong; ./fulcrum run LESSON --sure N says it for one play; 0 to 1; default 0.4
 ---@field hands? integer how many hands or fingers it can use at once; each has a world:hand { … } of its own, and where fewer are there it is played with those; 1 to 2; default 1
 ---@field feedback? string[] what is done about an error of form, by how often it has been made: the first time the first of these, and so on, from then on the last; "recast" (the right sentence), "prompt" (say it once more), "rule" (and why), "replay" (and feel it again); { "recast", "prompt", "rule" } by default
 

@@ -7,6 +7,8 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 using namespace fulcrum;
@@ -82,6 +84,29 @@ TEST_CASE("maze park: who never finds the words is held, helped, and let go on")
     const std::string told = play(sandbox, "--say say.txt");
     CHECK(lines_with(told, "You may go on.").size() == 6);
     CHECK(told.find("0 of 3 stars") == std::string::npos);
+}
+
+TEST_CASE("maze park: the way is free after as many wrong answers as the lesson says") {
+    const std::string folder = FULCRUM_TEST_LESSONS "/../../scenarios/maze-park/";
+    for (const int tries : {1, 3}) {
+        const Sandbox sandbox;
+        std::string lesson = bytes_of(folder + "lesson.lua");
+        for (const auto& [from, to] :
+             {std::pair("tries = 4", "tries = " + std::to_string(tries)),
+              std::pair("learner = { wrong = 0.2, form = 0.3, unclear = 0.1 }",
+                        std::string("learner = { wrong = 1 }"))}) {
+            const std::size_t at = lesson.find(from);
+            REQUIRE(at != std::string::npos);
+            lesson.replace(at, std::string_view(from).size(), to);
+        }
+        sandbox.write("maze/lesson.lua", lesson);
+        sandbox.write("maze/gardener.lua", bytes_of(folder + "gardener.lua"));
+        const ProgramRun run = sandbox.run("run maze --headless");
+        INFO(run.output);
+        CHECK(run.exit_code == 0);
+        CHECK(lines_with(run.output, "(wrong").size() == static_cast<std::size_t>(6 * tries));
+        CHECK(lines_with(run.output, "You may go on.").size() == 6);
+    }
 }
 
 TEST_CASE("maze park: while a question is open no key walks on") {

@@ -118,4 +118,23 @@ TEST_CASE("spoken: without what hears there is one sentence, and the lesson goes
     const ProgramRun refused = sandbox.run("run gravity --headless --hear said.txt");
     CHECK(refused.exit_code == 2);
     CHECK(refused.output.find("--hear without somebody who hears") != std::string::npos);
+    const ProgramRun unheard = sandbox.run("run gravity --headless --sure 0.5");
+    CHECK(unheard.exit_code == 2);
+    CHECK(unheard.output.find("--sure without somebody who hears; add --speech sphinx") !=
+          std::string::npos);
+}
+
+TEST_CASE("spoken: how sure one must be to have heard is a knob, from all that fits to nothing") {
+    const Sandbox sandbox;
+    const std::string play = "run gravity --headless --speech sphinx --seconds 40 --hear " +
+                             record(sandbox, {"the apple is heavier than the egg"}) + " --sure ";
+    const auto answers = [&](const std::string& sure) {
+        const ProgramRun run = sandbox.run(play + sure);
+        INFO(run.output);
+        const bool badly = run.output.find("(not heard well)") != std::string::npos;
+        CHECK(badly != (run.output.find("(right)") != std::string::npos));
+        return !badly;
+    };
+    CHECK(answers("0.5"));
+    CHECK_FALSE(answers("1"));
 }

@@ -16,6 +16,8 @@ inline LessonDescription full_description() {
     d.force_limit_N = 2.5;
     d.free_english = true;
     d.feedback = {dialogue::FeedbackStep::prompt};
+    d.tries = 3;
+    d.sureness = 0.25;
     d.gravity_W = Vector3(0, -1.62, 0);
     d.ground_height_m = 0.25;
     MaterialDescription felt;

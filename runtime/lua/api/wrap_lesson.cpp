@@ -72,6 +72,8 @@ int make_lesson(lua_State* lua, LessonContext& context, const Arguments& argumen
     }
     context.description.free_english = arguments["free_english"].flag;
     context.description.feedback = take_ladder(lua, "lesson.feedback", arguments["feedback"]);
+    context.description.tries = static_cast<std::int32_t>(arguments["tries"].number);
+    context.description.sureness = arguments["sureness"].number;
     context.most_hands = static_cast<std::size_t>(arguments["hands"].number);
     if (context.most_hands > 1) {
         ScriptError unmet = place_in_lesson(lua);
@@ -244,6 +246,12 @@ void add_lesson_api(ApiTable& table) {
           {"free_english", flag, "", 0, 0, "false",
            "what is said beside a question's answers is checked, and good English for it is "
            "shown"},
+          {"tries", integer, "", 1, kMostTries, "4",
+           "after so many answers of wrong meaning a question is left, and the lesson goes on"},
+          {"sureness", number, "", 0, 1, "0.4",
+           "what a recogniser of speech hears less surely is asked for again, and neither right "
+           "nor "
+           "wrong; ./fulcrum run LESSON --sure N says it for one play"},
           {"hands", integer, "", 1, static_cast<double>(kMostHands), "1",
            "how many hands or fingers it can use at once; each has a world:hand { … } of its own, "
            "and where fewer are there it is played with those"},

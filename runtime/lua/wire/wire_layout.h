@@ -65,6 +65,8 @@ void description(Archive& a, Description& d) {
              [](auto& each, auto& limit) { each.number("a limit of force", limit, 0.5, 10.0); });
     a.flag("free English", d.free_english);
     ladder(a, d.feedback);
+    a.integer("the tries", d.tries, 1, kMostTries);
+    a.number("the sureness", d.sureness, 0.0, 1.0);
     vector(a, "gravity", d.gravity_W, 100.0);
     a.number("the ground", d.ground_height_m, -100.0, 100.0);
     a.list("materials", d.materials, kMaxMaterials, [](auto& each, auto& m) { material(each, m); });

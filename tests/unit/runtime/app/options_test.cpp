@@ -76,6 +76,20 @@ TEST_CASE("options: the microphone is heard while a key is held, or always") {
               .find("use hold or always") != std::string::npos);
 }
 
+TEST_CASE("options: how sure one must be to have heard is a number from 0 to 1") {
+    CHECK_FALSE(parse({"run", "gravity"})->sureness);
+    CHECK(parse({"run", "gravity", "--speech", "sphinx", "--sure", "0.7"})->sureness == 0.7);
+    CHECK(parse({"menu", "--speech", "sphinx", "--sure", "0"})->sureness == 0.0);
+    for (const char* value : {"-0.1", "1.1", "nan", "much", ""}) {
+        CAPTURE(value);
+        const auto refused = parse({"run", "gravity", "--sure", value});
+        REQUIRE_FALSE(refused);
+        CHECK(to_sentence(refused.error()).find("give a number from 0 to 1") != std::string::npos);
+    }
+    CHECK_FALSE(parse({"list", "--sure", "0.5"}));
+    CHECK(usage().find("--sure N") != std::string::npos);
+}
+
 TEST_CASE("options: a wrong word names the nearest right one") {
     CHECK(to_sentence(parse({"rnu"}).error()).find("did you mean run") != std::string::npos);
     CHECK(to_sentence(parse({"run", "gravity", "--headles"}).error())

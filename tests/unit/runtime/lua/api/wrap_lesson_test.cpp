@@ -1,6 +1,10 @@
+#include "dialogue/conversation/conversation.h"
 #include "tests/unit/runtime/lua/hosted_lesson.h"
 
 #include <catch2/catch.hpp>
+
+#include <string>
+#include <utility>
 
 namespace fulcrum::runtime {
 namespace {
@@ -39,6 +43,28 @@ TEST_CASE("lesson: one lesson, questions of different names, hands beside it") {
           "lesson.lua:2: question.right is missing; it is a function.");
     CHECK(HostedLesson().start("for i = 1, 33 do L:listen(print) end") ==
           "lesson.lua:2: a lesson has at most 32 listeners.");
+}
+
+TEST_CASE("lesson: tries and sureness arrive, and their ranges are told") {
+    const auto load = [](const std::string& fields) {
+        HostedLesson lesson;
+        lesson.says = fields;
+        const std::string error = lesson.load("");
+        return std::pair(error, error.empty() ? lesson.host->description() : LessonDescription{});
+    };
+    CHECK(load("").second.tries == dialogue::ConversationSettings{}.tries);
+    CHECK(load("").second.sureness == dialogue::ConversationSettings{}.least_confidence);
+    const auto [error, given] = load(", tries = 2, sureness = 0.75");
+    CHECK(error.empty());
+    CHECK(given.tries == 2);
+    CHECK(given.sureness == 0.75);
+    CHECK(load(", tries = 0").first ==
+          "lesson.lua:1: lesson.tries is a whole number, 1 to 20; got 0.");
+    CHECK(load(", tries = 21").first ==
+          "lesson.lua:1: lesson.tries is a whole number, 1 to 20; got 21.");
+    CHECK_FALSE(load(", tries = 1.5").first.empty());
+    CHECK(load(", sureness = 1.5").first == "lesson.lua:1: lesson.sureness is 0 to 1; got 1.5.");
+    CHECK_FALSE(load(", sureness = 'much'").first.empty());
 }
 
 TEST_CASE("lesson: examples of a question and a test's learner arrive") {

@@ -42,6 +42,8 @@ TEST_CASE("wire: a description, a reply and a frame come back as they were") {
     const auto d = decode_description(body_of(description));
     REQUIRE(d);
     CHECK(bytes_of(*d) == description);
+    CHECK(d->tries == 3);
+    CHECK(d->sureness == 0.25);
     CHECK(d->bodies[0].solid);
     CHECK(d->questions[0].lists[0].second[1] == "egg");
     CHECK(d->questions[0].again == "Lift it.");
