@@ -118,21 +118,21 @@ constexpr std::array<std::string_view, 22> kSingularInS = {
 /// "the" belongs to the name.
 constexpr std::array<std::string_view, 2> kNamedThe = {"moon", "sun"};
 
-/// Places, amounts and answers that are no things.
-constexpr std::array<std::string_view, 33> kNoNouns = {
-    "near",    "nearer", "far",     "farther",   "further", "close", "closer",
-    "up",      "down",   "here",    "there",     "above",   "below", "inside",
-    "outside", "away",   "forward", "backwards", "yes",     "no",    "more",
-    "less",    "both",   "neither", "never",     "always",  "none",  "together",
-    "again",   "slowly", "quickly", "faster",    "slower"};
+/// Places, amounts and answers that are no things; "a" and "an" count one.
+constexpr std::array<std::string_view, 35> kNoNouns = {
+    "a",     "an",       "near",    "nearer", "far",     "farther",   "further",
+    "close", "closer",   "up",      "down",   "here",    "there",     "above",
+    "below", "inside",   "outside", "away",   "forward", "backwards", "yes",
+    "no",    "more",     "less",    "both",   "neither", "never",     "always",
+    "none",  "together", "again",   "slowly", "quickly", "faster",    "slower"};
 
 /// With one of these a phrase begins that is no thing: "to the left", "near the support".
-constexpr std::array<std::string_view, 37> kPrepositions = {
-    "to",    "at",      "on",      "in",      "near",    "nearer", "close",  "closer",
-    "far",   "further", "farther", "under",   "over",    "behind", "from",   "by",
-    "with",  "without", "between", "next",    "towards", "into",   "beside", "below",
-    "above", "beneath", "inside",  "outside", "against", "along",  "across", "around",
-    "onto",  "off",     "up",      "down",    "through"};
+constexpr std::array<std::string_view, 39> kPrepositions = {
+    "to",    "at",      "on",      "in",      "near",    "nearer", "close",     "closer",
+    "far",   "further", "farther", "under",   "over",    "behind", "from",      "by",
+    "with",  "without", "between", "next",    "towards", "into",   "beside",    "below",
+    "above", "beneath", "inside",  "outside", "against", "along",  "across",    "around",
+    "onto",  "off",     "up",      "down",    "through", "among",  "underneath"};
 
 /// Adjectives that lessons ask for: "it should be heavy".
 constexpr std::array<std::string_view, 58> kDescribing = {

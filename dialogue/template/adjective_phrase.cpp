@@ -31,17 +31,27 @@ void add_own_article(ArcWriter& writer, Degree degree, int from, int to) {
     }
 }
 
-void add_modifiers(ArcWriter& writer, Degree degree, int from, int to) {
+/// One of `modifiers`; behind an article none that has its own: "the slightly heavier one", not "the a bit heavier one".
+template <class Table>
+void add_modifiers_of(ArcWriter& writer, const Table& modifiers, bool after_article, int modifier,
+                      int from, int to) {
+    for (const std::string_view said : modifiers) {
+        if (after_article && said.starts_with("a ")) {
+            writer.add_arc(from, to, modifier,
+                           {said, "slightly", ErrorCode::wrong_adverb, kSlipCost});
+        } else {
+            writer.add_arc(from, to, modifier, {said, said});
+        }
+    }
+}
+
+void add_modifiers(ArcWriter& writer, Degree degree, bool after_article, int from, int to) {
     const int modifier = writer.add_element({Role::modifier});
     if (degree == Degree::comparative) {
-        for (const std::string_view said : kBeforeComparative) {
-            writer.add_arc(from, to, modifier, {said, said});
-        }
+        add_modifiers_of(writer, kBeforeComparative, after_article, modifier, from, to);
         writer.add_arc(from, to, modifier, {"very", "much", ErrorCode::wrong_adverb, kSlipCost});
     } else if (degree == Degree::positive) {
-        for (const std::string_view said : kBeforePositive) {
-            writer.add_arc(from, to, modifier, {said, said});
-        }
+        add_modifiers_of(writer, kBeforePositive, after_article, modifier, from, to);
         writer.add_arc(from, to, modifier, {"much", "very", ErrorCode::wrong_adverb, kSlipCost});
     }
 }
@@ -58,7 +68,7 @@ void add_degree(ArcWriter& writer, const WordList& words, int slot, Degree degre
     if (!after_article) {
         add_own_article(writer, degree, from, start);
     }
-    add_modifiers(writer, degree, from, start);
+    add_modifiers(writer, degree, after_article, from, start);
 
     for (std::size_t i = 0; i < words.items.size() && !writer.full(); ++i) {
         const std::vector<Noun>& spoken = words.items[i].spoken;

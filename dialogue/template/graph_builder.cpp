@@ -2,6 +2,7 @@
 // NOLINTBEGIN(misc-no-recursion)
 #include "dialogue/template/graph_builder.h"
 
+#include "dialogue/english/determiner.h"
 #include "dialogue/english/letters.h"
 
 #include <algorithm>
@@ -130,6 +131,34 @@ Neighbours behind(const SyntaxNode& done, bool has_article, bool noun_phrase) {
     return neighbours;
 }
 
+/// "My", "(this|the)": one of them is said. "That" alone may join sentences.
+bool is_determined(const Syntax& syntax, int index) {
+    const SyntaxNode& part = unwrapped(syntax, index);
+    if (part.kind == Kind::alternatives) {
+        return std::all_of(part.children.begin(), part.children.end(), [&](int child) {
+            const SyntaxNode& inner = unwrapped(syntax, child);
+            return inner.kind == Kind::word && is_sole_determiner(inner.text);
+        });
+    }
+    return part.kind == Kind::word && part.text != "that" &&
+           (is_sole_determiner(part.text) || part.text == "one");
+}
+
+/// What may stand between a determiner and its noun: a form of an adjective, "long", {colour}, or one of them in brackets.
+bool is_attribute(const TemplateSet& set, const Syntax& syntax, int index) {
+    const SyntaxNode& part = unwrapped(syntax, index);
+    if (part.kind == Kind::optional || part.kind == Kind::alternatives) {
+        return std::all_of(part.children.begin(), part.children.end(),
+                           [&](int child) { return is_attribute(set, syntax, child); });
+    }
+    if (part.kind == Kind::list) {
+        return std::any_of(set.lists.begin(), set.lists.end(), [&](const WordList& list) {
+            return list.name == part.text && all_describe(list);
+        });
+    }
+    return is_adjective(part) || (part.kind == Kind::word && describes(part.text));
+}
+
 /// The number of the plain noun that follows the part `at_part` of a sequence: "the big *egg* is"; `beyond` behind its end.
 SubjectNumber noun_number_after(const Syntax& syntax, const SyntaxNode& sequence,
                                 std::size_t at_part, SubjectNumber beyond) {
@@ -178,7 +207,8 @@ Expected<Built> GraphBuilder::node(const Syntax& syntax, int index, int from,
         case Kind::permutation:
             return permutation(syntax, part, from);
         case Kind::list:
-            return list(part, ArticlePolicy::bare, from);
+            return list(
+                part, neighbours.in_phrase ? ArticlePolicy::determined : ArticlePolicy::bare, from);
         case Kind::rule:
             return rule(syntax, part, from, neighbours);
         case Kind::word:
@@ -221,9 +251,14 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
         built = {made->to, built.slots | made->slots, built.required | made->required,
                  built.definite | made->definite};
         const SyntaxNode& done = unwrapped(syntax, child);
+        const bool in_phrase =
+            noun_phrase ? is_attribute(set_, syntax, part.children[i])
+                        : is_determined(syntax, child) ||
+                              (neighbours.in_phrase && is_attribute(set_, syntax, child));
         add_kind_behind(writer_, article, done, next, built.to);
-        article = {policy, start};
+        article = noun_phrase ? SaidArticle{} : SaidArticle{policy, start};
         neighbours = behind(done, policy.has_value(), noun_phrase);
+        neighbours.in_phrase = in_phrase;
     }
     return built;
 }

@@ -1,5 +1,6 @@
 #include "dialogue/template/hearing.h"
 
+#include "dialogue/english/determiner.h"
 #include "dialogue/english/letters.h"
 #include "dialogue/template/tokens.h"
 
@@ -230,6 +231,17 @@ std::vector<MendedToken> mended(const TemplateSet& set, const std::vector<Token>
     return result;
 }
 
+/// "The a moon": of two determiners side by side one is too many.
+void mark_doubled(const std::vector<Token>& tokens, std::vector<HeardWord>& heard) {
+    for (std::size_t i = 1; i < heard.size(); ++i) {
+        const bool both = !heard[i - 1].filler && !heard[i].filler &&
+                          is_sole_determiner(tokens[i - 1].text) &&
+                          is_sole_determiner(tokens[i].text);
+        heard[i - 1].doubled = heard[i - 1].doubled || both;
+        heard[i].doubled = both;
+    }
+}
+
 }  // namespace
 
 bool its_is_open(const TemplateSet& set, std::string_view utterance) {
@@ -263,6 +275,7 @@ std::vector<HeardWord> hear_words(const TemplateSet& set, std::string_view utter
         tokens.push_back(std::move(mended_token.token));
     }
     mark_phrases(set, tokens, reason, heard);
+    mark_doubled(tokens, heard);
     return heard;
 }
 

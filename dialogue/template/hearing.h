@@ -19,6 +19,8 @@ struct HeardWord {
     ErrorCode slip = ErrorCode::none;  ///< spelling or orthography, when it was put right
     bool filler = false;               ///< may be skipped
     std::string_view short_form{};  ///< "it's": this word and the next were written as one, "its"
+    bool doubled =
+        false;  ///< a determiner beside another one, "the a": may be skipped, as an error
 };
 
 /// "Its": whose it is, or "it's" without its apostrophe. Only where the templates have both is there a choice.

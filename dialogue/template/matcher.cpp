@@ -12,9 +12,11 @@ namespace {
 
 constexpr int kUnreached = std::numeric_limits<int>::max();
 constexpr int kSkipped = -2;  ///< came here over a filler
+constexpr int kDoubled = -3;  ///< came here over a determiner beside another one
 constexpr int kSkipCost = 1;  ///< so that a filler is rather said than skipped
 constexpr int kSpellingCost = 10;
-constexpr int kNearlyCost = 25;  // a slip or a wrong word in a right sentence is likelier
+constexpr int kDoubledCost = 11;  // a slip, but rather any other
+constexpr int kNearlyCost = 25;   // a slip or a wrong word in a right sentence is likelier
 
 /// The least cost of each (node, number of words heard), and how it was reached.
 class Lattice {
@@ -30,7 +32,7 @@ class Lattice {
 
     [[nodiscard]] int cost() const { return cells_.back().cost; }
 
-    /// The arcs of the best path, each with the word it starts at; upwards.
+    /// The arcs of the best path, each with the word it starts at; upwards. No arc: a determiner too many.
     [[nodiscard]] std::vector<std::pair<const Arc*, std::size_t>> path() const {
         std::vector<std::pair<const Arc*, std::size_t>> steps;
         int node = graph_.end();
@@ -39,6 +41,10 @@ class Lattice {
             const Cell& cell = cells_[static_cast<std::size_t>(node) * width_ + word];
             if (cell.arc == kSkipped) {
                 --word;
+                continue;
+            }
+            if (cell.arc == kDoubled) {
+                steps.emplace_back(nullptr, --word);
                 continue;
             }
             const Arc& arc = graph_.arcs[static_cast<std::size_t>(cell.arc)];
@@ -74,6 +80,8 @@ class Lattice {
             }
             if (word < heard_.size() && heard_[word].filler) {
                 reach(node, word + 1, cost + kSkipCost, kSkipped);
+            } else if (word < heard_.size() && heard_[word].doubled) {
+                reach(node, word + 1, cost + kDoubledCost, kDoubled);
             }
             for (const Arc& arc : graph_.arcs_from(node)) {
                 ++work_.steps;
@@ -139,13 +147,27 @@ Piece piece_of(const TemplateSet& set, const Graph& graph, const std::vector<Hea
     return piece;
 }
 
+/// The one of two determiners that doesn't belong there.
+Piece doubled_piece(const HeardWord& word, std::string_view utterance) {
+    Piece piece;
+    piece.element.role = Role::determiner;
+    piece.code = ErrorCode::extra_determiner;
+    piece.cost = kDoubledCost;
+    piece.begin = word.begin;
+    piece.end = word.end;
+    piece.said = std::string(utterance.substr(word.begin, word.end - word.begin));
+    return piece;
+}
+
 Parse parse_of(const TemplateSet& set, int number, const Lattice& lattice,
                const std::vector<HeardWord>& heard, std::string_view utterance) {
     const Graph& graph = set.graphs[static_cast<std::size_t>(number)];
     Parse parse;
     parse.graph = number;
     for (const auto& [arc, word] : lattice.path()) {
-        if (arc->element != kNone) {
+        if (arc == nullptr) {
+            parse.pieces.push_back(doubled_piece(heard[word], utterance));
+        } else if (arc->element != kNone) {
             parse.pieces.push_back(piece_of(set, graph, heard, utterance, *arc, word));
         }
     }
@@ -175,8 +197,9 @@ std::optional<Parse> match_heard(const TemplateSet& set, const std::vector<Heard
         return std::nullopt;
     }
     // A word that is neither known nor a filler: nothing can match.
-    if (std::any_of(heard.begin(), heard.end(),
-                    [](const HeardWord& word) { return word.word == kNone && !word.filler; })) {
+    if (std::any_of(heard.begin(), heard.end(), [](const HeardWord& word) {
+            return word.word == kNone && !word.filler && !word.doubled;
+        })) {
         return std::nullopt;
     }
     std::optional<Parse> best;

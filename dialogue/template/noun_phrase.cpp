@@ -3,6 +3,7 @@
 #include "dialogue/english/letters.h"
 #include "dialogue/template/phrases.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -290,6 +291,9 @@ class OtherNumber {
         writer_.add_arc(node_of_(branch), to_, place_, arc);
     }
     void right(Branch branch, const std::string& said, Number number, int item) {
+        if (policy_ == ArticlePolicy::determined && number == Number::plural) {
+            return;  // "my stones", where there is one
+        }
         writer_.add_arc(node_of_(branch), to_, place_,
                         {said, said, ErrorCode::none, 0, false, item, number});
     }
@@ -302,6 +306,11 @@ class OtherNumber {
 
 }  // namespace
 
+bool all_describe(const WordList& list) {
+    return std::all_of(list.items.begin(), list.items.end(),
+                       [](const ListItem& item) { return describes(item.spoken.front().text); });
+}
+
 void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticlePolicy policy,
                      int from, int to) {
     Element noun_element{Role::noun};
@@ -312,6 +321,9 @@ void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticleP
     // A node for each branch that some entry needs; its articles are written when it is first asked for.
     std::map<Branch, int> nodes;
     const auto node_of = [&](Branch branch) {
+        if (policy == ArticlePolicy::determined) {
+            return from;
+        }
         const auto [entry, is_new] = nodes.try_emplace(branch, kNone);
         if (is_new) {
             entry->second = writer.add_node();

@@ -26,6 +26,7 @@ enum class ArticlePolicy : std::uint8_t {
     indefinite,  ///< [a|an|the], <article>, a: any such thing; a or an by sound where the noun needs one
     definite,  ///< the, [the|a|an]: the one that is there; "an apple" passes, and is said back with "the"
     short_answer,  ///< the noun alone is a whole answer: it may go without
+    determined,    ///< "my {thing}", "a longer {thing}": its determiner stands before it
 };
 
 /// What is known of the number of a subject that is plain words: "the scissors", "they".
@@ -35,6 +36,7 @@ enum class SubjectNumber : std::uint8_t { unknown, singular, plural };
 struct Neighbours {
     bool after_article = false;
     bool after_list = false;
+    bool in_phrase = false;         ///< after a determiner, with nothing but adjectives between
     bool after_adjective = false;   ///< after <adjective:…> in any degree
     bool before_adjective = false;  ///< before one: "and" joins two, "feels like hard" is wrong
     SubjectNumber subject = SubjectNumber::unknown;  ///< of the word before
@@ -43,6 +45,9 @@ struct Neighbours {
     bool begins_phrase =
         true;  ///< at the start or behind a preposition: a noun here has no article before it
 };
+
+/// "Red", "blue": all words of the list are adjectives, for a noun to follow.
+[[nodiscard]] bool all_describe(const WordList& list);
 
 /// "a watermelon": the article by the noun's class and sound, then the noun, in singular or plural.
 void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticlePolicy policy,

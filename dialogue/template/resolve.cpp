@@ -5,6 +5,7 @@
 #include "dialogue/english/noun.h"
 #include "dialogue/english/number.h"
 #include "dialogue/template/phrases.h"
+#include "dialogue/template/resolve_articles.h"
 #include "dialogue/template/tokens.h"
 
 #include <algorithm>
@@ -15,26 +16,6 @@
 
 namespace fulcrum::dialogue {
 namespace {
-
-/// The piece before `at` that belongs in the sentence, or kNone.
-int before(const std::vector<Piece>& pieces, int at) {
-    for (int i = at - 1; i >= 0; --i) {
-        if (!pieces[static_cast<std::size_t>(i)].right.empty()) {
-            return i;
-        }
-    }
-    return kNone;
-}
-
-/// The piece after `at` that belongs in the sentence, or kNone.
-int after(const std::vector<Piece>& pieces, int at) {
-    for (int i = at + 1; i < static_cast<int>(pieces.size()); ++i) {
-        if (!pieces[static_cast<std::size_t>(i)].right.empty()) {
-            return i;
-        }
-    }
-    return kNone;
-}
 
 /// "How many moons does Saturn have": behind "does" no verb agrees.
 bool is_auxiliary(const std::string& word) {
@@ -202,39 +183,6 @@ void count(std::vector<Piece>& pieces, int at) {
     }
 }
 
-/// "The heavier *one*": a noun that the article belongs to.
-bool carries_article(const Piece& piece) {
-    constexpr std::array<std::string_view, 12> kNever = {"near", "above", "below", "under",
-                                                         "over", "high",  "here",  "there",
-                                                         "now",  "then",  "when",  "if"};
-    return piece.element.role == Role::noun || piece.element.role == Role::adjective ||
-           (piece.element.role == Role::word &&
-            std::find(kNever.begin(), kNever.end(), piece.right) == kNever.end());
-}
-
-/// "The heavier than": without "than" it is right. "The heaviest" of two is heavier, and goes without "the": one error.
-void drop_the(std::vector<Piece>& pieces, int adjective) {
-    const int the = before(pieces, adjective);
-    const int next = after(pieces, adjective);
-    if (the == kNone) {
-        return;
-    }
-    Piece& article = pieces[static_cast<std::size_t>(the)];
-    const bool optional = article.element.role == Role::determiner &&
-                          article.code == ErrorCode::none && article.right == "the" &&
-                          article.element.target;
-    const bool than = next != kNone && pieces[static_cast<std::size_t>(next)].right == "than";
-    const bool alone = next == kNone || !carries_article(pieces[static_cast<std::size_t>(next)]);
-    if (optional && than) {
-        article.right.clear();
-        article.code = ErrorCode::extra_determiner;
-        article.cost = kSlipCost;
-    } else if (optional && alone &&
-               pieces[static_cast<std::size_t>(adjective)].code == ErrorCode::adjective_form) {
-        article.right.clear();
-    }
-}
-
 /// "Apples are heavier than eggs": all of a kind, though the template speaks of the one that is there. As a subject and
 /// behind "than" that is right; elsewhere the one is meant.
 void allow_kind(std::vector<Piece>& pieces, int at) {
@@ -289,25 +237,6 @@ void allow_near(std::vector<Piece>& pieces, int preposition) {
     }
 }
 
-/// A literal a or an, by the sound of the next word.
-void sound(std::vector<Piece>& pieces, int at) {
-    Piece& article = pieces[static_cast<std::size_t>(at)];
-    const int next = after(pieces, at);
-    if ((article.right != "a" && article.right != "an") || next == kNone) {
-        return;
-    }
-    const Piece& word = pieces[static_cast<std::size_t>(next)];
-    if (word.element.role == Role::noun || both_articles(word.right)) {
-        return;  // settled by the noun's own branch
-    }
-    article.right = std::string(indefinite_article(word.right));
-    const std::string said = lower_case(article.said);
-    if (said == "a" || said == "an") {
-        article.code = said == article.right ? ErrorCode::none : ErrorCode::wrong_determiner;
-        article.cost = said == article.right ? 0 : kSlipCost;
-    }
-}
-
 /// "made from" is right where the material was changed in the making: paper is made from wood.
 void allow_from(std::vector<Piece>& pieces, int preposition) {
     Piece& piece = pieces[static_cast<std::size_t>(preposition)];
@@ -320,25 +249,6 @@ void allow_from(std::vector<Piece>& pieces, int preposition) {
         piece.right = "from";
         piece.code = ErrorCode::none;
         piece.cost = 0;
-    }
-}
-
-/// "Nearest to the Sun": which one is told, so it needs no "the"; alone, "is nearest", a superlative has it.
-void allow_bare_nearest(std::vector<Piece>& pieces, int adjective) {
-    constexpr std::array<std::string_view, 3> kPlaces = {"near", "close", "far"};
-    const std::string& base = pieces[static_cast<std::size_t>(adjective)].element.base;
-    const int the = before(pieces, adjective);
-    const auto next = static_cast<std::size_t>(adjective) + 1;
-    if (the == kNone || next >= pieces.size() || pieces[next].element.role != Role::preposition ||
-        std::find(kPlaces.begin(), kPlaces.end(), base) == kPlaces.end()) {
-        return;
-    }
-    Piece& article = pieces[static_cast<std::size_t>(the)];
-    if (article.element.role == Role::determiner && article.right == "the" &&
-        article.code == ErrorCode::missing_determiner) {
-        article.right.clear();
-        article.code = ErrorCode::none;
-        article.cost = 0;
     }
 }
 
@@ -363,6 +273,11 @@ void resolve_noun(std::vector<Piece>& pieces, int at) {
 }  // namespace
 
 void resolve(std::vector<Piece>& pieces) {
+    for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
+        if (!pieces[static_cast<std::size_t>(i)].right.empty()) {
+            part_determiners(pieces, i);
+        }
+    }
     for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
         Piece& piece = pieces[static_cast<std::size_t>(i)];
         if (piece.element.role == Role::verb) {

@@ -113,9 +113,7 @@ class ShortAnswers {
     [[nodiscard]] bool describes_things(int slot) const {
         const auto number = static_cast<std::size_t>(slot);
         const WordList& list = set_.lists[static_cast<std::size_t>(set_.slot_lists[number])];
-        return std::all_of(list.items.begin(), list.items.end(), [](const ListItem& item) {
-            return describes(item.spoken.front().text);
-        });
+        return all_describe(list);
     }
 
     Expected<bool> noun_alone(int slot, ArticlePolicy policy, bool completed) {

@@ -200,7 +200,7 @@ L:question "your_turn" {
     "how {quality} is {planet} [away] from the Sun",
     "how {quality} is {planet} away",
     "what is the {distance} of {planet} from the Sun",
-    "how long is [(a|the|one)] {time} on {planet}",
+    "how long is [a|the] {time} on {planet}", "how long is one {time} on {planet}",
     "(tell me|I want to know) how {quality} {planet} is",
   },
   nearly = {
@@ -214,7 +214,7 @@ L:question "your_turn" {
     "how long {time} on {planet} [is]",
   },
   lists = { planet = asked_about, distance = { "distance" }, quality = { "big|large|wide", "far|far away", "heavy" },
-            time = { "day|a day|the day|one day", "year|a year|the year|one year" } },
+            time = { "day", "year" } },
   right = function(a) return planets.facts(a.planet) ~= nil end,
 }
 

@@ -1,36 +1,19 @@
 // What pupils of level A2 say to the lessons' own questions (learners_english.txt): each is understood for what it means, and its
 // form is marked.
 #include "dialogue/marking/mark.h"
-#include "runtime/lesson/questions.h"
-#include "runtime/lua/process/lesson_process.h"
+#include "tests/lessons/lesson_questions.h"
 
 #include <catch2/catch.hpp>
 
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <string>
 
 using namespace fulcrum;
 using namespace fulcrum::runtime;
+using namespace fulcrum::test;
 
 namespace {
-
-using Questions = std::map<std::string, dialogue::Question>;
-
-Questions questions_of(const std::string& lesson) {
-    LessonFiles files;
-    files.folder = std::filesystem::path(FULCRUM_SCENARIOS) / lesson;
-    files.library = std::filesystem::path(FULCRUM_SCENARIOS) / "../scripts/lib";
-    LessonProcessOptions options;
-    options.executable = FULCRUM_PROGRAM;
-    options.load_wall_s = options.answer_wall_s = 30.0;
-    auto process = LessonProcess::start(files, options);
-    REQUIRE(process);
-    auto questions = compile_questions((*process)->description());
-    REQUIRE(questions);
-    return std::move(*questions);
-}
 
 // Takes what stands before `separator` off; all of it where there is none.
 std::string take_before(std::string& text, const std::string& separator) {
