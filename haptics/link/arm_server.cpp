@@ -14,6 +14,7 @@ constexpr double kWelcomeEvery_s = 0.02;  // to one session
 constexpr int kMostWelcomes = 8;          // in a round
 constexpr double kBrakeAfter_s = 0.05;    // it goes so long after nothing is asked for any more
 constexpr double kBrakeShare = 8.0;       // alpha <= m / 8 T (coupling/passivity.h)
+constexpr double kUnderLimit = 1.0 - 1.0e-12;  // by no rounding above it, here or in the gate
 
 }  // namespace
 
@@ -218,7 +219,9 @@ void ArmServer::drive() noexcept {
                                 ? Wrench{force_.hold_back(asked.force, motion_D_),
                                          torque_.hold_back(asked.torque, turn_D_)}
                                 : asked;
-        wanted = {left.force + braked.force, left.torque + braked.torque};
+        // The brake has no limit of its own: what finds no room below the program's stays a debt, and is braked later.
+        wanted = {shorten<3>(left.force + braked.force, command_.max_force_N * kUnderLimit),
+                  shorten<3>(left.torque + braked.torque, command_.max_torque_Nm * kUnderLimit)};
     }
     const GatePhase before = gate_.phase();
     applied_D_ = gate_.pass(wanted, faults_, dt_s_);
@@ -263,6 +266,7 @@ void ArmServer::publish() noexcept {
     now_.applied_D = applied_D_;
     now_.round_trip_s = post_.clock().round_trip_s();
     now_.offset_s = post_.clock().offset_s();
+    now_.excess_J = force_.excess_J() + torque_.excess_J();
     now_.peak_excess_J = force_.peak_excess_J();
     now_.peak_force_N = std::max(now_.peak_force_N, applied_D_.force.norm());
     now_.counts = post_.counts();

@@ -5,6 +5,7 @@
 // fresh command has come for command_timeout_s, when the arm tells nonsense, when the hand is too fast or given too much energy
 // (loop/hand_guard.h), and when somebody here presses stop. Where the link has given the hand more than the scene put in, the
 // hand is braked and what would give it more is left out (energy_balance.h); soon after nothing is asked for, nothing brakes it.
+// Command and brake together stay within the least of this side's limits and the command's.
 //
 // Sessions. While nobody holds the arm, a command that names the number this side speaks under now makes its sender the holder:
 // the number was drawn at random, so the command cannot be older. Others get a welcome that says taken. After lost_after_s without
@@ -58,6 +59,7 @@ struct ArmServerStatus {
     Wrench applied_D{};
     double round_trip_s = 0.0;
     double offset_s = 0.0;  ///< program's clock minus ours
+    double excess_J = 0.0;  ///< given to the hand beyond what was put in, and not yet braked
     double peak_excess_J = 0.0;
     double peak_force_N = 0.0;
     std::uint64_t trips = 0;  ///< how often the force began to fade

@@ -61,7 +61,9 @@ struct LinkTrial {
     SimulatedArmSettings arm{.mass_kg = 0.25, .damping_Ns_per_m = 0.2, .human = kFingertip};
     ArmRounds rounds{};
     double press_m = 0.01;
+    double limit_N = 10.0;  ///< of lesson, site and program, the least
     double seconds = 8.0;
+    double stroke_m = 0.0;  ///< to and fro by this, four times a second, in the last quarter
 };
 
 inline constexpr double kCalm_m = 2.0e-4;
@@ -72,7 +74,9 @@ struct LinkCourse {
     double force_N = 0.0;  ///< mean of the last quarter
     double given_J =
         0.0;  ///< to the hand and not given back, largest of all times since a second into the run
-    std::uint64_t trips = 0;  ///< of the arm's gate
+    double peak_debt_J = 0.0;    ///< at the arm, whole run
+    double least_later_J = 0.0;  ///< the least of it after that
+    std::uint64_t trips = 0;     ///< of the arm's gate
     bool linked = false;
     [[nodiscard]] bool is_calm() const { return linked && swing_m < kCalm_m; }
 };
@@ -81,7 +85,7 @@ struct LinkCourse {
 [[nodiscard]] inline HapticPlan make_link_plan(const LinkTrial& trial) {
     HapticPlan plan;
     plan.expects_lesson = false;
-    plan.safety.max_force_N = 10.0;
+    plan.safety.max_force_N = trial.limit_N;
     plan.safety.soft_start_s = 0.0;
     plan.safety.max_slew_N_per_s = 5000.0;
     plan.fields = {FieldPlan{FieldKind::spring, Vector3::Zero(), trial.stiffness_N_per_m}};
@@ -104,7 +108,7 @@ struct LinkCourse {
     device_settings.balances_energy = trial.balances_energy;
     server_settings.energy = trial.energy;
     device_settings.energy = trial.energy;
-    device_settings.max_force_N = 10.0;
+    device_settings.max_force_N = trial.limit_N;
     device_settings.most_round_trip_s = 1.0;
     LinkPair pair(arm, trial.faults, server_settings, device_settings);
     LinkCourse course;
@@ -130,11 +134,20 @@ struct LinkCourse {
     while (pair.now_s - began_s < trial.seconds) {
         pair.now_s += LinkPair::kStep_s;
         const double run_s = pair.now_s - began_s;
-        target.publish({.pose_D = Pose::at({presses_at(run_s) ? trial.press_m : 0.0, 0.0, 0.0})});
+        const double stroke_m = run_s > 0.75 * trial.seconds
+                                    ? trial.stroke_m * std::sin(2.0 * M_PI * 4.0 * run_s)
+                                    : 0.0;
+        target.publish(
+            {.pose_D = Pose::at({(presses_at(run_s) ? trial.press_m : 0.0) + stroke_m, 0.0, 0.0})});
         loop.step(pair.now_s);
         while (arm_next_s < pair.now_s + LinkPair::kStep_s) {
             const double force_N = arm.force_D().x();
             pair.server.step(arm_next_s);
+            const double debt_J = pair.server.status().excess_J;
+            course.least_later_J = std::min(course.least_later_J, debt_J);
+            if (debt_J >= course.peak_debt_J) {
+                course.peak_debt_J = course.least_later_J = debt_J;
+            }
             arm_next_s = arm_clock.next_s();
             const double x = arm.position_D().x();
             if (run_s > 1.0) {

@@ -104,6 +104,28 @@ TEST_CASE("link energy: an arm whose rounds come unevenly, or are half as many, 
     }
 }
 
+TEST_CASE("link energy: the brake stays below the least limit, and its debt is paid later") {
+    for (const double limit_N : {0.5, 1.0, 2.0}) {
+        for (const double mass_kg : {0.045, 0.25, 1.0}) {
+            LinkTrial trial{.stiffness_N_per_m = 2000.0,
+                            .faults = {.delay_s = 0.02},
+                            .press_m = 0.04,
+                            .limit_N = limit_N,
+                            .stroke_m = 0.01};
+            trial.arm.mass_kg = mass_kg;
+            const LinkCourse course = run_link_trial(trial);
+            INFO(limit_N << " N, " << mass_kg << " kg: peak " << course.peak_N << " N, debt "
+                         << course.peak_debt_J << " J, then down to " << course.least_later_J
+                         << " J");
+            REQUIRE(course.linked);
+            CHECK(course.peak_N <= limit_N);
+            CHECK(course.peak_N > 0.99 * limit_N);
+            CHECK(course.peak_debt_J > 2.0e-4);
+            CHECK(course.least_later_J == 0.0);
+        }
+    }
+}
+
 TEST_CASE("link energy: the same trial gives the same bits") {
     const LinkTrial trial{.faults = {.loss = 0.1, .jitter_s = 0.004, .seed = 4}, .seconds = 3.0};
     const LinkCourse a = run_link_trial(trial);
