@@ -91,6 +91,10 @@ void ArmServer::take(const OpenedPacket& opened) noexcept {
 }
 
 void ArmServer::take_command(const OpenedPacket& opened) noexcept {
+    // Whatever the program's rate, so many in a row are no chance any more.
+    if (has_command_ && post_.missing() >= kLostInARow) {
+        faults_ |= Fault::command_stale;
+    }
     command_number_ = opened.packet.head.sequence;
     command_ = opened.packet.command;
     has_command_ = true;

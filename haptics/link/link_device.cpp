@@ -47,11 +47,13 @@ bool LinkDevice::read(double now_s, DeviceReading& reading) noexcept {
     reading.pose_D.position = state_.pose_D.position + shift_D_;
     reading.pose_D.orientation = compute_exp(turn_D_) * state_.pose_D.orientation;
     reading.buttons = state_.buttons;
-    reading.faults = (state_.faults & Fault::emergency_stop) | find_shut_gate(now_s);
+    reading.faults = (state_.faults & Fault::emergency_stop) | find_shut_gate(now_s) |
+                     (lost_row_ ? Fault::device_stale : Fault::none);
     return true;
 }
 
 void LinkDevice::take_packets(double now_s) noexcept {
+    lost_row_ = false;
     post_.begin_round();
     while (const auto opened = post_.open_next(now_s)) {
         take(now_s, *opened);
@@ -76,9 +78,19 @@ void LinkDevice::take(double now_s, const OpenedPacket& opened) noexcept {
     if (kind == PacketKind::bye) {
         begin_link();
     } else if (kind == PacketKind::state && opened.packet.head.sequence > state_number_) {
+        lost_row_ = lost_row_ || follows_lost_row(opened.packet.head);
         state_number_ = opened.packet.head.sequence;
+        state_sent_ns_ = opened.packet.head.sent_ns;
         take_state(now_s, opened.packet.state);
     }
+}
+
+// An arm numbers its welcomes to others as well: what is missing was states only as far as the arm has had rounds for them.
+bool LinkDevice::follows_lost_row(const PacketHead& head) const noexcept {
+    const double rounds =
+        static_cast<double>(head.sent_ns - state_sent_ns_) * 1.0e-9 * arm_.rate_Hz;
+    return has_state_ && post_.missing() >= kLostInARow &&
+           rounds >= static_cast<double>(kLostInARow);
 }
 
 // Clocks are compared ever better: for that a stamp neither goes back nor stands, or a velocity would have no bound. It goes on by half of

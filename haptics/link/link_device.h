@@ -82,6 +82,7 @@ class LinkDevice final : public Device {
     void take_packets(double now_s) noexcept;
     void take(double now_s, const OpenedPacket& opened) noexcept;
     void take_state(double now_s, const LinkState& state) noexcept;
+    [[nodiscard]] bool follows_lost_row(const PacketHead& head) const noexcept;
     void take_welcome(double now_s, const OpenedPacket& opened) noexcept;
     void say_hello(double now_s) noexcept;
     void begin_link() noexcept;
@@ -101,6 +102,8 @@ class LinkDevice final : public Device {
     double heard_s_ = 0.0;
     bool has_state_ = false;
     std::uint64_t state_number_ = 0;
+    std::int64_t state_sent_ns_ = 0;  // arm's clock
+    bool lost_row_ = false;           // too many states in a row, before one of this round
     LinkState state_{};
     double stamp_s_ = 0.0;       // of the state, on the run's clock
     double shut_since_s_ = 0.0;  // the arm's gate, although a force is asked for

@@ -31,6 +31,7 @@ void LinkPost::set_partner(std::uint64_t session, const PeerAddress& address) no
     clock_.reset();
     heard_sent_ns_ = 0;
     heard_arrived_ns_ = 0;
+    missing_ = 0;
 }
 
 std::optional<OpenedPacket> LinkPost::open_next(double now_s) noexcept {
@@ -57,7 +58,8 @@ bool LinkPost::accept(double now_s, const OpenedPacket& opened) noexcept {
         refuse();
         return false;
     }
-    const bool is_newest = head.sequence > window_.newest();
+    const std::uint64_t newest = window_.newest();
+    const bool is_newest = head.sequence > newest;
     if (!window_.take(head.sequence)) {
         ++counts_.received[static_cast<std::size_t>(Refusal::replayed)];
         return false;
@@ -66,6 +68,7 @@ bool LinkPost::accept(double now_s, const OpenedPacket& opened) noexcept {
     const std::int64_t now_ns = to_ns(now_s);
     clock_.hear(head.sent_ns, head.echoed_ns, head.held_ns, now_ns);
     if (is_newest) {
+        missing_ = head.sequence - newest - 1;
         address_ = opened.from;
         heard_sent_ns_ = head.sent_ns;
         heard_arrived_ns_ = now_ns;

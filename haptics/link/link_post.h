@@ -18,6 +18,9 @@
 
 namespace fulcrum {
 
+/// So many packets that are lost in a row are a fault, at any rate; one fewer is none.
+inline constexpr std::uint64_t kLostInARow = 20;
+
 /// How many packets came and what became of them.
 struct LinkCounts {
     std::uint64_t sent = 0;
@@ -86,6 +89,8 @@ class LinkPost {
     [[nodiscard]] const LinkCounts& counts() const noexcept { return counts_; }
     /// Number of the newest packet taken from the partner.
     [[nodiscard]] std::uint64_t newest() const noexcept { return window_.newest(); }
+    /// How many numbers before that one had not come when it came, up to the newest of then: lost, or still on their way.
+    [[nodiscard]] std::uint64_t missing() const noexcept { return missing_; }
     /// When what the partner measured at `theirs_ns` arrives as usual, on the run's clock, seconds, never after `now_s`; that is
     /// `now_s` while the clocks are not compared.
     [[nodiscard]] double compute_usual_arrival_s(double now_s,
@@ -105,6 +110,7 @@ class LinkPost {
     LinkClock clock_{};
     std::int64_t heard_sent_ns_ = 0;     // of the newest packet taken: the partner's clock
     std::int64_t heard_arrived_ns_ = 0;  // and ours
+    std::uint64_t missing_ = 0;
     LinkCounts counts_{};
     int left_ = kMostAtOnce;  // to look at in this round
     PacketBytes bytes_{};

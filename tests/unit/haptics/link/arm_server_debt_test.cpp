@@ -27,12 +27,14 @@ struct Unpaid {
     double given_J = 0.0;  // to the hand
     std::uint64_t sender = 1000;
     std::uint64_t receiver = 2000;
-    std::uint64_t sequence = 1'000'000;
+    std::uint64_t sequence = 0;
 
     Unpaid() {
         REQUIRE(held.pair.link());
         held.run(200);
         held.commands = false;
+        // It goes on under the program's numbers.
+        sequence = held.pair.device.status().counts.sent;
     }
     void send(PacketKind kind, const Wrench& wrench_D) {
         LinkPacket packet;

@@ -1,0 +1,159 @@
+// Packets lost in a row, at 1 and 2 kHz, on either way: ten and nineteen are borne, twenty trip.
+#include "tests/support/link.h"
+#include "tests/support/scripted_device.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+using namespace fulcrum;
+using namespace fulcrum::test_link;
+
+namespace {
+
+// Loses the next so many packets on either way.
+class Hole final : public Datagrams {
+  public:
+    explicit Hole(Datagrams& inner) : inner_(inner) {}
+    bool send(double now_s, const PeerAddress& to,
+              std::span<const std::byte> packet) noexcept override {
+        if (loses_out > 0) {
+            --loses_out;
+            return true;
+        }
+        return inner_.send(now_s, to, packet);
+    }
+    [[nodiscard]] std::size_t receive(double now_s, std::span<std::byte> packet,
+                                      PeerAddress& from) noexcept override {
+        std::size_t size = inner_.receive(now_s, packet, from);
+        for (; size > 0 && loses_in > 0; --loses_in) {
+            size = inner_.receive(now_s, packet, from);
+        }
+        return size;
+    }
+    int loses_out = 0;  ///< commands
+    int loses_in = 0;   ///< states
+
+  private:
+    Datagrams& inner_;
+};
+
+// Both sides at one rate, and a program that asks for 3 N.
+struct Rated {
+    explicit Rated(double rate_Hz, const LinkFaults& faults = {})
+        : step_s(1.0 / rate_Hz),
+          faulty(faults, channel.end(0)),
+          hole(faulty),
+          server({.rate_Hz = rate_Hz}, hand, channel.end(1), seal, arm_numbers),
+          device({}, hole, seal, program_numbers) {
+        for (int i = 0; i < 4000 && !device.status().linked; ++i) {
+            step();
+        }
+        run(0.3);
+        wrench.force.x() = 3.0;
+        run(3.0);
+        REQUIRE(hand.written_D.force.x() == Approx(3.0));
+        n_stale = 0;
+    }
+    void step() {
+        now_s += step_s;
+        server.step(now_s);
+        DeviceReading reading;
+        const bool reads = device.read(now_s, reading);
+        // As the haptic loop judges it.
+        const bool is_late = now_s - reading.stamp_s > SafetySettings{}.device_timeout_s;
+        n_stale += !reads || is_late || any(reading.faults & Fault::device_stale) ? 1 : 0;
+        (void)device.write(now_s, wrench);
+    }
+    void run(double seconds) {
+        const double until_s = now_s + seconds - 0.5 * step_s;
+        while (now_s < until_s) {
+            step();
+        }
+    }
+
+    double step_s;
+    double now_s = 0.0;
+    ScriptedDevice hand;
+    HmacSeal seal;
+    CountedNumbers program_numbers{1000};
+    CountedNumbers arm_numbers{2000};
+    MemoryChannel channel;
+    FaultyDatagrams faulty;
+    Hole hole;
+    ArmServer server;
+    LinkDevice device;
+    Wrench wrench{};
+    int n_stale = 0;  ///< rounds in which the loop would fade
+};
+
+}  // namespace
+
+TEST_CASE("link loss: nineteen in a row are borne and twenty trip, at 1 and 2 kHz, either way") {
+    for (const double rate_Hz : {1000.0, 2000.0}) {
+        for (int phase = 0; phase < 7; ++phase) {
+            for (const int n : {1, 10, 19, 20, 21, 30}) {
+                CAPTURE(rate_Hz, phase, n);
+                const bool trips = n >= 20;
+                Rated there(rate_Hz);
+                there.run(0.0137 * phase);
+                there.hole.loses_out = n;
+                there.run(0.1);
+                CHECK(there.server.status().trips == (trips ? 1 : 0));
+                CHECK(there.hole.loses_out == 0);
+                Rated back(rate_Hz);
+                back.run(0.0137 * phase);
+                back.hole.loses_in = n;
+                back.run(0.1);
+                CHECK((back.n_stale > 0) == trips);
+                CHECK(back.hole.loses_in == 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("link loss: a twentieth of all, in bursts of ten, is borne at 1 and 2 kHz") {
+    for (const double rate_Hz : {1000.0, 2000.0}) {
+        CAPTURE(rate_Hz);
+        Rated rated(rate_Hz, {.loss = 0.05, .burst = 10, .seed = 3});
+        rated.run(30.0);
+        CHECK(rated.faulty.counts().lost > 2500);
+        CHECK(rated.server.status().trips == 0);
+        CHECK(rated.n_stale == 0);
+        CHECK(rated.hand.written_D.force.x() == Approx(3.0));
+    }
+}
+
+TEST_CASE("link loss: packets that overtake each other by up to 4 ms are not lost in a row") {
+    for (const double rate_Hz : {1000.0, 2000.0}) {
+        CAPTURE(rate_Hz);
+        Rated rated(rate_Hz, {.jitter_s = 0.004, .reorder = 0.5, .seed = 8});
+        rated.run(30.0);
+        CHECK(rated.faulty.counts().overtaken > 10'000);
+        CHECK(rated.server.status().trips == 0);
+        CHECK(rated.n_stale == 0);
+    }
+}
+
+TEST_CASE("link loss: welcomes that an arm says to others are no states that were lost") {
+    Rated rated(1000.0);
+    // A swarm of programs that say hello from elsewhere: each gets its welcome under the arm's numbers.
+    CountedNumbers others(50'000);
+    for (int i = 0; i < 400; ++i) {
+        for (int k = 0; k < 8; ++k) {
+            LinkPacket hello;
+            hello.head = {
+                PacketKind::hello, others.draw(), 0, 1, LinkPost::to_ns(rated.now_s), 0, 0};
+            PacketBytes bytes{};
+            const std::size_t size = write_packet(hello, rated.seal, bytes);
+            rated.channel.end(0).send(rated.now_s, {}, std::span(bytes).first(size));
+        }
+        // Ten in a row of all that comes are two rounds or so.
+        rated.hole.loses_in = i % 40 == 0 ? 36 : rated.hole.loses_in;
+        rated.step();
+    }
+    CHECK(rated.n_stale == 0);
+    CHECK(rated.server.status().trips == 0);
+}
