@@ -20,9 +20,29 @@ bool needs_word(std::string_view form) {
     return std::find(kNeedWord.begin(), kNeedWord.end(), form) != kNeedWord.end();
 }
 
-/// Names that authors give to a form that there is.
-tl::unexpected<Error> no_such_form(const SyntaxNode& part) {
+/// The rule that was meant by a name that none has; empty for none.
+std::string_view nearest_rule(const ParsedRules& rules, std::string_view name) {
+    std::string_view nearest;
+    int least = 3;
+    for (const auto& [rule, syntax] : rules) {
+        if (const int distance = edit_distance(rule, name); distance < least) {
+            least = distance;
+            nearest = rule;
+        }
+    }
+    return nearest;
+}
+
+/// Names that authors give to a form or a rule that there is.
+tl::unexpected<Error> no_such_form(const SyntaxNode& part, const ParsedRules& rules) {
     const bool with_word = !part.argument.empty() || !part.children.empty();
+    if (const std::string_view rule = nearest_rule(rules, part.text); !rule.empty()) {
+        return with_word && rule == part.text
+                   ? fail(concat({"the rule <", rule, "> takes no word; take it out"}), part.column)
+                   : fail(
+                         concat({"there is no rule <", part.text, ">; did you mean <", rule, ">?"}),
+                         part.column);
+    }
     std::string_view nearest;
     int least = 4;
     for (const std::string_view form : kNeedWord) {
@@ -116,7 +136,7 @@ Expected<Built> GraphBuilder::form(const Syntax& syntax, const SyntaxNode& part,
     if (with_word != needs_word(name)) {
         const bool known = with_word && (name == "article" || name == "it");
         return known ? fail("<" + name + "> takes no word; take it out", part.column)
-                     : no_such_form(part);
+                     : no_such_form(part, rules_);
     }
     if (name == "made_of") {
         return made_of(syntax, part, from, neighbours);
@@ -137,7 +157,7 @@ Expected<Built> GraphBuilder::form(const Syntax& syntax, const SyntaxNode& part,
         add_it(writer_, pronoun_, from, built.to);
     } else {
         return with_list ? fail("<plural:…> takes a word, not a list; write the word", part.column)
-                         : no_such_form(part);
+                         : no_such_form(part, rules_);
     }
     return built;
 }

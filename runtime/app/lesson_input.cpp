@@ -216,23 +216,11 @@ void LessonInput::look_again() {
     }
 }
 
-// The first thing of the scene that the answer names.
-std::string LessonInput::picture_of(const AnswerChoice& choice) const {
-    const std::vector<BodyDescription>& bodies = run_->description().bodies;
-    for (const auto& [slot, word] : choice.meaning) {
-        const auto body = std::ranges::find(bodies, word, &BodyDescription::noun);
-        if (body != bodies.end() && !word.empty() && body->boxes.empty()) {
-            return body->model;
-        }
-    }
-    return {};
-}
-
 void LessonInput::show(View& view) const {
     view.input = typing_.text();
     view.input_visible = view.input_visible || asking_;
     for (const AnswerChoice& choice : choices_) {
-        view.choices.push_back({choice.said, picture_of(choice)});
+        view.choices.push_back({choice.said, {}});
     }
     view.chosen = chosen_;
 }

@@ -60,7 +60,7 @@ class LessonInput {
     void pick(int spot);
     static constexpr int kTypingSpot = -1;
 
-    /// What is typed, and what may be chosen.
+    /// What is typed, and what may be chosen; without pictures.
     void show(View& view) const;
     [[nodiscard]] bool stopped() const { return stop_.stopped(); }
     [[nodiscard]] const std::vector<AnswerChoice>& choices() const { return choices_; }
@@ -85,7 +85,6 @@ class LessonInput {
     void take_playing_key(const KeyPress& press);
     void give_answer();
     void choose(int step);
-    [[nodiscard]] std::string picture_of(const AnswerChoice& choice) const;
     [[nodiscard]] std::optional<std::size_t> keys_hand() const;
     [[nodiscard]] double depth_m(const Camera& camera, std::size_t hand, double wheel_m) const;
     void take_pointer_keys(WindowEvents& events, const PictureSize& size, double dt_s);

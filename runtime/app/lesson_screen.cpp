@@ -1,6 +1,7 @@
 #include "runtime/app/lesson_screen.h"
 
 #include "haptics/base/clock.h"
+#include "runtime/app/choice_picture.h"
 #include "runtime/app/force_trial.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/audio/openal/openal_microphone.h"
@@ -269,6 +270,7 @@ void LessonScreen::exchange() {
         return;
     }
     input_.look_again();
+    find_pictures();
     desktop_.play((*report)->sounds);
     desktop_.say((*report)->spoken);
     for (const std::string& text : (*report)->spoken) {
@@ -278,6 +280,26 @@ void LessonScreen::exchange() {
     if (const int level = run_->session().hud().level; level != level_) {
         level_ = level;
         level_began_s_ = monotonic_now_s();
+    }
+}
+
+// Of choices that are new, the models are loaded that show what they mean.
+void LessonScreen::find_pictures() {
+    std::string said;
+    for (const AnswerChoice& choice : input_.choices()) {
+        said += choice.said + '\n';
+    }
+    if (said == pictured_) {
+        return;
+    }
+    pictured_ = std::move(said);
+    pictures_.clear();
+    for (const AnswerChoice& choice : input_.choices()) {
+        pictures_.push_back(
+            find_choice_picture(choice, run_->description(), places_, request_.folder));
+    }
+    for (const std::string& notice : desktop_.picture->load_models(pictures_, request_.folder)) {
+        std::fprintf(stderr, "%s\n", notice.c_str());
     }
 }
 
@@ -298,6 +320,9 @@ View LessonScreen::compose() const {
     View view = run_ ? run_->view(catalogue_) : last_view_;
     if (run_) {
         input_.show(view);
+        for (std::size_t i = 0; i < std::min(pictures_.size(), view.choices.size()); ++i) {
+            view.choices[i].picture = pictures_[i];
+        }
         view.why = why_hand_ ? run_->why(*why_hand_, catalogue_) : ViewWhy{};
     }
     if (ear_) {

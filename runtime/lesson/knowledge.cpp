@@ -13,16 +13,17 @@ std::string at(const KnowledgeDescription& knowledge) {
     return "lesson.lua:" + std::to_string(knowledge.line);
 }
 
-/// Adds what `knowledge` lists; the error where another meaning of a name is there already.
-Expected<void> add_lists(const KnowledgeDescription& knowledge, dialogue::NamedLists& lists) {
-    for (const auto& list : knowledge.lists) {
-        const auto known =
-            std::ranges::find(lists, list.first, &dialogue::NamedLists::value_type::first);
-        if (known == lists.end()) {
-            lists.push_back(list);
-        } else if (known->second != list.second) {
-            return fail("the list \"" + list.first + "\" of what \"" + knowledge.id +
-                            "\" asks for has other words elsewhere",
+/// Adds lists or rules of `knowledge`; the error where another meaning of a name is there already.
+template <class Named>
+Expected<void> add_named(const KnowledgeDescription& knowledge, const char* what, const Named& own,
+                         Named& all) {
+    for (const auto& each : own) {
+        const auto known = std::ranges::find(all, each.first, &Named::value_type::first);
+        if (known == all.end()) {
+            all.push_back(each);
+        } else if (known->second != each.second) {
+            return fail(std::string("the ") + what + " \"" + each.first + "\" of what \"" +
+                            knowledge.id + "\" asks for has other words elsewhere",
                         at(knowledge), "give it a name of its own");
         }
     }
@@ -40,7 +41,9 @@ Expected<void> add_ways(const KnowledgeDescription& knowledge, int subject,
         source.nearly.push_back(way);
         source.nearly_subjects.push_back(subject);
     }
-    return add_lists(knowledge, source.lists);
+    return add_named(knowledge, "list", knowledge.lists, source.lists).and_then([&] {
+        return add_named(knowledge, "rule", knowledge.rules, source.rules);
+    });
 }
 
 Expected<dialogue::Question> compile_ways(const LessonDescription& lesson,

@@ -31,18 +31,26 @@ void add_nouns(const std::vector<std::string>& nouns, dialogue::NamedLists& list
     }
 }
 
-bool uses_list(const std::vector<std::string>& sentences, const std::string& list) {
-    return std::any_of(sentences.begin(), sentences.end(), [&](const std::string& sentence) {
-        return sentence.find('{' + list + '}') != std::string::npos ||
-               sentence.find('{' + list + ':') != std::string::npos;
-    });
+bool stands_in(const std::vector<std::string>& templates, const std::string& part) {
+    return std::ranges::any_of(
+        templates, [&](const std::string& text) { return text.find(part) != std::string::npos; });
 }
 
-/// A list of the teacher's own that no sentence has: its slot was forgotten.
-std::string unused_list(const QuestionDescription& question) {
+/// A list or rule of the teacher's own that no sentence has, as it would stand there: it was forgotten.
+std::string unused_part(const QuestionDescription& question) {
+    std::vector<std::string> templates = question.answers;
+    for (const auto& [name, rule] : question.rules) {
+        templates.push_back(rule);
+    }
     for (const auto& [name, words] : question.lists) {
-        if (!uses_list(question.answers, name)) {
-            return name;
+        if (!stands_in(templates, '{' + name + '}') && !stands_in(templates, '{' + name + ':')) {
+            return '{' + name + '}';
+        }
+    }
+    templates.insert(templates.end(), question.nearly.begin(), question.nearly.end());
+    for (const auto& [name, rule] : question.rules) {
+        if (!stands_in(templates, '<' + name + '>')) {
+            return '<' + name + '>';
         }
     }
     return {};
@@ -85,6 +93,7 @@ Expected<std::map<std::string, dialogue::Question>> compile_questions(
         source.nearly = question.nearly;
         source.again = question.again;
         source.lists = question.lists;
+        source.rules = question.rules;
         source.ladder = question.feedback.empty() ? lesson.feedback : question.feedback;
         add_nouns(nouns, source.lists);
         for (const auto& [name, words] : source.lists) {
@@ -99,10 +108,9 @@ Expected<std::map<std::string, dialogue::Question>> compile_questions(
         if (!result) {
             return fail(with_letter(result.error()), where, {});
         }
-        if (const std::string unused = unused_list(question); !unused.empty()) {
-            return fail(
-                "question \"" + question.id + "\": no sentence has the list \"" + unused + "\"",
-                where, "write {" + unused + "} where its words belong, or take it out");
+        if (const std::string unused = unused_part(question); !unused.empty()) {
+            return fail("question \"" + question.id + "\": no sentence has " + unused, where,
+                        "write " + unused + " where its words belong, or take it out");
         }
         if (!compiled.emplace(question.id, std::move(*result)).second) {
             return fail("two questions are called \"" + question.id + "\"", where,

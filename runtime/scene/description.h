@@ -205,6 +205,7 @@ struct QuestionDescription {
     SourceLine line = 0;
     QuestionExamples examples{};          ///< what its answers must come to, for `check` and `test`
     dialogue::FeedbackLadder feedback{};  ///< on form; empty: the lesson's own
+    std::vector<std::pair<std::string, std::string>> rules{};  ///< <name> -> a template
 };
 
 /// Ways to ask of which is known what they come to.
@@ -222,6 +223,7 @@ struct KnowledgeDescription {
     SourceLine line = 0;
     std::vector<std::string> nearly{};  ///< the same of what is understood and no good English
     KnowledgeExamples examples{};       ///< for `check` and `test`
+    std::vector<std::pair<std::string, std::string>> rules{};  ///< as a question's
 };
 
 /// What L:test { expect = … } may name: "finished" is true or false, the others are whole numbers.

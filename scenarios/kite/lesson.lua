@@ -85,9 +85,19 @@ local function fly_again(world)
   if not flies() then give_tail(world) end
 end
 
+local explained = false
+
+-- What is in the hand is explained when it is first felt there.
+local function explain_line(world)
+  if explained or not wait_until(function() return kite.pull > 0.3 end, 3) then return end
+  explained = true
+  world:caption "You hold the kite's line. The wind pushes the kite, and the line pulls your hand."
+end
+
 -- Flies it for some seconds, and gives whether it stayed up.
-local function stays_up(seconds)
+local function stays_up(world, seconds)
   kite:fly()
+  explain_line(world)
   wait(seconds)
   local up = true
   wait_until(function() up = up and flies() end, 3)
@@ -177,7 +187,7 @@ local function build_one_that_flies(world)
   world:level(1, "Build a kite")
   world:caption "This kite has no tail. Let's see if it flies."
   local points = 3
-  if stays_up(9) then
+  if stays_up(world, 9) then
     kite:build { tail = 2 }
     say(world, "You pull so well that it flies! Now I give it a tail.", 4)
     game.point(points)
@@ -186,7 +196,7 @@ local function build_one_that_flies(world)
   for _ = 1, 5 do
     say(world, "It came down.", 2)
     change_it(world)
-    if stays_up(12) then
+    if stays_up(world, 12) then
       world:sound "pop"
       say(world, "It flies!", 2.5)
       game.point(points)
@@ -223,7 +233,8 @@ L:question "hand" {
   answers = { "(I|we) [can] feel the {force} [of the line]", "it is the {force} [of the line]", "the {force} [of the line]" },
   nearly = { "(I|we) (am feel|am feeling|feels|feeling) [the] {force}", "(I|we) feel {force}", "it is {force}", "{force}" },
   lists = { force = { "lift|lift force", "drag|drag force", "weight|gravity", "tension|pull|tension force|force of the line" } },
-  right = function(a) return a.force == "tension" end,
+  -- Of the four the line's alone acts on the hand, as long as the line pulls.
+  right = function(a) return a.force == "tension" and flown.pull > 0 end,
 }
 
 L:question "stronger" {

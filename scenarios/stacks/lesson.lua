@@ -14,9 +14,12 @@ know.things(L)
 local edge = 0.08             -- of the cubes, metres
 local lifted = 0.04           -- so high above where it lay a block is lifted
 local blocks = {
-  { name = "wood", noun = "wooden block", material = "wood", mass = 0.1, size = { edge, edge, edge }, x = -0.2 },
-  { name = "rock", noun = "stone block", material = "rock", mass = 0.2, size = { edge, 2 * edge, edge }, x = 0 },
-  { name = "metal", noun = "metal block", material = "metal", mass = 0.35, size = { edge, edge, edge }, x = 0.2 },
+  { name = "wood", noun = "wooden block", material = "wood", mass = 0.1, size = { edge, edge, edge }, x = -0.2,
+    about = "This block is made of wood, from a tree." },
+  { name = "rock", noun = "stone block", material = "rock", mass = 0.2, size = { edge, 2 * edge, edge }, x = 0,
+    about = "This block is made of rock. It is rough." },
+  { name = "metal", noun = "metal block", material = "metal", mass = 0.35, size = { edge, edge, edge }, x = 0.2,
+    about = "This block is made of metal. It is hard and smooth." },
 }
 local bodies = {}             -- by name and by noun
 local height = {}             -- of each body, by name
@@ -28,7 +31,7 @@ function L:start(world)
   for _, block in ipairs(blocks) do
     local body = world:body {
       name = block.name, noun = block.noun, model = "box", size = block.size, rigid = true, mass = block.mass,
-      material = block.material, at = { block.x, block.size[2] / 2, 0 },
+      material = block.material, about = block.about, at = { block.x, block.size[2] / 2, 0 },
     }
     bodies[block.name], bodies[block.noun] = body, body
     height[block.name] = block.size[2]

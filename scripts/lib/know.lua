@@ -53,6 +53,8 @@ end
 local known = {
   this = {
     asked = { "what is (this|that|it) [called]", "what am I (holding|touching)", "what do I have [in my hand]" },
+    nearly = { "what (this|that|it) [is] [called]", "what (is|are) (I|you) (holding|touching)",
+               "what I (am holding|am touching|hold|touch|have) [in my hand]" },
     answer = function(asked, world)
       local body = meant(asked, world)
       if not body then return nothing_yet end
@@ -65,6 +67,9 @@ local known = {
   made_of = {
     asked = { "what is (it|this|that) made (of|from)", "what is [the|a|an] {thing} made (of|from)",
               "what material is (it|this|that)" },
+    nearly = { "what (it|this|that) is (made|make) [of|from|by]", "what is (it|this|that) (make (of|from|by)|made by|made)",
+               "what [is] [the|a|an] {thing} (make (of|from|by)|made by|made)", "what [the|a|an] {thing} is (made|make) [of|from|by]",
+               "what material (it|this|that) [is]", "what material has (it|this|that)" },
     answer = function(asked, world)
       local body = meant(asked, world)
       if not body then return nothing_yet end
@@ -75,6 +80,9 @@ local known = {
   weight = {
     asked = { "how heavy is (it|this|that)", "how heavy is [the|a|an] {thing}", "how much does (it|this|that) weigh",
               "how much does [the|a|an] {thing} weigh", "what is the weight of (it|this|that)" },
+    nearly = { "how heavy (it|this|that) [is]", "how heavy [the|a|an] {thing} [is]", "how much (it|this|that) (weigh|weighs)",
+               "how much [the|a|an] {thing} (weigh|weighs)", "how (much|many) (do|does) (it|this|that) (weighs|weight)",
+               "how (much|many) (do|does) [the|a|an] {thing} (weighs|weight)", "what weight (is|has) (it|this|that)" },
     answer = function(asked, world)
       local body = meant(asked, world)
       -- A body of which nobody said what it weighs has a kilogram, and no hand can carry it.
@@ -85,6 +93,8 @@ local known = {
   feel = {
     asked = { "how does (it|this|that) feel", "how does [the|a|an] {thing} feel", "what is (it|this|that) like",
               "what is [the|a|an] {thing} like" },
+    nearly = { "how (it|this|that) (feel|feels)", "how [the|a|an] {thing} (feel|feels)", "how (do|does|is) (it|this|that) feels",
+               "how (do|does|is) [the|a|an] {thing} feels" },
     answer = function(asked, world)
       local body = meant(asked, world)
       if not body then return nothing_yet end
@@ -93,6 +103,7 @@ local known = {
   },
   is_it = {
     asked = { "is (it|this|that) <adjective:{feel}>", "is [the|a|an] {thing} <adjective:{feel}>" },
+    nearly = { "(it|this|that) is {feel}", "[the|a|an] {thing} is {feel}", "(do|does) (it|this|that) {feel}", "(do|does) [the|a|an] {thing} {feel}" },
     lists = { feel = { "hard", "soft", "rough", "smooth", "slippery", "sticky" } },
     answer = function(asked, world)
       local body = meant(asked, world)
@@ -118,7 +129,7 @@ function know.things(lesson, options)
     if type(value) ~= "boolean" then mistake("know.things's " .. name .. " is true or false; got " .. shown(value)) end
   end
   for _, name in ipairs(order) do
-    if options[name] ~= false then lesson:knows(name) { asked = known[name].asked, lists = known[name].lists, answer = known[name].answer } end
+    if options[name] ~= false then lesson:knows(name)(known[name]) end
   end
 end
 

@@ -163,6 +163,7 @@ function lesson(options) end
 ---@field answers string[] templates of the sentences that answer it; the first of several articles is the one that is said back: "[a|an|the] {thing}" gives "An apple is …", "[the|a|an] {thing}" gives "The apple is …"
 ---@field nearly? string[] templates of what learners say for them that is no good English: understood, and said back as the first answer with the same {slots}
 ---@field lists? table<string, string[]> plain words that {name} in a template may stand for, with | between two ways to say one, such as { size = { "big|large", "small" } }; no [ ], ( ), { } or < >; {thing} and {other} are by default the nouns of all bodies of the scene, whether they move, are solid or neither; not of those with noun = ""
+---@field rules? table<string, string> templates that <name> in a template stands for, such as { place = "(on|under) the {thing}" }; a rule may use another one, not itself
 ---@field again? string what is said after "Not yet." when the meaning is wrong, such as "Let's weigh both again."; "Try again." by default; of at most 200 letters
 ---@field right function function(answer): is the meaning right? see answer; ./fulcrum check calls it with what the answers can mean, when the question is asked
 ---@field examples? QuestionExamples answers that are marked by ./fulcrum check and test, and must come out as said
@@ -182,6 +183,7 @@ function Lesson:question(name) end
 ---@field asked string[] templates of the questions that ask for it, such as "how heavy is (it|the {thing})"
 ---@field nearly? string[] templates of what learners say for them that is no good English: understood, said back as the first of `asked` with the same {slots}, and answered
 ---@field lists? table<string, string[]> as a question's; a name means the same in all of them
+---@field rules? table<string, string> likewise
 ---@field answer function function(asked, world): the answer as a text, or nil where that is not known; asked has the {slots}, and asked.bodies the bodies that they name; ./fulcrum check and test call it for each way to ask with each word of its lists
 ---@field examples? KnowsExamples questions that are looked at by ./fulcrum check and test, and must come out as said
 

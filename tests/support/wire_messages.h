@@ -108,13 +108,15 @@ inline LessonDescription full_description() {
                     "Lift it.",
                     18,
                     {{"the egg"}, {"the apple"}, {"a egg", "egg"}},
-                    {dialogue::FeedbackStep::rule, dialogue::FeedbackStep::replay}}};
+                    {dialogue::FeedbackStep::rule, dialogue::FeedbackStep::replay},
+                    {{"place", "on the table"}}}};
     d.knowledge = {{"weight",
                     {"how heavy is the {thing}"},
                     {{"thing", {"apple"}}},
                     23,
                     {"how heavy {thing}"},
-                    {{"how heavy is the apple"}, {"how heavy is apple"}, {"how big is it"}}}};
+                    {{"how heavy is the apple"}, {"how heavy is apple"}, {"how big is it"}},
+                    {{"which", "the first one"}}}};
     d.wants_past = true;
     d.tests = {{"sweep.lua",
                 {"an apple"},

@@ -27,6 +27,8 @@ const char* type_words(ParameterType type) {
             return "a list of texts";
         case ParameterType::lists:
             return "a table of lists of texts";
+        case ParameterType::rules:
+            return "a table of texts with names";
         case ParameterType::values:
             return "a table of numbers, true and false";
         case ParameterType::choice:
@@ -118,6 +120,12 @@ std::vector<std::string> check_texts(lua_State* lua, const Place& place, int ind
     return texts;
 }
 
+const char* example_of(ParameterType type) {
+    return type == ParameterType::lists   ? ", such as { colour = { \"red\", \"blue\" } }"
+           : type == ParameterType::rules ? ", such as { place = \"(on|under) the table\" }"
+                                          : "";
+}
+
 /// Goes through a table with text keys, in the order of the keys.
 template <class Each>
 void for_each_name(lua_State* lua, const Place& place, Each each) {
@@ -129,9 +137,7 @@ void for_each_name(lua_State* lua, const Place& place, Each each) {
         if (lua_type(lua, -2) != LUA_TSTRING) {
             raise_in_lesson(lua, place.label + " has " + given_text(lua, -1) +
                                      " without a name; write { name = … }" +
-                                     (place.parameter.type == ParameterType::lists
-                                          ? ", such as { colour = { \"red\", \"blue\" } }"
-                                          : ""));
+                                     example_of(place.parameter.type));
         }
         if (names.size() >= kMaxListItems) {
             raise_in_lesson(lua, place.label + " is a table with at most " +
@@ -146,6 +152,19 @@ void for_each_name(lua_State* lua, const Place& place, Each each) {
         each(name);
         lua_pop(lua, 1);
     }
+}
+
+/// The same where the names stand in templates.
+template <class Each>
+void for_each_plain_name(lua_State* lua, const Place& place, const std::string& what, Each each) {
+    for_each_name(lua, place, [&](const std::string& name) {
+        if (!is_name(name)) {
+            raise_in_lesson(lua, place.label + " has a " + what + " \"" +
+                                     clean_text(name, kMaxShownBytes) + "\"; a " + what +
+                                     "'s name is plain (a to z, 0 to 9, _ and -)");
+        }
+        each(name);
+    });
 }
 
 /// A box has a place and a size, and nothing else.
@@ -225,17 +244,21 @@ void check_tables(lua_State* lua, const Place& place, PlainArgument& argument) {
     } else if (place.parameter.type == ParameterType::texts) {
         argument.texts = check_texts(lua, place, place.index);
     } else if (place.parameter.type == ParameterType::lists) {
-        for_each_name(lua, place, [&](const std::string& name) {
-            if (!is_name(name)) {
-                raise_in_lesson(lua, place.label + " has a list \"" +
-                                         clean_text(name, kMaxShownBytes) +
-                                         "\"; a list's name is plain (a to z, 0 to 9, _ and -)");
-            }
+        for_each_plain_name(lua, place, "list", [&](const std::string& name) {
             Parameter words = place.parameter;
             words.type = ParameterType::texts;
             argument.lists.emplace_back(
                 name, check_texts(lua, {words, place.label + '.' + name, lua_gettop(lua)},
                                   lua_gettop(lua)));
+        });
+    } else if (place.parameter.type == ParameterType::rules) {
+        for_each_plain_name(lua, place, "rule", [&](const std::string& name) {
+            Parameter rule = place.parameter;
+            rule.type = ParameterType::text;
+            rule.high = static_cast<double>(kMaxTextBytes);
+            const int top = lua_gettop(lua);
+            argument.values.emplace_back(
+                name, check_text(lua, {rule, place.label + '.' + name, top}, top, kMaxTextBytes));
         });
     } else {
         for_each_name(lua, place, [&](const std::string& name) {

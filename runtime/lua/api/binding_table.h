@@ -33,6 +33,7 @@ enum class ParameterType : std::uint8_t {
     function,
     texts,     ///< a list of texts
     lists,     ///< a table: name -> list of texts
+    rules,     ///< a table: name -> text
     values,    ///< a table: name -> number or boolean
     choice,    ///< one of `choices`
     record,    ///< a table of `fields`
@@ -80,9 +81,9 @@ struct PlainArgument {
     Vector3 vector{Vector3::Zero()};
     std::vector<std::string> texts;
     std::vector<std::pair<std::string, std::vector<std::string>>> lists;  ///< sorted by name
-    std::vector<std::pair<std::string, std::string>> values;              ///< sorted by name
-    int stack_index = 0;                                                  ///< of a function
-    std::int32_t material = -1;                                           ///< of the description
+    std::vector<std::pair<std::string, std::string>> values;  ///< of rules too; sorted by name
+    int stack_index = 0;                                      ///< of a function
+    std::int32_t material = -1;                               ///< of the description
     std::vector<PlacedBox> boxes;
 };
 

@@ -68,6 +68,8 @@ const char* lua_type(const Parameter& parameter) {
             return "string[]";
         case ParameterType::lists:
             return "table<string, string[]>";
+        case ParameterType::rules:
+            return "table<string, string>";
         case ParameterType::values:
             return "table<string, string|number|boolean>";
         case ParameterType::choice:

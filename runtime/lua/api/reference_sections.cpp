@@ -71,6 +71,7 @@ degrees, plurals, agreement) are understood and corrected.
 | `<adjective:{feel}>`, `<comparative:{feel}>`, `<superlative:{feel}>` | the same of any word of `lists = { feel = { "hard", "smooth" } }`, which becomes `answer.feel`. With `<adjective:{feel}> [and <adjective:{feel:also}>]` the learner may give two, `answer.feel` and `answer.also`; without the brackets two are asked for. A missing "and" is an error of form |
 | `<made_of:{material}>` | "is made of metal", "are made of metal"; the material, a word of `lists.material`, becomes `answer.material`. "made by", "is make of", "makes of", "made of a metal" and a missing "is" are errors of form |
 | `<made_of:metal>` | the same of one material |
+| `<place>` | the template of `rules = { place = "(on|under) the {thing}" }`, for what stands in several sentences |
 | `<it>` | it, this, that, they, these, those; a verb after it agrees |
 | `<plural:moon>` | "moons"; after a {number} that is "one", "a" or "an": "moon". "there are {number} <plural:moon>" gives "There is one moon." |
 | `\[` | the character itself |

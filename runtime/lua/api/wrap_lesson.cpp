@@ -107,6 +107,7 @@ int add_question(lua_State* lua, LessonContext& context, const Arguments& argume
     question.answers = arguments["answers"].texts;
     question.nearly = arguments["nearly"].texts;
     question.lists = arguments["lists"].lists;
+    question.rules = arguments["rules"].values;
     question.again = arguments["again"].text;
     if (arguments["examples"].given) {
         const Arguments examples = arguments.record("examples");
@@ -147,6 +148,7 @@ int add_knowledge(lua_State* lua, LessonContext& context, const Arguments& argum
     knowledge.id = arguments["name"].text;
     knowledge.asked = arguments["asked"].texts;
     knowledge.lists = arguments["lists"].lists;
+    knowledge.rules = arguments["rules"].values;
     knowledge.nearly = arguments["nearly"].texts;
     if (arguments["examples"].given) {
         const Arguments examples = arguments.record("examples");
@@ -286,6 +288,9 @@ void add_lesson_api(ApiTable& table) {
            "nouns "
            "of all bodies of the scene, whether they move, are solid or neither; not of those with "
            "noun = \"\""},
+          {"rules", rules, "", 0, 0, "nil",
+           "templates that <name> in a template stands for, such as { place = \"(on|under) the "
+           "{thing}\" }; a rule may use another one, not itself"},
           {"again", text, "", 0, 200, "",
            "what is said after \"Not yet.\" when the meaning is wrong, such as \"Let's weigh both "
            "again.\"; \"Try again.\" by default"},
@@ -314,6 +319,7 @@ void add_lesson_api(ApiTable& table) {
            "as the first of `asked` with the same {slots}, and answered"},
           {"lists", lists, "", 0, 0, "nil",
            "as a question's; a name means the same in all of them"},
+          {"rules", rules, "", 0, 0, "nil", "likewise"},
           {"answer", function, "", 0, 0, kRequired,
            "function(asked, world): the answer as a text, or nil where that is not known; asked "
            "has the "

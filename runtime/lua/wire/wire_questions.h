@@ -50,6 +50,7 @@ void question(Archive& a, Question& q) {
     texts(a, "examples that are wrong", q.examples.wrong);
     texts(a, "examples of a wrong form", q.examples.form);
     ladder(a, q.feedback);
+    pairs(a, "rules", q.rules);
 }
 
 template <class Archive, class Knowledge>
@@ -62,6 +63,7 @@ void knowledge(Archive& a, Knowledge& k) {
     texts(a, "examples that ask rightly", k.examples.right);
     texts(a, "examples that ask with an error", k.examples.form);
     texts(a, "examples that do not ask", k.examples.other);
+    pairs(a, "rules", k.rules);
 }
 
 /// The hand of a test is a file beside the lesson: "name.lua", nothing that leads elsewhere.

@@ -106,15 +106,17 @@ void add_rows(const EnglishScores& scores, Sheet& sheet) {
             continue;
         }
         sheet.rows.push_back({code, std::to_string(score.there), percent(score.found, score.there),
-                              std::to_string(score.alarms),
+                              percent(score.named, score.there), std::to_string(score.alarms),
                               percent(score.right_place, score.alarms)});
         all.there += score.there;
         all.found += score.found;
+        all.named += score.named;
         all.alarms += score.alarms;
         all.right_place += score.right_place;
     }
     sheet.rows.push_back({"all of these", std::to_string(all.there), percent(all.found, all.there),
-                          std::to_string(all.alarms), percent(all.right_place, all.alarms)});
+                          percent(all.named, all.there), std::to_string(all.alarms),
+                          percent(all.right_place, all.alarms)});
 }
 
 /// Counts what was found in a sentence with one error.
@@ -144,7 +146,8 @@ Sheet lesson_sheet(const char* name, const char* title) {
     Sheet sheet;
     sheet.name = name;
     sheet.title = title;
-    sheet.columns = {"error", "n", "found %", "alarms", "alarms in the right place %"};
+    sheet.columns = {"error",      "n",      "found %",
+                     "named so %", "alarms", "alarms in the right place %"};
     sheet.advice = "What a template foresees it marks itself; this is for what is said beside it.";
     return sheet;
 }
@@ -184,11 +187,13 @@ std::array<Sheet, 2> check_lessons(EnglishChecker& checker, Run& run) {
     Sheet put_in = lesson_sheet("english-lessons", "Free English: what the lessons teach");
     put_in.work =
         "Every way through the lessons' templates, sampled, and every such sentence with "
-        "one error put in. Alarms in the right sentences: " +
+        "one error put in, where the checker's own reading of the sentence finds a place for it. "
+        "Alarms in the right sentences: " +
         point_of_alarms(false_alarms, right) + ".";
     Sheet labelled = lesson_sheet("english-labelled", "Free English: what templates label");
     labelled.work =
-        "The same with one error that a template labels. Some of these are good English for "
+        "The same with one error that a template labels, which no reading of the checker chose. "
+        "Some of these are good English for "
         "something else (\"It was easy\"), which only the question tells.";
     add_rows(scores[0], put_in);
     add_rows(scores[1], labelled);
@@ -205,7 +210,8 @@ Sheet check_text(EnglishChecker& checker, const std::string& file, bool second_h
     sheet.name = std::string("english-text-") + (second_half ? "odd" : "even");
     sheet.title = std::string("Free English: learners' text, ") + (second_half ? "odd" : "even") +
                   " lines of " + fs::path(file).filename().string();
-    sheet.columns = {"error", "n", "found %", "alarms", "alarms in the right place %"};
+    sheet.columns = {"error",      "n",      "found %",
+                     "named so %", "alarms", "alarms in the right place %"};
     EnglishScores scores;
     int right = 0;
     int sentences = 0;

@@ -77,6 +77,10 @@ TEST_CASE("compile: mistakes name their place") {
                Catch::Contains("from two lists"));
     CHECK_THAT(error_of({{"<r>"}, {}, {{"r", "a <s>"}, {"s", "{x}"}}}),
                Catch::Contains("in <r>: in <s>: there is no list"));
+    CHECK_THAT(error_of({{"it is <plase>"}, {}, {{"place", "here"}}}),
+               Catch::Contains("there is no rule <plase>; did you mean <place>?"));
+    CHECK_THAT(error_of({{"it is <place:heavy>"}, {}, {{"place", "here"}}}),
+               Catch::Contains("the rule <place> takes no word"));
 }
 
 TEST_CASE("compile: an alternative may fill the same slot as another") {

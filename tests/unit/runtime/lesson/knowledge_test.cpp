@@ -171,5 +171,21 @@ TEST_CASE("knowledge: a lesson that knows nothing has none, and mistakes are tol
     CHECK(clash.error().where == "lesson.lua:9");
 }
 
+TEST_CASE("knowledge: a rule is put in its place in every way to ask, and means one thing in all") {
+    const dialogue::Catalogue catalogue = words();
+    LessonDescription lesson = planets();
+    lesson.knowledge[1].asked = {"how heavy is <what>", "what does <what> weigh"};
+    lesson.knowledge[1].rules = {{"what", "(it|the {thing})"}};
+    const Knowledge knowledge = compiled(lesson, catalogue);
+    CHECK(knowledge.find("what does the apple weigh")->mark.slot("thing") == "apple");
+    CHECK(knowledge.find("how heavy is it")->knowledge == "weight");
+    lesson.knowledge[0].rules = {{"what", "this"}};
+    const auto clash = Knowledge::compile(lesson, catalogue);
+    REQUIRE_FALSE(clash);
+    CHECK(to_sentence(clash.error()) ==
+          "lesson.lua:9: the rule \"what\" of what \"weight\" asks for has other words elsewhere; "
+          "give it a name of its own.");
+}
+
 }  // namespace
 }  // namespace fulcrum::runtime

@@ -80,16 +80,44 @@ TEST_CASE("questions: a list that no sentence has is a slot that was forgotten")
     lesson.questions[0].answers = {"the apple is red"};
     const auto bad = compile_questions(lesson);
     REQUIRE_FALSE(bad.has_value());
-    CHECK(
-        to_sentence(bad.error()) ==
-        "lesson.lua:7: question \"heaviest\": no sentence has the list \"colour\"; write {colour} "
-        "where its words belong, or take it out.");
+    CHECK(to_sentence(bad.error()) ==
+          "lesson.lua:7: question \"heaviest\": no sentence has {colour}; write {colour} "
+          "where its words belong, or take it out.");
     for (const char* answer :
          {"the apple is {colour}", "it is {colour:first}", "it is <adjective:{colour}>"}) {
         INFO(answer);
         lesson.questions[0].answers = {answer};
         CHECK(compile_questions(lesson).has_value());
     }
+}
+
+TEST_CASE("questions: a rule stands for what several sentences have, and may use another") {
+    LessonDescription lesson = two_things();
+    lesson.questions[0].answers = {"it is <place>", "the {thing} is <place>"};
+    lesson.questions[0].lists = {{"side", {"left", "right"}}};
+    lesson.questions[0].rules = {{"place", "(<below>|on the {side})"},
+                                 {"below", "under the table"}};
+    const auto questions = compile_questions(lesson);
+    REQUIRE(questions.has_value());
+    const auto& question = questions->at("heaviest");
+    const auto mark = fulcrum::dialogue::mark_answer(question, "the egg is on the left");
+    CHECK(mark.slot("thing") == "egg");
+    CHECK(mark.slot("side") == "left");
+    CHECK(mark.form_right());
+    CHECK(fulcrum::dialogue::mark_answer(question, "it is under the table").form_right());
+    CHECK_FALSE(fulcrum::dialogue::mark_answer(question, "it is place").understood);
+    // What nobody uses was forgotten; a name that none has was meant for another.
+    lesson.questions[0].rules.emplace_back("far", "far away");
+    CHECK(to_sentence(compile_questions(lesson).error()) ==
+          "lesson.lua:7: question \"heaviest\": no sentence has <far>; write <far> where its words "
+          "belong, or take it out.");
+    lesson.questions[0].rules.pop_back();
+    lesson.questions[0].answers = {"it is <plase>"};
+    CHECK_THAT(to_sentence(compile_questions(lesson).error()),
+               Catch::Contains("there is no rule <plase>; did you mean <place>?"));
+    lesson.questions[0].rules = {{"place", "at <place>"}};
+    lesson.questions[0].answers = {"it is <place>"};
+    CHECK_THAT(to_sentence(compile_questions(lesson).error()), Catch::Contains("uses itself"));
 }
 
 TEST_CASE("questions: a {thing} may be movable, solid or neither") {

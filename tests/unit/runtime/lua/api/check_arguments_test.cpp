@@ -70,7 +70,7 @@ TEST_CASE("arguments: too many, too few and wrong kinds are told") {
 TEST_CASE("arguments: lists and tables are checked item by item, and come sorted by name") {
     HostedLesson lesson;
     REQUIRE(lesson.load("L:question 'q' { prompt = 'p', answers = { 'a', 'b' }, lists = { z = { "
-                        "'1' }, a = { '2', '3' } }, right = print }\n"
+                        "'1' }, a = { '2', '3' } }, rules = { s = 'x', r = 'y' }, right = print }\n"
                         "L:test { say = { 'x' }, expect = { score = 7, finished = true, "
                         "caught = 3 } }") == "");
     const auto& question = lesson.host->description().questions.at(0);
@@ -79,6 +79,7 @@ TEST_CASE("arguments: lists and tables are checked item by item, and come sorted
     CHECK(question.lists[0].first == "a");
     CHECK(question.lists[0].second == std::vector<std::string>{"2", "3"});
     using Pairs = std::vector<std::pair<std::string, std::string>>;
+    CHECK(question.rules == Pairs{{"r", "y"}, {"s", "x"}});
     CHECK(lesson.host->description().tests.at(0).expect ==
           Pairs{{"caught", "3"}, {"finished", "true"}, {"score", "7"}});
     const auto wrong = [](const std::string& fields) {
@@ -123,6 +124,16 @@ TEST_CASE("arguments: lists and tables are checked item by item, and come sorted
     CHECK(wrong("answers = { 'a' }, lists = { 'red', 'blue' }") ==
           "lesson.lua:2: question.lists has the text \"red\" without a name; write { name = … }, "
           "such as { colour = { \"red\", \"blue\" } }.");
+    CHECK(wrong("answers = { '<r>' }, rules = { r = { 'a' } }") ==
+          "lesson.lua:2: question.rules.r is a text of at most 1000 letters; got a table.");
+    CHECK(wrong("answers = { '<r>' }, rules = { 'a' }") ==
+          "lesson.lua:2: question.rules has the text \"a\" without a name; write { name = … }, "
+          "such as { place = \"(on|under) the table\" }.");
+    CHECK(wrong("answers = { '<r>' }, rules = { ['a b'] = 'c' }") ==
+          "lesson.lua:2: question.rules has a rule \"a b\"; a rule's name is plain (a to z, 0 to "
+          "9, _ and -).");
+    CHECK(wrong("answers = { '<r>' }, rules = 'a'") ==
+          "lesson.lua:2: question.rules is a table of texts with names; got the text \"a\".");
     CHECK(HostedLesson().load("L:question { prompt = 'p', answers = { 'a' }, right = print }") ==
           "lesson.lua:2: L:question takes its name before the braces: L:question \"name\" { … }.");
 }

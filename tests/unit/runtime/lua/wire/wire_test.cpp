@@ -47,6 +47,8 @@ TEST_CASE("wire: a description, a reply and a frame come back as they were") {
     CHECK(d->bodies[0].solid);
     CHECK(d->questions[0].lists[0].second[1] == "egg");
     CHECK(d->questions[0].again == "Lift it.");
+    CHECK(d->questions[0].rules.at(0).second == "on the table");
+    CHECK(d->knowledge[0].rules.at(0).first == "which");
     CHECK(std::get<NoiseTexture>(d->materials[1].felt.texture.source).seed == 7);
     CHECK(d->hand.proxy == ProxyKind::virtual_proxy);
     CHECK(std::get<SphereShape>(d->hand.cursor).radius_m == 0.01);
