@@ -179,6 +179,7 @@ void ArmServer::read_arm() noexcept {
     } else {
         faults_ |= has_pose_ ? Fault::device_invalid : Fault::none;
         guard_.forget();
+        sensor_.forget();
         velocity_.reset();
         angular_velocity_.reset();
     }
@@ -186,7 +187,8 @@ void ArmServer::read_arm() noexcept {
     has_pose_ = true;
     velocity_.step(reading_.pose_D.position, reading_.stamp_s);
     angular_velocity_.step(reading_.pose_D.orientation, reading_.stamp_s);
-    faults_ |= guard_.step(applied_D_, motion_D_, turn_D_, dt_s_);
+    faults_ |= guard_.step(applied_D_, motion_D_, turn_D_, dt_s_) |
+               sensor_.step(reading_.pose_D.position, reading_.stamp_s, applied_D_.force);
 }
 
 void ArmServer::count_energy() noexcept {

@@ -3,7 +3,8 @@
 //   take packets -> read the arm -> faults -> energy -> command, brake -> gate -> write -> state
 // Whatever the program does, the force stays within this side's own limits, slew and soft start (loop/safety.h), and fades when no
 // fresh command has come for command_timeout_s, when the arm tells nonsense, when the hand is too fast or given too much energy
-// (loop/hand_guard.h), and when somebody here presses stop. Where the link has given the hand more than the scene put in, the
+// (loop/hand_guard.h), when a sensor is frozen or shakes (sensor_guard.h),
+// and when somebody here presses stop. Where the link has given the hand more than the scene put in, the
 // hand is braked and what would give it more is left out (energy_balance.h); soon after nothing is asked for, nothing brakes it.
 // Command and brake together stay within the least of this side's limits and the command's.
 //
@@ -24,6 +25,7 @@
 #include "haptics/handover/latest_value.h"
 #include "haptics/link/energy_balance.h"
 #include "haptics/link/link_post.h"
+#include "haptics/link/sensor_guard.h"
 #include "haptics/loop/hand_guard.h"
 #include "haptics/loop/safety.h"
 
@@ -42,6 +44,7 @@ struct ArmServerSettings {
     double handle_inertia_kg_m2 = 1.0e-5;  ///< likewise, 1e-8 to 1
     bool balances_energy = true;           ///< false for tests and benchmarks alone
     EnergyBalanceSettings energy{};
+    SensorLife sensor{};  ///< of the arm
     Vector3 reach_m{
         Vector3::Constant(0.2)};  ///< told to the program: half extents, 0.01 to 10 each
 };
@@ -113,6 +116,7 @@ class ArmServer final : public PeriodicTask {
     LinkTraits traits_{};
     SafetyGate gate_;
     HandGuard guard_;
+    SensorGuard sensor_;
     VelocityEstimator velocity_;
     AngularVelocityEstimator angular_velocity_;
     StopSwitch stop_;

@@ -29,6 +29,15 @@ SafetySettings limits_of(const ArmServerSettings& settings, const DeviceTraits& 
 
 }  // namespace
 
+Expected<void> validate(const SensorLife& s) {
+    const Range ranges[] = {
+        {"trembles_within_s", s.trembles_within_s, 0.0, 1.0},
+        {"moves_at_N", s.moves_at_N, 0.0, 10.0},
+        {"most_m_per_s2", s.most_m_per_s2, 0.0, 1.0e4},
+    };
+    return check_ranges("the arm's sensor setting", ranges);
+}
+
 Expected<void> validate(const ArmServerSettings& s) {
     const Range ranges[] = {
         {"rate_Hz", s.rate_Hz, 500.0, 2000.0},
@@ -41,7 +50,8 @@ Expected<void> validate(const ArmServerSettings& s) {
     };
     return check_ranges("the arm setting", ranges)
         .and_then([&] { return validate(s.safety); })
-        .and_then([&] { return validate(s.energy); });
+        .and_then([&] { return validate(s.energy); })
+        .and_then([&] { return validate(s.sensor); });
 }
 
 ArmServer::ArmServer(const ArmServerSettings& settings, Device& arm, Datagrams& datagrams,
@@ -52,6 +62,7 @@ ArmServer::ArmServer(const ArmServerSettings& settings, Device& arm, Datagrams& 
       traits_(describe_arm(arm.traits(), settings)),
       gate_(limits_of(settings, arm.traits()), 1.0 / settings.rate_Hz),
       guard_(settings.safety),
+      sensor_(settings.sensor, arm.traits().position_resolution_m),
       velocity_(VelocitySettings{.noise_bound_m =
                                      std::clamp(arm.traits().position_resolution_m, 1.0e-5, 0.1)}),
       angular_velocity_(80.0),

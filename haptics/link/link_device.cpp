@@ -19,6 +19,9 @@ constexpr double kLongestRound_s = 0.05;
 constexpr double kAskedFor_N = 0.2;  // what a gate that waits calls calm
 constexpr double kAskedFor_Nm = 0.02;
 constexpr double kShutFor_s = 0.05;
+// Who moves so fast is not for so long where he was.
+constexpr double kMoving_m_per_s = 0.05;
+constexpr std::int64_t kLongestAtRest_ns = 50'000'000;
 
 bool is_same_arm(const LinkTraits& a, const LinkTraits& b) noexcept {
     return a.name == b.name && a.max_force_N == b.max_force_N &&
@@ -43,12 +46,13 @@ bool LinkDevice::read(double now_s, DeviceReading& reading) noexcept {
     if (!has_state_ || post_.clock().round_trip_s() > settings_.most_round_trip_s) {
         return false;
     }
+    const bool is_frozen = state_.measured_ns - moved_ns_ > kLongestAtRest_ns;
     reading.stamp_s = stamp_s_;
     reading.pose_D.position = state_.pose_D.position + shift_D_;
     reading.pose_D.orientation = compute_exp(turn_D_) * state_.pose_D.orientation;
     reading.buttons = state_.buttons;
     reading.faults = (state_.faults & Fault::emergency_stop) | find_shut_gate(now_s) |
-                     (lost_row_ ? Fault::device_stale : Fault::none);
+                     (lost_row_ || is_frozen ? Fault::device_stale : Fault::none);
     return true;
 }
 
@@ -104,6 +108,10 @@ void LinkDevice::take_state(double now_s, const LinkState& state) noexcept {
     } else if (since_s > 0.0) {
         // Whatever an arm says of its clock, nothing is measured after it is heard of.
         stamp_s_ = std::min(std::max(stamp_s, stamp_s_ + kLeastPace * since_s), now_s);
+    }
+    const bool is_elsewhere = state.pose_D.position != state_.pose_D.position;
+    if (!has_state_ || is_elsewhere || !(state.twist_D.linear.norm() > kMoving_m_per_s)) {
+        moved_ns_ = state.measured_ns;
     }
     state_ = state;
     has_state_ = true;

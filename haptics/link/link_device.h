@@ -105,6 +105,7 @@ class LinkDevice final : public Device {
     std::int64_t state_sent_ns_ = 0;  // arm's clock
     bool lost_row_ = false;           // too many states in a row, before one of this round
     LinkState state_{};
+    std::int64_t moved_ns_ = 0;  // when its place was last another, or it did not say that it moves
     double stamp_s_ = 0.0;       // of the state, on the run's clock
     double shut_since_s_ = 0.0;  // the arm's gate, although a force is asked for
     // What crossed it.

@@ -154,7 +154,10 @@ int arm_command(const Options& options) {
     ArmServerSettings settings;
     apply(*site, settings.safety);
     settings.rate_Hz = options.arm.rate_Hz;
+    // Its sensors do not tremble; and the WAM's friction may take up any push that a lesson gives.
+    settings.sensor.most_m_per_s2 = 300.0;
     if (options.arm.kind == ArmKind::desktop) {
+        settings.sensor.moves_at_N = 1.5;
         // 160 by 120 by 70 mm: the workspace of the same data sheet as make_desktop_arm's.
         settings.reach_m = {0.08, 0.06, 0.035};
     }

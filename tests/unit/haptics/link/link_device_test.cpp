@@ -183,6 +183,38 @@ TEST_CASE("link: a way that takes longer than a hand can be served over gives no
     CHECK(held.n_poses == 0);
 }
 
+TEST_CASE("link: an arm that says that it moves and tells one place has a frozen sensor") {
+    for (const double speed_m_per_s : {0.0, 0.04, 0.06}) {
+        CAPTURE(speed_m_per_s);
+        Held held;
+        held.engage();
+        held.serves = false;
+        int told_at = -1;
+        for (int i = 0; i < 200; ++i) {
+            LinkPacket packet;
+            packet.head = {PacketKind::state,
+                           2000,
+                           1000,
+                           1'000'000ULL + static_cast<unsigned>(i),
+                           LinkPost::to_ns(held.pair.now_s),
+                           0,
+                           0};
+            packet.state.measured_ns = packet.head.sent_ns;
+            packet.state.pose_D.position = {0.1, 0.0, 0.0};
+            packet.state.twist_D.linear = {0.0, speed_m_per_s, 0.0};
+            packet.state.gate = GatePhase::open;
+            PacketBytes bytes{};
+            const std::size_t size = write_packet(packet, held.pair.seal, bytes);
+            held.pair.channel.end(1).send(held.pair.now_s, {}, std::span(bytes).first(size));
+            held.run(1);
+            REQUIRE(held.gives_pose);
+            const bool is_told = any(held.reading.faults & Fault::device_stale);
+            told_at = is_told && told_at < 0 && i > 0 ? i : told_at;
+        }
+        CHECK((speed_m_per_s > 0.05 ? told_at >= 50 && told_at <= 53 : told_at < 0));
+    }
+}
+
 TEST_CASE("link: a pose that was overtaken on its way is not taken for the newest") {
     Held held({.jitter_s = 0.01, .reorder = 0.5, .seed = 3});
     REQUIRE(held.pair.link());
