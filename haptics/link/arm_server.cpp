@@ -10,6 +10,10 @@
 namespace fulcrum {
 namespace {
 
+bool is_zero(const Wrench& wrench) noexcept {
+    return wrench.force.squaredNorm() == 0.0 && wrench.torque.squaredNorm() == 0.0;
+}
+
 constexpr double kWelcomeEvery_s = 0.02;  // to one session
 constexpr int kMostWelcomes = 8;          // in a round
 constexpr double kBrakeAfter_s = 0.05;    // it goes so long after nothing is asked for any more
@@ -230,12 +234,16 @@ void ArmServer::drive() noexcept {
                   shorten<3>(left.torque + braked.torque, command_.max_torque_Nm * kUnderLimit)};
     }
     const GatePhase before = gate_.phase();
+    const bool acted = !is_zero(applied_D_);
     applied_D_ = gate_.pass(wanted, faults_, dt_s_);
     faults_ |= gate_.faults();
     const bool was_open = before == GatePhase::rising || before == GatePhase::open;
     const bool is_closing =
         gate_.phase() == GatePhase::fading || gate_.phase() == GatePhase::stopped;
     now_.trips += was_open && is_closing ? 1 : 0;
+    if (acted && is_zero(applied_D_)) {
+        now_.gone_after_s = now_s_ - command_age_from_s_;
+    }
     // What this finds comes after the gate, and so fades the force from the next round on.
     if (!arm_.write(now_s_, applied_D_)) {
         late_faults_ = Fault::device_write;

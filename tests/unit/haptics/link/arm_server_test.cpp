@@ -21,6 +21,7 @@ TEST_CASE(
     held.run(100);
     CHECK(held.hand.written_D.force.norm() == 0.0);
     CHECK(held.arm().trips == 1);
+    CHECK(held.arm().gone_after_s == Approx(0.12).margin(2e-3));
     // Commands again: no force before the program's own has been small.
     held.commands = true;
     held.run(50);
