@@ -59,15 +59,19 @@ HandTarget hand_at(double now_s, const ArmOptions& options) {
 
 // One line on how it goes.
 std::string describe(const ArmServerStatus& status) {
-    constexpr auto kNone = static_cast<std::size_t>(Refusal::none);
+    const auto count = [&](Refusal why) {
+        return static_cast<unsigned long long>(
+            status.counts.received[static_cast<std::size_t>(why)]);
+    };
     char line[280];
     std::snprintf(line, sizeof line,
                   "%s, %.2f N (most %.2f), round trip %.2f ms, clocks differ by %.3f s, %llu "
-                  "commands, %llu refused, %llu faded, gone %.0f ms after the last command%s",
+                  "commands, %llu refused (%llu of another key, %llu of another version), %llu "
+                  "faded, gone %.0f ms after the last command%s",
                   status.held ? "held" : "waiting", status.applied_D.force.norm(),
                   status.peak_force_N, 1e3 * status.round_trip_s, status.offset_s,
-                  static_cast<unsigned long long>(status.counts.received[kNone]),
-                  static_cast<unsigned long long>(status.counts.refused()),
+                  count(Refusal::none), static_cast<unsigned long long>(status.counts.refused()),
+                  count(Refusal::forged), count(Refusal::version),
                   static_cast<unsigned long long>(status.trips), 1e3 * status.gone_after_s,
                   status.gate == GatePhase::stopped ? ", STOPPED: Enter lifts it" : "");
     return line;

@@ -7,6 +7,7 @@
 #include "haptics/record/record.h"
 #include "runtime/app/hand_fitting.h"
 #include "runtime/app/interrupt.h"
+#include "runtime/app/link_words.h"
 #include "runtime/link/arm_key.h"
 #include "runtime/link/udp_socket.h"
 
@@ -40,30 +41,6 @@ bool mouse_is_free(const RunRequest& request) {
     return request.hands_there == HandsThere::desk && request.hand != HandKind::mouse &&
            std::ranges::find(request.more_hands, HandKind::mouse, &HandChoice::hand) ==
                request.more_hands.end();
-}
-
-// Why no arm has said welcome.
-Expected<void> explain_silence(LinkDevice& device, const std::string& address,
-                               const std::string& key_file) {
-    const LinkStatus status = device.status();
-    const auto refused = [&](Refusal why) {
-        return status.counts.received[static_cast<std::size_t>(why)] > 0;
-    };
-    if (status.taken) {
-        return fail("this arm is held by another program", address, "end that one first");
-    }
-    if (refused(Refusal::forged)) {
-        return fail("an arm answers with another key", address,
-                    "copy the arm's key to " + key_file + ", or give --key its file");
-    }
-    if (refused(Refusal::version)) {
-        return fail("an arm answers in another version of the link", address,
-                    "run the same Fulcrum at both ends");
-    }
-    return fail(
-        "no arm answers", address,
-        "start it there (for trying, ./fulcrum arm in another terminal), see that both have the "
-        "same key, or leave --hand out");
 }
 
 }  // namespace
@@ -212,7 +189,8 @@ Expected<void> HandDevice::link(const HandChoice& request) {
     const double began_s = monotonic_now_s();
     while (!device->greet(monotonic_now_s() - began_s)) {
         if (monotonic_now_s() - began_s > kGreeting_s || interrupted()) {
-            return explain_silence(*device, request.hand_address, file->string());
+            return tl::unexpected(explain_silence(device->status(), line_->socket->was_refused(),
+                                                  request.hand_address, file->string()));
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

@@ -102,6 +102,7 @@ bool UdpSocket::send(double /*now_s*/, const PeerAddress& to,
         ::sendto(descriptor_, packet.data(), packet.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
                  is_addressed ? reinterpret_cast<const sockaddr*>(&address) : nullptr,
                  is_addressed ? to.size : 0);
+    was_refused_ = was_refused_ || (sent < 0 && errno == ECONNREFUSED);
     return sent == static_cast<ssize_t>(packet.size());
 }
 
@@ -127,6 +128,7 @@ std::size_t UdpSocket::receive(double /*now_s*/, std::span<std::byte> packet,
         if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
             return 0;
         }
+        was_refused_ = was_refused_ || (got < 0 && errno == ECONNREFUSED);
     }
     return 0;
 }

@@ -34,6 +34,9 @@ class UdpSocket final : public Datagrams {
     [[nodiscard]] std::size_t receive(double now_s, std::span<std::byte> packet,
                                       PeerAddress& from) noexcept override;
 
+    /// Whether the peer's computer has said that nothing waits at that port (ECONNREFUSED), in any call so far.
+    [[nodiscard]] bool was_refused() const noexcept { return was_refused_; }
+
     /// The port at this end.
     [[nodiscard]] std::uint16_t port() const noexcept;
 
@@ -44,6 +47,7 @@ class UdpSocket final : public Datagrams {
                                                                    bool connects);
     int descriptor_;
     bool is_connected_;
+    bool was_refused_ = false;
 };
 
 }  // namespace fulcrum::runtime

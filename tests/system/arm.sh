@@ -111,12 +111,20 @@ play --seconds 3 >"$home/busy.log" 2>&1 || code=$?
 kill "${busy[@]}"
 [[ $code -eq 0 ]] || fail "the lesson was not played on busy processors"
 expect "$home/busy.log" 'Haptic loop: [0-9]+ rounds, late by [0-9]+ us' "it does not say how late it was"
-# Another key is told apart from no arm.
+# Another key is told apart from no arm: the arm says nothing to who has none, and counts him; where none waits the computer says so.
+good_port=$port
+good_arm=$arm
+start_arm locked
 printf '%064d\n' 0 >"$home/other.key"
 chmod 600 "$home/other.key"
 code=0
 play --key "$home/other.key" --seconds 3 >"$home/key.log" 2>&1 || code=$?
 [[ $code -ne 0 ]] || fail "a wrong key was taken"
+expect "$home/key.log" 'no arm answers, .* another key or version' "nothing says that the key may be another"
+sleep 1.1
+expect "$home/locked.log" '[(][1-9][0-9]* of another key' "the arm does not say that somebody knocked with another key"
+port=$good_port
+arm=$good_arm
 # A stop from outside: the arm fades, and a key at it lifts the stop.
 "$fulcrum" stop >"$home/stop.log"
 expect "$home/stop.log" '^Stopped: [1-9]' "nothing was stopped"
@@ -141,5 +149,5 @@ expect "$home/good.log" 'On the line: .* [1-9][0-9]* lost, [1-9][0-9]* delayed, 
 code=0
 play --seconds 3 >"$home/none.log" 2>&1 || code=$?
 [[ $code -ne 0 ]] || fail "there was no arm, and nothing was said"
-expect "$home/none.log" 'no arm answers' "nothing says that no arm answers"
+expect "$home/none.log" 'no arm waits there' "nothing says that there is no arm"
 echo "arm.sh: passed"

@@ -111,3 +111,33 @@ TEST_CASE("udp socket: a port that is taken and a computer that nobody knows are
     REQUIRE_FALSE(nowhere);
     CHECK(nowhere.error().where == "no such computer:4701");
 }
+
+TEST_CASE("udp socket: a port where nothing waits is told by its computer, one that is silent not") {
+    std::uint16_t port = 0;
+    {
+        const auto silent = UdpSocket::listen({"127.0.0.1", 0});
+        REQUIRE(silent);
+        port = (*silent)->port();
+        const auto program = UdpSocket::connect({"127.0.0.1", port});
+        REQUIRE(program);
+        std::array<std::byte, 8> packet{};
+        PeerAddress from;
+        CHECK((*program)->send(0.0, {}, packet));
+        CHECK((*program)->receive(0.0, packet, from) == 0);
+        CHECK_FALSE((*program)->was_refused());
+    }
+    for (const bool sends_again : {false, true}) {
+        const auto program = UdpSocket::connect({"127.0.0.1", port});
+        REQUIRE(program);
+        std::array<std::byte, 8> packet{};
+        PeerAddress from;
+        CHECK((*program)->send(0.0, {}, packet));
+        // The answer comes with the next call, whichever that is.
+        if (sends_again) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            CHECK_FALSE((*program)->send(0.0, {}, packet));
+        }
+        CHECK((*program)->receive(0.0, packet, from) == 0);
+        CHECK((*program)->was_refused());
+    }
+}

@@ -1,0 +1,36 @@
+#include "runtime/app/link_words.h"
+
+#include <cstddef>
+
+namespace fulcrum::runtime {
+
+Error explain_silence(const LinkStatus& status, bool is_refused, const std::string& address,
+                      const std::string& key_file) {
+    // Damage may hit the version or the seal alone; most of it hits something else.
+    const auto count = [&](Refusal why) {
+        return status.counts.received[static_cast<std::size_t>(why)];
+    };
+    const auto came = [&](Refusal why) { return count(why) > count(Refusal::damaged); };
+    if (status.taken) {
+        return {"this arm is held by another program", address, "end that one first"};
+    }
+    if (came(Refusal::forged)) {
+        return {"an arm answers with another key", address,
+                "copy the arm's key to " + key_file + ", or give --key its file"};
+    }
+    if (came(Refusal::version)) {
+        return {"an arm answers in another version of the link", address,
+                "run the same Fulcrum at both ends"};
+    }
+    if (is_refused) {
+        return {"no arm waits there", address,
+                "start it there (for trying, ./fulcrum arm in another terminal), check the port, "
+                "or leave --hand out"};
+    }
+    return {"no arm answers, and nothing says that there is none", address,
+            "if one runs there, it has another key or version, which its own screen tells: copy "
+            "its key to " +
+                key_file + "; if none does, see to that computer and the network"};
+}
+
+}  // namespace fulcrum::runtime

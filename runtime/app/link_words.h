@@ -1,0 +1,20 @@
+// What a person is told of the link to an arm: why nobody answers.
+//
+// An arm says nothing to who has not its key, so from here another key looks like nobody. What tells them apart: where no
+// program waits at a port, its computer says so (udp(7): ECONNREFUSED); and what comes with another seal or version is counted.
+//
+// Thread: any. Cost: builds sentences.
+#pragma once
+
+#include "haptics/base/error.h"
+#include "haptics/link/link_device.h"
+
+#include <string>
+
+namespace fulcrum::runtime {
+
+/// Why no arm has said welcome; `is_refused`: its computer has said that nothing waits at that port.
+[[nodiscard]] Error explain_silence(const LinkStatus& status, bool is_refused,
+                                    const std::string& address, const std::string& key_file);
+
+}  // namespace fulcrum::runtime

@@ -1,0 +1,156 @@
+#include "runtime/app/link_words.h"
+
+#include "haptics/base/clock.h"
+#include "haptics/link/arm_server.h"
+#include "runtime/app/hand_device.h"
+#include "runtime/link/arm_key.h"
+#include "runtime/link/udp_socket.h"
+#include "tests/support/scripted_device.h"
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+using namespace fulcrum;
+using namespace fulcrum::runtime;
+
+namespace {
+
+LinkStatus came(Refusal why) {
+    LinkStatus status;
+    status.counts.received[static_cast<std::size_t>(why)] = 3;
+    return status;
+}
+std::string why(const LinkStatus& status, bool is_refused = false) {
+    return to_sentence(explain_silence(status, is_refused, "arm:4701", "/home/ann/arm.key"));
+}
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+// A folder with keys, that is gone afterwards.
+struct Keys {
+    Keys() { REQUIRE(mkdtemp(folder.data()) != nullptr); }
+    ~Keys() { std::filesystem::remove_all(folder); }
+    [[nodiscard]] std::string file(const std::string& name) const { return folder + "/" + name; }
+    [[nodiscard]] ArmKey key(const std::string& name) const {
+        const auto key = load_or_make_arm_key(file(name));
+        REQUIRE(key);
+        return *key;
+    }
+    std::string folder = (std::filesystem::temp_directory_path() / "fulcrum_keys_XXXXXX").string();
+};
+
+// What is said when a program with the key `ours` wants the arm at `port`.
+std::string open_at(std::uint16_t port, const std::string& ours) {
+    RunRequest request;
+    request.hand = HandKind::link;
+    request.hand_address = "127.0.0.1:" + std::to_string(port);
+    request.key_file = ours;
+    const auto hand = HandDevice::open(request, HapticPlan{});
+    return hand ? "" : to_sentence(hand.error());
+}
+
+// Something at a port that goes on by itself, until the end.
+class Peer {
+  public:
+    template <class Round>
+    explicit Peer(Round round)
+        : thread_([this, round]() mutable {
+              while (!ended_.load()) {
+                  round(monotonic_now_s());
+                  std::this_thread::sleep_for(std::chrono::microseconds(700));
+              }
+          }) {}
+    ~Peer() {
+        ended_.store(true);
+        thread_.join();
+    }
+
+  private:
+    std::atomic<bool> ended_{false};
+    std::thread thread_;
+};
+
+std::unique_ptr<UdpSocket> listen() {
+    auto socket = UdpSocket::listen({"127.0.0.1", 0});
+    REQUIRE(socket);
+    return std::move(*socket);
+}
+
+// Answers whatever comes with a welcome sealed with `key`, and with another version where `version` is one.
+auto make_answerer(UdpSocket& socket, const ArmKey& key, std::uint16_t version) {
+    return [&socket, seal = std::make_shared<SodiumSeal>(key), version](double now_s) {
+        PacketBytes bytes{};
+        PeerAddress from;
+        while (socket.receive(now_s, bytes, from) > 0) {
+            LinkPacket welcome;
+            welcome.head = {PacketKind::welcome, 1, 2, 1, 1, 0, 0};
+            welcome.traits.rate_Hz = 1000.0;
+            const std::size_t size = write_packet(welcome, *seal, bytes);
+            bytes[4] = static_cast<std::byte>(version);
+            (void)socket.send(now_s, from, std::span(bytes).first(size));
+        }
+    };
+}
+
+}  // namespace
+
+TEST_CASE("link words: each silence has a sentence of its own") {
+    LinkStatus taken;
+    taken.taken = true;
+    CHECK(has(why(taken), "held by another program"));
+    CHECK(has(why(came(Refusal::forged)), "an arm answers with another key"));
+    CHECK(has(why(came(Refusal::forged)), "/home/ann/arm.key"));
+    CHECK(has(why(came(Refusal::version)), "another version of the link"));
+    CHECK(has(why({}, true), "no arm waits there"));
+    CHECK(has(why({}), "no arm answers, and nothing says that there is none"));
+    CHECK(has(why({}), "another key or version"));
+    CHECK(has(why({}), "arm:4701"));
+    // What came tells more than a port that was closed for a moment.
+    CHECK(has(why(came(Refusal::forged), true), "another key"));
+    // A packet that the way has damaged tells nothing of a key.
+    CHECK(has(why(came(Refusal::damaged)), "no arm answers"));
+    for (const Refusal seems : {Refusal::forged, Refusal::version}) {
+        LinkStatus damaged = came(Refusal::damaged);
+        damaged.counts.received[static_cast<std::size_t>(seems)] = 2;
+        CHECK(has(why(damaged), "no arm answers"));
+    }
+}
+
+TEST_CASE("link words: another key, another version, silence and a closed port are told apart") {
+    const Keys keys;
+    const ArmKey ours = keys.key("ours.key");
+    const ArmKey theirs = keys.key("theirs.key");
+    std::uint16_t closed = 0;
+    {
+        const auto socket = listen();
+        closed = socket->port();
+        const Peer peer(make_answerer(*socket, theirs, kLinkVersion));
+        CHECK(has(open_at(closed, keys.file("ours.key")), "another key"));
+    }
+    CHECK(has(open_at(closed, keys.file("ours.key")), "no arm waits there"));
+    {
+        const auto socket = listen();
+        const Peer peer(make_answerer(*socket, ours, kLinkVersion + 1));
+        CHECK(has(open_at(socket->port(), keys.file("ours.key")), "another version"));
+    }
+    // An arm with another key says nothing, here and to any stranger; it counts who knocked.
+    const auto socket = listen();
+    ScriptedDevice device;
+    const SodiumSeal seal(theirs);
+    SodiumNumbers numbers;
+    ArmServer server({}, device, *socket, seal, numbers);
+    {
+        const Peer peer([&](double now_s) { server.step(now_s); });
+        CHECK(has(open_at(socket->port(), keys.file("ours.key")), "no arm answers"));
+    }
+    const LinkCounts& counts = server.status().counts;
+    CHECK(counts.received[static_cast<std::size_t>(Refusal::forged)] > 10);
+    CHECK(counts.sent == 0);
+}
