@@ -42,6 +42,7 @@ bool LinkDevice::read(double now_s, DeviceReading& reading) noexcept {
     if (has_state_) {
         balance(now_s);
     }
+    watch_way(now_s);
     publish();
     if (!has_state_ || post_.clock().round_trip_s() > settings_.most_round_trip_s) {
         return false;
@@ -231,6 +232,16 @@ bool LinkDevice::write(double now_s, const Wrench& wrench_D) noexcept {
     packet.command.given = {force_.gave_J(), torque_.gave_J()};
     post_.send(now_s, packet);
     return true;
+}
+
+// One packet that waited somewhere is no long way, and without any nothing is known of it.
+void LinkDevice::watch_way(double now_s) noexcept {
+    const bool is_long = post_.clock().newest_round_trip_s() > settings_.most_round_trip_s;
+    if (!has_state_ || !post_.clock().is_known() || is_long == now_.too_long) {
+        way_since_s_ = now_s;
+    } else if (now_s - way_since_s_ > kWayFor_s) {
+        now_.too_long = is_long;
+    }
 }
 
 void LinkDevice::publish() noexcept {

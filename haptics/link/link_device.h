@@ -43,6 +43,8 @@ struct LinkStatus {
     double offset_s = 0.0;      ///< arm's clock minus ours
     double round_trip_s = 0.0;  ///< the least of the last seconds
     double newest_round_trip_s = 0.0;
+    bool too_long =
+        false;  ///< the newest round trips have been above most_round_trip_s for kWayFor_s
     double shift_m = 0.0;        ///< how far the scene's hand is moved aside now
     double peak_excess_J = 0.0;  ///< most that the link gave out here beyond what was put in
     std::uint64_t sessions = 0;  ///< how often a link was made
@@ -54,6 +56,8 @@ struct LinkStatus {
 class LinkDevice final : public Device {
   public:
     static constexpr double kHelloEvery_s = 0.05;
+    static constexpr double kWayFor_s =
+        0.5;  ///< a way is called long, or is not any more, after so long
     static constexpr double kSendEvery_s = 0.45e-3;  ///< at most 2 kHz, whatever the loop's rate
 
     /// Takes settings that `validate` accepted; the others must outlive the device.
@@ -89,6 +93,7 @@ class LinkDevice final : public Device {
     [[nodiscard]] Fault find_shut_gate(double now_s) noexcept;
     void balance(double now_s) noexcept;
     void shift_hand(double dt_s) noexcept;
+    void watch_way(double now_s) noexcept;
     void publish() noexcept;
 
     LinkDeviceSettings settings_;
@@ -107,6 +112,7 @@ class LinkDevice final : public Device {
     LinkState state_{};
     std::int64_t moved_ns_ = 0;  // when its place was last another, or it did not say that it moves
     double stamp_s_ = 0.0;       // of the state, on the run's clock
+    double way_since_s_ = 0.0;   // it is as too_long says
     double shut_since_s_ = 0.0;  // the arm's gate, although a force is asked for
     // What crossed it.
     double sent_s_ = -1.0;

@@ -64,6 +64,8 @@ void LinkDevice::part() noexcept {
     said_hello_s_ = -1.0;
     heard_s_ = 0.0;
     shut_since_s_ = 0.0;
+    way_since_s_ = 0.0;
+    now_.too_long = false;
     sent_s_ = -1.0;
 }
 

@@ -231,6 +231,13 @@ std::string HandDevice::take_notice() {
                   std::string(stands_in() ? "The mouse moves the hand until it is plugged in again."
                                           : "It moves the hand again; its force comes softly.");
     }
+    if (linked_ != nullptr) {
+        const LinkStatus link = linked_->status();
+        if (link.too_long != std::exchange(told_too_long_, link.too_long)) {
+            notice += (notice.empty() ? "" : " ") +
+                      describe_way(link, LinkDeviceSettings{}.most_round_trip_s);
+        }
+    }
     return notice;
 }
 

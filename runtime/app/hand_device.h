@@ -102,6 +102,7 @@ class HandDevice {
     const StandInDevice* stand_in_ =
         nullptr;  // around a HID device, where the mouse has nothing else to move
     bool told_stand_in_ = false;
+    bool told_too_long_ = false;
     const SpoiledArm* spoiled_ = nullptr;
 };
 

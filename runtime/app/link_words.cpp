@@ -1,5 +1,6 @@
 #include "runtime/app/link_words.h"
 
+#include <cmath>
 #include <cstddef>
 
 namespace fulcrum::runtime {
@@ -31,6 +32,17 @@ Error explain_silence(const LinkStatus& status, bool is_refused, const std::stri
             "if one runs there, it has another key or version, which its own screen tells: copy "
             "its key to " +
                 key_file + "; if none does, see to that computer and the network"};
+}
+
+std::string describe_way(const LinkStatus& status, double most_round_trip_s) {
+    const auto in_ms = [](double seconds) {
+        return std::to_string(std::lround(1.0e3 * seconds)) + " ms";
+    };
+    const std::string takes =
+        "The way to the arm takes " + in_ms(status.newest_round_trip_s) + " there and back";
+    return status.too_long ? takes + ", too long for forces (" + in_ms(most_round_trip_s) +
+                                 " at most): there are none until it is quicker."
+                           : takes + " now: forces come back, softly.";
 }
 
 }  // namespace fulcrum::runtime

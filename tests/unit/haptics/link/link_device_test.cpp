@@ -183,6 +183,36 @@ TEST_CASE("link: a way that takes longer than a hand can be served over gives no
     CHECK(held.n_poses == 0);
 }
 
+TEST_CASE("link: a way that becomes too long is told, and so is one that is quick again") {
+    Held held;
+    held.engage();
+    const auto told = [&] { return held.pair.device.status().too_long; };
+    // One slow exchange is nothing.
+    held.pair.faulty.set({.delay_s = 0.2});
+    held.run(300);
+    held.pair.faulty.set({});
+    held.run(1000);
+    REQUIRE_FALSE(told());
+    held.wrench = {};
+    held.run(500);
+    // The force goes at once; why, is known when new exchanges have come.
+    held.pair.faulty.set({.delay_s = 0.2});
+    held.run(4000);
+    CHECK(told());
+    held.run(2000);
+    CHECK(told());
+    CHECK(held.hand.written_D.force.norm() == 0.0);
+    held.pair.faulty.set({});
+    held.run(400);
+    CHECK(told());
+    held.run(1600);
+    CHECK_FALSE(told());
+    // Near the limit it is none.
+    held.pair.faulty.set({.delay_s = 0.12});
+    held.run(10'000);
+    CHECK_FALSE(told());
+}
+
 TEST_CASE("link: an arm that says that it moves and tells one place has a frozen sensor") {
     for (const double speed_m_per_s : {0.0, 0.04, 0.06}) {
         CAPTURE(speed_m_per_s);

@@ -2,6 +2,7 @@
 
 #include "haptics/base/clock.h"
 #include "haptics/link/arm_server.h"
+#include "haptics/link/link_faults.h"
 #include "runtime/app/hand_device.h"
 #include "runtime/link/arm_key.h"
 #include "runtime/link/udp_socket.h"
@@ -153,4 +154,60 @@ TEST_CASE("link words: another key, another version, silence and a closed port a
     const LinkCounts& counts = server.status().counts;
     CHECK(counts.received[static_cast<std::size_t>(Refusal::forged)] > 10);
     CHECK(counts.sent == 0);
+}
+
+TEST_CASE("link words: a way that becomes too long is told once, and once that it is not") {
+    LinkStatus status;
+    status.too_long = true;
+    status.newest_round_trip_s = 0.612;
+    CHECK(describe_way(status, 0.25) ==
+          "The way to the arm takes 612 ms there and back, too long for forces (250 ms at most): "
+          "there are none until it is quicker.");
+    status.too_long = false;
+    status.newest_round_trip_s = 0.012;
+    CHECK(describe_way(status, 0.25) ==
+          "The way to the arm takes 12 ms there and back now: forces come back, softly.");
+}
+
+TEST_CASE("link words: through sockets, in mid-run, both sentences come, each once") {
+    const Keys keys;
+    const auto socket = listen();
+    FaultyDatagrams line({}, *socket);
+    ScriptedDevice device;
+    const SodiumSeal seal(keys.key("arm.key"));
+    SodiumNumbers numbers;
+    ArmServer server({}, device, line, seal, numbers);
+    std::atomic<bool> is_slow{false};
+    const Peer peer([&](double now_s) {
+        line.set({.delay_s = is_slow.load() ? 0.2 : 0.0});
+        server.step(now_s);
+    });
+    RunRequest request;
+    request.hand = HandKind::link;
+    request.hand_address = "127.0.0.1:" + std::to_string(socket->port());
+    request.key_file = keys.file("arm.key");
+    const auto hand = HandDevice::open(request, HapticPlan{});
+    REQUIRE(hand);
+    const double began_s = monotonic_now_s();
+    const auto play = [&](double seconds) {
+        std::string said;
+        for (const double until_s = monotonic_now_s() + seconds; monotonic_now_s() < until_s;) {
+            const double now_s = monotonic_now_s() - began_s;
+            DeviceReading reading;
+            (void)(*hand)->device().read(now_s, reading);
+            (void)(*hand)->device().write(now_s, {});
+            said += (*hand)->take_notice();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return said;
+    };
+    CHECK(play(1.5).empty());
+    is_slow.store(true);
+    const std::string slow = play(3.5);
+    CHECK(has(slow, "too long for forces (250 ms at most)"));
+    CHECK(slow.find("The way", 1) == std::string::npos);
+    is_slow.store(false);
+    const std::string quick = play(3.0);
+    CHECK(has(quick, "forces come back, softly"));
+    CHECK(quick.find("The way", 1) == std::string::npos);
 }
