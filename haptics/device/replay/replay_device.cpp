@@ -33,7 +33,8 @@ bool ReplayDevice::read(double now_s, DeviceReading& reading) noexcept {
     }
     reading.pose_D = sample.pose_D;
     reading.buttons = sample.buttons;
-    reading.faults = sample.faults & Fault::clutched;
+    // What a device can have noticed by itself: a clutch, and that what came before was lost.
+    reading.faults = sample.faults & (Fault::clutched | Fault::device_stale);
     reading.stamp_s = past_end ? now_s : sample.stamp_s + offset_s_;
     return past_end || !any(sample.faults & Fault::device_read);
 }

@@ -72,3 +72,16 @@ TEST_CASE("replay: an empty record gives no pose and is finished") {
     CHECK_FALSE(replay.read(0.0, reading));
     CHECK(replay.finished());
 }
+
+TEST_CASE("replay: what a device has noticed by itself is told again, what a loop finds is not") {
+    Record record = make_record(10);
+    record.samples[2].faults = Fault::clutched | Fault::command_stale;
+    record.samples[3].faults = Fault::device_stale | Fault::hand_too_fast;
+    ReplayDevice replay(record);
+    for (int i = 0; i < 10; ++i) {
+        DeviceReading reading;
+        (void)replay.read(0.001 * i, reading);
+        const Fault told = i == 2 ? Fault::clutched : i == 3 ? Fault::device_stale : Fault::none;
+        CHECK(reading.faults == told);
+    }
+}
