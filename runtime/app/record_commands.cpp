@@ -71,12 +71,15 @@ int explain_force_command(const Options& options) {
         error.where = error.where.empty() ? options.lesson : error.where;
         return complain(error, 2);
     }
+    if (options.json) {
+        std::fputs(accounts_json(*accounts).c_str(), stdout);
+        return 0;
+    }
     for (std::size_t i = 0; i < accounts->size(); ++i) {
-        const ForceAccount& account = (*accounts)[i];
-        if (accounts->size() > 1 && !options.json) {
+        if (accounts->size() > 1) {
             std::printf("%sHand %zu\n", i == 0 ? "" : "\n", i + 1);
         }
-        std::fputs((options.json ? account_json(account) : account_text(account)).c_str(), stdout);
+        std::fputs(account_text((*accounts)[i]).c_str(), stdout);
     }
     return 0;
 }

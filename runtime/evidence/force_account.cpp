@@ -60,6 +60,25 @@ nlohmann::ordered_json json_of(const std::string& name, const Wrench& part_W,
             {"percent", percent_of(part_W.force, felt_W.force)}};
 }
 
+nlohmann::ordered_json json_of(const ForceAccount& account) {
+    const Wrench& felt_W = account.felt_W;
+    nlohmann::ordered_json effects = nlohmann::ordered_json::array();
+    for (const ForcePart& part : account.effects) {
+        effects.push_back(json_of(part.name, part.wrench_W, felt_W));
+    }
+    return {{"hand", account.hand + 1},
+            {"time_s", account.time_s},
+            {"round", account.tick},
+            {"touched", account.touched},
+            {"gate", gate_word(account.gate)},
+            {"faults", fault_words(account.faults)},
+            {"effects", std::move(effects)},
+            {"asked", json_of("asked for", account.asked_W, felt_W)},
+            {"limits", json_of("the limits", account.limit_W, felt_W)},
+            {"taken_by_gate", json_of("the gate", account.gate_W, felt_W)},
+            {"felt", json_of("felt", felt_W, felt_W)}};
+}
+
 std::string number(double value, const char* format) {
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), format, value);
@@ -157,26 +176,15 @@ std::string account_text(const ForceAccount& account) {
     return text;
 }
 
-std::string account_json(const ForceAccount& account) {
-    const Wrench& felt_W = account.felt_W;
-    nlohmann::ordered_json effects = nlohmann::ordered_json::array();
-    for (const ForcePart& part : account.effects) {
-        effects.push_back(json_of(part.name, part.wrench_W, felt_W));
+std::string accounts_json(std::span<const ForceAccount> accounts) {
+    nlohmann::ordered_json hands = nlohmann::ordered_json::array();
+    for (const ForceAccount& account : accounts) {
+        hands.push_back(json_of(account));
     }
     const nlohmann::ordered_json whole = {
-        {"version", 1},
-        {"lesson", account.lesson},
-        {"hand", account.hand + 1},
-        {"time_s", account.time_s},
-        {"round", account.tick},
-        {"touched", account.touched},
-        {"gate", gate_word(account.gate)},
-        {"faults", fault_words(account.faults)},
-        {"effects", std::move(effects)},
-        {"asked", json_of("asked for", account.asked_W, felt_W)},
-        {"limits", json_of("the limits", account.limit_W, felt_W)},
-        {"taken_by_gate", json_of("the gate", account.gate_W, felt_W)},
-        {"felt", json_of("felt", felt_W, felt_W)}};
+        {"version", 2},
+        {"lesson", accounts.empty() ? std::string() : accounts.front().lesson},
+        {"hands", std::move(hands)}};
     return whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -63,7 +63,7 @@ struct MostFelt {
 
 /// A table for people, one part a line, 80 columns.
 [[nodiscard]] std::string account_text(const ForceAccount& account);
-/// The same as one JSON object: see runtime/README.md.
-[[nodiscard]] std::string account_json(const ForceAccount& account);
+/// Those of all hands at one moment as one JSON object: see runtime/README.md.
+[[nodiscard]] std::string accounts_json(std::span<const ForceAccount> accounts);
 
 }  // namespace fulcrum::runtime

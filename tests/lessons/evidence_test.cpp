@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
 
 using namespace fulcrum;
@@ -192,6 +193,26 @@ TEST_CASE("evidence: another seed, another limit and another lesson are told for
           std::string::npos);
 }
 
+TEST_CASE("evidence: explain --force --json of a record of two hands is one document") {
+    const Sandbox sandbox;
+    const std::string play = "run " FULCRUM_EXAMPLES "/two-fingers --headless --seconds 4";
+    REQUIRE(sandbox.run(play + " --record two.rec").exit_code == 0);
+    const ProgramRun told = sandbox.run("explain --force 3 two.rec --json");
+    INFO(told.output);
+    CHECK(told.exit_code == 0);
+    const auto json = nlohmann::json::parse(told.output, nullptr, false);
+    REQUIRE_FALSE(json.is_discarded());
+    CHECK(json["lesson"] == "two-fingers");
+    REQUIRE(json["hands"].size() == 2);
+    const Record record = read_run(sandbox.path("two.rec"));
+    const auto second = find_hand(record, 1);
+    REQUIRE(second);
+    CHECK(json["hands"][0]["felt"]["force_N"][1].get<double>() ==
+          sample_at(record, 3.0).applied_W.force.y());
+    CHECK(json["hands"][1]["felt"]["force_N"][1].get<double>() ==
+          sample_at(*second, 3.0).applied_W.force.y());
+}
+
 TEST_CASE("evidence: explain --force accounts for a force, export writes it to the bit") {
     const Sandbox sandbox;
     REQUIRE(sandbox.run("run gravity --headless --seconds 12 --record a.rec").exit_code == 0);
@@ -206,8 +227,11 @@ TEST_CASE("evidence: explain --force accounts for a force, export writes it to t
     CHECK(told.output.find("(round " + std::to_string(strongest->tick) + ")") != std::string::npos);
     CHECK(told.output.find("N down") != std::string::npos);
     CHECK(told.output.find("weight") != std::string::npos);
-    CHECK(sandbox.run("explain a.rec --force 3 --json").output.find("\"taken_by_gate\"") !=
-          std::string::npos);
+    const auto json =
+        nlohmann::json::parse(sandbox.run("explain a.rec --force 3 --json").output, nullptr, false);
+    REQUIRE_FALSE(json.is_discarded());
+    REQUIRE(json["hands"].size() == 1);
+    CHECK(json["hands"][0].contains("taken_by_gate"));
     const ProgramRun late = sandbox.run("explain --force 99 a.rec");
     CHECK(late.exit_code == 2);
     CHECK(late.output.find("a.rec: the record has no round at 99 s; give --force a time from 0 to "

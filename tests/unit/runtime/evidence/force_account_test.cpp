@@ -159,7 +159,11 @@ TEST_CASE("force account: the table says who, how much, where to and what was ta
 
 TEST_CASE("force account: the JSON holds the numbers to the bit") {
     const ForceAccount at = *find_account(make_record(), 0.503);
-    const auto json = nlohmann::json::parse(account_json(at));
+    const auto whole = nlohmann::json::parse(accounts_json({&at, 1}));
+    CHECK(whole["version"] == 2);
+    CHECK(whole["lesson"] == "gravity");
+    REQUIRE(whole["hands"].size() == 1);
+    const auto& json = whole["hands"][0];
     CHECK(json["round"] == 3);
     CHECK(json["touched"] == "apple");
     CHECK(json["hand"] == 1);
@@ -168,4 +172,15 @@ TEST_CASE("force account: the JSON holds the numbers to the bit") {
     CHECK(json["effects"][0]["force_N"][0].get<double>() == at.effects[0].wrench_W.force.x());
     CHECK(json["felt"]["percent"].get<double>() == Approx(100.0));
     CHECK(json["taken_by_gate"]["force_N"][1].get<double>() == 0.5);
+}
+
+TEST_CASE("force account: of several hands the JSON is one document, of none too") {
+    std::vector<ForceAccount> accounts = {*find_account(make_record(), 0.503),
+                                          *find_account(make_record(), 0.503)};
+    accounts[1].hand = 1;
+    const auto two = nlohmann::json::parse(accounts_json(accounts));
+    REQUIRE(two["hands"].size() == 2);
+    CHECK(two["hands"][0]["hand"] == 1);
+    CHECK(two["hands"][1]["hand"] == 2);
+    CHECK(nlohmann::json::parse(accounts_json({}))["hands"].empty());
 }
