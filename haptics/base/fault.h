@@ -21,6 +21,7 @@ enum class Fault : std::uint32_t {
     hand_too_fast = 1U << 10,  ///< the hand moves faster than forces may follow it
     too_much_energy = 1U << 11,  ///< the hand was given more energy in a second than is allowed
     clutched = 1U << 12,         ///< the person holds the clutch: the arm moves and the hand stays
+    other_stopped = 1U << 13,    ///< the emergency stop of another hand of this run
 };
 
 [[nodiscard]] constexpr Fault operator|(Fault a, Fault b) noexcept {
@@ -35,5 +36,8 @@ constexpr Fault& operator|=(Fault& a, Fault b) noexcept {
 [[nodiscard]] constexpr bool any(Fault faults) noexcept {
     return faults != Fault::none;
 }
+
+/// A stop, this hand's or another's: the force fades and stays away until somebody lifts it.
+inline constexpr Fault kStops = Fault::emergency_stop | Fault::other_stopped;
 
 }  // namespace fulcrum

@@ -78,6 +78,8 @@ struct HapticChannels {
     std::atomic<bool> rearm{false};
     /// Set by anybody when the run is over: the force fades and stays away. Nothing has failed.
     std::atomic<bool> ended{false};
+    /// Set while the stop of another hand of this run holds: as if it were this one's. Writer: the round of all hands.
+    std::atomic<bool> other_stopped{false};
 };
 
 using WorldCommandRing = EventRing<WorldCommand, 256>;

@@ -10,23 +10,25 @@ template <class StepOne>
 void HandsLoop::run_round(const StepOne& step_one) noexcept {
     const HandInRound& first = hands_.front();
     const bool was_stopped = first.loop->state().gate == GatePhase::stopped;
-    bool is_stopped = false;
-    bool is_lifted = false;
     for (std::size_t i = 0; i < hands_.size(); ++i) {
-        const HandInRound& hand = hands_[i];
+        HapticChannels& channels = *hands_[i].channels;
         if (i > 0) {
-            pass_on(*hand.channels, is_stopped, is_lifted);
+            pass_on(channels, was_stopped && first.loop->state().gate != GatePhase::stopped);
         }
+        channels.other_stopped.store(is_stopped_beside(i), std::memory_order_release);
         step_one(i);
-        const HapticState& state = hand.loop->state();
-        const bool stops = any(state.faults & Fault::emergency_stop);
-        if (i == 0) {
-            is_lifted = was_stopped && state.gate != GatePhase::stopped;
-        } else if (stops && !is_stopped) {
-            first.channels->emergency_stop.tap();
-        }
-        is_stopped = is_stopped || stops;
+        stops_[i] = any(hands_[i].loop->state().faults & Fault::emergency_stop) ? 1 : 0;
     }
+}
+
+// What stops another hand only because this one does would hold both for ever.
+bool HandsLoop::is_stopped_beside(std::size_t hand) const noexcept {
+    for (std::size_t i = 0; i < stops_.size(); ++i) {
+        if (i != hand && stops_[i] != 0) {
+            return true;
+        }
+    }
+    return false;
 }
 
 void HandsLoop::step(double now_s) noexcept {
@@ -41,16 +43,14 @@ void HandsLoop::step_observed(double now_s, StageListener& listener) noexcept {
 }
 
 // The first one's loop alone takes its switches; the others hear of it here.
-void HandsLoop::pass_on(HapticChannels& other, bool is_stopped, bool is_lifted) const noexcept {
+void HandsLoop::pass_on(HapticChannels& other, bool is_lifted) const noexcept {
     const HapticChannels& said = *hands_.front().channels;
     const auto copy = [](const std::atomic<bool>& from, std::atomic<bool>& to) {
         to.store(from.load(std::memory_order_acquire), std::memory_order_release);
     };
     copy(said.lesson_failed, other.lesson_failed);
     copy(said.ended, other.ended);
-    if (is_stopped) {
-        other.emergency_stop.tap();
-    } else if (is_lifted) {
+    if (is_lifted) {
         other.rearm.store(true, std::memory_order_release);
     }
 }

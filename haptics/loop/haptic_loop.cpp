@@ -118,8 +118,11 @@ void HapticLoop::take_inputs() noexcept {
 // A stop's fade comes to its end before it is lifted; a stop that comes meanwhile has been lifted by nobody.
 void HapticLoop::take_stop() noexcept {
     const bool lifts = channels_.rearm.load(std::memory_order_acquire);
-    if (channels_.emergency_stop.take()) {
-        state_.faults |= Fault::emergency_stop;
+    const bool is_own = channels_.emergency_stop.take();
+    const bool is_other = channels_.other_stopped.load(std::memory_order_acquire);
+    state_.faults |= is_own ? Fault::emergency_stop : Fault::none;
+    state_.faults |= is_other ? Fault::other_stopped : Fault::none;
+    if (is_own || is_other) {
         if (lift_waits_) {
             channels_.rearm.store(false, std::memory_order_release);
         }

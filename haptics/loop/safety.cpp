@@ -153,7 +153,7 @@ Wrench SafetyGate::pass(const Wrench& commanded_D, Fault faults, double dt_s) no
 // Chooses the phase of this call.
 void SafetyGate::judge(const Wrench& commanded, double dt_s) noexcept {
     // An emergency stop wins over everything and stays; a fade under way goes on from where it is.
-    if (any(faults_ & Fault::emergency_stop) && phase_ != GatePhase::stopped) {
+    if (any(faults_ & kStops) && phase_ != GatePhase::stopped) {
         if (phase_ == GatePhase::fading) {
             phase_ = GatePhase::stopped;
         } else {

@@ -2,7 +2,7 @@
 // happened and was decided meanwhile.
 //
 // File, little-endian throughout; a text is a u32 number of bytes and so many of UTF-8, at most 4096:
-//   header           magic 89 46 4C 43 52 0D 0A 1A | u32 version = 6 | u32 header bytes |
+//   header           magic 89 46 4C 43 52 0D 0A 1A | u32 version = 7 | u32 header bytes |
 //                    f64 rate in hertz | f64 the gate's newtons | f64 its newton metres | text lesson |
 //                    u32 n, n texts: the effects | u32 n, n texts: the bodies |
 //                    u32 n, n pairs of texts: what the run was made with, name and value |
@@ -23,7 +23,7 @@
 // Versions 1 to 4 are read too: their header has 88 bytes, which end with the lesson in 60 and the CRC; their samples
 // have neither touched body nor effects, their events 48 bytes of text padded with zeros; they have no bodies. Version 1
 // knew no Fault::ended, version 2 none of those of hand_guard.h, version 3 no clutch. Version 5 knew one hand: its header ends
-// with the facts, its end has 24 bytes.
+// with the facts, its end has 24 bytes. Version 6 knew no Fault::other_stopped.
 // No clock of the day and no address is in it: the same run of the same program makes the same bytes. A file without the
 // end block was cut off; its whole blocks are good.
 //
@@ -45,7 +45,7 @@
 
 namespace fulcrum {
 
-inline constexpr std::uint32_t kRecordVersion = 6;
+inline constexpr std::uint32_t kRecordVersion = 7;
 inline constexpr std::size_t kRecordTextBytes = 4096;  ///< of any text, at most
 inline constexpr std::size_t kRecordSampleBytes = 240;
 inline constexpr std::size_t kRecordShareBytes = 48;

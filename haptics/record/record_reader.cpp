@@ -21,7 +21,8 @@ constexpr std::size_t kMostPayloadBytes =
     kMostSamplesInBlock * (kRecordSampleBytes + kMostEffects * kRecordShareBytes);
 // The last fault that each version knows, oldest first.
 constexpr Fault kLastFaults[] = {Fault::device_write, Fault::ended,    Fault::too_much_energy,
-                                 Fault::clutched,     Fault::clutched, Fault::clutched};
+                                 Fault::clutched,     Fault::clutched, Fault::clutched,
+                                 Fault::other_stopped};
 static_assert(std::size(kLastFaults) == kRecordVersion);
 constexpr std::uint32_t kFirstWithShares = 5;  // version whose samples tell what each effect adds
 constexpr std::uint32_t kFirstWithHands = 6;

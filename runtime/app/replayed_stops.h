@@ -2,7 +2,8 @@
 // noticed, so that the gates go through the same phases.
 //
 //   before each round of the hands, of each hand's sample of that round:
-//     emergency_stop among its faults      the stop is tapped, whoever pressed it then: a key, another hand, the arm's own button
+//     emergency_stop among its faults      the stop is tapped, whoever pressed it then: a key, the arm's own button; in a record before
+//                                          version 7 another hand too
 //     stopped before, and no longer        it was lifted: rearm
 //     ended among its faults               the run was left: ended
 // That the lesson failed is not repeated: it fails again by itself, or does not.

@@ -58,7 +58,8 @@ std::string fault_words(Fault faults) {
                                            "run ended",
                                            "hand too fast",
                                            "too much energy",
-                                           "clutch held"};
+                                           "clutch held",
+                                           "another hand stopped"};
     std::string text;
     for (std::size_t bit = 0; bit < std::size(kWords); ++bit) {
         if (any(faults & static_cast<Fault>(1U << bit))) {

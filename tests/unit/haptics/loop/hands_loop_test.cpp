@@ -152,6 +152,69 @@ TEST_CASE("hands: a stop at any device is a stop of all, and no key lifts it whi
     CHECK(TwoHands::gate(two.second) != GatePhase::stopped);
 }
 
+TEST_CASE("hands: a stop that is held holds all steadily, and each hand tells whose it is") {
+    struct Held {
+        bool first;
+        bool second;
+    };
+    for (const Held held : {Held{true, false}, Held{false, true}, Held{true, true}}) {
+        CAPTURE(held.first, held.second);
+        TwoHands two;
+        two.hold();
+        const auto press = [](Bench& bench, bool is_held) {
+            if (is_held) {
+                bench.channels->emergency_stop.press();
+            }
+        };
+        press(two.first, held.first);
+        press(two.second, held.second);
+        const auto told = [](bool own, bool other) {
+            return (own ? Fault::emergency_stop : Fault::none) |
+                   (other ? Fault::other_stopped : Fault::none);
+        };
+        two.run(kFade + 2);
+        for (int i = 0; i < 1000; ++i) {
+            two.run(1);
+            REQUIRE(two.first.loop.state().faults == told(held.first, held.second));
+            REQUIRE(two.second.loop.state().faults == told(held.second, held.first));
+            REQUIRE(TwoHands::gate(two.first) == GatePhase::stopped);
+            REQUIRE(TwoHands::gate(two.second) == GatePhase::stopped);
+            REQUIRE(TwoHands::force_N(two.first) == 0.0);
+            REQUIRE(TwoHands::force_N(two.second) == 0.0);
+        }
+        // Let go, it is told no longer, and one lift frees both.
+        two.first.channels->emergency_stop.release();
+        two.second.channels->emergency_stop.release();
+        two.run(2);
+        CHECK(two.first.loop.state().faults == Fault::none);
+        CHECK(two.second.loop.state().faults == Fault::none);
+        two.first.channels->rearm.store(true);
+        two.run(2);
+        CHECK(TwoHands::gate(two.first) == GatePhase::waiting);
+        CHECK(TwoHands::gate(two.second) == GatePhase::waiting);
+        two.first.world.carried_force_W = two.second.world.carried_force_W = Vector3::Zero();
+        two.hold();
+    }
+}
+
+TEST_CASE("hands: a hand's own fault stays told while another holds a stop") {
+    for (const bool first_stops : {true, false}) {
+        CAPTURE(first_stops);
+        TwoHands two;
+        two.hold();
+        Bench& stopping = first_stops ? two.first : two.second;
+        Bench& failing = first_stops ? two.second : two.first;
+        stopping.channels->emergency_stop.press();
+        failing.device.gives_pose = false;
+        two.run(2);
+        for (int i = 0; i < 1000; ++i) {
+            two.run(1);
+            REQUIRE(stopping.loop.state().faults == Fault::emergency_stop);
+            REQUIRE(failing.loop.state().faults == (Fault::device_read | Fault::other_stopped));
+        }
+    }
+}
+
 TEST_CASE("hands: a lesson that fails or is left fades all, and comes back to all") {
     TwoHands two;
     two.hold();

@@ -84,6 +84,14 @@ std::vector<std::byte> as_version_5(std::vector<std::byte> bytes) {
     return bytes;
 }
 
+// The same bytes where nothing is told that version 6 did not know.
+std::vector<std::byte> as_version_6(std::vector<std::byte> bytes) {
+    const std::size_t head = u32_at(bytes, kHeaderSizeAt);
+    put_at(bytes, 8, 6);
+    put_at(bytes, head - 4, compute_crc32(std::span(bytes).first(head - 4)));
+    return bytes;
+}
+
 bool same_rounds(const RecordSample& a, const RecordSample& b) {
     return a.tick == b.tick && a.time_s == b.time_s && a.pose_D.position == b.pose_D.position &&
            a.applied_W.force == b.applied_W.force && a.faults == b.faults && a.gate == b.gate;
@@ -170,6 +178,22 @@ TEST_CASE("record: hands that cannot be are refused, each with its sentence") {
     RecordEncoder encoder(crowd);
     encoder.finish();
     CHECK(read_record(encoder.take_bytes())->header.more_hands.size() == kRecordMoreHands);
+}
+
+TEST_CASE("record: of version 6 is read, and has not what it did not know: another hand's stop") {
+    const auto record = read_record(as_version_6(make_two_bytes(20)));
+    REQUIRE(record);
+    CHECK(record->version == 6);
+    CHECK(record->more_hands[0].samples.size() == 15);
+    RecordSample sample = make_sample(1);
+    sample.faults = Fault::other_stopped;
+    RecordEncoder encoder(make_two_hands());
+    encoder.append(sample);
+    encoder.finish();
+    const auto bytes = encoder.take_bytes();
+    REQUIRE(read_record(bytes));
+    CHECK(read_record(bytes)->samples[0].faults == Fault::other_stopped);
+    CHECK_FALSE(read_record(as_version_6(bytes)));
 }
 
 TEST_CASE("record: of version 5, which knew one hand, is read; in one a second hand is none") {

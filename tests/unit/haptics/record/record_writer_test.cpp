@@ -81,7 +81,7 @@ TEST_CASE("record: sizes are as the format says, and fields lie where it says") 
                       "\x89"
                       "FLCR\r\n\x1a",
                       8) == 0);
-    CHECK(static_cast<int>(bytes[8]) == 6);  // version, least byte first
+    CHECK(static_cast<int>(bytes[8]) == 7);  // version, least byte first
     CHECK(static_cast<std::size_t>(bytes[12]) == head);
     CHECK(static_cast<int>(bytes[40]) == 7);  // the lesson's length, behind three numbers
     CHECK(std::memcmp(&bytes[44], "gravity", 7) == 0);

@@ -110,10 +110,17 @@ TEST_CASE("replayed stops: stops, lifts and leaving of two hands are repeated to
             run->channels[0].emergency_stop.release();
             run->channels[0].rearm.store(true);
         }
-        if (k == 2600) {
+        if (k == 2000) {
+            run->channels[1].emergency_stop.press();  // at the second arm, held
+        }
+        if (k == 2100) {
+            run->channels[1].emergency_stop.release();
+            run->channels[0].rearm.store(true);
+        }
+        if (k == 3600) {
             run->channels[1].emergency_stop.tap();  // at the second arm
         }
-        if (k == 2650) {
+        if (k == 3650) {
             run->channels[0].rearm.store(true);  // while it fades
         }
         if (k == 5200) {

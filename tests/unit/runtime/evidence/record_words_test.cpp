@@ -35,10 +35,10 @@ TEST_CASE("record words: every phase, fault, event and place has a word of its o
     CHECK(fault_words(Fault::device_read | Fault::too_much_energy) ==
           "no pose from the device, too much energy");
     std::set<std::string> faults;
-    for (unsigned bit = 1; bit <= static_cast<unsigned>(Fault::clutched); bit *= 2) {
+    for (unsigned bit = 1; bit <= static_cast<unsigned>(Fault::other_stopped); bit *= 2) {
         faults.insert(fault_words(static_cast<Fault>(bit)));
     }
-    CHECK((faults.size() == 13 && !faults.contains("none")));
+    CHECK((faults.size() == 14 && !faults.contains("none")));
 }
 
 TEST_CASE("record words: directions are a person's before the screen, the strongest first") {
