@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace fulcrum {
 namespace {
@@ -13,12 +14,21 @@ constexpr double kBefore_s = 10.0;  // link time when the run begins: the link i
 constexpr double kRound_s = 0.001;
 constexpr double kHalfRound_s = 0.5 * kRound_s;
 constexpr double kFelt_N = 0.05;
+constexpr double kFelt_Nm = 0.005;
 constexpr double kGone_N = 1.0e-9;
+constexpr double kGone_Nm = 1.0e-9;
+constexpr double kRounding = 1.0e-9;
 
 SimulatedArmSettings spoiled_settings() {
     SimulatedArmSettings settings = make_desktop_arm();
     settings.max_force_N = kHardForceCap_N;
     settings.human = kArm;
+    return settings;
+}
+
+ArmServerSettings server_settings(const SafetySettings& own) {
+    ArmServerSettings settings;
+    settings.safety = own;
     return settings;
 }
 
@@ -32,6 +42,23 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t word) noexcept {
 }
 
 }  // namespace
+
+FeltLimit find_broken(const FeltLimits& limits, const Wrench& before, const Wrench& now,
+                      double dt_s) noexcept {
+    const auto keeps = [](double value, double most) { return value <= most + kRounding; };
+    if (!keeps(now.force.norm(), limits.force_N)) {
+        return FeltLimit::force;
+    }
+    if (!keeps(now.torque.norm(), limits.torque_Nm)) {
+        return FeltLimit::torque;
+    }
+    if (!keeps((now.force - before.force).norm(), limits.slew_N_per_s * dt_s)) {
+        return FeltLimit::slew;
+    }
+    return keeps((now.torque - before.torque).norm(), limits.slew_Nm_per_s * dt_s)
+               ? FeltLimit::none
+               : FeltLimit::torque_slew;
+}
 
 bool SpoiledArm::Arm::read(double now_s, DeviceReading& reading) noexcept {
     (void)arm.read(now_s, reading);
@@ -51,7 +78,12 @@ bool SpoiledArm::Arm::read(double now_s, DeviceReading& reading) noexcept {
 }
 
 bool SpoiledArm::Arm::write(double now_s, const Wrench& wrench_D) noexcept {
+    written_D = wrench_D;
     return arm.write(now_s, wrench_D) && spoil != Spoil::motor;
+}
+
+void SpoiledArm::Arm::take_hold(bool holds) noexcept {
+    arm.take_hold(holds ? kArm : kNobody);
 }
 
 SealTag SpoiledArm::OpenSeal::make(std::span<const std::byte> message) const noexcept {
@@ -77,11 +109,15 @@ bool SpoiledArm::OpenSeal::holds(std::span<const std::byte> message,
     return std::equal(right.begin(), right.end(), tag.begin());
 }
 
-SpoiledArm::SpoiledArm(std::uint64_t seed, LatestValue<HandTarget>& target)
+SpoiledArm::SpoiledArm(std::uint64_t seed, LatestValue<HandTarget>& target,
+                       const SafetySettings& own)
     : chance_(seed),
-      arm_(spoiled_settings(), target),
+      planned_(target),
+      hand_(compute_split_mix(~seed)),
+      own_(own),
+      arm_(spoiled_settings(), wanted_),
       line_({.seed = seed}, channel_.end(0)),
-      server_({}, arm_, channel_.end(1), seal_, numbers_),
+      server_(server_settings(own), arm_, channel_.end(1), seal_, numbers_),
       device_({.max_force_N = kHardForceCap_N, .max_torque_Nm = kHardTorqueCap_Nm}, line_, seal_,
               numbers_) {
     counts_.hash = kFirstHash;
@@ -89,6 +125,15 @@ SpoiledArm::SpoiledArm(std::uint64_t seed, LatestValue<HandTarget>& target)
         server_.step(now_s + kHalfRound_s);
     }
     until_s_ = draw_first(chance_);
+    watch_limits(own);
+}
+
+// A force goes through two gates, and the last one's slew is what the hand feels: after packets that were lost it catches up with the first.
+void SpoiledArm::watch_limits(const SafetySettings& run) noexcept {
+    limits_.force_N = std::min(run.max_force_N, own_.max_force_N);
+    limits_.torque_Nm = std::min(run.max_torque_Nm, own_.max_torque_Nm);
+    limits_.slew_N_per_s = own_.max_slew_N_per_s;
+    limits_.slew_Nm_per_s = own_.max_slew_N_per_s * own_.max_torque_Nm / own_.max_force_N;
 }
 
 double SpoiledArm::draw_first(SplitMix& chance) noexcept {
@@ -121,6 +166,7 @@ double SpoiledArm::draw(double low, double high) noexcept {
 
 bool SpoiledArm::read(double now_s, DeviceReading& reading) noexcept {
     choose(now_s);
+    move_hand(now_s);
     serve(now_s);
     const bool read = device_.read(kBefore_s + now_s, reading);
     reading.stamp_s -= kBefore_s;
@@ -129,6 +175,16 @@ bool SpoiledArm::read(double now_s, DeviceReading& reading) noexcept {
 
 bool SpoiledArm::write(double now_s, const Wrench& wrench_D) noexcept {
     return device_.write(kBefore_s + now_s, wrench_D);
+}
+
+void SpoiledArm::move_hand(double now_s) noexcept {
+    (void)planned_.take();
+    wanted_.publish(hand_.step(now_s, planned_.value()));
+    if (hand_.holds() != holds_) {
+        holds_ = hand_.holds();
+        arm_.take_hold(holds_);
+    }
+    counts_.deeds = hand_.done();
 }
 
 // A program whose clock has jumped stood still, and the arm did not: its rounds of that time come first. What has had the time to go must
@@ -158,7 +214,7 @@ void SpoiledArm::serve_round() noexcept {
 
 void SpoiledArm::serve_alone(double since_s) noexcept {
     serve_round();
-    if (since_s >= kMostFade_s && counts_.force_N > kGone_N) {
+    if (since_s >= kMostFade_s && !is_gone()) {
         ++counts_.missed_fades;
         blame(served_s_);
     }
@@ -188,7 +244,7 @@ void SpoiledArm::begin(Spoil spoil, double now_s) noexcept {
     spoil_ = spoil;
     from_s_ = now_s;
     until_s_ = now_s + draw(0.3, 2.0);
-    felt_before_ = force_D_.norm() > kFelt_N;
+    felt_before_ = felt_D_.force.norm() > kFelt_N || felt_D_.torque.norm() > kFelt_Nm;
     saw_gone_ = false;
     ++counts_.happened[static_cast<std::size_t>(spoil)];
     arm_.spoil = spoil;
@@ -244,36 +300,52 @@ void SpoiledArm::end() noexcept {
     line_.set({});
 }
 
-// What the hand feels, held against what it may.
+bool SpoiledArm::is_gone() const noexcept {
+    return counts_.force_N <= kGone_N && counts_.torque_Nm <= kGone_Nm;
+}
+
+// What the hand feels, held against what it may, in the arm's own time: a round that a jump of the program's clock ends is longer.
 void SpoiledArm::watch(double now_s) noexcept {
-    const Vector3 force_D = arm_.arm.force_D();
-    const Vector3 x_D = arm_.arm.position_D();
-    const double size_N = force_D.norm();
-    // A change of one round; a loop that was late may have two in it.
-    constexpr double kMostStep_N = 2.0e-3 * 500.0;
-    const bool breaks =
-        !(size_N <= kHardForceCap_N) || !((force_D - force_D_).norm() <= kMostStep_N + 1e-9);
-    if (breaks) {
+    const Wrench felt_D = arm_.written_D;
+    const double dt_s = now_s + asleep_s_ - std::exchange(watched_s_, now_s + asleep_s_);
+    if (const FeltLimit broken = find_broken(limits_, felt_D_, felt_D, dt_s);
+        broken != FeltLimit::none) {
         ++counts_.broken_limits;
+        counts_.broken = counts_.broken == FeltLimit::none ? broken : counts_.broken;
         blame(now_s);
     }
-    counts_.force_N = size_N;
-    counts_.peak_N = std::max(counts_.peak_N, size_N);
+    felt_D_ = felt_D;
+    counts_.force_N = felt_D.force.norm();
+    counts_.torque_Nm = felt_D.torque.norm();
+    counts_.peak_N = std::max(counts_.peak_N, counts_.force_N);
+    counts_.peak_Nm = std::max(counts_.peak_Nm, counts_.torque_Nm);
     ++counts_.rounds;
-    counts_.felt_rounds += size_N > kFelt_N ? 1 : 0;
-    if (must_fade(spoil_) && now_s - from_s_ >= kMostFade_s) {
-        if (size_N > kGone_N) {
-            ++counts_.missed_fades;
-            blame(now_s);
-        }
-        if (felt_before_ && !saw_gone_ && size_N <= kGone_N) {
-            saw_gone_ = true;
-            ++counts_.fades;
-        }
+    counts_.felt_rounds += counts_.force_N > kFelt_N ? 1 : 0;
+    counts_.turned_rounds += counts_.torque_Nm > kFelt_Nm ? 1 : 0;
+    counts_.quiet_s = spoil_ == Spoil::nothing ? std::max(now_s - from_s_, 0.0) : 0.0;
+    watch_fade(now_s);
+    mix_in(now_s, felt_D);
+}
+
+void SpoiledArm::watch_fade(double now_s) noexcept {
+    if (!must_fade(spoil_) || now_s - from_s_ < kMostFade_s) {
+        return;
     }
-    force_D_ = force_D;
+    if (!is_gone()) {
+        ++counts_.missed_fades;
+        blame(now_s);
+    } else if (felt_before_ && !saw_gone_) {
+        saw_gone_ = true;
+        ++counts_.fades;
+        ++counts_.faded[static_cast<std::size_t>(spoil_)];
+    }
+}
+
+void SpoiledArm::mix_in(double now_s, const Wrench& felt_D) noexcept {
+    const Vector3 x_D = arm_.arm.position_D();
     for (const double value :
-         {now_s, x_D.x(), x_D.y(), x_D.z(), force_D.x(), force_D.y(), force_D.z()}) {
+         {now_s, x_D.x(), x_D.y(), x_D.z(), felt_D.force.x(), felt_D.force.y(), felt_D.force.z(),
+          felt_D.torque.x(), felt_D.torque.y(), felt_D.torque.z()}) {
         counts_.hash = mix(counts_.hash, std::bit_cast<std::uint64_t>(value));
     }
 }

@@ -3,14 +3,16 @@
 //
 //   haptic loop -> LinkDevice -> FaultyDatagrams -> ArmServer -> simulated arm and hand
 // Every few seconds one thing breaks for a while: the line, a sensor, the motor, somebody presses stop at the arm, or the program's computer
-// sleeps, so that the arm goes on and the program's clock does not. Where the program's clock jumps, the arm has gone on too. Meanwhile it is
-// watched that no force passes the limit nor jumps, and that where the force must fade it is gone in kMostFade_s. The same seed and the
-// same calls give the same bits: `hash` is over every pose and force.
+// sleeps, so that the arm goes on and the program's clock does not. Where the program's clock jumps, the arm has gone on too. The hand does
+// what it likes (random_hand.h). Meanwhile it is watched that no force or torque passes the run's own limits, nor changes faster than they
+// allow, and that where it must fade it is gone in kMostFade_s. The same seed and the same calls give the same bits: `hash` is over every
+// pose and wrench.
 //
 // Thread: that of the haptic loop. Cost: some microseconds a round; allocates nothing after it was built.
 #pragma once
 
 #include "haptics/device/device.h"
+#include "haptics/device/simulated/random_hand.h"
 #include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/link/arm_server.h"
 #include "haptics/link/link_device.h"
@@ -58,17 +60,44 @@ inline constexpr std::size_t kSpoils = static_cast<std::size_t>(Spoil::sleep) + 
            spoil == Spoil::stuck_sensor || spoil == Spoil::motor || spoil == Spoil::arm_stop;
 }
 
+/// What the hand may feel.
+struct FeltLimits {
+    double force_N = kHardForceCap_N;
+    double torque_Nm = kHardTorqueCap_Nm;
+    double slew_N_per_s = SafetySettings{}.max_slew_N_per_s;
+    double slew_Nm_per_s = SafetySettings{}.max_slew_N_per_s;
+};
+
+/// Which of them was passed.
+enum class FeltLimit : std::uint8_t { none, force, slew, torque, torque_slew };
+[[nodiscard]] constexpr const char* name_of(FeltLimit limit) noexcept {
+    constexpr const char* kNames[] = {"nothing", "a force above its limit",
+                                      "a force that changed too fast", "a torque above its limit",
+                                      "a torque that changed too fast"};
+    static_assert(std::size(kNames) == static_cast<std::size_t>(FeltLimit::torque_slew) + 1);
+    return kNames[static_cast<std::size_t>(limit)];
+}
+/// Which limit a wrench breaks that comes `dt_s` after another.
+[[nodiscard]] FeltLimit find_broken(const FeltLimits& limits, const Wrench& before,
+                                    const Wrench& now, double dt_s) noexcept;
+
 /// What was seen so far.
 struct SpoiledCounts {
     std::array<std::uint64_t, kSpoils> happened{};  ///< by Spoil
+    std::array<std::uint64_t, kSpoils> faded{};  ///< of those that must: from a force that was felt
+    std::array<std::uint64_t, kHandDeeds> deeds{};  ///< of the hand, by HandDeed
     std::uint64_t rounds = 0;
-    std::uint64_t felt_rounds = 0;   ///< with a force above 0.05 N on the hand
-    std::uint64_t fades = 0;         ///< seen where they had to be, from a force above 0.05 N
-    std::uint64_t missed_fades = 0;  ///< a force was left where none may be
-    std::uint64_t broken_limits =
-        0;  ///< rounds with more force than allowed, or a change faster than the slew
+    std::uint64_t felt_rounds = 0;       ///< with a force above 0.05 N on the hand
+    std::uint64_t turned_rounds = 0;     ///< with a torque above 0.005 Nm
+    std::uint64_t fades = 0;             ///< of all kinds
+    std::uint64_t missed_fades = 0;      ///< a force or torque was left where none may be
+    std::uint64_t broken_limits = 0;     ///< rounds in which a limit was passed
+    FeltLimit broken = FeltLimit::none;  ///< the first
     double peak_N = 0.0;
+    double peak_Nm = 0.0;
     double force_N = 0.0;       ///< on the hand now
+    double torque_Nm = 0.0;     ///< likewise
+    double quiet_s = 0.0;       ///< for so long nothing has been broken; 0 while something is
     double bad_since_s = -1.0;  ///< when a limit was first broken or a fade missed; negative: never
     Spoil bad_in = Spoil::nothing;  ///< what was broken then
     std::uint64_t hash = 0;
@@ -89,13 +118,18 @@ class SpoiledArm final : public Device {
         0.15;  ///< 20 ms to notice, 100 ms to fade, and what a packet takes
     static constexpr double kLongestGap_s = 5.0;
 
-    /// `target` is where the hand wants to be; it outlives the arm.
-    SpoiledArm(std::uint64_t seed, LatestValue<HandTarget>& target);
+    /// `target` is where the lesson's hand wants to be; it outlives the arm. `own` are the arm's own limits.
+    SpoiledArm(std::uint64_t seed, LatestValue<HandTarget>& target,
+               const SafetySettings& own = ArmServerSettings{}.safety);
     ~SpoiledArm() override;
 
     [[nodiscard]] const DeviceTraits& traits() const noexcept override;
     [[nodiscard]] bool read(double now_s, DeviceReading& reading) noexcept override;
     [[nodiscard]] bool write(double now_s, const Wrench& wrench_D) noexcept override;
+
+    /// From now on it is watched that these are kept, of the program's last gate, and the arm's own.
+    void watch_limits(const SafetySettings& run) noexcept;
+    [[nodiscard]] const FeltLimits& limits() const noexcept { return limits_; }
 
     [[nodiscard]] const SpoiledCounts& counts() const noexcept { return counts_; }
     [[nodiscard]] const LinkFaultCounts& line_counts() const noexcept;
@@ -124,12 +158,15 @@ class SpoiledArm final : public Device {
         [[nodiscard]] const DeviceTraits& traits() const noexcept override { return arm.traits(); }
         [[nodiscard]] bool read(double now_s, DeviceReading& reading) noexcept override;
         [[nodiscard]] bool write(double now_s, const Wrench& wrench_D) noexcept override;
+        void take_hold(bool holds) noexcept;
         SimulatedArm arm;
+        Wrench written_D{};  // last
         Spoil spoil = Spoil::nothing;
         double since_s = 0.0;
         Vector3 offset_D{Vector3::Zero()};
     };
 
+    void move_hand(double now_s) noexcept;
     void choose(double now_s) noexcept;
     void begin(Spoil spoil, double now_s) noexcept;
     void end() noexcept;
@@ -139,12 +176,20 @@ class SpoiledArm final : public Device {
     void serve_round() noexcept;
     void serve_alone(double since_s) noexcept;
     void watch(double now_s) noexcept;
+    void watch_fade(double now_s) noexcept;
+    void mix_in(double now_s, const Wrench& felt_D) noexcept;
+    [[nodiscard]] bool is_gone() const noexcept;
     void blame(double now_s) noexcept;
     [[nodiscard]] double draw(double low, double high) noexcept;
     [[nodiscard]] static double draw_first(SplitMix& chance) noexcept;
     [[nodiscard]] static Spoil draw_kind(SplitMix& chance) noexcept;
 
     SplitMix chance_;
+    LatestValue<HandTarget>& planned_;
+    RandomHand hand_;
+    LatestValue<HandTarget> wanted_;
+    bool holds_ = true;
+    SafetySettings own_;
     OpenSeal seal_;
     CountedSessions numbers_;
     Arm arm_;
@@ -160,7 +205,9 @@ class SpoiledArm final : public Device {
     double served_s_ = 0.0;     // the arm's last round, on the program's clock
     bool felt_before_ = false;  // a force was there when it broke
     bool saw_gone_ = false;
-    Vector3 force_D_{Vector3::Zero()};
+    double watched_s_ = -0.001;  // the arm's last round, on the arm's clock
+    FeltLimits limits_{};
+    Wrench felt_D_{};
     SpoiledCounts counts_{};
 };
 

@@ -104,7 +104,7 @@ Expected<void> HandDevice::make(const RunRequest& request) {
     switch (request.hand) {
         case HandKind::scripted: {
             if (request.spoil_seed) {
-                spoil(*request.spoil_seed);
+                spoil(*request.spoil_seed, request.plan.site);
                 return {};
             }
             const SimulatedHandSettings settings;
@@ -154,12 +154,20 @@ Expected<std::unique_ptr<PointerDevice>> HandDevice::make_pointer() {
     return std::make_unique<PointerDevice>(settings, pointer_target_);
 }
 
-// All in this program, under its clock; every number comes from the seed.
-void HandDevice::spoil(std::uint64_t seed) {
+// All in this program, under its clock; every number comes from the seed. The arm stands in the same place.
+void HandDevice::spoil(std::uint64_t seed, const SiteLimits& site) {
     hand_target_.publish({});
-    auto arm = std::make_unique<SpoiledArm>(seed, hand_target_);
+    SafetySettings own = ArmServerSettings{}.safety;
+    apply(site, own);
+    auto arm = std::make_unique<SpoiledArm>(seed, hand_target_, own);
     spoiled_ = arm.get();
     device_ = std::move(arm);
+}
+
+void HandDevice::watch_limits(const SafetySettings& run) {
+    if (spoiled_ != nullptr) {
+        spoiled_->watch_limits(run);
+    }
 }
 
 // The arm must say what it is before anything is built for it.

@@ -71,9 +71,16 @@ class HandDevice {
     /// How the link to an arm does; nothing of another device. For the lesson loop.
     [[nodiscard]] std::optional<LinkStatus> link_status();
 
+    /// The run's own limits are watched on such an arm; does nothing to other devices.
+    void watch_limits(const SafetySettings& run);
     /// What was seen of an arm on which things break; null of another device.
     [[nodiscard]] const SpoiledCounts* spoiled_counts() const {
         return spoiled_ != nullptr ? &spoiled_->counts() : nullptr;
+    }
+
+    /// What is watched on it.
+    [[nodiscard]] FeltLimits spoiled_limits() const {
+        return spoiled_ != nullptr ? spoiled_->limits() : FeltLimits{};
     }
 
     /// How fast a simulated hand really moves, in the world, m/s; nothing of another device. Only where loops take turns under
@@ -84,7 +91,7 @@ class HandDevice {
     explicit HandDevice(const HapticPlan& plan);
     [[nodiscard]] Expected<void> make(const RunRequest& request);
     [[nodiscard]] Expected<void> link(const HandChoice& request);
-    void spoil(std::uint64_t seed);
+    void spoil(std::uint64_t seed, const SiteLimits& site);
     [[nodiscard]] Expected<std::unique_ptr<PointerDevice>> make_pointer();
 
     HandKind kind_ = HandKind::none;
@@ -103,7 +110,7 @@ class HandDevice {
         nullptr;  // around a HID device, where the mouse has nothing else to move
     bool told_stand_in_ = false;
     bool told_too_long_ = false;
-    const SpoiledArm* spoiled_ = nullptr;
+    SpoiledArm* spoiled_ = nullptr;
 };
 
 }  // namespace fulcrum::runtime

@@ -26,11 +26,18 @@ class VirtualClock {
           stages_(settings.clock),
           desk_(settings.desk),
           spoiler_(settings.spoiler),
+          deadlines_(settings.deadlines),
           rate_hz_(run.plan().haptic.rate_hz),
           world_every_(
               run.world_loop() != nullptr ? std::lround(rate_hz_ / run.plan().world_rate_hz()) : 0),
           kite_every_(run.plan().kite ? std::lround(rate_hz_ / run.plan().kite->rate_hz) : 0),
-          frame_rate_hz_(run.plan().lesson_rate_hz) {}
+          frame_rate_hz_(run.plan().lesson_rate_hz) {
+        if (deadlines_ != nullptr) {
+            const auto period_s = [&](long every) { return static_cast<double>(every) / rate_hz_; };
+            deadlines_->begin({1.0 / rate_hz_, period_s(world_every_), period_s(kite_every_),
+                               1.0 / frame_rate_hz_});
+        }
+    }
 
     [[nodiscard]] double now_s() const { return static_cast<double>(tick_) / rate_hz_ + jumped_s_; }
     [[nodiscard]] bool frame_is_due() const {
@@ -43,6 +50,7 @@ class VirtualClock {
     }
 
     void tick() {
+        const double before_s = jumped_s_;
         const bool world_runs = spoil();
         const bool world_is_due =
             world_runs && run_.world_loop() != nullptr && tick_ % world_every_ == 0;
@@ -59,10 +67,16 @@ class VirtualClock {
                 run_.kite_loop()->step(now_s());
             }
         }
+        if (deadlines_ != nullptr) {
+            watch_deadlines(jumped_s_ - before_s, world_is_due, kite_is_due);
+        }
         ++tick_;
     }
 
     Expected<FrameReport> exchange_frame() {
+        if (deadlines_ != nullptr) {
+            deadlines_->passed(Deadline::frame, now_s(), quiet_around_s());
+        }
         FrameInput input;
         input.time_s = now_s();
         if (desk_ != nullptr) {
@@ -98,6 +112,21 @@ class VirtualClock {
         }
         return spoiler_->world_runs(now_s());
     }
+    [[nodiscard]] double quiet_around_s() const {
+        return spoiler_ != nullptr ? spoiler_->quiet_s(now_s()) : now_s();
+    }
+    void watch_deadlines(double jumped_s, bool world_was_due, bool kite_was_due) {
+        const SpoiledCounts* const arm = run_.spoiled_counts();
+        const double around_s = quiet_around_s();
+        deadlines_->hands_stepped(now_s(), jumped_s, run_.haptic_loop().state(),
+                                  arm != nullptr ? std::min(arm->quiet_s, around_s) : around_s);
+        if (world_was_due) {
+            deadlines_->passed(Deadline::world, now_s(), around_s);
+        }
+        if (kite_was_due) {
+            deadlines_->passed(Deadline::kite, now_s(), around_s);
+        }
+    }
     void observe_tick(bool world_is_due, bool kite_is_due) {
         stages_->begin();
         run_.step_hands(now_s(), *stages_);
@@ -118,6 +147,7 @@ class VirtualClock {
     StageClock* stages_;
     SimulatedDesk* desk_;
     RunSpoiler* spoiler_;
+    DeadlineWatch* deadlines_;
     double jumped_s_ = 0.0;
     double rate_hz_;
     long world_every_;

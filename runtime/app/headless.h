@@ -4,6 +4,7 @@
 //   for each tick of the haptic rate:  hand -> haptic loop;  when due: world loop;  when due: lesson frame
 #pragma once
 
+#include "runtime/app/deadline_watch.h"
 #include "runtime/app/lesson_run.h"
 #include "runtime/app/run_spoiler.h"
 #include "runtime/app/simulated_desk.h"
@@ -27,6 +28,8 @@ struct HeadlessSettings {
     SimulatedDesk* desk = nullptr;
     /// What breaks around the run; null for a plain one, which is the same to the byte.
     RunSpoiler* spoiler = nullptr;
+    /// Watches that nobody is late under the virtual clock; null for a plain run, which is the same to the byte.
+    DeadlineWatch* deadlines = nullptr;
     /// Times every stage; null for a plain run, which is the same to the byte.
     StageClock* clock = nullptr;
     bool shows_prints = true;  ///< what the lesson prints goes to standard output

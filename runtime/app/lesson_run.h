@@ -138,6 +138,7 @@ class LessonRun {
     [[nodiscard]] GatePhase gate() const { return channels_.state_for_lesson.value().gate; }
     /// What was seen of an arm on which things break; null of another.
     [[nodiscard]] const SpoiledCounts* spoiled_counts() const { return hand_->spoiled_counts(); }
+    [[nodiscard]] FeltLimits spoiled_limits() const { return hand_->spoiled_limits(); }
     /// The line of the L:test whose answers are given; 0 where they are somebody else's, or nobody's.
     [[nodiscard]] SourceLine say_line() const { return say_line_; }
 
@@ -217,6 +218,7 @@ class LessonRun {
     void look_why(const SessionInput& gathered);
     [[nodiscard]] Expected<void> build_recorder(const Places& places, const RunRequest& request);
     void build_touch_sound();
+    void watch_limits();
     void build_more_loops();
     void build_replayed_stops(const RunRequest& request);
     void gather_more_hands(SessionInput& gathered);

@@ -78,6 +78,14 @@ Expected<void> LessonRun::open_more_hands(const Places& places, const RunRequest
     return {};
 }
 
+// What the last gate lets through: the least of device, place and lesson.
+void LessonRun::watch_limits() {
+    SafetySettings felt = plan_.haptic.safety;
+    felt.max_force_N = haptic_loop_->max_force_N();
+    felt.max_torque_Nm = haptic_loop_->max_torque_Nm();
+    hand_->watch_limits(felt);
+}
+
 void LessonRun::build_more_loops() {
     if (more_hands_.empty()) {
         return;

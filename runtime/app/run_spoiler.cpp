@@ -9,6 +9,7 @@ namespace {
 constexpr double kLongestGap_s = 6.0;
 constexpr double kStarved_s = 0.05;
 constexpr double kGone_N = 1.0e-9;
+constexpr double kFelt_N = 0.05;
 constexpr double kThird = 1.0 / 3.0;  // of all runs have a killed lesson, and as many a full disk
 constexpr int kLasting = 5;           // kinds that begin and end, from world_stands on
 
@@ -29,24 +30,46 @@ RunSpoil RunSpoiler::first() const noexcept {
 }
 
 double RunSpoiler::step(double now_s, double force_N) noexcept {
-    const bool is_silent =
-        spoil_ == RunSpoil::lesson_hangs || (spoil_ == RunSpoil::world_stands && has_world_);
-    if (is_silent && now_s - from_s_ >= kMostQuiet_s && force_N > kGone_N) {
-        ++missed_fades_;
-        if (bad_since_s_ < 0.0) {
-            bad_since_s_ = now_s;
-            bad_in_ = spoil_;
-            bad_N_ = force_N;
-        }
-    }
+    force_N_ = force_N;
+    watch_fade(now_s);
     if (now_s >= until_s_) {
         choose(now_s);
     }
     return std::exchange(jump_s_, 0.0);
 }
 
+void RunSpoiler::watch_fade(double now_s) noexcept {
+    const bool is_silent = must_fade(spoil_) && (spoil_ != RunSpoil::world_stands || has_world_);
+    if (!is_silent || now_s - from_s_ < kMostQuiet_s) {
+        return;
+    }
+    if (force_N_ > kGone_N) {
+        ++missed_fades_;
+        if (bad_since_s_ < 0.0) {
+            bad_since_s_ = now_s;
+            bad_in_ = spoil_;
+            bad_N_ = force_N_;
+        }
+    } else if (felt_before_ && !saw_gone_) {
+        saw_gone_ = true;
+        ++faded_[static_cast<std::size_t>(spoil_)];
+    }
+}
+
+double RunSpoiler::quiet_s(double now_s) const noexcept {
+    return spoil_ == RunSpoil::nothing && !has_killed_ ? now_s - from_s_ : 0.0;
+}
+
+void RunSpoiler::end(double force_N) noexcept {
+    if (has_killed_ && felt_killed_ && force_N <= kGone_N) {
+        ++faded_[static_cast<std::size_t>(RunSpoil::lesson_killed)];
+    }
+}
+
 void RunSpoiler::choose(double now_s) noexcept {
     from_s_ = now_s;
+    felt_before_ = force_N_ > kFelt_N;
+    saw_gone_ = false;
     if (spoil_ != RunSpoil::nothing) {
         spoil_ = RunSpoil::nothing;
         until_s_ = now_s + draw(0.5, kLongestGap_s);
@@ -87,6 +110,7 @@ bool RunSpoiler::kills_lesson(double now_s) noexcept {
         return false;
     }
     has_killed_ = true;
+    felt_killed_ = force_N_ > kFelt_N;
     ++happened_[static_cast<std::size_t>(RunSpoil::lesson_killed)];
     return true;
 }

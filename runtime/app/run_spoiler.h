@@ -8,7 +8,7 @@
 //   clock jumps            by 5 ms to 3 s, as after a program that was stopped; the arm has gone on
 //   lesson is killed       its process, in the second half of some runs; the force fades and the run ends with a sentence
 //   disk is full           after the first seconds of the record, in some runs; it is told at the end, and nothing else may come of it
-// Rounds are counted in which a force is left where none may be.
+// Rounds are counted in which a force is left where none may be, and by kind how often one that was felt had gone in time.
 //
 // Thread: the virtual clock's. Cost: some nanoseconds a tick.
 #pragma once
@@ -34,6 +34,11 @@ enum class RunSpoil : std::uint8_t {
     lesson_killed,
     disk_full
 };
+/// Whether the force must go while it lasts; of a world that stands where the run has one.
+[[nodiscard]] constexpr bool must_fade(RunSpoil spoil) noexcept {
+    return spoil == RunSpoil::world_stands || spoil == RunSpoil::lesson_hangs ||
+           spoil == RunSpoil::lesson_killed;
+}
 inline constexpr std::size_t kRunSpoils = static_cast<std::size_t>(RunSpoil::disk_full) + 1;
 [[nodiscard]] constexpr const char* name_of(RunSpoil spoil) noexcept {
     constexpr const char* kNames[] = {"nothing",       "world stands", "world starved",
@@ -69,9 +74,16 @@ class RunSpoiler {
     [[nodiscard]] bool kills_lesson(double now_s) noexcept;
     [[nodiscard]] bool fills_disk() const noexcept { return fills_disk_; }
     [[nodiscard]] bool has_killed() const noexcept { return has_killed_; }
+    /// The run is over, with this force on the hand: a lesson that was killed is not there to tell.
+    void end(double force_N) noexcept;
+    /// For so long nothing has been broken; 0 while something is, and when the lesson was killed.
+    [[nodiscard]] double quiet_s(double now_s) const noexcept;
 
     [[nodiscard]] const std::array<std::uint64_t, kRunSpoils>& happened() const noexcept {
         return happened_;
+    }
+    [[nodiscard]] const std::array<std::uint64_t, kRunSpoils>& faded() const noexcept {
+        return faded_;
     }
     [[nodiscard]] std::uint64_t missed_fades() const noexcept { return missed_fades_; }
     [[nodiscard]] double bad_since_s() const noexcept { return bad_since_s_; }
@@ -83,6 +95,7 @@ class RunSpoiler {
         return low + (high - low) * chance_.draw_chance();
     }
     void choose(double now_s) noexcept;
+    void watch_fade(double now_s) noexcept;
 
     SplitMix chance_;
     bool has_world_ = false;
@@ -95,11 +108,16 @@ class RunSpoiler {
     double kill_at_s_;  // beyond the run's end: never
     bool has_killed_ = false;
     bool fills_disk_;
+    double force_N_ = 0.0;
+    bool felt_before_ = false;  // a force was there when it broke
+    bool felt_killed_ = false;
+    bool saw_gone_ = false;
     std::uint64_t missed_fades_ = 0;
     double bad_since_s_ = -1.0;
     double bad_N_ = 0.0;
     RunSpoil bad_in_ = RunSpoil::nothing;
     std::array<std::uint64_t, kRunSpoils> happened_{};
+    std::array<std::uint64_t, kRunSpoils> faded_{};
 };
 
 }  // namespace fulcrum::runtime

@@ -1,6 +1,6 @@
-// fulcrum soak: every lesson with an arm on which things break by chance, and world, lesson, clock and disk as well, under a virtual clock: no
-// force too large, no fade missed, no memory that grows, and the same seed gives the same run. A run that failed is told with the command
-// that repeats it.
+// fulcrum soak: every lesson with a hand that does what it likes, an arm on which things break by chance, and world, lesson, clock and disk as
+// well, under a virtual clock: no force or torque beyond the run's own limits, no fade and no deadline missed, no memory that grows, and the
+// same seed gives the same run. A run that failed is told with the command that repeats it. Last, how late the loops are in real time.
 #include "haptics/base/clock.h"
 #include "haptics/link/spoiled_arm.h"
 #include "haptics/record/record.h"
@@ -9,10 +9,10 @@
 #include "runtime/app/interrupt.h"
 #include "runtime/app/run_request.h"
 #include "runtime/app/run_spoiler.h"
+#include "runtime/app/soak_report.h"
 #include "runtime/progress/store.h"
 
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -32,9 +32,8 @@ constexpr double kSoakErrors = 0.3;  // of a learner's answers
 constexpr double kLiftAfter_s = 3.0;
 constexpr rlim_t kDiskHolds = 1'000'000;  // bytes of a record: full after some four seconds
 constexpr double kRounds_Hz = 1000.0;
-constexpr double kMostGrowth_MB = 64.0;         // allocators keep what was freed
+constexpr double kRealTime_s = 2.0;             // of each lesson
 constexpr std::uint64_t kMostMoreSeeds = 1000;  // looked through for what has not occurred
-constexpr double kMostKept_MB = 1.0;  // of what is asked for; a leak in each run passes this
 
 double resident_MB() {
     std::ifstream file("/proc/self/statm");
@@ -110,29 +109,6 @@ class FullDisk {
     bool is_full_ = false;
 };
 
-struct SoakSum {
-    // Each kind of fault, how often; the first is that there is none.
-    std::array<std::uint64_t, kSpoils> happened{};
-    std::array<std::uint64_t, kRunSpoils> around{};
-    [[nodiscard]] bool has_all() const {
-        return std::count(happened.begin() + 1, happened.end(), 0U) == 0 &&
-               std::count(around.begin() + 1, around.end(), 0U) == 0;
-    }
-    std::uint64_t fades = 0;
-    double simulated_s = 0.0;
-    double wall_s = 0.0;
-    bool failed = false;
-};
-
-// What one run of a lesson showed.
-struct SoakRun {
-    SpoiledCounts arm{};
-    double simulated_s = 0.0;
-    double wall_s = 0.0;
-    std::string trouble;  ///< what went wrong, a few words; empty where all was as it must be
-    double since_s = -1.0;
-};
-
 constexpr double kNoForce_N = 1.0e-9;
 
 bool was_filled(const SpoiledCounts& arm) {
@@ -140,34 +116,38 @@ bool was_filled(const SpoiledCounts& arm) {
 }
 
 // Of a lesson that was killed the run must end, and the force with it; of another it may not. A full disk is told, and nothing else.
-std::string find_trouble(const RunSpoiler& spoiler, const SpoiledCounts& arm,
-                         const Expected<HeadlessOutcome>& outcome, const Expected<void>& recorded) {
+std::string find_end_trouble(const RunSpoiler& spoiler, const SpoiledCounts& arm,
+                             const Expected<HeadlessOutcome>& outcome,
+                             const Expected<void>& recorded) {
     if (!outcome && !spoiler.has_killed()) {
         return to_sentence(outcome.error());
     }
     if (outcome && spoiler.has_killed()) {
         return "the lesson's process was killed and nobody noticed";
     }
-    if (arm.force_N > kNoForce_N && !outcome) {
+    if ((arm.force_N > kNoForce_N || arm.torque_Nm > kNoForce_N) && !outcome) {
         return "a force is left after a lesson that was killed";
     }
     if (recorded && spoiler.fills_disk() && was_filled(arm)) {
         return "the record's disk was full and nobody said so";
     }
-    if (!recorded && !spoiler.fills_disk()) {
-        return to_sentence(recorded.error());
-    }
+    return !recorded && !spoiler.fills_disk() ? to_sentence(recorded.error()) : std::string();
+}
+
+std::string find_trouble(const RunSpoiler& spoiler, const SpoiledCounts& arm,
+                         const DeadlineWatch& deadlines) {
     if (arm.broken_limits > 0) {
-        return std::string("a force above its limit or a change above the slew, during: ") +
-               name_of(arm.bad_in);
+        return std::string(name_of(arm.broken)) + ", during: " + name_of(arm.bad_in);
     }
     if (arm.missed_fades > 0) {
         return std::string("a force that had to be gone, during: ") + name_of(arm.bad_in);
     }
-    return spoiler.missed_fades() > 0
-               ? std::to_string(spoiler.bad_N()) +
-                     " N that had to be gone, during: " + name_of(spoiler.bad_in())
-               : std::string();
+    if (spoiler.missed_fades() > 0) {
+        return std::to_string(spoiler.bad_N()) +
+               " N that had to be gone, during: " + name_of(spoiler.bad_in());
+    }
+    return deadlines.n_broken() > 0 ? std::string("late: ") + name_of(deadlines.broken())
+                                    : std::string();
 }
 
 std::uint64_t spoil_seed_of(const std::string& lesson, std::uint64_t seed) {
@@ -178,16 +158,20 @@ std::uint64_t spoil_seed_of(const std::string& lesson, std::uint64_t seed) {
 bool brings_more(const std::string& lesson, std::uint64_t seed, double seconds,
                  const SoakSum& sum) {
     constexpr double kShown_s = 0.5;  // before its end
+    constexpr double kFelt_s = 3.0;   // by then something may be felt that fades
     constexpr double kFilled_s =
         static_cast<double>(kDiskHolds) / (kRounds_Hz * static_cast<double>(kRecordSampleBytes));
     const std::uint64_t spoil_seed = spoil_seed_of(lesson, seed);
     const FirstSpoil arm = SpoiledArm::first_of(spoil_seed);
     const RunSpoiler around(~spoil_seed, seconds);
-    const auto is_new = [&](RunSpoil kind, double at_s) {
-        return sum.around[static_cast<std::size_t>(kind)] == 0 && at_s + kShown_s < seconds;
+    const auto is_in_time = [&](double at_s, bool has_happened) {
+        return at_s + kShown_s < seconds && (!has_happened || at_s > kFelt_s);
     };
-    return (sum.happened[static_cast<std::size_t>(arm.kind)] == 0 &&
-            arm.at_s + kShown_s < seconds) ||
+    const auto is_new = [&](RunSpoil kind, double at_s) {
+        return sum.lacks(kind) && is_in_time(at_s, sum.around[static_cast<std::size_t>(kind)] > 0);
+    };
+    return (sum.lacks(arm.kind) &&
+            is_in_time(arm.at_s, sum.happened[static_cast<std::size_t>(arm.kind)] > 0)) ||
            is_new(around.first(), around.first_at_s()) ||
            is_new(RunSpoil::lesson_killed, around.kills_at_s()) ||
            (around.fills_disk() && is_new(RunSpoil::disk_full, kFilled_s));
@@ -209,8 +193,7 @@ RunRequest make_soak_request(const std::filesystem::path& folder, const std::str
 }
 
 Expected<SoakRun> soak_once(const Installation& installation, const std::string& lesson,
-                            std::uint64_t seed, double seconds, const SiteLimits& site,
-                            SoakSum& sum) {
+                            std::uint64_t seed, double seconds, const SiteLimits& site) {
     const auto folder = find_lesson(installation.places, lesson);
     if (!folder) {
         return tl::unexpected(folder.error());
@@ -239,6 +222,8 @@ Expected<SoakRun> soak_once(const Installation& installation, const std::string&
     settings.nobody_answers_s = 2.0 * seconds;
     settings.shows_prints = false;
     settings.spoiler = &spoiler;
+    DeadlineWatch deadlines;
+    settings.deadlines = &deadlines;
     settings.after_frame = [&](double now_s) { lifter.step(now_s); };
     if (spoiler.fills_disk()) {
         disk.fill();
@@ -246,78 +231,54 @@ Expected<SoakRun> soak_once(const Installation& installation, const std::string&
     const double began_s = monotonic_now_s();
     const auto outcome = run_headless(**run, settings);
     const auto recorded = (*run)->finish_record();
-    SoakRun result{*(*run)->spoiled_counts(), 0.0, monotonic_now_s() - began_s, {}, -1.0};
+    SoakRun result;
+    result.arm = *(*run)->spoiled_counts();
+    result.limits = (*run)->spoiled_limits();
+    result.wall_s = monotonic_now_s() - began_s;
     result.simulated_s = static_cast<double>(result.arm.rounds) / kRounds_Hz;
-    result.trouble = find_trouble(spoiler, result.arm, outcome, recorded);
-    result.since_s = result.arm.bad_since_s >= 0.0 ? result.arm.bad_since_s : spoiler.bad_since_s();
-    for (std::size_t i = 0; i < kSpoils; ++i) {
-        sum.happened[i] += result.arm.happened[i];
+    spoiler.end(result.arm.force_N);
+    result.trouble = find_end_trouble(spoiler, result.arm, outcome, recorded);
+    if (result.trouble.empty()) {
+        result.trouble = find_trouble(spoiler, result.arm, deadlines);
     }
-    for (std::size_t i = 0; i < kRunSpoils; ++i) {
-        sum.around[i] += spoiler.happened()[i];
-    }
+    result.since_s = result.arm.bad_since_s >= 0.0  ? result.arm.bad_since_s
+                     : spoiler.bad_since_s() >= 0.0 ? spoiler.bad_since_s()
+                                                    : deadlines.broken_at_s();
+    result.around = spoiler.happened();
+    result.around_faded = spoiler.faded();
     if (spoiler.fills_disk() && !was_filled(result.arm)) {
-        --sum.around[static_cast<std::size_t>(RunSpoil::disk_full)];  // it was over too soon
+        --result.around[static_cast<std::size_t>(RunSpoil::disk_full)];  // it was over too soon
+    }
+    for (const Deadline what :
+         {Deadline::hands, Deadline::world, Deadline::kite, Deadline::frame, Deadline::command}) {
+        result.n_deadlines += deadlines.n_met(what);
     }
     return result;
 }
 
-// A line on how it went, and where it went wrong what somebody needs to see it go wrong again.
-void tell(const std::string& lesson, std::uint64_t seed, double seconds, const SoakRun& run) {
-    std::printf(
-        "%-13s seed %-6llu %6.0f s, %4.0f times real time, %4.1f N at most, %llu fades seen, "
-        "%016llx%s\n",
-        lesson.c_str(), static_cast<unsigned long long>(seed), run.simulated_s,
-        run.simulated_s / std::max(run.wall_s, 1e-9), run.arm.peak_N,
-        static_cast<unsigned long long>(run.arm.fades),
-        static_cast<unsigned long long>(run.arm.hash), run.trouble.empty() ? "" : "  FAILED");
-    if (!run.trouble.empty()) {
-        std::printf("  %s\n", run.trouble.c_str());
-        if (run.since_s >= 0.0) {
-            std::printf("  first after %.3f s\n", run.since_s);
-        }
-        std::printf("  again: ./fulcrum soak --lesson %s --seed %llu --seeds 1 --seconds %g\n",
-                    lesson.c_str(), static_cast<unsigned long long>(seed), seconds);
+// How late the loops are on this machine, as it is: with nothing broken, on their own threads.
+Expected<void> tell_lateness(const Installation& installation, const std::string& lesson,
+                             double seconds, const SiteLimits& site) {
+    const auto folder = find_lesson(installation.places, lesson);
+    if (!folder) {
+        return tl::unexpected(folder.error());
     }
-    (void)std::fflush(stdout);
-}
-
-// `all`: it is a soak, and not one run that is looked at again.
-int conclude(const SoakSum& sum, bool all, double grown_MB, double kept_MB) {
-    std::printf(
-        "In all %.0f s, %.0f times real time, %llu fades; after the first round the program "
-        "kept %.2f MB more, and %.1f MB more were resident.\nBroke:",
-        sum.simulated_s, sum.simulated_s / std::max(sum.wall_s, 1e-9),
-        static_cast<unsigned long long>(sum.fades), kept_MB, grown_MB);
-    for (std::size_t i = 1; i < kSpoils; ++i) {
-        std::printf("%s %s %llu", i == 1 ? "" : ",", name_of(static_cast<Spoil>(i)),
-                    static_cast<unsigned long long>(sum.happened[i]));
+    RunRequest request = make_soak_request(*folder, lesson, 1, site);
+    request.spoil_seed.reset();
+    request.plan.live = true;
+    const auto store = make_null_store();
+    auto run = LessonRun::create(installation.places, request, *store, installation.catalogue);
+    if (!run) {
+        return tl::unexpected(run.error());
     }
-    for (std::size_t i = 1; i < kRunSpoils; ++i) {
-        std::printf(", %s %llu", name_of(static_cast<RunSpoil>(i)),
-                    static_cast<unsigned long long>(sum.around[i]));
-    }
-    std::printf(".\n");
-    if (grown_MB > kMostGrowth_MB || kept_MB > kMostKept_MB) {
-        return complain({"the program's memory grew by " + std::to_string(kept_MB) + " MB, " +
-                             std::to_string(grown_MB) + " MB resident",
-                         {},
-                         "look for what is never freed"},
-                        1);
-    }
-    if (all && !sum.has_all() && !interrupted()) {
-        return complain({"some kind of fault did not occur, so nothing is known of it",
-                         {},
-                         "give --seconds 10 or more"},
-                        1);
-    }
-    return sum.failed
-               ? complain({"something went wrong that may not; the lines that say FAILED tell "
-                           "what, when, and the command that repeats it",
-                           {},
-                           "send them, with the program's version, to who mends it"},
-                          1)
-               : interrupt_exit_code();
+    HeadlessSettings settings;
+    settings.end_s = seconds;
+    settings.afterglow_s = seconds;
+    settings.nobody_answers_s = 2.0 * seconds;
+    settings.shows_prints = false;
+    return run_in_real_time(**run, settings).map([&](const HeadlessOutcome& outcome) {
+        std::printf("%-13s in real time: %s\n", lesson.c_str(), outcome.pace.c_str());
+    });
 }
 
 }  // namespace
@@ -332,16 +293,6 @@ int soak_command(const Installation& installation, const Options& options) {
     const std::uint64_t first = options.seed.value_or(1);
     const double seconds = options.seconds.value_or(60.0);
     SoakSum sum;
-    const auto play = [&](const std::string& lesson, std::uint64_t seed) -> Expected<void> {
-        return soak_once(installation, lesson, seed, seconds, options.site, sum)
-            .map([&](const SoakRun& run) {
-                tell(lesson, seed, seconds, run);
-                sum.fades += run.arm.fades;
-                sum.simulated_s += run.simulated_s;
-                sum.wall_s += run.wall_s;
-                sum.failed |= !run.trouble.empty();
-            });
-    };
     double settled_MB = 0.0;
     double settled_in_use_MB = 0.0;
     const std::uint64_t end = first + options.seeds;
@@ -353,17 +304,32 @@ int soak_command(const Installation& installation, const Options& options) {
             if (interrupted() || (seed >= end && !brings_more(lesson, seed, seconds, sum))) {
                 continue;
             }
-            if (const auto played = play(lesson, seed); !played) {
-                return complain(played.error(), 2);
+            const auto run = soak_once(installation, lesson, seed, seconds, options.site);
+            if (!run) {
+                return complain(run.error(), 2);
             }
+            tell_soak(lesson, seed, seconds, *run);
+            sum.add(*run);
         }
         if (seed == first) {
             settled_MB = resident_MB();
             settled_in_use_MB = in_use_MB();
         }
     }
-    return conclude(sum, is_soak, std::max(resident_MB() - settled_MB, 0.0),
-                    std::max(in_use_MB() - settled_in_use_MB, 0.0));
+    const SoakGrowth growth{std::max(in_use_MB() - settled_in_use_MB, 0.0),
+                            std::max(resident_MB() - settled_MB, 0.0)};
+    std::fputs(describe_soak(sum, growth).c_str(), stdout);
+    for (const std::string& lesson : is_soak ? lessons : std::vector<std::string>{}) {
+        if (interrupted()) {
+            break;
+        }
+        if (const auto told =
+                tell_lateness(installation, lesson, std::min(seconds, kRealTime_s), options.site);
+            !told) {
+            return complain(told.error(), 2);
+        }
+    }
+    return conclude_soak(sum, is_soak, growth);
 }
 
 }  // namespace fulcrum::runtime

@@ -4,18 +4,29 @@
 
 #include <catch2/catch.hpp>
 
+#include <limits>
 #include <memory>
+#include <numeric>
 
 using namespace fulcrum;
 
 namespace {
 
-// A spring holds the hand for so long while things break.
-SpoiledCounts run_spoiled(std::uint64_t seed, double seconds) {
+// A spring holds the hand for so long while things break; `watched_N`: what is held against it, where it is not the plan's own limit.
+SpoiledCounts run_spoiled(std::uint64_t seed, double seconds, double limit_N = 5.0,
+                          double watched_N = 0.0) {
     LatestValue<HandTarget> target;
     target.publish({});
-    SpoiledArm arm(seed, target);
     HapticPlan plan;
+    plan.safety.max_force_N = limit_N;
+    // The arm stands in the same place, with its limit.
+    SafetySettings own = ArmServerSettings{}.safety;
+    own.max_force_N = limit_N;
+    own.max_torque_Nm = plan.safety.max_torque_Nm;
+    SpoiledArm arm(seed, target, own);
+    SafetySettings watched = plan.safety;
+    watched.max_force_N = watched_N > 0.0 ? watched_N : limit_N;
+    arm.watch_limits(watched);
     plan.fields = {FieldPlan{FieldKind::spring, Vector3::Zero(), 400.0}};
     const auto channels = std::make_unique<HapticChannels>();
     HapticLoop loop(plan, arm, *channels);
@@ -56,14 +67,63 @@ TEST_CASE("spoiled arm: whatever breaks, no limit is passed and every fade comes
         all.fades += counts.fades;
         for (std::size_t i = 0; i < kSpoils; ++i) {
             all.happened[i] += counts.happened[i];
+            all.faded[i] += counts.faded[i];
+        }
+        for (std::size_t i = 0; i < kHandDeeds; ++i) {
+            all.deeds[i] += counts.deeds[i];
         }
     }
     // Each kind has occurred, and many found a force to fade.
     for (std::size_t i = 1; i < kSpoils; ++i) {
         INFO(name_of(static_cast<Spoil>(i)));
         CHECK(all.happened[i] >= 2);
+        CHECK((all.faded[i] >= 1) == must_fade(static_cast<Spoil>(i)));
     }
     CHECK(all.fades >= 20);
+    CHECK(std::accumulate(all.faded.begin(), all.faded.end(), std::uint64_t{0}) == all.fades);
+    for (const std::uint64_t n : all.deeds) {
+        CHECK(n >= 10);
+    }
+}
+
+TEST_CASE("spoiled arm: the run's own limit is watched, and passing it is told") {
+    const SpoiledCounts kept = run_spoiled(3, 40.0, 2.0);
+    CHECK(kept.broken_limits == 0);
+    CHECK(kept.peak_N > 1.9);
+    CHECK(kept.peak_N <= 2.0);
+    // Of a gate that let more through than it may.
+    const SpoiledCounts passed = run_spoiled(3, 40.0, 2.0, 1.0);
+    CHECK(passed.broken_limits > 100);
+    CHECK(passed.broken == FeltLimit::force);
+    CHECK(passed.bad_since_s > 0.0);
+}
+
+TEST_CASE("spoiled arm: limits are the least of run and arm, and any that is passed is found") {
+    LatestValue<HandTarget> target;
+    SpoiledArm arm(1, target, {.max_force_N = 4.0, .max_torque_Nm = 0.2});
+    SafetySettings run{.max_force_N = 3.0, .max_torque_Nm = 0.3};
+    arm.watch_limits(run);
+    const FeltLimits limits = arm.limits();
+    CHECK(limits.force_N == 3.0);
+    CHECK(limits.torque_Nm == 0.2);
+    CHECK(limits.slew_N_per_s == 500.0);
+    CHECK(limits.slew_Nm_per_s == Approx(500.0 * 0.2 / 4.0));
+    constexpr double kRound_s = 0.001;
+    const auto along = [](double force_N, double torque_Nm) {
+        return Wrench{Vector3(0.0, force_N, 0.0), Vector3(torque_Nm, 0.0, 0.0)};
+    };
+    const auto find = [&](const Wrench& before, const Wrench& now) {
+        return find_broken(limits, before, now, kRound_s);
+    };
+    CHECK(find(along(2.6, 0.18), along(3.0, 0.2)) == FeltLimit::none);
+    CHECK(find(along(2.9, 0.0), along(3.001, 0.0)) == FeltLimit::force);
+    CHECK(find(along(0.0, 0.19), along(0.0, 0.201)) == FeltLimit::torque);
+    CHECK(find(along(0.0, 0.0), along(0.51, 0.0)) == FeltLimit::slew);
+    CHECK(find(along(2.0, 0.0), along(-1.0, 0.0)) == FeltLimit::slew);
+    CHECK(find(along(0.0, 0.0), along(0.0, 0.026)) == FeltLimit::torque_slew);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(find(along(0.0, 0.0), along(nan, 0.0)) == FeltLimit::force);
+    CHECK(find(along(0.0, 0.0), along(0.0, nan)) == FeltLimit::torque);
 }
 
 TEST_CASE("spoiled arm: one seed, one run, to the bit") {

@@ -74,6 +74,36 @@ TEST_CASE("run spoiler: a force that stays where nobody speaks is told, with whe
     CHECK(with_world > without);
 }
 
+TEST_CASE("run spoiler: a force that was felt and goes in time is a fade of its kind") {
+    std::array<std::uint64_t, kRunSpoils> all{};
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        RunSpoiler spoiler(seed, 60.0);
+        spoiler.begin(true);
+        double quiet_s = 0.0;
+        for (double now_s = 0.0; now_s < 60.0; now_s += 0.001) {
+            // There while all is well, and gone a tenth of a second after it is not.
+            quiet_s = spoiler.quiet_s(now_s) > 0.0 ? 0.0 : quiet_s + 0.001;
+            (void)spoiler.step(now_s, quiet_s < 0.1 ? 1.0 : 0.0);
+            (void)spoiler.kills_lesson(now_s);
+        }
+        CHECK(spoiler.missed_fades() == 0);
+        spoiler.end(0.0);
+        for (std::size_t i = 0; i < kRunSpoils; ++i) {
+            all[i] += spoiler.faded()[i];
+        }
+        // Nothing that must not go is counted, and where a force is left nothing is.
+        RunSpoiler left(seed, 1.0);
+        (void)left.step(0.9, 1.0);
+        (void)left.kills_lesson(0.999);
+        left.end(1.0);
+        CHECK(left.faded()[static_cast<std::size_t>(RunSpoil::lesson_killed)] == 0);
+    }
+    for (std::size_t i = 0; i < kRunSpoils; ++i) {
+        INFO(name_of(static_cast<RunSpoil>(i)));
+        CHECK((all[i] > 0) == must_fade(static_cast<RunSpoil>(i)));
+    }
+}
+
 TEST_CASE("run spoiler: what is starved or slow runs now and then, what stands not at all") {
     RunSpoiler spoiler(3, 60.0);
     spoiler.begin(true);
