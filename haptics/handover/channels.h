@@ -15,6 +15,7 @@
 namespace fulcrum {
 
 struct KiteChannels;  // haptics/flight/kite_loop.h
+class ToldRings;      // haptics/loop/told_rings.h
 
 using RecordRing = EventRing<RecordRound, kRecordRingCapacity>;
 
@@ -80,6 +81,8 @@ struct HapticChannels {
     std::atomic<bool> ended{false};
     /// Set while the stop of another hand of this run holds: as if it were this one's. Writer: the round of all hands.
     std::atomic<bool> other_stopped{false};
+    /// Writer: haptic loop; reader: recorder. Null where nothing is recorded, and where the loops take turns under a virtual clock.
+    ToldRings* told = nullptr;
 };
 
 using WorldCommandRing = EventRing<WorldCommand, 256>;

@@ -35,8 +35,12 @@ class LatestValue {
             return false;
         }
         reader_slot_ = middle_.exchange(reader_slot_, std::memory_order_acq_rel) & kIndexMask;
+        ++n_taken_;
         return true;
     }
+
+    /// Reader: how often there was a newer one.
+    [[nodiscard]] std::uint64_t n_taken() const noexcept { return n_taken_; }
 
     /// Reader: the value last taken (default-constructed before the first).
     [[nodiscard]] const T& value() const noexcept { return slots_[reader_slot_]; }
@@ -57,7 +61,8 @@ class LatestValue {
     std::array<T, 3> slots_{};
     alignas(64) std::atomic<std::uint8_t> middle_{1};
     alignas(64) std::uint8_t writer_slot_ = 0;  // touched by the writer only
-    alignas(64) std::uint8_t reader_slot_ = 2;  // touched by the reader only
+    alignas(64) std::uint8_t reader_slot_ = 2;  // touched by the reader only, like the next
+    std::uint64_t n_taken_ = 0;
 };
 
 /// Writes a value of which little changes from one time to the next: it is filled only where the slot holds an older

@@ -141,12 +141,16 @@ void HapticLoop::take_stop() noexcept {
 
 void HapticLoop::read_device() noexcept {
     has_new_pose_ = false;
+    is_reading_ = true;
+    told_faults_ = Fault::none;
     DeviceReading reading{};
     if (!device_.read(now_s_, reading)) {
         state_.faults |= Fault::device_read;
         return;
     }
-    if (!is_reading(reading)) {
+    is_reading_ = is_reading(reading);
+    told_faults_ = reading.faults;
+    if (!is_reading_) {
         state_.faults |= Fault::device_invalid;
         return;
     }

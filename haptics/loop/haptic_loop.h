@@ -170,8 +170,10 @@ class HapticLoop final : public PeriodicTask {
     DeviceReading reading_{};
     DeviceReading told_{};
     bool has_pose_ = false;
-    bool has_new_pose_ = false;  // in this round
-    Pose watched_D_{};           // the hand's, when it was watched last
+    bool has_new_pose_ = false;        // in this round
+    bool is_reading_ = true;           // whether what the device gave in it was one
+    Fault told_faults_ = Fault::none;  // what the device told beside it
+    Pose watched_D_{};                 // the hand's, when it was watched last
     // Proxy, tool.
     std::span<const Pose> solid_poses_W_{};  // in this round
     ToolForce tool_force_{};

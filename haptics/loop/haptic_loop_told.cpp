@@ -1,5 +1,6 @@
 // What the haptic loop tells: its state, each effect's share of the force, every round for the record. See haptic_loop.h.
 #include "haptics/loop/haptic_loop.h"
+#include "haptics/loop/told_rings.h"
 
 #include <algorithm>
 
@@ -42,7 +43,10 @@ void HapticLoop::record_round() noexcept {
         round.shares.n = shares_.n;
         std::copy_n(shares_.each_W.begin(), shares_.n, round.shares.each_W.begin());
     });
-    late_faults_ |= kept ? Fault::none : Fault::record_full;
+    const bool all_kept = (channels_.told == nullptr ||
+                           channels_.told->keep(state_.tick, {told_faults_, is_reading_})) &&
+                          kept;
+    late_faults_ |= all_kept ? Fault::none : Fault::record_full;
 }
 
 }  // namespace fulcrum

@@ -2,13 +2,13 @@
 // happened and was decided meanwhile.
 //
 // File, little-endian throughout; a text is a u32 number of bytes and so many of UTF-8, at most 4096:
-//   header           magic 89 46 4C 43 52 0D 0A 1A | u32 version = 7 | u32 header bytes |
+//   header           magic 89 46 4C 43 52 0D 0A 1A | u32 version = 8 | u32 header bytes |
 //                    f64 rate in hertz | f64 the gate's newtons | f64 its newton metres | text lesson |
 //                    u32 n, n texts: the effects | u32 n, n texts: the bodies |
 //                    u32 n, n pairs of texts: what the run was made with, name and value |
 //                    u32 n, of each hand beside the first: f64 its gate's newtons | f64 newton metres | u32 m, m texts: its effects |
 //                    u32 CRC-32 of all before it
-//   block  16 bytes  u32 "BLK1" | u32 kind (1 samples, 2 events, 3 end, 4 bodies, 5 hand) | u32 payload bytes |
+//   block  16 bytes  u32 "BLK1" | u32 kind (1 samples, 2 events, 3 end, 4 bodies, 5 hand, 6 told) | u32 payload bytes |
 //                    u32 CRC-32 of kind, length and payload; then the payload:
 //   sample 240 bytes u64 tick | f64 time | f64 stamp | f64 pose (x y z, quaternion w x y z) |
 //                    f64 twist (linear, angular) | f64 commanded (force, torque) |
@@ -18,12 +18,17 @@
 //   body    96 bytes f64 time | i32 body | u32 where (BodyWhere) | f64 pose as a sample's | f64 velocity;
 //                    of those that are not as they were told last
 //   hand             u32 which, 1 for the second | its samples, as the first one's
-//   end     32 bytes u64 number of samples | u64 of events | u64 of bodies | u64 of samples of all other hands; always the last block
+//   told             u32 which hand, 0 for the first | what its loop took in rounds of it, each: u64 tick | u32 kind | u32 bytes | those
+//                    bytes, by kind as told_layout.h walks over them: 1 ForceCommand, 2 WorldFrame, 3 AxleOrders, 4 RigidFrame,
+//                    5 LineState, 6 ToldReading; kind by kind, each in the order of ticks. Of a run in real time alone
+//   end     40 bytes u64 number of samples | u64 of events | u64 of bodies | u64 of samples of all other hands | u64 of what all loops
+//                    were told; always the last block
 // faults are the bits of base/fault.h, gate is GatePhase.
 // Versions 1 to 4 are read too: their header has 88 bytes, which end with the lesson in 60 and the CRC; their samples
 // have neither touched body nor effects, their events 48 bytes of text padded with zeros; they have no bodies. Version 1
 // knew no Fault::ended, version 2 none of those of hand_guard.h, version 3 no clutch. Version 5 knew one hand: its header ends
-// with the facts, its end has 24 bytes. Version 6 knew no Fault::other_stopped.
+// with the facts, its end has 24 bytes. Version 6 knew no Fault::other_stopped. Before
+// version 8 nothing was told, and the end of 6 and 7 has 32 bytes.
 // No clock of the day and no address is in it: the same run of the same program makes the same bytes. A file without the
 // end block was cut off; its whole blocks are good.
 //
@@ -45,7 +50,9 @@
 
 namespace fulcrum {
 
-inline constexpr std::uint32_t kRecordVersion = 7;
+inline constexpr std::uint32_t kRecordVersion = 8;
+inline constexpr std::uint32_t kFirstToldVersion =
+    8;  ///< the first that holds what loops were told
 inline constexpr std::size_t kRecordTextBytes = 4096;  ///< of any text, at most
 inline constexpr std::size_t kRecordSampleBytes = 240;
 inline constexpr std::size_t kRecordShareBytes = 48;
@@ -123,11 +130,31 @@ struct RecordHeader {
     std::vector<RecordHand> more_hands{};  ///< at most kRecordMoreHands
 };
 
+/// What a loop was told; the numbers are part of the format.
+enum class RecordToldKind : std::uint32_t {
+    command = 1,
+    world = 2,
+    axles = 3,
+    rigid = 4,
+    line = 5,
+    reading = 6
+};
+
+/// Of one round one thing that the loop was told, as bytes of the file: `read_told` makes a value of them.
+struct RecordTold {
+    std::uint64_t tick = 0;
+    RecordToldKind kind = RecordToldKind::command;
+    std::size_t at = 0;  ///< in RecordRounds::told_bytes
+    std::size_t size = 0;
+};
+
 /// The rounds of one hand.
 struct RecordRounds {
     std::vector<RecordSample> samples;  ///< in the order of time
     std::vector<Wrench>
         shares_W;  ///< of each sample in turn as many as the header has effects of that hand
+    std::vector<RecordTold> told;  ///< in the order of ticks; none of a run under a virtual clock
+    std::vector<std::byte> told_bytes;
 };
 
 /// A record in memory: the first hand's rounds, and what is of all.
@@ -145,6 +172,10 @@ struct Record : RecordRounds {
         return std::span(shares_W).subspan(n * sample, n);
     }
 };
+
+/// Reads what a loop was told into a value of the type that its kind names; one that was read from a record can be.
+template <class T>
+void read_told(const RecordRounds& rounds, const RecordTold& told, T& value);
 
 /// Reads a whole record. Refuses, with one sentence: wrong magic or version, a bad checksum, counts
 /// or sizes that cannot be, times that run backwards or are not finite, anything truncated. Never

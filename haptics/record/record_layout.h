@@ -29,9 +29,17 @@ inline constexpr std::size_t kOldEndBytes = 16;  // of versions 1 to 4, as are t
 inline constexpr std::size_t kOldLessonBytes = 60;
 inline constexpr std::size_t kOldTextBytes = 48;
 inline constexpr std::size_t kEndBytesOfOneHand = 24;  // of version 5
-inline constexpr std::size_t kEndBytes = 32;
+inline constexpr std::size_t kEndBytesUntold = 32;     // of versions 6 and 7
+inline constexpr std::size_t kEndBytes = 40;
 inline constexpr std::size_t kMostHeaderBytes = std::size_t{1} << 24;
-enum class BlockKind : std::uint32_t { samples = 1, events = 2, end = 3, bodies = 4, hand = 5 };
+enum class BlockKind : std::uint32_t {
+    samples = 1,
+    events = 2,
+    end = 3,
+    bodies = 4,
+    hand = 5,
+    told = 6
+};
 
 /// Appends fields to a vector.
 class Sink {
@@ -77,6 +85,8 @@ class Source {
     [[nodiscard]] std::string padded_text(std::size_t size);
     /// The bytes behind their length; false where they are too many or not there.
     [[nodiscard]] bool text(std::string& text);
+    /// Leaves so many bytes out; they are there.
+    void skip(std::size_t n) { bytes_ = bytes_.subspan(n); }
     /// Whether so many bytes are left.
     [[nodiscard]] bool has(std::size_t n) const { return bytes_.size() >= n; }
 

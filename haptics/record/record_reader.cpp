@@ -2,7 +2,9 @@
 #include "haptics/record/record.h"
 #include "haptics/record/record_header.h"
 #include "haptics/record/record_layout.h"
+#include "haptics/record/record_told.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -20,9 +22,9 @@ constexpr std::size_t kMostSamplesInBlock = 65536;
 constexpr std::size_t kMostPayloadBytes =
     kMostSamplesInBlock * (kRecordSampleBytes + kMostEffects * kRecordShareBytes);
 // The last fault that each version knows, oldest first.
-constexpr Fault kLastFaults[] = {Fault::device_write, Fault::ended,    Fault::too_much_energy,
-                                 Fault::clutched,     Fault::clutched, Fault::clutched,
-                                 Fault::other_stopped};
+constexpr Fault kLastFaults[] = {Fault::device_write,  Fault::ended,        Fault::too_much_energy,
+                                 Fault::clutched,      Fault::clutched,     Fault::clutched,
+                                 Fault::other_stopped, Fault::other_stopped};
 static_assert(std::size(kLastFaults) == kRecordVersion);
 constexpr std::uint32_t kFirstWithShares = 5;  // version whose samples tell what each effect adds
 constexpr std::uint32_t kFirstWithHands = 6;
@@ -43,17 +45,19 @@ class Reader {
     Expected<void> read_header();
     // Reads blocks up to the end; the first problem, or nothing.
     Problem read_blocks();
-    Record&& take() { return std::move(record_); }
+    Record take();
 
   private:
     Problem read_block();
     Problem read_samples(std::span<const std::byte> payload, std::size_t n_effects,
                          RecordRounds& rounds) const;
     Problem read_hand(std::span<const std::byte> payload);
+    Problem read_told(std::span<const std::byte> payload);
     Problem read_events(std::span<const std::byte> payload);
     Problem read_bodies(std::span<const std::byte> payload);
     Problem read_end(std::span<const std::byte> payload);
     [[nodiscard]] bool is_old() const { return record_.version < kFirstWithShares; }
+    [[nodiscard]] bool knows_told() const { return record_.version >= kFirstToldVersion; }
     [[nodiscard]] bool knows_hands() const { return record_.version >= kFirstWithHands; }
     [[nodiscard]] bool take_sample(Source& source, const RecordRounds& before,
                                    RecordSample& sample) const;
@@ -77,6 +81,15 @@ Expected<void> Reader::read_header() {
     known_faults_ = 2 * static_cast<std::uint32_t>(kLastFaults[head->version - 1]) - 1;
     rest_ = rest_.subspan(head->n_bytes);
     return {};
+}
+
+// Kinds were written one after the other; a loop hears of all in one round.
+Record Reader::take() {
+    std::ranges::stable_sort(record_.told, {}, &RecordTold::tick);
+    for (RecordRounds& rounds : record_.more_hands) {
+        std::ranges::stable_sort(rounds.told, {}, &RecordTold::tick);
+    }
+    return std::move(record_);
 }
 
 Problem Reader::read_blocks() {
@@ -125,6 +138,11 @@ Problem Reader::read_block() {
         case BlockKind::hand:
             if (knows_hands()) {
                 return read_hand(payload);
+            }
+            break;
+        case BlockKind::told:
+            if (knows_told()) {
+                return read_told(payload);
             }
             break;
         case BlockKind::events:
@@ -226,6 +244,32 @@ Problem Reader::read_hand(std::span<const std::byte> payload) {
                         record_.more_hands[number - 1]);
 }
 
+// What a hand's loop was told. Where one is not whole, or cannot be, none of the block stays.
+Problem Reader::read_told(std::span<const std::byte> payload) {
+    std::uint32_t number = 0;
+    Source source(payload);
+    if (!source.has(sizeof number)) {
+        return "the record is damaged: it tells of a hand that its header has not";
+    }
+    source.field(number);
+    if (number > record_.more_hands.size()) {
+        return "the record is damaged: it tells of a hand that its header has not";
+    }
+    RecordRounds& rounds = number == 0 ? record_ : record_.more_hands[number - 1];
+    const std::size_t begin = rounds.told_bytes.size();
+    const auto parts = payload.subspan(sizeof number);
+    std::size_t at = 0;
+    const Problem problem =
+        read_parts(parts, "message", rounds.told, [&](Source& part, RecordTold& told) {
+            told.at = begin + at;
+            return record_layout::take_told(part, parts, at, told);
+        });
+    if (!problem) {
+        rounds.told_bytes.insert(rounds.told_bytes.end(), parts.begin(), parts.end());
+    }
+    return problem;
+}
+
 // False where the bytes hold no whole event, or an impossible one.
 bool Reader::take_event(Source& source, RecordEvent& event) const {
     if (!source.has(kEventHeadBytes + (is_old() ? record_layout::kOldTextBytes : 0))) {
@@ -269,25 +313,28 @@ Problem Reader::read_bodies(std::span<const std::byte> payload) {
 
 Problem Reader::read_end(std::span<const std::byte> payload) {
     const std::size_t size = is_old()        ? record_layout::kOldEndBytes
-                             : knows_hands() ? record_layout::kEndBytes
+                             : knows_told()  ? record_layout::kEndBytes
+                             : knows_hands() ? record_layout::kEndBytesUntold
                                              : record_layout::kEndBytesOfOneHand;
     if (payload.size() != size) {
         return "the record is damaged: its end has a wrong size";
     }
     std::size_t n_others = 0;
+    std::size_t n_told = record_.told.size();
     for (const RecordRounds& rounds : record_.more_hands) {
         n_others += rounds.samples.size();
+        n_told += rounds.told.size();
     }
     Source source(payload);
     for (const std::size_t n :
-         {record_.samples.size(), record_.events.size(), record_.bodies.size(), n_others}) {
+         {record_.samples.size(), record_.events.size(), record_.bodies.size(), n_others, n_told}) {
         std::uint64_t told = 0;
         if (source.has(sizeof told)) {
             source.field(told);
         }
         if (told != n) {
-            return "the record is damaged: it holds other numbers of samples, events and bodies "
-                   "than its end says";
+            return "the record is damaged: it holds other numbers of samples, events, bodies and "
+                   "messages than its end says";
         }
     }
     ended_ = true;

@@ -3,6 +3,7 @@
 #include "haptics/base/crc32.h"
 #include "haptics/record/record_header.h"
 #include "haptics/record/record_layout.h"
+#include "haptics/record/record_told.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -80,10 +81,42 @@ void RecordEncoder::append(const RecordBody& body) {
     }
 }
 
+template <class T>
+void RecordEncoder::append(std::size_t number, const Told<T>& told) {
+    if (number >= hands_.size()) {
+        return;
+    }
+    std::vector<std::byte>& open = hands_[number].told;
+    Sink sink(open);
+    if (open.empty()) {
+        sink.field(static_cast<std::uint32_t>(number));
+    }
+    std::vector<std::byte> bytes;
+    Sink own(bytes);
+    record_layout::visit_told(own, told.value);
+    sink.field(told.tick);
+    sink.field(static_cast<std::uint32_t>(record_layout::kind_of(told.value)));
+    sink.field(static_cast<std::uint32_t>(bytes.size()));
+    open.insert(open.end(), bytes.begin(), bytes.end());
+    ++n_told_;
+    if (open.size() > kFullPayload_bytes) {
+        close_blocks();
+    }
+}
+
+template void RecordEncoder::append(std::size_t, const Told<ForceCommand>&);
+template void RecordEncoder::append(std::size_t, const Told<WorldFrame>&);
+template void RecordEncoder::append(std::size_t, const Told<AxleOrders>&);
+template void RecordEncoder::append(std::size_t, const Told<RigidFrame>&);
+template void RecordEncoder::append(std::size_t, const Told<LineState>&);
+template void RecordEncoder::append(std::size_t, const Told<ToldReading>&);
+
 void RecordEncoder::close_blocks() {
     for (std::size_t i = 0; i < hands_.size(); ++i) {
         const BlockKind kind = i == 0 ? BlockKind::samples : BlockKind::hand;
         put_block(static_cast<std::uint32_t>(kind), hands_[i].bytes);
+        put_block(static_cast<std::uint32_t>(BlockKind::told), hands_[i].told);
+        hands_[i].told.clear();
         hands_[i].bytes.clear();
         hands_[i].n_open = 0;
     }
@@ -118,6 +151,7 @@ void RecordEncoder::finish() {
         n_others += hands_[i].n_samples;
     }
     Sink(payload).field(n_others);
+    Sink(payload).field(n_told_);
     put_block(static_cast<std::uint32_t>(BlockKind::end), payload);
 }
 

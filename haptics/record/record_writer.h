@@ -7,6 +7,7 @@
 
 #include "haptics/base/error.h"
 #include "haptics/handover/channels.h"
+#include "haptics/handover/told.h"
 #include "haptics/record/record.h"
 
 #include <cstddef>
@@ -38,6 +39,9 @@ class RecordEncoder {
     void append(const RecordEvent& event);
     /// Adds where a body was found; written like an event.
     void append(const RecordBody& body);
+    /// Adds what the loop of a hand was told in a round: one of those types that RecordToldKind names. Written like an event.
+    template <class T>
+    void append(std::size_t hand, const Told<T>& told);
     /// Closes the blocks that are open. Use it rarely: where blocks end is part of the bytes.
     void close_blocks();
     /// Closes the record; nothing may be appended after it.
@@ -54,6 +58,7 @@ class RecordEncoder {
         std::vector<std::byte> bytes{};
         std::size_t n_open = 0;
         std::uint64_t n_samples = 0;
+        std::vector<std::byte> told{};  // of an open block
     };
 
     std::vector<std::byte> bytes_;
@@ -62,6 +67,7 @@ class RecordEncoder {
     std::vector<std::byte> bodies_;
     std::uint64_t n_events_ = 0;
     std::uint64_t n_bodies_ = 0;
+    std::uint64_t n_told_ = 0;
 };
 
 /// A record in a file.
@@ -82,6 +88,11 @@ class RecordWriter {
     [[nodiscard]] Expected<void> append(std::size_t hand, const RecordRound& round);
     [[nodiscard]] Expected<void> append(const RecordEvent& event);
     [[nodiscard]] Expected<void> append(const RecordBody& body);
+    template <class T>
+    [[nodiscard]] Expected<void> append(std::size_t hand, const Told<T>& told) {
+        encoder_.append(hand, told);
+        return write_out();
+    }
     /// Writes the end and closes the file.
     [[nodiscard]] Expected<void> finish();
 

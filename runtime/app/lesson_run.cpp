@@ -148,10 +148,7 @@ Expected<void> LessonRun::build_loops(const Places& places, const RunRequest& re
             return built;
         }
     }
-    haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, hand_->device(), channels_);
-    watch_limits();
-    build_more_loops();
-    build_replayed_stops(request);
+    build_hands(request);
     build_why(request);
     if (auto recorded = build_recorder(places, request); !recorded) {
         return recorded;

@@ -20,6 +20,7 @@
 #include "runtime/app/replayed_stops.h"
 #include "runtime/app/run_recorder.h"
 #include "runtime/app/run_request.h"
+#include "runtime/app/told_replay.h"
 #include "runtime/audio/touch_sound.h"
 #include "runtime/lesson/answer_choices.h"
 #include "runtime/lesson/first_use.h"
@@ -67,6 +68,14 @@ struct MoreHand {
     std::shared_ptr<const Record> replayed;  ///< of this hand alone; null where none is repeated
     HandChoice choice{};                     ///< as it was settled
     HandFit fit{};                           ///< said and kept
+};
+
+/// What a hand's loop is told by a record.
+struct ToldChannels {
+    HapticChannels haptics{};
+    AxleChannels axles{};
+    RigidChannels rigid{};
+    KiteChannels kite{};
 };
 
 /// What a frame asks of the driver.
@@ -219,8 +228,18 @@ class LessonRun {
     [[nodiscard]] Expected<void> build_recorder(const Places& places, const RunRequest& request);
     void build_touch_sound();
     void watch_limits();
+    void build_hands(const RunRequest& request);
     void build_more_loops();
     void build_replayed_stops(const RunRequest& request);
+    void build_told(const RunRequest& request);
+    void build_told_replay(const RunRequest& request);
+    [[nodiscard]] HapticChannels& channels_at(std::size_t hand) {
+        return hand == 0 ? channels_ : more_hands_[hand - 1]->channels;
+    }
+    /// Those of the hand's loop: in a run that is told by a record, others than those that the rest of the run has.
+    [[nodiscard]] HapticChannels& loop_channels(std::size_t hand) {
+        return hand < told_.size() ? told_[hand]->haptics : channels_at(hand);
+    }
     void gather_more_hands(SessionInput& gathered);
     void show_more_hands(Scenery& scenery) const;
     void lead_more_hands(const SessionOutput& output);
@@ -252,6 +271,9 @@ class LessonRun {
     std::vector<std::string> hand_notices_;  // of who moves which
     std::unique_ptr<HandsLoop> hands_loop_;  // null with one hand
     std::unique_ptr<ReplayedStops> stops_;   // around either, where a record is repeated
+    std::vector<std::unique_ptr<ToldChannels>>
+        told_;                                 // of each hand; none where no record tells all
+    std::unique_ptr<ToldReplay> told_replay_;  // instead of those, where one does
     std::unique_ptr<WorldLoop> world_loop_;
     std::unique_ptr<KiteLoop> kite_loop_;
     std::unique_ptr<RigidChannels> rigid_;  // null without rigid bodies, like the next

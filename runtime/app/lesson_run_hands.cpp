@@ -86,22 +86,34 @@ void LessonRun::watch_limits() {
     hand_->watch_limits(felt);
 }
 
+void LessonRun::build_hands(const RunRequest& request) {
+    build_told(request);
+    haptic_loop_ = std::make_unique<HapticLoop>(plan_.haptic, hand_->device(), loop_channels(0));
+    watch_limits();
+    build_more_loops();
+    build_replayed_stops(request);
+    build_told_replay(request);
+}
+
 void LessonRun::build_more_loops() {
     if (more_hands_.empty()) {
         return;
     }
-    std::vector<HandInRound> hands{{haptic_loop_.get(), &channels_}};
+    std::vector<HandInRound> hands{{haptic_loop_.get(), &loop_channels(0)}};
     for (std::size_t i = 0; i < more_hands_.size(); ++i) {
         MoreHand& hand = *more_hands_[i];
-        hand.loop =
-            std::make_unique<HapticLoop>(plan_.more_hands[i], hand.device->device(), hand.channels);
-        hands.push_back({hand.loop.get(), &hand.channels});
+        hand.loop = std::make_unique<HapticLoop>(plan_.more_hands[i], hand.device->device(),
+                                                 loop_channels(i + 1));
+        hands.push_back({hand.loop.get(), &loop_channels(i + 1)});
     }
     hands_loop_ = std::make_unique<HandsLoop>(hands);
 }
 
 void LessonRun::build_replayed_stops(const RunRequest& request) {
     std::vector<ReplayedStops::Hand> hands;
+    if (!told_.empty()) {
+        return;
+    }
     if (request.replayed) {
         hands.push_back({request.replayed, &channels_});
     }
@@ -116,12 +128,16 @@ void LessonRun::build_replayed_stops(const RunRequest& request) {
 }
 
 PeriodicTask& LessonRun::hands_loop() {
-    return stops_        ? static_cast<PeriodicTask&>(*stops_)
+    return told_replay_  ? static_cast<PeriodicTask&>(*told_replay_)
+           : stops_      ? static_cast<PeriodicTask&>(*stops_)
            : hands_loop_ ? static_cast<PeriodicTask&>(*hands_loop_)
                          : *haptic_loop_;
 }
 
 void LessonRun::step_hands(double now_s, StageListener& listener) {
+    if (told_replay_) {
+        return told_replay_->step_observed(now_s, listener);
+    }
     if (stops_) {
         stops_->repeat(now_s);
     }

@@ -25,14 +25,13 @@ constexpr std::array<CommandWord, 16> kCommands{{
      " --headless --seconds --seed --errors --hand --by --say --learner --db --record --screenshot "
      "--screenshot-at --speech --hear --listen --sure --throat --voice "
      "--voice-speed --watch --mute --force-limit --feedback --key --scale --axes --middle --clutch "
-     "--handed --first-use "},
+     "--handed --first-use --real-time "},
     {"list", Command::list, false, " "},
     {"check", Command::check, true, " --force-limit "},
     {"test", Command::test, true, " --force-limit --seed --errors --hand --by "},
     {"explain", Command::explain, true,
      " --mute --headless --speech --hear --listen --record --force-limit --analyze --json --hand "
-     "--say "
-     "--seconds --force "},
+     "--say --seconds --force "},
     {"export", Command::export_record, true, " --out "},
     {"report", Command::report, false, " --learner --lesson --db --format --out "},
     {"devices", Command::devices, false, " --json "},
@@ -198,7 +197,7 @@ Expected<void> set_value(Options& options, const std::string& flag, const std::s
 
 bool takes_value(std::string_view flag) {
     return flag != "--headless" && flag != "--watch" && flag != "--mute" && flag != "--analyze" &&
-           flag != "--json";
+           flag != "--json" && flag != "--real-time";
 }
 
 void set_switch(Options& options, std::string_view flag) {
@@ -207,6 +206,7 @@ void set_switch(Options& options, std::string_view flag) {
     options.mute |= flag == "--mute";
     options.analyze |= flag == "--analyze";
     options.json |= flag == "--json";
+    options.real_time |= flag == "--real-time";
 }
 
 std::string nearest(const std::string& word, const std::vector<std::string>& known) {
@@ -333,7 +333,7 @@ std::string usage() {
 
   fulcrum                    the list of lessons, in a window  (--learner NAME --db FILE --force-limit N --mute --watch)
   fulcrum run LESSON         play a lesson
-      --headless             without a window, faster than real time, repeatable to the byte; tells what is said
+      --headless             without a window, faster than real time, repeatable to the byte; tells what is said; --real-time: as fast as it is
       --hand FILE.lua|mouse|keys|hid|hid:PATH|udp:HOST:PORT|replay:FILE|none   (once a hand)
                              udp: an arm on another computer, or fulcrum arm on this one  (--key FILE)
                              replay: a run that --record wrote, with its keys, answers and seed; --headless says whether every

@@ -58,6 +58,7 @@ struct Options {
     Command command = Command::menu;
     std::string lesson;             ///< a name under scenarios/ or a folder
     bool headless = false;          ///< no window: virtual clock, faster than real time
+    bool real_time = false;         ///< run: the loops keep real time, as in a window
     std::optional<double> seconds;  ///< end the run after this long, 0 to 86 400
     /// Of each hand: FILE.lua, mouse, keys, hid, hid:PATH, udp:HOST:PORT, replay:FILE or none; what is not said is chosen by what is there.
     std::vector<std::string> hands;

@@ -106,7 +106,7 @@ int run_without_window(const Installation& installation, const Options& options,
         settings.after_frame = [&](double now_s) { screenshot.after_frame(now_s); };
     }
     const auto outcome =
-        keeps_time(request) ? run_in_real_time(**run, settings) : run_headless(**run, settings);
+        request.plan.live ? run_in_real_time(**run, settings) : run_headless(**run, settings);
     const auto recorded = (*run)->finish_record();
     say_losses(**run);
     if (!outcome) {

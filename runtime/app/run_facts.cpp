@@ -5,7 +5,9 @@
 #include "runtime/app/hand_device.h"
 #include "runtime/app/program_build.h"
 #include "runtime/evidence/record_words.h"
+#include "runtime/evidence/replay_check.h"
 #include "runtime/lesson/learner_feedback.h"
+#include "runtime/scene/check_tool.h"
 #include "runtime/scene/plan_tool.h"
 #include "runtime/scene/shape_models.h"
 
@@ -87,7 +89,10 @@ std::string_view word_of(HandKind kind) {
 
 void add_options(const FactSources& run, Facts& facts) {
     facts.add("option.seed", std::to_string(run.request.seed));
-    facts.add("option.clock", run.request.plan.live ? "real time" : "virtual");
+    facts.add(kClockFact, run.request.plan.live ? kRealTime : "virtual");
+    if (run.request.plan.live && run.plan.haptic.tool) {
+        facts.add(kToolTimeFact, find_budget_us(run.lesson.hand));
+    }
     facts.add("option.hand", std::string(word_of(run.request.hand)));
     facts.add("option.day", run.plan.day);
     facts.add(kScaleFact, run.plan.haptic.workspace.scale / run.lesson.hand.scale);

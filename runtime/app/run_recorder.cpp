@@ -54,6 +54,13 @@ Expected<std::unique_ptr<RunRecorder>> RunRecorder::create(
     return recorder;
 }
 
+void RunRecorder::keep_told(std::span<HapticChannels* const> channels) {
+    for (std::size_t i = 0; i < std::min(channels.size(), hands_.size()); ++i) {
+        hands_[i]->told = std::make_unique<ToldRings>(*channels[i]);
+        channels[i]->told = hands_[i]->told.get();
+    }
+}
+
 void RunRecorder::note(const Expected<void>& written) {
     if (!written && trouble_) {
         trouble_ = written;
@@ -81,6 +88,9 @@ void RunRecorder::drain() {
 // Every round, and where the gate or a fault has changed, that too: who reads events alone must not miss it.
 void RunRecorder::drain(std::size_t number) {
     Hand& hand = *hands_[number];
+    if (hand.told && writer_) {
+        hand.told->drain([&](const auto& told) { note(writer_->append(number, told)); });
+    }
     const std::string whose = number == 0 ? "" : "hand " + std::to_string(number + 1) + ": ";
     for (RecordRound round; hand.ring.pop(round);) {
         const RecordSample& sample = round.sample;

@@ -5,6 +5,7 @@
 
 #include "haptics/base/error.h"
 #include "haptics/handover/channels.h"
+#include "haptics/loop/told_rings.h"
 #include "haptics/record/record_writer.h"
 #include "runtime/evidence/replay_check.h"
 #include "runtime/lesson/session.h"
@@ -25,6 +26,8 @@ class RunRecorder {
     [[nodiscard]] static Expected<std::unique_ptr<RunRecorder>> create(
         const std::string& file, const RecordHeader& header,
         std::span<HapticChannels* const> channels, std::vector<std::string> forces = {});
+    /// From now on what these channels tell is kept too, for loops that keep their own time; before the loops begin.
+    void keep_told(std::span<HapticChannels* const> channels);
     /// The same of one hand.
     [[nodiscard]] static Expected<std::unique_ptr<RunRecorder>> create(
         const std::string& file, const RecordHeader& header, HapticChannels& channels,
@@ -50,11 +53,11 @@ class RunRecorder {
     void keep_failure(double time_s, const std::string& sentence);
     /// Writes the rest and closes the file; tells the first trouble of the whole run.
     [[nodiscard]] Expected<void> finish();
-    /// Rounds that were lost because the disk was too slow.
+    /// Rounds, and what they were told, that were lost because the disk was too slow.
     [[nodiscard]] std::uint64_t dropped() const noexcept {
         std::uint64_t n = 0;
         for (const auto& hand : hands_) {
-            n += hand->ring.dropped();
+            n += hand->ring.dropped() + (hand->told ? hand->told->dropped() : 0);
         }
         return n;
     }
@@ -63,6 +66,7 @@ class RunRecorder {
     // A hand's rounds, and as they were told last.
     struct Hand {
         RecordRing ring;
+        std::unique_ptr<ToldRings> told{};
         std::optional<ReplayCheck> check{};
         GatePhase gate = GatePhase::waiting;
         Fault faults = Fault::none;

@@ -121,6 +121,16 @@ Expected<void> choose_hearing(const Options& options, RunRequest& request) {
     return {};
 }
 
+// A hand that keeps its own time needs real time; any other may have it, where nobody plays at a desk.
+Expected<void> choose_clock(const Options& options, RunRequest& request) {
+    if (options.real_time && request.by != PlayedBy::arm) {
+        return fail("--real-time is not for a simulated player at a desk", "",
+                    "leave --by out, or --real-time");
+    }
+    request.plan.live = request.plan.live || options.real_time || keeps_time(request);
+    return {};
+}
+
 // Days since noon of 1 January 2000, of Greenwich.
 double today() {
     constexpr std::chrono::sys_days kFirst{std::chrono::year{2000} / 1 / 1};
@@ -248,7 +258,7 @@ Expected<RunRequest> make_request(const Places& places, const Options& options, 
     return choose_hands(options, in_window, request)
         .and_then([&] { return choose_answers(options, in_window, request); })
         .and_then([&] { return choose_hearing(options, request); })
-        .map([&] { request.plan.live = request.plan.live || keeps_time(request); })
+        .and_then([&] { return choose_clock(options, request); })
         .map([&] { return std::move(request); });
 }
 

@@ -1,5 +1,6 @@
 #include "runtime/evidence/replay_check.h"
 
+#include "haptics/device/replay/recorded_traits.h"
 #include "haptics/math/length.h"
 #include "runtime/evidence/record_words.h"
 
@@ -15,6 +16,23 @@ namespace fulcrum::runtime {
 namespace {
 
 constexpr std::size_t kMostNamed = 3;  // facts of one kind that are told one by one
+constexpr const char* kToldByRecord =
+    " The run kept real time; what lesson and world said in each round was taken from the record.";
+
+bool was_in_real_time(const Record& record) {
+    return find_fact(record.header, kClockFact) == kRealTime;
+}
+
+// Rounds that the recorder was not in time for.
+std::uint64_t count_lost(const Record& record) {
+    const auto& samples = record.samples;
+    return samples.empty() ? 0 : samples.back().tick + 1 - samples.size();
+}
+
+bool is_of_tool(const ReplayReport& report) {
+    return report.first == Difference::effect &&
+           (report.effect.starts_with("tool") || report.effect == "texture");
+}
 
 // Bits, not values: a zero with another sign or a NaN would be another run.
 bool same_bits(double a, double b) {
@@ -74,8 +92,9 @@ constexpr std::array<Kind, 6> kKinds{{{"program.", "the program is another one",
                                       {"workspace.", "the workspace differs", true}}};
 constexpr Kind kPlan{"plan.", "the plan differs", true};
 
+// A run in real time is repeated under a virtual clock, by what the record tells.
 bool is_compared(std::string_view name) {
-    return name != "option.hand" && name != "program.build";
+    return name != "option.hand" && name != "program.build" && name != kClockFact;
 }
 
 const RecordFact* find_same(const RecordHeader& header, const std::string& name) {
@@ -110,6 +129,10 @@ std::string differing(const Kind& kind, const RecordHeader& record, const Record
 }
 
 }  // namespace
+
+bool tells_all(const Record& record) {
+    return record.version >= kFirstToldVersion && was_in_real_time(record);
+}
 
 std::string explain_difference(const RecordHeader& record, const RecordHeader& now) {
     std::string text;
@@ -207,7 +230,7 @@ std::string ReplayCheck::sentence() const {
                                      ? " of " + n(record_->samples.size()) + " in the record"
                                      : "";
         return "All forces are the record's, bit for bit, in " + n(report_.n_compared) + " rounds" +
-               part + ".";
+               part + "." + (tells_all(*record_) ? kToldByRecord : "");
     }
     std::array<char, 64> when{};
     std::snprintf(when.data(), when.size(), "At %.4f s (round %llu) ", report_.time_s,
@@ -243,14 +266,36 @@ std::string ReplayCheck::sentence() const {
                   "; the applied force differs in %llu of %llu rounds, by up to %.3g N.",
                   static_cast<unsigned long long>(report_.n_different),
                   static_cast<unsigned long long>(report_.n_compared), report_.most_N);
-    const std::string why = explain_difference(record_->header, header_);
-    if (!why.empty()) {
-        return text + extent.data() + " Likely why: " + why + ".";
+    return text + extent.data() + explain();
+}
+
+std::string ReplayCheck::explain() const {
+    const Record& record = *record_;
+    if (was_in_real_time(record) && !tells_all(record)) {
+        return " The run kept real time, and a record of version " +
+               std::to_string(record.version) +
+               " does not tell what world and lesson said in which round; record it again.";
     }
-    const bool is_old = record_->header.facts.empty();
-    return text + extent.data() +
-           (is_old ? " The record is of an earlier version and does not say what it was made with."
-                   : " Program, lesson, files, options and limits are the record's.");
+    if (const std::uint64_t lost = count_lost(record); tells_all(record) && lost > 0) {
+        return " The record lost " + std::to_string(lost) +
+               " rounds, for its disk or the computer was too slow; what came in them is not "
+               "known.";
+    }
+    std::string text;
+    if (const auto budget = find_fact(record.header, kToolTimeFact);
+        budget && is_of_tool(report_)) {
+        text = " The tool had " + std::string(*budget) +
+               " us of each step then and ended its search by the clock, which is not in a record.";
+    }
+    if (const std::string why = explain_difference(record.header, header_); !why.empty()) {
+        return text + " Likely why: " + why + ".";
+    }
+    if (!text.empty()) {
+        return text;
+    }
+    return record.header.facts.empty()
+               ? " The record is of an earlier version and does not say what it was made with."
+               : " Program, lesson, files, options and limits are the record's.";
 }
 
 }  // namespace fulcrum::runtime

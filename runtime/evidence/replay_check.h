@@ -2,7 +2,8 @@
 //
 //   round --> the record's round of the same tick --> same bits of hand, each effect's share, commanded, applied
 // What differs first in the order of a round is named: a hand before an effect, an effect before the sum, the sum before what the gate
-// let through. Why is read off the two headers: program, lesson, files, options, limits, plan, in this order.
+// let through. Why is read off the two headers: program, lesson, files, options, limits, plan, in this order; and of a run in real time off
+// what its record cannot hold: rounds that were lost, and a tool that ended its search by the clock.
 //
 // Thread: that which takes the rounds from the ring. Cost: a comparison of some hundred bytes a round.
 #pragma once
@@ -15,6 +16,14 @@
 #include <string>
 
 namespace fulcrum::runtime {
+
+/// A record's fact: "real time" or "virtual".
+inline constexpr const char* kClockFact = "option.clock";
+inline constexpr const char* kRealTime = "real time";
+/// A record's fact: what the tool had of each step, microseconds; of a run in real time alone.
+inline constexpr const char* kToolTimeFact = "live.tool us";
+/// Whether a record is of a run in real time and holds all that its loops were told in it.
+[[nodiscard]] bool tells_all(const Record& record);
 
 /// What of a round differs first.
 enum class Difference : std::uint8_t { none, time, hand, effect, commanded, applied, state };
@@ -43,6 +52,7 @@ class ReplayCheck {
     [[nodiscard]] std::string sentence() const;
 
   private:
+    [[nodiscard]] std::string explain() const;
     void find_first(const RecordRound& round, std::size_t i);
     void differ(Difference what, const RecordSample& at, const Wrench& is_W, const Wrench& was_W,
                 std::string effect = {});

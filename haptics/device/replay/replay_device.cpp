@@ -2,6 +2,7 @@
 #include "haptics/device/replay/replay_device.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace fulcrum {
 
@@ -33,14 +34,17 @@ bool ReplayDevice::read(double now_s, DeviceReading& reading) noexcept {
     }
     reading.pose_D = sample.pose_D;
     reading.buttons = sample.buttons;
-    // What a device can have noticed by itself: a clutch, and that what came before was lost.
-    reading.faults = sample.faults & (Fault::clutched | Fault::device_stale);
+    reading.faults = readings_[at_].faults;
+    if (!readings_[at_].is_reading) {
+        reading.pose_D.position.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
     reading.stamp_s = past_end ? now_s : sample.stamp_s + offset_s_;
     return past_end || !any(sample.faults & Fault::device_read);
 }
 
 bool ReplayDevice::write(double /*now_s*/, const Wrench& /*wrench_D*/) noexcept {
-    return true;
+    // It is noticed in the next round.
+    return at_ + 1 >= samples_.size() || !any(samples_[at_ + 1].faults & Fault::device_write);
 }
 
 void ReplayDevice::reset() noexcept {

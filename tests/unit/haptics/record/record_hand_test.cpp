@@ -79,16 +79,20 @@ std::vector<std::byte> as_version_5(std::vector<std::byte> bytes) {
     put_at(bytes, head - 8, compute_crc32(std::span(bytes).first(head - 8)));
     const std::size_t end = find_block(bytes, 3);
     put_at(bytes, end + 8, 24);
-    bytes.resize(bytes.size() - 8);
+    bytes.resize(bytes.size() - 16);
     mend_block(bytes, end);
     return bytes;
 }
 
-// The same bytes where nothing is told that version 6 did not know.
-std::vector<std::byte> as_version_6(std::vector<std::byte> bytes) {
+// As versions 6 and 7 have it: no number of what was told at the end.
+std::vector<std::byte> as_version(std::uint32_t version, std::vector<std::byte> bytes) {
     const std::size_t head = u32_at(bytes, kHeaderSizeAt);
-    put_at(bytes, 8, 6);
+    put_at(bytes, 8, version);
     put_at(bytes, head - 4, compute_crc32(std::span(bytes).first(head - 4)));
+    const std::size_t end = find_block(bytes, 3);
+    put_at(bytes, end + 8, 32);
+    bytes.resize(bytes.size() - 8);
+    mend_block(bytes, end);
     return bytes;
 }
 
@@ -180,11 +184,13 @@ TEST_CASE("record: hands that cannot be are refused, each with its sentence") {
     CHECK(read_record(encoder.take_bytes())->header.more_hands.size() == kRecordMoreHands);
 }
 
-TEST_CASE("record: of version 6 is read, and has not what it did not know: another hand's stop") {
-    const auto record = read_record(as_version_6(make_two_bytes(20)));
-    REQUIRE(record);
-    CHECK(record->version == 6);
-    CHECK(record->more_hands[0].samples.size() == 15);
+TEST_CASE("record: of versions 6 and 7 is read, and has not what they did not know") {
+    for (const std::uint32_t version : {6U, 7U}) {
+        const auto record = read_record(as_version(version, make_two_bytes(20)));
+        REQUIRE(record);
+        CHECK(record->version == version);
+        CHECK(record->more_hands[0].samples.size() == 15);
+    }
     RecordSample sample = make_sample(1);
     sample.faults = Fault::other_stopped;
     RecordEncoder encoder(make_two_hands());
@@ -193,7 +199,18 @@ TEST_CASE("record: of version 6 is read, and has not what it did not know: anoth
     const auto bytes = encoder.take_bytes();
     REQUIRE(read_record(bytes));
     CHECK(read_record(bytes)->samples[0].faults == Fault::other_stopped);
-    CHECK_FALSE(read_record(as_version_6(bytes)));
+    CHECK(read_record(as_version(7, bytes)));
+    CHECK_FALSE(read_record(as_version(6, bytes)));
+    // What loops were told is of later.
+    encoder = RecordEncoder(make_two_hands());
+    encoder.append(make_sample(1));
+    encoder.append(0, Told<ToldReading>{1, {Fault::clutched, true}});
+    encoder.finish();
+    const auto told = encoder.take_bytes();
+    CHECK(read_record(told));
+    const auto refused = read_record(as_version(7, told));
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message.find("unknown kind 6") != std::string::npos);
 }
 
 TEST_CASE("record: of version 5, which knew one hand, is read; in one a second hand is none") {

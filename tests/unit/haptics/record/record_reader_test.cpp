@@ -14,7 +14,7 @@ using namespace fulcrum;
 
 namespace {
 
-constexpr std::ptrdiff_t kEndBlockBytes = 16 + 32;
+constexpr std::ptrdiff_t kEndBlockBytes = 16 + 40;
 
 // What the reader says about these bytes.
 std::string complaint(const std::vector<std::byte>& bytes) {

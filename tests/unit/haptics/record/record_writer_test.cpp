@@ -76,12 +76,12 @@ TEST_CASE("record: sizes are as the format says, and fields lie where it says") 
     const std::vector<std::byte> bytes = make_bytes(1);
     const std::size_t head = header_bytes();
     // header, a block of one sample, the end
-    REQUIRE(bytes.size() == head + 16 + kFixtureSampleBytes + 16 + 32);
+    REQUIRE(bytes.size() == head + 16 + kFixtureSampleBytes + 16 + 40);
     CHECK(std::memcmp(bytes.data(),
                       "\x89"
                       "FLCR\r\n\x1a",
                       8) == 0);
-    CHECK(static_cast<int>(bytes[8]) == 7);  // version, least byte first
+    CHECK(static_cast<int>(bytes[8]) == 8);  // version, least byte first
     CHECK(static_cast<std::size_t>(bytes[12]) == head);
     CHECK(static_cast<int>(bytes[40]) == 7);  // the lesson's length, behind three numbers
     CHECK(std::memcmp(&bytes[44], "gravity", 7) == 0);

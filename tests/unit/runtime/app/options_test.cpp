@@ -42,6 +42,12 @@ TEST_CASE("options: run takes a lesson and every documented flag") {
     CHECK(options->force_limit_N == 10.0);
 }
 
+TEST_CASE("options: a run may keep real time, no other command may") {
+    CHECK(parse({"run", "gravity", "--headless", "--real-time"})->real_time);
+    CHECK_FALSE(parse({"run", "gravity", "--headless"})->real_time);
+    CHECK_FALSE(parse({"test", "gravity", "--real-time"}));
+}
+
 TEST_CASE("options: devices are listed for people or for programs, and nothing else is asked") {
     CHECK(parse({"devices"})->command == Command::devices);
     CHECK(parse({"devices", "--json"})->json);

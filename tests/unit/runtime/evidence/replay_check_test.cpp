@@ -188,3 +188,72 @@ TEST_CASE("replay check: the headers say why") {
     old.take(other);
     CHECK(old.sentence().find("earlier version") != std::string::npos);
 }
+
+namespace {
+
+// Of a run in real time, in which `spoil` changed the record.
+ReplayCheck play_real_time(const std::function<void(Record&)>& spoil,
+                           const char* effect = "contact") {
+    Record record = *make_record();
+    record.header.effects[0] = effect;
+    record.header.facts.push_back({kClockFact, kRealTime});
+    RecordHeader now = record.header;
+    now.facts.back().value = "virtual";
+    spoil(record);
+    ReplayCheck check(std::make_shared<const Record>(record), now);
+    for (int k = 0; k < kRounds; ++k) {
+        check.take(make_round(k));
+    }
+    return check;
+}
+
+void change_force(Record& record) {
+    record.shares_W[20].force.x() += 0.5;
+}
+
+bool says(const ReplayCheck& check, const char* words) {
+    INFO(check.sentence());
+    return check.sentence().find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "replay check: of a run in real time it says what the record told, and what it could not") {
+    const ReplayCheck same = play_real_time([](Record&) {});
+    CHECK(same.report().same());
+    CHECK(says(same, "what lesson and world said in each round was taken from the record."));
+    // That it is repeated under a virtual clock explains nothing.
+    CHECK(says(play_real_time(change_force), "are the record's."));
+    const auto old = [](Record& record) {
+        record.version = kFirstToldVersion - 1;
+        change_force(record);
+    };
+    CHECK(says(play_real_time(old),
+               "a record of version 7 does not tell what world and lesson said"));
+    const auto lost = [](Record& record) {
+        record.samples.erase(record.samples.begin() + 5, record.samples.begin() + 8);
+        record.shares_W.erase(record.shares_W.begin() + 10, record.shares_W.begin() + 16);
+        record.shares_W[20].force.x() += 0.5;
+    };
+    CHECK(says(play_real_time(lost), "The record lost 3 rounds"));
+    const auto hurried = [](Record& record) {
+        record.header.facts.push_back({kToolTimeFact, "500"});
+        change_force(record);
+    };
+    CHECK(says(play_real_time(hurried, "tool"),
+               "The tool had 500 us of each step then and ended its search by the clock"));
+    CHECK_FALSE(says(play_real_time(hurried, "contact"), "The tool had"));
+}
+
+TEST_CASE("replay check: a record tells all where it is of a run in real time and new enough") {
+    Record record = *make_record();
+    CHECK_FALSE(tells_all(record));
+    record.header.facts.push_back({kClockFact, kRealTime});
+    CHECK(tells_all(record));
+    record.version = kFirstToldVersion - 1;
+    CHECK_FALSE(tells_all(record));
+    record.version = kRecordVersion;
+    record.header.facts.back().value = "virtual";
+    CHECK_FALSE(tells_all(record));
+}
