@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kNothing_N = 1.0e-4;
 constexpr double kNothing_Nm = 1.0e-6;
+constexpr double kFarthest_m = 1.0e9;
+constexpr double kUnit = 1.0e-6;  // how far a quaternion's length may be off
 
 }  // namespace
 
@@ -17,6 +19,11 @@ Vector6 find_way(const Pose& from_W, const Pose& to_W) noexcept {
     way << to_W.position - from_W.position,
         compute_log((to_W.orientation * from_W.orientation.conjugate()).normalized());
     return way;
+}
+
+bool is_place(const Pose& pose) noexcept {
+    return is_finite(pose) && pose.position.cwiseAbs().maxCoeff() <= kFarthest_m &&
+           std::abs(pose.orientation.norm() - 1.0) < kUnit;
 }
 
 Pose go_along(const Pose& from_W, const Vector6& way) noexcept {

@@ -34,6 +34,8 @@ struct GodForceSettings {
 
 /// The shift and the rotation vector, world frame, that lead from one pose of a body to another.
 [[nodiscard]] Vector6 find_way(const Pose& from_W, const Pose& to_W) noexcept;
+/// Whether a body may be there: numbers, a unit quaternion, and no farther from the origin than 1e9 m.
+[[nodiscard]] bool is_place(const Pose& pose) noexcept;
 /// The body after it.
 [[nodiscard]] Pose go_along(const Pose& from_W, const Vector6& way) noexcept;
 

@@ -197,7 +197,7 @@ GodObjectTool::Felt GodObjectTool::feel(const Pose& handle_W) noexcept {
 }
 
 Wrench GodObjectTool::force(const Pose& handle_W) noexcept {
-    return is_begun_ && is_finite(handle_W) ? feel(handle_W).all : Wrench{};
+    return is_begun_ && is_place(handle_W) ? feel(handle_W).all : Wrench{};
 }
 
 }  // namespace fulcrum

@@ -33,7 +33,7 @@ constexpr int kMovingTries = 4;
 constexpr double kNoProgress = 1.0e-6;  // of the objects' way
 
 bool is_number(const MovingFrame& frame) noexcept {
-    return is_finite(frame) && std::abs(frame.pose_W.orientation.norm() - 1.0) < 1.0e-6;
+    return is_finite(frame) && is_place(frame.pose_W);
 }
 
 // As near to length 1 as numbers can be: what is swept and what is looked at must be one place.

@@ -100,7 +100,7 @@ class GodObjectTool final : public ToolSolver {
     void place(const Pose& handle_W) noexcept override;
     /// Farther apart than twice the gap at rest, or the gap at least; not inside what a closed mesh encloses.
     [[nodiscard]] bool is_free(std::span<const MovingFrame> objects) const noexcept override;
-    /// What is no number, and objects that overlap the tool in the first step after it was placed, leave it standing; nothing is felt.
+    /// What is no place (god_force.h), and objects that overlap the tool in the first step after it was placed, leave it standing; nothing is felt.
     [[nodiscard]] ToolFelt move(const MovingFrame& handle, std::span<const MovingFrame> objects,
                                 double now_s, double dt_s) noexcept override;
     /// As often as asked between two steps, on their thread: what is felt of the last one's contacts if the handle is here. On the hand, about the grip.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -30,10 +31,15 @@ inline GodObjectSettings of_god_cube() {
 /// Steps a scene, and keeps the worst of what is seen.
 class GodWatch {
   public:
-    /// `inertia_per_mass_m2`: of the tool about any axis; for step_without_gain.
+    /// For step_without_gain: `inertia_per_mass_m2` of the tool about any axis, `recovers_m` how far contacts that it was stopped nearer to than it rests
+    /// may push it back.
     explicit GodWatch(test::GodScene& scene, double gap_m = kGodGap_m,
-                      double inertia_per_mass_m2 = kGodCube_m * kGodCube_m / 6.0)
-        : scene_(scene), near_m_(1.001 * kNearGaps * gap_m), per_mass_m2_(inertia_per_mass_m2) {
+                      double inertia_per_mass_m2 = kGodCube_m * kGodCube_m / 6.0,
+                      double recovers_m = kGodGap_m)
+        : scene_(scene),
+          near_m_(1.001 * kNearGaps * gap_m),
+          per_mass_m2_(inertia_per_mass_m2),
+          recovers_m_(recovers_m) {
         for (const TriangleMesh& object : scene.objects) {
             is_small_ = is_small_ &&
                         object.triangles().size() * scene.tool.triangles().size() <= kMostPairs;
@@ -56,8 +62,8 @@ class GodWatch {
     ToolFelt step_without_gain(const Pose& handle) {
         const double before_J = find_stretch_J(handle);
         const ToolFelt felt = step(handle);
-        // But for contacts that it was stopped nearer to than it rests.
-        demand(find_stretch_J(handle) <= before_J * (1.0 + 1.0e-3) + kRounding_J);
+        const double pushed_J = std::sqrt(2.0 * kGodStiffness_N_per_m * before_J) * recovers_m_;
+        demand(find_stretch_J(handle) <= before_J + pushed_J + kRounding_J);
         return felt;
     }
     void demand(double share) { worst_ = worse(worst_, share); }
@@ -125,6 +131,7 @@ class GodWatch {
     test::GodScene& scene_;
     double near_m_;
     double per_mass_m2_;
+    double recovers_m_;
     bool is_small_ = true;
     int n_steps_ = 0;
     int n_crossing_ = 0;
