@@ -28,8 +28,9 @@ struct GodForceSettings {
     Inertia inertia{};
     double stiffness_N_per_m = 500.0;  ///< K
     double step_share = 0.5;           ///< k_s
-    double fade_s = 0.03;              ///< of what a new set of contacts changes; 0: at once
-    bool has_friction = false;         ///< contacts may hold along themselves too
+    double fade_s =
+        0.05;  ///< of what a new set of contacts changes: of a tick of 1 ms below 2 %; 0: at once
+    bool has_friction = false;  ///< contacts may hold along themselves too
 };
 
 /// The shift and the rotation vector, world frame, that lead from one pose of a body to another.

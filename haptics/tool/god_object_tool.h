@@ -56,7 +56,7 @@ struct GodObjectSettings {
         Quaternion::Identity()};  ///< q_HT, unit: how the tool lies in the handle
     double step_share = 0.5;      ///< k_s of the way to the handle a step; above 0, to 1
     double gap_m = 1.0e-6;        ///< delta, 1e-9 to 1e-3; half of the tightest clearance at most
-    double fade_s = 0.03;         ///< of what a new set of contacts changes of the force; 0 to 1
+    double fade_s = 0.05;         ///< of what a new set of contacts changes of the force; 0 to 1
     int most_rounds = 12;         ///< a step, 1 to 1000
     /// Of a step, by the machine's clock: after it no round is begun but the first, and the rest of the way goes on in the next step. 0: as
     /// long as it takes; else 1 to 1e5.
