@@ -36,6 +36,10 @@ int count_pairs() {
 struct Tally {
     int pairs = 0, touching = 0, told = 0, missed = 0, early = 0, wrong = 0, by_intervals = 0;
     int helped = 0, differs = 0;
+    void add(const Tally& other) {
+        pairs += other.pairs;
+        wrong += other.wrong;
+    }
     // Every other pair with a distance that counts as touching: then what only touches, or slides in a plane, can be missed too.
     void add(const TrianglePair& pair, double rounding_m) {
         const SweepSettings settings{.touch_m = pairs % 2 == 0 ? 0.0 : 1.0e-4,
@@ -245,7 +249,15 @@ TEST_CASE("triangle sweep: of pairs by chance none is missed, and none told fals
     CHECK(tally.wrong <= 1 + tally.pairs / 100000);
 }
 
-TEST_CASE("triangle sweep: of pairs that graze, slide, coincide or are slivers none is missed") {
+// What is told falsely comes within the tolerance, as `early` shows: of a hard pair the gap is a billionth to a millionth of a metre on either side of 0,
+// and the tolerance a millionth. Stated in the README: of all hard pairs, and of those of one kind.
+constexpr double kMostFalse = 0.10;
+constexpr double kMostFalseOfAKind = 0.40;
+
+TEST_CASE(
+    "triangle sweep: of pairs that graze, slide, coincide or are slivers none is missed, and no "
+    "more told falsely than is stated") {
+    Tally all;
     for (int kind = 0; kind < kHardPairs; ++kind) {
         Random random(100U + static_cast<unsigned>(kind));
         Tally tally;
@@ -258,7 +270,13 @@ TEST_CASE("triangle sweep: of pairs that graze, slide, coincide or are slivers n
         tally.tell(name);
         CHECK(tally.missed == 0);
         CHECK(tally.early == 0);
+        CHECK(tally.wrong <= kMostFalseOfAKind * tally.pairs);
+        all.add(tally);
     }
+    CAPTURE(all.wrong, all.pairs);
+    CHECK(all.wrong <= kMostFalse * all.pairs);
+    // They are as hard as they are said to be.
+    CHECK(all.wrong > 0);
 }
 
 }  // namespace
