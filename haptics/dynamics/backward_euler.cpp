@@ -5,8 +5,10 @@
 // Newton's matrix. A change dw of w' turns the body by dtheta = A dw, A = h J_l(h w'); and with it
 //   dI' w' = dtheta x L' - I' (dtheta x w'),  so  dL = I' dw + (I' [w'] - [L']) A dw
 //   dr_v = m dv - h (F_x h dv + F_theta A dw + F_v dv + F_w dw),  dr_w = dL - h (tau_x h dv + ...)
-// The first guess is the old velocity, so loads are linearised where that leads (Otaduy & Lin: at the old pose). When a
-// step of Newton has made the residual longer, a contact opened or closed on the way: half that step is tried. The first
+// The first guess is the old velocity, so loads are linearised where that leads; but where one solve is all, at the old pose and at
+// rest, as Otaduy & Lin do: which contacts hold is told by where the body is, not by where its speed would take it. From there one
+// solve may take a contact to and fro for ever. When a step of Newton has made the residual longer, a contact opened or
+// closed on the way: half that step is tried. The first
 // guess is never the answer, however little it leaves over: a load below the tolerance would be lost at every step for ever.
 // Where the loads cannot tell two places apart the residual stays at their rounding: a whole step of Newton no longer than that
 // which makes it no shorter is the last one, and the second which does not halve it. A halved step says nothing of the kind, nor
@@ -38,7 +40,7 @@ struct Guess {
 };
 
 // The matrix takes the load's derivatives, which may cost many times the load itself.
-enum class Wanted : std::uint8_t { residual, matrix_too };
+enum class Wanted : std::uint8_t { residual, matrix_too, matrix_from_rest };
 
 Twist add(const Twist& twist, const Vector6& change) noexcept {
     return {twist.linear + change.head<3>(), twist.angular + change.tail<3>()};
@@ -50,6 +52,17 @@ RigidState compute_state(const Step& step, const Twist& velocity) noexcept {
             velocity};
 }
 
+// The loads at the old pose and at rest, and from there on along their derivatives.
+void add_wrench_from_rest(const Step& step, const Twist& velocity, Wrench& wrench,
+                          WrenchJacobian& jacobian) noexcept {
+    step.load.add_linearised_wrench({step.start.pose_W, {}}, step.end_s, wrench, jacobian);
+    Vector6 speed;
+    speed << velocity.linear, velocity.angular;
+    const Vector6 change = (step.dt_s * jacobian.pose + jacobian.velocity) * speed;
+    wrench.force += change.head<3>();
+    wrench.torque += change.tail<3>();
+}
+
 Guess evaluate(const Step& step, const IntegratorSettings& settings, const Twist& velocity,
                Wanted wanted) noexcept {
     const RigidState state = compute_state(step, velocity);
@@ -59,6 +72,8 @@ Guess evaluate(const Step& step, const IntegratorSettings& settings, const Twist
     WrenchJacobian jacobian;
     if (wanted == Wanted::residual) {
         step.load.add_wrench(state, step.end_s, wrench);
+    } else if (wanted == Wanted::matrix_from_rest) {
+        add_wrench_from_rest(step, velocity, wrench, jacobian);
     } else {
         step.load.add_linearised_wrench(state, step.end_s, wrench, jacobian);
     }
@@ -174,10 +189,10 @@ StepResult step_backward_euler(const IntegratorSettings& settings, const Inertia
     int n_slow = 0;
     StepResult result{StepStatus::iterations_spent, 0};
     const int last = find_last_look(settings);
+    const Wanted at_first = last > 0 ? Wanted::matrix_too : Wanted::matrix_from_rest;
     for (int i = 0; i <= last; ++i) {
         const Twist velocity = add(base, change);
-        Guess guess =
-            evaluate(step, settings, velocity, i > 0 ? Wanted::residual : Wanted::matrix_too);
+        Guess guess = evaluate(step, settings, velocity, i > 0 ? Wanted::residual : at_first);
         if (!guess.residual.allFinite()) {
             return {StepStatus::not_finite, result.n_solves};
         }

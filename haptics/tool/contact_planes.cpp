@@ -15,7 +15,7 @@ Vector3 go_towards(const Vector3& from, const Vector3& to, double most) noexcept
     return length > most ? Vector3(from + (most / length) * way) : to;
 }
 
-// Likewise of unit vectors, by no more than that angle. Opposite ones have no way between them: the new one counts.
+// Likewise of unit vectors, by no more than that angle; of opposite ones about any axis across.
 Vector3 turn_towards(const Vector3& from, const Vector3& to, double most_rad) noexcept {
     if (from == to) {
         return to;
@@ -23,10 +23,11 @@ Vector3 turn_towards(const Vector3& from, const Vector3& to, double most_rad) no
     const Vector3 axis = from.cross(to);
     const double sine = axis.norm();
     const double angle = std::atan2(sine, from.dot(to));
-    if (!(angle > most_rad) || !(sine > 0.0)) {
+    if (!(angle > most_rad)) {
         return to;
     }
-    return (compute_exp((most_rad / sine) * axis) * from).normalized();
+    const Vector3 about = sine > 0.0 ? Vector3(axis / sine) : Vector3(from.unitOrthogonal());
+    return (compute_exp(most_rad * about) * from).normalized();
 }
 
 }  // namespace
@@ -53,7 +54,6 @@ void ContactPlanes::learn(const ContactModel& model) noexcept {
                    told.cluster.point_T,
                    told.cluster.normal_O,
                    told.cluster.place_O,
-                   0.0,
                    {},
                    true};
             at->place_O =
@@ -74,14 +74,15 @@ double ContactPlanes::follow(const Placement& X_OT, double dt_s, Shown& shown) c
     if (shown.is_told) {
         const ContactCluster& told = shown.told;
         const bool is_free = !(reach_m > 0.0);
-        shown.strength = told.strength;
         shown.point_T =
             is_free ? told.point_T
                     : go_towards(shown.point_T, told.point_T, settings_.shift_m_per_s * dt_s);
         shown.normal_O =
             is_free ? told.normal_O
                     : turn_towards(shown.normal_O, told.normal_O, settings_.turn_rad_per_s * dt_s);
-        const double told_m = told.normal_O.dot(told.place_O - X_OT * told.point_T) + d_m;
+        // What fades goes back by its share, along with all else that it is told.
+        double told_m = told.normal_O.dot(told.place_O - X_OT * told.point_T) + d_m;
+        told_m = told_m > 0.0 ? told.strength * told_m : told_m;
         const double from_m = std::max(reach_m, 0.0);
         aim_m = told_m > 0.0 ? std::clamp(told_m, from_m - rise_m, from_m + rise_m)
                              : std::max(told_m, from_m - rise_m);
@@ -123,8 +124,8 @@ void ContactPlanes::begin_step(const Pose& tool_W, std::span<const MovingFrame> 
         plane.plane_point_W =
             frame.pose_W.position + R_WO * shown.place_O + settings_.within_m * plane.normal_W;
         plane.plane_velocity_W = compute_velocity_at(frame, plane.plane_point_W);
-        plane.stiffness_N_per_m = shown.strength * settings_.stiffness_N_per_m;
-        plane.damping_Ns_per_m = shown.strength * settings_.damping_Ns_per_m;
+        plane.stiffness_N_per_m = settings_.stiffness_N_per_m;
+        plane.damping_Ns_per_m = settings_.damping_Ns_per_m;
         ++kept;
     }
     n_ = kept;

@@ -8,8 +8,10 @@
 //
 // What is told is followed, not obeyed. A plane that pushes is moved towards what is told at most at kRise along its normal at the tool's place,
 // turned at most at kTurn, and its place on the tool goes at most at kShift; one that is no longer told goes back at kRise until
-// it is felt no more. So no round of the contact thread, however late, makes the force jump: by more than k kRise dt, and |F| kTurn dt and its arm
-// by kShift dt, in a step of dt. What pushes nothing, now and as told, is obeyed at once.
+// it is felt no more; one that is told to fade pushes as if it lay `strength` times as deep, and goes there likewise. So no round of the contact
+// thread, however late, and nothing that begins, ends, fades, comes back or merges makes the force on a tool that stands jump: each plane's by no
+// more than k kRise dt + |F| kTurn dt in a step of dt, and its arm by kShift dt. Of a tool that moves the damper's b u_n comes and goes besides,
+// within the first damping_ramp_m of depth (loads.h). What pushes nothing, now and as told, is obeyed at once.
 //
 // Thread: haptic loop. Cost: 20 ns a cluster to follow; no allocation.
 // Source: M. Otaduy, M. Lin 2005, sections 6.2 to 6.4, eq. 21; `held` is what they compare with in section 7.
@@ -73,7 +75,6 @@ class ContactPlanes {
         Vector3 point_T{Vector3::Zero()};
         Vector3 normal_O{Vector3::UnitY()};
         Vector3 place_O{Vector3::Zero()};
-        double strength = 1.0;
         ContactCluster told{};
         bool is_told = false;
     };

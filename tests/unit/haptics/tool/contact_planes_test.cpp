@@ -104,7 +104,7 @@ TEST_CASE("contact planes: one that is no longer told goes back at its rate and 
 }
 
 TEST_CASE("contact planes: whatever is told, the force jumps no farther than promised") {
-    // Each step the model says something else: other depths, turned normals, other places, other numbers, nothing.
+    // Each step the model says something else: other depths, turned normals, other places, other strengths and numbers, nothing.
     ContactPlanes planes(kPlain);
     std::uint32_t noise = 12345;
     const auto number = [&] {
@@ -122,6 +122,7 @@ TEST_CASE("contact planes: whatever is told, the force jumps no farther than pro
                 ToldContact told = tell(id + (i > 10000 ? 10U : 0U), 0.0,
                                         0.02 * Vector3(number(), 0.0, number()), normal);
                 told.cluster.place_O = told.cluster.point_T + 0.004 * number() * normal;
+                told.cluster.strength = 0.5 + 0.5 * number();
                 told.X_OT = tool_W;
                 all.push_back(told);
             }

@@ -99,7 +99,12 @@ Course press_and_slide(ImplicitPenaltyTool& tool, double duration_s) {
 TEST_CASE(
     "implicit penalty: at rest the hand feels what the contacts push, spring against spring") {
     auto tool = make_tool(make_plan());
-    const Course course = press_and_slide(tool, 0.4);
+    Course course = press_and_slide(tool, 0.4);
+    // The hand stays for another fifth of a second.
+    const MovingFrame hand = find_hand(0.4);
+    for (int i = 400; i <= 600; ++i) {
+        course.last = tool.move(hand, {&kTable, 1}, i * kDt_s, kDt_s);
+    }
     const double y_m = tool.centre_W().y();
     // The coupling's shift from grip to hand, and every contact k times its depth in the layer.
     CHECK(course.last.felt_W.force.y() == Approx(500.0 * (y_m - 0.007)).epsilon(1e-6));
@@ -233,8 +238,10 @@ TEST_CASE("implicit penalty: one linear solve a step leads where all of Newton's
     CHECK((once.centre_W() - exact.centre_W()).norm() < 1.0e-4);
 }
 
-TEST_CASE("implicit penalty: what one solve takes to and fro for ever rests with a second one") {
-    // Two grams without dampers, pressed with the coupling's clamp on contacts of 11 kN/m.
+TEST_CASE(
+    "implicit penalty: one solve a step takes no contact to and fro, and more do not either") {
+    // Two grams without dampers, pressed with the coupling's clamp on contacts of 11 kN/m: linearised where the speed leads, one
+    // solve opens and closes them for ever, and the force shakes by 1.7 N.
     const auto find_ripple_N = [](int newton_iterations) {
         const Vector3 size(0.04, 0.02, 0.04);
         test::ToolScene scene = test::make_ball_tool(ToolMethod::implicit_penalty);
@@ -265,8 +272,9 @@ TEST_CASE("implicit penalty: what one solve takes to and fro for ever rests with
         }
         return most_N - least_N;
     };
-    CHECK(find_ripple_N(ImplicitPenaltySettings{}.newton_iterations) < 1.0e-3);
-    CHECK(find_ripple_N(1) > 0.5);
+    for (const int newton_iterations : {1, 4}) {
+        CHECK(find_ripple_N(newton_iterations) < 1.0e-3);
+    }
 }
 
 TEST_CASE(

@@ -1,0 +1,189 @@
+// Nothing jumps (contact_planes.h): clusters that begin, end, fade, come back and merge, found
+// (contact_clusters.h) and followed, on a tool that stands.
+#include "haptics/math/rotation.h"
+#include "haptics/tool/contact_clusters.h"
+#include "haptics/tool/contact_planes.h"
+#include "tests/support/wander.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <rapidcheck.h>
+#include <vector>
+
+using namespace fulcrum;
+
+namespace {
+
+constexpr double kDt_s = 0.001;
+constexpr double kRounding = 1.0 + 1.0e-9;
+constexpr int kSteps = 300;
+const ContactPlanesSettings kPlain{.stiffness_N_per_m = 5000.0,
+                                   .damping_Ns_per_m = 8.0,
+                                   .within_m = 0.001,
+                                   .rise_m_per_s = 0.1,
+                                   .turn_rad_per_s = 50.0,
+                                   .shift_m_per_s = 1.0};
+const double kRise_N = kPlain.stiffness_N_per_m * kPlain.rise_m_per_s * kDt_s;
+const double kTurn = kPlain.turn_rad_per_s * kDt_s;
+const double kShift_m = kPlain.shift_m_per_s * kDt_s;
+const std::array<MovingFrame, 1> kStanding{};
+
+// A course by chance: a seed tells it all.
+class Chance {
+  public:
+    Chance() : random_(*rc::gen::arbitrary<unsigned>()) {}
+    double any(double least, double most) {
+        return least + 0.5 * (most - least) * (random_.uniform() + 1.0);
+    }
+    int count(int least, int most) {
+        return least + static_cast<int>(random_.integer() % static_cast<unsigned>(most - least));
+    }
+    Vector3 normal(double tilt) {
+        return Vector3(tilt * random_.uniform(), 1.0, tilt * random_.uniform()).normalized();
+    }
+
+  private:
+    Random random_;
+};
+
+// What planes push a tool with that stands at the origin, step by step.
+class Standing {
+  public:
+    void learn(std::span<const ContactCluster> clusters) {
+        ContactModel model;
+        model.stamp_s = 0.0;
+        for (const ContactCluster& cluster : clusters) {
+            n_new_ += cluster.id > newest_ ? 1U : 0U;
+            newest_ = std::max(newest_, cluster.id);
+            model.contacts[static_cast<std::size_t>(model.n++)] = {0, cluster, Pose{}, Twist{}};
+        }
+        planes_.learn(model);
+    }
+    void step() {
+        last_ = now_;
+        last_N_ = sum_N_;
+        n_planes_ = planes_.planes().size() + n_new_;
+        n_new_ = 0;
+        planes_.begin_step(Pose{}, kStanding, kDt_s);
+        now_ = {};
+        sum_N_ = 0.0;
+        PlaneContactsLoad(planes_.planes()).add_wrench(RigidState{}, 0.0, now_);
+        for (const PlaneContact& plane : planes_.planes()) {
+            sum_N_ += compute_push_N(plane, RigidState{});
+        }
+    }
+    // Of the force: each plane's rise, and what turns.
+    [[nodiscard]] double promised_N(std::size_t n_planes) const {
+        return static_cast<double>(n_planes) * kRise_N + std::max(sum_N_, last_N_) * kTurn;
+    }
+    [[nodiscard]] double jump_N() const { return (now_.force - last_.force).norm(); }
+    [[nodiscard]] double jump_Nm() const { return (now_.torque - last_.torque).norm(); }
+    [[nodiscard]] double push_N() const { return sum_N_; }
+    [[nodiscard]] double arm_Nm() const { return std::max(sum_N_, last_N_) * kShift_m; }
+    // That were there before the step or came with it.
+    [[nodiscard]] std::size_t n_planes() const { return n_planes_; }
+
+  private:
+    ContactPlanes planes_{kPlain};
+    Wrench now_;
+    Wrench last_;
+    double sum_N_ = 0.0;
+    double last_N_ = 0.0;
+    std::size_t n_planes_ = 0;
+    std::size_t n_new_ = 0;
+    std::uint32_t newest_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "contact jumps: one cluster that fades and comes back by chance keeps the promise of one") {
+    double most_N = 0.0;
+    CHECK(rc::check([&] {
+        Chance chance;
+        Standing tool;
+        const int every = chance.count(1, 12);  // steps a round of the contact thread
+        ContactCluster told{1, {0.02, 0.0, 0.0}, Vector3::UnitY(), {0.02, 0.01, 0.0}, 0.01, 1.0};
+        for (int i = 0; i < kSteps; ++i) {
+            if (i % every == 0) {
+                const double what = chance.any(0.0, 1.0);
+                told.strength = what < 0.5 ? chance.any(0.0, 1.0) : 1.0;
+                told.normal_O = chance.normal(what < 0.2 ? 1.0 : 0.0);
+                tool.learn({&told, what < 0.9 ? 1U : 0U});
+            }
+            tool.step();
+            RC_ASSERT(tool.jump_N() <= tool.promised_N(1) * kRounding);
+            most_N = std::max(most_N, tool.push_N());
+        }
+    }));
+    // A centimetre deep is worth 55 N: a tenth of its strength is eleven rises.
+    CHECK(most_N > 20.0);
+}
+
+TEST_CASE("contact jumps: patches that come, go, meet and part at any depth keep the promise") {
+    double most_N = 0.0;
+    int n_faded = 0;
+    int n_merged = 0;
+    CHECK(rc::check([&] {
+        Chance chance;
+        Standing tool;
+        ContactClusters clusters(
+            {.within_m = 0.001, .radius_m = 0.01, .most = 8, .fade_s = chance.any(0.0, 0.02)});
+        const int every = chance.count(1, 12);
+        std::array<NearContact, 6> places{};
+        std::array<bool, 6> is_there{};
+        for (int i = 0; i < kSteps; ++i) {
+            if (i % every == 0) {
+                const auto one = static_cast<std::size_t>(chance.count(0, 6));
+                places[one] = {{chance.any(-0.03, 0.03), 0.0, chance.any(-0.01, 0.01)},
+                               chance.normal(0.3),
+                               chance.any(-0.002, 0.01)};
+                is_there[one] = chance.any(0.0, 1.0) < 0.7;
+                std::vector<NearContact> near;
+                for (std::size_t k = 0; k < places.size(); ++k) {
+                    if (is_there[k]) {
+                        near.push_back(places[k]);
+                    }
+                }
+                const std::size_t n_before = clusters.all().size();
+                clusters.update(near, Pose{}, every * kDt_s);
+                n_faded +=
+                    std::ranges::any_of(clusters.all(),
+                                        [](const ContactCluster& c) { return c.strength < 1.0; })
+                        ? 1
+                        : 0;
+                n_merged += clusters.all().size() < n_before && !near.empty() ? 1 : 0;
+                tool.learn(clusters.all());
+            }
+            tool.step();
+            const std::size_t n = tool.n_planes();
+            RC_ASSERT(tool.jump_N() <= tool.promised_N(n) * kRounding);
+            RC_ASSERT(tool.jump_Nm() <= (0.05 * tool.promised_N(n) + tool.arm_Nm()) * kRounding);
+            most_N = std::max(most_N, tool.push_N());
+        }
+    }));
+    CHECK(most_N > 20.0);
+    CHECK(n_faded > 100);
+    CHECK(n_merged > 100);
+}
+
+TEST_CASE("contact jumps: a normal that is told the other way round turns, and does not flip") {
+    Standing tool;
+    ContactCluster told{1, Vector3::Zero(), Vector3::UnitY(), {0.0, 0.002, 0.0}, 0.002, 1.0};
+    tool.learn({&told, 1});
+    for (int i = 0; i < 100; ++i) {
+        tool.step();
+    }
+    REQUIRE(tool.push_N() == Approx(15.0).epsilon(1e-9));
+    told.normal_O = -Vector3::UnitY();
+    told.place_O = {0.0, -0.002, 0.0};
+    tool.learn({&told, 1});
+    for (int i = 0; i < 200; ++i) {
+        tool.step();
+        REQUIRE(tool.jump_N() <= tool.promised_N(1) * kRounding);
+    }
+    CHECK(tool.push_N() == Approx(15.0).epsilon(1e-9));
+}
