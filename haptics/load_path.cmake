@@ -24,4 +24,4 @@ set(haptics_load_path
     kite_loop_build.cpp kite_swap_build.cpp contact_solver_settings.cpp least_constraint_build.cpp
     friction_constraint_build.cpp swept_mesh.cpp link_device_build.cpp arm_server_build.cpp
     link_faults.cpp spoiled_arm.cpp # never between a program and an arm but for trying
-    realtime_thread.cpp) # the thread itself waits between the steps
+    beside_thread.cpp realtime_thread.cpp) # the thread itself waits between the steps

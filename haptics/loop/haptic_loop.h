@@ -83,6 +83,19 @@ class HapticLoop final : public PeriodicTask {
     /// The last gate's limits: the plan's, and no more than the device can give.
     [[nodiscard]] double max_force_N() const noexcept { return gate_.max_force_N(); }
     [[nodiscard]] double max_torque_Nm() const noexcept { return gate_.max_torque_Nm(); }
+    /// What a thread has to run beside the rounds, or whoever calls them after each (beside_thread.h); null where they do all. Lives as
+    /// long as the loop.
+    [[nodiscard]] BesideTask* beside() const noexcept { return tool_ ? tool_->beside() : nullptr; }
+    /// From now on told when a step of the tool does itself what could run beside. Before the first round.
+    void listen_to_rounds(RoundListener* listener) noexcept {
+        if (tool_) {
+            tool_->listen_to_rounds(listener);
+        }
+    }
+    /// How old what it told was, of each round with a tool in use; null without one.
+    [[nodiscard]] const ContactLateness* contact_lateness() const noexcept {
+        return tool_ ? tool_->lateness() : nullptr;
+    }
     /// The stages that exist, in the order of the step.
     [[nodiscard]] std::vector<StageInfo> stages() const;
 

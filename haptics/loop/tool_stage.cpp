@@ -168,6 +168,14 @@ ToolForce ToolStage::step(const ToolRound& round) noexcept {
         return force;
     }
     add_up(felt.effort);
+    if (lateness_) {
+        lateness_->add(beside_->contact_age());
+        if (beside_->contact_age().is_lost()) {
+            // What was felt has faded.
+            follow_hand(round);
+            return force;
+        }
+    }
     pose_W_ = tool_->grip_W();
     tell_pushes(felt.felt_W);
     // What the hand feels of it.

@@ -15,16 +15,19 @@
 // move for longer than that stands still, and so does one that was put elsewhere at once.
 //
 // The tool follows the hand without a force until nothing is touched where the hand holds it: at the start, after a fault, a stop,
-// a jump of the hand, and when a solid was put elsewhere. So no force begins inside a solid.
+// a jump of the hand, when a solid was put elsewhere, and when the thread that finds contact has been silent for long (contact_age.h).
+// So no force begins inside a solid.
 //
 // Thread: haptic loop. Cost: the tool's, and 20 ns a solid. No allocation in `step`.
 // Source: the place of a wrench's line: R. S. Ball 1900, A Treatise on the Theory of Screws, chapter I (Poinsot's central axis).
 #pragma once
 
 #include "haptics/coupling/passivity.h"
+#include "haptics/loop/contact_lateness.h"
 #include "haptics/loop/haptic_plan.h"
 #include "haptics/loop/solid_push.h"
 #include "haptics/surface/energy_loan.h"
+#include "haptics/tool/beside_task.h"
 #include "haptics/tool/tool_solver.h"
 
 #include <array>
@@ -67,6 +70,17 @@ class ToolStage {
 
     /// Of the last step, and so far.
     [[nodiscard]] const ToolEffort& effort() const noexcept { return effort_; }
+    /// What a thread has to run beside the steps; null where they do all.
+    [[nodiscard]] BesideTask* beside() const noexcept {
+        return beside_ != nullptr ? beside_->beside() : nullptr;
+    }
+    void listen_to_rounds(RoundListener* listener) noexcept {
+        if (beside_ != nullptr) {
+            beside_->listen_to_rounds(listener);
+        }
+    }
+    /// How old what it told was, of each step; null without such a thread.
+    [[nodiscard]] const ContactLateness* lateness() const noexcept { return lateness_.get(); }
     /// Where the tool's handle is.
     [[nodiscard]] const Pose& pose_W() const noexcept { return pose_W_; }
     /// Index in the plan of the solid that is pressed hardest; kNoBody where none is.
@@ -91,6 +105,7 @@ class ToolStage {
     void lend(const ToolFelt& felt, const ToolRound& round, ToolForce& force) noexcept;
 
     std::unique_ptr<ToolSolver> tool_;
+    BesideSolver* beside_;  // the same, where it has work that can run beside; else null
     double scale_;
     bool has_texture_;
     std::vector<Track> tracks_;
@@ -101,6 +116,7 @@ class ToolStage {
     Pose hand_W_{};  // in the round before
     bool is_engaged_ = false;
     ToolEffort effort_{};
+    std::unique_ptr<ContactLateness> lateness_;
     Pose pose_W_{};
     std::int32_t solid_ = kNoBody;
 };

@@ -20,17 +20,20 @@ Expected<void> validate_tool(const HapticPlan& plan) {
 
 ToolStage::ToolStage(const HapticPlan& plan)
     : tool_(make_tool(*plan.tool)),
+      beside_(dynamic_cast<BesideSolver*>(tool_.get())),
       scale_(plan.workspace.scale),
       has_texture_(fulcrum::has_texture(*plan.tool)),
       tracks_(plan.solids.size()),
       frames_(plan.solids.size()),
-      pushes_(plan.solids.size()) {}
+      pushes_(plan.solids.size()),
+      lateness_(beside() != nullptr ? std::make_unique<ContactLateness>() : nullptr) {}
 
 ToolStage::~ToolStage() = default;
 
 std::size_t ToolStage::memory_bytes() const noexcept {
-    return sizeof(ToolStage) + tool_->memory_bytes() + tracks_.capacity() * sizeof(Track) +
-           frames_.capacity() * sizeof(MovingFrame) + pushes_.capacity() * sizeof(SolidPush);
+    return sizeof(ToolStage) + (lateness_ ? sizeof(*lateness_) : 0) + tool_->memory_bytes() +
+           tracks_.capacity() * sizeof(Track) + frames_.capacity() * sizeof(MovingFrame) +
+           pushes_.capacity() * sizeof(SolidPush);
 }
 
 std::unique_ptr<ToolStage> make_tool_stage(const HapticPlan& plan) {

@@ -65,7 +65,7 @@ bool ContactLoop::is_free(const Pose& tool_W, std::span<const MovingFrame> objec
     for (std::size_t i = 0; i < objects.size(); ++i) {
         const Pose X_OT = objects[i].pose_W.inverse() * tool_W;
         near_.clear();
-        finders_[i]->limit(0.0);
+        finders_[i]->limit(settings_.budget_us / static_cast<double>(objects.size()));
         finders_[i]->find(X_OT, within_m, near_);
         if (near_.count() > 0 || finders_[i]->is_cut() || finders_[i]->is_enclosed(X_OT)) {
             return false;
@@ -74,14 +74,26 @@ bool ContactLoop::is_free(const Pose& tool_W, std::span<const MovingFrame> objec
     return true;
 }
 
-void ContactLoop::step(double /*now_s*/) noexcept {
+bool ContactLoop::run_once() noexcept {
     if (!channels_.place.take()) {
-        return;
+        return false;
     }
     const ToolPlace& place = channels_.place.value();
     if (static_cast<std::size_t>(place.n_objects) != finders_.size() || !is_place(place)) {
-        return;
+        return false;
     }
+    if (listener_ != nullptr) {
+        listener_->begins_round();
+    }
+    look(place);
+    channels_.model.publish(model_);
+    if (listener_ != nullptr) {
+        listener_->ended_round();
+    }
+    return true;
+}
+
+void ContactLoop::look(const ToolPlace& place) noexcept {
     if (place.n_placements != n_placements_) {
         n_placements_ = place.n_placements;
         model_.stamp_s = -1.0;
@@ -106,9 +118,6 @@ void ContactLoop::step(double /*now_s*/) noexcept {
     tell(place);
     model_.stamp_s = place.stamp_s;
     model_.n_placements = place.n_placements;
-    channels_.model.publish(model_);
 }
-
-void ContactLoop::silence(double /*now_s*/) noexcept {}
 
 }  // namespace fulcrum

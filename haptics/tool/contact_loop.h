@@ -8,7 +8,7 @@
 // Source: M. Otaduy, M. Lin 2005, section 3.1.
 #pragma once
 
-#include "haptics/base/periodic_task.h"
+#include "haptics/tool/beside_task.h"
 #include "haptics/tool/contact_model.h"
 
 #include <memory>
@@ -27,7 +27,7 @@ struct ContactLoopSettings {
 /// Refuses settings outside their ranges, NaN included.
 [[nodiscard]] Expected<void> validate(const ContactLoopSettings& settings);
 
-class ContactLoop final : public PeriodicTask {
+class ContactLoop final : public BesideTask {
   public:
     /// Refuses what `validate` does, no finder, a null one, and more than kMaxSolids. The channels outlive it.
     [[nodiscard]] static Expected<std::unique_ptr<ContactLoop>> create(
@@ -38,12 +38,12 @@ class ContactLoop final : public PeriodicTask {
     ContactLoop& operator=(const ContactLoop&) = delete;
     ~ContactLoop() override;
 
-    /// One round. Nothing is told before the haptic loop has told of a place, nor of one that is no number.
-    void step(double now_s) noexcept override;
-    /// It drives nothing: the haptic loop lets go by itself.
-    void silence(double now_s) noexcept override;
+    /// Told of each round that finds something to do; null: nobody is.
+    void listen(RoundListener* listener) noexcept { listener_ = listener; }
+    /// Nothing is told before the haptic loop has told of a place, nor of one that is no number.
+    bool run_once() noexcept override;
 
-    /// Whether the tool at `tool_W` is nearer to no object than `within_m`, and in none. Between rounds, by whoever runs them.
+    /// Whether the tool at `tool_W` is nearer to no object than `within_m`, and in none; not where the budget is too short to say. Between rounds, by whoever runs them.
     [[nodiscard]] bool is_free(const Pose& tool_W, std::span<const MovingFrame> objects,
                                double within_m) noexcept;
     [[nodiscard]] double reach_m() const noexcept { return finders_.front()->reach_m(); }
@@ -55,6 +55,7 @@ class ContactLoop final : public PeriodicTask {
                 const ContactLoopSettings& settings, ContactChannels& channels);
     void tell(const ToolPlace& place) noexcept;
     void share_time(std::size_t object, double began_s) noexcept;
+    void look(const ToolPlace& place) noexcept;
 
     std::vector<std::unique_ptr<ContactFinder>> finders_;
     std::vector<ContactClusters> clusters_;  // one an object
@@ -63,6 +64,7 @@ class ContactLoop final : public PeriodicTask {
     BoundedList<NearContact> near_;
     ContactModel model_{};
     std::uint32_t n_placements_ = 0;
+    RoundListener* listener_ = nullptr;
 };
 
 }  // namespace fulcrum

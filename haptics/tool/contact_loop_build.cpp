@@ -1,5 +1,6 @@
-// The load-path half of contact_loop.h and contact_clusters.h.
+// The load-path half of contact_loop.h, contact_clusters.h and contact_age.h.
 #include "haptics/base/range.h"
+#include "haptics/tool/contact_age.h"
 #include "haptics/tool/contact_loop.h"
 
 #include <algorithm>
@@ -15,6 +16,12 @@ Expected<void> validate(const ContactClusterSettings& settings) {
          {"most", static_cast<double>(settings.most), 1.0, static_cast<double>(kMostClusters)},
          {"fade_s", settings.fade_s, 0.0, 1.0}}};
     return check_ranges("the clusters'", ranges);
+}
+
+Expected<void> validate(const ContactAgeSettings& settings) {
+    const std::array<Range, 2> ranges{
+        {{"hold_s", settings.hold_s, 1.0e-3, 10.0}, {"fade_s", settings.fade_s, 1.0e-3, 10.0}}};
+    return check_ranges("what the contact thread tells:", ranges);
 }
 
 Expected<void> validate(const ContactLoopSettings& settings) {

@@ -22,6 +22,7 @@ void ImplicitPenaltyTool::place(const Pose& handle_W) noexcept {
     planes_.clear();
     taylor_.clear();
     ++place_.n_placements;
+    age_.restart();
     round_due_s_ = 0.0;
     std::ranges::fill(touches_, ToolTouch{});
 }
@@ -67,6 +68,13 @@ void ImplicitPenaltyTool::take_model(double began_s) noexcept {
     }
 }
 
+void ImplicitPenaltyTool::note_age(double began_s, double dt_s) noexcept {
+    if (!settings_.own_rounds) {
+        const bool is_of_here = model().n_placements == place_.n_placements;
+        age_.step(began_s, is_of_here ? model().stamp_s : -1.0, dt_s);
+    }
+}
+
 bool ImplicitPenaltyTool::is_near() const noexcept {
     return settings_.contacts.model == PenaltyModel::planes ? planes_.is_near() : taylor_.is_near();
 }
@@ -101,11 +109,14 @@ ToolFelt ImplicitPenaltyTool::feel(const ToolCouplingLoad& coupling, const Movin
     const Pose grip = held_W();
     const Wrench pull = compute_tool_coupling(settings_.coupling, {handle.pose_W, {}}, {grip, {}});
     felt.felt_W = coupling.compute_felt_wrench(state_, now_s);
-    felt.felt_W.force = limit_length(felt.felt_W.force, most_felt_N_);
-    felt.felt_W.torque = limit_length(felt.felt_W.torque, most_felt_Nm_);
-    felt.spring_W = {-pull.force, -pull.torque};
-    felt.spring_energy_J = compute_shift_energy_J(
-        settings_.coupling, compute_length(Vector3(handle.pose_W.position - grip.position)));
+    const double share = age_.share();
+    felt.felt_W.force = share * limit_length(felt.felt_W.force, most_felt_N_);
+    felt.felt_W.torque = share * limit_length(felt.felt_W.torque, most_felt_Nm_);
+    felt.spring_W = {-share * pull.force, -share * pull.torque};
+    felt.spring_energy_J =
+        share *
+        compute_shift_energy_J(settings_.coupling,
+                               compute_length(Vector3(handle.pose_W.position - grip.position)));
     return felt;
 }
 
@@ -124,6 +135,7 @@ ToolFelt ImplicitPenaltyTool::move(const MovingFrame& handle, std::span<const Mo
         tell_place(objects, began_s, dt_s);
     }
     take_model(began_s);
+    note_age(began_s, dt_s);
     // Where coupling and contacts take the tool.
     ToolCouplingLoad coupling(settings_.coupling, settings_.grip_T);
     coupling.set_handle(held, now_s);

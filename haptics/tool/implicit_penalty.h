@@ -2,8 +2,9 @@
 //
 //   haptic thread    take the newest contact model -> planes (contact_planes.h) -> M a = coupling + contacts, backward Euler -> coupling felt
 //   contact thread   take the newest place -> near contacts -> clusters -> contact model                          (contact_loop.h)
-// The contact thread is a task of its own (`contact_loop`): a thread runs it, or, with `own_rounds`, the tool itself within its
-// steps. With a period it is as late as a thread would be: what is found at one round is told at the next.
+// The contact thread is a task of its own (`contact_loop`): a thread runs it beside the steps, or, with `own_rounds`, the tool itself within its
+// steps. With a period it is as late as a thread would be: what is found at one round is told at the next. A thread that stalls is gone on
+// without for a stated time, then less and less is felt (contact_age.h).
 //
 // The coupling saturates, so that no hand presses the tool deeper than the force that it can feel does. In free space, where no cluster is, the hand
 // feels exactly nothing unless `silent_in_free_space` is off; then it feels the tool's mass, as the source's does.
@@ -17,6 +18,7 @@
 #pragma once
 
 #include "haptics/dynamics/integrator.h"
+#include "haptics/tool/contact_age.h"
 #include "haptics/tool/contact_loop.h"
 #include "haptics/tool/contact_taylor.h"
 #include "haptics/tool/field_contacts.h"
@@ -45,7 +47,8 @@ struct ImplicitPenaltySettings {
     bool own_rounds = true;             ///< the tool runs the contact rounds within its steps
     double round_s =
         0.0;  ///< of its own: 0, each step, told at once; else 1e-4 to 1, told a round late
-    double budget_us = 0.0;  ///< of a round, 0 to 1e6 (contact_loop.h); 0: as long as it takes
+    double budget_us = 0.0;    ///< of a round, 0 to 1e6 (contact_loop.h); 0: as long as it takes
+    ContactAgeSettings age{};  ///< of what a thread beside told; rounds of its own are never late
 };
 
 /// What one object is found by.
@@ -64,7 +67,7 @@ struct ImplicitPenaltyPlan {
 /// Refuses settings outside their ranges, NaN included.
 [[nodiscard]] Expected<void> validate(const ImplicitPenaltySettings& settings);
 
-class ImplicitPenaltyTool final : public ToolSolver {
+class ImplicitPenaltyTool final : public ToolSolver, public BesideSolver {
   public:
     /// Refuses what `validate` and the finders refuse, levels made for less than clusters look for, no object, and more than kMaxSolids.
     [[nodiscard]] static Expected<ImplicitPenaltyTool> build(const ImplicitPenaltyPlan& plan);
@@ -85,6 +88,13 @@ class ImplicitPenaltyTool final : public ToolSolver {
     [[nodiscard]] bool is_free(std::span<const MovingFrame> objects) const noexcept override;
     [[nodiscard]] ToolFelt move(const MovingFrame& handle, std::span<const MovingFrame> objects,
                                 double now_s, double dt_s) noexcept override;
+    [[nodiscard]] BesideTask* beside() noexcept override {
+        return settings_.own_rounds ? nullptr : loop_.get();
+    }
+    [[nodiscard]] const ContactAge& contact_age() const noexcept override { return age_; }
+    void listen_to_rounds(RoundListener* listener) noexcept override {
+        loop_->listen(settings_.own_rounds ? listener : nullptr);
+    }
     [[nodiscard]] Pose grip_W() const noexcept override;
     [[nodiscard]] const Vector3& centre_W() const noexcept override {
         return state_.pose_W.position;
@@ -101,6 +111,7 @@ class ImplicitPenaltyTool final : public ToolSolver {
     [[nodiscard]] Pose held_W() const noexcept;
     void tell_place(std::span<const MovingFrame> objects, double began_s, double dt_s) noexcept;
     void take_model(double began_s) noexcept;
+    void note_age(double began_s, double dt_s) noexcept;
     [[nodiscard]] bool is_near() const noexcept;
     void tell_touches(std::span<const MovingFrame> objects) noexcept;
     [[nodiscard]] ToolFelt feel(const ToolCouplingLoad& coupling, const MovingFrame& handle,
@@ -117,6 +128,7 @@ class ImplicitPenaltyTool final : public ToolSolver {
     ContactTaylor taylor_;
     RigidState state_{};
     ToolPlace place_{};
+    ContactAge age_;
     double round_due_s_ = 0.0;
     double most_felt_N_ = 0.0;  // 0: as much as there is
     double most_felt_Nm_ = 0.0;

@@ -58,6 +58,9 @@ Expected<void> validate(const ImplicitPenaltySettings& given) {
         !good) {
         return good;
     }
+    if (auto good = validate(settings.age); !good) {
+        return good;
+    }
     if (!settings.grip_T.allFinite() || !settings.handle_turn.coeffs().allFinite() ||
         std::abs(settings.handle_turn.norm() - 1.0) > 1.0e-6) {
         return fail("how the hand holds the tool is no place and no turn", {},
@@ -143,7 +146,8 @@ ImplicitPenaltyTool::ImplicitPenaltyTool(const ImplicitPenaltySettings& settings
       asked_(std::move(asked)),
       touches_(loop_->n_objects()),
       planes_(settings.contacts),
-      taylor_(settings.contacts) {
+      taylor_(settings.contacts),
+      age_(settings.age) {
     const ToolCouplingSettings& coupling = settings.coupling;
     const auto most = [](double stiffness, double clamp, double saturated) {
         return clamp > 0.0 ? stiffness * clamp : saturated;

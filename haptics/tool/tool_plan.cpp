@@ -180,8 +180,10 @@ ImplicitPenaltyPlan make_implicit_penalty_plan(const ToolPlan& plan) {
                         .silent_in_free_space = settings.silent_in_free_space,
                         .contacts = plan.penalty->contacts,
                         .clusters = plan.penalty->clusters,
+                        .own_rounds = !plan.beside,
                         .round_s = plan.penalty->round_s,
-                        .budget_us = meshes != nullptr ? settings.budget_us : 0.0};
+                        .budget_us = meshes != nullptr ? settings.budget_us : 0.0,
+                        .age = plan.age};
     return penalty;
 }
 

@@ -41,7 +41,9 @@ struct ToolPlan {
     ToolObjects objects;
     VoxelToolSettings settings{};
     std::optional<PenaltyPlan>
-        penalty{};  ///< then among fields or contact levels, which find the contacts
+        penalty{};        ///< then among fields or contact levels, which find the contacts
+    bool beside = false;  ///< contact is found by work beside the steps, where the method has such
+    ContactAgeSettings age{};  ///< then
 
     [[nodiscard]] std::size_t n_objects() const {
         return std::visit([](const auto& plans) { return plans.size(); }, objects);
