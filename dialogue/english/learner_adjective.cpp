@@ -81,12 +81,13 @@ void add_doubled(const Target& target, Collector& forms) {
     }
 }
 
-/// Another degree: heavier or heavy for heaviest; more heavy, most heavier.
+/// Another degree: heavier or heavy for heaviest; more heavy, most heavier, more heavier.
 void add_other_degrees(const Target& target, Collector& forms) {
     for (const std::string& form : degree_forms(target.base, target.other_degree)) {
         forms.add(form, ErrorCode::adjective_form, 3);
         if (form.find(' ') == std::string::npos) {
             forms.add(target.word + form, ErrorCode::adjective_form, 3);
+            forms.add(target.other_word + form, ErrorCode::adjective_form, 3);
         }
     }
     forms.add(target.other_word + target.base, ErrorCode::adjective_form, 3);

@@ -29,6 +29,7 @@ TEST_CASE("learner forms: what learners say for the superlative, with its code")
                                                        {"heavier", ErrorCode::adjective_form},
                                                        {"more heavy", ErrorCode::adjective_form},
                                                        {"heavy", ErrorCode::adjective_form},
+                                                       {"more heavier", ErrorCode::adjective_form},
                                                        {"more heaviest", ErrorCode::adjective_form},
                                                        {"most heavier", ErrorCode::adjective_form}};
     for (const auto& [said, code] : heavy) {
@@ -48,6 +49,7 @@ TEST_CASE("learner forms: what learners say for the superlative, with its code")
 TEST_CASE("learner forms: what learners say for the comparative, with its code") {
     CHECK(code_of("heavy", Degree::comparative, "more heavy") == ErrorCode::adjective_form);
     CHECK(code_of("heavy", Degree::comparative, "more heavier") == ErrorCode::adjective_form);
+    CHECK(code_of("heavy", Degree::comparative, "most heaviest") == ErrorCode::adjective_form);
     CHECK(code_of("heavy", Degree::comparative, "heavyer") == ErrorCode::spelling);
     CHECK(code_of("heavy", Degree::comparative, "heaviest") == ErrorCode::adjective_form);
     CHECK(code_of("heavy", Degree::comparative, "heavy") == ErrorCode::adjective_form);
