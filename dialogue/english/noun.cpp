@@ -1,5 +1,6 @@
 #include "dialogue/english/noun.h"
 
+#include "dialogue/english/adjective.h"
 #include "dialogue/english/letters.h"
 #include "dialogue/english/number.h"
 #include "dialogue/english/word_table.h"
@@ -119,12 +120,12 @@ constexpr std::array<std::string_view, 22> kSingularInS = {
 constexpr std::array<std::string_view, 2> kNamedThe = {"moon", "sun"};
 
 /// Places, amounts and answers that are no things; "a" and "an" count one.
-constexpr std::array<std::string_view, 35> kNoNouns = {
-    "a",     "an",       "near",    "nearer", "far",     "farther",   "further",
-    "close", "closer",   "up",      "down",   "here",    "there",     "above",
-    "below", "inside",   "outside", "away",   "forward", "backwards", "yes",
-    "no",    "more",     "less",    "both",   "neither", "never",     "always",
-    "none",  "together", "again",   "slowly", "quickly", "faster",    "slower"};
+constexpr std::array<std::string_view, 37> kNoNouns = {
+    "yeah",    "sure",   "a",       "an",      "near",    "nearer",    "far",   "farther",
+    "further", "close",  "closer",  "up",      "down",    "here",      "there", "above",
+    "below",   "inside", "outside", "away",    "forward", "backwards", "yes",   "no",
+    "more",    "less",   "both",    "neither", "never",   "always",    "none",  "together",
+    "again",   "slowly", "quickly", "faster",  "slower"};
 
 /// With one of these a phrase begins that is no thing: "to the left", "near the support".
 constexpr std::array<std::string_view, 39> kPrepositions = {
@@ -134,15 +135,22 @@ constexpr std::array<std::string_view, 39> kPrepositions = {
     "above", "beneath", "inside",  "outside", "against", "along",  "across",    "around",
     "onto",  "off",     "up",      "down",    "through", "among",  "underneath"};
 
+/// With one of these and another word: "just as fast", "more strongly", "none of them", "high up".
+constexpr std::array<std::string_view, 16> kNeverHeads = {
+    "more", "less", "most", "least", "just", "as",   "equally", "very",
+    "so",   "too",  "none", "both",  "all",  "high", "low",     "neither"};
+constexpr std::array<std::string_view, 9> kBehindThem = {
+    "up", "down", "of", "strongly", "weakly", "as", "fast", "quickly", "slowly"};
+
 /// Adjectives that lessons ask for: "it should be heavy".
-constexpr std::array<std::string_view, 58> kDescribing = {
-    "heavy",   "big",     "small",  "little", "large",  "tall",      "short",    "long",   "high",
-    "low",     "hard",    "soft",   "rough",  "smooth", "fast",      "slow",     "strong", "weak",
-    "hot",     "cold",    "warm",   "wide",   "narrow", "thick",     "thin",     "deep",   "wet",
-    "dry",     "full",    "empty",  "open",   "shut",   "new",       "old",      "young",  "red",
-    "blue",    "green",   "yellow", "white",  "black",  "brown",     "grey",     "purple", "pink",
-    "right",   "wrong",   "true",   "false",  "easy",   "difficult", "slippery", "sticky", "wooden",
-    "heavier", "lighter", "higher", "lower"};
+constexpr std::array<std::string_view, 61> kDescribing = {
+    "light",    "great",  "bright", "heavy",   "big",     "small",  "little", "large",  "tall",
+    "short",    "long",   "high",   "low",     "hard",    "soft",   "rough",  "smooth", "fast",
+    "slow",     "strong", "weak",   "hot",     "cold",    "warm",   "wide",   "narrow", "thick",
+    "thin",     "deep",   "wet",    "dry",     "full",    "empty",  "open",   "shut",   "new",
+    "old",      "young",  "red",    "blue",    "green",   "yellow", "white",  "black",  "brown",
+    "grey",     "purple", "pink",   "right",   "wrong",   "true",   "false",  "easy",   "difficult",
+    "slippery", "sticky", "wooden", "heavier", "lighter", "higher", "lower"};
 
 /// "one", "two hundred and five", "a hundred".
 bool is_number(std::string_view phrase) {
@@ -160,10 +168,22 @@ bool is_number(std::string_view phrase) {
     return any;
 }
 
+/// "Equally fast", "none of them", "no one".
+bool is_no_head(std::string_view phrase) {
+    const std::size_t space = phrase.find(' ');
+    if (space == std::string_view::npos) {
+        return false;
+    }
+    const std::string_view rest = phrase.substr(space + 1);
+    return phrase == "no one" || (contains(kNeverHeads, phrase.substr(0, space)) &&
+                                  contains(kBehindThem, rest.substr(0, rest.find(' '))));
+}
+
 bool is_no_noun(const std::string& phrase) {
     const std::size_t space = phrase.find(' ');
     return (space == std::string::npos && contains(kNoNouns, phrase)) ||
-           contains(kPrepositions, std::string_view(phrase).substr(0, space)) || is_number(phrase);
+           contains(kPrepositions, std::string_view(phrase).substr(0, space)) ||
+           is_number(phrase) || is_no_head(phrase);
 }
 
 /// The word that carries the number: pair of scissors -> pair; big apple -> apple.
@@ -273,7 +293,11 @@ bool has_kinds(std::string_view noun) {
 }
 
 bool describes(std::string_view word) {
-    return contains(kDescribing, lower_case(word));
+    const std::string text = lower_case(word);
+    return contains(kDescribing, text) ||
+           std::any_of(kDescribing.begin(), kDescribing.end(), [&](std::string_view adjective) {
+               return degree_forms(adjective, Degree::comparative).front() == text;
+           });
 }
 
 Noun understand_noun(std::string_view entry) {
@@ -298,7 +322,7 @@ Noun understand_noun(std::string_view entry) {
     const std::string lower = lower_case(entry);
     if (with_indefinite) {
         noun.noun_class = NounClass::count;
-    } else if (lower == "earth" && (capital || with_the)) {
+    } else if ((lower == "earth" || lower.starts_with("earth's ")) && (capital || with_the)) {
         noun.noun_class = NounClass::name_or_the;
     } else if (with_the || (capital && contains(kNamedThe, lower))) {
         noun.noun_class = NounClass::named_the;

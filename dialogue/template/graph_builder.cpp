@@ -4,6 +4,7 @@
 
 #include "dialogue/english/determiner.h"
 #include "dialogue/english/letters.h"
+#include "dialogue/english/number.h"
 
 #include <algorithm>
 #include <optional>
@@ -117,6 +118,9 @@ SubjectNumber subject_number(const SyntaxNode& part) {
             return SubjectNumber::plural;
         }
     }
+    if (is_number_word(part.text)) {
+        return part.text == "one" ? SubjectNumber::singular : SubjectNumber::plural;
+    }
     return looks_plural(part.text) ? SubjectNumber::plural : SubjectNumber::singular;
 }
 
@@ -127,6 +131,7 @@ Neighbours behind(const SyntaxNode& done, bool has_article, bool noun_phrase) {
     neighbours.after_list = noun_phrase || done.kind == Kind::list;
     neighbours.after_adjective = is_adjective(done);
     neighbours.subject = subject_number(done);
+    neighbours.behind_is = done.kind == Kind::word && done.text == "is";
     neighbours.begins_phrase = done.kind == Kind::word && is_preposition(done.text);
     return neighbours;
 }
@@ -171,7 +176,7 @@ SubjectNumber noun_number_after(const Syntax& syntax, const SyntaxNode& sequence
         if (!may_be_noun(next)) {
             break;
         }
-        number = subject_number(next);
+        number = next.argument.empty() ? subject_number(next) : SubjectNumber::name;
     }
     return number;
 }
@@ -207,8 +212,9 @@ Expected<Built> GraphBuilder::node(const Syntax& syntax, int index, int from,
         case Kind::permutation:
             return permutation(syntax, part, from);
         case Kind::list:
-            return list(
-                part, neighbours.in_phrase ? ArticlePolicy::determined : ArticlePolicy::bare, from);
+            return list(part,
+                        neighbours.in_phrase ? ArticlePolicy::determined : ArticlePolicy::bare,
+                        from, neighbours.behind_is);
         case Kind::rule:
             return rule(syntax, part, from, neighbours);
         case Kind::word:
@@ -236,7 +242,7 @@ Expected<Built> GraphBuilder::sequence(const Syntax& syntax, const SyntaxNode& p
             policy ? noun_number_after(syntax, part, i, noun_follows) : SubjectNumber::unknown;
         const bool noun_phrase = policy && next != nullptr && next->kind == Kind::list;
         const int start = built.to;
-        const auto made = noun_phrase ? list(*next, *policy, built.to)
+        const auto made = noun_phrase ? list(*next, *policy, built.to, neighbours.behind_is)
                                       : node(syntax, child, built.to, neighbours);
         if (!made) {
             return made;
@@ -342,7 +348,8 @@ Expected<std::size_t> GraphBuilder::list_number(const SyntaxNode& part) const {
     return static_cast<std::size_t>(found - set_.lists.begin());
 }
 
-Expected<Built> GraphBuilder::list(const SyntaxNode& part, ArticlePolicy policy, int from) {
+Expected<Built> GraphBuilder::list(const SyntaxNode& part, ArticlePolicy policy, int from,
+                                   bool behind_is) {
     if (const auto within = step(part); !within) {
         return tl::unexpected(within.error());
     }
@@ -356,7 +363,7 @@ Expected<Built> GraphBuilder::list(const SyntaxNode& part, ArticlePolicy policy,
     }
     const std::uint32_t bit = 1U << static_cast<unsigned>(*slot);
     Built built{writer_.add_node(), bit, bit, policy == ArticlePolicy::definite ? bit : 0};
-    add_noun_phrase(writer_, set_.lists[*found], *slot, policy, from, built.to);
+    add_noun_phrase(writer_, set_.lists[*found], *slot, policy, from, built.to, behind_is);
     form_slots_.things = form_slots_.material == kNone ? *slot : form_slots_.things;
     return built;
 }

@@ -54,7 +54,7 @@ class GraphBuilder {
     Expected<Built> alternatives(const Syntax& syntax, const SyntaxNode& part, bool optional,
                                  int from, Neighbours neighbours);
     Expected<Built> permutation(const Syntax& syntax, const SyntaxNode& part, int from);
-    Expected<Built> list(const SyntaxNode& part, ArticlePolicy policy, int from);
+    Expected<Built> list(const SyntaxNode& part, ArticlePolicy policy, int from, bool behind_is);
     Expected<Built> rule(const Syntax& syntax, const SyntaxNode& part, int from,
                          Neighbours neighbours);
     Expected<Built> form(const Syntax& syntax, const SyntaxNode& part, int from,

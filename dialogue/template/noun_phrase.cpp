@@ -1,6 +1,7 @@
 // The article before a list, and the list: the article depends on the noun's class and sound, so each class of noun has
 // a branch of its own.
 #include "dialogue/english/letters.h"
+#include "dialogue/english/unit.h"
 #include "dialogue/template/phrases.h"
 
 #include <algorithm>
@@ -29,13 +30,20 @@ enum class Branch : std::uint8_t {
     name_or_the,      // Earth, the Earth
     plural_after_a,   // "a watermelons"
     plural_after_an,  // "an apples"
+    unit,             // newtons, where no number stands before them
 };
 
 /// Writes the articles of one branch between two nodes.
 class ArticleWriter {
   public:
-    ArticleWriter(ArcWriter& writer, ArticlePolicy policy, int element, int from, int to)
-        : writer_(writer), policy_(policy), element_(element), from_(from), to_(to) {}
+    ArticleWriter(ArcWriter& writer, ArticlePolicy policy, bool predicate, int element, int from,
+                  int to)
+        : writer_(writer),
+          policy_(policy),
+          predicate_(predicate),
+          element_(element),
+          from_(from),
+          to_(to) {}
 
     void write(Branch branch) {
         switch (branch) {
@@ -67,6 +75,8 @@ class ArticleWriter {
                 return miscounted("a", "an");
             case Branch::plural_after_an:
                 return miscounted("an", "a");
+            case Branch::unit:
+                return no_determiner();
         }
     }
 
@@ -170,6 +180,14 @@ class ArticleWriter {
         }
     }
 
+    void no_determiner() {
+        right("", true);
+        for (const std::string_view said :
+             {"a", "an", "the", "this", "that", "these", "those", "some", "its"}) {
+            wrong(said, "", ErrorCode::extra_determiner);
+        }
+    }
+
     void with_the(ErrorCode without_it) {
         const bool free = without_it == ErrorCode::none || policy_ == ArticlePolicy::short_answer;
         right("the", true);
@@ -185,10 +203,15 @@ class ArticleWriter {
     void miscounted(std::string_view own, std::string_view other) {
         right(own, false);
         wrong(other, own, ErrorCode::wrong_determiner);
+        if (predicate_) {
+            passes("some", own);
+            wrong("", own, ErrorCode::missing_determiner);
+        }
     }
 
     ArcWriter& writer_;
     ArticlePolicy policy_;
+    bool predicate_;
     int element_, from_, to_;
 };
 
@@ -198,7 +221,11 @@ bool describes_alone(const Noun& noun, ArticlePolicy policy) {
            describes(noun.text);
 }
 
-Branch branch_of(const Noun& noun) {
+Branch branch_of(const Noun& noun, ArticlePolicy policy) {
+    const bool measures = policy == ArticlePolicy::bare || policy == ArticlePolicy::short_answer;
+    if (measures && is_unit(noun.text)) {
+        return Branch::unit;
+    }
     switch (noun.noun_class) {
         case NounClass::mass:
             return Branch::bare_or_the;
@@ -223,9 +250,14 @@ Branch branch_of(const Noun& noun) {
 /// Writes the noun in the number that its list doesn't give.
 class OtherNumber {
   public:
-    OtherNumber(ArcWriter& writer, ArticlePolicy policy, int place, int to,
+    OtherNumber(ArcWriter& writer, ArticlePolicy policy, bool predicate, int place, int to,
                 std::function<int(Branch)> node_of)
-        : writer_(writer), policy_(policy), place_(place), to_(to), node_of_(std::move(node_of)) {}
+        : writer_(writer),
+          policy_(policy),
+          predicate_(predicate),
+          place_(place),
+          to_(to),
+          node_of_(std::move(node_of)) {}
 
     void add(const Noun& noun, int item, Branch branch) {
         switch (noun.noun_class) {
@@ -234,7 +266,8 @@ class OtherNumber {
             case NounClass::mass:
                 return plural_of_mass(noun, item);
             case NounClass::plural:
-                return singular_of_plural(noun, item);
+                return branch == Branch::unit ? wrong(branch, singular_of(noun.text), noun, item)
+                                              : singular_of_plural(noun, item);
             default:
                 return;
         }
@@ -250,7 +283,9 @@ class OtherNumber {
         const bool with_an = branch == Branch::with_an;
         wrong(with_an ? Branch::plural_after_an : Branch::plural_after_a, plural, noun, item);
         wrong(Branch::plural_of_one, plural, noun, item);
-        right(Branch::made_plural, plural, Number::plural, item);
+        if (!predicate_) {
+            right(Branch::made_plural, plural, Number::plural, item);
+        }
     }
 
     /// "The metals", "woods": wrong, except for kinds of it in general, "Metals are hard".
@@ -260,7 +295,7 @@ class OtherNumber {
             return;
         }
         wrong(Branch::plural_of_one, plural, noun, item);
-        if (has_kinds(noun.text)) {
+        if (has_kinds(noun.text) && !predicate_) {
             right(Branch::made_plural, plural, Number::plural, item);
         } else {
             wrong(Branch::bare_or_the, plural, noun, item);
@@ -300,6 +335,7 @@ class OtherNumber {
 
     ArcWriter& writer_;
     ArticlePolicy policy_;
+    bool predicate_;
     int place_, to_;
     std::function<int(Branch)> node_of_;
 };
@@ -312,7 +348,10 @@ bool all_describe(const WordList& list) {
 }
 
 void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticlePolicy policy,
-                     int from, int to) {
+                     int from, int to, bool behind_is) {
+    // "It is {material}" may speak of rocks; with an article one thing is meant.
+    const bool predicate = behind_is && policy != ArticlePolicy::bare;
+    const bool adjectives = all_describe(list);
     Element noun_element{Role::noun};
     noun_element.slot = slot;
     const int determiner = writer.add_element({Role::determiner});
@@ -327,23 +366,29 @@ void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticleP
         const auto [entry, is_new] = nodes.try_emplace(branch, kNone);
         if (is_new) {
             entry->second = writer.add_node();
-            ArticleWriter(writer, policy, determiner, from, entry->second).write(branch);
+            ArticleWriter(writer, policy, predicate, determiner, from, entry->second).write(branch);
         }
         return entry->second;
     };
 
-    OtherNumber other_number(writer, policy, place, to, node_of);
+    OtherNumber other_number(writer, policy, predicate, place, to, node_of);
     for (std::size_t i = 0; i < list.items.size() && !writer.full(); ++i) {
         const std::vector<Noun>& spoken = list.items[i].spoken;
         for (const Noun& noun : spoken) {
             ArcText arc{noun.text, noun.text, ErrorCode::none, 0, &noun == spoken.data()};
             arc.item = static_cast<int>(i);
             arc.number = noun.number();
-            if (describes_alone(noun, policy)) {
+            if (describes_alone(noun, policy) || (adjectives && policy == ArticlePolicy::bare)) {
                 writer.add_arc(node_of(Branch::name), to, place, arc);
                 continue;
             }
-            const Branch branch = branch_of(noun);
+            if (adjectives) {  // of "the red one" neither several nor stuff
+                arc.number = Number::singular;
+                const bool an = indefinite_article(noun.text) == "an";
+                writer.add_arc(node_of(an ? Branch::with_an : Branch::with_a), to, place, arc);
+                continue;
+            }
+            const Branch branch = branch_of(noun, policy);
             writer.add_arc(node_of(branch), to, place, arc);
             other_number.add(noun, static_cast<int>(i), branch);
         }

@@ -38,6 +38,13 @@ void add_demonstratives(ArcWriter& writer, SubjectNumber noun, int determiner, i
     if (noun == SubjectNumber::unknown) {
         return;
     }
+    if (noun == SubjectNumber::name) {
+        for (const std::string_view said : {"this", "that"}) {
+            writer.add_arc(from, to, determiner,
+                           {said, "the", ErrorCode::wrong_determiner, kSlipCost});
+        }
+        return;
+    }
     constexpr std::array<std::string_view, 2> kOne = {"this", "that"};
     constexpr std::array<std::string_view, 2> kMany = {"these", "those"};
     const bool one = noun == SubjectNumber::singular;

@@ -29,13 +29,14 @@ enum class ArticlePolicy : std::uint8_t {
     determined,    ///< "my {thing}", "a longer {thing}": its determiner stands before it
 };
 
-/// What is known of the number of a subject that is plain words: "the scissors", "they".
-enum class SubjectNumber : std::uint8_t { unknown, singular, plural };
+/// What is known of the number of a subject that is plain words: "the scissors", "they"; behind "the" it may be a name, "the Earth".
+enum class SubjectNumber : std::uint8_t { unknown, singular, plural, name };
 
 /// What stands around a part in its sequence.
 struct Neighbours {
     bool after_article = false;
     bool after_list = false;
+    bool behind_is = false;         ///< right after the verb "is"
     bool in_phrase = false;         ///< after a determiner, with nothing but adjectives between
     bool after_adjective = false;   ///< after <adjective:…> in any degree
     bool before_adjective = false;  ///< before one: "and" joins two, "feels like hard" is wrong
@@ -49,9 +50,10 @@ struct Neighbours {
 /// "Red", "blue": all words of the list are adjectives, for a noun to follow.
 [[nodiscard]] bool all_describe(const WordList& list);
 
-/// "a watermelon": the article by the noun's class and sound, then the noun, in singular or plural.
+/// "a watermelon": the article by the noun's class and sound, then the noun, in singular or plural. `behind_is` one thing is
+/// meant: "it is eggs" is wrong.
 void add_noun_phrase(ArcWriter& writer, const WordList& list, int slot, ArticlePolicy policy,
-                     int from, int to);
+                     int from, int to, bool behind_is = false);
 
 /// <adjective:hard>, <comparative:heavy>, <superlative:heavy>: one of `words`, which fills `slot` unless that is kNone;
 /// `after_article` when the template has "the" before it.

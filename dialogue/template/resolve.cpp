@@ -160,6 +160,12 @@ void count(std::vector<Piece>& pieces, int at) {
     const std::string counted =
         number == kNone ? "" : lower_case(pieces[static_cast<std::size_t>(number)].right);
     // "No moon" is as good as "no moons", and is said back as it was said.
+    if (counted == "none") {  // "none moons"
+        Piece& none = pieces[static_cast<std::size_t>(number)];
+        none.right = "no";
+        none.code = ErrorCode::wrong_determiner;
+        none.cost = kSlipCost;
+    }
     const bool is_none = counted == "no" && noun.code == ErrorCode::noun_number;
     const bool is_one = is_none || means_one(counted);
     if (number != kNone) {

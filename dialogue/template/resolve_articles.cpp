@@ -3,6 +3,7 @@
 #include "dialogue/english/determiner.h"
 #include "dialogue/english/letters.h"
 #include "dialogue/english/noun.h"
+#include "dialogue/english/number.h"
 #include "dialogue/template/phrases.h"
 #include "dialogue/template/tokens.h"
 
@@ -22,6 +23,16 @@ bool carries_article(const Piece& piece) {
     return piece.element.role == Role::noun || piece.element.role == Role::adjective ||
            (piece.element.role == Role::word &&
             std::find(kNever.begin(), kNever.end(), piece.right) == kNever.end());
+}
+
+/// "Easier near the hinge", "lighter on the Moon": behind it no noun is left out that "the" would belong to.
+bool is_place(const Piece& piece) {
+    const std::vector<std::string> words = words_of(piece.right);
+    const bool is_word = piece.element.slot != kNone || piece.element.role == Role::word;
+    const bool said = is_word && !words.empty() && !is_number_word(words.front()) &&
+                      understand_noun(piece.right).noun_class == NounClass::no_noun;
+    return said ||
+           (piece.element.role == Role::preposition && piece.right != "of" && piece.right != "to");
 }
 
 }  // namespace
@@ -80,13 +91,15 @@ void drop_the(std::vector<Piece>& pieces, int adjective) {
                           article.element.target;
     const bool than = next != kNone && pieces[static_cast<std::size_t>(next)].right == "than";
     const bool alone = next == kNone || !carries_article(pieces[static_cast<std::size_t>(next)]);
-    if (optional && than) {
+    const bool place = next != kNone && is_place(pieces[static_cast<std::size_t>(next)]);
+    const bool other_form =
+        pieces[static_cast<std::size_t>(adjective)].code == ErrorCode::adjective_form;
+    if (optional && other_form && !than && (alone || place)) {
+        article.right.clear();
+    } else if (optional && (than || place)) {
         article.right.clear();
         article.code = ErrorCode::extra_determiner;
         article.cost = kSlipCost;
-    } else if (optional && alone &&
-               pieces[static_cast<std::size_t>(adjective)].code == ErrorCode::adjective_form) {
-        article.right.clear();
     }
 }
 

@@ -49,8 +49,10 @@ class ShortAnswers {
     /// "The watermelon." and "It is the watermelon."
     Expected<bool> of_noun(int slot) {
         const bool definite = (graph().definite & bit_of(slot)) != 0;
-        const auto bare = noun_alone(slot, ArticlePolicy::short_answer, true);
-        if (bare && describes_things(slot)) {  // "it is blue", and not "it is the blue"
+        const bool describing = describes_things(slot);
+        const auto bare =
+            noun_alone(slot, describing ? ArticlePolicy::bare : ArticlePolicy::short_answer, true);
+        if (bare && describing) {  // "it is blue", and not "it is the blue"
             return add(concat({"(it|this|that) is ", reference(slot)}), false);
         }
         return bare ? add(concat({"(it|this|that) is ", definite ? "the " : "<article> ",

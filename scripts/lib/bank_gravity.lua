@@ -26,36 +26,40 @@ local function superlative(adjective, sign, most)
     id = "gravity_" .. most, like = { most }, point = "comparison", idea = "weight",
     prompt = ("A watermelon, an apple, a banana and an egg: which one is the %s?"):format(most),
     answers = { "[a|an|the] {thing} is the <superlative:" .. adjective .. "> [one|thing] [of (all|them all|the four)]",
-                "the <superlative:" .. adjective .. "> [one|thing] is [a|an|the] {thing}" },
+                "the <superlative:" .. adjective .. "> [one|thing] [of (all|them all|the four)] is [a|an|the] {thing}", "[a|an|the] {thing} is" },
     lists = { thing = fruit },
     right = function(a) return a.thing ~= nil and heaviest(fruit, sign) == a.thing end,
     hint = "Think of the four in your bucket.",
     solution = ("%s is the %s."):format(one(right):gsub("^%l", string.upper), most),
     examples = {
-      right = { one(right) .. " is the " .. most, "the " .. right },
+      right = { one(right) .. " is the " .. most, "the " .. right, ("the %s is the %s"):format(most, right), "the " .. right .. " is" },
       wrong = { one(wrong) .. " is the " .. most },
-      form = { right .. " is the " .. most, one(right) .. " is most " .. adjective },
+      form = { right .. " is the " .. most, one(right) .. " is most " .. adjective, "it is " .. right .. "s", right .. " is" },
     },
   }
 end
 
 -- "Which one is heavier, an apple or an egg?"
 local function comparative(adjective, sign, more, first, second)
+  local amount = sign > 0 and "more" or "less"
   local right = heaviest({ first, second }, sign)
   local wrong = right == first and second or first
   return {
     id = ("gravity_%s_%s_%s"):format(more, first, second), like = { "heavier", "lightest" }, point = "comparison", idea = "weight",
     prompt = ("Which one is %s, %s or %s?"):format(more, one(first), one(second)),
     answers = { "[a|an|the] {thing} is <comparative:" .. adjective .. "> [than [a|an|the] {other}]",
-                "[a|an|the] {thing} is the <comparative:" .. adjective .. "> one" },
+                "[a|an|the] {thing} is the <comparative:" .. adjective .. "> (one|of the two|one of the two)",
+                "the <comparative:" .. adjective .. "> (one|thing) is [a|an|the] {thing}", "[a|an|the] {thing} is",
+                "[a|an|the] {thing} weighs " .. amount .. " [than [a|an|the] {other}]" },
     lists = { thing = { first, second }, other = { first, second } },
     right = function(a) return a.thing == right and a.other ~= right end,
     hint = "Which one pulled your hand down more?",
     solution = ("%s is %s than %s."):format(one(right):gsub("^%l", string.upper), more, one(wrong)),
     examples = {
-      right = { ("%s is %s than %s"):format(one(right), more, one(wrong)), one(right) },
+      right = { ("%s is %s than %s"):format(one(right), more, one(wrong)), one(right), ("the %s is the %s of the two"):format(right, more),
+                ("the %s one is the %s"):format(more, right), ("the %s weighs %s than the %s"):format(right, amount, wrong) },
       wrong = { ("%s is %s than %s"):format(one(wrong), more, one(right)) },
-      form = { ("%s is more %s than %s"):format(one(right), more, one(wrong)) },
+      form = { ("%s is more %s than %s"):format(one(right), more, one(wrong)), ("the %s one is %ss"):format(more, right) },
     },
   }
 end
@@ -79,8 +83,8 @@ return {
     right = function(a) return (a.together or a.same or a.equal or a.neither) ~= nil end,
     hint = "Without air nothing slows them down.",
     solution = "They fall together: without air all things fall equally fast.",
-    examples = { right = { "they fall together", "they fall at the same speed" }, wrong = { "the watermelon is faster" },
-                 form = { "they falls together" } },
+    examples = { right = { "they fall together", "they fall at the same speed", "they are equally fast", "none of them is faster" },
+                 wrong = { "the watermelon is faster" }, form = { "they falls together", "they are an equally fast" } },
   },
   {
     id = "gravity_pulls", like = { "heaviest" }, point = "verb", idea = "weight",
@@ -92,7 +96,7 @@ return {
     right = function(a) return a.puller == "Earth" or a.puller == "gravity" end,
     hint = "What is under our feet?",
     solution = "The Earth pulls it down. That is gravity.",
-    examples = { right = { "the Earth pulls it down", "gravity" }, wrong = { "the wind pulls it down" },
+    examples = { right = { "the Earth pulls it down", "gravity", "the Earth's gravity pulls it down" }, wrong = { "the wind pulls it down" },
                  form = { "the Earth pull it down" } },
   },
   {
@@ -106,7 +110,7 @@ return {
     hint = "The Moon pulls only a sixth as hard as the Earth.",
     solution = "It weighs less on the Moon.",
     examples = { right = { "it weighs less on the Moon", "on the moon" }, wrong = { "it weighs less on the Earth" },
-                 form = { "it is more light on the moon", "it weigh less on the moon" } },
+                 form = { "it is more light on the moon", "it weigh less on the moon", "it is the lighter on the moon" } },
   },
   {
     id = "gravity_unit", like = { "heaviest" }, point = "noun_number", idea = "weight",
@@ -118,8 +122,8 @@ return {
     right = function(a) return a.unit == nil or a.unit == "newtons" end,
     hint = "The arrow under the bucket says it.",
     solution = "We measure weight in newtons.",
-    examples = { right = { "we measure weight in newtons", "in newtons" }, wrong = { "we measure it in metres" },
-                 form = { "we measure weight with newtons" } },
+    examples = { right = { "we measure weight in newtons", "in newtons", "you use newtons" }, wrong = { "we measure it in metres" },
+                 form = { "we measure weight with newtons", "you use this newtons", "in the newtons", "we use a newton" } },
   },
   {
     id = "gravity_three", like = { "heavier" }, point = "noun_number", idea = "weight",
@@ -132,7 +136,7 @@ return {
     hint = "One and one and one and one.",
     solution = "They weigh four newtons.",
     examples = { right = { "they weigh four newtons", "4 newtons" }, wrong = { "they weigh three newtons" },
-                 form = { "they weigh four newton" } },
+                 form = { "they weigh four newton", "this four eggs weigh four newtons" } },
   },
   {
     id = "gravity_yes", like = { "heavier" }, point = "comparison", idea = "weight",

@@ -32,13 +32,13 @@ local function what_like(name, first, second, wrong, slip)
                 "(it|this) feels <adjective:{feel}> [and <adjective:{feel:also}>]" },
     lists = { material = called, feel = adjectives },
     right = function(a)
-      return (a.material or name) == name and known[a.feel] == true and (a.also == nil or known[a.also] == true)
+      return (a.material or name) == name and known[a.feel] == true and (a.also == nil or known[a.also] == true and a.also ~= a.feel)
     end,
     hint = "Is it hard or soft? Is it smooth or rough?",
     solution = ("%s is %s and %s."):format(name:gsub("^%l", string.upper), first, second),
     examples = {
       right = { ("%s is %s and %s"):format(name, first, second), "it is " .. first, first .. " and " .. second },
-      wrong = { ("%s is %s"):format(name, wrong) },
+      wrong = { ("%s is %s"):format(name, wrong), ("%s is %s and %s"):format(name, first, first) },
       form = { slip },
     },
   }
@@ -53,13 +53,14 @@ local function which(adjective, more, first, second)
     id = ("textures_%s_%s_%s"):format(adjective, first, second), like = { "like_" .. first, "like_" .. second },
     point = "comparison", idea = "materials",
     prompt = ("Which one is %s: %s or %s?"):format(more, first, second),
-    answers = { "{material} is <comparative:" .. adjective .. "> [than {other}]", "it is {material}" },
+    answers = { "{material} is <comparative:" .. adjective .. "> [than {other}]", "it is {material}", "{material} is",
+                "the <comparative:" .. adjective .. "> (one|material) is {material}" },
     lists = { material = { first, second }, other = { first, second } },
     right = function(a) return a.material == right and a.other ~= right end,
     hint = ("Remember how %s and %s felt."):format(first, second),
     solution = ("%s is %s than %s."):format(right:gsub("^%l", string.upper), more, wrong),
     examples = {
-      right = { ("%s is %s than %s"):format(right, more, wrong), right },
+      right = { ("%s is %s than %s"):format(right, more, wrong), right, right .. " is", ("the %s one is %s"):format(more, right) },
       wrong = { ("%s is %s than %s"):format(wrong, more, right) },
       form = { ("%s is the %s than %s"):format(right, more, wrong) },
     },

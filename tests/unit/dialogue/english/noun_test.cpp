@@ -130,3 +130,23 @@ TEST_CASE("noun: numbers, places and what begins with a preposition are no nouns
     CHECK(understand_noun("tooth").noun_class == NounClass::count);
     CHECK(understand_noun("the far side").noun_class == NounClass::named_the);
 }
+
+TEST_CASE("noun: adverbs, counts and answers of several words are no nouns") {
+    for (const char* entry : {"equally fast", "just as fast", "more strongly", "high up", "a",
+                              "none of them", "no one", "yeah", "underneath"}) {
+        INFO(entry);
+        CHECK(understand_noun(entry).noun_class == NounClass::no_noun);
+    }
+    CHECK(understand_noun("high tower").noun_class == NounClass::count);
+    CHECK(understand_noun("all-rounder").noun_class == NounClass::count);
+    CHECK(understand_noun("Earth's gravity").noun_class == NounClass::name_or_the);
+}
+
+TEST_CASE("noun: comparatives of what describes describe, too") {
+    for (const char* adjective : {"light", "lighter", "stronger", "bigger", "Easier"}) {
+        INFO(adjective);
+        CHECK(describes(adjective));
+    }
+    CHECK_FALSE(describes("water"));
+    CHECK_FALSE(describes("letter"));
+}

@@ -211,3 +211,33 @@ TEST_CASE("mark: one of what a list has several of needs its article") {
                        {"paper is made from tree", "R:NOUN:NUM", "Paper is made from *trees*."},
                        {"from a tree", "", "From a tree."}});
 }
+
+TEST_CASE("mark: more and most with any degree are heard at a superlative, and it is meant") {
+    for (const char* said : {"more heaviest", "most heaviest", "more heavier", "most heavier"}) {
+        INFO(said);
+        const Mark mark = mark_answer(heaviest(), "a watermelon is the " + std::string(said));
+        CHECK(mark.slot("thing") == "watermelon");
+        CHECK(mark.emphasised == "A watermelon is *the heaviest*.");
+        REQUIRE(mark.form_errors.size() == 1);
+        CHECK(mark.form_errors[0].errant() == "R:ADJ:FORM");
+    }
+    check_rows(heavier_of_two(),
+               {{"the apple is most heaviest", "R:ADJ:FORM", "The apple is *heavier*."}});
+}
+
+TEST_CASE("mark: the heavier needs its noun or nothing behind it, no place") {
+    const Question place = compiled({"place",
+                                     "Where is it easier?",
+                                     {"it is <comparative:easy> [at the {place}|far from it]"},
+                                     {{"place", {"handle", "hinge"}}}});
+    check_rows(place, {{"it is easier at the handle", "", "It is easier at the handle."},
+                       {"it is the easier", "", "It is the easier."},
+                       {"it is the easier at the handle", "U:DET", "It is *easier* at the handle."},
+                       {"it is the easier far from it", "U:DET", "It is *easier* far from it."}});
+    const Question moons = compiled({"moons",
+                                     "How many?",
+                                     {"it has {number} <plural:moon>"},
+                                     {{"number", {"no|none", "two"}}}});
+    check_rows(moons, {{"it has none moons", "R:DET", "It has *no* moons."},
+                       {"it has no moons", "", "It has no moons."}});
+}

@@ -1,4 +1,5 @@
 #include "dialogue/template/matcher.h"
+#include "dialogue/template/sentences.h"
 #include "tests/unit/dialogue/questions.h"
 
 #include <catch2/catch.hpp>
@@ -217,4 +218,62 @@ TEST_CASE("noun phrase: the Sun and the Earth may be written small") {
         REQUIRE(parse);
         CHECK(parse->cost > 0);
     }
+}
+
+namespace {
+
+/// What is said back to `said`, with the codes of its errors before it.
+std::string told(const TemplateSource& source, std::string_view said) {
+    const TemplateSet set = compiled_templates(source);
+    const auto parse = match(set, said);
+    std::string text = parse ? "" : "?";
+    for (const Piece& piece : parse ? parse->pieces : std::vector<Piece>{}) {
+        text += piece.code == ErrorCode::none ? "" : std::string(errant_code(piece.code)) + " ";
+    }
+    return parse ? text + render(parse->pieces) : text;
+}
+
+}  // namespace
+
+TEST_CASE("noun phrase: a unit that measures has no determiner") {
+    const TemplateSource in{
+        {"we use {unit}", "it has the {unit}"}, {{"unit", {"newtons", "seconds"}}}, {}};
+    CHECK(told(in, "we use newtons") == "We use newtons.");
+    CHECK(told(in, "we use this newtons") == "U:DET We use newtons.");
+    CHECK(told(in, "we use the seconds") == "U:DET We use seconds.");
+    CHECK(told(in, "we use newton") == "R:NOUN:NUM We use newtons.");
+    CHECK(told(in, "we use a newton") == "U:DET R:NOUN:NUM We use newtons.");
+    // Where the template itself has an article it is asked for.
+    CHECK(told(in, "it has the seconds") == "It has the seconds.");
+}
+
+TEST_CASE("noun phrase: what is behind is, is one thing") {
+    const TemplateSource it{
+        {"it is <article> {thing}", "it is the {thing} now", "<article> {thing} is here"},
+        {{"thing", {"egg", "ball", "scissors"}}},
+        {}};
+    CHECK(told(it, "it is an egg") == "It is an egg.");
+    CHECK(told(it, "it is eggs") == "M:DET R:NOUN:NUM It is an egg.");
+    CHECK(told(it, "it is some balls") == "R:NOUN:NUM It is a ball.");
+    CHECK(told(it, "it is the balls now") == "R:NOUN:NUM It is the ball now.");
+    CHECK(told(it, "it is scissors") == "It is scissors.");
+    CHECK(told(it, "eggs are here") == "Eggs are here.");
+}
+
+TEST_CASE("noun phrase: a list of adjectives before a noun has neither several nor stuff") {
+    const TemplateSource who{
+        {"the {who} child sits", "it is {who}"}, {{"who", {"light|lighter", "heavy|heavier"}}}, {}};
+    CHECK(told(who, "the light child sits") == "The light child sits.");
+    CHECK(told(who, "light child sits") == "M:DET The light child sits.");
+    CHECK(told(who, "the lights child sits") == "R:SPELL The light child sits.");
+    CHECK(told(who, "it is light") == "It is light.");
+    CHECK(told(who, "it is a light") == "U:DET It is light.");
+}
+
+TEST_CASE("noun phrase: a name behind the is pointed at by no this") {
+    const TemplateSource earth{
+        {"the Earth has {thing}", "the four eggs weigh {thing}"}, {{"thing", {"water"}}}, {}};
+    CHECK(told(earth, "this earth has water") == "R:DET The Earth has water.");
+    CHECK(told(earth, "these four eggs weigh water") == "These four eggs weigh water.");
+    CHECK(told(earth, "this four eggs weigh water") == "R:DET These four eggs weigh water.");
 }
