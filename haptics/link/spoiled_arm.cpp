@@ -26,6 +26,14 @@ SimulatedArmSettings spoiled_settings() {
     return settings;
 }
 
+// A step of its dynamics and of its computer a round, half as many as it has by itself: for its time.
+SimulatedWamSettings wam_settings() {
+    SimulatedWamSettings settings;
+    settings.longest_step_s = kRound_s;
+    settings.grip.push = kArm;
+    return settings;
+}
+
 ArmServerSettings server_settings(const SafetySettings& own) {
     ArmServerSettings settings;
     settings.safety = own;
@@ -60,8 +68,22 @@ FeltLimit find_broken(const FeltLimits& limits, const Wrench& before, const Wren
                : FeltLimit::torque_slew;
 }
 
+SpoiledArm::Arm::Arm(SpoiledModel model, LatestValue<HandTarget>& target) {
+    if (model == SpoiledModel::wam) {
+        wam = std::move(*SimulatedWam::create(wam_settings(), target));
+        device = wam.get();
+    } else {
+        desktop = std::make_unique<SimulatedArm>(spoiled_settings(), target);
+        device = desktop.get();
+    }
+}
+
+Pose SpoiledArm::Arm::pose_D() const noexcept {
+    return wam ? wam->compute_pose_D() : Pose::at(desktop->position_D());
+}
+
 bool SpoiledArm::Arm::read(double now_s, DeviceReading& reading) noexcept {
-    (void)arm.read(now_s, reading);
+    (void)device->read(now_s, reading);
     reading.pose_D.position += offset_D;
     switch (spoil) {
         case Spoil::no_pose:
@@ -79,11 +101,15 @@ bool SpoiledArm::Arm::read(double now_s, DeviceReading& reading) noexcept {
 
 bool SpoiledArm::Arm::write(double now_s, const Wrench& wrench_D) noexcept {
     written_D = wrench_D;
-    return arm.write(now_s, wrench_D) && spoil != Spoil::motor;
+    return device->write(now_s, wrench_D) && spoil != Spoil::motor;
 }
 
 void SpoiledArm::Arm::take_hold(bool holds) noexcept {
-    arm.take_hold(holds ? kArm : kNobody);
+    if (wam) {
+        wam->take_hold(holds ? wam_settings().grip : kNoGrip);
+    } else {
+        desktop->take_hold(holds ? kArm : kNobody);
+    }
 }
 
 SealTag SpoiledArm::OpenSeal::make(std::span<const std::byte> message) const noexcept {
@@ -110,12 +136,12 @@ bool SpoiledArm::OpenSeal::holds(std::span<const std::byte> message,
 }
 
 SpoiledArm::SpoiledArm(std::uint64_t seed, LatestValue<HandTarget>& target,
-                       const SafetySettings& own)
+                       const SafetySettings& own, SpoiledModel model)
     : chance_(seed),
       planned_(target),
       hand_(compute_split_mix(~seed)),
       own_(own),
-      arm_(spoiled_settings(), wanted_),
+      arm_(model, wanted_),
       line_({.seed = seed}, channel_.end(0)),
       server_(server_settings(own), arm_, channel_.end(1), seal_, numbers_),
       device_({.max_force_N = kHardForceCap_N, .max_torque_Nm = kHardTorqueCap_Nm}, line_, seal_,
@@ -342,10 +368,13 @@ void SpoiledArm::watch_fade(double now_s) noexcept {
 }
 
 void SpoiledArm::mix_in(double now_s, const Wrench& felt_D) noexcept {
-    const Vector3 x_D = arm_.arm.position_D();
+    const Pose pose_D = arm_.pose_D();
+    const Vector3& x_D = pose_D.position;
+    const Quaternion& turn_D = pose_D.orientation;
     for (const double value :
-         {now_s, x_D.x(), x_D.y(), x_D.z(), felt_D.force.x(), felt_D.force.y(), felt_D.force.z(),
-          felt_D.torque.x(), felt_D.torque.y(), felt_D.torque.z()}) {
+         {turn_D.w(), turn_D.x(), turn_D.y(), turn_D.z(), now_s, x_D.x(), x_D.y(), x_D.z(),
+          felt_D.force.x(), felt_D.force.y(), felt_D.force.z(), felt_D.torque.x(),
+          felt_D.torque.y(), felt_D.torque.z()}) {
         counts_.hash = mix(counts_.hash, std::bit_cast<std::uint64_t>(value));
     }
 }

@@ -11,6 +11,7 @@
 // Thread: that of the haptic loop. Cost: some microseconds a round; allocates nothing after it was built.
 #pragma once
 
+#include "haptics/device/arm/simulated_wam.h"
 #include "haptics/device/device.h"
 #include "haptics/device/simulated/random_hand.h"
 #include "haptics/device/simulated/simulated_arm.h"
@@ -27,6 +28,12 @@
 #include <memory>
 
 namespace fulcrum {
+
+/// Which arm it is: three axes on a desk, which turn nothing, or Barrett's WAM of seven joints, which turns the hand too.
+enum class SpoiledModel : std::uint8_t { desktop, wam };
+[[nodiscard]] constexpr const char* name_of(SpoiledModel model) noexcept {
+    return model == SpoiledModel::wam ? "wam" : "desktop";
+}
 
 /// What breaks.
 enum class Spoil : std::uint8_t {
@@ -120,7 +127,8 @@ class SpoiledArm final : public Device {
 
     /// `target` is where the lesson's hand wants to be; it outlives the arm. `own` are the arm's own limits.
     SpoiledArm(std::uint64_t seed, LatestValue<HandTarget>& target,
-               const SafetySettings& own = ArmServerSettings{}.safety);
+               const SafetySettings& own = ArmServerSettings{}.safety,
+               SpoiledModel model = SpoiledModel::desktop);
     ~SpoiledArm() override;
 
     [[nodiscard]] const DeviceTraits& traits() const noexcept override;
@@ -153,13 +161,18 @@ class SpoiledArm final : public Device {
     // The arm's own device: what breaks in it.
     class Arm final : public Device {
       public:
-        Arm(const SimulatedArmSettings& settings, LatestValue<HandTarget>& target)
-            : arm(settings, target) {}
-        [[nodiscard]] const DeviceTraits& traits() const noexcept override { return arm.traits(); }
+        Arm(SpoiledModel model, LatestValue<HandTarget>& target);
+        [[nodiscard]] const DeviceTraits& traits() const noexcept override {
+            return device->traits();
+        }
         [[nodiscard]] bool read(double now_s, DeviceReading& reading) noexcept override;
         [[nodiscard]] bool write(double now_s, const Wrench& wrench_D) noexcept override;
         void take_hold(bool holds) noexcept;
-        SimulatedArm arm;
+        [[nodiscard]] Pose pose_D() const noexcept;
+        // One of the two, and what it is as a device.
+        std::unique_ptr<SimulatedArm> desktop{};
+        std::unique_ptr<SimulatedWam> wam{};
+        Device* device = nullptr;
         Wrench written_D{};  // last
         Spoil spoil = Spoil::nothing;
         double since_s = 0.0;

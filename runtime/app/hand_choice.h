@@ -9,6 +9,7 @@
 #pragma once
 
 #include "haptics/base/error.h"
+#include "haptics/link/spoiled_arm.h"
 #include "runtime/app/hid_hands.h"
 #include "runtime/app/played_by.h"
 #include "runtime/scene/description.h"
@@ -40,6 +41,7 @@ struct HandChoice {
     std::string key_file;      ///< link: empty for the default place
     /// Scripted: the hand holds an arm at the other end of a link, on which things break by this seed.
     std::optional<std::uint64_t> spoil_seed;
+    SpoiledModel spoil_model = SpoiledModel::desktop;  ///< which arm that is
 };
 
 /// Who is there for hands that nobody chose for.

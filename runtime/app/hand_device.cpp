@@ -104,7 +104,7 @@ Expected<void> HandDevice::make(const RunRequest& request) {
     switch (request.hand) {
         case HandKind::scripted: {
             if (request.spoil_seed) {
-                spoil(*request.spoil_seed, request.plan.site);
+                spoil(request);
                 return {};
             }
             const SimulatedHandSettings settings;
@@ -155,11 +155,12 @@ Expected<std::unique_ptr<PointerDevice>> HandDevice::make_pointer() {
 }
 
 // All in this program, under its clock; every number comes from the seed. The arm stands in the same place.
-void HandDevice::spoil(std::uint64_t seed, const SiteLimits& site) {
+void HandDevice::spoil(const RunRequest& request) {
     hand_target_.publish({});
     SafetySettings own = ArmServerSettings{}.safety;
-    apply(site, own);
-    auto arm = std::make_unique<SpoiledArm>(seed, hand_target_, own);
+    apply(request.plan.site, own);
+    auto arm =
+        std::make_unique<SpoiledArm>(*request.spoil_seed, hand_target_, own, request.spoil_model);
     spoiled_ = arm.get();
     device_ = std::move(arm);
 }

@@ -91,7 +91,7 @@ class HandDevice {
     explicit HandDevice(const HapticPlan& plan);
     [[nodiscard]] Expected<void> make(const RunRequest& request);
     [[nodiscard]] Expected<void> link(const HandChoice& request);
-    void spoil(std::uint64_t seed, const SiteLimits& site);
+    void spoil(const RunRequest& request);
     [[nodiscard]] Expected<std::unique_ptr<PointerDevice>> make_pointer();
 
     HandKind kind_ = HandKind::none;

@@ -154,6 +154,12 @@ std::uint64_t spoil_seed_of(const std::string& lesson, std::uint64_t seed) {
     return seed ^ std::hash<std::string>{}(lesson);
 }
 
+// A third of the runs have an arm that turns the hand too.
+SpoiledModel model_of(std::uint64_t spoil_seed) {
+    constexpr std::uint64_t kModels = 3;
+    return spoil_seed % kModels == 0 ? SpoiledModel::wam : SpoiledModel::desktop;
+}
+
 // Whether a run breaks something, for sure, that was not broken yet: what comes first, and what comes once.
 bool brings_more(const std::string& lesson, std::uint64_t seed, double seconds,
                  const SoakSum& sum) {
@@ -170,7 +176,8 @@ bool brings_more(const std::string& lesson, std::uint64_t seed, double seconds,
     const auto is_new = [&](RunSpoil kind, double at_s) {
         return sum.lacks(kind) && is_in_time(at_s, sum.around[static_cast<std::size_t>(kind)] > 0);
     };
-    return (sum.lacks(arm.kind) &&
+    return (sum.turned_rounds == 0 && model_of(spoil_seed) == SpoiledModel::wam) ||
+           (sum.lacks(arm.kind) &&
             is_in_time(arm.at_s, sum.happened[static_cast<std::size_t>(arm.kind)] > 0)) ||
            is_new(around.first(), around.first_at_s()) ||
            is_new(RunSpoil::lesson_killed, around.kills_at_s()) ||
@@ -188,6 +195,7 @@ RunRequest make_soak_request(const std::filesystem::path& folder, const std::str
     request.seed = seed;
     // Other things break in each lesson.
     request.spoil_seed = spoil_seed_of(lesson, seed);
+    request.spoil_model = model_of(*request.spoil_seed);
     request.learner_rates = rates_of(kSoakErrors);
     return request;
 }
@@ -233,6 +241,7 @@ Expected<SoakRun> soak_once(const Installation& installation, const std::string&
     const auto recorded = (*run)->finish_record();
     SoakRun result;
     result.arm = *(*run)->spoiled_counts();
+    result.model = request.spoil_model;
     result.limits = (*run)->spoiled_limits();
     result.wall_s = monotonic_now_s() - began_s;
     result.simulated_s = static_cast<double>(result.arm.rounds) / kRounds_Hz;

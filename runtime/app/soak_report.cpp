@@ -69,14 +69,15 @@ bool SoakSum::has_all() const {
             return false;
         }
     }
-    return std::ranges::count(deeds, 0U) == 0;
+    return std::ranges::count(deeds, 0U) == 0 && turned_rounds > 0;
 }
 
 void tell_soak(const std::string& lesson, std::uint64_t seed, double seconds, const SoakRun& run) {
     std::printf(
-        "%-13s seed %-6llu %6.0f s, %4.0f times real time, %4.1f of %.1f N and %.2f of %.2f Nm at "
+        "%-13s %-7s seed %-6llu %6.0f s, %4.0f times real time, %4.1f of %.1f N and %.2f of %.2f "
+        "Nm at "
         "most, %llu fades seen, %016llx%s\n",
-        lesson.c_str(), static_cast<unsigned long long>(seed), run.simulated_s,
+        lesson.c_str(), name_of(run.model), static_cast<unsigned long long>(seed), run.simulated_s,
         run.simulated_s / std::max(run.wall_s, 1e-9), run.arm.peak_N, run.limits.force_N,
         run.arm.peak_Nm, run.limits.torque_Nm, static_cast<unsigned long long>(run.arm.fades),
         static_cast<unsigned long long>(run.arm.hash), run.trouble.empty() ? "" : "  FAILED");

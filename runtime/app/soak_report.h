@@ -14,6 +14,7 @@ namespace fulcrum::runtime {
 
 /// What one run of a lesson showed.
 struct SoakRun {
+    SpoiledModel model = SpoiledModel::desktop;
     SpoiledCounts arm{};
     FeltLimits limits{};
     std::array<std::uint64_t, kRunSpoils> around{};  ///< what broke around it, by RunSpoil
@@ -33,7 +34,7 @@ class SoakSum {
     /// Whether it has not happened yet, or no force that must fade while it lasts has been seen to.
     [[nodiscard]] bool lacks(Spoil spoil) const;
     [[nodiscard]] bool lacks(RunSpoil spoil) const;
-    /// Whether every kind of fault has happened, and each that must has taken a force away, and the hand has done all that it does.
+    /// Whether every kind of fault has happened, and each that must has taken a force away, the hand has done all that it does, and felt a torque.
     [[nodiscard]] bool has_all() const;
 
     std::array<std::uint64_t, kSpoils> happened{};

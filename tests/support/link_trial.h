@@ -2,20 +2,23 @@
 // the hand that holds it.
 //
 //   the wall is a spring about its surface, F = -K y, both ways, felt through the whole haptic loop with its own passivity and
-//   limits; the hand wants to be press_m inside
+//   limits; the hand wants to be press_m inside; with an arm of seven joints a torque turns it while it presses, too
 // The two sides run in turn, the arm's half a round after the program's, or with rounds of its own (ArmRounds). Calm: in the last quarter of the run the hand's true
 // position swings by less than kCalm_m.
 #pragma once
 
+#include "haptics/device/arm/simulated_wam.h"
 #include "haptics/device/simulated/simulated_arm.h"
 #include "haptics/handover/channels.h"
 #include "haptics/loop/haptic_loop.h"
+#include "haptics/math/rotation.h"
 #include "tests/support/link.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace fulcrum::test_link {
 
@@ -59,6 +62,8 @@ struct LinkTrial {
     bool balances_energy = true;
     EnergyBalanceSettings energy{};
     SimulatedArmSettings arm{.mass_kg = 0.25, .damping_Ns_per_m = 0.2, .human = kFingertip};
+    std::optional<SimulatedWamSettings> wam{};  ///< instead of that arm
+    double torque_Nm = 0.0;                     ///< about the wall's normal while it presses
     ArmRounds rounds{};
     double press_m = 0.01;
     double limit_N = 10.0;  ///< of lesson, site and program, the least
@@ -69,9 +74,11 @@ struct LinkTrial {
 inline constexpr double kCalm_m = 2.0e-4;
 
 struct LinkCourse {
-    double swing_m = 0.0;  ///< in the last quarter
-    double peak_N = 0.0;   ///< on the hand, whole run
-    double force_N = 0.0;  ///< mean of the last quarter
+    double swing_m = 0.0;         ///< in the last quarter
+    double peak_N = 0.0;          ///< on the hand, whole run
+    double force_N = 0.0;         ///< mean of the last quarter
+    double peak_Nm = 0.0;         ///< torque on the hand, whole run
+    double turn_swing_rad = 0.0;  ///< of the handle about the wall's normal, in the last quarter
     double given_J =
         0.0;  ///< to the hand and not given back, largest of all times since a second into the run
     double peak_debt_J = 0.0;    ///< at the arm, whole run
@@ -79,6 +86,34 @@ struct LinkCourse {
     std::uint64_t trips = 0;     ///< of the arm's gate
     bool linked = false;
     [[nodiscard]] bool is_calm() const { return linked && swing_m < kCalm_m; }
+};
+
+/// The arm of a trial, and what is true of it.
+class TrialArm {
+  public:
+    TrialArm(const LinkTrial& trial, LatestValue<HandTarget>& target) {
+        if (trial.wam) {
+            wam_ = std::move(*SimulatedWam::create(*trial.wam, target));
+        } else {
+            desktop_ = std::make_unique<SimulatedArm>(trial.arm, target);
+        }
+    }
+    [[nodiscard]] Device& device() {
+        return wam_ ? static_cast<Device&>(*wam_) : static_cast<Device&>(*desktop_);
+    }
+    [[nodiscard]] double mass_kg() { return device().traits().mass_kg; }
+    /// Along the wall's normal.
+    [[nodiscard]] double position_m() const {
+        return wam_ ? wam_->compute_pose_D().position.x() : desktop_->position_D().x();
+    }
+    /// About it.
+    [[nodiscard]] double turn_rad() const {
+        return wam_ ? compute_log(wam_->compute_pose_D().orientation).x() : 0.0;
+    }
+
+  private:
+    std::unique_ptr<SimulatedWam> wam_;
+    std::unique_ptr<SimulatedArm> desktop_;
 };
 
 /// The wall alone, felt through the whole loop.
@@ -89,6 +124,7 @@ struct LinkCourse {
     plan.safety.soft_start_s = 0.0;
     plan.safety.max_slew_N_per_s = 5000.0;
     plan.fields = {FieldPlan{FieldKind::spring, Vector3::Zero(), trial.stiffness_N_per_m}};
+    plan.lesson_force = trial.torque_Nm != 0.0;
     return plan;
 }
 
@@ -99,18 +135,18 @@ struct LinkCourse {
 
 [[nodiscard]] inline LinkCourse run_link_trial(const LinkTrial& trial) {
     LatestValue<HandTarget> target;
-    SimulatedArm arm(trial.arm, target);
+    TrialArm arm(trial, target);
     target.publish({});
     ArmServerSettings server_settings;
     server_settings.balances_energy = trial.balances_energy;
-    server_settings.handle_mass_kg = trial.arm.mass_kg;
+    server_settings.handle_mass_kg = trial.wam ? arm.mass_kg() : trial.arm.mass_kg;
     LinkDeviceSettings device_settings;
     device_settings.balances_energy = trial.balances_energy;
     server_settings.energy = trial.energy;
     device_settings.energy = trial.energy;
     device_settings.max_force_N = trial.limit_N;
     device_settings.most_round_trip_s = 1.0;
-    LinkPair pair(arm, trial.faults, server_settings, device_settings);
+    LinkPair pair(arm.device(), trial.faults, server_settings, device_settings);
     LinkCourse course;
     if (!pair.link(3.0)) {
         return course;
@@ -128,7 +164,9 @@ struct LinkCourse {
     double given_J = 0.0;
     double sum_N = 0.0;
     int n_last = 0;
-    double x_before = arm.position_D().x();
+    double lowest_rad = lowest;
+    double highest_rad = highest;
+    double x_before = arm.position_m();
     ArmClock arm_clock(trial.rounds, began_s);
     double arm_next_s = arm_clock.next_s();
     while (pair.now_s - began_s < trial.seconds) {
@@ -139,9 +177,14 @@ struct LinkCourse {
                                     : 0.0;
         target.publish(
             {.pose_D = Pose::at({(presses_at(run_s) ? trial.press_m : 0.0) + stroke_m, 0.0, 0.0})});
+        if (plan.lesson_force) {
+            command.stamp_s = command.linearised.stamp_s = pair.now_s;
+            command.linearised.torque_W.x() = presses_at(run_s) ? trial.torque_Nm : 0.0;
+            channels->command.publish(command);
+        }
         loop.step(pair.now_s);
         while (arm_next_s < pair.now_s + LinkPair::kStep_s) {
-            const double force_N = arm.force_D().x();
+            const double force_N = pair.server.status().applied_D.force.x();
             pair.server.step(arm_next_s);
             const double debt_J = pair.server.status().excess_J;
             course.least_later_J = std::min(course.least_later_J, debt_J);
@@ -149,24 +192,29 @@ struct LinkCourse {
                 course.peak_debt_J = course.least_later_J = debt_J;
             }
             arm_next_s = arm_clock.next_s();
-            const double x = arm.position_D().x();
+            const double x = arm.position_m();
             if (run_s > 1.0) {
                 given_J = std::max(given_J + force_N * (x - x_before), 0.0);
                 course.given_J = std::max(course.given_J, given_J);
             }
             x_before = x;
-            course.peak_N = std::max(course.peak_N, arm.force_D().norm());
+            const Wrench& felt_D = pair.server.status().applied_D;
+            course.peak_N = std::max(course.peak_N, felt_D.force.norm());
+            course.peak_Nm = std::max(course.peak_Nm, felt_D.torque.norm());
         }
         const double x = x_before;
         if (run_s > 0.75 * trial.seconds) {
             lowest = std::min(lowest, x);
             highest = std::max(highest, x);
-            sum_N += arm.force_D().x();
+            lowest_rad = std::min(lowest_rad, arm.turn_rad());
+            highest_rad = std::max(highest_rad, arm.turn_rad());
+            sum_N += pair.server.status().applied_D.force.x();
             ++n_last;
         }
     }
     course.linked = pair.device.status().linked;
     course.swing_m = highest - lowest;
+    course.turn_swing_rad = highest_rad - lowest_rad;
     course.force_N = sum_N / std::max(n_last, 1);
     course.trips = pair.server.status().trips;
     return course;

@@ -27,9 +27,11 @@ cat "$home/soak.log"
 # In few and short runs too each kind of fault has occurred.
 grep -qE '^Broke: packets lost' "$home/soak.log"
 grep -qE '^Faded: cable pulled' "$home/soak.log"
+grep -qE '^[a-z-]+ +wam +seed ' "$home/soak.log"
+! grep -qE 'a torque in 0 s' "$home/soak.log" || { echo "soak.sh: no torque was felt" >&2; exit 1; }
 ! grep -E '^(Broke|Faded|The hand):' "$home/soak.log" | grep -E ' 0[,.]' || { echo "soak.sh: a kind of fault did not occur" >&2; exit 1; }
 # How late the loops are in real time is told of each lesson.
-lessons=$(sed -n 's/^\([a-z-]*\) *seed .*/\1/p' "$home/soak.log" | sort -u | wc -l)
+lessons=$(sed -n 's/^\([a-z-]*\) .* seed [0-9].*/\1/p' "$home/soak.log" | sort -u | wc -l)
 [[ $(grep -cE '^[a-z-]+ +in real time: Haptic loop: [0-9]+ rounds, late by ' "$home/soak.log") -eq $lessons ]] ||
     { echo "soak.sh: no lateness in real time is told of some lesson" >&2; exit 1; }
 grep -qE '^Deadlines under the virtual clock: [1-9][0-9]+ met\.' "$home/soak.log"

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -124,6 +125,72 @@ TEST_CASE("spoiled arm: limits are the least of run and arm, and any that is pas
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(find(along(0.0, 0.0), along(nan, 0.0)) == FeltLimit::force);
     CHECK(find(along(0.0, 0.0), along(0.0, nan)) == FeltLimit::torque);
+}
+
+namespace {
+
+// The same with an arm of seven joints, which a torque turns as well.
+SpoiledCounts run_wam(std::uint64_t seed, double seconds) {
+    LatestValue<HandTarget> target;
+    target.publish({});
+    HapticPlan plan;
+    SafetySettings own = ArmServerSettings{}.safety;
+    own.max_force_N = plan.safety.max_force_N;
+    own.max_torque_Nm = plan.safety.max_torque_Nm;
+    SpoiledArm arm(seed, target, own, SpoiledModel::wam);
+    arm.watch_limits(plan.safety);
+    plan.fields = {FieldPlan{FieldKind::spring, Vector3::Zero(), 200.0}};
+    plan.lesson_force = true;
+    const auto channels = std::make_unique<HapticChannels>();
+    HapticLoop loop(plan, arm, *channels);
+    ForceCommand command;
+    command.lesson_alive = true;
+    double stopped_s = -1.0;
+    for (int tick = 1; tick <= static_cast<int>(seconds * 1000.0); ++tick) {
+        const double now_s = 0.001 * tick;
+        const bool is_on = tick % 2000 < 1600;
+        command.stamp_s = command.linearised.stamp_s = now_s;
+        command.fields[0].strength = is_on ? 1.0 : 0.0;
+        // More than may be felt.
+        command.linearised.torque_W = Vector3(0.0, is_on ? 0.5 : 0.0, 0.0);
+        channels->command.publish(command);
+        stopped_s = loop.state().gate != GatePhase::stopped ? -1.0
+                    : stopped_s < 0.0                       ? now_s
+                                                            : stopped_s;
+        if (stopped_s >= 0.0 && now_s - stopped_s > 3.0) {
+            channels->rearm.store(true);
+        }
+        loop.step(now_s);
+    }
+    return arm.counts();
+}
+
+}  // namespace
+
+TEST_CASE("spoiled arm: of seven joints no force, torque or slew passes its limit, and both fade") {
+    SpoiledCounts all;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        const SpoiledCounts counts = run_wam(seed, 60.0);
+        INFO("seed " << seed << ": " << name_of(counts.broken) << ", during "
+                     << name_of(counts.bad_in) << ", after " << counts.bad_since_s << " s");
+        CHECK(counts.broken_limits == 0);
+        CHECK(counts.missed_fades == 0);
+        CHECK(counts.peak_Nm <= SafetySettings{}.max_torque_Nm);
+        all.turned_rounds += counts.turned_rounds;
+        all.peak_Nm = std::max(all.peak_Nm, counts.peak_Nm);
+        for (std::size_t i = 0; i < kSpoils; ++i) {
+            all.happened[i] += counts.happened[i];
+            all.faded[i] += counts.faded[i];
+        }
+    }
+    CHECK(all.turned_rounds > 20000);
+    CHECK(all.peak_Nm > 0.29);
+    for (std::size_t i = 1; i < kSpoils; ++i) {
+        INFO(name_of(static_cast<Spoil>(i)));
+        CHECK(all.happened[i] >= 1);
+        CHECK((all.faded[i] >= 1) == must_fade(static_cast<Spoil>(i)));
+    }
+    CHECK(run_wam(3, 5.0).hash == run_wam(3, 5.0).hash);
 }
 
 TEST_CASE("spoiled arm: one seed, one run, to the bit") {

@@ -11,6 +11,7 @@ namespace {
 SoakRun make_whole() {
     SoakRun run;
     run.arm.deeds.fill(1);
+    run.arm.turned_rounds = 5;
     run.n_deadlines = 12;
     for (std::size_t i = 1; i < kSpoils; ++i) {
         run.arm.happened[i] = 2;
@@ -59,6 +60,13 @@ TEST_CASE("soak report: whole is what has each kind, each fade and each deed of 
         CHECK(conclude_soak(sum_of(run), true, {}) == 1);
         CHECK(conclude_soak(sum_of(run), false, {}) == 0);  // one run that is looked at again
     }
+}
+
+TEST_CASE("soak report: a soak in which no torque was felt says nothing of torques") {
+    SoakRun run = make_whole();
+    run.arm.turned_rounds = 0;
+    CHECK_FALSE(sum_of(run).has_all());
+    CHECK(conclude_soak(sum_of(run), true, {}) == 1);
 }
 
 TEST_CASE("soak report: trouble, and memory that grows, fail it") {
