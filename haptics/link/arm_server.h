@@ -66,7 +66,7 @@ struct ArmServerStatus {
     double peak_excess_J = 0.0;
     double peak_force_N = 0.0;
     double gone_after_s = 0.0;  ///< from the newest command until the force was zero, the last time
-    std::uint64_t trips = 0;  ///< how often the force began to fade
+    std::uint64_t trips = 0;    ///< how often the force began to fade
     LinkCounts counts{};
 };
 

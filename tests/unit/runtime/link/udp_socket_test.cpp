@@ -112,7 +112,8 @@ TEST_CASE("udp socket: a port that is taken and a computer that nobody knows are
     CHECK(nowhere.error().where == "no such computer:4701");
 }
 
-TEST_CASE("udp socket: a port where nothing waits is told by its computer, one that is silent not") {
+TEST_CASE(
+    "udp socket: a port where nothing waits is told by its computer, one that is silent not") {
     std::uint16_t port = 0;
     {
         const auto silent = UdpSocket::listen({"127.0.0.1", 0});
