@@ -67,6 +67,10 @@ struct GodObjectSettings {
 /// Refuses settings outside their ranges, NaN included.
 [[nodiscard]] Expected<void> validate(const GodObjectSettings& settings);
 
+/// How far the force of a wall may be off, N: K delta, for it is met a gap at rest before its surface, and the constraints' answer is exact to 1e-12.
+/// Between two walls that meet at an angle that over the sine of its half. Without friction, and besides what is still blended in.
+[[nodiscard]] double find_wall_error_N(const GodObjectSettings& settings) noexcept;
+
 /// One object and the tool, both made ready.
 struct GodObjectPlan {
     std::shared_ptr<const GodSurface> object;

@@ -75,6 +75,10 @@ Expected<void> validate(const GodObjectSettings& settings) {
     return check_ranges("the tool's", ranges);
 }
 
+double find_wall_error_N(const GodObjectSettings& settings) noexcept {
+    return settings.coupling.shift.stiffness_N_per_m * settings.gap_m;
+}
+
 GodObjectTool::GodObjectTool(const std::vector<GodObjectPlan>& plans,
                              const GodObjectSettings& settings)
     : settings_(settings),

@@ -1,12 +1,15 @@
 #include "runtime/app/stage_clock.h"
 
 #include "haptics/base/clock.h"
+#include "haptics/tool/tool_plan.h"
 #include "runtime/scene/check_tool.h"
 #include "runtime/scene/plan_hands.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <variant>
 
 namespace fulcrum::runtime {
 namespace {
@@ -25,6 +28,28 @@ double quantile(std::vector<float>& sorted, double share) {
     return sorted.empty()
                ? 0.0
                : sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+// How far a tool's force may be off, by what its method knows of itself; no number where nothing bounds it.
+StageError find_force_error(const ToolPlan* tool, double most_left_out_N) {
+    constexpr double kUnbounded = std::numeric_limits<double>::quiet_NaN();
+    if (tool != nullptr && tool->penalty) {
+        return {"force off", kUnbounded, "N",
+                "bodies that do not give: contacts are springs, and a few stand for many"};
+    }
+    const auto* const god =
+        tool != nullptr ? std::get_if<std::vector<GodObjectPlan>>(&tool->objects) : nullptr;
+    if (god == nullptr) {
+        return {"force off by at most", most_left_out_N, "N",
+                "all points looked at that may touch"};
+    }
+    const bool rubs = std::ranges::any_of(
+        *god, [](const GodObjectPlan& object) { return object.friction.any(); });
+    if (rubs) {
+        return {"force off", kUnbounded, "N", "Coulomb's law: answers among many contacts are cut"};
+    }
+    return {"force off by at most", find_wall_error_N(make_god_object_settings(tool->settings)),
+            "N", "walls met at their surface (at an angle: over the sine of its half)"};
 }
 
 }  // namespace
@@ -124,8 +149,7 @@ void StageClock::compare(const HapticState& state,
 }
 
 void StageClock::add_tool_errors(StageFigures& figures) const {
-    figures.errors.push_back(
-        {"force off by at most", tool_.most_error_N, "N", "all points looked at that may touch"});
+    figures.errors.push_back(find_force_error(plan_.haptic.tool.get(), tool_.most_error_N));
     figures.errors.push_back({"points looked at in a step at most",
                               1e-3 * static_cast<double>(most_points_),
                               "thousand",

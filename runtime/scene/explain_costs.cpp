@@ -5,6 +5,7 @@
 #include "runtime/scene/tool_bodies.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -31,9 +32,13 @@ std::string cost_row(const PlanStage& stage, const StageFigures& figures, double
 }
 
 std::string error_row(const PlanStage& stage, const StageError& error) {
-    std::array<char, 200> text{};
-    std::snprintf(text.data(), text.size(), "%-8s %-17s %s %.3g %s%s%s\n", stage.loop.c_str(),
-                  stage.name.c_str(), error.what.c_str(), error.value, error.unit.c_str(),
+    std::array<char, 48> value{"not bounded"};
+    if (std::isfinite(error.value)) {
+        std::snprintf(value.data(), value.size(), "%.3g %s", error.value, error.unit.c_str());
+    }
+    std::array<char, 256> text{};
+    std::snprintf(text.data(), text.size(), "%-8s %-17s %s %s%s%s\n", stage.loop.c_str(),
+                  stage.name.c_str(), error.what.c_str(), value.data(),
                   error.against.empty() ? "" : ", against ", error.against.c_str());
     return text.data();
 }

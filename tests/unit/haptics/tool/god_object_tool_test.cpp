@@ -111,6 +111,10 @@ TEST_CASE(
         CAPTURE(fine, i, tool.last_step().rounds, tool.last_step().contacts);
         CHECK((felt.felt_W.force - Vector3(0.0, kStiffness * depth_m, 0.0)).norm() < kExact_N);
         CHECK(felt.felt_W.torque.norm() < kExact_N);
+        // Against a floor that is met at its surface it is off by what it says.
+        const double at_surface_N = kStiffness * (depth_m - kGap_m);
+        CHECK(std::abs(felt.felt_W.force.y() - at_surface_N) <=
+              find_wall_error_N(test::make_god_settings(kCube)) * (1.0 + 1.0e-6));
         // Along the floor as in free space.
         const Vector3 gone = tool.centre_W() - before;
         const Vector3 free = 0.5 * (handle.position - before);
@@ -172,6 +176,10 @@ TEST_CASE(
         CAPTURE(i, tool.last_step().rounds, tool.last_step().contacts);
         CHECK((felt.felt_W.force - kStiffness * Vector3(depth.x(), depth.y(), 0.0)).norm() <
               kExact_N);
+        // Off by what one wall is over the sine of half of a right angle.
+        const Vector3 at_surface(depth.x() - kGap_m, depth.y() - kGap_m, 0.0);
+        CHECK((felt.felt_W.force - kStiffness * at_surface).norm() <=
+              find_wall_error_N(test::make_god_settings(kCube)) / std::sqrt(0.5) * (1.0 + 1.0e-6));
         CHECK(felt.felt_W.torque.norm() < kExact_N);
         REQUIRE_FALSE(test::do_cross(corner, {}, cube, tool.pose_W()));
     }

@@ -1,9 +1,16 @@
 #include "runtime/app/stage_clock.h"
 
+#include "haptics/geometry/shape.h"
+#include "haptics/tool/tool_plan.h"
+
 #include <catch2/catch.hpp>
 
 #include <chrono>
+#include <cmath>
+#include <memory>
 #include <thread>
+#include <variant>
+#include <vector>
 
 namespace fulcrum::runtime {
 namespace {
@@ -140,6 +147,34 @@ TEST_CASE(
     CHECK(tool->errors[2].value == 6.0);
     CHECK(tool->errors[3].value >= 25.0);
     CHECK(tool->errors[3].against == "500 us");
+}
+
+TEST_CASE(
+    "stage clock: of a tool's force it tells the bound that its method has, and none where it has "
+    "none") {
+    const auto find_error = [](ToolPlan tool) {
+        Plan plan = make_plan();
+        plan.haptic.tool = std::make_shared<const ToolPlan>(std::move(tool));
+        plan.stages.push_back(stage("haptic", "tool"));
+        StageClock clock(plan);
+        clock.begin();
+        clock.passed(HapticStage::tool);
+        clock.compare(HapticState{}, std::nullopt);
+        return find(clock.finish(1.0, 1.0), plan.stages.size() - 1)->errors.front();
+    };
+    const auto cube = GodSurface::create(make_box({0.04, 0.04, 0.04}).value());
+    ToolPlan god{.objects = std::vector<GodObjectPlan>{{cube, cube}}};
+    god.settings.coupling.shift.stiffness_N_per_m = 700.0;
+    // A gap at rest of a micrometre.
+    CHECK(find_error(god).value == Approx(7.0e-4));
+    CHECK(find_error(god).unit == "N");
+    std::get<std::vector<GodObjectPlan>>(god.objects).front().friction = {0.5, 0.4, 0.0};
+    CHECK(std::isnan(find_error(god).value));
+    ToolPlan penalty;
+    penalty.penalty.emplace();
+    CHECK(std::isnan(find_error(penalty).value));
+    // Of points that are all looked at nothing is left out.
+    CHECK(find_error(ToolPlan{}).value == 0.0);
 }
 
 TEST_CASE("stage clock: it knows whether the hand moved at all") {

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 using namespace fulcrum::runtime;
@@ -41,6 +42,16 @@ TEST_CASE("explain costs: a line a timed stage with calls, times, share and memo
     CHECK(text.find("75.0 %    1.3 kB\n") != std::string::npos);
     CHECK(text.find("velocity, rms 1.5 mm/s, against the hand's own\n") != std::string::npos);
     CHECK(text.find("lua") == std::string::npos);
+}
+
+TEST_CASE("explain costs: what nothing bounds is said not to be bounded, as JSON null") {
+    Analysis analysis = make_analysis();
+    analysis.stages.back().errors = {{"force off", std::nan(""), "N", "bodies that do not give"}};
+    CHECK(explain_costs(make_plan(), analysis)
+              .find("force off not bounded, against bodies that do not give\n") !=
+          std::string::npos);
+    const auto timed = nlohmann::json::parse(explain_json(make_lesson(), make_plan(), &analysis));
+    CHECK(timed["stages"][1]["errors"][0]["value"].is_null());
 }
 
 TEST_CASE("explain costs: no heading of errors where there are none") {
