@@ -8,8 +8,8 @@
 //
 // The coupling saturates, so that no hand presses the tool deeper than the force that it can feel does. In free space, where no cluster is, the hand
 // feels exactly nothing unless `silent_in_free_space` is off; then it feels the tool's mass, as the source's does.
-// One linear solve a step is the source's. A contact that opens and closes within a step may take it to and fro for ever, as it does with tools of a gram
-// or without dampers; where what is left over says so another solve is made, up to `newton_iterations`: 1.2 a step at rest.
+// One linear solve a step, at the old pose, as the source has it. More, up to `newton_iterations`, follow a contact that opens and closes within
+// the step: over a bumpy ball in a wandering hand the force then goes by 1.0 N in a millisecond at most instead of 1.9, at 1.9 solves a step.
 // What a penalty method cannot promise: a tool that passes through a thin wall between two rounds of the contact thread is behind it.
 //
 // Thread: the haptic loop. Cost: 1.5 us and 0.1 us a cluster, besides rounds of its own; no allocation.
@@ -39,7 +39,7 @@ struct ImplicitPenaltySettings {
         Vector3::Zero()};  ///< where the coupling holds it, metres from the centre of mass
     Quaternion handle_turn{
         Quaternion::Identity()};  ///< q_HT, unit: how the tool lies in the handle
-    int newton_iterations = 4;    ///< 1 is the source's; 1 to 100
+    int newton_iterations = 1;    ///< 1 is the source's; 1 to 100
     bool silent_in_free_space = true;
     ContactPlanesSettings contacts{.damping_Ns_per_m = kCriticalDamping};
     ContactClusterSettings clusters{};  ///< found as far out as they push, at least

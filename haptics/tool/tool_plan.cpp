@@ -19,6 +19,7 @@ constexpr double kNearVoxels = 0.5;    // and of a field's voxel, so that a clea
 constexpr double kClusterShare = 0.3;  // of its reach: how wide a cluster is
 constexpr double kSpreadShare = 0.1;   // of its reach: between contacts of one pair of pieces
 constexpr int kMostPairs = 1 << 15;    // of levels, for each object
+constexpr int kLevelSolves = 4;        // a step at most: their contacts are few, and come and go
 
 VoxelToolSettings make_clamped(const ToolOrder& order) {
     VoxelToolSettings settings = order.settings;
@@ -172,18 +173,20 @@ ImplicitPenaltyPlan make_implicit_penalty_plan(const ToolPlan& plan) {
         }
     }
     const VoxelToolSettings& settings = plan.settings;
-    penalty.settings = {.coupling = settings.coupling,
-                        .critically_damped = settings.critically_damped,
-                        .inertia = settings.inertia,
-                        .grip_T = settings.grip_T,
-                        .handle_turn = settings.handle_turn,
-                        .silent_in_free_space = settings.silent_in_free_space,
-                        .contacts = plan.penalty->contacts,
-                        .clusters = plan.penalty->clusters,
-                        .own_rounds = !plan.beside,
-                        .round_s = plan.penalty->round_s,
-                        .budget_us = meshes != nullptr ? settings.budget_us : 0.0,
-                        .age = plan.age};
+    penalty.settings = {
+        .coupling = settings.coupling,
+        .critically_damped = settings.critically_damped,
+        .inertia = settings.inertia,
+        .grip_T = settings.grip_T,
+        .handle_turn = settings.handle_turn,
+        .newton_iterations = meshes != nullptr ? kLevelSolves : penalty.settings.newton_iterations,
+        .silent_in_free_space = settings.silent_in_free_space,
+        .contacts = plan.penalty->contacts,
+        .clusters = plan.penalty->clusters,
+        .own_rounds = !plan.beside,
+        .round_s = plan.penalty->round_s,
+        .budget_us = meshes != nullptr ? settings.budget_us : 0.0,
+        .age = plan.age};
     return penalty;
 }
 
