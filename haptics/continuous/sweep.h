@@ -4,9 +4,10 @@
 //   free        g(t) > touch for all t of the way
 //   touching    at `time`: g > touch before it, and touch < g <= touch + tolerance at it, so a body put there is still apart
 //   overlapping at the beginning of the way they have a point in common already, or are so near that nothing can tell
-// So nothing is ever missed, and what is reported and was none came within the tolerance. Both hold for real numbers, not for rounded ones;
-// how, is shown in triangle_sweep.h and interval_sweep.h. Only `g <= touch + tolerance` asks, of triangles as thin as 1e-8 of their length, that the
-// rounded distance is right.
+// So nothing is ever missed, and what is reported and was none came within the tolerance, but for one end: a search by intervals that would take more
+// than kMostPieces pieces of time (interval_sweep.h) tells a contact where it has come to, nearer than the tolerance or not; too early, never too
+// late. Both hold for real numbers, not for rounded ones; how, is shown in triangle_sweep.h and interval_sweep.h. Only `g <= touch + tolerance`
+// asks, of triangles as thin as 1e-8 of their length, that the rounded distance is right.
 // A tolerance is never taken smaller than 2^-38 of the lengths involved.
 #pragma once
 
