@@ -4,13 +4,14 @@
 // piece becomes a node over the nodes of those that became it: a level. When no edge may end any more, what is left is put together in pairs
 // by place. Each node tells, of the piece of the simplified surface that it is:
 //   r     resolution, 1/m: 1 / the longest edge that ended before the level
-//   s     deviation: how far apart its piece and the mesh are, either way: from its corners, middles of edges and middles of triangles to
-//         the mesh, and from the mesh's corners below it to the simplified surface
+//   s     deviation: how far its hull stands out of the mesh, by points of the hull's faces that are in front of the mesh's nearest triangle; no more
+//         of a face than 15, and above a tenth of the diagonal no longer measured. 0 of what is convex
 //   D     support area: how much of the mesh around lies within d of a plane that touches it there, by the mean over the leaves below of the area,
 //         in the tangent plane, of the triangles in one piece with a corner and no deeper than d below it (256 at most)
 //   phi   s / r^2, the volume of the detail that was taken away; infinite of a node that was put together by place: it stands for nothing
 // A node's hull is that of the mesh below it, not of its piece: so it bounds, and tightly: five times fewer pairs are near by it than by
-// simplified hulls with what reaches out of these. What is not in it is h, some ten-millionth of the size, for pieces are flat to that.
+// simplified hulls with what reaches out of these; and told instead of the mesh it lets nothing through. What is not in it is h, some
+// ten-millionth of the size, for pieces are flat to that.
 //
 // Thread: made at load; read from any thread. Cost: 40 k triangles in 2 to 9 s; 0.2 to 0.3 kB a triangle.
 // Source: M. Otaduy, M. Lin 2003, CLODs: dual hierarchies for multiresolution collision detection, Symposium on Geometry Processing; M. Otaduy,

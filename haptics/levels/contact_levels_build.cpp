@@ -25,8 +25,7 @@ class ContactLevelsBuilder {
           pulse_(pulse),
           surface_(mesh, pieces),
           distance_(mesh),
-          nodes_of_(static_cast<std::size_t>(pieces.n_pieces)),
-          corners_of_(nodes_of_.size()) {}
+          nodes_of_(static_cast<std::size_t>(pieces.n_pieces)) {}
 
     bool run() {
         make_leaves();
@@ -38,13 +37,9 @@ class ContactLevelsBuilder {
     void make_leaves();
     bool simplify();
     bool add_level(const FilteredCollapse& collapse);
-    void add_node(std::int32_t piece, const FilteredCollapse& collapse,
-                  const SurfaceDistance& level);
+    void add_node(std::int32_t piece, double longest_m);
     bool join_by_place();
     std::int32_t join_span(std::span<std::int32_t> drafts);
-    void measure_deviation(std::int32_t piece, LevelDraft& draft, const SurfaceDistance& level,
-                           double length_m);
-    void gather_corners(const LevelDraft& draft, std::vector<Vector3>& corners) const;
     void bound(LevelDraft& draft);
     void put(ContactLevels& levels, std::int32_t draft, std::size_t place);
     [[nodiscard]] std::vector<std::vector<std::int32_t>> collect_triangles() const;
@@ -57,7 +52,6 @@ class ContactLevelsBuilder {
     SurfaceDistance distance_;
     std::vector<LevelDraft> drafts_;
     std::vector<std::vector<std::int32_t>> nodes_of_;  // of a piece: the drafts that stand for it
-    std::vector<std::vector<Vector3>> corners_of_;     // of a leaf's piece, in the mesh
     std::vector<std::vector<std::int32_t>> triangles_of_piece_;
     PieceShape shape_;
     std::int32_t n_levels_ = 1;
@@ -71,7 +65,6 @@ void ContactLevelsBuilder::make_leaves() {
         LevelDraft draft;
         draft.piece = piece;
         surface_.describe(piece, shape_);
-        corners_of_[static_cast<std::size_t>(piece)] = shape_.corners;
         draft.take_points(shape_, pieces_.slack_m);
         // What find_nearest_in_hull leaves open, and rounding.
         draft.node.outside_m =
@@ -118,24 +111,18 @@ bool ContactLevelsBuilder::add_level(const FilteredCollapse& collapse) {
             nodes_of_[piece].clear();
         }
     }
-    const Expected<TriangleMesh> mesh = surface_.to_mesh();
-    if (!mesh) {
-        return true;  // nothing with an area is left of it
-    }
-    const SurfaceDistance level(*mesh);
     for (const std::int32_t piece : surface_.collect_pieces()) {
         if (!pulse_.goes_on(kSimplifying *
                             (1.0 - static_cast<double>(surface_.n_pieces()) / pieces_.n_pieces))) {
             return false;
         }
-        add_node(piece, collapse, level);
+        add_node(piece, collapse.longest_m());
     }
     ++n_levels_;
     return true;
 }
 
-void ContactLevelsBuilder::add_node(std::int32_t piece, const FilteredCollapse& collapse,
-                                    const SurfaceDistance& level) {
+void ContactLevelsBuilder::add_node(std::int32_t piece, double longest_m) {
     auto& nodes = nodes_of_[static_cast<std::size_t>(piece)];
     surface_.describe(piece, shape_);
     // One that only lost a few corners stays what it was.
@@ -147,36 +134,11 @@ void ContactLevelsBuilder::add_node(std::int32_t piece, const FilteredCollapse& 
     }
     LevelDraft draft;
     draft.node.level = n_levels_;
-    draft.node.resolution_per_m = 1.0 / collapse.longest_m();
+    draft.node.resolution_per_m = 1.0 / longest_m;
     draft.points = shape_.corners;
     draft.children = nodes;
-    measure_deviation(piece, draft, level, collapse.longest_m());
     nodes = {static_cast<std::int32_t>(drafts_.size())};
     drafts_.push_back(std::move(draft));
-}
-
-// From the piece to the mesh, and from the mesh below it to the level.
-void ContactLevelsBuilder::measure_deviation(std::int32_t piece, LevelDraft& draft,
-                                             const SurfaceDistance& level, double length_m) {
-    const double guess_m = 0.05 * length_m;
-    double most_m = 0.0;
-    const auto look_at = [&](const Vector3& point) {
-        most_m = std::max(most_m, std::abs(distance_.measure_height_m(point, guess_m)));
-    };
-    for (const std::int32_t triangle : surface_.triangles_of(piece)) {
-        const PieceTriangle at = surface_.places(triangle);
-        look_at((at[0] + at[1] + at[2]) / 3.0);
-        for (std::size_t i = 0; i < 3; ++i) {
-            look_at(at[i]);
-            look_at(0.5 * (at[i] + at[(i + 1) % 3]));
-        }
-    }
-    std::vector<Vector3> corners;
-    gather_corners(draft, corners);
-    for (const Vector3& corner : corners) {
-        most_m = std::max(most_m, std::abs(level.measure_height_m(corner, guess_m)));
-    }
-    draft.node.deviation_m = most_m;
 }
 
 // Half after half across the longest side of their middles.
@@ -239,18 +201,6 @@ bool ContactLevelsBuilder::join_by_place() {
     return true;
 }
 
-// NOLINTNEXTLINE(misc-no-recursion): as deep as the tree
-void ContactLevelsBuilder::gather_corners(const LevelDraft& draft,
-                                          std::vector<Vector3>& corners) const {
-    if (draft.piece >= 0) {
-        const auto& own = corners_of_[static_cast<std::size_t>(draft.piece)];
-        corners.insert(corners.end(), own.begin(), own.end());
-    }
-    for (const std::int32_t child : draft.children) {
-        gather_corners(drafts_[static_cast<std::size_t>(child)], corners);
-    }
-}
-
 // Of the bounds of its children.
 void ContactLevelsBuilder::bound(LevelDraft& draft) {
     LevelNode& node = draft.node;
@@ -266,6 +216,12 @@ void ContactLevelsBuilder::bound(LevelDraft& draft) {
         }
         draft.look_as(below);
         draft.take_hull(corners);
+        if (!node.is_bound_only) {
+            constexpr double kOfNoUse = 0.1;
+            node.deviation_m = draft.measure_bulge_m(distance_, 1.0 / node.resolution_per_m,
+                                                     kOfNoUse * mesh_.diagonal_m());
+        }
+        draft.faces = {};
         const double length_m = node.resolution_per_m > 0.0 ? 1.0 / node.resolution_per_m : 0.0;
         node.detail_m3 = node.is_bound_only ? kEndless : node.deviation_m * length_m * length_m;
     }

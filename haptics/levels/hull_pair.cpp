@@ -296,7 +296,7 @@ HullPair search(const Vector3& start, double enough_m, const FindFirst& find_fir
 
 }  // namespace
 
-const Vector3& HullView::find_support(const Vector3& direction) const noexcept {
+const Vector3& HullView::find_support(const Vector3& direction, std::int32_t& at) const noexcept {
     if (first_link.empty()) {
         std::size_t best = 0;
         double most = direction.dot(points[0]);
@@ -309,32 +309,38 @@ const Vector3& HullView::find_support(const Vector3& direction) const noexcept {
         }
         return points[best];
     }
-    std::size_t at = 0;
-    double most = direction.dot(points[0]);
+    double most = direction.dot(points[static_cast<std::size_t>(at)]);
     for (bool climbs = true; climbs;) {
         climbs = false;
-        const auto begin = static_cast<std::size_t>(first_link[at]);
-        const auto end = static_cast<std::size_t>(first_link[at + 1]);
+        const auto begin = static_cast<std::size_t>(first_link[static_cast<std::size_t>(at)]);
+        const auto end = static_cast<std::size_t>(first_link[static_cast<std::size_t>(at) + 1]);
         for (const std::int32_t link : links.subspan(begin, end - begin)) {
             const double here = direction.dot(points[static_cast<std::size_t>(link)]);
             if (here > most) {
                 most = here;
-                at = static_cast<std::size_t>(link);
+                at = link;
                 climbs = true;
             }
         }
     }
-    return points[at];
+    return points[static_cast<std::size_t>(at)];
+}
+
+HullPair find_hull_pair(const HullView& first, const HullView& second, const Matrix3& turn,
+                        const Vector3& shift, const Vector3& start, double enough_m,
+                        HullCorners& at) noexcept {
+    return search(
+        start, enough_m,
+        [&](const Vector3& d) noexcept -> Vector3 { return first.find_support(d, at.first); },
+        [&](const Vector3& d) noexcept -> Vector3 {
+            return turn * second.find_support(turn.transpose() * d, at.second) + shift;
+        });
 }
 
 HullPair find_hull_pair(const HullView& first, const HullView& second, const Matrix3& turn,
                         const Vector3& shift, const Vector3& start, double enough_m) noexcept {
-    return search(
-        start, enough_m,
-        [&first](const Vector3& d) noexcept -> Vector3 { return first.find_support(d); },
-        [&](const Vector3& d) noexcept -> Vector3 {
-            return turn * second.find_support(turn.transpose() * d) + shift;
-        });
+    HullCorners at;
+    return find_hull_pair(first, second, turn, shift, start, enough_m, at);
 }
 
 double measure_along(const HullView& first, const HullView& second, const Matrix3& turn,
@@ -344,12 +350,12 @@ double measure_along(const HullView& first, const HullView& second, const Matrix
            normal.dot(first.find_support(normal));
 }
 
-HullPair find_nearest_in_hull(const HullView& hull, const Vector3& point) noexcept {
-    const Vector3 start = point - hull.points[0];
+HullPair find_nearest_in_hull(const HullView& hull, const Vector3& point, const Vector3& start,
+                              double enough_m, std::int32_t at) noexcept {
+    const Vector3 way = start.squaredNorm() > 0.0 ? start : Vector3(point - hull.points[0]);
     return search(
-        start.squaredNorm() > 0.0 ? start : Vector3(Vector3::UnitY()),
-        std::numeric_limits<double>::infinity(),
-        [&hull](const Vector3& d) noexcept -> Vector3 { return hull.find_support(d); },
+        way.squaredNorm() > 0.0 ? way : Vector3(Vector3::UnitY()), enough_m,
+        [&hull, &at](const Vector3& d) noexcept -> Vector3 { return hull.find_support(d, at); },
         [&point](const Vector3&) noexcept -> Vector3 { return point; });
 }
 

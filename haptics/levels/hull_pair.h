@@ -34,7 +34,13 @@ struct HullView {
     std::span<const std::int32_t> links{};
 
     /// The corner farthest along a direction.
-    [[nodiscard]] const Vector3& find_support(const Vector3& direction) const noexcept;
+    [[nodiscard]] const Vector3& find_support(const Vector3& direction) const noexcept {
+        std::int32_t at = 0;
+        return find_support(direction, at);
+    }
+    /// `at`: where a climb begins, and which corner it was.
+    [[nodiscard]] const Vector3& find_support(const Vector3& direction,
+                                              std::int32_t& at) const noexcept;
 };
 
 /// From which number of corners on climbing is worth its links.
@@ -52,11 +58,21 @@ struct HullPair {
     bool is_far = false;   ///< ended early: farther apart than asked for, the points are not told
 };
 
+/// Where climbs begin, and where they ended: a search that is repeated begins there.
+struct HullCorners {
+    std::int32_t first = 0;
+    std::int32_t second = 0;
+};
+
 /// `start`: any vector that points from the first to the second, not zero: the last normal is best. Ends early where the distance is above
 /// `enough_m`.
 [[nodiscard]] HullPair find_hull_pair(
     const HullView& first, const HullView& second, const Matrix3& turn, const Vector3& shift,
     const Vector3& start, double enough_m = std::numeric_limits<double>::infinity()) noexcept;
+[[nodiscard]] HullPair find_hull_pair(const HullView& first, const HullView& second,
+                                      const Matrix3& turn, const Vector3& shift,
+                                      const Vector3& start, double enough_m,
+                                      HullCorners& at) noexcept;
 
 /// How far apart they are along a unit vector `n` from the first to the second: the second's lowest less the first's highest. Below 0: by so
 /// much they overlap along it.
@@ -64,7 +80,9 @@ struct HullPair {
                                    const Matrix3& turn, const Vector3& shift,
                                    const Vector3& normal) noexcept;
 
-/// A point's nearest in a hull. `gap_m` 0 where it lies inside.
-[[nodiscard]] HullPair find_nearest_in_hull(const HullView& hull, const Vector3& point) noexcept;
+/// A point's nearest in a hull. `gap_m` 0 where it lies inside. `start` and `enough_m` as for two hulls.
+[[nodiscard]] HullPair find_nearest_in_hull(
+    const HullView& hull, const Vector3& point, const Vector3& start = Vector3::Zero(),
+    double enough_m = std::numeric_limits<double>::infinity(), std::int32_t at = 0) noexcept;
 
 }  // namespace fulcrum

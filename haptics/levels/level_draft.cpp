@@ -21,14 +21,22 @@ void LevelDraft::take_points(const PieceShape& shape, double slack_m) {
 
 void LevelDraft::take_hull(const std::vector<Vector3>& corners) {
     points = corners;
+    faces.clear();
     const Expected<TriangleMesh> hull = make_convex_hull(corners);
     if (!hull) {
         if (node.normal_B.norm() > 0.0) {
             points = find_flat_hull(corners, node.normal_B.normalized());
         }
+        for (std::size_t i = 2; i < points.size(); ++i) {
+            faces.push_back({points[0], points[i - 1], points[i]});
+        }
         return;
     }
     points = hull->vertices_B();
+    for (const TriangleCorners& triangle : hull->triangles()) {
+        const auto place = [this](std::int32_t i) { return points[static_cast<std::size_t>(i)]; };
+        faces.push_back({place(triangle[0]), place(triangle[1]), place(triangle[2])});
+    }
     if (points.size() < kClimbFrom) {
         return;
     }
@@ -109,6 +117,34 @@ void LevelDraft::find_sphere() {
     for (const Vector3& point : points) {
         node.radius_m = std::max(node.radius_m, (point - node.centre_B).norm());
     }
+}
+
+double LevelDraft::measure_bulge_m(const SurfaceDistance& surface, double apart_m,
+                                   double enough_m) const {
+    constexpr int kMostParts = 4;
+    double most_m = 0.0;
+    for (const PieceTriangle& face : faces) {
+        const double longest_m = std::sqrt(
+            std::max({(face[1] - face[0]).squaredNorm(), (face[2] - face[1]).squaredNorm(),
+                      (face[0] - face[2]).squaredNorm()}));
+        const int n = std::clamp(static_cast<int>(std::ceil(longest_m / apart_m)), 2, kMostParts);
+        for (int i = 0; i <= n; ++i) {
+            for (int k = 0; i + k <= n; ++k) {
+                // Its corners are the mesh's own.
+                if (i == n || k == n || i + k == 0) {
+                    continue;
+                }
+                const Vector3 point = face[0] + (static_cast<double>(i) * (face[1] - face[0]) +
+                                                 static_cast<double>(k) * (face[2] - face[0])) /
+                                                    static_cast<double>(n);
+                most_m = std::max(most_m, surface.measure_height_m(point, 0.1 * apart_m));
+            }
+        }
+        if (most_m > enough_m) {
+            break;
+        }
+    }
+    return most_m;
 }
 
 double LevelDraft::measure_outside_m(const std::vector<Vector3>& corners) const {

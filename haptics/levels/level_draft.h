@@ -5,6 +5,7 @@
 
 #include "haptics/levels/contact_levels.h"
 #include "haptics/levels/level_surface.h"
+#include "haptics/levels/surface_measures.h"
 
 #include <span>
 #include <vector>
@@ -18,8 +19,9 @@ struct LevelDraft {
     std::vector<std::int32_t> first_link;  ///< of its own links
     std::vector<std::int32_t> links;
     std::vector<std::int32_t> children;
-    std::int32_t piece = -1;  ///< of a leaf
-    double area_m2 = 0.0;     ///< of the mesh below
+    std::vector<PieceTriangle> faces;  ///< of a hull that was taken, until it is measured
+    std::int32_t piece = -1;           ///< of a leaf
+    double area_m2 = 0.0;              ///< of the mesh below
 
     /// The hull's corners alone; where they are many, with their neighbours.
     void take_points(const PieceShape& shape, double slack_m);
@@ -30,6 +32,10 @@ struct LevelDraft {
     /// Where what is below looks: the mean of means, and how far the farthest of theirs is from it.
     void look_as(std::span<const LevelDraft* const> below);
     void find_sphere();
+    /// How far the faces stand out of a surface, in front of it: by points of each, no farther from each other than `apart_m` nor, of the longest
+    /// side, a quarter. Ends where it is above `enough_m`.
+    [[nodiscard]] double measure_bulge_m(const SurfaceDistance& surface, double apart_m,
+                                         double enough_m) const;
     /// How far the farthest of the corners is out of the hull.
     [[nodiscard]] double measure_outside_m(const std::vector<Vector3>& corners) const;
 };

@@ -8,7 +8,7 @@ namespace fulcrum {
 
 namespace {
 
-constexpr double kSlackShare = 0.05;  // of the tolerance
+constexpr double kPatch_us = 20.0;  // what one takes, until that is known
 
 }  // namespace
 
@@ -28,6 +28,9 @@ Expected<std::unique_ptr<LevelPairs>> LevelPairs::create(
     if (const Expected<void> right = validate(settings); !right) {
         return tl::make_unexpected(right.error());
     }
+    if (settings.now_s == nullptr) {
+        return fail("contacts by levels of detail have no clock", {}, "leave now_s as it is");
+    }
     if (object == nullptr || tool == nullptr) {
         return fail("contacts by levels of detail have no levels", {},
                     "give those of the object and of the tool");
@@ -44,9 +47,8 @@ LevelPairs::LevelPairs(std::shared_ptr<const ContactLevels> object,
                        std::shared_ptr<const ContactLevels> tool, const LevelPairSettings& settings)
     : settings_(settings),
       tree_(std::move(object), std::move(tool), settings.most_pairs),
-      slack_m_(kSlackShare * std::min(settings.tolerance_m, tree_.object().settings().within_m)),
+      each_us_(kPatch_us),
       waiting_(settings.most_pairs),
-      below_(settings.most_pairs),
       opened_(settings.most_pairs),
       contacts_(settings.most_contacts) {}
 
@@ -61,8 +63,7 @@ PairTree::PairTree(std::shared_ptr<const ContactLevels> object,
 std::size_t LevelPairs::memory_bytes() const noexcept {
     return object().memory_bytes() + (&tool() == &object() ? 0 : tool().memory_bytes()) +
            tree_.memory_bytes() + waiting_.capacity() * sizeof(Waiting) +
-           (below_.capacity() + opened_.capacity()) * sizeof(std::int32_t) +
-           contacts_.capacity() * sizeof(LevelContact);
+           opened_.capacity() * sizeof(std::int32_t) + contacts_.capacity() * sizeof(LevelContact);
 }
 
 }  // namespace fulcrum

@@ -87,10 +87,11 @@ double PairContacts::measure_depth_m(const Vector3& normal) const noexcept {
 // that is far longer: then they cross at a border, and the contact is a neighbour's.
 void PairContacts::find_way_out() noexcept {
     constexpr double kFarLonger = 4.0;
+    HullCorners at = pieces_.corners;
     normal_ = find_convex_depth([&](const Vector3& d) noexcept {
-                  return Vector3(pieces_.turn *
-                                     pieces_.tool_hull.find_support(pieces_.turn.transpose() * d) +
-                                 pieces_.shift - pieces_.object_hull.find_support(-d));
+                  return Vector3(pieces_.turn * pieces_.tool_hull.find_support(
+                                                    pieces_.turn.transpose() * d, at.second) +
+                                 pieces_.shift - pieces_.object_hull.find_support(-d, at.first));
               }).normal;
     depth_m_ = measure_depth_m(normal_);
     if (has_such_normal()) {
@@ -135,7 +136,9 @@ bool PairContacts::do_both_look(const Vector3& normal, double least) const noexc
 
 // Of the pieces beside a corner that touches one at least looks along the normal, for it is within their normals.
 bool PairContacts::has_such_normal() const noexcept {
-    return do_both_look(normal_, 0.0) &&
+    // Of what is above many pieces the mean says less than the cone.
+    const bool are_pieces = pieces_.object.n_children + pieces_.tool.n_children == 0;
+    return (!are_pieces || do_both_look(normal_, 0.0)) &&
            is_in_cone(pieces_.object, pieces_.object.normal_B, normal_) &&
            is_in_cone(pieces_.tool, tool_normal_, -normal_);
 }
@@ -147,12 +150,18 @@ bool PairContacts::find_far_corner(const HullView& hull, double lowest_m, double
     double lowest_seen_m = std::numeric_limits<double>::infinity();
     bool is_found = false;
     const double band_m = pieces_.within_m + std::max(depth_m_, 0.0);
+    const Vector3 origin = to_object(Vector3(Vector3::Zero()));
+    const double origin_m = sign * normal_.dot(origin);
+    // In the hull's own frame: most are not in the band.
+    const Vector3 up = sign * Vector3(normal_.dot(to_object(Vector3::UnitX()) - origin),
+                                      normal_.dot(to_object(Vector3::UnitY()) - origin),
+                                      normal_.dot(to_object(Vector3::UnitZ()) - origin));
     for (const Vector3& point : hull.points) {
-        const Vector3 place = to_object(point);
-        const double height_m = sign * normal_.dot(place);
+        const double height_m = origin_m + up.dot(point);
         if (height_m > lowest_m + band_m) {
             continue;
         }
+        const Vector3 place = to_object(point);
         // The first is the deepest; of both ends of an edge, the first.
         if (n_tried_ == 0) {
             if (height_m < lowest_seen_m - kAsDeep * pieces_.within_m) {
@@ -191,7 +200,11 @@ void PairContacts::add_corners_of_tool() noexcept {
             return;
         }
         tried_[n_tried_++] = corner;
-        const HullPair near = find_nearest_in_hull(pieces_.object_hull, corner);
+        const HullPair near = find_nearest_in_hull(pieces_.object_hull, corner, normal_,
+                                                   pieces_.within_m, pieces_.corners.first);
+        if (near.is_far) {
+            continue;
+        }
         if (near.gap_m == 0.0) {
             points_[n_++] = {corner, highest_m - normal_.dot(corner)};
         } else if (near.gap_m <= pieces_.within_m &&
@@ -217,7 +230,11 @@ void PairContacts::add_corners_of_object() noexcept {
         }
         tried_[n_tried_++] = corner;
         const HullPair near = find_nearest_in_hull(
-            pieces_.tool_hull, pieces_.turn.transpose() * (corner - pieces_.shift));
+            pieces_.tool_hull, pieces_.turn.transpose() * (corner - pieces_.shift),
+            pieces_.turn.transpose() * -normal_, pieces_.within_m, pieces_.corners.second);
+        if (near.is_far) {
+            continue;
+        }
         const Vector3 on_tool = pieces_.turn * near.on_first + pieces_.shift;
         if (near.gap_m == 0.0) {
             const double depth_m = normal_.dot(corner) - lowest_m;

@@ -19,6 +19,7 @@ struct PiecesNear {
     const Vector3& shift;
     double within_m = 0.0;
     double spread_m = 0.0;
+    HullCorners corners{};  ///< that were found
 };
 
 struct PairPoint {

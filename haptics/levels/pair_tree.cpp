@@ -16,11 +16,7 @@ constexpr double kMostMotion_m = 1.0e4;
 
 void PairTree::clear() noexcept {
     free_ = kNone;
-    for (std::size_t i = pairs_.size(); i-- > 0;) {
-        pairs_[i].next = free_;
-        pairs_[i].first_child = kNone;
-        free_ = static_cast<std::int32_t>(i);
-    }
+    n_used_ = 0;
     n_kept_ = 0;
     moved_m_ = 0.0;
     root_ = make({0, 0});
@@ -43,11 +39,14 @@ void PairTree::move_to(const Pose& X_OT, double within_m) noexcept {
 }
 
 std::int32_t PairTree::make(const NodePair& nodes) noexcept {
-    if (free_ == kNone) {
+    std::int32_t made = free_;
+    if (made != kNone) {
+        free_ = at(made).next;
+    } else if (n_used_ < pairs_.size()) {
+        made = static_cast<std::int32_t>(n_used_++);
+    } else {
         return kNone;
     }
-    const std::int32_t made = free_;
-    free_ = at(made).next;
     at(made) = Pair{.nodes = nodes, .bound_m = -kFarAway, .error_m = compute_error_m(nodes)};
     ++n_kept_;
     return made;
@@ -85,17 +84,18 @@ float PairTree::compute_error_m(const NodePair& nodes) const noexcept {
                             : std::numeric_limits<float>::infinity();
 }
 
-HullPair PairTree::find_pair(const NodePair& nodes, const Pair& one,
-                             double enough_m) const noexcept {
+HullPair PairTree::find_pair(Pair& one, double enough_m) const noexcept {
     const Vector3 axis(static_cast<double>(one.axis[0]), static_cast<double>(one.axis[1]),
                        static_cast<double>(one.axis[2]));
-    return find_hull_pair(object_->hull(nodes.object), tool_->hull(nodes.tool), place_.turn,
-                          place_.shift, axis, enough_m);
+    return find_hull_pair(object_->hull(one.nodes.object), tool_->hull(one.nodes.tool), place_.turn,
+                          place_.shift, axis, enough_m, one.corners);
 }
 
-HullPair PairTree::measure_leaves(const NodePair& leaves, std::int32_t pair) noexcept {
-    ++n_measured_;
-    return find_pair(leaves, at(pair), place_.within_m);
+double PairTree::compute_spheres_m(const NodePair& nodes) const noexcept {
+    const LevelNode& a = object_node(nodes);
+    const LevelNode& b = tool_node(nodes);
+    const Vector3 between = place_.turn * b.centre_B + place_.shift - a.centre_B;
+    return between.norm() - a.radius_m - b.radius_m - a.outside_m - b.outside_m;
 }
 
 bool PairTree::measure(std::int32_t pair, double enough_m, HullPair& found) noexcept {
@@ -104,13 +104,11 @@ bool PairTree::measure(std::int32_t pair, double enough_m, HullPair& found) noex
     const LevelNode& b = tool_node(one.nodes);
     const double outside_m = a.outside_m + b.outside_m;
     ++n_measured_;
-    const Vector3 between = place_.turn * b.centre_B + place_.shift - a.centre_B;
-    const double spheres_m = between.norm() - a.radius_m - b.radius_m - outside_m;
-    if (spheres_m > enough_m) {
+    if (const double spheres_m = compute_spheres_m(one.nodes); spheres_m > enough_m) {
         one.bound_m = moved_m_ + spheres_m;
         return true;
     }
-    found = find_pair(one.nodes, one, enough_m + outside_m);
+    found = find_pair(one, enough_m + outside_m);
     one.axis = {static_cast<float>(found.normal.x()), static_cast<float>(found.normal.y()),
                 static_cast<float>(found.normal.z())};
     one.bound_m = moved_m_ + found.least_m - outside_m;
@@ -143,17 +141,21 @@ bool PairTree::divide(std::int32_t pair) noexcept {
     return true;
 }
 
-void PairTree::learn_from_children(std::int32_t pair) noexcept {
+void PairTree::learn_from_children(std::int32_t pair, bool may_measure) noexcept {
     double least_m = kFarAway;
+    float told_m = kNothing;
     bool are_ends = true;
     for (std::int32_t child = at(pair).first_child; child != kNone; child = at(child).next) {
         least_m = std::min(least_m, at(child).bound_m);
+        told_m = is_beyond(child, place_.within_m) ? told_m : std::max(told_m, at(child).told_m);
         are_ends = are_ends && at(child).first_child == kNone;
     }
+    at(pair).told_m = told_m;
     const double before_m = at(pair).bound_m;
     HullPair found;
     if (are_ends && least_m - moved_m_ > place_.within_m) {
-        if (measure(pair, place_.within_m, found)) {
+        const bool has_room = 4 * static_cast<std::size_t>(n_kept_) < 3 * pairs_.size();
+        if (may_measure ? measure(pair, place_.within_m, found) : !has_room) {
             free_children(pair);
         }
     }

@@ -13,6 +13,7 @@
 #include "haptics/levels/contact_levels.h"
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -34,6 +35,9 @@ struct NodePair {
 class PairTree {
   public:
     static constexpr std::int32_t kNone = -1;
+    // Of a pair that was never told of; of one that has nothing to tell it is less.
+    static constexpr float kNotTold = -1.0e30F;
+    static constexpr float kNothing = -std::numeric_limits<float>::infinity();
     struct Pair {
         NodePair nodes{};
         std::int32_t first_child = kNone;
@@ -41,7 +45,8 @@ class PairTree {
         double bound_m = 0.0;                         ///< bound + motion when it was measured
         float error_m = 0.0F;                         ///< s*
         std::array<float, 3> axis{0.0F, 1.0F, 0.0F};  ///< last normal, frame O
-        NodePair nearest{};  ///< of the leaves below, at the last question that asked for them
+        HullCorners corners{};                        ///< last found
+        float told_m = kNotTold;  ///< depth of the deepest contact that was told of it, or below it
     };
 
     PairTree(std::shared_ptr<const ContactLevels> object, std::shared_ptr<const ContactLevels> tool,
@@ -79,12 +84,13 @@ class PairTree {
     }
     /// Asks for the distance, exact where the bound is not above `enough_m`; true where it is.
     bool measure(std::int32_t pair, double enough_m, HullPair& found) noexcept;
-    /// The distance of two leaves below a pair.
-    [[nodiscard]] HullPair measure_leaves(const NodePair& leaves, std::int32_t pair) noexcept;
+    /// How far apart spheres round both are; below 0 no less than by how little they must be moved to part.
+    [[nodiscard]] double compute_spheres_m(const NodePair& nodes) const noexcept;
     /// Gives it children: of the one of its nodes that only bounds, then of more detail. False where there is no room.
     [[nodiscard]] bool divide(std::int32_t pair) noexcept;
-    /// Learns from its children how far it is; where all are beyond d, it tries whether it is so itself, and lets go of them.
-    void learn_from_children(std::int32_t pair) noexcept;
+    /// Learns from its children how far it is, and how deep; where all are beyond d, it lets go of them: where it may measure, if it is so itself,
+    /// else if room runs out.
+    void learn_from_children(std::int32_t pair, bool may_measure) noexcept;
     void free_children(std::int32_t pair) noexcept;
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
         return pairs_.capacity() * sizeof(Pair);
@@ -92,14 +98,14 @@ class PairTree {
 
   private:
     [[nodiscard]] std::int32_t make(const NodePair& nodes) noexcept;
-    [[nodiscard]] HullPair find_pair(const NodePair& nodes, const Pair& one,
-                                     double enough_m) const noexcept;
+    [[nodiscard]] HullPair find_pair(Pair& one, double enough_m) const noexcept;
     [[nodiscard]] float compute_error_m(const NodePair& nodes) const noexcept;
 
     std::shared_ptr<const ContactLevels> object_;
     std::shared_ptr<const ContactLevels> tool_;
     std::vector<Pair> pairs_;
     std::int32_t free_ = kNone;
+    std::size_t n_used_ = 0;  // those behind were never made
     std::int32_t root_ = kNone;
     int n_kept_ = 0;
     int n_measured_ = 0;

@@ -19,7 +19,6 @@ LevelContacts::LevelContacts(std::unique_ptr<LevelPairs> pairs, const LevelConta
     : pairs_(std::move(pairs)),
       object_solid_(plan.object_solid),
       tool_solid_(plan.tool_solid),
-      tolerance_m_(plan.settings.tolerance_m),
       budget_us_(plan.settings.budget_us) {}
 
 void LevelContacts::limit(double budget_us) noexcept {
@@ -38,7 +37,7 @@ void LevelContacts::find(const Pose& X_OT, double within_m,
                          BoundedList<NearContact>& near) noexcept {
     // Always as far out as the levels were made for, for what is kept of a question is of one distance.
     answer_ = pairs_->find(X_OT, pairs_->object().settings().within_m);
-    is_cut_ = answer_.is_cut || answer_.is_late || answer_.error_m > tolerance_m_;
+    is_cut_ = answer_.is_cut || answer_.is_late || answer_.n_coarser + answer_.n_left > 0;
     const std::span<const LevelContact> contacts = pairs_->contacts();
     const std::size_t room = near.capacity() - near.count();
     if (contacts.empty() || room == 0) {

@@ -28,7 +28,7 @@ namespace fulcrum {
 using Bytes = std::vector<std::byte>;
 
 /// Goes up with every change of the layout, or of what a maker makes of the same settings.
-inline constexpr std::uint32_t kShapeVersion = 2;
+inline constexpr std::uint32_t kShapeVersion = 3;
 
 enum class ShapeKind : std::uint32_t {
     distance_field = 1,

@@ -218,4 +218,32 @@ PlayedScene play_scene(const LevelScene& scene, const SceneLevels& levels,
     return played;
 }
 
+DeepPlay play_deep(const std::shared_ptr<const ContactLevels>& lump, int n_steps,
+                   const LevelPairSettings& settings) {
+    constexpr double kDeep_m = 0.01;
+    const double within_m = lump->settings().within_m;
+    const auto finder = LevelContacts::create(lump, lump, settings).value();
+    ContactClusters clusters({.within_m = within_m, .radius_m = 0.006, .most = 10, .fade_s = 0.0});
+    BoundedList<NearContact> near(1 << 13);
+    DeepPlay played;
+    for (int i = 0; i < n_steps; ++i) {
+        const double t = 0.001 * i;
+        const Pose X_OT{{0.01 * std::sin(kTurn * t), 2.0 * lump->reach_m() - kDeep_m, 0.0},
+                        compute_exp(Vector3(0.2, 0.4 + 0.3 * t, 0.1))};
+        near.clear();
+        played.us.push_back(time_once([&] { finder->find(X_OT, within_m, near); }).own_us);
+        clusters.update(near.all(), X_OT, 0.001);
+        Vector3 force = Vector3::Zero();
+        for (const ContactCluster& cluster : clusters.all()) {
+            force += ClusterForce::kStiffness_N_per_m * cluster.strength *
+                     std::max(cluster.depth_m + within_m, 0.0) * cluster.normal_O;
+        }
+        played.force_N.push_back(force);
+        played.n_left += static_cast<double>(finder->answer().n_left) / n_steps;
+        played.n_coarser += static_cast<double>(finder->answer().n_coarser) / n_steps;
+        played.most_left_m = std::max(played.most_left_m, finder->answer().left_m);
+    }
+    return played;
+}
+
 }  // namespace fulcrum::bench

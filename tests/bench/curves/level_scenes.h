@@ -71,4 +71,15 @@ struct PlayedScene {
 [[nodiscard]] PlayedScene play_scene(const LevelScene& scene, const SceneLevels& levels,
                                      const LevelPairSettings& settings);
 
+/// A lump deep in another like it, that slides to and fro: what a budget has to hold.
+struct DeepPlay {
+    std::vector<double> us;        ///< of each question, processor time
+    std::vector<Vector3> force_N;  ///< of clusters, where the tool is, whoever presses it there
+    double n_left = 0.0;           ///< means of a question
+    double n_coarser = 0.0;
+    double most_left_m = 0.0;
+};
+[[nodiscard]] DeepPlay play_deep(const std::shared_ptr<const ContactLevels>& lump, int n_steps,
+                                 const LevelPairSettings& settings);
+
 }  // namespace fulcrum::bench

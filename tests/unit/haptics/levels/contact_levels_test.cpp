@@ -123,6 +123,37 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "contact levels: a hull stands out of a hollow by its sagitta, of what is convex not at all") {
+    // A ball's surface turned inwards: what is in front of it is inside, and a hull's nearest to the middle stands out most.
+    constexpr double kRadius_m = 0.1;
+    const TriangleMesh ball = make_sphere(kRadius_m, 10).value();
+    std::vector<TriangleCorners> inwards = ball.triangles();
+    for (TriangleCorners& triangle : inwards) {
+        std::swap(triangle[0], triangle[1]);
+    }
+    const Levels levels =
+        make_levels(TriangleMesh::build(ball.vertices_B(), inwards).value(), 1.0e-3);
+    const double facet_m = kRadius_m * (1.0 - std::cos(0.5 / 10.0 * std::numbers::pi / 2.0)) * 2.0;
+    int n_standing = 0;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(levels->nodes().size()); ++i) {
+        const LevelNode& node = levels->node(i);
+        if (node.is_bound_only || node.n_children == 0) {
+            CHECK(node.deviation_m == 0.0);
+            continue;
+        }
+        const HullPair middle = find_nearest_in_hull(levels->hull(i), Vector3::Zero());
+        const double sagitta_m = kRadius_m - middle.gap_m;
+        CAPTURE(i, sagitta_m, node.deviation_m);
+        CHECK(node.deviation_m < sagitta_m + 1.0e-9);
+        if (sagitta_m > 4.0 * facet_m && sagitta_m < 0.02) {
+            ++n_standing;
+            CHECK(node.deviation_m > 0.6 * sagitta_m - facet_m);
+        }
+    }
+    CHECK(n_standing > 10);
+}
+
 TEST_CASE("contact levels: a mesh gives the same levels each time") {
     const TriangleMesh mesh = make_bumpy_sphere(0.1, 10, 0.05, 30.0).value();
     const Levels one = make_levels(mesh);
