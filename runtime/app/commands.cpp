@@ -61,7 +61,9 @@ Expected<Analysis> measure_stages(LessonRun& run, const std::optional<double>& e
     settings.end_s = end_s;
     settings.clock = &clock;
     settings.shows_prints = false;
+    run.haptic_loop().listen_to_rounds(&clock);
     const auto outcome = run_headless(run, settings);
+    run.haptic_loop().listen_to_rounds(nullptr);
     if (!outcome) {
         return tl::unexpected(outcome.error());
     }

@@ -60,6 +60,7 @@ class VirtualClock {
             observe_tick(world_is_due, kite_is_due);
         } else {
             run_.hands_loop().step(now_s());
+            find_contact();
             if (world_is_due) {
                 run_.world_loop()->step(now_s());
             }
@@ -127,10 +128,17 @@ class VirtualClock {
             deadlines_->passed(Deadline::kite, now_s(), around_s);
         }
     }
+    // Of a plan for a live run, where a thread would do it: by turns, a round a step.
+    void find_contact() {
+        if (BesideTask* const beside = run_.haptic_loop().beside()) {
+            (void)beside->run_once();
+        }
+    }
     void observe_tick(bool world_is_due, bool kite_is_due) {
         stages_->begin();
         run_.step_hands(now_s(), *stages_);
         stages_->compare(run_.haptic_loop().state(), run_.hand().true_velocity_W());
+        find_contact();
         if (world_is_due) {
             stages_->begin();
             run_.world_loop()->step(now_s());

@@ -134,6 +134,7 @@ Expected<void> LessonRun::build_recorder(const Places& places, const RunRequest&
     if (plan_.record && request.plan.live) {
         recorder_->keep_told(channels);
     }
+    recorder_->watch(haptic_loop_->contact_lateness());
     if (compares) {
         recorder_->compare_with(request.replayed, header);
         for (std::size_t i = 0; i < more_hands_.size(); ++i) {

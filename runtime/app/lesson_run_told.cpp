@@ -44,6 +44,15 @@ std::vector<std::string> LessonRun::losses() const {
         tell(tool.n_inexact, text.data());
     }
     tell(tool.n_cut, "steps of the tool ended before its solver did, to end in time.");
+    if (const ContactLateness* const late = haptic_loop_->contact_lateness();
+        late != nullptr && late->n_late() > 0) {
+        std::array<char, 160> text{};
+        std::snprintf(text.data(), text.size(),
+                      "steps of the tool gave less force, for contact was found too late: what was "
+                      "known of it was up to %.0f ms old.",
+                      1e3 * late->age().max_s());
+        tell(late->n_late(), text.data());
+    }
     return sentences;
 }
 

@@ -1,12 +1,23 @@
-// The threads of a lesson that is played in real time: hand, world and kite, as far as it has them. The lesson loop is the caller's own.
+// The threads of a lesson that is played in real time: hand, what finds contact beside it, world and kite, as far as it has them. The lesson loop is
+// the caller's own.
 #pragma once
 
+#include "haptics/loop/beside_thread.h"
 #include "haptics/loop/realtime_thread.h"
 #include "runtime/app/lesson_run.h"
 
+#include <optional>
 #include <string>
 
 namespace fulcrum::runtime {
+
+/// How a thread that finds contact did.
+struct ContactPace {
+    BesideStatus thread{};
+    double median_age_s = 0.0;  ///< of what it told, in the haptic loop's rounds
+    double p99_age_s = 0.0;
+    double most_age_s = 0.0;
+};
 
 class LiveLoops {
   public:
@@ -21,14 +32,21 @@ class LiveLoops {
     /// Ends all threads; the device is left without force.
     void stop() noexcept;
 
-    /// How well the haptic loop kept its time, a sentence.
+    /// How well the haptic loop kept its time, a sentence; and another on the contact thread where there is one.
     [[nodiscard]] std::string describe_pace() const;
+    /// Of the contact thread, until now or the stop; nothing without one.
+    [[nodiscard]] std::optional<ContactPace> contact_pace() const;
     [[nodiscard]] RealtimeStatus haptic_status() const { return haptic_.status(); }
     [[nodiscard]] const LatencyHistogram& lateness() const { return haptic_.lateness(); }
     [[nodiscard]] const LatencyHistogram& duration() const { return haptic_.duration(); }
 
   private:
+    [[nodiscard]] std::string describe_contact() const;
+
     RealtimeThread haptic_;
+    BesideThread contact_;
+    const HapticLoop* contact_of_ = nullptr;  // whose contacts it finds; null where it does not run
+    std::optional<ContactPace> contact_was_;  // how it did until it was stopped
     RealtimeThread world_;
     RealtimeThread kite_;
 };

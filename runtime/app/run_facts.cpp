@@ -144,6 +144,10 @@ void add_plan(const FactSources& run, Facts& facts) {
         if (tool.contact != ContactFinding::fields) {
             facts.add("plan.tool contact", std::string(name_of(tool.contact)));
         }
+        if (has_thread(tool)) {
+            facts.add("option.contact",
+                      haptic.tool->beside ? "by a thread beside the steps" : "in each step");
+        }
     } else if (!haptic.solids.empty()) {
         facts.add("plan.proxy", std::string(kProxies[static_cast<std::size_t>(haptic.proxy.kind)]));
     }

@@ -148,6 +148,17 @@ void RunRecorder::keep_effort(double time_s, const ToolEffort& effort) {
     effort_ = effort;
 }
 
+void RunRecorder::keep_lateness(double time_s) {
+    const std::uint64_t n_late = lateness_ != nullptr ? lateness_->n_late() : 0;
+    if (n_late != n_late_) {
+        keep(time_s, RecordEventKind::cut, kNoBody,
+             std::to_string(n_late - n_late_) +
+                 " steps gave less force, for contact was found too late: up to " +
+                 exact_text(lateness_->age().max_s()) + " s so far");
+        n_late_ = n_late;
+    }
+}
+
 void RunRecorder::keep_frame(const SessionInput& input) {
     drain();
     keep_bodies(input);
@@ -161,6 +172,7 @@ void RunRecorder::keep_frame(const SessionInput& input) {
         }
     }
     keep_effort(input.time_s, input.hand.tool);
+    keep_lateness(input.time_s);
     for (const std::string& key : input.keys) {
         keep(input.time_s, RecordEventKind::pressed, kNoBody, key);
     }

@@ -5,6 +5,7 @@
 
 #include "haptics/base/error.h"
 #include "haptics/handover/channels.h"
+#include "haptics/loop/contact_lateness.h"
 #include "haptics/loop/told_rings.h"
 #include "haptics/record/record_writer.h"
 #include "runtime/evidence/replay_check.h"
@@ -40,6 +41,8 @@ class RunRecorder {
                       std::size_t hand = 0) {
         hands_[hand]->check.emplace(std::move(record), header);
     }
+    /// From now on tells when contact was found too late; null: nothing finds it beside. It outlives the recorder's last frame.
+    void watch(const ContactLateness* lateness) noexcept { lateness_ = lateness; }
     /// Null where nothing is compared.
     [[nodiscard]] const ReplayCheck* check(std::size_t hand = 0) const {
         return hand < hands_.size() && hands_[hand]->check ? &*hands_[hand]->check : nullptr;
@@ -84,6 +87,7 @@ class RunRecorder {
     void keep_bodies(const SessionInput& input);
     void keep_body(double time_s, std::int32_t body, const BodyState& state);
     void keep_effort(double time_s, const ToolEffort& effort);
+    void keep_lateness(double time_s);
 
     std::vector<std::unique_ptr<Hand>> hands_;
     std::optional<RecordWriter> writer_;
@@ -93,6 +97,8 @@ class RunRecorder {
     // As it was told last.
     std::int32_t touched_ = kNoBody;
     ToolEffort effort_{};
+    const ContactLateness* lateness_ = nullptr;
+    std::uint64_t n_late_ = 0;
     std::array<BodyState, kMaxBodies> bodies_{};
     std::array<FieldCommand, kMaxFields> fields_{};
     bool finished_ = false;

@@ -70,6 +70,7 @@ StageClock::StageClock(const Plan& plan)
       haptic_stages_(kHapticStages * (1 + plan.more_hands.size())),
       world_stage_(find("world", {})),
       kite_stage_(find("kite", {})),
+      contact_stage_(find("contact", {})),
       lesson_stage_(find("lesson", {})),
       tool_time_us_(find_tool_time_us(plan.haptic.rate_hz)) {
     for (std::size_t i = 0; i < haptic_stages_.size(); ++i) {
@@ -95,6 +96,19 @@ void StageClock::passed(HapticStage stage) noexcept {
     count(haptic_stages_[hand_ * kHapticStages + static_cast<std::size_t>(stage)], ended_s);
 }
 
+void StageClock::begins_round() noexcept {
+    round_began_s_ = monotonic_now_s();
+}
+
+void StageClock::ended_round() noexcept {
+    const double ended_s = monotonic_now_s();
+    if (contact_stage_ != kNoStage) {
+        keep(contact_stage_, std::max(1e6 * (ended_s - round_began_s_) - clock_us_, 0.0));
+    }
+    // The stage in which it lies began so much later.
+    began_s_ += monotonic_now_s() - round_began_s_;
+}
+
 void StageClock::passed_world() noexcept {
     const double ended_s = monotonic_now_s();
     count(world_stage_, ended_s);
@@ -113,23 +127,27 @@ void StageClock::passed_lesson() noexcept {
 void StageClock::count(std::size_t stage, double ended_s) noexcept {
     const double took_us = std::max(1e6 * (ended_s - began_s_) - clock_us_, 0.0);
     if (stage != kNoStage) {
-        Calls& calls = calls_[stage];
-        calls.total_us += took_us;
         const bool is_tool = stage == haptic_stages_[static_cast<std::size_t>(HapticStage::tool)];
         n_longer_ += is_tool && took_us > tool_time_us_ ? 1 : 0;
-        if (calls.count++ % calls.every == 0) {
-            calls.us.push_back(static_cast<float>(took_us));
-        }
-        if (calls.us.size() == kMostCalls) {
-            for (std::size_t i = 0; i < kMostCalls / 2; ++i) {
-                calls.us[i] = calls.us[2 * i];
-            }
-            calls.us.resize(kMostCalls / 2);
-            calls.every *= 2;
-        }
+        keep(stage, took_us);
     }
     // What was done here is no stage's.
     began_s_ = monotonic_now_s();
+}
+
+void StageClock::keep(std::size_t stage, double took_us) noexcept {
+    Calls& calls = calls_[stage];
+    calls.total_us += took_us;
+    if (calls.count++ % calls.every == 0) {
+        calls.us.push_back(static_cast<float>(took_us));
+    }
+    if (calls.us.size() == kMostCalls) {
+        for (std::size_t i = 0; i < kMostCalls / 2; ++i) {
+            calls.us[i] = calls.us[2 * i];
+        }
+        calls.us.resize(kMostCalls / 2);
+        calls.every *= 2;
+    }
 }
 
 void StageClock::compare(const HapticState& state,
@@ -162,6 +180,20 @@ void StageClock::add_tool_errors(StageFigures& figures) const {
          std::to_string(std::lround(tool_time_us_)) + " us"});
 }
 
+// By the rounds that were made here; a live run tells how it was (live_loops.h).
+void StageClock::add_contact_errors(StageFigures& figures) const {
+    const double looks_Hz = plan_.stages[contact_stage_].rate_hz;
+    const double step_ms = 1e3 / plan_.haptic.rate_hz;
+    const double rate_Hz =
+        std::min({plan_.haptic.rate_hz, looks_Hz, 1e6 / std::max(figures.p99_us, 1.0)});
+    // A place is told in a step, looked for within half of one, and the answer is taken in the step after it came.
+    const double age_ms = step_ms * std::ceil((1e3 / looks_Hz + 1e-3 * figures.p99_us) / step_ms);
+    figures.errors.push_back(
+        {"rounds a second on a thread, 99 % of them", rate_Hz, "Hz", "as many as steps at most"});
+    figures.errors.push_back(
+        {"age of contact in a step then, 99 %", age_ms, "ms", "here each step finds its own"});
+}
+
 void StageClock::add_errors(StageFigures& figures) const {
     const auto is = [&](HapticStage stage) {
         return haptic_stages_[static_cast<std::size_t>(stage)] == figures.stage;
@@ -172,6 +204,9 @@ void StageClock::add_errors(StageFigures& figures) const {
     }
     if (is(HapticStage::tool)) {
         add_tool_errors(figures);
+    }
+    if (figures.stage == contact_stage_) {
+        add_contact_errors(figures);
     }
     if (is(HapticStage::passivity)) {
         const std::string ideal = "the scene felt without sampling";

@@ -8,6 +8,7 @@
 
 #include "haptics/handover/messages.h"
 #include "haptics/loop/stage_listener.h"
+#include "haptics/tool/beside_task.h"
 #include "runtime/scene/analysis.h"
 #include "runtime/scene/plan.h"
 
@@ -18,7 +19,7 @@
 
 namespace fulcrum::runtime {
 
-class StageClock final : public StageListener {
+class StageClock final : public StageListener, public RoundListener {
   public:
     static constexpr std::size_t kMostCalls = 200'000;
 
@@ -28,6 +29,9 @@ class StageClock final : public StageListener {
     void begin() noexcept;
     /// A haptic stage has ended.
     void passed(HapticStage stage) noexcept override;
+    /// What of the tool's stage could run beside it: it is the contact stage's, and not the tool's.
+    void begins_round() noexcept override;
+    void ended_round() noexcept override;
     /// The stages that end now are this hand's.
     void begins_hand(std::size_t hand) noexcept override { hand_ = hand; }
     /// What began last was a round of the world; it stands with the first of the world's stages.
@@ -61,18 +65,22 @@ class StageClock final : public StageListener {
     };
 
     void count(std::size_t stage, double ended_s) noexcept;
+    void keep(std::size_t stage, double took_us) noexcept;
     [[nodiscard]] std::size_t find(std::string_view loop, std::string_view name) const noexcept;
     void add_errors(StageFigures& figures) const;
     void add_tool_errors(StageFigures& figures) const;
+    void add_contact_errors(StageFigures& figures) const;
 
     const Plan& plan_;
     double clock_us_;
     double began_s_ = 0.0;
+    double round_began_s_ = 0.0;
     std::vector<Calls> calls_;                // one a stage of the plan
     std::vector<std::size_t> haptic_stages_;  // place in the plan of each HapticStage, hand by hand
     std::size_t hand_ = 0;
     std::size_t world_stage_;
     std::size_t kite_stage_;
+    std::size_t contact_stage_;
     std::size_t lesson_stage_;
     Sum velocity_error_m_per_s_;
     Sum withheld_N_;

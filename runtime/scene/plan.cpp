@@ -1,6 +1,7 @@
 #include "runtime/scene/plan.h"
 
 #include "haptics/field/field.h"
+#include "haptics/loop/beside_thread.h"
 #include "runtime/scene/asked_by.h"
 #include "runtime/scene/plan_hands.h"
 #include "runtime/scene/plan_kite.h"
@@ -135,6 +136,12 @@ void list_other_loops(const LessonDescription& lesson, Plan& plan) {
         if (lesson.bucket.present) {
             add("world", "bucket", plan.world->rate_hz, "the tool catches", lesson.bucket.line);
         }
+    }
+    if (plan.haptic.tool && has_thread(*lesson.hand.tool)) {
+        add("contact", "finding", BesideThread::compute_looks_Hz(plan.haptic.rate_hz),
+            plan.haptic.tool->beside ? "a thread finds contact beside the haptic loop"
+                                     : "each step finds contact; in a live run a thread does",
+            lesson.hand.line);
     }
     if (plan.kite) {
         add("kite", "flight", plan.kite->rate_hz, "a kite flies on the hand's line",

@@ -263,6 +263,10 @@ void add_notices(const LessonDescription& lesson, const std::vector<std::string>
 
 }  // namespace
 
+bool has_thread(const ToolDescription& tool) {
+    return tool.method == ToolMethod::implicit_penalty;
+}
+
 const char* name_of(ShapeSource source) {
     return source == ShapeSource::made ? "made now" : "from the cache";
 }
@@ -344,6 +348,7 @@ Expected<void> add_tool(const LessonDescription& lesson, const SolidLoader& load
     if (!made) {
         return refuse_tool(made.error(), lesson.hand.line);
     }
+    made->beside = options.live && has_thread(*lesson.hand.tool);
     plan.haptic.tool = std::make_shared<const ToolPlan>(std::move(*made));
     leave_out_surfaces(lesson, plan);
     plan.tool_shapes = std::move(bodies->sources);

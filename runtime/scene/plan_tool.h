@@ -3,8 +3,8 @@
 //   hand    masses and springs are as the hand feels them: m = mass / scale, k = stiffness / scale, k_r = turn stiffness x scale
 //   points  as many as the lesson says or 2000, on the surface; among voxels a point a voxel of the tool, where that is no more than the lesson
 //           says or a step has time for
-//   time    in a live run half of each step (check_tool.h), so that the loop is never late for its tool; else as long as it takes,
-//           so that a run is the same each time
+//   time    in a live run half of each step (check_tool.h), so that the loop is never late for its tool, or a thread of its own finds contact
+//           beside the steps; else as long as it takes, so that a run is the same each time
 //
 // What can be refused is refused before anything that takes long is made: bodies and voxels first, then the tool, then its springs.
 // What takes long comes from the cache of shapes where it has been made before.
@@ -27,6 +27,9 @@ namespace fulcrum::runtime {
 [[nodiscard]] Expected<void> add_tool(const LessonDescription& lesson,
                                       const SolidLoader& load_solid, const PlanOptions& options,
                                       Plan& plan);
+
+/// Whether a live run has a thread that finds the tool's contacts beside the haptic loop: by how it is kept outside.
+[[nodiscard]] bool has_thread(const ToolDescription& tool);
 
 /// What the tool is like, in a few words: "cylinder", or its model's name.
 [[nodiscard]] std::string name_of(const ToolDescription& tool);

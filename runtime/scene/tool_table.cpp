@@ -170,7 +170,10 @@ std::string tool_table(const LessonDescription& lesson, const Plan& plan) {
         "In a live run it has %.0f us of each step for them; without a window, as long as "
         "it takes.\n",
         find_budget_us(lesson.hand));
-    return text + line.data();
+    text += line.data();
+    return has_thread(*lesson.hand.tool)
+               ? text + "In a live run a thread of its own finds contact, beside the steps.\n"
+               : text;
 }
 
 }  // namespace fulcrum::runtime

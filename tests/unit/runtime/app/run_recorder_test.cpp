@@ -61,6 +61,13 @@ TEST_CASE("run recorder: rounds, what happened and how it failed stand in the fi
     touching.world = &world;
     touching.hand.touched_body = 4;
     touching.hand.tool.n_cut = 3;
+    ContactLateness lateness;
+    ContactAge contact({});
+    contact.step(1.0, 0.95, 0.001);
+    lateness.add(contact);
+    contact.step(1.0, 0.875, 0.001);
+    lateness.add(contact);
+    (*recorder)->watch(&lateness);
     (*recorder)->keep_frame(touching);
     (*recorder)->keep_frame(touching);  // still the same touch, and nothing has moved
     (*recorder)->keep_failure(0.006, "lesson.lua:3: no.");
@@ -102,6 +109,8 @@ TEST_CASE("run recorder: rounds, what happened and how it failed stand in the fi
         {RecordEventKind::finished, 0.0053, kNoBody, "score 6, 2 of 3 stars"},
         {RecordEventKind::touched, 0.0055, 4, ""},
         {RecordEventKind::cut, 0.0055, kNoBody, "3 steps ended before their solver did"},
+        {RecordEventKind::cut, 0.0055, kNoBody,
+         "1 steps gave less force, for contact was found too late: up to 0.125 s so far"},
         {RecordEventKind::failed, 0.006, kNoBody, "lesson.lua:3: no."}};
     REQUIRE(record->events.size() == std::size(expected));
     for (std::size_t i = 0; i < std::size(expected); ++i) {

@@ -61,6 +61,41 @@ TEST_CASE("stage clock: each call is counted for its own stage, what is not in t
     CHECK(find(analysis, 6)->calls == 1);
 }
 
+TEST_CASE(
+    "stage clock: what of the tool could run beside it is the contact stage's, and not the "
+    "tool's") {
+    Plan plan = make_plan();
+    plan.stages.push_back(stage("haptic", "tool"));
+    plan.stages.push_back({"contact", "finding", 2000.0, 0, "", 0});
+    StageClock clock(plan);
+    for (int i = 0; i < 4; ++i) {
+        clock.begin();
+        clock.begins_round();
+        std::this_thread::sleep_for(std::chrono::milliseconds(3));
+        clock.ended_round();
+        clock.passed(HapticStage::tool);
+    }
+    const Analysis analysis = clock.finish(1.0, 1.0);
+    const StageFigures* const tool = find(analysis, 7);
+    const StageFigures* const contact = find(analysis, 8);
+    REQUIRE(tool != nullptr);
+    REQUIRE(contact != nullptr);
+    CHECK(contact->calls == 4);
+    CHECK(contact->median_us >= 2990.0);
+    CHECK(tool->total_us < 0.5 * contact->total_us);
+    // A thread would need so long, too: its answers would be as many steps old.
+    REQUIRE(contact->errors.size() == 2);
+    CHECK(contact->errors[0].value == Approx(1e6 / contact->p99_us));
+    CHECK(contact->errors[1].value >= 4.0);
+    // Without such a stage it is nobody's.
+    const Plan without = make_plan();
+    StageClock other(without);
+    other.begin();
+    other.begins_round();
+    other.ended_round();
+    CHECK(other.finish(1.0, 1.0).stages.empty());
+}
+
 TEST_CASE("stage clock: a stage that takes longer is said to take longer") {
     const Plan plan = make_plan();
     StageClock clock(plan);

@@ -189,6 +189,47 @@ TEST_CASE("plan: whoever waits for levels may stop them") {
     CHECK(to_sentence(stopped.error()).find("lesson.lua:4: the ball: ") == 0);
 }
 
+TEST_CASE("plan: in a live run a thread finds contact beside the steps, in no other") {
+    LessonDescription lesson = make_lesson();
+    const auto is_stage = [](const PlanStage& stage) { return stage.loop == "contact"; };
+    const auto runs_beside = [](const Plan& plan) {
+        const auto tool = make_tool(*plan.haptic.tool);
+        auto* const solver = dynamic_cast<BesideSolver*>(tool.get());
+        return solver != nullptr && solver->beside() != nullptr;
+    };
+    for (const ContactFinding contact : {ContactFinding::levels, ContactFinding::fields}) {
+        lesson.hand.tool->contact = contact;
+        const auto live = compile(lesson, {.live = true});
+        REQUIRE(live);
+        CHECK(validate(live->haptic));
+        CHECK_FALSE(make_implicit_penalty_plan(*live->haptic.tool).settings.own_rounds);
+        CHECK(runs_beside(*live));
+        // Under a virtual clock each step does; what is listed is the same but for the reason.
+        const auto quiet = compile(lesson);
+        REQUIRE(quiet);
+        CHECK(make_implicit_penalty_plan(*quiet->haptic.tool).settings.own_rounds);
+        CHECK_FALSE(runs_beside(*quiet));
+        for (const auto& plan : {*live, *quiet}) {
+            const auto stage = std::ranges::find_if(plan.stages, is_stage);
+            REQUIRE(stage != plan.stages.end());
+            CHECK(stage->name == "finding");
+            CHECK(stage->rate_hz == 2000.0);
+            CHECK(stage->line == 7);
+        }
+        CHECK(explain(lesson, *live).find("a thread finds contact beside the haptic loop") !=
+              std::string::npos);
+        CHECK(explain(lesson, *quiet).find("In a live run a thread of its own finds contact") !=
+              std::string::npos);
+    }
+    // Points that push by fields find nothing beside.
+    lesson.hand.tool->method = ToolMethod::field_sampling;
+    const auto fields = compile(lesson, {.live = true});
+    REQUIRE(fields);
+    CHECK_FALSE(runs_beside(*fields));
+    CHECK(std::ranges::none_of(fields->stages, is_stage));
+    CHECK(explain(lesson, *fields).find("a thread") == std::string::npos);
+}
+
 TEST_CASE("plan: a live run has a budget for contact, the lesson's or half of a step") {
     LessonDescription lesson = make_lesson();
     const auto budget_us = [&](bool live) {
