@@ -86,7 +86,7 @@ class LessonScreen {
     LessonInput input_{stop_signals_seen()};
     std::vector<std::string> pictures_;  // of the input's choices, in their order; models' names
     std::string pictured_;               // what those choices say
-    double polled_s_ = 0.0;  // when the window was asked last, monotonic clock
+    double polled_s_ = 0.0;              // when the window was asked last, monotonic clock
     std::optional<Left> left_;
     std::optional<std::size_t>
         why_hand_;  // whose force the panel explains that says why it is felt

@@ -9,8 +9,8 @@ namespace fulcrum::runtime {
 
 /// How wrong a stage was, against what its `against` names; or what it gave away or took.
 struct StageError {
-    std::string what;  ///< "velocity, rms"
-    double value = 0.0;  ///< no number: nothing bounds it
+    std::string what;     ///< "velocity, rms"
+    double value = 0.0;   ///< no number: nothing bounds it
     std::string unit;     ///< "mm/s"
     std::string against;  ///< "the simulated hand's own", for people
 };
