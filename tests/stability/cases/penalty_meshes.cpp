@@ -1,9 +1,9 @@
 // An implicit penalty tool (implicit_penalty.h) whose contact is found in distance fields of meshes that are hard: with cracks, T-junctions, flipped
 // and doubled faces, slivers, through themselves, and with a groove of 2 degrees.
 //
-// What is guaranteed then: sides go by the winding number, so doubled faces, of which some are flipped, and gaps below a cell change the force by no
-// more than the field's own error; a face of a single layer that is flipped makes a pocket as deep as it is long, and the tool is held by what lies
-// round it. In every case the force stays within its limits, and no energy is given.
+// What is guaranteed then: the force stays within its limits, no energy is given, and free space is free. Sides go by the winding number,
+// so cracks narrower than a cell and doubled faces, of which some are flipped, change the force little: each case says how much. A face of
+// a single layer that is flipped makes a pocket as deep as it is long, and the tool is held by what lies round it.
 #include "tests/stability/cases/penalty_watch.h"
 #include "tests/support/hard_meshes.h"
 
