@@ -12,11 +12,11 @@
 // and a tolerance lets nothing through: it moves surfaces out, by s0 or d at most. A tool on a coupling of k N/m is so felt off by k s0 where it is
 // pressed on something flat; where it snaps from place to place by more. Where hulls overlap depth is that of the hulls.
 //
-// With a budget pairs are refined in the order of how deep they were in the last question, then of s*, the worst first, as long as there is time to tell a patch of each that waits. Then of each,
-// the deepest of the last question first, one patch is told: the pair itself where s_a + s_b is within max(s0, d), else what was deepest below it
-// the last time, else where spheres round the nodes are nearest. Each piece of work, a distance or a patch, is begun only within the budget, but for
-// the first way down, of twice as many pairs as there are levels at most, so that something is told. What was left out is counted, and how deep it
-// may be is told. Pairs stay from question to question: where the tool rests, the next one goes on from here.
+// With a budget what was deepest in the last question is refined first, then what has the greatest s*, as long as there is time to tell a patch of
+// each that waits. Then of each, again the deepest first, one patch is told: the pair itself where s_a + s_b is within max(s0, d), else what was
+// deepest below it the last time, else where spheres round the nodes are nearest. Each piece of work, a distance or a patch, is begun only within the
+// budget, but for the first ways down, of twice as many pairs as there are levels at most, so that something is told. What was left out is counted,
+// and how deep it may be is told. Pairs stay from question to question: where the tool rests, the next one goes on from here.
 //
 //   normal   from a's to b's nearest point, or where the tool's piece lies behind the object's, as the mean normals of both say, against it. Where
 //            the hulls meet: the way of least translation, where triangles beside the pieces look so; else of the pieces' mean normals and

@@ -1,0 +1,171 @@
+// A tool held out by contact levels of detail where it is hard: a contact thread that stalls, slivers, a mesh through itself, garbage from the
+// device, ragged time, all sizes. Each presses a cube on something and leaves it: what is felt is a number, never above the clamp, more than nothing
+// while it presses, and exactly nothing before and after, so nothing is gained.
+#include "haptics/geometry/shape.h"
+#include "tests/stability/cases/stability_case.h"
+#include "tests/support/hard_meshes.h"
+#include "tests/support/tool_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fulcrum::stability {
+namespace {
+
+constexpr double kClamp_N = 5.0;
+constexpr double kEdge_m = 0.03;
+
+// What differs from case to case.
+struct PressCourse {
+    TriangleMesh object;
+    double top_m = 0.0;                          // of the object, along y
+    double size = 1.0;                           // all lengths times it
+    std::function<bool(int)> is_garbage{};       // of a step's pose
+    std::function<double(int)> find_dt_s{};      // of a step
+    std::function<bool(double)> runs_contact{};  // of a time, by a thread of its own
+};
+
+ImplicitPenaltyTool make_pressed(const PressCourse& course) {
+    const Vector3 edges = course.size * kEdge_m * Vector3::Ones();
+    test::ToolScene scene{.tool = make_box(edges).value(),
+                          .inertia = make_box_inertia(0.02, edges),
+                          .method = ToolMethod::implicit_penalty,
+                          .voxel_m = 0.002 * course.size,
+                          .n_points = 500,
+                          .most_force_N = kClamp_N,
+                          .contact = ContactFinding::levels};
+    scene.settings.coupling.shift.stiffness_N_per_m = 500.0;
+    scene.settings.coupling.turn.stiffness_Nm_per_rad = 0.2;
+    ImplicitPenaltyPlan plan =
+        make_implicit_penalty_plan(*test::make_tool_of(scene, {course.object}));
+    plan.settings.own_rounds = !course.runs_contact;
+    return ImplicitPenaltyTool::build(plan).value();
+}
+
+Finding press_and_leave(const PressCourse& course) {
+    ImplicitPenaltyTool tool = make_pressed(course);
+    const MovingFrame object;
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const double above_m = course.top_m + course.size * (0.5 * kEdge_m + 0.012);
+    tool.place(Pose::at({0.0, above_m, 0.0}));
+    double most_N = 0.0;
+    double pressed_N = 0.0;
+    double free_N = 0.0;
+    double t_s = 0.0;
+    for (int i = 1; t_s < 1.5; ++i) {
+        const double dt_s = course.find_dt_s ? course.find_dt_s(i) : 0.001;
+        t_s += dt_s;
+        if (course.runs_contact && course.runs_contact(t_s)) {
+            tool.contact_loop().step(t_s);
+        }
+        const double down = std::min(1.0, t_s / 0.3) - std::clamp((t_s - 0.9) / 0.3, 0.0, 1.0);
+        Vector3 at(course.size * 0.004 * std::sin(4.0 * t_s), above_m - course.size * 0.016 * down,
+                   0.0);
+        if (course.is_garbage && course.is_garbage(i)) {
+            at.y() = i % 2 == 0 ? none : 1.0e300;
+        }
+        const ToolFelt felt = tool.move({Pose::at(at), {}}, {&object, 1}, t_s, dt_s);
+        const double felt_N = felt.felt_W.force.norm();
+        most_N = worse(most_N, felt_N);
+        most_N = worse(most_N, tool.grip_W().position.allFinite() ? 0.0 : none);
+        pressed_N = t_s > 0.6 && t_s < 0.9 ? worse(pressed_N, felt_N) : pressed_N;
+        free_N = t_s < 0.05 || t_s > 1.4 ? worse(free_N, felt_N) : free_N;
+    }
+    double worst = worse(most_N / (1.0001 * kClamp_N), free_N > 0.0 ? 100.0 : 0.0);
+    worst = worse(worst, pressed_N > 0.1 ? 0.0 : 100.0);
+    std::array<char, 96> text{};
+    std::snprintf(text.data(), text.size(), "at most %.2g N, pressed %.2g N, free %.1g N", most_N,
+                  pressed_N, free_N);
+    return {worst, 1.0, text.data()};
+}
+
+TriangleMesh make_block(double size = 1.0) {
+    return make_box(size * Vector3(0.1, 0.04, 0.1)).value();
+}
+
+// A block along z with twenty slivers of a micrometre in the middle of each side.
+TriangleMesh make_slivered() {
+    constexpr int kSlivers = 20;
+    std::vector<Eigen::Vector2d> corners;
+    for (int side = 0; side < 4; ++side) {
+        const Eigen::Rotation2Dd turn(0.5 * std::numbers::pi * side);
+        const Eigen::Vector2d out = (turn * Eigen::Vector2d::UnitX()).array().round();
+        const Eigen::Vector2d along = (turn * Eigen::Vector2d::UnitY()).array().round();
+        corners.emplace_back(0.02 * out - 0.02 * along);
+        for (int i = 0; i <= kSlivers; ++i) {
+            corners.emplace_back(0.02 * out + 1.0e-6 * (i - 0.5 * kSlivers) * along);
+        }
+    }
+    return make_prism(corners, 0.1).value();
+}
+
+// Two bars that cross.
+TriangleMesh make_crossed_bars() {
+    std::vector<Vector3> places;
+    std::vector<TriangleCorners> triangles;
+    for (const Vector3& edges : {Vector3(0.12, 0.04, 0.03), Vector3(0.03, 0.04, 0.12)}) {
+        const TriangleMesh bar = make_box(edges).value();
+        const auto first = static_cast<std::int32_t>(places.size());
+        places.insert(places.end(), bar.vertices_B().begin(), bar.vertices_B().end());
+        for (const TriangleCorners& triangle : bar.triangles()) {
+            triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+        }
+    }
+    return TriangleMesh::build(std::move(places), triangles).value();
+}
+
+Finding press_at_all_sizes() {
+    Finding worst{0.0, 1.0, ""};
+    for (const double size : {0.3, 1.0, 10.0}) {
+        const Finding one =
+            press_and_leave({.object = make_block(size), .top_m = 0.02 * size, .size = size});
+        worst = {worse(worst.worst, one.worst), 1.0, one.note};
+    }
+    return worst;
+}
+
+constexpr const char* kMeasure =
+    "force ever felt in the clamp's; 100: something is felt in the free, or nothing while it "
+    "presses";
+
+const HardCase kStall{{"levels tool while contact stalls",
+                       "200 ms without a round of the contact thread", kMeasure, "", [] {
+                           return press_and_leave(
+                               {.object = make_block(),
+                                .top_m = 0.02,
+                                .runs_contact = [](double t_s) { return t_s < 0.5 || t_s > 0.7; }});
+                       }}};
+const HardCase kSlivered{
+    {"levels tool on slivers", "twenty of 1 um in the middle of each side", kMeasure, "",
+     [] { return press_and_leave({.object = make_slivered(), .top_m = 0.02}); }}};
+const HardCase kThrough{
+    {"levels tool on a mesh through itself", "where two bars cross", kMeasure, "",
+     [] { return press_and_leave({.object = make_crossed_bars(), .top_m = 0.02}); }}};
+const HardCase kRubbish{{"levels tool and garbage from the device",
+                         "a pose in seven is no number or 1e300 m away", kMeasure, "", [] {
+                             return press_and_leave(
+                                 {.object = make_block(), .top_m = 0.02, .is_garbage = [](int i) {
+                                      return i % 7 == 3;
+                                  }});
+                         }}};
+const HardCase kUneven{
+    {"levels tool in ragged time", "steps of 0.1 to 10 ms, and none", kMeasure, "", [] {
+         return press_and_leave(
+             {.object = make_block(), .top_m = 0.02, .find_dt_s = [](int i) {
+                  constexpr std::array<double, 5> kSteps_s{1.0e-3, 1.0e-4, 1.0e-2, 0.0, 2.0e-3};
+                  return kSteps_s[static_cast<std::size_t>(i) % 5];
+              }});
+     }}};
+const HardCase kSizes{
+    {"levels tool of all sizes", "cubes of 9, 30 and 300 mm", kMeasure, "", press_at_all_sizes}};
+
+}  // namespace
+}  // namespace fulcrum::stability
