@@ -173,21 +173,25 @@ void ExternalRecogniser::take(const dialogue::HearingAnswer& answer) {
             tell("Nobody knows how \"" + word + "\" sounds, so it is never heard.");
         }
     } else if (const auto* const heard = std::get_if<dialogue::HeardLine>(&answer)) {
-        if (heard->question == question_) {
-            awaits_ = false;
-            throat_ = heard->throat > 0.0 ? heard->throat : throat_;
-            constexpr double kToSomebodyElse = 0.02;
-            if (settings_.passes_over &&
-                (heard->text.empty() || heard->confidence < kToSomebodyElse)) {
-                return;
-            }
-            // What fits nothing is asked for again, as what is not sure is.
-            heard_ = {{heard->text, heard->text.empty() ? 0.0 : heard->confidence, hears_form_}};
-        }
+        take_words(*heard);
     } else {
         awaits_ = false;
         tell("The program that hears: " + std::get<dialogue::TroubleLine>(answer).sentence + ".");
     }
+}
+
+void ExternalRecogniser::take_words(const dialogue::HeardLine& heard) {
+    constexpr double kToSomebodyElse = 0.02;
+    if (heard.question != question_) {
+        return;
+    }
+    awaits_ = false;
+    throat_ = heard.throat > 0.0 ? heard.throat : throat_;
+    if (settings_.passes_over && (heard.text.empty() || heard.confidence < kToSomebodyElse)) {
+        return;
+    }
+    // What fits nothing is asked for again, as what is not sure is.
+    heard_ = {{heard.text, heard.text.empty() ? 0.0 : heard.confidence, hears_form_}};
 }
 
 void ExternalRecogniser::stop() {

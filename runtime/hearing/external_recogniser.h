@@ -66,6 +66,7 @@ class ExternalRecogniser final : public dialogue::Recogniser {
     [[nodiscard]] std::optional<std::string> next_line();
     void look_for_its_end();
     void take(const dialogue::HearingAnswer& answer);
+    void take_words(const dialogue::HeardLine& heard);
     void tell(const std::string& sentence);
 
     HearingSettings settings_;
