@@ -57,6 +57,26 @@ void ArcWriter::join(int from, int to) {
     }
 }
 
+void ArcWriter::add_copy(Arc arc, int from, int to) {
+    if (!full()) {
+        arc.from = from;
+        arc.to = to;
+        graph_.arcs.push_back(arc);
+    }
+}
+
+std::string ArcWriter::said_by(const Arc& arc) const {
+    std::string said;
+    for (const int word : graph_.said_by(arc)) {
+        said += (said.empty() ? "" : " ") + set_.words.text(word);
+    }
+    return said;
+}
+
+std::string ArcWriter::right_of(const Arc& arc) const {
+    return arc.right == kNone ? std::string{} : set_.texts.text(arc.right);
+}
+
 std::vector<int> ArcWriter::upward_order(int start, int end) const {
     // Depth first from the start without recursion; the reverse of the order of leaving is upward. The
     // last way is taken first, so that what the author wrote first gets the lower numbers and wins where two are equal.

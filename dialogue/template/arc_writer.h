@@ -5,7 +5,9 @@
 
 #include "dialogue/template/graph.h"
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace fulcrum::dialogue {
 
@@ -31,8 +33,20 @@ class ArcWriter {
     void add_arc(int from, int to, int element, const ArcText& text);
     /// An arc that stands for nothing.
     void join(int from, int to);
+    /// The same as `arc` between other nodes.
+    void add_copy(Arc arc, int from, int to);
     /// True once the budget is spent; arcs are no longer taken.
     [[nodiscard]] bool full() const { return graph_.arcs.size() >= budget_; }
+    /// How many more arcs are taken.
+    [[nodiscard]] std::size_t room() const { return full() ? 0 : budget_ - graph_.arcs.size(); }
+    /// What was written so far, with the nodes as they were added.
+    [[nodiscard]] const std::vector<Arc>& arcs() const { return graph_.arcs; }
+    [[nodiscard]] const Element& element(int number) const {
+        return graph_.elements[static_cast<std::size_t>(number)];
+    }
+    /// The words of `arc`, and what belongs there.
+    [[nodiscard]] std::string said_by(const Arc& arc) const;
+    [[nodiscard]] std::string right_of(const Arc& arc) const;
     /// Numbers the nodes upwards from `start` to `end` and hands the graph over.
     [[nodiscard]] Graph finish(int start, int end);
 

@@ -181,7 +181,8 @@ Expected<TemplateSet> compile_templates(const TemplateSource& source) {
     set.lists = std::move(*lists);
     std::vector<FormSlots> forms;
     for (std::size_t i = 0; i < source.sentences.size(); ++i) {
-        auto sentence = build_sentence(set, *rules, source.sentences[i]);
+        auto sentence = build_sentence(set, *rules, source.sentences[i], SubjectNumber::unknown,
+                                       WordOrder::verb_last_too);
         if (!sentence) {
             return within("answer " + std::to_string(i + 1), sentence.error());
         }

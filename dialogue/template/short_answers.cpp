@@ -1,6 +1,7 @@
 #include "dialogue/template/short_answers.h"
 
 #include "dialogue/template/phrases.h"
+#include "dialogue/template/word_order.h"
 
 #include <algorithm>
 #include <bit>
@@ -228,7 +229,8 @@ std::uint32_t asked_slots(const Graph& graph, const FormSlots& forms) {
 }  // namespace
 
 Expected<BuiltSentence> build_sentence(TemplateSet& set, const ParsedRules& rules,
-                                       const std::string& text, SubjectNumber pronoun) {
+                                       const std::string& text, SubjectNumber pronoun,
+                                       WordOrder order) {
     const auto syntax = parse_template(text);
     if (!syntax) {
         return tl::unexpected(syntax.error());
@@ -245,6 +247,9 @@ Expected<BuiltSentence> build_sentence(TemplateSet& set, const ParsedRules& rule
     }
     const int end = writer.add_node();
     writer.join(built->to, end);
+    if (order == WordOrder::verb_last_too) {
+        add_verb_last(writer, start, end);
+    }
     BuiltSentence sentence{writer.finish(start, end), builder.form_slots()};
     sentence.graph.slots = built->slots;
     sentence.graph.required = built->required;

@@ -11,6 +11,7 @@
 #include "dialogue/result.h"
 #include "dialogue/template/graph_builder.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,14 @@ struct BuiltSentence {
     FormSlots forms;
 };
 
+/// Whether a sentence is also heard with its verb at the end, as an error (word_order.h).
+enum class WordOrder : std::uint8_t { right_only, verb_last_too };
+
 /// Compiles one sentence of `set`; an error has its column. `pronoun` is the number of what <it> stands for.
-[[nodiscard]] Expected<BuiltSentence> build_sentence(
-    TemplateSet& set, const ParsedRules& rules, const std::string& text,
-    SubjectNumber pronoun = SubjectNumber::unknown);
+[[nodiscard]] Expected<BuiltSentence> build_sentence(TemplateSet& set, const ParsedRules& rules,
+                                                     const std::string& text,
+                                                     SubjectNumber pronoun = SubjectNumber::unknown,
+                                                     WordOrder order = WordOrder::right_only);
 
 /// Adds the graphs that `set.answers` sentences ask for; `forms` has the slots of each.
 [[nodiscard]] Expected<bool> add_short_answers(TemplateSet& set, const ParsedRules& rules,

@@ -85,13 +85,14 @@ inline bool append_right_way(const TemplateSet& set, const Graph& graph, int fro
 }
 
 /// Calls `look` with a sentence for each labelled error of `graph`, of those with one correction the first, and for each two
-/// of them that fit into one.
+/// of them that fit into one; errors of the kind `but` are left out.
 inline void each_wrong_sentence(const TemplateSet& set, const Graph& graph,
-                                const std::function<void(const std::string&)>& look) {
+                                const std::function<void(const std::string&)>& look,
+                                ErrorCode but = ErrorCode::none) {
     std::vector<const Arc*> wrong;
     std::set<std::tuple<int, int, ErrorCode, int>> kinds;
     for (const Arc& arc : graph.arcs) {
-        if (arc.code != ErrorCode::none &&
+        if (arc.code != ErrorCode::none && arc.code != but &&
             kinds.emplace(arc.from, arc.to, arc.code, arc.right).second) {
             wrong.push_back(&arc);
         }
