@@ -2,6 +2,7 @@
 
 #include "dialogue/english/antonyms.h"
 #include "dialogue/english/letters.h"
+#include "dialogue/english/noun.h"
 #include "dialogue/english/opposite.h"
 #include "dialogue/marking/question_review.h"
 #include "dialogue/result.h"
@@ -109,9 +110,10 @@ constexpr const char* kNotEnglish =
 void add_unheard(const std::string& head, std::vector<std::string> words, const Sounds& sounds,
                  std::vector<std::string>& notes) {
     // A plural of what is told anyway.
-    std::erase_if(words, [&](const std::string& word) {
-        return word.ends_with('s') &&
-               std::ranges::find(words, word.substr(0, word.size() - 1)) != words.end();
+    std::erase_if(words, [&, all = words](const std::string& word) {
+        return std::ranges::any_of(all, [&](const std::string& other) {
+            return word != other && (word == dialogue::plural_of(other) || word == other + 's');
+        });
     });
     std::vector<std::string> rest;
     for (const std::string& word : words) {

@@ -62,7 +62,7 @@ degrees, plurals, agreement) are understood and corrected.
 | `(a\|b)` | one of them |
 | `(a;b)` | both, in any order; at most 4 parts |
 | `{thing}`, `{other}` | the noun of any body of the scene, movable, solid or neither, which becomes `answer.thing` and `answer.other` |
-| `{colour}` | a word of `lists = { colour = { "red", "blue" } }`, which becomes `answer.colour` |
+| `{colour}` | a word of `lists = { colour = { "red", "blue" } }`, which becomes `answer.colour`. An article in an entry tells how the word is used and is no part of the value: "the Sun" becomes "Sun". A capital makes a name, which takes no article: write "apple", not "Apple" |
 | `{thing:first}` | a word of the list `thing` that becomes `answer.first` |
 | `[a\|an\|the] {thing}`, `<article> {thing}` | the noun with the article that it needs; the wrong one is an error of form. The first article is the one that is said back: `[the\|a\|an] {thing}` gives "The apple is …" |
 | `<comparative:heavy>` | "heavier"; "more heavy", "heavyer" are errors of form |

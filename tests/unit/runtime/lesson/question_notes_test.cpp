@@ -55,6 +55,13 @@ TEST_CASE("question notes: words that no dictionary and no rule can say are name
                Catch::StartsWith("lesson.lua:7: ") && Catch::Contains("nobody knows how to say"));
     CHECK_THAT(notes[0], Catch::Contains("\"zorbly\""));
     CHECK_THAT(notes[0], !Catch::Contains("\"egg\"") && !Catch::Contains("\"heavy\""));
+
+    // Of a list's word not its plural as well, which only the program made.
+    LessonDescription lesson = with_answers({"the {thing} is heavy", "the {odd} is heavy"});
+    lesson.questions.front().lists.emplace_back("odd", std::vector<std::string>{"zzyzx"});
+    const auto of_list = question_notes(lesson, {{}, sounds});
+    REQUIRE(of_list.size() == 1);
+    CHECK_THAT(of_list[0], Catch::Contains("\"zzyzx\"") && !Catch::Contains("zzyzxes"));
 }
 
 TEST_CASE(
