@@ -49,6 +49,15 @@ struct Setting {
     bool silent = true;
 };
 
+// Of the lecture's four: are constraints soft, so that the tool may go in, or hard; has the tool a mass? A body of the world that a hand grips is
+// the fourth, hard and massive (dynamics/hand_rows.h).
+std::string find_quadrant(const Solver& solver) {
+    if (solver.method == ToolMethod::god_object) {
+        return "hard, massless";
+    }
+    return solver.mass == ToolMass::massless ? "soft, massless" : "soft, massive";
+}
+
 std::unique_ptr<ToolSolver> make_block(const Solver& solver, const Setting& setting) {
     test::ToolScene scene = test::make_ball_tool(solver.method);
     scene.tool = make_box(kEdges_m).value();
@@ -194,9 +203,9 @@ Report run_tool_solvers(Run& run) {
         "found late or the coupling is stiff; voxel_sampling for models that no field can be made "
         "of; massless where no inertia may be felt and jumps may.";
     sheet.columns = {
-        "solver",     "force off, flat, %",       "force off, on an edge, %", "deepest, mm",
-        "drag, %",    "felt mass in free air, g", "step, median us",          "99 %, us",
-        "memory, MB", "stiffest coupling, N/m"};
+        "solver",      "quadrant",   "force off, flat, %",       "force off, on an edge, %",
+        "deepest, mm", "drag, %",    "felt mass in free air, g", "step, median us",
+        "99 %, us",    "memory, MB", "stiffest coupling, N/m"};
     for (const Solver& solver : kSolvers) {
         run.progress(static_cast<double>(sheet.rows.size()) / static_cast<double>(kSolvers.size()),
                      solver.name);
@@ -206,7 +215,7 @@ Report run_tool_solvers(Run& run) {
         const Drawn drawn = draw(solver, run.pick(10.0, 2.0));
         const double stiffest = find_stiffest_N_per_m(solver);
         sheet.rows.push_back(
-            {solver.name, percent(flat.error), percent(edge.error),
+            {solver.name, find_quadrant(solver), percent(flat.error), percent(edge.error),
              to_text(std::round(1.0e5 * std::max(flat.depth_m, edge.depth_m)) / 100.0),
              percent(drawn.drag), to_text(std::round(1.0e4 * find_felt_mass_kg(solver)) / 10.0),
              to_text(drawn.cost.median_us), to_text(drawn.cost.p99_us),
