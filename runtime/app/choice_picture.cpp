@@ -34,4 +34,27 @@ std::string find_choice_picture(const AnswerChoice& choice, const LessonDescript
     return {};
 }
 
+bool ChoicePictures::look(const std::vector<AnswerChoice>& choices, const LessonDescription& lesson,
+                          const Places& places, const std::filesystem::path& lesson_folder) {
+    std::string said;
+    for (const AnswerChoice& choice : choices) {
+        said += choice.said + '\n';
+    }
+    if (said == said_) {
+        return false;
+    }
+    said_ = std::move(said);
+    names_.clear();
+    for (const AnswerChoice& choice : choices) {
+        names_.push_back(find_choice_picture(choice, lesson, places, lesson_folder));
+    }
+    return true;
+}
+
+void ChoicePictures::show(View& view) const {
+    for (std::size_t i = 0; i < std::min(names_.size(), view.choices.size()); ++i) {
+        view.choices[i].picture = names_[i];
+    }
+}
+
 }  // namespace fulcrum::runtime

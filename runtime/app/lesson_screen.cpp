@@ -1,7 +1,6 @@
 #include "runtime/app/lesson_screen.h"
 
 #include "haptics/base/clock.h"
-#include "runtime/app/choice_picture.h"
 #include "runtime/app/force_trial.h"
 #include "runtime/app/interrupt.h"
 #include "runtime/audio/openal/openal_microphone.h"
@@ -23,6 +22,16 @@ constexpr double kHelp_s = 15.0;        // how long a level says how to move
 constexpr double kLongestStep_s = 0.1;  // of keys that are held, when the picture stalled
 // A frame waits so long for Lua before it draws without it.
 constexpr double kAnswerPatience_s = 0.004;
+
+void say(const std::string& sentence) {
+    if (!sentence.empty()) {
+        std::fprintf(stderr, "%s\n", sentence.c_str());
+    }
+}
+
+void say_all(const std::vector<std::string>& sentences) {
+    std::ranges::for_each(sentences, say);
+}
 
 }  // namespace
 
@@ -62,10 +71,7 @@ void LessonScreen::begin() {
     say_notices(*run_);
     files_.watch_only(files_of_lesson(places_, request_.folder, run_->description(),
                                       run_->process().files_read()));
-    for (const std::string& notice :
-         desktop_.picture->load_models(run_->description(), request_.folder)) {
-        std::fprintf(stderr, "%s\n", notice.c_str());
-    }
+    say_all(desktop_.picture->load_models(run_->description(), request_.folder));
     if (desktop_.sound) {
         desktop_.sound->set_stream(run_->touch_sound());
     }
@@ -116,11 +122,9 @@ void LessonScreen::stop() {
         // No hand feels anything now, so this may wait for the disk.
         run_->session().end(EndReason::left);
         run_->session().settle(kStorePatience_s);
-        if (!run_->session().store_trouble().empty()) {
-            std::fprintf(stderr, "%s\n", run_->session().store_trouble().c_str());
-        }
+        say(run_->session().store_trouble());
         if (auto kept = run_->finish_record(); !kept) {
-            std::fprintf(stderr, "%s\n", to_sentence(kept.error()).c_str());
+            say(to_sentence(kept.error()));
         }
         say_losses(*run_);
         set_stop_target(nullptr);
@@ -136,7 +140,7 @@ void LessonScreen::fail_with(const Error& error) {
     if (run_) {
         run_->fail_softly(error_);
     }
-    std::fprintf(stderr, "%s\n", error_.c_str());
+    say(error_);
 }
 
 Left LessonScreen::play() {
@@ -233,9 +237,7 @@ void LessonScreen::listen() {
     if (const auto utterance = ear_->step(wanted, desktop_.speaks())) {
         run_->session().hear_utterance(*utterance);
     }
-    if (const std::string trouble = ear_->take_trouble(); !trouble.empty()) {
-        std::fprintf(stderr, "%s\n", trouble.c_str());
-    }
+    say(ear_->take_trouble());
 }
 
 // One frame of the lesson, without ever waiting long for it: the picture goes on even when Lua hangs.
@@ -243,9 +245,7 @@ void LessonScreen::exchange() {
     if (!run_ || !error_.empty()) {
         return;
     }
-    if (const std::string notice = run_->take_device_notice(); !notice.empty()) {
-        std::fprintf(stderr, "%s\n", notice.c_str());
-    }
+    say(run_->take_device_notice());
     const double now_s = monotonic_now_s() - epoch_s_;
     if (!run_->process().waits_for_reply() && now_s >= next_frame_s_) {
         const auto sent = input_.take_frame(now_s).and_then(
@@ -270,7 +270,9 @@ void LessonScreen::exchange() {
         return;
     }
     input_.look_again();
-    find_pictures();
+    if (pictures_.look(input_.choices(), run_->description(), places_, request_.folder)) {
+        say_all(desktop_.picture->load_models(pictures_.names(), request_.folder));
+    }
     desktop_.play((*report)->sounds);
     desktop_.say((*report)->spoken);
     for (const std::string& text : (*report)->spoken) {
@@ -280,26 +282,6 @@ void LessonScreen::exchange() {
     if (const int level = run_->session().hud().level; level != level_) {
         level_ = level;
         level_began_s_ = monotonic_now_s();
-    }
-}
-
-// Of choices that are new, the models are loaded that show what they mean.
-void LessonScreen::find_pictures() {
-    std::string said;
-    for (const AnswerChoice& choice : input_.choices()) {
-        said += choice.said + '\n';
-    }
-    if (said == pictured_) {
-        return;
-    }
-    pictured_ = std::move(said);
-    pictures_.clear();
-    for (const AnswerChoice& choice : input_.choices()) {
-        pictures_.push_back(
-            find_choice_picture(choice, run_->description(), places_, request_.folder));
-    }
-    for (const std::string& notice : desktop_.picture->load_models(pictures_, request_.folder)) {
-        std::fprintf(stderr, "%s\n", notice.c_str());
     }
 }
 
@@ -320,9 +302,7 @@ View LessonScreen::compose() const {
     View view = run_ ? run_->view(catalogue_) : last_view_;
     if (run_) {
         input_.show(view);
-        for (std::size_t i = 0; i < std::min(pictures_.size(), view.choices.size()); ++i) {
-            view.choices[i].picture = pictures_[i];
-        }
+        pictures_.show(view);
         view.why = why_hand_ ? run_->why(*why_hand_, catalogue_) : ViewWhy{};
     }
     if (ear_) {
@@ -405,7 +385,7 @@ void LessonScreen::save_wanted_screenshot(bool last_frame) {
     if ((last_frame || at_time) && !screenshot_taken_) {
         screenshot_taken_ = true;
         if (auto kept = save_png(options_.screenshot, desktop_.window->read_back()); !kept) {
-            std::fprintf(stderr, "%s\n", to_sentence(kept.error()).c_str());
+            say(to_sentence(kept.error()));
         }
     }
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "dialogue/catalogue.h"
+#include "runtime/app/choice_picture.h"
 #include "runtime/app/desktop.h"
 #include "runtime/app/lesson_input.h"
 #include "runtime/app/lesson_run.h"
@@ -54,7 +55,6 @@ class LessonScreen {
     }
     void say_again();
     void exchange();
-    void find_pictures();
     void listen();
     void watch_files();
     [[nodiscard]] View compose() const;
@@ -84,9 +84,8 @@ class LessonScreen {
     SaidBefore said_before_;
     std::unique_ptr<LiveEar> ear_;  // null where the plan hears no microphone
     LessonInput input_{stop_signals_seen()};
-    std::vector<std::string> pictures_;  // of the input's choices, in their order; models' names
-    std::string pictured_;               // what those choices say
-    double polled_s_ = 0.0;              // when the window was asked last, monotonic clock
+    ChoicePictures pictures_;
+    double polled_s_ = 0.0;  // when the window was asked last, monotonic clock
     std::optional<Left> left_;
     std::optional<std::size_t>
         why_hand_;  // whose force the panel explains that says why it is felt

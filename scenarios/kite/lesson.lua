@@ -85,19 +85,10 @@ local function fly_again(world)
   if not flies() then give_tail(world) end
 end
 
-local explained = false
-
--- What is in the hand is explained when it is first felt there.
-local function explain_line(world)
-  if explained or not wait_until(function() return kite.pull > 0.3 end, 3) then return end
-  explained = true
-  world:caption "You hold the kite's line. The wind pushes the kite, and the line pulls your hand."
-end
-
 -- Flies it for some seconds, and gives whether it stayed up.
 local function stays_up(world, seconds)
   kite:fly()
-  explain_line(world)
+  require "line" (world, kite)
   wait(seconds)
   local up = true
   wait_until(function() up = up and flies() end, 3)
@@ -233,8 +224,7 @@ L:question "hand" {
   answers = { "(I|we) [can] feel the {force} [of the line]", "it is the {force} [of the line]", "the {force} [of the line]" },
   nearly = { "(I|we) (am feel|am feeling|feels|feeling) [the] {force}", "(I|we) feel {force}", "it is {force}", "{force}" },
   lists = { force = { "lift|lift force", "drag|drag force", "weight|gravity", "tension|pull|tension force|force of the line" } },
-  -- Of the four the line's alone acts on the hand, as long as the line pulls.
-  right = function(a) return a.force == "tension" and flown.pull > 0 end,
+  right = function(a) return a.force == "tension" and flown.pull > 0 end,   -- of the four the line's alone acts on the hand
 }
 
 L:question "stronger" {
@@ -253,8 +243,7 @@ local function show_forces(world)
   say(world, "The air pushes the kite up: that is lift. It pushes it along: that is drag.", 5)
   say(world, "The Earth pulls it down: that is its weight. The line holds it: that is tension.", 5)
   fly_again(world)
-  local look = { hint = "Look at the four arrows.", again = function() fly_again(world) end }
-  look.solution = "The lift holds the kite up."
+  local look = { hint = "Look at the four arrows.", solution = "The lift holds the kite up.", again = function() fly_again(world) end }
   game.ask("up", look)
   look.solution = "You feel the tension of the line."
   game.ask("hand", look)
