@@ -5,7 +5,7 @@
 -- answers change.
 
 local game = require "game"
-local story = require "story"
+local story, explain_line = require "story", require "line"
 local wait, wait_until = story.wait, story.wait_until
 
 local L = lesson { id = "kite", title = "Why does a kite fly?", level = "A2", minutes = 15, free_english = true }
@@ -88,7 +88,7 @@ end
 -- Flies it for some seconds, and gives whether it stayed up.
 local function stays_up(world, seconds)
   kite:fly()
-  require "line" (world, kite)
+  explain_line(world, kite)
   wait(seconds)
   local up = true
   wait_until(function() up = up and flies() end, 3)

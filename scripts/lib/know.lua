@@ -103,7 +103,7 @@ local known = {
   },
   is_it = {
     asked = { "is (it|this|that) <adjective:{feel}>", "is [the|a|an] {thing} <adjective:{feel}>" },
-    nearly = { "(it|this|that) is {feel}", "[the|a|an] {thing} is {feel}", "(do|does) (it|this|that) {feel}", "(do|does) [the|a|an] {thing} {feel}" },
+    nearly = { "(do|does) (it|this|that) {feel}", "(do|does) [the|a|an] {thing} {feel}" },
     lists = { feel = { "hard", "soft", "rough", "smooth", "slippery", "sticky" } },
     answer = function(asked, world)
       local body = meant(asked, world)

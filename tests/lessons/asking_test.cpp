@@ -93,7 +93,7 @@ TEST_CASE("asking: what is asked with an error of form is said rightly, and answ
         {"how much it weighs", "*How heavy is it*?", "It weighs 19.6 newtons."},
         {"what this is", "*What is this*?", "This is a block."},
         {"how the block feels", "*How does the block feel*?", "The block is hard and smooth."},
-        {"it is hard", "*Is it hard*?", "Yes, it is."},
+        {"does it hard", "*Is it hard*?", "Yes, it is."},
     };
     for (const auto& row : rows) {
         const std::string told = play(std::string("?") + row.asked);
