@@ -5,7 +5,7 @@ option(FULCRUM_JOIN "compile several sources at a time" ON)
 set(FULCRUM_JOINED 8)  # sources at most
 
 # fulcrum_join_library(TARGET SOURCE ...): CMake's own way, for sources that refer to each other. What they have to themselves,
-# in anonymous namespaces, must be called by different names within a folder. Sources of different calls are never joined.
+# in anonymous namespaces, must be called by different names within a folder.
 function(fulcrum_join_library target)
   if(NOT FULCRUM_JOIN)
     return()
@@ -15,10 +15,7 @@ function(fulcrum_join_library target)
     # A class that hides its parts in its source is taken for one of a header, whose parts every source would have anew.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
-  get_target_property(n_groups ${target} FULCRUM_GROUPS)
-  if(NOT n_groups)
-    set(n_groups 0)
-  endif()
+  set(n_groups 0)
   set(last_folder "")
   foreach(source IN LISTS ARGN)
     cmake_path(GET source PARENT_PATH folder)
@@ -30,7 +27,6 @@ function(fulcrum_join_library target)
     math(EXPR n "${n} + 1")
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${n_groups})
   endforeach()
-  set_target_properties(${target} PROPERTIES FULCRUM_GROUPS ${n_groups})
 endfunction()
 
 # fulcrum_join_sources(OUT name SOURCE ...): for tests and benchmarks, which nothing else refers to: the sources that stand for

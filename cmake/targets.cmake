@@ -9,10 +9,9 @@ target_precompile_headers(fulcrum_pch PRIVATE <Eigen/Core> <Eigen/Geometry> <alg
                           <memory> <optional> <span> <string> <string_view> <tl/expected.hpp> <vector>)
 
 # fulcrum_library(NAME folder [DEPENDS ...]): one static library from every .cpp under folder (tests live elsewhere),
-# with the alias fulcrum::NAME. Subfolders named in EXCLUDE belong to other libraries. Sources named in APART are never compiled
-# together with others.
+# with the alias fulcrum::NAME. Subfolders named in EXCLUDE belong to other libraries.
 function(fulcrum_library name folder)
-  cmake_parse_arguments(arg "" "" "DEPENDS;EXCLUDE;APART;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "" "DEPENDS;EXCLUDE;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
   foreach(pattern IN LISTS arg_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX "/${folder}/${pattern}")
@@ -21,18 +20,11 @@ function(fulcrum_library name folder)
     add_library(fulcrum_${name} STATIC ${sources})
     target_link_libraries(fulcrum_${name} PUBLIC fulcrum_options ${arg_DEPENDS} PRIVATE ${arg_PRIVATE})
     target_precompile_headers(fulcrum_${name} REUSE_FROM fulcrum_pch)
-    set(together)
-    set(apart)
-    foreach(source IN LISTS sources)
-      cmake_path(GET source FILENAME file)
-      if(file IN_LIST arg_APART)
-        list(APPEND apart ${source})
-      else()
-        list(APPEND together ${source})
-      endif()
-    endforeach()
-    fulcrum_join_library(fulcrum_${name} ${together})
-    fulcrum_join_library(fulcrum_${name} ${apart})
+    # What a haptic step executes is compiled source by source: of joined ones the compiler inlines less, and the linker may take
+    # such a copy of a header's function (tests/system/economy counted 120 instructions more in each round).
+    if(FULCRUM_SANITIZE OR NOT name STREQUAL haptics)
+      fulcrum_join_library(fulcrum_${name} ${sources})
+    endif()
   else()
     add_library(fulcrum_${name} INTERFACE)
     target_link_libraries(fulcrum_${name} INTERFACE fulcrum_options ${arg_DEPENDS})

@@ -1,5 +1,5 @@
 # The sources of this library that only load, or speak to people: they may allocate, wait, write and throw. All others are the
-# step path, which may not (tests/realtime/realtime.cmake). The two are never compiled together.
+# step path, which may not (tests/realtime/realtime.cmake).
 set(haptics_load_path
     error.cpp range.cpp spectral_radius.cpp tool_coupling_settings.cpp integrator_settings.cpp collision_mesh.cpp
     told_rings_build.cpp velocity_settings.cpp passivity_settings.cpp field_settings.cpp haptic_loop_build.cpp safety_settings.cpp
