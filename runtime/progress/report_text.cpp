@@ -101,7 +101,8 @@ void write_notes(const QuestionReport& question, std::string& out) {
     }
     if (question.invited > 0) {
         write_wrapped("said once more when asked to: right " + std::to_string(question.repaired) +
-                          " of " + times(question.invited),
+                          " of " + std::to_string(question.invited) +
+                          (question.invited == 1 ? " time" : " times"),
                       kNoteIndent, out);
     }
     if (question.moved_on > 0) {

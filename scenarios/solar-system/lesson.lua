@@ -222,11 +222,10 @@ L:question "side_or_pole" {
   prompt = "Where does the same push turn it more: at the side or near the pole?",
   again = "Let's push again.", feedback = { "replay", "prompt", "rule" },
   answers = {
-    "it turns more (at|near|on) the {place}",
+    "it turns more (at|near|on) the {place} [than (at|near|on) the {other}]",
     "it is (at|near|on) the {place}",
     "(it|the Earth|the planet) (turns|goes|moves) (more|faster|better) [(when|if) (I|you|we) push [it]] (at|near|on) the {place}",
-    "(when|if) (I|you|we) push [it] (at|near|on) the {place}",
-    "(when|if) (I|you|we) push the {place} [it turns (more|faster|better)]",
+    "(when|if) (I|you|we) push [it] (at|near|on) the {place}", "(when|if) (I|you|we) push the {place} [it turns (more|faster|better)]",
     "(it|the same push) turns [it] more (at|near|on) the {place}",
     "(when|if) (I|you|we) push [it] (at|near|on) the {place} it turns (more|faster|better)",
     "[more] (at|near|on) the {place} [it turns (more|faster|better)]",
@@ -239,8 +238,9 @@ L:question "side_or_pole" {
     "[the] {place} [is] (more|most|more fast|more good|faster)",
     "push (at|near|on|in) [the] {place}",
   },
-  lists = { place = { "side|rim|equator|edge", "pole|north pole|top" } },
-  right = function(a) return best_arm[a.place] > best_arm[a.place == "side" and "pole" or "side"] end,
+  lists = { place = { "side|rim|equator|edge", "pole|north pole|top" }, other = { "side|rim|equator|edge", "pole|north pole|top" } },
+  examples = { right = { "It turns more at the side than near the pole." }, wrong = { "it turns more at the pole than at the side" } },
+  right = function(a) return a.place ~= a.other and best_arm[a.place] > best_arm[a.place == "side" and "pole" or "side"] end,
 }
 
 L:question "harder" {

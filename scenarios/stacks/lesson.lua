@@ -55,16 +55,24 @@ end
 
 -- ---- questions ----------------------------------------------------------------------------------------------------------
 
+-- "The wooden block" or "the wooden one".
+local called = { "wooden block|wooden one", "stone block|stone one", "metal block|metal one" }
+
 L:question "heavier" {
   prompt = "Which block is heavier: the wooden block or the metal block?",
   again = "Lift both again.",
   answers = { "[the|a] {thing} is <comparative:heavy> [than [the|a] {other}]",
               "[the|a] {thing} is the <comparative:heavy> one",
               "the <comparative:heavy> (one|block) is [the|a] {thing}" },
+  lists = { thing = called, other = called },
+  -- Of the two that are asked about; what else that one is heavier than may be said with it.
   right = function(a)
-    local other = a.other and bodies[a.other] or (a.thing == "wooden block" and bodies.metal or bodies.wood)
-    return is_heavier(bodies[a.thing], other)
+    local thing = bodies[a.thing]
+    local asked = thing == bodies.wood and bodies.metal or thing == bodies.metal and bodies.wood
+    return is_heavier(thing, asked) and (a.other == nil or is_heavier(thing, bodies[a.other]))
   end,
+  examples = { right = { "The metal block is heavier.", "the metal one is heavier", "the metal one" },
+               wrong = { "the wooden block is heavier", "the stone block is heavier", "the stone block" } },
 }
 
 L:question "taller" {
@@ -72,6 +80,7 @@ L:question "taller" {
   again = "Look at the blocks again.",
   answers = { "[the|a] {thing} is the <superlative:tall> [one|block]",
               "the <superlative:tall> (one|block) is [the|a] {thing}" },
+  lists = { thing = called },
   right = function(a)
     local thing = bodies[a.thing]
     return is_taller(thing, bodies.wood) and is_taller(thing, bodies.metal)
@@ -84,6 +93,7 @@ L:question "between" {
   answers = { "[the|a] {thing} is between (them|the wooden block and the metal block|the metal block and the wooden block)",
               "it is [the|a] {thing}" },
   nearly = { "[the|a] {thing} is between" },
+  lists = { thing = called },
   right = function(a) return is_between(bodies[a.thing], bodies.wood, bodies.metal) end,
 }
 
@@ -91,7 +101,7 @@ L:question "on_top" {
   prompt = "Where is the wooden block now?",
   again = "Look at both blocks.",
   answers = { "[(it|the wooden block) is] {place} [the] {thing}" },
-  lists = { place = { "on top of|on", "under|below" } },
+  lists = { place = { "on top of|on", "under|below" }, thing = called },
   right = function(a)
     local thing = bodies[a.thing]
     if not thing or thing == bodies.wood then return false end

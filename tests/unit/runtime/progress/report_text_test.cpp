@@ -65,7 +65,7 @@ TEST_CASE("report: who was let go on, and what came of saying it once more, is t
     const std::string text = to_text(report, kUtc);
     CHECK_THAT(text, Catch::StartsWith("Stuck now: Mina (gravity: heavier, said \"hm\")."));
     CHECK_THAT(text, Catch::Contains("said once more when asked to: right 1 of 2 times\n"));
-    CHECK_THAT(text, Catch::Contains("said once more when asked to: right 0 of once\n"));
+    CHECK_THAT(text, Catch::Contains("said once more when asked to: right 0 of 1 time\n"));
     CHECK_THAT(text, Catch::Contains("let go on without a right answer once\n"));
     CHECK_THAT(to_csv(report, kUtc), Catch::Contains(",1,0,0,hm,0,0,0,0,1.00\r\n"));
 }
