@@ -59,15 +59,9 @@ class QuestionTally {
         last_right_ = right;
 
         ++report_.attempts;
-        report_.not_understood += attempt.understood ? 0 : 1;
-        const bool judged = attempt.understood && attempt.form_known;
-        report_.form_judged += judged ? 1 : 0;
-        report_.form_wrong += judged && !attempt.form_right ? 1 : 0;
         report_.meaning_right += right ? 1 : 0;
-        report_.target_judged += target_is_judged(attempt) ? 1 : 0;
-        report_.target_right += target_is_judged(attempt) && attempt.target_right ? 1 : 0;
-        report_.other_form_errors += count_other_errors(attempt);
         confidences_ += attempt.confidence;
+        count_form(attempt);
         // The names are those of dialogue/conversation/conversation.h, as they were kept.
         report_.moved_on += attempt.feedback == "moved_on" ? 1 : 0;
         report_.invited += attempt.feedback == "prompt" ? 1 : 0;
@@ -77,9 +71,6 @@ class QuestionTally {
         }
         wrong_run_ = right ? 0 : wrong_run_ + 1;
         report_.wrong_in_a_row = std::max(report_.wrong_in_a_row, wrong_run_);
-        for (auto& [name, point] : points_) {
-            point.answers_since += judged ? 1 : 0;
-        }
         for (const ErrorRecord& error : attempt.errors) {
             if (!error.point.empty()) {
                 GrammarPointReport& point = points_[error.point];
@@ -117,6 +108,19 @@ class QuestionTally {
     }
 
   private:
+    void count_form(const AttemptRecord& attempt) {
+        report_.not_understood += attempt.understood ? 0 : 1;
+        const bool judged = attempt.understood && attempt.form_known;
+        report_.form_judged += judged ? 1 : 0;
+        report_.form_wrong += judged && !attempt.form_right ? 1 : 0;
+        report_.target_judged += target_is_judged(attempt) ? 1 : 0;
+        report_.target_right += target_is_judged(attempt) && attempt.target_right ? 1 : 0;
+        report_.other_form_errors += count_other_errors(attempt);
+        for (auto& [name, point] : points_) {
+            point.answers_since += judged ? 1 : 0;
+        }
+    }
+
     void close_asking() {
         report_.right_in_the_end += last_right_ ? 1 : 0;
         last_right_ = false;
