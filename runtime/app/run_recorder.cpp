@@ -149,8 +149,10 @@ void RunRecorder::keep_effort(double time_s, const ToolEffort& effort) {
 }
 
 void RunRecorder::keep_lateness(double time_s) {
-    const std::uint64_t n_late = lateness_ != nullptr ? lateness_->n_late() : 0;
-    if (n_late != n_late_) {
+    if (lateness_ == nullptr) {
+        return;
+    }
+    if (const std::uint64_t n_late = lateness_->n_late(); n_late != n_late_) {
         keep(time_s, RecordEventKind::cut, kNoBody,
              std::to_string(n_late - n_late_) +
                  " steps gave less force, for contact was found too late: up to " +

@@ -290,15 +290,26 @@ Expected<void> tell_lateness(const Installation& installation, const std::string
     });
 }
 
+Expected<void> tell_all_lateness(const Installation& installation,
+                                 const std::vector<std::string>& lessons, double seconds,
+                                 const SiteLimits& site) {
+    for (const std::string& lesson : lessons) {
+        if (interrupted()) {
+            break;
+        }
+        if (auto told = tell_lateness(installation, lesson, seconds, site); !told) {
+            return told;
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 int soak_command(const Installation& installation, const Options& options) {
-    std::vector<std::string> lessons;
-    if (options.lesson.empty()) {
-        lessons = list_lesson_names(installation.places);
-    } else {
-        lessons.push_back(options.lesson);
-    }
+    const std::vector<std::string> lessons = options.lesson.empty()
+                                                 ? list_lesson_names(installation.places)
+                                                 : std::vector{options.lesson};
     const std::uint64_t first = options.seed.value_or(1);
     const double seconds = options.seconds.value_or(60.0);
     SoakSum sum;
@@ -328,15 +339,11 @@ int soak_command(const Installation& installation, const Options& options) {
     const SoakGrowth growth{std::max(in_use_MB() - settled_in_use_MB, 0.0),
                             std::max(resident_MB() - settled_MB, 0.0)};
     std::fputs(describe_soak(sum, growth).c_str(), stdout);
-    for (const std::string& lesson : is_soak ? lessons : std::vector<std::string>{}) {
-        if (interrupted()) {
-            break;
-        }
-        if (const auto told =
-                tell_lateness(installation, lesson, std::min(seconds, kRealTime_s), options.site);
-            !told) {
-            return complain(told.error(), 2);
-        }
+    const auto told =
+        tell_all_lateness(installation, is_soak ? lessons : std::vector<std::string>{},
+                          std::min(seconds, kRealTime_s), options.site);
+    if (!told) {
+        return complain(told.error(), 2);
     }
     return conclude_soak(sum, is_soak, growth);
 }
