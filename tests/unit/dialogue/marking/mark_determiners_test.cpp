@@ -1,6 +1,7 @@
 // A noun has one determiner at most: in what is right, in what is said back, and in what counts as an error.
 #include "dialogue/marking/mark.h"
 #include "dialogue/template/sentences.h"
+#include "tests/unit/dialogue/marking/marked_rows.h"
 #include "tests/unit/dialogue/questions.h"
 #include "tests/unit/dialogue/wrong_sentences.h"
 
@@ -9,24 +10,6 @@
 using namespace fulcrum::dialogue;
 
 namespace {
-
-struct Row {
-    const char *said, *codes, *recast;
-};
-
-void check_rows(const Question& question, const std::vector<Row>& rows) {
-    for (const Row& row : rows) {
-        INFO(row.said);
-        const Mark mark = mark_answer(question, row.said);
-        std::string codes;
-        for (const FormError& error : mark.form_errors) {
-            codes += (codes.empty() ? "" : " ") + std::string(error.errant());
-        }
-        CHECK(mark.understood);
-        CHECK(codes == row.codes);
-        CHECK(mark.emphasised == row.recast);
-    }
-}
 
 Question moons_of_earth() {
     return compiled({"moons",

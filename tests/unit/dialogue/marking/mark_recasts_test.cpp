@@ -1,5 +1,6 @@
 // What is said back, and what is no error though it looks like one.
 #include "dialogue/marking/mark.h"
+#include "tests/unit/dialogue/marking/marked_rows.h"
 #include "tests/unit/dialogue/questions.h"
 
 #include <catch2/catch.hpp>
@@ -7,25 +8,6 @@
 using namespace fulcrum::dialogue;
 
 namespace {
-
-// What learners say, the errors in it in their order, and the sentence that is said back.
-struct Row {
-    const char *said, *codes, *recast;
-};
-
-void check_rows(const Question& question, const std::vector<Row>& rows) {
-    for (const Row& row : rows) {
-        INFO(row.said);
-        const Mark mark = mark_answer(question, row.said);
-        std::string codes;
-        for (const FormError& error : mark.form_errors) {
-            codes += (codes.empty() ? "" : " ") + std::string(error.errant());
-        }
-        CHECK(mark.understood);
-        CHECK(codes == row.codes);
-        CHECK(mark.emphasised == row.recast);
-    }
-}
 
 Question heavier_of_two() {
     return compiled({"heavier",

@@ -1,37 +1,11 @@
 #include "dialogue/marking/mark.h"
 
+#include "tests/unit/dialogue/marking/marked_rows.h"
 #include "tests/unit/dialogue/questions.h"
 
 #include <catch2/catch.hpp>
 
 using namespace fulcrum::dialogue;
-
-namespace {
-
-// What learners say, the errors in it in their order, and the sentence that is said back. Written by hand.
-struct Row {
-    const char *said, *codes, *recast;
-};
-
-std::string codes_of(const Mark& mark) {
-    std::string codes;
-    for (const FormError& error : mark.form_errors) {
-        codes += (codes.empty() ? "" : " ") + std::string(error.errant());
-    }
-    return codes;
-}
-
-void check_rows(const Question& question, const std::vector<Row>& rows) {
-    for (const Row& row : rows) {
-        INFO(row.said);
-        const Mark mark = mark_answer(question, row.said);
-        CHECK(mark.understood);
-        CHECK(codes_of(mark) == row.codes);
-        CHECK(mark.emphasised == row.recast);
-    }
-}
-
-}  // namespace
 
 TEST_CASE("mark: superlatives as learners say them") {
     check_rows(

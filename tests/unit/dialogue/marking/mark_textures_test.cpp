@@ -1,6 +1,7 @@
 // Adjectives and the passive as learners say them. The sentences are put together here, apart from the library's own
 // tables, so that what is right and what is wrong is said twice, by two hands.
 #include "dialogue/marking/mark.h"
+#include "tests/unit/dialogue/marking/marked_rows.h"
 #include "tests/unit/dialogue/questions.h"
 
 #include <catch2/catch.hpp>
@@ -10,14 +11,6 @@ using namespace fulcrum::dialogue;
 namespace {
 
 using Slots = std::vector<std::pair<std::string, std::string>>;
-
-std::string codes_of(const Mark& mark) {
-    std::string codes;
-    for (const FormError& error : mark.form_errors) {
-        codes += (codes.empty() ? "" : " ") + std::string(error.errant());
-    }
-    return codes;
-}
 
 struct Thing {
     const char *value, *bare, *with_article, *is;
